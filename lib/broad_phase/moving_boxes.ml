@@ -10,6 +10,7 @@ type t = float array
 let size = 16
 let along axis = 1 + (4 * axis)
 let create n = Array.make (size * n) 0.
+let count (b : t) = Array.length b / size
 
 (* Each operation on floats rounds to the nearest, so that the exact result lies between its neighbours. *)
 let down = Float.pred
@@ -53,15 +54,15 @@ let swept (b : t) i ~from =
    x0 + u0 t <= x1' + u1' t, that is w t <= g with w = u0 - u1' and g = x1' - x0, and the same with the boxes
    exchanged. With w rounded down and g up the condition is weaker; for w > 0 it says t <= g/w, for w < 0 it says
    t >= g/w, and for w = 0 that g >= 0. The six conditions are kept together as an interval of time, each
-   quotient rounded so that the interval grows. A quotient that is a NaN (infinite g and w) narrows nothing. *)
-let may_meet (b : t) i j ~from =
-  let least = ref from and greatest = ref (until b i) in
-  if until b j < !greatest then greatest := until b j;
+   quotient rounded so that the interval grows. A quotient that is a NaN (infinite g and w) narrows nothing. What
+   remains begins before infinity, as it is rounded down. *)
+let overlap (a : t) i (b : t) j ~from ~until =
+  let least = ref from and greatest = ref until in
   let axis = ref 0 in
   while !axis < 3 do
     let k = !axis in
     let i = (size * i) + along k and j = (size * j) + along k in
-    let w = down (b.(i + 2) -. b.(j + 3)) and g = up (b.(j + 1) -. b.(i)) in
+    let w = down (a.(i + 2) -. b.(j + 3)) and g = up (b.(j + 1) -. a.(i)) in
     if w > 0. then begin
       let t = up (g /. w) in
       if t < !greatest then greatest := t
@@ -71,7 +72,7 @@ let may_meet (b : t) i j ~from =
       if t > !least then least := t
     end
     else if g < 0. then greatest := neg_infinity;
-    let w = down (b.(j + 2) -. b.(i + 3)) and g = up (b.(i + 1) -. b.(j)) in
+    let w = down (b.(j + 2) -. a.(i + 3)) and g = up (a.(i + 1) -. b.(j)) in
     if w > 0. then begin
       let t = up (g /. w) in
       if t < !greatest then greatest := t
@@ -83,4 +84,10 @@ let may_meet (b : t) i j ~from =
     else if g < 0. then greatest := neg_infinity;
     axis := if !least <= !greatest then k + 1 else 4
   done;
-  !axis = 3
+  if !axis = 3 then !least else infinity
+
+let may_meet b i j ~from =
+  let one = until b i and two = until b j in
+  overlap b i b j ~from ~until:(if two < one then two else one) < infinity
+
+let not_before a i b j = overlap a i b j ~from:0. ~until:infinity

@@ -9,6 +9,9 @@ type t
 val create : int -> t
 (** [create n]: n boxes, numbered from 0, that are to be {!set} before they are used. *)
 
+val count : t -> int
+(** Of its boxes. *)
+
 val set : t -> int -> Float_box.t -> at:Vec.t -> velocity:Vec.t -> unit
 (** [set t i b ~at ~velocity]: [b] is given about a point that is at [at] at time 0. *)
 
@@ -23,3 +26,7 @@ val swept : t -> int -> from:float -> Float_box.t
 val may_meet : t -> int -> int -> from:float -> bool
 (** [false] only if the closed boxes have no point in common from [from] on, until the first {!until} of the
     two. *)
+
+val not_before : t -> int -> t -> int -> float
+(** [not_before a i b j]: box i of [a] and box j of [b], if both move so for ever, have no point in common from time 0 to
+    before this time, which is infinite only if they never have. *)

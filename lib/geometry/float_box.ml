@@ -36,4 +36,13 @@ let high (b : t) axis = b.(axis + 3)
 let meet (a : t) (b : t) =
   a.(0) <= b.(3) && b.(0) <= a.(3) && a.(1) <= b.(4) && b.(1) <= a.(4) && a.(2) <= b.(5) && b.(2) <= a.(5)
 
+let hull boxes =
+  let least k = Array.fold_left (fun x (b : t) -> Float.min x b.(k)) infinity boxes in
+  let greatest k = Array.fold_left (fun x (b : t) -> Float.max x b.(k)) neg_infinity boxes in
+  [| least 0; least 1; least 2; greatest 3; greatest 4; greatest 5 |]
+
+let equal (a : t) (b : t) =
+  let rec from k = k = 6 || (Float.equal a.(k) b.(k) && from (k + 1)) in
+  from 0
+
 let extent (b : t) = Float.max (b.(3) -. b.(0)) (Float.max (b.(4) -. b.(1)) (b.(5) -. b.(2)))

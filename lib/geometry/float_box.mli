@@ -31,5 +31,10 @@ val high : t -> int -> float
 val meet : t -> t -> bool
 (** Whether the closed boxes have a point in common. *)
 
+val hull : t array -> t
+(** Holds all of them, of which there is one at least. *)
+
+val equal : t -> t -> bool
+
 val extent : t -> float
 (** The length of the longest edge; infinite or a NaN when a coordinate is infinite. *)

@@ -73,6 +73,9 @@ type body = private {
   process : State.process;
 }
 
+val no_body : body
+(** Stands for no process: its number is {!nobody}. *)
+
 val body : t -> int -> body
 
 val displaced : t -> Rat.t -> body -> int

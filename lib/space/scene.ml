@@ -1,0 +1,155 @@
+open Scc_geometry
+open Scc_broad_phase
+module Ints = Set.Make (Int)
+module Pairs = Map.Make (Int)
+
+(* By slots. A slot whose number is -1 has not been looked at. *)
+type t = {
+  local : Local.t;
+  numbers : int array;
+  alone : Local.alone array;
+  hull : float array;  (** six numbers for each: of a box about all boxes of the process *)
+  near : int list array;  (** those a box of which meets one of its boxes *)
+  mutable acting : Ints.t;  (** who can do something by itself *)
+  mutable colliding : Local.move list Pairs.t;  (** by the slots of the two *)
+  mutable whole : bool;  (** no look was given up on the way *)
+}
+
+let create local =
+  let n = Array.length (Catalogue.model (Local.catalogue local)).leaves in
+  {
+    local;
+    numbers = Array.make n (-1);
+    alone = Array.make n (Local.nobody local);
+    hull = Array.make (6 * n) Float.nan;
+    near = Array.make n [];
+    acting = Ints.empty;
+    colliding = Pairs.empty;
+    whole = false;
+  }
+
+let slots t = Array.length t.numbers
+let pair t i j = if i < j then (i * slots t) + j else (j * slots t) + i
+
+(* {1 Who is near whom} *)
+
+let boxes t i = t.alone.(i).Local.boxes
+
+let set_hull t i =
+  if Array.length (boxes t i) > 0 then begin
+    let hull = Float_box.hull (boxes t i) in
+    for axis = 0 to 2 do
+      t.hull.((6 * i) + axis) <- Float_box.low hull axis;
+      t.hull.((6 * i) + axis + 3) <- Float_box.high hull axis
+    done
+  end
+  else Array.fill t.hull (6 * i) 6 Float.nan
+
+let hulls_meet (h : float array) i j =
+  let i = 6 * i and j = 6 * j in
+  h.(i) <= h.(j + 3)
+  && h.(j) <= h.(i + 3)
+  && h.(i + 1) <= h.(j + 4)
+  && h.(j + 1) <= h.(i + 4)
+  && h.(i + 2) <= h.(j + 5)
+  && h.(j + 2) <= h.(i + 5)
+
+let some_meet some others = Array.exists (fun a -> Array.exists (Float_box.meet a) others) some
+
+let near_to t i =
+  let mine = boxes t i in
+  let rec from j found =
+    if j < 0 then found
+    else from (j - 1) (if j <> i && hulls_meet t.hull i j && some_meet mine (boxes t j) then j :: found else found)
+  in
+  if Array.length mine = 0 then [] else from (slots t - 1) []
+
+let forget t i = List.iter (fun j -> t.near.(j) <- List.filter (fun k -> k <> i) t.near.(j)) t.near.(i)
+
+let find_again t i =
+  forget t i;
+  t.near.(i) <- near_to t i;
+  List.iter (fun j -> if not (List.mem i t.near.(j)) then t.near.(j) <- i :: t.near.(j)) t.near.(i)
+
+let find_all t =
+  let owned i = Array.map (fun box -> (i, box)) (boxes t i) in
+  let all = Array.concat (List.init (slots t) owned) in
+  Array.fill t.near 0 (slots t) [];
+  let meet (k, l) =
+    let i = fst all.(k) and j = fst all.(l) in
+    if i <> j && not (List.mem j t.near.(i)) then begin
+      t.near.(i) <- j :: t.near.(i);
+      t.near.(j) <- i :: t.near.(j)
+    end
+  in
+  List.iter meet (Boxes.pairs (Array.map snd all))
+
+(* {1 Looking} *)
+
+let has_moved (a : Local.alone) (b : Local.alone) =
+  not
+    ((a.body.place = b.body.place && a.body.form = b.body.form)
+     || (Array.length a.boxes = Array.length b.boxes && Array.for_all2 Float_box.equal a.boxes b.boxes))
+
+let part t i = List.iter (fun j -> t.colliding <- Pairs.remove (pair t i j) t.colliding) t.near.(i)
+
+let enter t number i =
+  let a = if number = Catalogue.nobody then Local.nobody t.local else Local.alone t.local number in
+  let moved = has_moved t.alone.(i) a in
+  t.alone.(i) <- a;
+  t.numbers.(i) <- number;
+  t.acting <- (match (a.urgent, a.weak) with [], [] -> Ints.remove i t.acting | _ -> Ints.add i t.acting);
+  if moved then set_hull t i;
+  moved
+
+let meet t i j =
+  let a = t.alone.(Int.min i j) and b = t.alone.(Int.max i j) in
+  if a.Local.body.velocity <> b.Local.body.velocity then
+    match Local.collisions t.local a b with
+    | [] -> ()
+    | moves -> t.colliding <- Pairs.add (pair t i j) moves t.colliding
+
+(* To sort all boxes costs about as much as to go through all of them for so many. *)
+let few_moved = 12
+
+let changed t tuple =
+  let rec from i found =
+    if i < 0 then found else from (i - 1) (if t.numbers.(i) <> tuple.(i) then i :: found else found)
+  in
+  from (slots t - 1) []
+
+let look_again t tuple changed =
+  List.iter (part t) changed;
+  let moved = List.filter (fun i -> enter t tuple.(i) i) changed in
+  if List.compare_length_with moved few_moved <= 0 then List.iter (find_again t) moved else find_all t;
+  List.iter (fun i -> List.iter (meet t i) t.near.(i)) changed
+
+let start_over t =
+  Array.fill t.numbers 0 (slots t) (-1);
+  Array.fill t.alone 0 (slots t) (Local.nobody t.local);
+  Array.fill t.near 0 (slots t) [];
+  t.acting <- Ints.empty;
+  t.colliding <- Pairs.empty
+
+let look t tuple =
+  if not t.whole then start_over t;
+  match changed t tuple with
+  | [] -> ()
+  | changed ->
+    t.whole <- false;
+    look_again t tuple changed;
+    t.whole <- true
+
+(* {1 What is there} *)
+
+let present t =
+  let rec from i acc =
+    if i < 0 then Array.of_list acc
+    else from (i - 1) (if t.numbers.(i) = Catalogue.nobody then acc else t.alone.(i) :: acc)
+  in
+  from (slots t - 1) []
+
+let last_first moves t = Ints.fold (fun i acc -> List.rev_append (moves t.alone.(i)) acc) t.acting []
+let urgent t = last_first (fun (a : Local.alone) -> a.urgent) t
+let weak t = last_first (fun (a : Local.alone) -> a.weak) t
+let collisions t = Pairs.fold (fun _ moves acc -> List.rev_append moves acc) t.colliding []
