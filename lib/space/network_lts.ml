@@ -130,13 +130,6 @@ let present c tuple =
   in
   from (n - 1) []
 
-let in_relative_motion (present : Local.alone array) =
-  let rec from i =
-    i < Array.length present
-    && (present.(i).body.velocity <> present.(0).body.velocity || from (i + 1))
-  in
-  from 1
-
 (* What can happen now but for the passing of time, all the last first; who is there; and what tells the first time of
    contact, if nobody collides. *)
 type now = {
@@ -165,9 +158,10 @@ let of_few c present =
 (* Where few move, who meets whom is told by pairs; else who is near whom in time is seen at once. *)
 let few_movers = 16
 
-let first_contact_of_many c present ~limit =
-  if not (in_relative_motion present) then None
+let first_contact_of_many c scene present ~limit =
+  if not (Scene.in_relative_motion scene) then None
   else
+    let present = Later.force present in
     let movers = Array.fold_left (fun n (a : Local.alone) -> if a.rests then n else n + 1) 0 present in
     if movers <= few_movers then Encounters.first_contact c.encounters (Encounters.among c.encounters present)
     else
@@ -180,7 +174,7 @@ let of_many c scene tuple =
   {
     present;
     can = { urgent = Scene.urgent scene; weak = Scene.weak scene; collisions = Scene.collisions scene };
-    contact = (fun ~limit -> first_contact_of_many c (Later.force present) ~limit);
+    contact = (fun ~limit -> first_contact_of_many c scene present ~limit);
   }
 
 (* Where two do not collide by themselves, but with all others that hang together with them (reading I-32), or meet

@@ -1,6 +1,5 @@
 open Scc_geometry
 open Scc_broad_phase
-module Ints = Set.Make (Int)
 module Pairs = Map.Make (Int)
 
 (* By slots. A slot whose number is -1 has not been looked at. *)
@@ -8,11 +7,15 @@ type t = {
   local : Local.t;
   numbers : int array;
   alone : Local.alone array;
+  velocities : int array;  (** their numbers; -1 of nobody *)
+  acts : Bytes.t;  (** not 0 of who can do something by itself *)
+  seen : Local.alone array;  (** those of whom it is known who is near them *)
+  unseen : bool array;  (** where these two differ *)
   hull : float array;  (** six numbers for each: of a box about all boxes of the process *)
   near : int list array;  (** those a box of which meets one of its boxes *)
-  mutable acting : Ints.t;  (** who can do something by itself *)
+  mutable waiting : int list;  (** the unseen *)
   mutable colliding : Local.move list Pairs.t;  (** by the slots of the two *)
-  mutable whole : bool;  (** no look was given up on the way *)
+  mutable whole : bool;  (** no work at it was given up on the way *)
 }
 
 let create local =
@@ -21,9 +24,13 @@ let create local =
     local;
     numbers = Array.make n (-1);
     alone = Array.make n (Local.nobody local);
+    velocities = Array.make n (-1);
+    acts = Bytes.make n '\000';
+    seen = Array.make n (Local.nobody local);
+    unseen = Array.make n false;
+    waiting = [];
     hull = Array.make (6 * n) Float.nan;
     near = Array.make n [];
-    acting = Ints.empty;
     colliding = Pairs.empty;
     whole = false;
   }
@@ -91,16 +98,42 @@ let has_moved (a : Local.alone) (b : Local.alone) =
     ((a.body.place = b.body.place && a.body.form = b.body.form)
      || (Array.length a.boxes = Array.length b.boxes && Array.for_all2 Float_box.equal a.boxes b.boxes))
 
-let part t i = List.iter (fun j -> t.colliding <- Pairs.remove (pair t i j) t.colliding) t.near.(i)
-
 let enter t number i =
-  let a = if number = Catalogue.nobody then Local.nobody t.local else Local.alone t.local number in
-  let moved = has_moved t.alone.(i) a in
+  let is_nobody = number = Catalogue.nobody in
+  let a = if is_nobody then Local.nobody t.local else Local.alone t.local number in
   t.alone.(i) <- a;
   t.numbers.(i) <- number;
-  t.acting <- (match (a.urgent, a.weak) with [], [] -> Ints.remove i t.acting | _ -> Ints.add i t.acting);
-  if moved then set_hull t i;
-  moved
+  t.velocities.(i) <- (if is_nobody then -1 else a.body.velocity);
+  Bytes.set t.acts i (if a.urgent = [] && a.weak = [] then '\000' else '\001');
+  if not t.unseen.(i) then begin
+    t.unseen.(i) <- true;
+    t.waiting <- i :: t.waiting
+  end
+
+let start_over t =
+  let n = slots t and nobody = Local.nobody t.local in
+  Array.fill t.numbers 0 n (-1);
+  Array.fill t.alone 0 n nobody;
+  Array.fill t.seen 0 n nobody;
+  Array.fill t.unseen 0 n false;
+  Array.fill t.near 0 n [];
+  t.waiting <- [];
+  Array.fill t.velocities 0 n (-1);
+  Bytes.fill t.acts 0 n '\000';
+  t.colliding <- Pairs.empty
+
+let look t tuple =
+  if not t.whole then start_over t;
+  t.whole <- false;
+  for i = 0 to slots t - 1 do
+    let number = Array.unsafe_get tuple i in
+    if Array.unsafe_get t.numbers i <> number then enter t number i
+  done;
+  t.whole <- true
+
+(* {1 Seeing who is near whom} *)
+
+let part t i = List.iter (fun j -> t.colliding <- Pairs.remove (pair t i j) t.colliding) t.near.(i)
 
 let meet t i j =
   let a = t.alone.(Int.min i j) and b = t.alone.(Int.max i j) in
@@ -112,33 +145,20 @@ let meet t i j =
 (* To sort all boxes costs about as much as to go through all of them for so many. *)
 let few_moved = 12
 
-let changed t tuple =
-  let rec from i found =
-    if i < 0 then found else from (i - 1) (if t.numbers.(i) <> tuple.(i) then i :: found else found)
-  in
-  from (slots t - 1) []
-
-let look_again t tuple changed =
-  List.iter (part t) changed;
-  let moved = List.filter (fun i -> enter t tuple.(i) i) changed in
+let see_who_waits t =
+  t.whole <- false;
+  List.iter (part t) t.waiting;
+  let moved = List.filter (fun i -> has_moved t.seen.(i) t.alone.(i)) t.waiting in
+  List.iter (set_hull t) moved;
   if List.compare_length_with moved few_moved <= 0 then List.iter (find_again t) moved else find_all t;
-  List.iter (fun i -> List.iter (meet t i) t.near.(i)) changed
-
-let start_over t =
-  Array.fill t.numbers 0 (slots t) (-1);
-  Array.fill t.alone 0 (slots t) (Local.nobody t.local);
-  Array.fill t.near 0 (slots t) [];
-  t.acting <- Ints.empty;
-  t.colliding <- Pairs.empty
-
-let look t tuple =
-  if not t.whole then start_over t;
-  match changed t tuple with
-  | [] -> ()
-  | changed ->
-    t.whole <- false;
-    look_again t tuple changed;
-    t.whole <- true
+  List.iter (fun i -> List.iter (meet t i) t.near.(i)) t.waiting;
+  let seen i =
+    t.seen.(i) <- t.alone.(i);
+    t.unseen.(i) <- false
+  in
+  List.iter seen t.waiting;
+  t.waiting <- [];
+  t.whole <- true
 
 (* {1 What is there} *)
 
@@ -149,7 +169,30 @@ let present t =
   in
   from (slots t - 1) []
 
-let last_first moves t = Ints.fold (fun i acc -> List.rev_append (moves t.alone.(i)) acc) t.acting []
+let last_first moves t =
+  let rec from i acc =
+    match Bytes.index_from_opt t.acts i '\001' with
+    | None -> acc
+    | Some i -> from (i + 1) (List.rev_append (moves t.alone.(i)) acc)
+  in
+  from 0 []
+
 let urgent t = last_first (fun (a : Local.alone) -> a.urgent) t
 let weak t = last_first (fun (a : Local.alone) -> a.weak) t
-let collisions t = Pairs.fold (fun _ moves acc -> List.rev_append moves acc) t.colliding []
+
+let in_relative_motion t =
+  let rec from i velocity =
+    i < slots t
+    &&
+    let mine = Array.unsafe_get t.velocities i in
+    if mine < 0 then from (i + 1) velocity else (velocity >= 0 && mine <> velocity) || from (i + 1) mine
+  in
+  from 0 (-1)
+
+(* Where nobody moves relative to anybody else, it does not matter who is near whom. *)
+let collisions t =
+  if not (in_relative_motion t) then []
+  else begin
+    see_who_waits t;
+    Pairs.fold (fun _ moves acc -> List.rev_append moves acc) t.colliding []
+  end

@@ -16,3 +16,6 @@ val urgent : t -> Local.move list
 
 val weak : t -> Local.move list
 val collisions : t -> Local.move list
+
+val in_relative_motion : t -> bool
+(** Whether two move relative to each other. *)
