@@ -16,4 +16,11 @@ let laws (model : Model.t) : Kinematics.laws =
 let of_model model =
   let memory = Obstacle_cache.create () in
   let geometry = Geometry.exact ~obstacle:(Obstacle_cache.find memory) in
+  let geometry =
+    match model.Model.rigid with
+    | None -> geometry
+    | Some _ ->
+      let casts = Cast_memory.create () in
+      { geometry with first_penetration = Cast_memory.find casts geometry.first_penetration }
+  in
   Semantics.make ~geometry ~neighbours:(Neighbours.boxes ()) ~laws:(laws model) model

@@ -1,4 +1,4 @@
-(** The semantics as everybody runs it: exact geometry with a memory of contact queries, a memory of laws that
+(** The semantics as everybody runs it: exact geometry with memories of contact queries and of casts, a memory of laws that
     never change, and neighbours by boxes. None of them changes an answer. *)
 
 open Scc_calculus

@@ -201,9 +201,10 @@ let time_number c time =
 
 let rational_number = time_number
 
-let encode c (s : State.t) =
+let encode ?number c (s : State.t) =
+  let number = Option.value number ~default:(process c) in
   let tuple = Array.make (width c) nobody in
-  Array.iter (fun p -> tuple.(first_leaf p) <- process c p) s.processes;
+  Array.iter (fun p -> tuple.(first_leaf p) <- number p) s.processes;
   Option.iter (fun step -> tuple.(step_slot c) <- step_number c step) s.step;
   Option.iter (fun time -> tuple.(time_slot c) <- time_number c time) s.time;
   tuple

@@ -25,7 +25,9 @@ val nobody : int
 val mark_slot : t -> int
 (** Where the mark stands; {!encode} leaves it 0, and {!decode} does not look at it. *)
 
-val encode : t -> State.t -> int array
+val encode : ?number:(State.process -> int) -> t -> State.t -> int array
+(** [number], {!process} by default, may know the numbers of processes otherwise. *)
+
 val decode : t -> int array -> State.t
 
 val time : t -> int array -> Rat.t option
