@@ -86,10 +86,19 @@ let within memory margin (parts : Part.t array) =
 
 (* {1 Sweeps} *)
 
-let fold_pairs f (parts : Part.t array) =
+(* All pairs, but for those whose boxes do not meet before the time that is known by then. *)
+let fold_pairs earlier boxes (parts : Part.t array) =
   let n = Array.length parts in
+  let lines = Moving_boxes.create n in
+  Array.iteri (fun i box -> Moving_boxes.set lines i box ~at:Vec.zero ~velocity:(Part.velocity parts.(i))) boxes;
+  let may_be_earlier best i j =
+    let bound = Moving_boxes.not_before lines i lines j in
+    bound < infinity && match best with None -> true | Some t -> bound <= Float_box.up t
+  in
   let rec from i j acc =
-    if i >= n - 1 then acc else if j = n then from (i + 1) (i + 2) acc else from i (j + 1) (f acc (i, j))
+    if i >= n - 1 then acc
+    else if j = n then from (i + 1) (i + 2) acc
+    else from i (j + 1) (if may_be_earlier acc i j then earlier acc (i, j) else acc)
   in
   from 0 1 None
 
@@ -160,7 +169,7 @@ let earliest memory ~margin ~limit time (parts : Part.t array) =
      least of all. *)
   let rec look round window =
     match window with
-    | None -> fold_pairs earlier parts
+    | None -> fold_pairs earlier (Lazy.force boxes) parts
     | Some span -> (
         let near = meeting_within (Lazy.force boxes) parts span in
         match List.fold_left earlier None near with

@@ -29,7 +29,7 @@ let create ~most =
 
 let[@inline] place size pair = (((pair lxor (pair lsr 29)) * 0x1E3779B97F4A7C15) lsr 30) land (size - 1)
 
-let find t pair =
+let[@inline] find t pair =
   let i = place (Array.length t.times) pair in
   if Array.unsafe_get t.cells (2 * i) = pair then Array.unsafe_get t.cells ((2 * i) + 1) else unknown
 
