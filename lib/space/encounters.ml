@@ -50,17 +50,14 @@ let earlier found rank time =
     found.time <- time
   end
 
-let rec consider t found (a : Local.alone) (b : Local.alone) =
-  let pair = number a b in
-  let code = Contact_memory.find t.contacts pair in
-  if code = Contact_memory.never then ()
-  else if code = Contact_memory.meeting then
+let rec consider t found (a : Local.alone) (b : Local.alone) pair code =
+  if code = Contact_memory.meeting then
     found.collisions <- List.rev_append (Local.collisions t.local a b) found.collisions
   else if code = Contact_memory.unknown then begin
     look_at_pair t pair a b;
-    consider t found a b
+    consider t found a b pair (Contact_memory.find t.contacts pair)
   end
-  else begin
+  else if code <> Contact_memory.never then begin
     let rank = Contact_memory.rank code in
     if Contact_memory.is_exact code then begin
       if rank <= found.rank then earlier found rank (Contact_memory.time t.contacts pair)
@@ -75,7 +72,11 @@ let among t (processes : Local.alone array) =
     let a = Array.unsafe_get processes i in
     for j = i + 1 to k - 1 do
       let b = Array.unsafe_get processes j in
-      if a.body.velocity <> b.body.velocity then consider t found a b
+      if a.body.velocity <> b.body.velocity then begin
+        let pair = number a b in
+        let code = Contact_memory.find t.contacts pair in
+        if code <> Contact_memory.never then consider t found a b pair code
+      end
     done
   done;
   found

@@ -121,14 +121,16 @@ let step c tuple (m : Local.move) : Lts.step =
     { m.step with changes = Tuples.difference tuple target }
 
 let present c tuple =
-  let n = Array.length (model c).leaves in
-  let rec from i acc =
-    if i < 0 then Array.of_list acc
-    else
-      let p = Array.unsafe_get tuple i in
-      from (i - 1) (if p = Catalogue.nobody then acc else Local.alone c.local p :: acc)
-  in
-  from (n - 1) []
+  let room = Array.make (Array.length (model c).leaves) (Local.nobody c.local) in
+  let count = ref 0 in
+  for i = 0 to Array.length room - 1 do
+    let number = Array.unsafe_get tuple i in
+    if number <> Catalogue.nobody then begin
+      room.(!count) <- Local.alone c.local number;
+      incr count
+    end
+  done;
+  if !count = Array.length room then room else Array.sub room 0 !count
 
 (* What can happen now but for the passing of time, all the last first; who is there; and what tells the first time of
    contact, if nobody collides. *)
@@ -138,14 +140,14 @@ type now = {
   contact : limit:Rat.t option -> Rat.t option;
 }
 
-let last_first moves present = Array.fold_left (fun acc a -> List.rev_append (moves a) acc) [] present
-
-let by_themselves present collisions =
-  {
-    Network.urgent = last_first (fun (a : Local.alone) -> a.urgent) present;
-    weak = last_first (fun (a : Local.alone) -> a.weak) present;
-    collisions;
-  }
+let by_themselves (present : Local.alone array) collisions =
+  let urgent = ref [] and weak = ref [] in
+  for i = 0 to Array.length present - 1 do
+    let a = Array.unsafe_get present i in
+    (match a.urgent with [] -> () | moves -> urgent := List.rev_append moves !urgent);
+    match a.weak with [] -> () | moves -> weak := List.rev_append moves !weak
+  done;
+  { Network.urgent = !urgent; weak = !weak; collisions }
 
 let of_few c present =
   let found = Encounters.among c.encounters present in
