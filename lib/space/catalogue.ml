@@ -72,7 +72,8 @@ type t = {
   times : Rationals.t;
   places : Pairs.t;  (** form and place *)
   processes : Pairs.t;  (** the pair before, and velocity *)
-  recent : body array;  (** the last bodies that were asked for, each at its number modulo the size *)
+  recent : body Recent.t;
+  seen : body array;  (** by slots: those last given out or numbered *)
   mutable bits : int;  (** the length of the longest number *)
 }
 
@@ -103,7 +104,8 @@ let create ~marked ~time_seen ~memory model =
     times = Rationals.create ();
     places = Pairs.create ();
     processes = Pairs.create ();
-    recent = Array.make memory no_body;
+    recent = Recent.create ~number:(fun b -> b.number) ~none:no_body ~most:memory;
+    seen = Array.make (Array.length model.leaves) no_body;
     bits = 0;
   }
 
@@ -158,10 +160,19 @@ let form_of c (p : State.process) =
 let numbered c ~form ~place ~velocity =
   1 + Pairs.intern c.processes (Pairs.intern c.places form (vector c place)) velocity
 
-let process c (p : State.process) =
+let find_number c slot (p : State.process) =
   let place = p.leaves.(0).position in
   let form = form_of c (State.with_velocity Vec.zero (moved (Vec.neg place) p)) in
-  numbered c ~form ~place ~velocity:(vector c p.velocity)
+  let velocity = vector c p.velocity in
+  let number = numbered c ~form ~place ~velocity in
+  c.seen.(slot) <- { number; form; place = vector c place; velocity; process = p };
+  number
+
+(* Most processes are after a transition what they were before it. *)
+let process c p =
+  let slot = first_leaf p in
+  let b = c.seen.(slot) in
+  if b.process == p then b.number else find_number c slot p
 
 let made c number =
   let placed = Pairs.left c.processes (number - 1) and velocity = Pairs.right c.processes (number - 1) in
@@ -174,12 +185,11 @@ let made c number =
   { number; form; place; velocity; process }
 
 let body c number =
-  let k = number land (Array.length c.recent - 1) in
-  let b = c.recent.(k) in
+  let b = Recent.get c.recent number in
   if b.number = number then b
   else begin
     let b = made c number in
-    c.recent.(k) <- b;
+    Recent.keep c.recent b;
     b
   end
 
@@ -201,10 +211,9 @@ let time_number c time =
 
 let rational_number = time_number
 
-let encode ?number c (s : State.t) =
-  let number = Option.value number ~default:(process c) in
+let encode c (s : State.t) =
   let tuple = Array.make (width c) nobody in
-  Array.iter (fun p -> tuple.(first_leaf p) <- number p) s.processes;
+  Array.iter (fun p -> tuple.(first_leaf p) <- process c p) s.processes;
   Option.iter (fun step -> tuple.(step_slot c) <- step_number c step) s.step;
   Option.iter (fun time -> tuple.(time_slot c) <- time_number c time) s.time;
   tuple
@@ -216,7 +225,12 @@ let decode c tuple =
   let n = leaves c in
   let rec processes i acc =
     if i < 0 then acc
-    else processes (i - 1) (if tuple.(i) = nobody then acc else (body c tuple.(i)).process :: acc)
+    else if tuple.(i) = nobody then processes (i - 1) acc
+    else begin
+      let b = body c tuple.(i) in
+      c.seen.(i) <- b;
+      processes (i - 1) (b.process :: acc)
+    end
   in
   let step = if Model.of_all c.model then Some (Steps.get c.steps tuple.(step_slot c)) else None in
   State.make ~processes:(processes (n - 1) []) ~step ~time:(time c tuple)

@@ -11,7 +11,7 @@ type t
 
 val create : marked:bool -> time_seen:Scc_property.Time_seen.t -> memory:int -> Model.t -> t
 (** Times of states that are the same to what sees so much of time get one number (rule AbsoluteTime). [memory], a
-    power of two, is how many processes are kept as they were last given out. *)
+    power of two, bounds how many processes are kept as they were last given out. *)
 
 val model : t -> Model.t
 val time_seen : t -> Scc_property.Time_seen.t
@@ -25,9 +25,7 @@ val nobody : int
 val mark_slot : t -> int
 (** Where the mark stands; {!encode} leaves it 0, and {!decode} does not look at it. *)
 
-val encode : ?number:(State.process -> int) -> t -> State.t -> int array
-(** [number], {!process} by default, may know the numbers of processes otherwise. *)
-
+val encode : t -> State.t -> int array
 val decode : t -> int array -> State.t
 
 val time : t -> int array -> Rat.t option

@@ -195,33 +195,19 @@ let now c tuple =
   | Some scene -> of_many c scene tuple
   | None -> (if by_pairs (model c) then of_few else at_once) c (present c tuple)
 
-(* Each transition with the tuple of where it leads; [number] gives the numbers of processes. *)
-let numbered_choices c number source =
+let choices c source =
   let encoded (t : Transition.t) =
-    let target = Catalogue.encode ~number (catalogue c) t.target in
+    let target = Catalogue.encode (catalogue c) t.target in
     set_mark c target (Local.mark c.local ~source t.label);
     (t, Quotient.representative c.quotient (catalogue c) target)
   in
   Result.map (List.map encoded) (Network.successors (semantics c) source)
 
-let choices c source = numbered_choices c (Catalogue.process (catalogue c)) source
-
-(* Most processes are after a transition what they were before it. *)
-let number_beside c tuple (source : State.t) =
-  let before = Array.make (Array.length tuple) None in
-  Array.iter (fun p -> before.(Catalogue.first_leaf p) <- Some p) source.processes;
-  fun p ->
-    let slot = Catalogue.first_leaf p in
-    match before.(slot) with
-    | Some q when p == q -> tuple.(slot)
-    | Some _ | None -> Catalogue.process (catalogue c) p
-
 let whole c tuple =
   let step ((t : Transition.t), target) : Lts.step =
     { label = Catalogue.label (catalogue c) t.label; changes = Tuples.difference tuple target }
   in
-  let source = Catalogue.decode (catalogue c) tuple in
-  match numbered_choices c (number_beside c tuple source) source with
+  match choices c (Catalogue.decode (catalogue c) tuple) with
   | Ok transitions -> Ok (List.map step transitions)
   | Error fault when is_given_up fault ->
     if not (List.mem fault c.given_up) then c.given_up <- fault :: c.given_up;
