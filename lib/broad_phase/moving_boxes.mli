@@ -28,5 +28,5 @@ val may_meet : t -> int -> int -> from:float -> bool
     two. *)
 
 val not_before : t -> int -> t -> int -> float
-(** [not_before a i b j]: box i of [a] and box j of [b], if both move so for ever, have no point in common from time 0 to
-    before this time, which is infinite only if they never have. *)
+(** [not_before a i b j]: box i of [a] and box j of [b], if both move so for ever, have no point in common from
+    time 0 to before this time, which is infinite only if they never have. *)

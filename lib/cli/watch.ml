@@ -28,8 +28,8 @@ type t = {
 
 let page = 4096.
 
-(* What is in memory, of the heap and of all else but what files have as well, which the system may drop at any time;
-   where the system does not tell, the heap alone. *)
+(* What is in memory, of the heap and of all else but what files have as well, which the system may drop at any
+   time; where the system does not tell, the heap alone. *)
 let resident () =
   match open_in_bin "/proc/self/statm" with
   | exception Sys_error _ -> float_of_int (Memory.bytes_of_words (Memory.heap_words ()))

@@ -1,5 +1,6 @@
-(** Large tables of numbers, in memory, or beyond some size in files that are mapped: what is not needed of those the
-    system keeps on disk alone, and fetches again when it is. The files have no names and end with the process. *)
+(** Large tables of numbers, in memory, or beyond some size in files that are mapped: what is not needed of those
+    the system keeps on disk alone, and fetches again when it is. The files have no names and end with the
+    process. *)
 
 open Bigarray
 

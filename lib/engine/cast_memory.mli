@@ -1,6 +1,6 @@
-(** A memory of casts of solids that turn. In one state the same cast is asked for several times, to see who collides before
-    and after a turn begins; and from state to state of an exploration most pairs go on as they did. The answer is a
-    function of what is asked alone ({!Scc_rigid.Cast}). *)
+(** A memory of casts of solids that turn. In one state the same cast is asked for several times, to see who
+    collides before and after a turn begins; and from state to state of an exploration most pairs go on as they
+    did. The answer is a function of what is asked alone ({!Scc_rigid.Cast}). *)
 
 open Scc_exact
 open Scc_rigid

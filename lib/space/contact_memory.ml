@@ -1,9 +1,9 @@
 open Scc_exact
 
-(* A table of cells: the number of a pair, and its code beside it. A code is a rank and, in the lowest bit, whether it is
-   only that of a bound. The rank of a float that is not negative is its bits without the last two, so that it fits: bits
-   are in the order of the floats. That of a rational is the rank of the nearest float, and rounding to the nearest keeps
-   the order, also with regard to floats. *)
+(* A table of cells: the number of a pair, and its code beside it. A code is a rank and, in the lowest bit,
+   whether it is only that of a bound. The rank of a float that is not negative is its bits without the last two,
+   so that it fits: bits are in the order of the floats. That of a rational is the rank of the nearest float, and
+   rounding to the nearest keeps the order, also with regard to floats. *)
 type t = {
   most : int;
   mutable cells : int array;

@@ -1,5 +1,5 @@
-(** A memory of when two processes that move relative to each other come into contact, by the number of the pair. It grows
-    up to a bound, and then forgets. *)
+(** A memory of when two processes that move relative to each other come into contact, by the number of the pair.
+    It grows up to a bound, and then forgets. *)
 
 open Scc_exact
 

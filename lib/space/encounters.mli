@@ -1,5 +1,5 @@
-(** Who of some processes in translation collides, and when the next two come into contact: pair by pair, each looked at
-    once and remembered. *)
+(** Who of some processes in translation collides, and when the next two come into contact: pair by pair, each
+    looked at once and remembered. *)
 
 open Scc_exact
 

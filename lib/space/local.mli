@@ -1,5 +1,5 @@
-(** What single processes do by themselves in a network in translation, and what two do together: each is worked out once
-    and remembered for as long as there is room. *)
+(** What single processes do by themselves in a network in translation, and what two do together: each is worked
+    out once and remembered for as long as there is room. *)
 
 open Scc_exact
 open Scc_geometry

@@ -132,8 +132,8 @@ let present c tuple =
   done;
   if !count = Array.length room then room else Array.sub room 0 !count
 
-(* What can happen now but for the passing of time, all the last first; who is there; and what tells the first time of
-   contact, if nobody collides. *)
+(* What can happen now but for the passing of time, all the last first; who is there; and what tells the first
+   time of contact, if nobody collides. *)
 type now = {
   present : Local.alone array Later.t;
   can : Local.move Network.discrete;
@@ -251,7 +251,9 @@ let group_moves semantics visible present (d : Local.move Network.discrete) =
   | Some g ->
     let inside = List.filter (fun m -> group m = g) in
     let mine = { Network.urgent = inside d.urgent; weak = inside d.weak; collisions = inside d.collisions } in
-    let count (d : Local.move Network.discrete) = List.length d.urgent + List.length d.weak + List.length d.collisions in
+    let count (d : Local.move Network.discrete) =
+      List.length d.urgent + List.length d.weak + List.length d.collisions
+    in
     if count mine < count d then Some mine else None
 
 let reduced c tuple =

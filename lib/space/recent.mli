@@ -1,6 +1,6 @@
-(** A memory of what was asked for last, by numbers: one thing for each place, at the number modulo the size. It begins
-    small and grows as long as much is asked for that is not there, up to a bound. What it holds is never needed, only
-    found sooner. *)
+(** A memory of what was asked for last, by numbers: one thing for each place, at the number modulo the size. It
+    begins small and grows as long as much is asked for that is not there, up to a bound. What it holds is never
+    needed, only found sooner. *)
 
 type 'a t
 

@@ -1,5 +1,5 @@
-(** Where many processes are, as in the last state that was looked at: who is near whom, and who collides. States that
-    are looked at one after another differ little as a rule, and only what differs is worked out. *)
+(** Where many processes are, as in the last state that was looked at: who is near whom, and who collides. States
+    that are looked at one after another differ little as a rule, and only what differs is worked out. *)
 
 type t
 

@@ -4,8 +4,8 @@
      explorer.exe bars                     those of which figures are kept in README.md
      explorer.exe MODEL STATES [NAME=VALUE …]   one model, up to so many states
 
-   Seconds are of the processor, in user mode, so that others who work on the machine matter little. Run from the root of
-   the project. *)
+   Seconds are of the processor, in user mode, so that others who work on the machine matter little. Run from the
+   root of the project. *)
 
 open Scc_base
 open Scc_exact
