@@ -96,6 +96,10 @@ let bad_trace = "SC0804"
 let not_yet = "SC0901"
 let any_time = "SC0902"
 let not_known = "SC0903"
+let no_state = "SC0920"
+let lost_frame = "SC0921"
+let not_asked = "SC0922"
+let no_run = "SC0923"
 
 let all =
   [
@@ -195,4 +199,8 @@ let all =
     (not_yet, "a feature of the language that this version does not execute");
     (any_time, "weak splits at any time, where a grid of instants is looked at");
     (not_known, "parameters with ranges, where their values are needed");
+    (no_state, "bytes that are no state of the model");
+    (lost_frame, "a batch of states that does not fit its format");
+    (not_asked, "a property or an exploration that the model does not have");
+    (no_run, "a run that does not fit its format, or that the model does not have");
   ]

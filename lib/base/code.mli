@@ -318,3 +318,16 @@ val any_time : t
 val not_known : t
 (** SC0903: parameters with ranges, where their values are needed. *)
 
+(** {1 Successors for programs} *)
+
+val no_state : t
+(** SC0920: bytes that are no state of the model. *)
+
+val lost_frame : t
+(** SC0921: a batch of states that does not fit its format. *)
+
+val not_asked : t
+(** SC0922: a property or an exploration that the model does not have. *)
+
+val no_run : t
+(** SC0923: a run that does not fit its format, or that the model does not have. *)

@@ -19,3 +19,6 @@ type t = {
 }
 
 val term : t Cmdliner.Term.t
+
+val reductions : Scc_space.Reduction.kind list Cmdliner.Term.t
+(** [--no-reduce]. *)

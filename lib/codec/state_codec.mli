@@ -19,3 +19,21 @@ val decode : t -> string -> (State.t, string) result
 (** [decode t (encode t s)] is [Ok s], and nothing but [encode t s] gives [s]. Otherwise what is wrong. What is
     decoded names leaves, features and behaviours that are there; whether it is well-formed, is for
     {!Scc_semantics.Well_formed} to say. *)
+
+(** {1 Piece by piece}
+
+    The bytes of a state are its head, those of its processes one after the other, and the rest: for whoever knows
+    the bytes of processes already. Readers raise {!Packed.Malformed}. *)
+
+val put_head : Buffer.t -> int -> unit
+(** The version, and how many processes there are. *)
+
+val put_process : t -> Buffer.t -> State.process -> unit
+val put_rest : Buffer.t -> step:State.step option -> time:Scc_exact.Rat.t option -> unit
+val read_head : Packed.source -> int
+
+val read_process : t -> string -> from:int -> State.process * int
+(** The process that begins at a place, in its own form, and where it ends. No two begin alike: where the bytes of
+    one are, there is that one. *)
+
+val read_rest : Packed.source -> State.step option * Scc_exact.Rat.t option

@@ -31,6 +31,15 @@ val decode : t -> int array -> State.t
 val time : t -> int array -> Rat.t option
 (** Absolute, if states have it. *)
 
+val step : t -> int array -> State.step option
+(** The movement step of the network, if states have it. *)
+
+val put_rest : t -> int array -> step:State.step option -> time:Rat.t option -> unit
+(** Writes what a state has besides its processes. *)
+
+val same_rest : t -> int array -> int array -> bool
+(** Two states have all but their processes in common, the mark included. *)
+
 val pass_time : t -> int array -> Rat.t -> unit
 (** Puts the time forward, if states have it. *)
 
@@ -72,6 +81,7 @@ val form : t -> int -> State.process
 val first_leaf : State.process -> int
 
 val label : t -> Transition.label -> int
+val hash_label : Transition.label -> int
 val label_of : t -> int -> Transition.label
 
 val find_label : t -> (Transition.label -> 'a option) -> 'a option

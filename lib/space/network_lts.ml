@@ -202,9 +202,17 @@ let unmarked c tuple =
   set_mark c copy 0;
   copy
 
+let events c = c.book.events
+
+let happened c tuple =
+  match c.book.events with
+  | [] -> []
+  | _ :: _ -> Marks.get c.book.marks tuple.(Catalogue.mark_slot (catalogue c))
+
+let set_happened c tuple places = set_mark c tuple (Marks.intern c.book.marks places)
+
 let arrived c tuple event =
-  let happened = Marks.get c.book.marks tuple.(Catalogue.mark_slot (catalogue c)) in
-  List.exists (fun i -> Formula.equal_event (List.nth c.book.events i) event) happened
+  List.exists (fun i -> Formula.equal_event (List.nth c.book.events i) event) (happened c tuple)
 
 (** {2 Transitions of the whole} *)
 

@@ -26,6 +26,14 @@ val make :
 val arrived : context -> int array -> Property.event -> bool
 (** Whether the transition that has just led to the state was of the event, one of those of {!make}. *)
 
+val events : context -> Property.event list
+(** Those of {!make}. *)
+
+val happened : context -> int array -> int list
+(** Their places in the list, in order, of those that have just led to the state. *)
+
+val set_happened : context -> int array -> int list -> unit
+
 val catalogue : context -> Catalogue.t
 val semantics : context -> Semantics.t
 val model : context -> Model.t
