@@ -3,13 +3,46 @@ open Scc_ctl
 open Scc_explore
 open Scc_exchange
 
+(* The transitions of a state, and how many came before them in the answer. *)
+type group = { before : int; source : int array; steps : Lts.step list }
+
+(* Of transitions; cleared for each answer. *)
+type columns = {
+  follows : Buffer.t;
+  counts : Buffer.t;
+  ahead : Buffer.t;
+  prints : Buffer.t;
+  labels : Buffer.t;
+  print : Keys.fingerprint;  (** to work with *)
+  mutable groups : group list;  (** the last first *)
+  mutable moves : int;
+  mutable notes : Json.t list;  (** what numbers do not tell, the last first *)
+}
+
 type t = {
   mutable filter : Filter.t;
   mutable told : int;  (** so many labels are known on the other side *)
-  mutable last : (int array * Tuples.changes) array;  (** the transitions of the last answer, from where and how *)
+  columns : columns;
+  mutable last : group array;  (** of the last answer *)
 }
 
-let make filter = { filter; told = 0; last = [||] }
+let columns () =
+  let b () = Buffer.create 65536 in
+  {
+    follows = b (); counts = b (); ahead = b (); prints = b (); labels = b ();
+    print = Keys.no_fingerprint ();
+    groups = []; moves = 0; notes = [];
+  }
+
+let in_order c = [ c.follows; c.counts; c.ahead; c.prints; c.labels ]
+
+let clear c =
+  List.iter Buffer.clear (in_order c);
+  c.groups <- [];
+  c.moves <- 0;
+  c.notes <- []
+
+let make filter = { filter; told = 0; columns = columns (); last = [||] }
 let most = 1 lsl 30
 
 (* {1 Reading} *)
@@ -69,17 +102,25 @@ let put_target t c index tuple =
   put_number c.lengths (Buffer.length c.bytes - before);
   if Array.exists undecided r.goals then c.doubts <- note index [ ("goals", texts r.goals Told.truth) ] c.doubts
 
-let target_of (source, changes) = Tuples.apply changes source
+(* Where the transition of a place of the last answer leads. *)
+let target_of t place =
+  let rec group low high =
+    (* It is in one of these, the second excluded. *)
+    if high - low = 1 then t.last.(low)
+    else
+      let middle = (low + high) / 2 in
+      if t.last.(middle).before <= place then group middle high else group low middle
+  in
+  let total = t.columns.moves in
+  if place >= total then lost "transition %d is not there, of %d" place total;
+  let g = group 0 (Array.length t.last) in
+  Tuples.apply (List.nth g.steps (place - g.before)).changes g.source
 
 let recall t frame out =
   let places = numbers frame in
   if String.length frame <> 8 + (4 * Array.length places) then lost "there is more than it says";
   let c = targets () in
-  let one index place =
-    if place >= Array.length t.last then lost "transition %d is not there" place;
-    put_target t c index (target_of t.last.(place))
-  in
-  Array.iteri one places;
+  Array.iteri (fun index place -> put_target t c index (target_of t place)) places;
   let text = notes_text [] c.doubts in
   put_frame out
     [ Array.length places; Buffer.length c.bytes; String.length text ]
@@ -87,24 +128,6 @@ let recall t frame out =
     text
 
 (* {1 Transitions} *)
-
-type columns = {
-  follows : Buffer.t;
-  counts : Buffer.t;
-  ahead : Buffer.t;
-  prints : Buffer.t;
-  labels : Buffer.t;
-  mutable moves : (int array * Tuples.changes) list;  (** the last first *)
-  mutable notes : Json.t list;  (** what numbers do not tell, likewise *)
-  print : Keys.fingerprint;  (** to work with *)
-}
-
-let columns () =
-  let b () = Buffer.create 4096 in
-  {
-    follows = b (); counts = b (); ahead = b (); prints = b (); labels = b (); moves = []; notes = [];
-    print = Keys.no_fingerprint ();
-  }
 
 let is_no_state = 5
 
@@ -131,13 +154,14 @@ let put_moves t c source steps =
     Keys.move keys ~into:c.print before source changes target;
     Keys.put_fingerprint c.prints c.print;
     put_number c.labels (Filter.label_number t.filter s.label);
-    c.moves <- (source, changes) :: c.moves;
     for i = 0 to (Array.length changes / 2) - 1 do
       let slot = changes.(2 * i) in
       target.(slot) <- source.(slot)
     done
   in
-  List.iter put steps
+  List.iter put steps;
+  if steps <> [] then c.groups <- { before = c.moves; source; steps } :: c.groups;
+  c.moves <- c.moves + List.length steps
 
 let put_state t c index source ((bare : Filter.bare), look_ahead) =
   Buffer.add_uint8 c.follows (follows bare);
@@ -174,7 +198,8 @@ let expand t frame ~with_targets out =
   let begins = 8 + (4 * Array.length lengths) in
   if Array.fold_left ( + ) begins lengths <> String.length frame then lost "its states are not as long as it says";
   t.filter <- Filter.renew t.filter;
-  let c = columns () in
+  let c = t.columns in
+  clear c;
   let from = ref begins in
   let state index length =
     let stop = !from + length in
@@ -187,17 +212,17 @@ let expand t frame ~with_targets out =
     from := stop
   in
   Array.iteri state lengths;
-  t.last <- Array.of_list (List.rev c.moves);
+  t.last <- Array.of_list (List.rev c.groups);
+  c.groups <- [];
   let text = text t c in
   put_frame out
-    [ Array.length lengths; Array.length t.last; String.length text ]
-    [ c.follows; c.counts; c.ahead; c.prints; c.labels ]
-    text;
+    [ Array.length lengths; c.moves; String.length text ]
+    (in_order c) text;
   if with_targets then begin
     let places = Buffer.create 4096 in
     put_number places 3;
-    put_number places (Array.length t.last);
-    put_numbers places (Array.init (Array.length t.last) Fun.id);
+    put_number places c.moves;
+    put_numbers places (Array.init c.moves Fun.id);
     recall t (Buffer.contents places) out
   end
 

@@ -44,11 +44,12 @@ let plan (e : Check.exploration) goals (c : Property.check) =
     | Now p -> Now (Trajectory.holds e.semantics e.start p)
     | Possibly (within, p) -> Possibly (add within p)
     | Always (within, p) -> Always (add within (Formula.negate p))
-    | Formula _ -> Other
+    | Formula _ -> Bug.fail __POS__ "a formula among searches"
     | All plans -> All (List.map of_plan plans)
     | Any plans -> Any (List.map of_plan plans)
   in
-  (c, of_plan (Joint_check.plan c))
+  let p = Joint_check.plan c in
+  (c, if Plan.is_search p then of_plan p else Other)
 
 let no_such fmt = Printf.ksprintf (fun text -> Error [ Diag.error Code.not_asked Span.command_line "%s" text ]) fmt
 

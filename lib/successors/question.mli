@@ -17,7 +17,7 @@ type plan =
   | Always of int  (** it holds iff no run meets the goal *)
   | All of plan list
   | Any of plan list
-  | Other  (** more than searches have to decide it *)
+  | Other  (** of a property that searches alone do not decide: never a part of another one *)
 
 type t = {
   loaded : Scc_session.Loaded.t;

@@ -115,6 +115,7 @@ let header ~program ~framing f : Json.t =
         ("bounds", `Assoc [ ("instant", bound Scc_verify.Bounds.default.instant); ("bits", `Int q.bits) ]);
         ("exploration", `Int q.number);
         ("explorations", `Int q.count);
+        ("horizon", Json.option Json.rat (Scc_verify.Joint_check.horizon q.exploration.members));
         ("left_out", texts q.exploration.left_out);
         ("checks", `List (List.map (check q) q.plans));
         ("goals", `List (List.map2 (goal model) (Array.to_list q.goals) (Array.to_list (Filter.predicates f))));
