@@ -12,6 +12,7 @@ let rec write_all bytes from stop =
     | n -> write_all bytes (from + n) stop
     | exception Unix.Unix_error (EINTR, _, _) -> write_all bytes from stop
     | exception Unix.Unix_error ((EPIPE | EBADF | ECONNRESET), _, _) -> raise Closed
+    | exception Unix.Unix_error (e, _, _) -> raise (Console.output_failed "standard output" (Unix.error_message e))
 
 (* Answers wait until no further question does, or there are many. *)
 let enough = 65536
