@@ -138,6 +138,7 @@ Installing again replaces what is there, also what an earlier version had beside
   scc-explore.1
   scc-export.1
   scc-oracle.1
+  scc-successors.1
 
   $ "$scripts/uninstall" prefix | sed "s|$PWD|.|g"
   scc is no longer in ./prefix

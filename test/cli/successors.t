@@ -3,6 +3,12 @@ A filter for programs. The first line says what it is about:
   $ scc successors ../../specs/models/figure4.sc < /dev/null
   {"format":"scc-successors","version":1,"program":"0.1.0 (semantics 2)","state_bytes":1,"model":"figure4","digest":"md5:fac0abe803ba644ce82deb92bf81250b","parameters":{},"settings":{},"framing":"lines","reductions":["symmetry","translation","jump","slice","time"],"bounds":{"instant":10000,"bits":100000},"exploration":1,"explorations":2,"horizon":null,"left_out":[],"checks":[{"name":"straight","formula":"always x(s0) - 2 = 2*(y(s0) - 3) and y(s0) - 3 = z(s0) - 1","premise":false,"plan":{"always":0}},{"name":"steady","formula":"always vx(s0) = 2 and vy(s0) = 1 and vz(s0) = 1","premise":false,"plan":{"always":1}},{"name":"passes","formula":"possibly x(s0) = 12 and y(s0) = 8 and z(s0) = 6","premise":false,"plan":{"possibly":2}},{"name":"leaves","formula":"eventually x(s0) > 1000","premise":false,"plan":null},{"name":"energetic","formula":"always energy = 9","premise":false,"plan":{"always":3}},{"name":"stays","formula":"always x(s0) <= 12","premise":false,"plan":{"always":4}}],"goals":[{"formula":"(x(s0) - 2) != (2 * (y(s0) - 3)) or (y(s0) - 3) != (z(s0) - 1)","within":null,"ahead":true},{"formula":"(vx(s0) != 2 or vy(s0) != 1) or vz(s0) != 1","within":null,"ahead":false},{"formula":"(x(s0) = 12 and y(s0) = 8) and z(s0) = 6","within":null,"ahead":true},{"formula":"energy != 9","within":null,"ahead":false},{"formula":"x(s0) > 12","within":null,"ahead":true}],"events":[],"initial":{"state":"010100010008040c04040400020008040404040400010004","fingerprint":"e8e2aa5cf3635032ea05dfbb9e13c560","goals":[false,false,false,false,false]}}
 
+The example of specs/successors.md:
+
+  $ echo 010100010008040c04040400020008040404040400010004 | scc successors ../../specs/models/figure4.sc | tail -n 1 > answer
+  $ grep -cFf answer ../../specs/successors.md
+  1
+
 A state is answered by what follows it:
 
   $ cat > two.sc <<'END'
@@ -115,7 +121,5 @@ Nobody reads the answers, or they cannot be written:
   $ { sleep 0.3; yes "$(state)" | scc successors two.sc; echo $? > code; } 2>/dev/null | true; cat code
   4
   $ scc successors two.sc < /dev/null > /dev/full
-  scc: internal error: Unix.Unix_error(Unix.ENOSPC, "write", "")
-  This is a fault of scc, not of the model. Please report it with the model and this command line:
-    'scc' 'successors' 'two.sc'
-  [70]
+  standard output: error[SC0103]: cannot write: No space left on device
+  [74]
