@@ -35,7 +35,8 @@ let write_witnesses loaded path folder verdicts =
   let one ({ check; verdict; _ } : Verdict.outcome) =
     match Verdict.shown verdict with
     | None -> Ok ()
-    | Some w -> write_file (Filename.concat folder (check.name ^ ".json")) (Scheduled.of_witness loaded path check w)
+    | Some w ->
+      write_file (Filename.concat folder (check.name ^ ".json")) (Scheduled.of_witness loaded path check w)
   in
   let* () = make_folder folder in
   let add before v =

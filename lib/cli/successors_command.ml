@@ -151,8 +151,8 @@ let run color options given path =
 
 let names =
   let doc =
-    "Asks for the property $(docv) alone, as if the model had no others. Repeatable. By default all properties are \
-     asked for."
+    "Asks for the property $(docv) alone, as if the model had no others. Repeatable. By default all properties \
+     are asked for."
   in
   Arg.(value & opt_all string [] & info [ "check" ] ~docv:"NAME" ~doc)
 

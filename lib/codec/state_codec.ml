@@ -245,7 +245,8 @@ let read_rest source =
   (step, option source Packed.rational)
 
 (* Lists that are not in order, a part that is told and need not be, a behaviour that has a number. *)
-let in_form written text x = if String.equal written text then x else malformed "it is not in the form that each state has"
+let in_form written text x =
+  if String.equal written text then x else malformed "it is not in the form that each state has"
 
 let read_process t text ~from =
   let source = Packed.source ~from text in

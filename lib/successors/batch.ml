@@ -84,7 +84,13 @@ let texts values told : Json.t = `List (Array.to_list (Array.map told values))
 
 (* {1 Targets} *)
 
-type targets = { flags : Buffer.t; goals : Buffer.t; lengths : Buffer.t; bytes : Buffer.t; mutable doubts : Json.t list }
+type targets = {
+  flags : Buffer.t;
+  goals : Buffer.t;
+  lengths : Buffer.t;
+  bytes : Buffer.t;
+  mutable doubts : Json.t list;
+}
 
 let targets () =
   let b () = Buffer.create 4096 in
@@ -170,8 +176,8 @@ let put_state t c index source ((bare : Filter.bare), look_ahead) =
   put_number c.counts (List.length steps);
   put_moves t c source steps;
   let of_ahead =
-    if Array.exists (fun a -> ahead a <> 0) look_ahead then [ ("ahead", texts look_ahead (Json.option Told.ahead)) ]
-    else []
+    if Array.for_all (fun a -> ahead a = 0) look_ahead then []
+    else [ ("ahead", texts look_ahead (Json.option Told.ahead)) ]
   in
   let reason =
     match bare with Ends d | Fault d -> [ ("reason", Told.diagnostic d) ] | Moves _ | Rests | Stops -> []

@@ -122,11 +122,11 @@ let malformed what = raise (Packed.Malformed what)
 
 let stands_at text from piece =
   let n = String.length piece in
+  let rec same_bytes i = i >= n || (Char.equal piece.[i] text.[from + i] && same_bytes (i + 1)) in
   let rec same i =
-    if i + 8 <= n then
-      Int64.equal (String.get_int64_le piece i) (String.get_int64_le text (from + i)) && same (i + 8)
-    else i >= n || (String.unsafe_get piece i = String.unsafe_get text (from + i) && same_byte (i + 1))
-  and same_byte i = i >= n || (String.unsafe_get piece i = String.unsafe_get text (from + i) && same_byte (i + 1)) in
+    if i + 8 > n then same_bytes i
+    else Int64.equal (String.get_int64_le piece i) (String.get_int64_le text (from + i)) && same (i + 8)
+  in
   from + n <= String.length text && same 0
 
 (* Most processes are shorter than what is looked at, and few of them begin alike and are not the same. *)

@@ -9,7 +9,8 @@ open Scc_space
 type t
 
 val make : Network_lts.context -> State.t -> t
-(** With the state that numbers are given by ({!Scc_codec.State_codec.make}): the initial one of the whole network. *)
+(** With the state that numbers are given by ({!Scc_codec.State_codec.make}): the initial one of the whole
+    network. *)
 
 val put : t -> Buffer.t -> int array -> unit
 (** The bytes of a state. *)

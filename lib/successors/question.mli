@@ -1,5 +1,5 @@
-(** What is asked about the states of a model: one of the explorations that {!Scc_verify.Check.run} makes, and what it
-    searches for. *)
+(** What is asked about the states of a model: one of the explorations that {!Scc_verify.Check.run} makes, and
+    what it searches for. *)
 
 open Scc_base
 open Scc_property
@@ -37,8 +37,8 @@ val reductions : Reduction.kind list
 val make :
   reductions:Reduction.kind list -> bits:int -> names:string list -> number:int -> Scc_session.Loaded.t ->
   (t, Diag.t list) result
-(** For the properties of these names, all of them if there are none. SC0922 where there is no property of a name, or
-    no exploration of this number. *)
+(** For the properties of these names, all of them if there are none. SC0922 where there is no property of a
+    name, or no exploration of this number. *)
 
 val context : t -> Network_lts.context
 (** A new one, without a memory of what was asked before. *)

@@ -58,7 +58,9 @@ let follows : _ Filter.following -> string = function
 let answer f (e : Filter.expanded) : Json.t =
   let model = (Filter.question f).loaded.model in
   let move (number, r) = `Assoc (label model (Filter.label f number) @ reached f r) in
-  let successors = match e.follows with Moves moves -> List.map move moves | Rests | Ends _ | Stops | Fault _ -> [] in
+  let successors =
+    match e.follows with Moves moves -> List.map move moves | Rests | Ends _ | Stops | Fault _ -> []
+  in
   let reason =
     match e.follows with Ends d | Fault d -> [ ("reason", diagnostic d) ] | Moves _ | Rests | Stops -> []
   in

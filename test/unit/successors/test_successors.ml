@@ -49,7 +49,9 @@ let explore f =
     | Error d -> Alcotest.failf "a state is refused: %s" d.message
     | Ok e ->
       found := (r, e) :: !found;
-      (match e.follows with Moves moves -> List.iter (fun (_, r) -> enter r) moves | Rests | Ends _ | Stops | Fault _ -> ())
+      (match e.follows with
+       | Moves moves -> List.iter (fun (_, r) -> enter r) moves
+       | Rests | Ends _ | Stops | Fault _ -> ())
   done;
   List.rev !found
 
@@ -75,7 +77,8 @@ let same_elsewhere name () =
         (Keys.hex e.state.fingerprint);
       if not has_events then
         Alcotest.(check string) "as the codec writes it" text
-          (Scc_codec.State_codec.encode codec (Catalogue.decode (Network_lts.catalogue (Filter.context f)) r.tuple));
+          (Catalogue.decode (Network_lts.catalogue (Filter.context f)) r.tuple
+           |> Scc_codec.State_codec.encode codec);
       let answer f tuple =
         match Filter.expand f tuple with
         | Ok e -> Scc_exchange.Json.line (Told.answer f e)
@@ -112,7 +115,8 @@ let damaged =
       for _ = 0 to any 3 do
         Bytes.set bytes (any (Bytes.length bytes)) (Char.chr (if any 2 = 0 then any 256 else any 12))
       done;
-      let changed = Bytes.sub_string bytes 0 (if any 4 = 0 then any (Bytes.length bytes) else Bytes.length bytes) in
+      let length = if any 4 = 0 then any (Bytes.length bytes) else Bytes.length bytes in
+      let changed = Bytes.sub_string bytes 0 length in
       let from, stop = whole changed in
       let told =
         match Filter.read f changed ~from ~stop with
