@@ -16,7 +16,7 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.dont_write_bytecode = True
-sys.path.insert(0, HERE)
+sys.path.insert(0, os.path.join(HERE, 'successors'))
 import state_bytes
 
 OF_HEADER = ['format', 'version', 'state_bytes', 'checks', 'goals', 'events', 'horizon', 'initial']

@@ -24,6 +24,7 @@ ROOT = os.path.join(HERE, '..', '..')
 SUITE = os.path.join(ROOT, 'specs', 'conformance')
 sys.dont_write_bytecode = True
 sys.path.insert(0, SUITE)
+sys.path.insert(0, os.path.join(SUITE, 'successors'))
 
 import cases
 import make_geometry
@@ -66,7 +67,7 @@ def make(scc, folder):
 
 def files(folder):
     found = []
-    for top in ['manifest.json', 'rules', 'geometry', 'models', 'invalid/cases.json', 'invalid/faults.json', 'successors']:
+    for top in ['manifest.json', 'rules', 'geometry', 'models', 'invalid/cases.json', 'invalid/faults.json', 'successors/cases.json']:
         path = os.path.join(folder, top)
         if os.path.isfile(path):
             found.append(top)
