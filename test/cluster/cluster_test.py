@@ -78,10 +78,10 @@ def plain(report):
     return dict(report.__dict__, recovered=None)
 
 
-def killed(scc, seed, kill, times):
+def killed(scc, seed, kill, times, owners=2):
     """The same check again and again, while somebody kills at random instants."""
     rand = random.Random(seed)
-    options = dict(owners=2, defines={'n': '14'}, scc=scc)
+    options = dict(owners=owners, defines={'n': '14'}, scc=scc)
     begun = []
     expected = cluster.check(BONDS, disturb=lambda e: begun.append(time.time()), **options)
     lasts = time.time() - begun[0]
@@ -175,7 +175,7 @@ def nodes(scc, times):
             while len(several.worker_nodes) < 3:
                 several.add_node(num_cpus=1)
             kill_node(exploration, rand, at)
-        killed(scc, 2, with_nodes, times)
+        killed(scc, 2, with_nodes, times, owners=6)
     finally:
         ray.shutdown()
         several.shutdown()

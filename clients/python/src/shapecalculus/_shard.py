@@ -1,9 +1,9 @@
 """A shard of an exploration: the states whose fingerprints it owns, level by level. Knows nothing of Ray.
 
-States are found breadth first. A state of a level has a *rank*, its place among those of its level in the order in which
-a search by itself would find them; a state that is found has as *key* the rank of the state before it and the place of
-the transition between: among all ways to it, the least one counts. So whoever finds a state first on how many machines
-does not matter.
+States are found breadth first. A state of a level has a *rank*, its place among those of its level in the order in
+which a search by itself would find them; a state that is found has as *key* the rank of the state before it and the
+place of the transition between: among all ways to it, the least one counts. So it does not matter who finds a state
+first, and on how many machines.
 """
 
 from __future__ import annotations
@@ -37,6 +37,16 @@ def words(prints: Any) -> Tuple[Any, Any]:
     return two[:, 0], two[:, 1]
 
 
+def first_of_each(data: bytes) -> Any:
+    """Of fingerprints one after the other, the places where each is for the first time, in order."""
+    low, high = words(prints_of(data))
+    _, first, same = np.unique(low, return_index=True, return_inverse=True)
+    if bool((high[first][same] != high).any()):
+        # Hardly ever have two of them half of their bits in common.
+        first = np.unique(np.stack([low, high]), axis=1, return_index=True)[1]
+    return np.sort(first)
+
+
 @dataclass
 class Found:
     """States that are new to some owner, as columns."""
@@ -53,7 +63,14 @@ class Found:
 
     def picked(self, order: Any) -> "Found":
         states = [self.states[i] for i in order.tolist()] if self.states else []
-        return Found(self.keys[order], self.prints[order], self.before[order], self.too_long[order], self.goals[order], states)
+        return Found(
+            self.keys[order],
+            self.prints[order],
+            self.before[order],
+            self.too_long[order],
+            self.goals[order],
+            states,
+        )
 
     def bare(self) -> "Found":
         """What the way to a state takes, and no more."""
@@ -67,7 +84,10 @@ def together(parts: Sequence[Found], goals: int) -> Found:
     if not parts:
         none = np.zeros((0, 4), "<u4")
         return Found(np.zeros(0, np.int64), none, none, np.zeros(0, "u1"), np.zeros((0, goals), "u1"), [])
-    columns = [np.concatenate([getattr(f, name) for f in parts]) for name in ("keys", "prints", "before", "too_long", "goals")]
+    columns = [
+        np.concatenate([getattr(f, name) for f in parts])
+        for name in ("keys", "prints", "before", "too_long", "goals")
+    ]
     return Found(*columns, [s for f in parts for s in f.states])
 
 
@@ -116,8 +136,16 @@ def get_file(path: str) -> Optional[bytes]:
 
 
 class Shard:
-    def __init__(self, number: int, owners: int, model: str, arguments: Sequence[str], scc: Optional[str], digest: str,
-                 folder: Optional[str]):
+    def __init__(
+        self,
+        number: int,
+        owners: int,
+        model: str,
+        arguments: Sequence[str],
+        scc: Optional[str],
+        digest: str,
+        folder: Optional[str],
+    ):
         self.number, self.owners, self.folder = number, owners, folder
         self.filter = Filter(model, arguments, scc=scc)
         if self.filter.header["digest"] != digest:
@@ -125,8 +153,8 @@ class Shard:
         self.known: Set[bytes] = set()
         self.levels: List[Found] = []  # without their states, but for the last one
         self.ranks: Any = np.zeros(0, np.int64)  # of the states of the last level
-        self.sent: Set[bytes] = set()  # what their owners know already
-        self.sending: Set[bytes] = set()
+        self.told_of: Set[bytes] = set()  # what this owner has told somebody of
+        self.sending: List[bytes] = []  # those of them that may still be lost
         self.counts: List[Tuple[Any, Any]] = []  # ranks of the last level, with how many transitions they have
         self.pending = self.nothing()
 
@@ -139,7 +167,9 @@ class Shard:
         """The initial state is this owner's."""
         prints = prints_of(fingerprint)
         goals = np.zeros((1, self.filter.goals), "u1")
-        self.pending = Found(np.zeros(1, np.int64), prints, np.zeros((1, 4), "<u4"), np.array([too_long], "u1"), goals, [state])
+        self.pending = Found(
+            np.zeros(1, np.int64), prints, np.zeros((1, 4), "<u4"), np.array([too_long], "u1"), goals, [state]
+        )
 
     def commit(self, level: int, ranks: Any) -> None:
         """What was taken in is a level, and kept."""
@@ -148,20 +178,20 @@ class Shard:
         self.levels.append(self.pending)
         self._know(self.pending)
         self.ranks = np.array(ranks, np.int64)
-        self.sent |= self.sending
+        self.sending = []
         self.roll_back()
         if self.folder is not None:
             put_file(file_name(self.folder, self.number, level), pickle.dumps((self.levels[-1], self.ranks), 5))
 
     def _know(self, found: Found) -> None:
         data = found.prints.tobytes()
-        self.known.update(data[i:i + 16] for i in range(0, len(data), 16))
+        self.known.update(data[i : i + 16] for i in range(0, len(data), 16))
 
     def restore(self, level: int) -> None:
         """To what was kept up to a level."""
         assert self.folder is not None
-        self.known, self.levels, self.sent = set(), [], set()
         self.roll_back()
+        self.known, self.levels, self.told_of = set(), [], set()
         for k in range(level + 1):
             data = get_file(file_name(self.folder, self.number, k))
             if data is None:
@@ -172,16 +202,17 @@ class Shard:
 
     def roll_back(self) -> None:
         """To the last level that was kept."""
-        self.sending, self.pending, self.counts = set(), self.nothing(), []
+        self.told_of.difference_update(self.sending)
+        self.sending, self.pending, self.counts = [], self.nothing(), []
 
     def expand(self) -> Tuple[Expanded, List[Found]]:
         """The states of the last level; and for each owner, what is found of its states."""
         out: List[List[Found]] = [[] for _ in range(self.owners)]
         told = Expanded(0, [], [], [])
-        self.sending, self.counts = set(), []
+        self.roll_back()
         wanted = np.flatnonzero(self.levels[-1].too_long == 0)
         for at in range(0, len(wanted), BATCH):
-            self._batch(self.levels[-1], wanted[at:at + BATCH], out, told)
+            self._batch(self.levels[-1], wanted[at : at + BATCH], out, told)
         return told, [together(parts, self.filter.goals) for parts in out]
 
     def _batch(self, last: Found, part: Any, out: List[List[Found]], told: Expanded) -> None:
@@ -191,15 +222,13 @@ class Shard:
         self.counts.append((ranks, moves.counts))
         for index, note in moves.notes.items():
             self._note(int(ranks[index]), int(moves.follows[index]), note, told)
-        data, sent, sending, known = moves.fingerprints, self.sent, self.sending, self.known
-        fresh = []
-        for k in range(len(data) // 16):
-            p = data[16 * k:16 * k + 16]
-            if p not in sending and p not in sent and p not in known:
-                sending.add(p)
-                fresh.append(k)
+        data, told_of = moves.fingerprints, self.told_of
+        fresh = [k for k in first_of_each(data).tolist() if data[16 * k : 16 * k + 16] not in told_of]
         if not fresh:
             return
+        sending = [data[16 * k : 16 * k + 16] for k in fresh]
+        told_of.update(sending)
+        self.sending += sending
         places = np.array(fresh)
         prints = prints_of(data)[places]
         begins = np.concatenate([[0], np.cumsum(moves.counts, dtype=np.int64)])
@@ -229,11 +258,11 @@ class Shard:
                 told.ahead.append((rank, goal, 2))
 
     def absorb(self, parts: Sequence[Found]) -> Tuple[Any, List[Tuple[int, int, int]]]:
-        """What others and itself have found of its states. The keys of those that are new, in order; and the goals that
-        hold or are undecided there: key, goal, 1 or 2."""
+        """What others and itself have found of its states. The keys of those that are new, in order; and the goals
+        that hold or are undecided there: key, goal, 1 or 2."""
         found = together([f for f in parts if len(f)], self.filter.goals)
         data, known = found.prints.tobytes(), self.known
-        fresh = np.array([i for i in range(len(found)) if data[16 * i:16 * i + 16] not in known], np.int64)
+        fresh = np.array([i for i in range(len(found)) if data[16 * i : 16 * i + 16] not in known], np.int64)
         low, high = words(found.prints[fresh])
         # The least key of each fingerprint.
         order = fresh[np.lexsort((found.keys[fresh], high, low))]
@@ -255,7 +284,7 @@ class Shard:
         return int(self.levels[-1].too_long.sum())
 
     def fingerprint_of(self, value: int, by_rank: bool) -> Optional[bytes]:
-        """Of a state of the last level, by its rank; or of one that was taken in, by its key. None if it is another's."""
+        """Of a state of the last level, by its rank; or of one that was taken in, by its key. Or of another owner."""
         found, values = (self.levels[-1], self.ranks) if by_rank else (self.pending, self.pending.keys)
         places = np.flatnonzero(values == value)
         return found.prints[places[0]].tobytes() if len(places) else None

@@ -47,10 +47,14 @@ def scc_path(scc: Optional[str]) -> str:
 class Filter:
     """One ``scc successors`` in batches, about one exploration of a model."""
 
-    def __init__(self, model: str, arguments: Sequence[str] = (), *, scc: Optional[str] = None, framing: str = "batches"):
+    def __init__(
+        self, model: str, arguments: Sequence[str] = (), *, scc: Optional[str] = None, framing: str = "batches"
+    ):
         command = [scc_path(scc), "successors", model, "--framing", framing, *arguments]
         try:
-            self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self.process = subprocess.Popen(
+                command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+            )
         except OSError as e:
             raise FilterFailed("%s cannot be run: %s" % (command[0], e.strerror)) from None
         self.header = self._header()
@@ -63,7 +67,9 @@ class Filter:
             raise self._failure()
         header = json.loads(line)
         if header.get("format") != "scc-successors" or header.get("version") != VERSION:
-            raise FilterFailed("the filter speaks version %s, and %d is understood" % (header.get("version"), VERSION))
+            raise FilterFailed(
+                "the filter speaks version %s, and %d is understood" % (header.get("version"), VERSION)
+            )
         return header
 
     def _failure(self) -> FilterFailed:
@@ -84,7 +90,7 @@ class Filter:
         head = self.process.stdout.read(4)
         if len(head) < 4:
             raise self._failure()
-        size, = struct.unpack("<I", head)
+        (size,) = struct.unpack("<I", head)
         body = self.process.stdout.read(size)
         if len(body) < size:
             raise self._failure()
@@ -105,9 +111,9 @@ class Filter:
         counts = np.frombuffer(a, "<u4", n, at + n)
         ahead = np.frombuffer(a, "u1", n * self.goals, at + 5 * n).reshape(n, self.goals)
         at += 5 * n + n * self.goals
-        fingerprints = a[at:at + 16 * m]
+        fingerprints = a[at : at + 16 * m]
         labels = np.frombuffer(a, "<u4", m, at + 16 * m)
-        told = json.loads(a[at + 20 * m:]) if text else {}
+        told = json.loads(a[at + 20 * m :]) if text else {}
         return Moves(follows, counts, ahead, fingerprints, labels, {d["index"]: d for d in told.get("notes", [])})
 
     def targets(self, places: Sequence[int]) -> Targets:
@@ -122,7 +128,7 @@ class Filter:
         return Targets(too_long, goals, [a[i:j] for i, j in zip(begins, begins[1:])])
 
     def run(self, goal: int, choices: Sequence[int]) -> Any:
-        """Of a filter in lines: the schedule of a run that was found, and the property that it shows something of."""
+        """Of a filter in lines: the schedule of a run that was found, and the property that it is about."""
         self._send(json.dumps({"goal": goal, "choices": list(choices)}).encode() + b"\n")
         assert self.process.stdout is not None
         line = self.process.stdout.readline()
