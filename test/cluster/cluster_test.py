@@ -165,7 +165,8 @@ def nodes(scc, times):
             if len(several.worker_nodes) > 1:
                 several.remove_node(rand.choice(sorted(several.worker_nodes, key=str)), allow_graceful=False)
         threading.Timer(at, kill).start()
-    several = Cluster(initialize_head=True, head_node_args={'num_cpus': 1})
+    several = Cluster(initialize_head=True, head_node_args={'num_cpus': 1, '_system_config': {
+        'health_check_initial_delay_ms': 0, 'health_check_period_ms': 1000, 'health_check_failure_threshold': 5}})
     try:
         for _ in range(3):
             several.add_node(num_cpus=1)
