@@ -328,3 +328,17 @@ val other_store : t
 
 val damaged_store : t
 (** SC0912: a store that is damaged. *)
+
+(** {1 Successors for programs} *)
+
+val no_state : t
+(** SC0920: bytes that are no state of the model. *)
+
+val lost_frame : t
+(** SC0921: a batch of states that does not fit its format. *)
+
+val not_asked : t
+(** SC0922: a property or an exploration that the model does not have. *)
+
+val no_run : t
+(** SC0923: a run that does not fit its format, or that the model does not have. *)

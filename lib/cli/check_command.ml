@@ -1,8 +1,5 @@
 open Scc_base
-open Scc_property
-open Scc_semantics
 open Scc_space
-open Scc_explain
 open Scc_verify
 open Scc_session
 open Scc_exchange
@@ -17,16 +14,6 @@ let exit_code (report : Check.report) verdicts =
     let s = report.stats in
     Exit_code.of_exploration ~complete:s.complete ~faults:s.faults ~stopped_by:s.stopped_by
   | _ -> Exit_code.worst (List.map (fun (o : Verdict.outcome) -> Exit_code.of_verdict o.verdict) verdicts)
-
-(* With the path of the model, but not that of standard input. *)
-let schedule (l : Loaded.t) path (check : Property.check) (w : Witness.t) =
-  let choice (s : Witness.step) = (s.choice, Transition.label_to_string l.model s.transition.label) in
-  let path = if String.equal path "-" then None else Some path in
-  let values = Option.fold ~none:[] ~some:(fun (f : Witness.fixed) -> f.values) w.fixed in
-  let origin = { l.origin with parameters = l.origin.parameters @ values } in
-  Schedule.to_string ?model:path ~check:check.name origin
-    (Long_list.map choice w.steps)
-    ~offset:(Witness.offset w)
 
 let make_folder path =
   let fail message =
@@ -48,7 +35,8 @@ let write_witnesses loaded path folder verdicts =
   let one ({ check; verdict; _ } : Verdict.outcome) =
     match Verdict.shown verdict with
     | None -> Ok ()
-    | Some w -> write_file (Filename.concat folder (check.name ^ ".json")) (schedule loaded path check w)
+    | Some w ->
+      write_file (Filename.concat folder (check.name ^ ".json")) (Scheduled.of_witness loaded path check w)
   in
   let* () = make_folder folder in
   let add before v =

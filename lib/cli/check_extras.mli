@@ -25,3 +25,6 @@ val term : t Cmdliner.Term.t
 val explored : t -> Scc_session.Budget.t -> (string * string) list
 (** By their names, the options on which a graph depends, or which graphs there are, without those that end the
     work before it is done. *)
+
+val reductions : Scc_space.Reduction.kind list Cmdliner.Term.t
+(** [--no-reduce]. *)

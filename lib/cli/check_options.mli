@@ -5,6 +5,9 @@ open Scc_session
 
 val seconds_conv : float Cmdliner.Arg.conv
 
+val bits : int option Cmdliner.Term.t
+(** [--bits]. *)
+
 val budget : Budget.t Cmdliner.Term.t
 val defaults : Budget.defaults
 

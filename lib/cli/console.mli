@@ -12,6 +12,9 @@ exception Output_failed of Diag.t
 exception Output_closed
 (** Standard output is a pipe that nobody reads any more. *)
 
+val output_failed : string -> string -> exn
+(** {!Output_failed}, of what has this name, for this reason. *)
+
 val make : ?progress:(string -> unit) -> color:color -> json:bool -> unit -> t
 (** With [json], diagnostics are kept for the JSON report instead of being shown. [progress] takes the lines of
     {!progress} instead of the terminal. *)

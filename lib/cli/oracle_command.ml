@@ -2,48 +2,6 @@ open Cmdliner
 open Scc_session
 open Scc_oracle
 
-(* {1 Output} *)
-
-exception Closed
-
-let rec write_all bytes from stop =
-  if from < stop then
-    match Unix.write Unix.stdout bytes from (stop - from) with
-    | n -> write_all bytes (from + n) stop
-    | exception Unix.Unix_error (EINTR, _, _) -> write_all bytes from stop
-    | exception Unix.Unix_error ((EPIPE | EBADF | ECONNRESET), _, _) -> raise Closed
-
-(* Answers wait until no further line does, or there are many. *)
-let enough = 65536
-
-(* {1 Ctrl-C} *)
-
-exception Interrupted
-
-(* An answer that is being written is written to its end. *)
-type interrupts = { mutable writing : bool; mutable arrived : bool }
-
-let catch_signals () =
-  let i = { writing = false; arrived = false } in
-  let handle _ =
-    i.arrived <- true;
-    if not i.writing then raise Interrupted
-  in
-  Sys.set_signal Sys.sigint (Sys.Signal_handle handle);
-  Sys.set_signal Sys.sigterm (Sys.Signal_handle handle);
-  i
-
-let flush interrupts out =
-  let n = Buffer.length out in
-  if n > 0 then begin
-    interrupts.writing <- true;
-    let bytes = Buffer.to_bytes out in
-    if n > 16 * enough then Buffer.reset out else Buffer.clear out;
-    write_all bytes 0 n;
-    interrupts.writing <- false;
-    if interrupts.arrived then raise Interrupted
-  end
-
 (* {1 The service} *)
 
 let serve (quotas : Quotas.t) =
@@ -52,36 +10,26 @@ let serve (quotas : Quotas.t) =
     {
       Session.now = Unix.gettimeofday;
       bounded = (fun ~seconds f -> Time_slices.bounded slices ~seconds f);
-      passes = (function Interrupted -> true | _ -> false);
+      passes = (function Conversation.Interrupted -> true | _ -> false);
       read_file = Models.no_files;
     }
   in
   let session = Session.create ~quotas ~surroundings ~version:Version.current () in
-  let interrupts = catch_signals () in
-  let out = Buffer.create enough in
-  let lines = Lines.make Unix.stdin ~most:quotas.line_bytes in
-  let wait () = flush interrupts out in
-  let say answer =
-    Buffer.add_string out answer;
-    Buffer.add_char out '\n';
-    if Buffer.length out >= enough then flush interrupts out
-  in
-  let rec loop () =
-    match Lines.next lines ~wait with
-    | End -> flush interrupts out
-    | Too_long ->
-      say (Oracle.too_long session);
-      loop ()
-    | Line line ->
-      Option.iter say (Time_slices.working slices (fun () -> Oracle.handle session line));
-      loop ()
-  in
-  match loop () with
-  | () -> Exit_code.Holds
-  | exception Closed -> Exit_code.Stopped
-  | exception Interrupted ->
-    prerr_endline "scc: interrupted";
-    Exit_code.Stopped
+  Conversation.hold (fun c ->
+      let lines = Lines.make Unix.stdin ~most:quotas.line_bytes in
+      let wait () = Conversation.send c in
+      let rec loop () =
+        match Lines.next lines ~wait with
+        | End -> ()
+        | Too_long ->
+          Conversation.say c (Oracle.too_long session);
+          loop ()
+        | Line line ->
+          Option.iter (Conversation.say c) (Time_slices.working slices (fun () -> Oracle.handle session line));
+          loop ()
+      in
+      loop ();
+      Exit_code.Holds)
 
 let run line_bytes seconds memory_mib =
   let console = Console.make ~color:Never ~json:false () in

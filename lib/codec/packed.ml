@@ -37,7 +37,8 @@ exception Malformed of string
 
 type source = { text : string; mutable next : int }
 
-let source text = { text; next = 0 }
+let source ?(from = 0) text = { text; next = from }
+let place s = s.next
 let left s = String.length s.text - s.next
 let at_end s = left s = 0
 let fail what = raise (Malformed what)

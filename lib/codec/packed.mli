@@ -18,7 +18,12 @@ exception Malformed of string
 
 type source
 
-val source : string -> source
+val source : ?from:int -> string -> source
+(** From the byte of this place on, 0 by default. *)
+
+val place : source -> int
+(** Of the next byte. *)
+
 val at_end : source -> bool
 
 val nat : source -> int

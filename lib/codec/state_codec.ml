@@ -116,12 +116,19 @@ let put_step buffer (step : State.step) =
   Packed.put_rational buffer step.remaining;
   put_phase buffer step.phase
 
+let put_head buffer count =
+  Packed.put_nat buffer version;
+  Packed.put_nat buffer count
+
+let put_rest buffer ~step ~time =
+  put_list buffer put_step (Option.to_list step);
+  put_list buffer Packed.put_rational (Option.to_list time)
+
 let encode t (s : State.t) =
   let buffer = Buffer.create 256 in
-  Packed.put_nat buffer version;
-  put_list buffer (put_process t) (Array.to_list s.processes);
-  put_list buffer put_step (Option.to_list s.step);
-  put_list buffer Packed.put_rational (Option.to_list s.time);
+  put_head buffer (Array.length s.processes);
+  Array.iter (put_process t buffer) s.processes;
+  put_rest buffer ~step:s.step ~time:s.time;
   Buffer.contents buffer
 
 (* {1 Reading} *)
@@ -226,17 +233,38 @@ let step source : State.step =
   let remaining = Packed.rational source in
   { remaining; phase = phase source }
 
+let read_version source =
+  let v = Packed.nat source in
+  if v <> version then malformed (Printf.sprintf "it is of version %d, and %d is read" v version)
+
+let read_head source =
+  read_version source;
+  Packed.nat source
+
+let read_rest source =
+  let step = option source step in
+  (step, option source Packed.rational)
+
+(* Lists that are not in order, a part that is told and need not be, a behaviour that has a number. *)
+let in_form written text x =
+  if String.equal written text then x else malformed "it is not in the form that each state has"
+
+let read_process t text ~from =
+  let source = Packed.source ~from text in
+  let p = process t source in
+  let next = Packed.place source in
+  let buffer = Buffer.create 64 in
+  put_process t buffer p;
+  in_form (Buffer.contents buffer) (String.sub text from (next - from)) (p, next)
+
 let decode t text =
   let source = Packed.source text in
   let read () =
-    let v = Packed.nat source in
-    if v <> version then malformed (Printf.sprintf "it is of version %d, and %d is read" v version);
+    read_version source;
     let processes = Packed.list source (process t) in
-    let step = option source step in
-    let time = option source Packed.rational in
+    let step, time = read_rest source in
     if not (Packed.at_end source) then malformed "there is more than a state";
     let state = State.make ~processes ~step ~time in
-    (* Lists that are not in order, a part that is told and need not be, a behaviour that has a number. *)
-    if String.equal (encode t state) text then state else malformed "it is not in the form that each state has"
+    in_form (encode t state) text state
   in
   match read () with state -> Ok state | exception Packed.Malformed what -> Error what

@@ -32,3 +32,20 @@ val put_step : Buffer.t -> State.step -> unit
 val step : Packed.source -> State.step
 val put_bond : t -> Buffer.t -> State.bond -> unit
 val bond : t -> Packed.source -> State.bond
+
+(** {1 Piece by piece}
+
+    The bytes of a state are its head, those of its processes one after the other, and the rest: for whoever knows
+    the bytes of processes already. Readers raise {!Packed.Malformed}. *)
+
+val put_head : Buffer.t -> int -> unit
+(** The version, and how many processes there are. *)
+
+val put_rest : Buffer.t -> step:State.step option -> time:Scc_exact.Rat.t option -> unit
+val read_head : Packed.source -> int
+
+val read_process : t -> string -> from:int -> State.process * int
+(** The process that begins at a place, in its own form, and where it ends. No two begin alike: where the bytes of
+    one are, there is that one. *)
+
+val read_rest : Packed.source -> State.step option * Scc_exact.Rat.t option

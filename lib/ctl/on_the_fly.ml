@@ -8,6 +8,29 @@ type predicate = {
   along : (int array -> Timeline.extent -> Truth.t Timeline.t) option;
 }
 
+type phases = {
+  surely : Timeline.moment option;
+  perhaps : Timeline.moment option;
+  why : string option;  (** of what cannot be decided *)
+}
+
+let never = { surely = None; perhaps = None; why = None }
+
+let phases timeline =
+  let is_true = function Truth.True -> true | _ -> false in
+  let not_false = function Truth.False -> false | _ -> true in
+  let perhaps = Timeline.first_after_start not_false timeline in
+  let why =
+    Option.bind perhaps (fun m ->
+        match Timeline.at timeline (Timeline.sample timeline m) with
+        | Truth.Undecided reason -> Some reason
+        | _ -> None)
+  in
+  let surely =
+    match why with None -> perhaps | Some _ -> Timeline.first_after_start is_true timeline
+  in
+  { surely; perhaps; why }
+
 module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
   type question = { within : Rat.t option; goal : predicate }
 
@@ -21,18 +44,7 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
   type answer = Met of trace | Never | Open of doubts
   type result = { graph : Graph.t; answers : answer list; zeno : trace option }
 
-  (** {2 What is known of a goal at each state}
-
-      Of the timelines only the first moments are kept: at which the goal holds for certain, and at which
-      it holds or cannot be decided. *)
-
-  type phases = {
-    surely : Timeline.moment option;
-    perhaps : Timeline.moment option;
-    why : string option;  (** of what cannot be decided *)
-  }
-
-  let never = { surely = None; perhaps = None; why = None }
+  (** {2 What is known of a goal at each state} *)
 
   (* What follows a state. *)
   type ahead =
@@ -52,21 +64,6 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     mutable decided : bool;
     mutable doubtful : int list;  (** states where, or after which, the goal could not be decided *)
   }
-
-  let phases timeline =
-    let is_true = function Truth.True -> true | _ -> false in
-    let not_false = function Truth.False -> false | _ -> true in
-    let perhaps = Timeline.first_after_start not_false timeline in
-    let why =
-      Option.bind perhaps (fun m ->
-          match Timeline.at timeline (Timeline.sample timeline m) with
-          | Truth.Undecided reason -> Some reason
-          | _ -> None)
-    in
-    let surely =
-      match why with None -> perhaps | Some _ -> Timeline.first_after_start is_true timeline
-    in
-    { surely; perhaps; why }
 
   let along m tuple extent =
     match m.question.goal.along with

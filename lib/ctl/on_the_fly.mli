@@ -11,6 +11,16 @@ type predicate = {
   (** along the trajectory that starts in a state; [None] when it is what it is at the start *)
 }
 
+(** Of a goal along a trajectory, what a search asks: the first moments after the start at which it holds for
+    certain, and at which it holds or cannot be decided. *)
+type phases = {
+  surely : Timeline.moment option;
+  perhaps : Timeline.moment option;
+  why : string option;  (** of what cannot be decided *)
+}
+
+val phases : Truth.t Timeline.t -> phases
+
 module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) : sig
   (** Does some run meet the goal: EF. *)
   type question = {

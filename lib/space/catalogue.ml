@@ -33,21 +33,22 @@ module Forms = Interned (struct
     let hash = State.hash_process
   end)
 
+let hash_label : Transition.label -> int = function
+  | Time d -> Rat.hash d
+  | Bind b -> 1 + State.hash_bond b
+  | Close b -> 2 + State.hash_bond b
+  | (Weak_split _ | Strong_split _) as l ->
+    List.fold_left (fun h b -> (31 * h) + State.hash_bond b) 3 (Transition.bonds l) land max_int
+  | Absorb { first; absorber } -> 7 + (31 * first) + absorber
+  | Lot { bond; chance; _ } -> 13 + (31 * State.hash_bond bond) + Rat.hash chance
+  | Draw { first; velocity; _ } -> 11 + (31 * first) + Vec.hash velocity
+  | Bounce { firsts; _ } -> List.fold_left (fun h p -> (1_000_003 * h) + p) 5 firsts land max_int
+
 module Labels = Interned (struct
     type t = Transition.label
 
     let equal = Transition.equal_label
-
-    let hash : t -> int = function
-      | Time d -> Rat.hash d
-      | Bind b -> 1 + State.hash_bond b
-      | Close b -> 2 + State.hash_bond b
-      | (Weak_split _ | Strong_split _) as l ->
-        List.fold_left (fun h b -> (31 * h) + State.hash_bond b) 3 (Transition.bonds l) land max_int
-      | Absorb { first; absorber } -> 7 + (31 * first) + absorber
-      | Lot { bond; chance; _ } -> 13 + (31 * State.hash_bond bond) + Rat.hash chance
-      | Draw { first; velocity; _ } -> 11 + (31 * first) + Vec.hash velocity
-      | Bounce { firsts; _ } -> List.fold_left (fun h p -> (1_000_003 * h) + p) 5 firsts land max_int
+    let hash = hash_label
   end)
 
 module Steps = Interned (struct
@@ -126,7 +127,7 @@ let slot c i =
   else if c.marked then Mark
   else Process
 
-let step c i = Steps.get c.steps i
+let step_of_number c i = Steps.get c.steps i
 let step_number c s = Steps.intern c.steps s
 let rational c i = Rationals.get c.times i
 
@@ -211,12 +212,21 @@ let time_number c time =
 
 let rational_number = time_number
 
+let put_rest c tuple ~step ~time =
+  Option.iter (fun step -> tuple.(step_slot c) <- step_number c step) step;
+  Option.iter (fun time -> tuple.(time_slot c) <- time_number c time) time
+
 let encode c (s : State.t) =
   let tuple = Array.make (width c) nobody in
   Array.iter (fun p -> tuple.(first_leaf p) <- process c p) s.processes;
-  Option.iter (fun step -> tuple.(step_slot c) <- step_number c step) s.step;
-  Option.iter (fun time -> tuple.(time_slot c) <- time_number c time) s.time;
+  put_rest c tuple ~step:s.step ~time:s.time;
   tuple
+
+let step c tuple = if Model.of_all c.model then Some (Steps.get c.steps tuple.(step_slot c)) else None
+
+let same_rest c a b =
+  let rec from i = i >= width c || (a.(i) = b.(i) && from (i + 1)) in
+  from (leaves c)
 
 let time c tuple =
   if c.model.keeps_time then Some (Rationals.get c.times tuple.(time_slot c)) else None
@@ -232,8 +242,7 @@ let decode c tuple =
       processes (i - 1) (b.process :: acc)
     end
   in
-  let step = if Model.of_all c.model then Some (Steps.get c.steps tuple.(step_slot c)) else None in
-  State.make ~processes:(processes (n - 1) []) ~step ~time:(time c tuple)
+  State.make ~processes:(processes (n - 1) []) ~step:(step c tuple) ~time:(time c tuple)
 
 let pass_time c tuple d =
   if c.model.keeps_time then begin

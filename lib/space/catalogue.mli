@@ -31,6 +31,15 @@ val decode : t -> int array -> State.t
 val time : t -> int array -> Rat.t option
 (** Absolute, if states have it. *)
 
+val step : t -> int array -> State.step option
+(** The movement step of the network, if states have it. *)
+
+val put_rest : t -> int array -> step:State.step option -> time:Rat.t option -> unit
+(** Writes what a state has besides its processes. *)
+
+val same_rest : t -> int array -> int array -> bool
+(** Two states have all but their processes in common, the mark included. *)
+
 val pass_time : t -> int array -> Rat.t -> unit
 (** Puts the time forward, if states have it. *)
 
@@ -41,7 +50,7 @@ type slot = Process | Step | Time | Mark
 
 val slot : t -> int -> slot
 
-val step : t -> int -> State.step
+val step_of_number : t -> int -> State.step
 val step_number : t -> State.step -> int
 val rational : t -> int -> Rat.t
 (** Of a number in the slot of time. *)
@@ -90,6 +99,7 @@ val form : t -> int -> State.process
 val first_leaf : State.process -> int
 
 val label : t -> Transition.label -> int
+val hash_label : Transition.label -> int
 val label_of : t -> int -> Transition.label
 
 val labels : t -> Transition.label list

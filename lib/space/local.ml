@@ -88,6 +88,7 @@ let mark t ~source label =
     Marks.intern t.marks (List.filter_map Fun.id happened)
 
 let has_events t = match t.events with [] -> false | _ :: _ -> true
+let events t = t.events
 
 let events_of t mark = Marks.get t.marks mark
 let mark_of t events = Marks.intern t.marks events

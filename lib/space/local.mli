@@ -43,6 +43,9 @@ val catalogue : t -> Catalogue.t
 val mark : t -> source:Scc_calculus.State.t -> Transition.label -> int
 (** The number of the set of the events that a transition from a state is of. *)
 
+val events : t -> Property.event list
+(** Those of {!create}. *)
+
 val has_events : t -> bool
 (** Whether some mark states. *)
 

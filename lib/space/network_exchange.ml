@@ -27,9 +27,9 @@ let component c ~family number =
       match family with
       | 0 when number = Catalogue.nobody -> ()
       | 0 -> State_codec.put_process (codec c) b (Catalogue.body catalogue number).process
-      | 1 -> State_codec.put_step b (Catalogue.step catalogue number)
+      | 1 -> State_codec.put_step b (Catalogue.step_of_number catalogue number)
       | 2 -> Packed.put_rational b (Catalogue.rational catalogue number)
-      | _ -> put_list b (Network_lts.happened c number))
+      | _ -> put_list b (Network_lts.events_of_mark c number))
 
 let reading text read =
   let source = Packed.source text in

@@ -95,10 +95,15 @@ let unmarked c tuple =
   set_mark c copy 0;
   copy
 
-let happened c mark = Local.events_of c.local mark
+let events_of_mark c mark = Local.events_of c.local mark
 let mark_of c events = Local.mark_of c.local events
-
 let arrived c tuple event = Local.happened c.local tuple.(Catalogue.mark_slot (catalogue c)) event
+let events c = Local.events c.local
+
+let happened c tuple =
+  match events c with [] -> [] | _ :: _ -> events_of_mark c tuple.(Catalogue.mark_slot (catalogue c))
+
+let set_happened c tuple places = set_mark c tuple (mark_of c places)
 
 (** {2 Transitions of the whole} *)
 

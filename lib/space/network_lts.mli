@@ -26,11 +26,19 @@ val make :
 val arrived : context -> int array -> Property.event -> bool
 (** Whether the transition that has just led to the state was of the event, one of those of {!make}. *)
 
-val happened : context -> int -> int list
+val events_of_mark : context -> int -> int list
 (** The places of the events that a mark stands for ({!Catalogue.mark_slot}). *)
 
 val mark_of : context -> int list -> int
 (** The mark of some events, by their places, increasing. *)
+
+val events : context -> Property.event list
+(** Those of {!make}. *)
+
+val happened : context -> int array -> int list
+(** Their places in the list, in order, of those that have just led to the state. *)
+
+val set_happened : context -> int array -> int list -> unit
 
 val catalogue : context -> Catalogue.t
 val semantics : context -> Semantics.t

@@ -261,14 +261,41 @@ let whole options semantics ~initial checks =
   |> List.map (explored options semantics ~initial)
   |> merge ~events_elsewhere
 
-let run options semantics ~initial checks =
+(* The model and where it starts, with movement steps as part of the state where they are not jumped over. *)
+let stepping options semantics ~(initial : State.t) =
   let model = Semantics.model semantics in
   let stepwise = Reduction.without_jumps options.reductions model in
-  if Bool.equal stepwise.steered model.steered then whole options semantics ~initial checks
+  if Bool.equal stepwise.steered model.steered then (semantics, initial)
   else
     let step = Some { State.remaining = model.timestep; phase = Steered } in
-    let initial = State.make ~processes:(Array.to_list initial.processes) ~step ~time:initial.time in
-    whole options (Semantics.with_model semantics stepwise) ~initial checks
+    ( Semantics.with_model semantics stepwise,
+      State.make ~processes:(Array.to_list initial.processes) ~step ~time:initial.time )
+
+let run options semantics ~initial checks =
+  let semantics, initial = stepping options semantics ~initial in
+  whole options semantics ~initial checks
+
+type exploration = {
+  semantics : Semantics.t;
+  start : State.t;
+  members : Property.check list;
+  left_out : string list;
+  lift : Witness.t -> Witness.t option;
+}
+
+let explorations options semantics ~initial checks =
+  let semantics, initial = stepping options semantics ~initial in
+  let of_group (g : group) =
+    let members = List.rev_map snd g.members in
+    let whole = { semantics; start = initial; members; left_out = []; lift = Option.some } in
+    match g.needs.part with
+    | None -> whole
+    | Some start ->
+      let left_out = Slice.left_out (Semantics.model semantics) ~initial start in
+      let lift = lift_in_time semantics ~initial (Joint_check.horizon members) in
+      { whole with start; left_out; lift }
+  in
+  List.map of_group (groups { options with compact = None } semantics ~initial checks)
 
 let empty_stats =
   {

@@ -67,6 +67,19 @@ val run : options -> Semantics.t -> initial:State.t -> Property.check list -> re
     others. [initial] is the initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are
     replayed before they are returned, and are runs of the whole network. *)
 
+(** What {!run} explores for some of the properties, for whoever explores by other means. *)
+type exploration = {
+  semantics : Semantics.t;
+  start : State.t;  (** the initial state, or the part of it that does *)
+  members : Property.check list;
+  left_out : string list;  (** leaves, in order *)
+  lift : Witness.t -> Witness.t option;
+  (** the run as one of the whole network; [None] of one that goes on later than anything is asked about *)
+}
+
+val explorations : options -> Semantics.t -> initial:State.t -> Property.check list -> exploration list
+(** In the order of {!run}, without hash compaction. *)
+
 val add : stats -> stats -> stats
 (** Of two explorations together. *)
 

@@ -62,6 +62,11 @@ val horizon : Property.check list -> Rat.t option
 val system : options -> Semantics.t -> initial:State.t -> Property.check list -> Plan.t list -> Network_lts.context
 (** The system to explore for some checks, of which these are the plans, with the reductions that keep them. *)
 
+val plan : Property.check -> Plan.t
+
+val questions : Network_lts.context -> Plan.t -> Search.question list
+(** What is searched for, in the order of the searches of the plan. *)
+
 val check : options -> Semantics.t -> initial:State.t -> Property.check list -> result
 (** [initial] is the initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are
     replayed before they are returned. *)

@@ -26,6 +26,7 @@ is there, so that nothing is built here.
   prefix/share/man/man1/scc-serve.1
   prefix/share/man/man1/scc-shape.1
   prefix/share/man/man1/scc-simulate.1
+  prefix/share/man/man1/scc-successors.1
   prefix/share/man/man1/scc-sweep.1
   prefix/share/man/man1/scc-trace.1
   prefix/share/man/man1/scc-translate.1
@@ -79,7 +80,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   $ complete() { bash complete.bash $bash "$@"; }
   $ touch 'a model.sc' model.sc; mkdir models
   $ complete scc ''
-  --help --version check compare conform decompose diff estimate explain explore export fmt inflate oracle serve shape simulate sweep trace translate view
+  --help --version check compare conform decompose diff estimate explain explore export fmt inflate oracle serve shape simulate successors sweep trace translate view
   $ complete scc ex
   explain explore export
   $ complete scc check --s
@@ -106,7 +107,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   model.sc models
   $ complete scc check --states ''
   $ complete scc --help ''
-  --help --version check compare conform decompose diff estimate explain explore export fmt inflate oracle serve shape simulate sweep trace translate view
+  --help --version check compare conform decompose diff estimate explain explore export fmt inflate oracle serve shape simulate successors sweep trace translate view
 
 fish, where it is there, tells what each is for:
 
@@ -137,6 +138,7 @@ Installing again replaces what is there, also what an earlier version had beside
   scc-explore.1
   scc-export.1
   scc-oracle.1
+  scc-successors.1
 
   $ "$scripts/uninstall" prefix | sed "s|$PWD|.|g"
   scc is no longer in ./prefix

@@ -34,11 +34,12 @@ The arguments of each command that make it succeed, without options:
   >     inflate) echo icon.pbm ;;
   >     decompose) echo box.off ;;
   >     oracle) ;;
+  >     successors) echo cube.sc ;;
   >   esac
   > }
-  $ commands='check trace view export explore explain compare conform diff shape inflate decompose oracle fmt translate'
+  $ commands='check trace view export explore explain compare conform diff shape inflate decompose oracle successors fmt translate'
   $ scc --help=plain | sed -n '/^COMMANDS/,/^COMMON/s/^       \([a-z]*\) .*/\1/p' | sort | xargs
-  check compare conform decompose diff estimate explain explore export fmt inflate oracle serve shape simulate sweep trace translate view
+  check compare conform decompose diff estimate explain explore export fmt inflate oracle serve shape simulate successors sweep trace translate view
   $ for c in $commands; do scc $c $(arguments $c) < /dev/null > out 2> err || echo "$c: $?"; done
 
 misuse WORDS: each of those commands, with its arguments and these words. What does not end with 64, or says nothing,
@@ -164,6 +165,13 @@ Numbers that are none, or out of their range:
   $ those=conform
   $ misuse --states=0
   $ misuse --unobserved=
+  $ those=successors
+  $ misuse --framing=words
+  $ misuse --exploration=0
+  $ misuse --check
+  $ misuse --no-reduce=everything
+  $ misuse --bits=0
+  $ misuse --check=none
   $ those=oracle
   $ misuse --seconds=0
   $ misuse --memory=none

@@ -24,12 +24,14 @@ ROOT = os.path.join(HERE, '..', '..')
 SUITE = os.path.join(ROOT, 'specs', 'conformance')
 sys.dont_write_bytecode = True
 sys.path.insert(0, SUITE)
+sys.path.insert(0, os.path.join(SUITE, 'successors'))
 
 import cases
 import make_geometry
 import make_invalid
 import make_models
 import make_rules
+import make_successors
 import make_turning
 import run
 
@@ -50,6 +52,7 @@ def make(scc, folder):
     invalid, codes, commands = make_invalid.suite(SUITE)
     suites = (make_rules.all_suites() + make_geometry.all_suites(SUITE) + make_turning.all_suites()
               + make_models.all_suites(implementation, os.path.join(ROOT, 'specs')) + [invalid])
+    make_successors.write(scc, implementation, os.path.join(ROOT, 'specs'), folder)
     implementation.stop()
     for suite in suites:
         suite.write(folder)
@@ -64,7 +67,7 @@ def make(scc, folder):
 
 def files(folder):
     found = []
-    for top in ['manifest.json', 'rules', 'geometry', 'models', 'invalid/cases.json', 'invalid/faults.json']:
+    for top in ['manifest.json', 'rules', 'geometry', 'models', 'invalid/cases.json', 'invalid/faults.json', 'successors/cases.json']:
         path = os.path.join(folder, top)
         if os.path.isfile(path):
             found.append(top)

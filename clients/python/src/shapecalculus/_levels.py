@@ -1,0 +1,296 @@
+"""One exploration of a model by owners in step, level by level: see specs/cluster.md."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
+
+import numpy as np
+
+from ._shard import CHOICES, Shard, get_file, owner_of, put_file
+from .successors import FilterFailed
+
+#: Paths with more transitions than this may go on for ever within one instant.
+MOST_LEVELS = 10_000
+#: Owners that are lost so often in one level are no accident.
+MOST_TRIES = 20
+
+
+class ClusterFailed(Exception):
+    """The check came to no end. ``code`` is the exit code of ``scc-cluster``."""
+
+    def __init__(self, message: str, code: int):
+        super().__init__(message)
+        self.code = code
+
+
+@dataclass
+class Progress:
+    """What is kept of an exploration beside its shards."""
+
+    level: int = 0
+    depth: int = 0
+    width: int = 1  # states of the last level
+    states: int = 1
+    transitions: int = 0
+    met: Dict[int, Tuple[int, str]] = field(default_factory=dict)  # goal: level and fingerprint
+    doubts: List[int] = field(default_factory=list)  # goals
+    stopped: str = ""  # why it did not go to the end: "" or "early", "states", "levels"
+    faults: List[str] = field(default_factory=list)
+    ends: List[str] = field(default_factory=list)
+    too_long: int = 0
+
+    @property
+    def complete(self) -> bool:
+        return not (self.stopped or self.faults or self.too_long)
+
+
+def owner_class(ray: Any) -> Any:
+    """Shards as actors. What is found of others' states stays where it is until they fetch it."""
+
+    @ray.remote(num_cpus=0, max_restarts=0, scheduling_strategy="SPREAD")
+    class Owner(Shard):
+        def found(self) -> Tuple[Any, List[Any]]:
+            told, out = self.expand()
+            return told, [ray.put(part) for part in out]
+
+        def take_in(self, refs: Sequence[Any]) -> Any:
+            return self.absorb(ray.get(list(refs)))
+
+    return Owner
+
+
+class Lost(Exception):
+    """An owner did not answer."""
+
+
+class Exploration:
+    """One exploration of a model, by owners in step."""
+
+    def __init__(
+        self,
+        ray: Any,
+        model: str,
+        arguments: Sequence[str],
+        scc: Optional[str],
+        header: Any,
+        owners: int,
+        folder: Optional[str],
+        states: int,
+        show: Callable[[Progress], None],
+    ):
+        self.ray, self.header, self.count, self.folder, self.most = ray, header, owners, folder, states
+        self.of_owner = (owners, model, list(arguments), scc, header["digest"], folder)
+        self.show, self.recovered = show, 0
+        self.progress = Progress()
+        self.owner = owner_class(ray)
+        self.owners = [self.owner.remote(i, *self.of_owner) for i in range(owners)]
+        self.searches = bool(header["checks"]) and all(c["plan"] is not None for c in header["checks"])
+
+    # Owners ---------------------------------------------------------------------------
+
+    def get(self, futures: Sequence[Any]) -> List[Any]:
+        try:
+            return list(self.ray.get(list(futures)))
+        except self.ray.exceptions.RayTaskError as e:
+            cause = e.cause if isinstance(e.cause, Exception) else e
+            if isinstance(cause, (self.ray.exceptions.ObjectLostError, self.ray.exceptions.RayActorError)):
+                raise Lost(str(cause)) from None
+            if isinstance(cause, FilterFailed):
+                raise ClusterFailed(str(cause), 3) from None
+            raise
+        except (
+            self.ray.exceptions.RayActorError,
+            self.ray.exceptions.ObjectLostError,
+            self.ray.exceptions.WorkerCrashedError,
+        ) as e:
+            raise Lost(str(e)) from None
+
+    def recover(self) -> None:
+        """Every owner as it was after the last level that was kept; those that are lost begin anew."""
+        if self.folder is None:
+            raise ClusterFailed(
+                "an owner was lost, and nothing was kept: --checkpoint tells where to keep shards", 4
+            )
+        self.recovered += 1
+        for i in range(self.count):
+            try:
+                level = self.ray.get(self.owners[i].level.remote(), timeout=60)
+                if level == self.progress.level:
+                    self.get([self.owners[i].roll_back.remote()])
+                else:
+                    self.get([self.owners[i].restore.remote(self.progress.level)])
+            except (Lost, self.ray.exceptions.RayActorError, self.ray.exceptions.GetTimeoutError):
+                self.ray.kill(self.owners[i])
+                self.owners[i] = self.owner.remote(i, *self.of_owner)
+                self.get([self.owners[i].restore.remote(self.progress.level)])
+
+    def steadily(self, work: Callable[[], Any]) -> Any:
+        """Does it again with owners that are there."""
+        lost: Optional[Lost] = None
+        for _ in range(MOST_TRIES):
+            try:
+                if lost is not None:
+                    self.recover()
+                return work()
+            except Lost as e:
+                lost = e
+        raise ClusterFailed("owners are lost again and again: %s" % str(lost).strip().splitlines()[0], 4)
+
+    def start(self) -> None:
+        """All owners with the initial state; nothing is kept yet."""
+        for k in range(MOST_TRIES):
+            try:
+                return self.begin()
+            except Lost as e:
+                lost = str(e).strip().splitlines()
+                self.close()
+                self.owners = [self.owner.remote(i, *self.of_owner) for i in range(self.count)]
+        raise ClusterFailed("owners do not start: %s" % " ".join(lost[-3:]), 4)
+
+    # Keeping --------------------------------------------------------------------------
+
+    def identity(self) -> Any:
+        names = ["digest", "parameters", "program", "reductions", "exploration", "checks", "bounds"]
+        return dict({k: self.header[k] for k in names}, owners=self.count, states=self.most)
+
+    def manifest(self) -> str:
+        return "%s/manifest.json" % str(self.folder).rstrip("/")
+
+    def keep(self) -> None:
+        if self.folder is not None:
+            put_file(self.manifest(), json.dumps([self.identity(), self.progress.__dict__]).encode())
+
+    def kept(self) -> bool:
+        """Takes up what was kept by an earlier run, if there is anything."""
+        data = get_file(self.manifest()) if self.folder is not None else None
+        if data is None:
+            return False
+        try:
+            identity, progress = json.loads(data)
+            progress["met"] = {int(k): tuple(v) for k, v in progress["met"].items()}
+            self.progress = Progress(**progress)
+        except (ValueError, TypeError, KeyError, AttributeError):
+            raise ClusterFailed("%s is no manifest of a check" % self.manifest(), 3) from None
+        mine = json.loads(json.dumps(self.identity()))
+        if identity != mine:
+            other = ", ".join(k for k in mine if identity.get(k) != mine[k])
+            raise ClusterFailed("%s is of another check: it differs in %s" % (self.folder, other), 3)
+        return True
+
+    # Levels ---------------------------------------------------------------------------
+
+    def run(self, disturb: Optional[Callable[[Any], None]] = None) -> Progress:
+        if not self.kept():
+            self.start()
+            self.keep()
+        else:
+            self.steadily(lambda: self.get([o.restore.remote(self.progress.level) for o in self.owners]))
+        if disturb is not None:
+            disturb(self)
+        while not self.progress.stopped and self.steadily(self.next_level):
+            self.show(self.progress)
+        return self.progress
+
+    def begin(self) -> None:
+        initial = self.header["initial"]
+        fingerprint = bytes.fromhex(initial["fingerprint"])
+        home = self.owners[owner_of(fingerprint, self.count)]
+        too_long = int(bool(initial.get("too_long")))
+        self.get([home.begin.remote(fingerprint, bytes.fromhex(initial["state"]), too_long)])
+        self.get([o.commit.remote(0, [0] if o is home else []) for o in self.owners])
+        p = Progress(too_long=too_long)
+        for goal, truth in enumerate(initial["goals"]):
+            if truth is True:
+                p.met[goal] = (0, initial["fingerprint"])
+            elif truth is not False:
+                p.doubts.append(goal)
+        if self.decided(p):
+            p.stopped = "early"
+        self.progress = p
+
+    def decided(self, p: Progress) -> bool:
+        return self.searches and len(p.met) == len(self.header["goals"])
+
+    def next_level(self) -> bool:
+        """Whether there are states to go on with. Nothing of it counts before it is whole."""
+        p = Progress(
+            **{k: (v.copy() if isinstance(v, (dict, list)) else v) for k, v in self.progress.__dict__.items()}
+        )
+        expanded = self.get([o.found.remote() for o in self.owners])
+        taken = self.get(
+            [self.owners[j].take_in.remote([parts[j] for _, parts in expanded]) for j in range(self.count)]
+        )
+        keys = np.concatenate([keys for keys, _ in taken])
+        order = np.argsort(keys, kind="stable")
+        # What is met, by when: the rank of the state that is expanded, a new state before what is met ahead of it.
+        events = [((key // CHOICES, 0, key), goal, truth) for _, goals in taken for key, goal, truth in goals]
+        events += [((rank, 1, rank), goal, truth) for told, _ in expanded for rank, goal, truth in told.ahead]
+        last = self.last_rank(p, keys[order])
+        first: Dict[int, Tuple[int, int, int]] = {}
+        for when, goal, truth in sorted(events):
+            if goal in p.met or goal in first or (last is not None and when[0] > last):
+                continue
+            if truth == 1:
+                first[goal] = when
+            elif goal not in p.doubts:
+                p.doubts.append(goal)
+        for goal, when in first.items():
+            p.met[goal] = self.place(when)
+        if self.decided(p):
+            last = max(when[0] for when in first.values())
+            rest = last < p.width - 1 or bool(np.any(keys // CHOICES <= last))
+            p.stopped = "early" if rest else ""
+        elif last is not None:
+            p.stopped = "states"
+        if last is None:
+            p.transitions += sum(told.transitions for told, _ in expanded)
+            fresh = len(keys)
+        else:
+            p.transitions += sum(self.get([o.transitions_up_to.remote(last) for o in self.owners]))
+            fresh = int(np.count_nonzero(keys // CHOICES <= last))
+        p.states += fresh
+        p.faults += [t for told, _ in expanded for rank, t in told.faults if last is None or rank <= last]
+        p.ends += [t for told, _ in expanded for t in told.ends]
+        self.commit(p, [keys for keys, _ in taken], order, fresh)
+        return fresh > 0
+
+    def last_rank(self, p: Progress, keys: Any) -> Optional[int]:
+        """The last that may be expanded where states are bounded: the one after it has too many that are new."""
+        room = self.most - p.states
+        if len(keys) <= room:
+            return None
+        return int(keys[room] // CHOICES) - 1
+
+    def place(self, when: Tuple[int, int, int]) -> Tuple[int, str]:
+        _, ahead, value = when
+        found = self.get([o.fingerprint_of.remote(value, bool(ahead)) for o in self.owners])
+        level = self.progress.level + (0 if ahead else 1)
+        return level, next(f for f in found if f is not None).hex()
+
+    def commit(self, p: Progress, keys: Sequence[Any], order: Any, fresh: int) -> None:
+        ranks = np.empty(len(order), dtype=np.int64)
+        ranks[order] = np.arange(len(order))
+        parts = np.split(ranks, np.cumsum([len(k) for k in keys])[:-1])
+        p.level, p.width = p.level + 1, len(order)
+        p.depth = p.level if fresh > 0 else p.depth
+        self.get([o.commit.remote(p.level, part) for o, part in zip(self.owners, parts)])
+        p.too_long += sum(self.get([o.too_long.remote() for o in self.owners]))
+        if p.level >= MOST_LEVELS and not p.stopped and fresh > 0:
+            p.stopped = "levels"
+        self.progress = p
+        self.keep()
+
+    def choices(self, level: int, fingerprint: str) -> List[int]:
+        """From the initial state to one that was found, backwards by fingerprints."""
+        found, at = [], bytes.fromhex(fingerprint)
+        for k in range(level, 0, -1):
+            owner = owner_of(at, self.count)
+            at, choice = self.steadily(lambda: self.get([self.owners[owner].step_to.remote(k, at)])[0])
+            found.append(choice)
+        return found[::-1]
+
+    def close(self) -> None:
+        for o in self.owners:
+            self.ray.kill(o)

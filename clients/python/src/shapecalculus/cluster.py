@@ -1,0 +1,263 @@
+"""Checks of models on many machines, by Ray (specs/cluster.md). Needs the extra ``cluster``: ray, numpy, fsspec.
+
+from shapecalculus import cluster
+
+report = cluster.check("model.sc")                                # on all cores of this machine
+report = cluster.check("model.sc", address="ray://head:10001")    # on a cluster
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+import threading
+from dataclasses import dataclass, field
+from typing import Any, Callable, Dict, List, Optional, Sequence
+
+from ._levels import MOST_LEVELS, ClusterFailed, Exploration, Progress
+from .successors import Filter, FilterFailed
+
+
+class NotServed(ClusterFailed):
+    """A property that is not decided by a search without a bound of time."""
+
+    def __init__(self, message: str):
+        super().__init__(message, 64)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    name: str
+    formula: str
+    kind: str  #: holds, holds-up-to-bound, violated or undecided, as in ``scc check --json``
+    reasons: List[str]
+    schedule: Optional[Any]  #: of a run that shows it, for ``scc trace --schedule``
+
+
+@dataclass
+class Report:
+    states: int = 0
+    transitions: int = 0
+    depth: int = 0
+    complete: bool = True
+    properties: List[Verdict] = field(default_factory=list)
+    dead_ends: List[str] = field(default_factory=list)
+    faults: List[str] = field(default_factory=list)
+    recovered: int = 0  #: how often owners were lost and started again
+
+
+def connect(address: Optional[str], deadline: float) -> Any:
+    """Ray, started here if there is no address. The deadline is in seconds."""
+    try:
+        import ray
+    except ImportError:
+        raise ClusterFailed("Ray is not installed: pip install 'shapecalculus[cluster]'", 64) from None
+    if ray.is_initialized():
+        return ray
+    failure: List[BaseException] = []
+
+    def start() -> None:
+        try:
+            if address is None:
+                ray.init(include_dashboard=False, log_to_driver=False, logging_level="error")
+            else:
+                ray.init(address=address, log_to_driver=False, logging_level="error")
+        except Exception as e:  # whatever Ray says of an address
+            failure.append(e)
+
+    if address is None:
+        start()
+    else:
+        # Ray waits for an address that answers nothing for as long as it likes, and cannot be told otherwise.
+        thread = threading.Thread(target=start, daemon=True)
+        thread.start()
+        thread.join(deadline)
+        if thread.is_alive():
+            raise ClusterFailed("%s does not answer within %g seconds" % (address, deadline), 69)
+    if failure:
+        said = str(failure[0]).strip().splitlines() or [type(failure[0]).__name__]
+        raise ClusterFailed("%s cannot be reached: %s" % (address or "Ray here", said[0]), 69)
+    return ray
+
+
+# Verdicts -----------------------------------------------------------------------------
+
+
+def both(a: str, b: str) -> str:
+    """As good as the worst of them."""
+    return next(k for k in ("violated", "undecided", "holds-up-to-bound", "holds") if k in (a, b))
+
+
+def either(a: str, b: str) -> str:
+    """As good as the best of them."""
+    return next(k for k in ("holds", "holds-up-to-bound", "undecided", "violated") if k in (a, b))
+
+
+def reasons_of(p: Progress, most: int) -> List[str]:
+    found = {
+        "states": ["the bound of %d states" % most],
+        "levels": ["the bound of %d transitions without passing time" % MOST_LEVELS],
+    }.get(p.stopped, [])
+    return found + (["a number that is too long (--bits)"] if p.too_long else []) + sorted(set(p.faults))
+
+
+def verdict(plan: Any, p: Progress) -> str:
+    ((kind, of),) = plan.items()
+    if kind == "now":
+        return {True: "holds", False: "violated"}.get(of, "undecided") if isinstance(of, bool) else "undecided"
+    if kind in ("all", "any"):
+        parts = [verdict(part, p) for part in of]
+        result = "holds" if kind == "all" else "violated"
+        for k, part in enumerate(parts):
+            result = both(result, part) if kind == "all" else part if k == 0 else either(result, part)
+        return result
+    if of in p.met:
+        return "holds" if kind == "possibly" else "violated"
+    if p.complete and of not in p.doubts:
+        return "violated" if kind == "possibly" else "holds"
+    bounded = of not in p.doubts and not p.faults and p.stopped != "levels"
+    return "holds-up-to-bound" if kind == "always" and bounded else "undecided"
+
+
+def goal_shown(plan: Any, p: Progress) -> Optional[int]:
+    """The goal of which a run shows the verdict, of a property that is one search."""
+    if plan is None:
+        return None
+    ((kind, of),) = plan.items()
+    return of if kind in ("possibly", "always") and of in p.met else None
+
+
+# Checks -------------------------------------------------------------------------------
+
+
+def served(header: Any, searches: bool) -> None:
+    timed = [c["name"] for c in header["checks"] if header["horizon"] is not None]
+    timed += [c["name"] for c in header["checks"] if any(g["within"] is not None for g in header["goals"])]
+    if timed:
+        raise NotServed(
+            "`%s` has a bound of time, of which a search by levels knows nothing: ask scc check" % timed[0]
+        )
+    other = [c["name"] for c in header["checks"] if c["plan"] is None]
+    if other and not searches:
+        raise NotServed("`%s` is more than a search for a state: ask scc check, or for searches alone" % other[0])
+
+
+def arguments_of(defines: Dict[str, str], checks: Sequence[str], options: Sequence[str]) -> List[str]:
+    given = [w for name, value in defines.items() for w in ("-D", "%s=%s" % (name, value))]
+    return given + [w for name in checks for w in ("--check", name)] + list(options)
+
+
+def check(
+    model: str,
+    *,
+    address: Optional[str] = None,
+    owners: Optional[int] = None,
+    defines: Optional[Dict[str, str]] = None,
+    checks: Sequence[str] = (),
+    options: Sequence[str] = (),
+    states: int = 1 << 40,
+    checkpoint: Optional[str] = None,
+    deadline: float = 60,
+    searches: bool = False,
+    scc: Optional[str] = None,
+    progress: Optional[Callable[[Progress], None]] = None,
+    disturb: Optional[Callable[[Any], None]] = None,
+) -> Report:
+    """The verdicts of the searches of a model, with the numbers and runs of ``scc check --no-reduce order``.
+
+    ``address`` is that of a cluster; without one, Ray is started here. ``owners`` is how many processes share the
+    states (by default one for each processor). Shards are kept in the folder ``checkpoint`` after each level (a path
+    that all machines share, or an address of fsspec): lost owners begin again from there, and so does a later call.
+    Without it, and without an address, they are kept in a folder that is removed in the end. ``searches``: properties
+    that are more than a search are left undecided, and not refused. ``options`` go to ``scc successors``; ``disturb``
+    is called with each exploration once its owners are there (for tests)."""
+    given = arguments_of(defines or {}, checks, options)
+    report = Report()
+    try:
+        numbers = explorations(model, given, searches, scc)
+        ray = connect(address, deadline)
+        with tempfile.TemporaryDirectory() as scratch:
+            base = checkpoint or (scratch if address is None else None)
+            for number in numbers:
+                folder = None if base is None else "%s/%d" % (base.rstrip("/"), number)
+                if folder is not None and "://" not in folder:
+                    os.makedirs(folder, exist_ok=True)
+                of_this = given + ["--exploration", str(number)]
+                explored(ray, model, of_this, scc, owners, folder, states, progress, disturb, report)
+    except FilterFailed as e:
+        raise ClusterFailed(str(e), 3) from None
+    except OSError as e:
+        raise ClusterFailed("a shard cannot be kept: %s" % e, 4) from None
+    return report
+
+
+def explorations(model: str, given: List[str], searches: bool, scc: Optional[str]) -> List[int]:
+    """Their numbers. All are looked at before anything is explored."""
+    count, number = 1, 0
+    while number < count:
+        number += 1
+        f = Filter(model, given + ["--exploration", str(number)], scc=scc)
+        f.close()
+        served(f.header, searches)
+        count = f.header["explorations"]
+    return list(range(1, count + 1))
+
+
+def explored(
+    ray: Any,
+    model: str,
+    given: List[str],
+    scc: Optional[str],
+    owners: Optional[int],
+    folder: Optional[str],
+    states: int,
+    progress: Optional[Callable[[Progress], None]],
+    disturb: Optional[Callable[[Any], None]],
+    report: Report,
+) -> None:
+    lines = Filter(model, given, scc=scc, framing="lines")
+    count = owners or max(1, int(ray.cluster_resources().get("CPU", 1)))
+    e = Exploration(
+        ray, os.path.abspath(model), given, scc, lines.header, count, folder, states, metrics(progress)
+    )
+    try:
+        p = e.run(disturb)
+        report.states += p.states
+        report.transitions += p.transitions
+        report.depth = max(report.depth, p.depth)
+        report.complete = report.complete and p.complete
+        report.dead_ends = sorted(set(report.dead_ends) | set(p.ends))
+        report.faults = sorted(set(report.faults) | set(p.faults))
+        report.properties += [told(c, p, states, lines, e) for c in lines.header["checks"] if not c["premise"]]
+        report.recovered += e.recovered
+    finally:
+        e.close()
+        lines.close()
+
+
+def told(c: Any, p: Progress, states: int, lines: Filter, e: Exploration) -> Verdict:
+    if c["plan"] is None:
+        return Verdict(c["name"], c["formula"], "undecided", ["it is more than a search"], None)
+    goal = goal_shown(c["plan"], p)
+    schedule = None if goal is None else lines.run(goal, e.choices(*p.met[goal]))["schedule"]
+    kind = verdict(c["plan"], p)
+    reasons = reasons_of(p, states) if kind in ("undecided", "holds-up-to-bound") else []
+    return Verdict(c["name"], c["formula"], kind, reasons, schedule)
+
+
+def metrics(progress: Optional[Callable[[Progress], None]]) -> Callable[[Progress], None]:
+    """Tells how far it is, on Ray's dashboard as well."""
+    from ray.util.metrics import Gauge
+
+    gauges = {
+        name: Gauge("scc_" + name, description="%s of the exploration" % name)
+        for name in ("states", "transitions", "level")
+    }
+
+    def show(p: Progress) -> None:
+        for name, gauge in gauges.items():
+            gauge.set(getattr(p, name))
+        if progress is not None:
+            progress(p)
+
+    return show
