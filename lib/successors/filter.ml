@@ -66,7 +66,9 @@ let catalogue f = Network_lts.catalogue f.context
 
 (* Processes of the network, each with its bytes, some hundred bytes in all. *)
 let most_bodies = 4_000_000
-let renew f = if Catalogue.bodies (catalogue f) > most_bodies then build f.question f.labels else f
+
+let renew ?(most = most_bodies) f =
+  if Catalogue.bodies (catalogue f) > most then build f.question f.labels else f
 
 let label_number f number =
   for i = Growable.length f.numbers to number do

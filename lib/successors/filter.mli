@@ -82,6 +82,6 @@ val label_number : t -> int -> int
 
 val reached : t -> int array -> reached
 
-val renew : t -> t
-(** With an empty memory, if what there is has become large: tuples mean nothing to it then. Labels keep their
-    numbers. *)
+val renew : ?most:int -> t -> t
+(** With an empty memory, if what there is has become large (more processes of the network than [most]): tuples of
+    the one before mean nothing to it then. Labels keep their numbers. *)

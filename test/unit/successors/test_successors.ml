@@ -135,6 +135,29 @@ let damaged =
       let bad = Batch.answer batches (String.sub frame 0 (any (String.length frame))) (Buffer.create 64) in
       told && Result.is_ok good && List.length (frames (Buffer.contents out) 0) = 2 && Result.is_error bad)
 
+(* With an empty memory: the same answers, and numbers of labels that mean what they meant. *)
+let renewed () =
+  let f = Filter.make (question (load "enzymes.sc")) in
+  let states = explore f in
+  let label f i = Told.label (Filter.question f).loaded.model (Filter.label f i) in
+  let labels f = List.init (Filter.labels f) (fun i -> Scc_exchange.Json.line (`Assoc (label f i))) in
+  let before = labels f in
+  let other = Filter.renew ~most:0 f in
+  Alcotest.(check bool) "it is another one" true (other != f);
+  Alcotest.(check bool) "and the same while it is small" true (Filter.renew other == other);
+  let one ((r : Filter.reached), (e : Filter.expanded)) =
+    let text = bytes_of r f in
+    let from, stop = whole text in
+    match Result.bind (Filter.read other text ~from ~stop) (Filter.expand other) with
+    | Error d -> Alcotest.failf "it is not read: %s" d.message
+    | Ok again ->
+      Alcotest.(check string) "the same answer"
+        (Scc_exchange.Json.line (Told.answer f e))
+        (Scc_exchange.Json.line (Told.answer other again))
+  in
+  List.iter one states;
+  Alcotest.(check (list string)) "the same labels" before (labels other)
+
 let properties () =
   let l = load "raft.sc" in
   (match Question.make ~reductions:Question.reductions ~bits:100 ~names:[ "nobody" ] ~number:1 l with
@@ -153,5 +176,6 @@ let () =
     [
       ("bytes and fingerprints", List.map test names);
       ("whatever comes in", [ Scc_test_support.Property.case damaged ]);
+      ("an empty memory", [ Alcotest.test_case "renewed" `Quick renewed ]);
       ("questions", [ Alcotest.test_case "by name and number" `Quick properties ]);
     ]
