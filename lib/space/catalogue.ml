@@ -159,14 +159,14 @@ let form_of c (p : State.process) =
   number
 
 let numbered c ~form ~place ~velocity =
-  1 + Pairs.intern c.processes (Pairs.intern c.places form (vector c place)) velocity
+  1 + Pairs.intern c.processes (Pairs.intern c.places form place) velocity
 
 let find_number c slot (p : State.process) =
   let place = p.leaves.(0).position in
   let form = form_of c (State.with_velocity Vec.zero (moved (Vec.neg place) p)) in
-  let velocity = vector c p.velocity in
+  let place = vector c place and velocity = vector c p.velocity in
   let number = numbered c ~form ~place ~velocity in
-  c.seen.(slot) <- { number; form; place = vector c place; velocity; process = p };
+  c.seen.(slot) <- { number; form; place; velocity; process = p };
   number
 
 (* Most processes are after a transition what they were before it. *)
@@ -197,11 +197,11 @@ let body c number =
 let displaced c d b =
   let velocity = Vectors.get c.vectors b.velocity in
   let place = Vec.axpy d velocity (Vectors.get c.vectors b.place) in
-  numbered c ~form:b.form ~place ~velocity:b.velocity
+  numbered c ~form:b.form ~place:(vector c place) ~velocity:b.velocity
 
 let shifted c by number =
   let b = body c number in
-  numbered c ~form:b.form ~place:(Vec.add (Vectors.get c.vectors b.place) by) ~velocity:b.velocity
+  numbered c ~form:b.form ~place:(vector c (Vec.add (Vectors.get c.vectors b.place) by)) ~velocity:b.velocity
 
 let form c i = Forms.get c.forms i
 

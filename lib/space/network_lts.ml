@@ -35,14 +35,11 @@ let by_pairs (m : Model.t) =
   | In_turn, On_collision -> true
   | Together, _ | _, On_contact -> false
 
-(* Whether there are so few basic shapes that it pays to look at all pairs of processes in each state. *)
-let few_shapes = 32
-
 let make ?(events = []) ?(time_seen = Scc_property.Time_seen.Always) ?(quotient = Quotient.none) ?visible
-    ?(memory = 1 lsl 16) semantics initial =
+    ?(memory = 1 lsl 16) ?(few = 32) semantics initial =
   let m = Semantics.model semantics in
   let local = Local.create ~events ~time_seen ~memory semantics in
-  let many = Model.part_count m > few_shapes in
+  let many = Model.part_count m > few in
   let scene = if Model.straight m && by_pairs m && many then Some (Scene.create local) else None in
   let encounters = Encounters.create ~memory:(4 * memory) local in
   let codec = lazy (Scc_codec.State_codec.make m initial) in

@@ -15,13 +15,14 @@ val make :
   ?quotient:Quotient.t ->
   ?visible:(int -> bool) ->
   ?memory:int ->
+  ?few:int ->
   Semantics.t -> State.t -> context
 (** With the initial state, as {!Network.initial} gives it. States are told apart by which of the events has
     just led to them, and by as much of absolute time as is seen ([Always] by default, where states have it).
     States stand for all that are equal modulo the [quotient]. With [visible], which leaves
     can be seen by what is asked, independent events of one instant that cannot be seen are made in one order
-    only ({!reduced}). [memory] is how many results are remembered of each kind, a power of two: it changes
-    nothing but the speed. *)
+    only ({!reduced}). [memory], a power of two, bounds how many results are remembered of each kind, and with at
+    most [few] basic shapes (32) all pairs are looked at in each state: both change nothing but the speed. *)
 
 val arrived : context -> int array -> Property.event -> bool
 (** Whether the transition that has just led to the state was of the event, one of those of {!make}. *)

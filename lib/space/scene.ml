@@ -93,10 +93,11 @@ let find_all t =
 
 (* {1 Looking} *)
 
+(* Nobody has no place and no form, whatever numbers stand for them. *)
 let has_moved (a : Local.alone) (b : Local.alone) =
-  not
-    ((a.body.place = b.body.place && a.body.form = b.body.form)
-     || (Array.length a.boxes = Array.length b.boxes && Array.for_all2 Float_box.equal a.boxes b.boxes))
+  let is_there (a : Local.alone) = a.body.number <> Catalogue.nobody in
+  let stays = is_there a && is_there b && a.body.place = b.body.place && a.body.form = b.body.form in
+  not (stays || (Array.length a.boxes = Array.length b.boxes && Array.for_all2 Float_box.equal a.boxes b.boxes))
 
 let enter t number i =
   let is_nobody = number = Catalogue.nobody in

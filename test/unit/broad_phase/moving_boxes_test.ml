@@ -113,6 +113,15 @@ let corner =
        let b = { b with low = Vec.add b.low shift; high = Vec.add b.high shift } in
        may_meet a b ~from:(Float_box.down from) ~until:(until_float until))
 
+let bounds =
+  QCheck2.Test.make ~name:"what meets does not do so before the bound" ~count:2000
+    ~print:(fun (a, b, t) -> print_box a ^ "\n" ^ print_box b ^ "\n" ^ print_times t)
+    (Gen.triple moving moving times)
+    (fun (a, b, (from, until, t)) ->
+       let bound = Moving_boxes.not_before (table [ a ] ~until:1.) 0 (table [ b ] ~until:1.) 0 in
+       let agrees t = (not (meet_at t a b)) || (bound < infinity && Rat.compare (Q.of_float bound) t <= 0) in
+       List.for_all agrees [ Rat.zero; from; until; t ])
+
 let unit x velocity = { low = Vec.of_ints x 0 0; high = Vec.of_ints (x + 1) 1 1; velocity }
 
 let filters () =
@@ -128,6 +137,9 @@ let filters () =
   Moving_boxes.set_until t 1 9.5;
   Alcotest.(check bool) "only as long as both move so" false (Moving_boxes.may_meet t 0 1 ~from:0.);
   check "nothing moves" false still (unit 3 Vec.zero) ~from:0. ~until:1e9;
+  let bound a b = Moving_boxes.not_before (table [ a ] ~until:1.) 0 (table [ b ] ~until:1.) 0 in
+  Alcotest.(check bool) "in ten" true (bound still left > 9.99 && bound still left <= 10.);
+  Alcotest.(check bool) "never" true (bound still (unit 3 Vec.zero) = infinity);
   let sweep = sweep_of left ~from:0. ~until:infinity in
   Alcotest.(check bool) "for ever to the left" true (Float_box.low sweep 0 = neg_infinity);
   Alcotest.(check bool) "and nowhere else" true (Float_box.high sweep 0 < 12.1 && Float_box.high sweep 1 < 1.1)
@@ -136,5 +148,5 @@ let () =
   Alcotest.run "moving boxes"
     [
       ("known", [ Alcotest.test_case "what a filter stops" `Quick filters ]);
-      ("properties", Scc_test_support.Property.cases [ rounding; placed; swept; never_misses; corner ]);
+      ("properties", Scc_test_support.Property.cases [ rounding; placed; swept; never_misses; corner; bounds ]);
     ]

@@ -27,24 +27,24 @@ let difference context m tuple =
       else Some "transitions differ"
     | Ok _, Error _ | Error _, Ok _ -> Some "a fault on one side"
 
-let explored ?(memory = 1 lsl 14) m start ~states =
-  let context = Network_lts.make ~memory (standard m) start in
+let explored ?(memory = 1 lsl 14) ?few m start ~states =
+  let context = Network_lts.make ~memory ?few (standard m) start in
   let limits = { Limits.unlimited with states = Some states } in
   let g = Graph.run limits Limits.quiet context in
   let differences = List.filter_map (fun i -> difference context m (Graph.tuple g i)) in
   (Graph.size g, differences (List.init (Graph.size g) Fun.id))
 
-let agrees ~memory ~of_model network =
+let agrees ?few ~memory ~of_model network =
   let m, start = Random_network.start network in
   let m = of_model m in
-  match explored ~memory m start ~states:40 with
+  match explored ~memory ?few m start ~states:40 with
   | _, [] -> true
   | _, why :: _ -> QCheck2.Test.fail_report why
 
-let property name ?steered ?(of_model = Fun.id) ~memory count =
+let property name ?steered ?few ?(of_model = Fun.id) ~memory count =
   QCheck2.Test.make ~name ~count ~print:Random_network.print
     (Random_network.generate ?steered ())
-    (agrees ~memory ~of_model)
+    (agrees ?few ~memory ~of_model)
 
 (* Two processes in turns of different lengths are not one, nor is one whose turn is due. *)
 let turns () =
@@ -71,20 +71,29 @@ let rigid =
        | _, [] -> true
        | _, why :: _ -> QCheck2.Test.fail_report why)
 
-let crowd =
-  QCheck2.Test.make ~name:"crowds" ~count:30 ~print:Random_network.print Random_network.crowd
-    (agrees ~memory:1024 ~of_model:Fun.id)
+let crowd name ~few =
+  QCheck2.Test.make ~name ~count:30 ~print:Random_network.print Random_network.crowd
+    (agrees ~few ~memory:1024 ~of_model:Fun.id)
+
+(* Looked at as many are: with some absorbed, and with so many at rest that sweeps are asked. *)
+let absorbing =
+  QCheck2.Test.make ~name:"some are absorbed" ~count:100 ~print:Random_network.print (Random_network.absorbing ())
+    (agrees ~few:0 ~memory:1024 ~of_model:Fun.id)
+
+let bystanders =
+  QCheck2.Test.make ~name:"bystanders" ~count:50 ~print:Random_network.print (Random_network.generate ())
+    (fun network -> agrees ~few:0 ~memory:1024 ~of_model:Fun.id (Random_network.with_bystanders network))
 
 let rings =
   QCheck2.Test.make ~name:"bonds that close rings" ~count:100 ~print:Random_network.print Random_network.linked
     (agrees ~memory:1024 ~of_model:Fun.id)
 
-let model name () =
+let model ?few name () =
   let e = Scc_test_models.Load.(exactly (file ("../../../specs/models/" ^ name))) in
   match Network.initial (standard e.model) e.declared with
   | Error _ -> Alcotest.fail "no initial state"
   | Ok start ->
-    let size, differences = explored e.model start ~states:300 in
+    let size, differences = explored ?few e.model start ~states:300 in
     Alcotest.(check (list string)) "no difference" [] differences;
     Alcotest.(check bool) "some states" true (size > 0)
 
@@ -123,9 +132,12 @@ let () =
             property "little memory" ~memory:2 100;
             property "collisions together" ~of_model:(fun m -> { m with collisions = Together }) ~memory:1024 100;
             property "binding by contact" ~of_model:(fun m -> { m with binding = On_contact }) ~memory:1024 100;
-            crowd; rings; rigid;
+            property "as many" ~few:0 ~memory:1024 200;
+            property "as many, with little memory" ~few:0 ~memory:2 100;
+            crowd "crowds" ~few:0; crowd "crowds by pairs" ~few:1000; absorbing; bystanders; rings; rigid;
           ] );
       ("models", List.map (fun name -> Alcotest.test_case name `Quick (model name)) models);
+      ("models as many", List.map (fun name -> Alcotest.test_case name `Quick (model ~few:0 name)) models);
       ("events", [ Alcotest.test_case "what led to a state" `Quick events ]);
       ("turns", [ Alcotest.test_case "how long they last" `Quick turns ]);
     ]
