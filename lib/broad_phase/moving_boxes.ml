@@ -50,6 +50,9 @@ let swept (b : t) i ~from =
   done;
   Float_box.make ~low ~high
 
+(* At most the difference, and none of what does not move. *)
+let[@inline] lead u v = if u = 0. && v = 0. then 0. else down (u -. v)
+
 (* The boxes overlap along an axis at time t iff neither begins after the other has ended:
    x0 + u0 t <= x1' + u1' t, that is w t <= g with w = u0 - u1' and g = x1' - x0, and the same with the boxes
    exchanged. With w rounded down and g up the condition is weaker; for w > 0 it says t <= g/w, for w < 0 it says
@@ -62,7 +65,7 @@ let overlap (a : t) i (b : t) j ~from ~until =
   while !axis < 3 do
     let k = !axis in
     let i = (size * i) + along k and j = (size * j) + along k in
-    let w = down (a.(i + 2) -. b.(j + 3)) and g = up (b.(j + 1) -. a.(i)) in
+    let w = lead a.(i + 2) b.(j + 3) and g = up (b.(j + 1) -. a.(i)) in
     if w > 0. then begin
       let t = up (g /. w) in
       if t < !greatest then greatest := t
@@ -72,7 +75,7 @@ let overlap (a : t) i (b : t) j ~from ~until =
       if t > !least then least := t
     end
     else if g < 0. then greatest := neg_infinity;
-    let w = down (b.(j + 2) -. a.(i + 3)) and g = up (a.(i + 1) -. b.(j)) in
+    let w = lead b.(j + 2) a.(i + 3) and g = up (a.(i + 1) -. b.(j)) in
     if w > 0. then begin
       let t = up (g /. w) in
       if t < !greatest then greatest := t
