@@ -1,4 +1,5 @@
-(* The memories of an exploration: what they hold is what was kept, and what they have forgotten they do not know. *)
+(* The memories of an exploration: what they hold is what was kept, and what they have forgotten they do not
+   know. *)
 
 open Scc_exact
 open Scc_space
