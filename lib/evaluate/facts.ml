@@ -14,7 +14,7 @@ let value trajectory model offset n =
   | true -> Printf.sprintf "%s is %s" (Show.num model n) value
   | false -> Printf.sprintf "%s = %s" (Show.num model n) value
 
-let changes_with_time n = Time_seen.same_kind (Time_seen.num n) Always
+let changes_with_time model n = Time_seen.same_kind (Time_seen.num model n) Always
 
 (* Of a time that stands for all later ones nothing else is known. *)
 let values ?later_than trajectory model offset (p : Property.prop) =
@@ -22,7 +22,7 @@ let values ?later_than trajectory model offset (p : Property.prop) =
   | Compare (_, a, b) ->
     let compared = List.filter (fun n -> not (is_constant n)) [ a; b ] in
     (match later_than with
-     | Some c when List.exists changes_with_time compared -> [ Printf.sprintf "time > %s" (Rat.to_string c) ]
+     | Some c when List.exists (changes_with_time model) compared -> [ Printf.sprintf "time > %s" (Rat.to_string c) ]
      | Some _ | None -> List.map (value trajectory model offset) compared)
   | _ -> []
 

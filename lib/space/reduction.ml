@@ -38,8 +38,9 @@ let visible kinds ~deep ~searched ~evaluated =
 let without_jumps kinds (m : Model.t) =
   if used kinds Jump || m.steered then m else { m with steered = true; steps = Shared }
 
-let time_seen kinds (m : Model.t) formulas : Time_seen.t =
-  let steers_by_time (l : Model.leaf) = Law.mentions_time l.law in
+let time_seen kinds (m : Model.t) checks : Time_seen.t =
   if not m.keeps_time then Never
-  else if Array.exists steers_by_time m.leaves || not (used kinds Time) then Always
-  else Time_seen.formulas formulas
+  else if not (used kinds Time) then Always
+  else
+    let of_law seen (l : Model.leaf) = Time_seen.join seen (Time_seen.law m l.law) in
+    Array.fold_left of_law (Time_seen.checks m checks) m.leaves

@@ -36,6 +36,5 @@ val visible :
 val without_jumps : kind list -> Model.t -> Model.t
 (** The model, with movement steps as part of the state when {!Jump} is not among the kinds. *)
 
-val time_seen : kind list -> Model.t -> Property.temporal list -> Time_seen.t
-(** How much of absolute time has to be told apart for these formulas: all of it when a law of motion speaks of
-    it. *)
+val time_seen : kind list -> Model.t -> Property.check list -> Time_seen.t
+(** How much of absolute time has to be told apart for these checks, and for the laws of motion. *)

@@ -84,7 +84,7 @@ let groups options semantics ~initial checks =
     {
       part = part c;
       compact = compact c;
-      time_seen = Reduction.time_seen options.reductions (Semantics.model semantics) [ c.formula ];
+      time_seen = Reduction.time_seen options.reductions (Semantics.model semantics) [ c ];
     }
   in
   let rec join needs member = function

@@ -263,8 +263,7 @@ let kinds_of (checks : Property.check list) plans =
   in
   (formulas_of Plan.is_search, formulas_of (fun plan -> not (Plan.is_search plan)))
 
-let time_seen options model (checks : Property.check list) =
-  Reduction.time_seen options.reductions model (List.map (fun (c : Property.check) -> c.formula) checks)
+let time_seen options model checks = Reduction.time_seen options.reductions model checks
 
 let system options semantics ~initial checks plans =
   let model = Semantics.model semantics in
