@@ -1,9 +1,9 @@
 open Scc_calculus
 open Scc_property
 
-type kind = Symmetry | Translation | Order | Jump | Slice | Time
+type kind = Symmetry | Translation | Order | Jump | Slice | Drift | Time
 
-let all = [ Symmetry; Translation; Order; Jump; Slice; Time ]
+let all = [ Symmetry; Translation; Order; Jump; Slice; Drift; Time ]
 
 let name = function
   | Symmetry -> "symmetry"
@@ -12,17 +12,22 @@ let name = function
   | Jump -> "jump"
   | Slice -> "slice"
   | Time -> "time"
+  | Drift -> "drift"
 
 let of_name text = List.find_opt (fun k -> String.equal (name k) text) all
 let equal a b = String.equal (name a) (name b)
 let used kinds kind = List.exists (equal kind) kinds
 
-let quotient kinds model state ~searched ~evaluated : Quotient.t =
+let quotient kinds model state ~checks ~searched ~evaluated : Quotient.t =
   {
     symmetry =
       (if used kinds Symmetry then Symmetry.find model ~initial:state ~searched ~evaluated else Symmetry.none);
     translation = used kinds Translation && Quotient.translatable model state (searched @ evaluated);
+    drift = (if used kinds Drift then Drift.make model state checks else None);
   }
+
+let sees_far kinds model state checks =
+  used kinds Drift && Drift.applies model state && Places_seen.for_ever (Places_seen.checks model checks)
 
 let visible kinds ~deep ~searched ~evaluated =
   match (searched, evaluated) with

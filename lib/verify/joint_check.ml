@@ -272,7 +272,7 @@ let system options semantics ~initial checks plans =
   let deep = match options.bounds.depth with Unbounded -> false | Default _ | Given _ -> true in
   Network_lts.make ~events
     ~time_seen:(time_seen options model checks)
-    ~quotient:(Reduction.quotient options.reductions model initial ~searched ~evaluated)
+    ~quotient:(Reduction.quotient options.reductions model initial ~checks ~searched ~evaluated)
     ?visible:(Reduction.visible options.reductions ~deep ~searched ~evaluated)
     semantics initial
 
