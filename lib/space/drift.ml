@@ -229,9 +229,12 @@ let rec insert d g groups =
   | None -> g :: groups
   | Some h -> insert d (anchor d (join g h)) (List.filter (fun k -> k != h) groups)
 
-let groups d processes =
+let partition d processes =
   let add (i, groups) p = (i + 1, insert d (anchor d (single d i p)) groups) in
   snd (Array.fold_left add (0, []) processes)
+
+let groups d processes =
+  List.sort (List.compare Int.compare) (List.map (fun g -> List.sort Int.compare g.members) (partition d processes))
 
 (** {1 Where they are placed} *)
 
@@ -245,7 +248,7 @@ let rec all_apart d = function
 let shift time g = Vec.sub (Vec.scale time g.velocity) g.low
 
 let place d processes =
-  let anchored, free = List.partition (fun g -> g.anchored) (groups d processes) in
+  let anchored, free = List.partition (fun g -> g.anchored) (partition d processes) in
   let rec at time =
     let shifts = List.map (shift time) free in
     let there = List.map2 moved shifts free in
@@ -256,7 +259,7 @@ let place d processes =
   match free with [] -> [] | _ :: _ -> at Rat.one
 
 let keeps d processes (q : Property.quantity) =
-  let groups = lazy (groups d processes) in
+  let groups = lazy (partition d processes) in
   let home leaf = List.find_opt (fun g -> has g leaf) (Lazy.force groups) in
   match q with
   | Position (_, i) -> Option.fold ~none:true ~some:(fun g -> g.anchored) (home i)

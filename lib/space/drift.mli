@@ -30,6 +30,9 @@ val applies : Model.t -> State.t -> bool
 val make : Model.t -> State.t -> Property.check list -> t option
 (** What keeps the truth of all that is asked. *)
 
+val groups : t -> State.process array -> int list list
+(** Which are apart for ever, by their places in the array. *)
+
 val place : t -> State.process array -> (int * Vec.t) list
 (** By how much processes, by their places in the array, are to be moved, so that of two states that differ by
     translations of groups one comes. *)
