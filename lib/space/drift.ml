@@ -10,6 +10,7 @@ type t = {
   coordinates : (Vec.axis * int * Places_seen.limits) list;
   distances : (int * int * Places_seen.limits) list;
   extents : (Vec.t * Vec.t) Lazy.t array;  (** of a leaf, about its reference point: the least box around it *)
+  fence : (Vec.t * Vec.t) option;  (** the least box around all that is fixed: whoever is in it is apart from nothing *)
 }
 
 (** {1 Where it is used} *)
@@ -23,10 +24,6 @@ let goes_on : Behaviour.t -> bool = function
   | Weak _ | Delay _ | Wait _ -> true
   | Nil | Open _ | Strong _ | Sum _ | Call _ -> false
 
-let applies (m : Model.t) (initial : State.t) =
-  let on_a_grid = match m.splits with Every _ -> true | Any_time -> false in
-  on_a_grid && (not (m.steered || Model.has_turns m)) && has_prefix m initial goes_on
-
 let least_and_greatest a b =
   let each f (v : Vec.t) (w : Vec.t) = Vec.make (f v.x w.x) (f v.y w.y) (f v.z w.z) in
   (each Rat.min (fst a) (fst b), each Rat.max (snd a) (snd b))
@@ -39,26 +36,71 @@ let extent (leaf : Model.leaf) =
   let points = Vec.zero :: List.concat_map corners (Array.to_list leaf.parts) in
   List.fold_left (fun box v -> least_and_greatest box (v, v)) (Vec.zero, Vec.zero) points
 
+let box extent (p : State.process) =
+  let of_leaf (l : State.leaf) =
+    let low, high = extent l.leaf in
+    (Vec.add l.position low, Vec.add l.position high)
+  in
+  Array.fold_left (fun box l -> least_and_greatest box (of_leaf l)) (of_leaf p.leaves.(0)) p.leaves
+
+let is_fixed (m : Model.t) (p : State.process) =
+  Array.exists (fun (l : State.leaf) -> m.leaves.(l.leaf).fixed) p.leaves
+
+let fence m extent (s : State.t) =
+  let around known p =
+    if not (is_fixed m p) then known
+    else
+      let box = box extent p in
+      Some (Option.fold ~none:box ~some:(least_and_greatest box) known)
+  in
+  Array.fold_left around None s.processes
+
+(* A point of it is within the box. *)
+let is_inside (low, high) (p : State.process) =
+  let place = p.leaves.(0).position in
+  let within axis =
+    let at = Vec.component axis in
+    Rat.compare (at low) (at place) <= 0 && Rat.compare (at place) (at high) <= 0
+  in
+  within Vec.X && within Y && within Z
+
+let all_inside fence processes =
+  match fence with None -> false | Some box -> Array.for_all (is_inside box) processes
+
 let pushing : Behaviour.t -> bool = function
   | Weak (_, { push; _ }, _) | Strong (_, push, _) -> Rat.sign push > 0
   | Nil | Open _ | Delay _ | Wait _ | Sum _ | Call _ -> false
 
 let make (m : Model.t) (initial : State.t) checks =
+  let on_a_grid = match m.splits with Every _ -> true | Any_time -> false in
   let seen = Places_seen.checks m checks in
-  if Places_seen.everything seen || not (applies m initial) then None
+  if m.steered || Model.has_turns m || (not on_a_grid) || Places_seen.everything seen then None
   else
-    let may_push = has_prefix m initial pushing in
-    Some
-      {
-        model = m;
-        (* who draws first is told by x *)
-        axes = (if m.lots then [ Vec.X ] else [ X; Y; Z ]);
-        may_push =
-          (fun term -> may_push && Behaviour.some_prefix m.definitions ~behind:(fun _ -> true) pushing term);
-        coordinates = Places_seen.coordinates seen;
-        distances = Places_seen.distances seen;
-        extents = Array.map (fun leaf -> lazy (extent leaf)) m.leaves;
-      }
+    let extents = Array.map (fun leaf -> lazy (extent leaf)) m.leaves in
+    let fence = fence m (fun leaf -> Lazy.force extents.(leaf)) initial in
+    (* Nobody collides for ever without something fixed. *)
+    let somebody_is_out = Option.is_some fence && not (all_inside fence initial.processes) in
+    if not (has_prefix m initial goes_on || somebody_is_out) then None
+    else
+      let may_push = has_prefix m initial pushing in
+      Some
+        {
+          model = m;
+          (* who draws first is told by x *)
+          axes = (if m.lots then [ Vec.X ] else [ X; Y; Z ]);
+          may_push =
+            (fun term -> may_push && Behaviour.some_prefix m.definitions ~behind:(fun _ -> true) pushing term);
+          coordinates = Places_seen.coordinates seen;
+          distances = Places_seen.distances seen;
+          extents; fence;
+        }
+
+let sees_far m (initial : State.t) checks =
+  Places_seen.for_ever (Places_seen.checks m checks)
+  &&
+  match make m initial [] with
+  | None -> false
+  | Some d -> not (all_inside d.fence initial.processes)
 
 (** {1 Groups} *)
 
@@ -112,17 +154,8 @@ let with_motion g =
   in
   { g with velocity; spread2 }
 
-let box d (p : State.process) =
-  let of_leaf (l : State.leaf) =
-    let low, high = Lazy.force d.extents.(l.leaf) in
-    (Vec.add l.position low, Vec.add l.position high)
-  in
-  Array.fold_left
-    (fun box l -> least_and_greatest box (of_leaf l))
-    (of_leaf p.leaves.(0)) p.leaves
-
 let single d i (p : State.process) =
-  let low, high = box d p in
+  let low, high = box (fun leaf -> Lazy.force d.extents.(leaf)) p in
   let of_leaf (l : State.leaf) =
     let leaf = d.model.leaves.(l.leaf) in
     if leaf.fixed then nothing
@@ -140,7 +173,7 @@ let single d i (p : State.process) =
     {
       members = [ i ];
       leaves = List.map (fun (l : State.leaf) -> l.leaf) leaves;
-      anchored = Option.is_none (State.mass d.model p);
+      anchored = is_fixed d.model p;
       pushes = List.exists (fun (l : State.leaf) -> d.may_push l.behaviour.term) leaves;
       sums = List.fold_left (fun sums l -> add sums (of_leaf l)) nothing leaves;
       low; high;
@@ -248,7 +281,8 @@ let rec all_apart d = function
 let shift time g = Vec.sub (Vec.scale time g.velocity) g.low
 
 let place d processes =
-  let anchored, free = List.partition (fun g -> g.anchored) (partition d processes) in
+  let groups = if all_inside d.fence processes then [] else partition d processes in
+  let anchored, free = List.partition (fun g -> g.anchored) groups in
   let rec at time =
     let shifts = List.map (shift time) free in
     let there = List.map2 moved shifts free in

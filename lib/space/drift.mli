@@ -23,12 +23,14 @@ open Scc_property
 
 type t
 
-val applies : Model.t -> State.t -> bool
-(** Bodies move in straight lines, without laws and rounding; and a weak split, or an eps, may keep a state from being
-    quiescent when nobody meets any more. *)
-
 val make : Model.t -> State.t -> Property.check list -> t option
-(** What keeps the truth of all that is asked. *)
+(** What keeps the truth of all that is asked. Only where bodies move in straight lines, without laws and rounding, and
+    something may go on when some never meet others any more: a weak split or an eps is still to come, or, as somebody
+    is outside of it at the start, collisions within what is fixed. *)
+
+val sees_far : Model.t -> State.t -> Property.check list -> bool
+(** Some coordinate or distance is told apart without limits, and that may keep an exploration from closing: {!make}
+    would be of use otherwise, and what is fixed is not around all at the start. *)
 
 val groups : t -> State.process array -> int list list
 (** Which are apart for ever, by their places in the array. *)

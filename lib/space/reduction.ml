@@ -26,8 +26,7 @@ let quotient kinds model state ~checks ~searched ~evaluated : Quotient.t =
     drift = (if used kinds Drift then Drift.make model state checks else None);
   }
 
-let sees_far kinds model state checks =
-  used kinds Drift && Drift.applies model state && Places_seen.for_ever (Places_seen.checks model checks)
+let sees_far kinds model state checks = used kinds Drift && Drift.sees_far model state checks
 
 let visible kinds ~deep ~searched ~evaluated =
   match (searched, evaluated) with

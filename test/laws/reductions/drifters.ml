@@ -70,6 +70,7 @@ let far_atom n =
       (4, Printf.sprintf "distance2(%s, %s) %s %d" p q comparison (20 * abs c));
       (1, Printf.sprintf "2 * distance2(%s, %s) - processes %s %d" p q comparison (10 * abs c));
       (1, Printf.sprintf "x(%s) %s x(%s) + %d" p comparison q c);
+      (1, Printf.sprintf "distance2(%s, %s) %s %d + time" p q comparison (20 * abs c));
       (1, Printf.sprintf "(if bound(%s, %s) then x(%s) else %d) %s 3" p q p c comparison);
       (1, Printf.sprintf "touching(%s, %s)" p q);
       (2, Printf.sprintf "time %s %d" comparison (abs c / 4));

@@ -186,6 +186,14 @@ let and_time =
   closes "a place and a time" ~states:12 ~verdicts:[ holds ]
     (pair ~velocity:1 () ^ "check a : AG (time > 4 and x(p) > 3 => EF bonds(dock) = 0)\n")
 
+(* Between two walls: at the start, and before and after each bounce. The third is faster than that, and so apart. *)
+let shuttle =
+  closes "one leaves a shuttle" ~states:5 ~verdicts:[ holds ]
+    ("fixed west = Cube at translate (-5,0,0)\nfixed east = Cube at translate (5,0,0)\n"
+     ^ cube "p" 0 ~velocity:"(1,0,0)"
+     ^ "process r = Cube mass 1 velocity (0,0,2) at translate (0,0,20) [Shy]\n"
+     ^ "check back : AG EF event bounce(p)\n")
+
 (* One that sees a place for ever does not keep another one from being proved. *)
 let spoils_nothing () =
   let text = pair ~velocity:1 () ^ "check a : AG x(p) = time\ncheck b : AG (x(p) > 3 => EF bonds(dock) = 0)\n" in
@@ -251,6 +259,10 @@ let off () =
   in
   let apart = body "q" 6 "0" ^ pulsing "r" 12 "1" in
   is "nothing is left to happen" (body "q" 6 "0" ^ body "r" 12 "1");
+  let within x = "fixed w = Cube\nfixed v = Cube at translate (20,0,0)\n" ^ body "r" x "1" in
+  is "nor out of walls" (within 10);
+  let e, initial = loaded (shapes ^ within 30) in
+  Alcotest.(check bool) "but there" true (Option.is_some (Drift.make e.model initial []));
   is "a law" (apart ^ "motion r = (vx, vy, vz)\n");
   is "rounding" (apart ^ "round velocity 2^-10\n");
   is "turning" (apart ^ "dynamics constant_spin\nresolution 2^-20\n");
@@ -308,7 +320,7 @@ let () =
       ( "closing",
         [
           quick "one leaves" one_leaves; quick "both pulse" both_pulse; quick "up to a distance" up_to_a_distance;
-          quick "up to a place" up_to_a_place; quick "a place and a time" and_time;
+          quick "one leaves a shuttle" shuttle; quick "up to a place" up_to_a_place; quick "a place and a time" and_time;
           quick "places spoil no other property" spoils_nothing;
         ] );
     ]
