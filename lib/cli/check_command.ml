@@ -275,8 +275,8 @@ let man =
          constant that they compare it with." );
     `I
       ( "$(b,drift)",
-        "how far bodies are from each other that never meet again does not matter, beyond all constants that places \
-         and distances are compared with. Not with laws of motion, nor of bodies that turn." );
+        "how far bodies are from each other that never meet again does not matter, beyond all constants that \
+         places and distances are compared with. Not with laws of motion, nor of bodies that turn." );
     `I ("$(b,jump)", "without a law of motion, time passes over the ends of movement steps at once.");
     `P
       "Models with parameters of which ranges are known, or with $(b,split_step any), are explored by sets of \

@@ -23,13 +23,15 @@ let values ?later_than ~known trajectory model offset (p : Property.prop) =
     let is_told n = (not (is_constant n)) && List.for_all known (By_cases.values n) in
     let compared = List.filter is_told [ a; b ] in
     (match later_than with
-     | Some c when List.exists (changes_with_time model) compared -> [ Printf.sprintf "time > %s" (Rat.to_string c) ]
+     | Some c when List.exists (changes_with_time model) compared ->
+       [ Printf.sprintf "time > %s" (Rat.to_string c) ]
      | Some _ | None -> List.map (value trajectory model offset) compared)
   | _ -> []
 
 let fact ?later_than ~known trajectory model offset p =
   let text = Show.prop model p in
-  match (Timeline.at (Trajectory.prop trajectory p) offset, values ?later_than ~known trajectory model offset p) with
+  let values = values ?later_than ~known trajectory model offset p in
+  match (Timeline.at (Trajectory.prop trajectory p) offset, values) with
   | Truth.Undecided reason, _ -> Printf.sprintf "%s cannot be decided: %s" text reason
   | (True | False) as truth, values ->
     let verb = if Truth.equal truth True then "holds" else "fails" in

@@ -15,8 +15,8 @@ type step = {
 type moved =
   | Together of Vec.t  (** everything is moved by this *)
   | Apart of (int * Vec.t) list
-  (** processes are moved by this each, one told by the first of its leaves: those that never meet again by different
-      vectors (rule Drift) *)
+  (** processes are moved by this each, one told by the first of its leaves: those that never meet again by
+      different vectors (rule Drift) *)
 
 (** Where the run is taken to after its steps. *)
 type finish =

@@ -11,8 +11,8 @@ val cases : Model.t -> variable:(Property.quantity -> bool) -> Property.num -> c
     bounds, products of what varies, too many cases. *)
 
 val zeros : case -> (Rat.t * Rat.t) option
-(** The least and the greatest value of the quantity at which the number may be 0; [None] where it does not depend on
-    the quantity. *)
+(** The least and the greatest value of the quantity at which the number may be 0; [None] where it does not depend
+    on the quantity. *)
 
 val conditions : Property.num -> Property.prop list
 (** Those within a number, of [count] and [if], but not those within these. *)

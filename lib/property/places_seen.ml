@@ -25,13 +25,18 @@ let rec add (q, limits) = function
   | (r, known) :: rest when equal_quantity q r -> (q, join_limits limits known) :: rest
   | first :: rest -> first :: add (q, limits) rest
 
-let join a b = { seen = List.fold_left (fun seen q -> add q seen) a.seen b.seen; everything = a.everything || b.everything }
+let join a b =
+  {
+    seen = List.fold_left (fun seen q -> add q seen) a.seen b.seen;
+    everything = a.everything || b.everything;
+  }
+
 let join_all f list = List.fold_left (fun seen x -> join seen (f x)) nothing list
 
 let is_place : quantity -> bool = function
   | Position _ | Distance2 _ -> true
-  | Bonds _ | Size _ | Processes | Velocity _ | Speed2 _ | Spin _ | Spin2 _ | Momentum _ | Angular _ | Energy | Time
-  | Parameter _ -> false
+  | Bonds _ | Size _ | Processes | Velocity _ | Speed2 _ | Spin _ | Spin2 _ | Momentum _ | Angular _ | Energy
+  | Time | Parameter _ -> false
 
 let is_angular : quantity -> bool = function Angular _ -> true | _ -> false
 

@@ -1,5 +1,5 @@
-(** How much of where bodies are formulas can see (rule Drift): which values of coordinates and distances their atoms
-    tell apart. *)
+(** How much of where bodies are formulas can see (rule Drift): which values of coordinates and distances their
+    atoms tell apart. *)
 
 open Scc_exact
 open Scc_calculus
@@ -11,7 +11,8 @@ type limits =
 type t
 
 val checks : Model.t -> Property.check list -> t
-(** All that some of them see. That two bodies touch is not among it, nor what follows from where they are alone. *)
+(** All that some of them see. That two bodies touch is not among it, nor what follows from where they are alone.
+*)
 
 val coordinates : t -> (Property.axis * int * limits) list
 (** Of the centroids of leaves, each once. *)

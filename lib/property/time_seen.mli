@@ -7,7 +7,8 @@ type t =
   | Never  (** it does not speak of time *)
   | Until of Rat.t
   (** it compares time with what stays within bounds: constants, numbers of bodies and bonds, choices among these.
-      After this time, 0 at least, no such comparison changes any more, so that all later times are the same to it *)
+      After this time, 0 at least, no such comparison changes any more, so that all later times are the same to it
+  *)
   | Always  (** it compares time with what may get as great as time, or computes with it *)
 
 val num : Model.t -> Property.num -> t

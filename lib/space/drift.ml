@@ -10,13 +10,15 @@ type t = {
   coordinates : (Vec.axis * int * Places_seen.limits) list;
   distances : (int * int * Places_seen.limits) list;
   extents : (Vec.t * Vec.t) Lazy.t array;  (** of a leaf, about its reference point: the least box around it *)
-  fence : (Vec.t * Vec.t) option;  (** the least box around all that is fixed: whoever is in it is apart from nothing *)
+  fence : (Vec.t * Vec.t) option;
+  (** the least box around all that is fixed: whoever is in it is not apart from that *)
 }
 
 (** {1 Where it is used} *)
 
 let has_prefix (m : Model.t) (s : State.t) is =
-  let leaf_has (l : State.leaf) = Behaviour.some_prefix m.definitions ~behind:(fun _ -> true) is l.behaviour.term in
+  let in_term = Behaviour.some_prefix m.definitions ~behind:(fun _ -> true) is in
+  let leaf_has (l : State.leaf) = in_term l.behaviour.term in
   Array.exists (fun (p : State.process) -> Array.exists leaf_has p.leaves) s.processes
 
 (* Without a law, only what is told here happens to bodies that meet nobody for ever. *)
@@ -120,7 +122,7 @@ type group = {
   sums : sums;
   low : Vec.t;
   high : Vec.t;
-  velocity : Vec.t;  (** of its centre of mass; what is anchored takes any momentum from what is fixed, and has 0 *)
+  velocity : Vec.t;  (** of its centre of mass; 0 if anchored: it takes momentum from what is fixed *)
   spread2 : Rat.t option;
   (** none of its leaves ever moves faster against that velocity than the root of this; [None]: nothing is known *)
 }
@@ -137,8 +139,8 @@ let add a b =
     energy = Rat.add a.energy b.energy;
   }
 
-(* Where the momentum stays, a leaf of mass m in a group of mass M has at most the share (M - m)/M of the energy in the
-   frame of the centre of mass. A group of one leaf releases nothing. *)
+(* Where the momentum stays, a leaf of mass m in a group of mass M has at most the share (M - m)/M of the energy in
+   the frame of the centre of mass. A group of one leaf releases nothing. *)
 let with_motion g =
   let s = g.sums in
   let velocity =
@@ -267,7 +269,8 @@ let partition d processes =
   snd (Array.fold_left add (0, []) processes)
 
 let groups d processes =
-  List.sort (List.compare Int.compare) (List.map (fun g -> List.sort Int.compare g.members) (partition d processes))
+  let members g = List.sort Int.compare g.members in
+  List.sort (List.compare Int.compare) (List.map members (partition d processes))
 
 (** {1 Where they are placed} *)
 

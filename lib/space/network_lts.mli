@@ -45,8 +45,9 @@ val unmarked : context -> int array -> int array
 (** The same state with no event right before. *)
 
 val representative : context -> int array -> int array
-(** The state that stands for one, and for all that are equal to it modulo the quotient. Events lead from it to states
-    that need not be their own representatives, where {!Quotient.t.drift} finds that more bodies are apart for ever. *)
+(** The state that stands for one, and for all that are equal to it modulo the quotient. Events lead from it to
+    states that need not be their own representatives, where {!Quotient.t.drift} finds that more bodies are apart
+    for ever. *)
 
 val same_but_for_places : context -> State.t -> State.t -> bool
 (** {!Quotient.same_but_for_places}. *)

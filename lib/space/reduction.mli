@@ -26,8 +26,8 @@ val quotient :
   searched:Property.temporal list ->
   evaluated:Property.temporal list ->
   Quotient.t
-(** What keeps the truth of all these formulas, which are those of the checks. Those that are [evaluated] on the graph, and not just [searched]
-    for, have their parts explained. *)
+(** What keeps the truth of all these formulas, which are those of the checks. Those that are [evaluated] on the
+    graph, and not just [searched] for, have their parts explained. *)
 
 val sees_far : kind list -> Model.t -> State.t -> Property.check list -> bool
 (** Whether checks tell places apart however far bodies are from each other, where {!Drift} could do without. *)

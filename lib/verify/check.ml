@@ -52,9 +52,9 @@ type report = {
 
 (** {2 Which properties go together} *)
 
-(* What properties of one exploration have in common. One that tells all times apart, or all distances of bodies that
-   drift apart, makes a finite exploration endless for the others. What else one property tells apart (events, names of leaves, places) is told apart for
-   all: as a rule it costs less than an exploration more. *)
+(* What properties of one exploration have in common. One that tells all times apart, or all distances of bodies
+   that drift apart, makes a finite exploration endless for the others. What else one property tells apart (events,
+   names of leaves, places) is told apart for all: as a rule it costs less than an exploration more. *)
 type needs = {
   part : State.t option;  (** the part of the network that does for them; [None]: all of it *)
   compact : int option;  (** with hash compaction *)

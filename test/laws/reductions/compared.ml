@@ -1,5 +1,5 @@
-(* Checks explored with and without some ways to explore less: the same verdicts, witnesses that replay by the rules,
-   and no more states. *)
+(* Checks explored with and without some ways to explore less: the same verdicts, witnesses that replay by the
+   rules, and no more states. *)
 
 open Scc_ctl
 open Scc_exact

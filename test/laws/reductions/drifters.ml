@@ -27,7 +27,8 @@ let velocity (i, j) =
 
 let item ~chance cell =
   let open Gen in
-  let bonded = [ "Held"; "Held"; "Part"; "Thrust"; "Kick"; "Pulse" ] @ if chance then [ "Lucky"; "Lucky" ] else [] in
+  let lucky = if chance then [ "Lucky"; "Lucky" ] else [] in
+  let bonded = [ "Held"; "Held"; "Part"; "Thrust"; "Kick"; "Pulse" ] @ lucky in
   let* pair = bool and* velocity = velocity cell and* mass = oneofl [ 1; 1; 2 ] in
   let+ bonded = oneofl bonded and+ alone = oneofl [ "Shy"; "Shy"; "Pulse"; "Free"; "Late" ] in
   { pair; cell; mass; velocity; bonded; alone }
@@ -35,7 +36,8 @@ let item ~chance cell =
 let written first i =
   let x, y = (8 * fst i.cell, 5 * snd i.cell) in
   let cube ?(name = first) x behaviour =
-    Printf.sprintf "p%d : Cube mass %d velocity %s at translate (%d,%d,0) [%s]" name i.mass i.velocity x y behaviour
+    Printf.sprintf "p%d : Cube mass %d velocity %s at translate (%d,%d,0) [%s]" name i.mass i.velocity x y
+      behaviour
   in
   if i.pair then
     Printf.sprintf "process d%d = %s <dock, {p%d.right, p%d.left}>\n  %s" first (cube x i.bonded) first (first + 1)

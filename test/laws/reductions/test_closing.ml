@@ -1,4 +1,5 @@
-(* What goes on for ever and closes all the same: times after all that is asked about, and bodies that drift apart. *)
+(* What goes on for ever and closes all the same: times after all that is asked about, and bodies that drift apart.
+*)
 
 open Scc_ctl
 open Scc_exact
@@ -10,8 +11,8 @@ open Scc_space
 open Crowds
 open Compared
 
-(* A ball between two walls that a law slows down at time 20, once: after that, and not before, its states come back. It
-   is from 3 to 7 and back in 8 steps; at time 20 it has been half way once more. *)
+(* A ball between two walls that a law slows down at time 20, once: after that, and not before, its states come
+   back. It is from 3 to 7 and back in 8 steps; at time 20 it has been half way once more. *)
 let laws_of_time () =
   let text =
     shapes
@@ -55,8 +56,8 @@ check twice : E = ? [ 2 * time - 1 at 5/2 ]
 let drifting name kinds =
   QCheck2.Test.make ~name ~count:150 ~print:Fun.id Drifters.case (agrees kinds ~jump:true ~together:false)
 
-(* A state and the one that stands for it: the same transitions, to states that one stands for, and the same truth of
-   all predicates at each instant of what passes until then. [stands_for] is the rule to be tried. *)
+(* A state and the one that stands for it: the same transitions, to states that one stands for, and the same truth
+   of all predicates at each instant of what passes until then. [stands_for] is the rule to be tried. *)
 type tried = { mutable moved : int; mutable states : int }
 
 let same_truths semantics predicates (s : State.t) (r : State.t) =
@@ -76,7 +77,7 @@ let same_truths semantics predicates (s : State.t) (r : State.t) =
   in
   List.for_all2 equal (along s) (along r)
 
-let predicates (checks : Property.check list) = List.concat_map (fun c -> Formula.predicates c.Property.formula) checks
+let predicates = List.concat_map (fun (c : Property.check) -> Formula.predicates c.formula)
 
 exception Differs of string
 
@@ -90,7 +91,7 @@ let bisimilar tried ~stands_for (e : Scc_elaborate.Elaborate.t) initial =
     tried.states <- tried.states + 1;
     if not (State.equal s r) then begin
       tried.moved <- tried.moved + 1;
-      if not (State.equal r (stands_for r)) then raise (Differs "another state stands for that which stands for one");
+      if not (State.equal r (stands_for r)) then raise (Differs "what stands for it");
       let others = Scc_test_networks.Reach.successors e.model r in
       if List.map label transitions <> List.map label others then raise (Differs "transitions");
       let same (t : Transition.t) (u : Transition.t) = State.equal (stands_for t.target) (stands_for u.target) in
@@ -108,7 +109,8 @@ let by_rule (e : Scc_elaborate.Elaborate.t) initial =
     let quotient = { Quotient.none with drift = Some d } in
     let catalogue = Catalogue.create ~marked:false ~time_seen:Always ~memory:1024 e.model in
     Some
-      (fun s -> Catalogue.decode catalogue (Quotient.representative quotient catalogue (Catalogue.encode catalogue s)))
+      (fun s ->
+         Catalogue.encode catalogue s |> Quotient.representative quotient catalogue |> Catalogue.decode catalogue)
 
 let by_rule_tried = { moved = 0; states = 0 }
 
@@ -151,7 +153,8 @@ let pair ?(velocity = 0) ?(behaviour = "Held") ?(x = 0) () =
     velocity x behaviour velocity (x + 2) behaviour
 
 let cube ?(mass = 1) ?(velocity = "(0,0,0)") ?(behaviour = "Shy") name x =
-  Printf.sprintf "process %s = Cube mass %d velocity %s at translate (%d,0,0) [%s]\n" name mass velocity x behaviour
+  Printf.sprintf "process %s = Cube mass %d velocity %s at translate (%d,0,0) [%s]\n" name mass velocity x
+    behaviour
 
 (* Bound or not, at a split instant: how far the third has got does not count. *)
 let one_leaves =
@@ -166,9 +169,9 @@ let both_pulse =
     (cube "p" 0 ~velocity:"(-1,0,0)" ~behaviour:"Pulse" ^ cube "q" 4 ~velocity:"(1,0,0)" ~behaviour:"Pulse"
      ^ "check a : AG AF (behaviour(p) = Rest and behaviour(q) = Rest)\n")
 
-(* At the time t the box around the pair ends at 3, and that around r begins at 5 + t: the gap is more than 10 from 9
-   on, and all later times are one. Each of these 10 as long as the pair is bound, and right after it has split, when
-   nothing is left to happen. *)
+(* At the time t the box around the pair ends at 3, and that around r begins at 5 + t: the gap is more than 10 from
+   9 on, and all later times are one. Each of these 10 as long as the pair is bound, and right after it has split,
+   when nothing is left to happen. *)
 let up_to_a_distance =
   closes "up to a distance" ~states:20 ~verdicts:[ holds; "violated" ]
     (pair () ^ cube "r" 6 ~velocity:"(1,0,0)"
@@ -186,7 +189,8 @@ let and_time =
   closes "a place and a time" ~states:12 ~verdicts:[ holds ]
     (pair ~velocity:1 () ^ "check a : AG (time > 4 and x(p) > 3 => EF bonds(dock) = 0)\n")
 
-(* Between two walls: at the start, and before and after each bounce. The third is faster than that, and so apart. *)
+(* Between two walls: at the start, and before and after each bounce. The third is faster than that, and so apart.
+*)
 let shuttle =
   closes "one leaves a shuttle" ~states:5 ~verdicts:[ holds ]
     ("fixed west = Cube at translate (-5,0,0)\nfixed east = Cube at translate (5,0,0)\n"
@@ -211,11 +215,14 @@ let groups ?(checks = "") text =
   | Some d -> List.map (fun g -> String.concat "" (List.map name g)) (Drift.groups d initial.processes)
 
 let are ?checks name expected text = Alcotest.(check (list string)) name expected (groups ?checks text)
-let body ?mass ?behaviour name x velocity = cube ?mass ?behaviour name x ~velocity:(Printf.sprintf "(%s,0,0)" velocity)
+
+let body ?mass ?behaviour name x velocity =
+  cube ?mass ?behaviour name x ~velocity:(Printf.sprintf "(%s,0,0)" velocity)
+
 let pulsing = body ~behaviour:"Pulse"
 
-(* p, of mass 2 and the velocity 1, hits q, which gets 4/3: the velocity of the two is 2/3, and the energy in that frame
-   is that of q going 2/3 faster. So r is ahead of both for ever if it is faster than 4/3. *)
+(* p, of mass 2 and the velocity 1, hits q, which gets 4/3: the velocity of the two is 2/3, and the energy in that
+   frame is that of q going 2/3 faster. So r is ahead of both for ever if it is faster than 4/3. *)
 let spreads () =
   are "what rests is left" [ "q"; "r" ] (body "q" 6 "0" ^ pulsing "r" 12 "1/100");
   are "what touches is not apart yet" [ "qr" ] (body "q" 6 "0" ^ pulsing "r" 8 "1/100");
@@ -268,20 +275,28 @@ let off () =
   is "turning" (apart ^ "dynamics constant_spin\nresolution 2^-20\n");
   is "angular momentum" (apart ^ "check c : always angular.z = 0\n");
   (* who draws first is told by x *)
-  let e, initial = loaded (shapes ^ Drifters.behaviours ^ Drifters.lucky ^ cube "q" 0 ~velocity:"(0,-1,0)" ^ "process r = Cube mass 1 velocity (0,1,0) at translate (0,5,0) [Lucky]\n") in
+  let e, initial =
+    loaded
+      (shapes ^ Drifters.behaviours ^ Drifters.lucky
+       ^ cube "q" 0 ~velocity:"(0,-1,0)"
+       ^ "process r = Cube mass 1 velocity (0,1,0) at translate (0,5,0) [Lucky]\n")
+  in
   match Drift.make e.model initial [] with
   | None -> Alcotest.fail "lots"
   | Some d -> Alcotest.(check int) "along x alone" 1 (List.length (Drift.groups d initial.processes))
 
 (* A rule that would not do: r is left to itself as soon as nobody flies towards it. *)
 let teeth () =
-  let e, initial = loaded (shapes ^ Drifters.behaviours ^ body ~mass:2 "p" 0 "1" ^ body "q" 6 "0" ^ pulsing "r" 12 "6/5") in
+  let bodies = body ~mass:2 "p" 0 "1" ^ body "q" 6 "0" ^ pulsing "r" 12 "6/5" in
+  let e, initial = loaded (shapes ^ Drifters.behaviours ^ bodies) in
   let far = Scc_exact.Vec.of_ints 1000 0 0 in
   let stands_for (s : State.t) =
     let move (p : State.process) =
       let alone = e.model.leaves.(p.leaves.(0).leaf).name = "r" in
-      let fastest = Array.for_all (fun (q : State.process) -> Rat.compare q.velocity.x p.velocity.x <= 0) s.processes in
-      if alone && fastest then State.map_leaves (fun l -> { l with position = far }) p else p
+      let is_slower (q : State.process) = Rat.compare q.velocity.x p.velocity.x <= 0 in
+      if alone && Array.for_all is_slower s.processes then
+        State.map_leaves (fun l -> { l with position = far }) p
+      else p
     in
     State.make ~processes:(List.map move (Array.to_list s.processes)) ~step:s.step ~time:s.time
   in
@@ -320,7 +335,8 @@ let () =
       ( "closing",
         [
           quick "one leaves" one_leaves; quick "both pulse" both_pulse; quick "up to a distance" up_to_a_distance;
-          quick "one leaves a shuttle" shuttle; quick "up to a place" up_to_a_place; quick "a place and a time" and_time;
+          quick "one leaves a shuttle" shuttle; quick "up to a place" up_to_a_place;
+          quick "a place and a time" and_time;
           quick "places spoil no other property" spoils_nothing;
         ] );
     ]
