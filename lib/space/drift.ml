@@ -97,13 +97,6 @@ let make (m : Model.t) (initial : State.t) checks =
           extents; fence;
         }
 
-let sees_far m (initial : State.t) checks =
-  Places_seen.for_ever (Places_seen.checks m checks)
-  &&
-  match make m initial [] with
-  | None -> false
-  | Some d -> not (all_inside d.fence initial.processes)
-
 (** {1 Groups} *)
 
 type sums = {
@@ -271,6 +264,13 @@ let partition d processes =
 let groups d processes =
   let members g = List.sort Int.compare g.members in
   List.sort (List.compare Int.compare) (List.map members (partition d processes))
+
+let sees_far m (initial : State.t) checks =
+  Places_seen.for_ever (Places_seen.checks m checks)
+  &&
+  match make m initial [] with
+  | None -> false
+  | Some d -> (not (all_inside d.fence initial.processes)) && List.length (groups d initial.processes) > 1
 
 (** {1 Where they are placed} *)
 

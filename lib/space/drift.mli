@@ -29,8 +29,8 @@ val make : Model.t -> State.t -> Property.check list -> t option
     somebody is outside of it at the start, collisions within what is fixed. *)
 
 val sees_far : Model.t -> State.t -> Property.check list -> bool
-(** Some coordinate or distance is told apart without limits, and that may keep an exploration from closing:
-    {!make} would be of use otherwise, and what is fixed is not around all at the start. *)
+(** Some coordinate or distance is told apart without limits, and that keeps an exploration from closing as a rule:
+    {!make} would be of use otherwise, and some are apart for ever from the start. *)
 
 val groups : t -> State.process array -> int list list
 (** Which are apart for ever, by their places in the array. *)

@@ -200,7 +200,8 @@ let shuttle =
 
 (* One that sees a place for ever does not keep another one from being proved. *)
 let spoils_nothing () =
-  let text = pair ~velocity:1 () ^ "check a : AG x(p) = time\ncheck b : AG (x(p) > 3 => EF bonds(dock) = 0)\n" in
+  let pair = pair ~velocity:1 () ^ cube "r" (-6) in
+  let text = pair ^ "check a : AG x(p) = time\ncheck b : AG (x(p) > 3 => EF bonds(dock) = 0)\n" in
   let verdicts, stats = verdicts_and_stats Reduction.all (shapes ^ text) in
   Alcotest.(check (list string))
     "verdicts" [ "holds up to the bound: the bound of 3000 states (a default)"; holds ] verdicts;
