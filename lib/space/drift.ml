@@ -66,8 +66,11 @@ let is_inside (low, high) (p : State.process) =
   in
   within Vec.X && within Y && within Z
 
-let all_inside fence processes =
-  match fence with None -> false | Some box -> Array.for_all (is_inside box) processes
+let all_inside (m : Model.t) fence processes =
+  let stays (p : State.process) = m.leaves.(p.leaves.(0).leaf).fixed in
+  match fence with
+  | None -> false
+  | Some box -> Array.for_all (fun p -> stays p || is_inside box p) processes
 
 let pushing : Behaviour.t -> bool = function
   | Weak (_, { push; _ }, _) | Strong (_, push, _) -> Rat.sign push > 0
@@ -81,7 +84,7 @@ let make (m : Model.t) (initial : State.t) checks =
     let extents = Array.map (fun leaf -> lazy (extent leaf)) m.leaves in
     let fence = fence m (fun leaf -> Lazy.force extents.(leaf)) initial in
     (* Nobody collides for ever without something fixed. *)
-    let somebody_is_out = Option.is_some fence && not (all_inside fence initial.processes) in
+    let somebody_is_out = Option.is_some fence && not (all_inside m fence initial.processes) in
     if not (has_prefix m initial goes_on || somebody_is_out) then None
     else
       let may_push = has_prefix m initial pushing in
@@ -270,7 +273,7 @@ let sees_far m (initial : State.t) checks =
   &&
   match make m initial [] with
   | None -> false
-  | Some d -> (not (all_inside d.fence initial.processes)) && List.length (groups d initial.processes) > 1
+  | Some d -> (not (all_inside m d.fence initial.processes)) && List.length (groups d initial.processes) > 1
 
 (** {1 Where they are placed} *)
 
@@ -284,7 +287,7 @@ let rec all_apart d = function
 let shift time g = Vec.sub (Vec.scale time g.velocity) g.low
 
 let place d processes =
-  let groups = if all_inside d.fence processes then [] else partition d processes in
+  let groups = if all_inside d.model d.fence processes then [] else partition d processes in
   let anchored, free = List.partition (fun g -> g.anchored) groups in
   let rec at time =
     let shifts = List.map (shift time) free in
