@@ -269,8 +269,12 @@ let man =
          out. Only for $(b,possibly) and $(b,always) of bodies that are named." );
     `I
       ( "$(b,time)",
-        "$(b,time) counts for the properties that speak of it only, and up to the greatest constant that they \
-         compare it with, unless a law of motion speaks of it." );
+        "$(b,time) counts for the properties and laws of motion that speak of it only, and up to the greatest \
+         constant that they compare it with." );
+    `I
+      ( "$(b,drift)",
+        "how far bodies are from each other that never meet again does not matter, beyond all constants that \
+         places and distances are compared with. Not with laws of motion, nor of bodies that turn." );
     `I ("$(b,jump)", "without a law of motion, time passes over the ends of movement steps at once.");
     `P
       "Models with parameters of which ranges are known, or with $(b,split_step any), are explored by sets of \

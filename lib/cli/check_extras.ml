@@ -66,7 +66,8 @@ let kind =
 let reductions =
   let doc =
     "Does without some of the ways to explore less: $(b,symmetry), $(b,translation), $(b,order), $(b,jump), \
-     $(b,slice), $(b,time), or $(b,all); separated by commas. None of them changes a verdict; see REDUCTIONS."
+     $(b,slice), $(b,drift), $(b,time), or $(b,all); separated by commas. None of them changes a verdict; \
+     see REDUCTIONS."
   in
   let without off = List.filter (fun k -> not (List.exists (Reduction.equal k) (List.concat off))) Reduction.all in
   Term.(

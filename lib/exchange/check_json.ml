@@ -54,11 +54,18 @@ let finish (w : Witness.t) =
   | Passes _ -> "passes"
   | Goes_on _ -> "goes_on"
 
-let cycle (w : Witness.t) =
+let moved (m : Model.t) (by : Witness.moved) =
+  match by with
+  | Together by -> [ ("moved", Json.vec by) ]
+  | Apart all ->
+    let one (leaf, by) = `Assoc [ ("leaf", Json.text m.leaves.(leaf).name); ("by", Json.vec by) ] in
+    [ ("moved", `Null); ("moved_apart", `List (List.map one all)) ]
+
+let cycle m (w : Witness.t) =
   match w.finish with
-  | Repeats { cycle; moved; _ } -> (`Int cycle, Json.vec moved)
-  | Goes_on { cycle } -> (`Int cycle, `Null)
-  | At_state | During _ | Rests _ | Stops | Passes _ -> (`Null, `Null)
+  | Repeats { cycle; moved = by; _ } -> (`Int cycle, moved m by)
+  | Goes_on { cycle } -> (`Int cycle, [ ("moved", `Null) ])
+  | At_state | During _ | Rests _ | Stops | Passes _ -> (`Null, [ ("moved", `Null) ])
 
 let step m (s : Witness.step) =
   `Assoc
@@ -105,7 +112,7 @@ let values list = `Assoc (List.map (fun (name, v) -> (name, Json.rat v)) list)
 let witness ?(full = true) given (w : Witness.t) =
   let c = Witness.semantics given w in
   let m = Semantics.model c in
-  let cycle, moved = cycle w in
+  let cycle, moved = cycle m w in
   let steps, omitted = if full then (w.steps, []) else shortened w.steps in
   `Assoc
     ([
@@ -115,7 +122,8 @@ let witness ?(full = true) given (w : Witness.t) =
       @ omitted @ [
         ("finish", `String (finish w));
         ("cycle", cycle);
-        ("moved", moved);
+      ]
+      @ moved @ [
         ("instant", instant w);
         ("offset", Json.option Json.rat (Witness.offset w));
         ("state", State_json.state m (Witness.there c w));

@@ -16,6 +16,7 @@ let follow context from wanted target =
   match Network_lts.choices context from.last with
   | Error _ -> Bug.fail __POS__ "a witness does not replay: a fault on its way"
   | Ok choices -> (
+      let target = Network_lts.representative context target in
       let fits k = match List.nth_opt choices k with Some (_, t) -> t = target | None -> false in
       let rec first k = function
         | [] -> Bug.fail __POS__ "a witness does not replay"
@@ -50,6 +51,17 @@ let moved (from : State.t) (state : State.t) =
     let there = State.make ~processes ~step:from.step ~time:state.time in
     if State.equal there state then Some by else None
 
+(* What a round that leads from the one state to the other moves. *)
+let apart context (from : State.t) (state : State.t) =
+  let place (p : State.process) = p.leaves.(0).position in
+  let by i (p : State.process) = (p.leaves.(0).leaf, Vec.sub (place state.processes.(i)) (place p)) in
+  if Network_lts.same_but_for_places context from state then
+    Some (Witness.Apart (List.mapi by (Array.to_list from.processes)))
+  else None
+
+let what_moved context from state =
+  match moved from state with Some by -> Some (Witness.Together by) | None -> apart context from state
+
 (* A round on the graph may lead to another state than it began in, one that the same state of the graph stands
    for: it is made again until a state recurs, where it was or somewhere else. *)
 let most_rounds = 64
@@ -59,9 +71,9 @@ let follow_lasso context graph steps cycle =
   let entry = follow_all context graph (start context) stem in
   let rec again n from =
     let next = follow_all context graph from round in
-    match moved entry.last next.last with
-    | Some by -> (next, by)
-    | None -> if n >= most_rounds then (next, Vec.zero) else again (n + 1) next
+    match what_moved context entry.last next.last with
+    | Some moved -> (next, moved)
+    | None -> if n >= most_rounds then (next, Witness.Together Vec.zero) else again (n + 1) next
   in
   again 1 entry
 

@@ -4,6 +4,8 @@ open Scc_semantics
 
 type step = { choice : int; transition : Transition.t; time : Rat.t }
 
+type moved = Together of Vec.t | Apart of (int * Vec.t) list
+
 type finish =
   | At_state
   | During of {
@@ -14,7 +16,7 @@ type finish =
     }
   | Rests of { puts_off : Transition.label option }
   | Stops
-  | Repeats of { cycle : int; moved : Vec.t; puts_off : Transition.label option }
+  | Repeats of { cycle : int; moved : moved; puts_off : Transition.label option }
   | Passes of { choice : int option }
   | Goes_on of { cycle : int }
 
@@ -103,6 +105,16 @@ let put_off model label =
   in
   Option.to_list (Option.map reason label)
 
+let moved_text (model : Model.t) = function
+  | Together by when Vec.is_zero by -> ""
+  | Together by -> Printf.sprintf ", each time with everything moved by %s" (Vec.to_string by)
+  | Apart all ->
+    let told (leaf, by) =
+      if Vec.is_zero by then None
+      else Some (Printf.sprintf "%s moved by %s" model.leaves.(leaf).name (Vec.to_string by))
+    in
+    ", each time with " ^ String.concat ", " (List.filter_map told all)
+
 let finish_lines model w =
   match w.finish with
   | At_state -> ( match w.steps with [] -> [ "in the initial state" ] | _ :: _ -> [])
@@ -123,11 +135,7 @@ let finish_lines model w =
       if cycle + 1 = List.length w.steps then Printf.sprintf "and step %d again, for ever" (cycle + 1)
       else Printf.sprintf "and the steps from %d on again, for ever" (cycle + 1)
     in
-    let again =
-      if Vec.is_zero moved then again
-      else Printf.sprintf "%s, each time with everything moved by %s" again (Vec.to_string moved)
-    in
-    again :: put_off model puts_off
+    (again ^ moved_text model moved) :: put_off model puts_off
 
 let rec argument_lines depth a =
   let indented text = String.make (2 * depth) ' ' ^ text in

@@ -11,6 +11,13 @@ type step = {
   time : Rat.t;  (** model time after it *)
 }
 
+(** What a round of a run leads to, beside the state that it began in. *)
+type moved =
+  | Together of Vec.t  (** everything is moved by this *)
+  | Apart of (int * Vec.t) list
+  (** processes are moved by this each, one told by the first of its leaves: those that never meet again by
+      different vectors (rule Drift) *)
+
 (** Where the run is taken to after its steps. *)
 type finish =
   | At_state  (** to the state they lead to *)
@@ -25,8 +32,8 @@ type finish =
   | Rests of { puts_off : Transition.label option }
   (** nothing happens any more, and time passes for ever; a weak split that is enabled is put off *)
   | Stops  (** the run is over: neither time nor anything else can go on *)
-  | Repeats of { cycle : int; moved : Vec.t; puts_off : Transition.label option }
-  (** the steps from the index [cycle] on are repeated for ever, each time with everything moved by [moved] from
+  | Repeats of { cycle : int; moved : moved; puts_off : Transition.label option }
+  (** the steps from the index [cycle] on are repeated for ever, each time with everything [moved] from
       where it was; on the way, a weak split that is enabled is put off each time *)
   | Passes of { choice : int option }
   (** the bound of time of the property is passed in the middle of this time transition, or of the ray *)

@@ -20,7 +20,8 @@ let facts_at context graph temporal (at : Scc_ctl.Positions.position) p =
   let arrived = Network_lts.arrived context (Graph.tuple graph at.node) in
   let time_seen = Catalogue.time_seen (Network_lts.catalogue context) in
   let later_than = Option.bind state.time (Time_seen.beyond time_seen) in
-  Facts.at ?later_than ~arrived (Network_lts.semantics context) state extent at.offset
+  let known = Network_lts.keeps context (Graph.tuple graph at.node) in
+  Facts.at ?later_than ~known ~arrived (Network_lts.semantics context) state extent at.offset
     (Temporal.predicate temporal p)
 
 let distinct facts =

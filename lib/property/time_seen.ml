@@ -1,4 +1,5 @@
 open Scc_exact
+open Scc_calculus
 open Property
 
 type t = Never | Until of Rat.t | Always
@@ -11,55 +12,79 @@ let join a b =
 
 let join_all f list = List.fold_left (fun seen x -> join seen (f x)) Never list
 
-(* [Some (a, b)] when the number is a * time + b. *)
-let rec linear = function
-  | Const b -> Some (Rat.zero, b)
-  | Quantity Time -> Some (Rat.one, Rat.zero)
-  | Neg n -> Option.map (fun (a, b) -> (Rat.neg a, Rat.neg b)) (linear n)
-  | Add (m, n) -> both (fun (a, b) (c, d) -> Some (Rat.add a c, Rat.add b d)) m n
-  | Sub (m, n) -> both (fun (a, b) (c, d) -> Some (Rat.sub a c, Rat.sub b d)) m n
-  | Mul (m, n) ->
-    let product (a, b) (c, d) =
-      if Rat.sign a = 0 then Some (Rat.mul b c, Rat.mul b d)
-      else if Rat.sign c = 0 then Some (Rat.mul a d, Rat.mul b d)
-      else None
-    in
-    both product m n
-  | Div (m, n) ->
-    let quotient (a, b) (c, d) =
-      if Rat.sign c = 0 && Rat.sign d <> 0 then Some (Rat.div a d, Rat.div b d) else None
-    in
-    both quotient m n
-  | Quantity _ | Count _ | If _ -> None
+let is_time : quantity -> bool = function Time -> true | _ -> false
 
-and both f m n =
-  match (linear m, linear n) with
-  | Some x, Some y -> f x y
-  | None, _ | _, None -> None
+(* After this the number has one sign. *)
+let settles c =
+  match By_cases.zeros c with
+  | None -> Never
+  | Some (_, last) -> Until (Rat.max Rat.zero last)
 
 let atom a = if Atom.depends_on Absolute_time a then Always else Never
 
-let rec num = function
+let rec num m = function
   | Const _ -> Never
   | Quantity q -> atom (Atom.quantity q)
-  | Count ps -> join_all prop ps
-  | Neg n -> num n
-  | Add (m, n) | Sub (m, n) | Mul (m, n) | Div (m, n) -> join (num m) (num n)
-  | If (p, m, n) -> join (prop p) (join (num m) (num n))
+  | Count ps -> join_all (prop m) ps
+  | Neg n -> num m n
+  | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) -> join (num m a) (num m b)
+  | If (p, a, b) -> join (prop m p) (join (num m a) (num m b))
 
-and prop = function
-  | Compare (_, m, n) -> (
-      match linear (Sub (m, n)) with
-      | Some (a, _) when Rat.sign a = 0 -> Never
-      | Some (a, b) -> Until (Rat.max Rat.zero (Rat.div (Rat.neg b) a))
-      | None -> join (num m) (num n))
-  | Not p -> prop p
-  | And ps | Or ps -> join_all prop ps
+and prop m = function
+  | Compare (_, a, b) -> (
+      match By_cases.cases m ~variable:is_time (Sub (a, b)) with
+      | Some cases -> join (join_all settles cases) (join (conditions m a) (conditions m b))
+      | None -> join (num m a) (num m b))
+  | Not p -> prop m p
+  | And ps | Or ps -> join_all (prop m) ps
   | Fact f -> atom (Atom.fact f)
   | Bool _ -> Never
 
-let formula f = join_all prop (Formula.predicates f)
-let formulas list = join_all formula list
+(* What conditions within a number see. *)
+and conditions m n = join_all (prop m) (By_cases.conditions n)
+
+let formula m f = join_all (prop m) (Formula.predicates f)
+
+(* The formula of a mean at a time compares it with 0; but all of it is asked for. *)
+let check m (c : Property.check) =
+  let value =
+    match c.asked with
+    | Expected (_, Value_at (n, _), _) -> num m n
+    | Expected (_, (Time_until _ | Events_until _), _) | Whether | How_likely _ -> Never
+  in
+  join value (formula m c.formula)
+
+let checks m list = join_all (check m) list
+
+(* {1 Laws} *)
+
+(* Of a number only matters where the time is in it: whatever else a law looks at is something that changes. *)
+let rec of_expr : Law.expr -> num = function
+  | Const b -> Const b
+  | Var Time -> Quantity Time
+  | Var (X | Y | Z | Vx | Vy | Vz | Mass | Dt) -> Quantity Energy
+  | Neg a -> Neg (of_expr a)
+  | Add (a, b) -> Add (of_expr a, of_expr b)
+  | Sub (a, b) -> Sub (of_expr a, of_expr b)
+  | Mul (a, b) -> Mul (of_expr a, of_expr b)
+  | Div (a, b) -> Div (of_expr a, of_expr b)
+  | Round (a, b) -> Mul (Quantity Energy, Add (of_expr a, of_expr b))
+  | If (c, a, b) -> If (of_cond c, of_expr a, of_expr b)
+
+and of_cond : Law.cond -> prop = function
+  | Bool b -> Bool b
+  | Compare (c, a, b) -> Compare (c, of_expr a, of_expr b)
+  | And (c, d) -> And [ of_cond c; of_cond d ]
+  | Or (c, d) -> Or [ of_cond c; of_cond d ]
+  | Not c -> Not (of_cond c)
+
+let law m (law : Law.t) =
+  let expr e = num m (of_expr e) in
+  let vector (x, y, z) = join_all expr [ x; y; z ] in
+  match law with
+  | Inertial -> Never
+  | Velocity v -> vector v
+  | Choose kicks -> join_all (fun (k : Law.kick) -> join (vector k.velocity) (expr k.weight)) kicks
 
 let same_kind a b =
   match (a, b) with

@@ -26,6 +26,13 @@ let start c = c.initial
 let codec c = Lazy.force c.codec
 let width c = Catalogue.width (catalogue c)
 let initial c = Quotient.representative c.quotient (catalogue c) (Catalogue.encode (catalogue c) c.initial)
+let representative c tuple = Quotient.representative c.quotient (catalogue c) tuple
+
+let same_but_for_places c (s : State.t) (t : State.t) =
+  Quotient.same_but_for_places c.quotient (catalogue c) (Catalogue.encode (catalogue c) s)
+    (Catalogue.encode (catalogue c) t)
+
+let keeps c tuple quantity = Quotient.keeps c.quotient (catalogue c) tuple quantity
 let longest c = Catalogue.greatest_bits (catalogue c)
 let bits c tuple = (Length.longest (Catalogue.decode (catalogue c) tuple)).bits
 let duration c label = Catalogue.duration (catalogue c) label

@@ -62,6 +62,17 @@ val is_dead_end : Semantics.t -> State.t -> bool
 val unmarked : context -> int array -> int array
 (** The same state with no event right before. *)
 
+val representative : context -> int array -> int array
+(** The state that stands for one, and for all that are equal to it modulo the quotient. Events lead from it to
+    states that need not be their own representatives, where {!Quotient.t.drift} finds that more bodies are apart
+    for ever. *)
+
+val same_but_for_places : context -> State.t -> State.t -> bool
+(** {!Quotient.same_but_for_places}. *)
+
+val keeps : context -> int array -> Property.quantity -> bool
+(** {!Quotient.keeps}. *)
+
 val choices : context -> State.t -> ((Transition.t * int array) list, Transition.fault) result
 (** Every transition of a state by the rules ({!Network.successors}), each with the tuple of where it leads. *)
 

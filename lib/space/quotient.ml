@@ -2,9 +2,9 @@ open Scc_exact
 open Scc_calculus
 open Scc_property
 
-type t = { symmetry : Symmetry.t; translation : bool }
+type t = { symmetry : Symmetry.t; translation : bool; drift : Drift.t option }
 
-let none = { symmetry = Symmetry.none; translation = false }
+let none = { symmetry = Symmetry.none; translation = false; drift = None }
 
 let translatable (m : Model.t) (s : State.t) formulas =
   let stays (p : State.process) = Option.is_none (State.mass m p) in
@@ -50,4 +50,36 @@ let centred q catalogue tuple =
         copy
       end
 
-let representative q catalogue tuple = centred q catalogue (sorted q catalogue tuple)
+let processes catalogue tuple slots = Array.of_list (List.map (process catalogue tuple) slots)
+
+(* Each group that meets nobody else any more is moved to where it would be alone. *)
+let apart d catalogue tuple =
+  let slots = present catalogue tuple in
+  match Drift.place d (processes catalogue tuple slots) with
+  | [] -> None
+  | shifts ->
+    let copy = Array.copy tuple and slots = Array.of_list slots in
+    let shift (i, by) =
+      if not (Vec.is_zero by) then copy.(slots.(i)) <- Catalogue.shifted catalogue by tuple.(slots.(i))
+    in
+    List.iter shift shifts;
+    Some copy
+
+(* To place groups and to rename leaves by their places is one in any order; places count after that. *)
+let representative q catalogue tuple =
+  match Option.bind q.drift (fun d -> apart d catalogue tuple) with
+  | Some placed -> sorted q catalogue placed
+  | None -> centred q catalogue (sorted q catalogue tuple)
+
+let same_but_for_places q catalogue one two =
+  match q.drift with
+  | None -> false
+  | Some d -> (
+      match (apart d catalogue one, apart d catalogue two) with
+      | Some a, Some b -> a = b
+      | None, _ | _, None -> false)
+
+let keeps q catalogue tuple quantity =
+  match q.drift with
+  | None -> true
+  | Some d -> Drift.keeps d (processes catalogue tuple (present catalogue tuple)) quantity

@@ -6,6 +6,7 @@ open Scc_property
 type t = {
   symmetry : Symmetry.t;
   translation : bool;  (** moved as a whole, a network is the same *)
+  drift : Drift.t option;  (** how far bodies that never meet again are from each other makes no difference *)
 }
 
 val none : t
@@ -16,3 +17,10 @@ val translatable : Model.t -> State.t -> Property.temporal list -> bool
 
 val representative : t -> Catalogue.t -> int array -> int array
 (** Of the states that are equal to one, the one that stands for them all. *)
+
+val same_but_for_places : t -> Catalogue.t -> int array -> int array -> bool
+(** Two states under the same names that differ in nothing but in how far those are from each other that never meet
+    again. *)
+
+val keeps : t -> Catalogue.t -> int array -> Property.quantity -> bool
+(** Whether its value in a state of the graph is that in each state that this one stands for. *)

@@ -1,9 +1,9 @@
 open Scc_calculus
 open Scc_property
 
-type kind = Symmetry | Translation | Order | Jump | Slice | Time
+type kind = Symmetry | Translation | Order | Jump | Slice | Drift | Time
 
-let all = [ Symmetry; Translation; Order; Jump; Slice; Time ]
+let all = [ Symmetry; Translation; Order; Jump; Slice; Drift; Time ]
 
 let name = function
   | Symmetry -> "symmetry"
@@ -12,17 +12,21 @@ let name = function
   | Jump -> "jump"
   | Slice -> "slice"
   | Time -> "time"
+  | Drift -> "drift"
 
 let of_name text = List.find_opt (fun k -> String.equal (name k) text) all
 let equal a b = String.equal (name a) (name b)
 let used kinds kind = List.exists (equal kind) kinds
 
-let quotient kinds model state ~searched ~evaluated : Quotient.t =
+let quotient kinds model state ~checks ~searched ~evaluated : Quotient.t =
   {
     symmetry =
       (if used kinds Symmetry then Symmetry.find model ~initial:state ~searched ~evaluated else Symmetry.none);
     translation = used kinds Translation && Quotient.translatable model state (searched @ evaluated);
+    drift = (if used kinds Drift then Drift.make model state checks else None);
   }
+
+let sees_far kinds model state checks = used kinds Drift && Drift.sees_far model state checks
 
 let visible kinds ~deep ~searched ~evaluated =
   match (searched, evaluated) with
@@ -38,8 +42,9 @@ let visible kinds ~deep ~searched ~evaluated =
 let without_jumps kinds (m : Model.t) =
   if used kinds Jump || m.steered then m else { m with steered = true; steps = Shared }
 
-let time_seen kinds (m : Model.t) formulas : Time_seen.t =
-  let steers_by_time (l : Model.leaf) = Law.mentions_time l.law in
+let time_seen kinds (m : Model.t) checks : Time_seen.t =
   if not m.keeps_time then Never
-  else if Array.exists steers_by_time m.leaves || not (used kinds Time) then Always
-  else Time_seen.formulas formulas
+  else if not (used kinds Time) then Always
+  else
+    let of_law seen (l : Model.leaf) = Time_seen.join seen (Time_seen.law m l.law) in
+    Array.fold_left of_law (Time_seen.checks m checks) m.leaves

@@ -53,19 +53,21 @@ type report = {
 
 (** {2 Which properties go together} *)
 
-(* What properties of one exploration have in common. One that tells all times apart makes a finite exploration
-   endless for the others. What else one property tells apart (events, names of leaves, places) is told apart for
-   all: as a rule it costs less than an exploration more. *)
+(* What properties of one exploration have in common. One that tells all times apart, or all distances of bodies
+   that drift apart, makes a finite exploration endless for the others. What else one property tells apart (events,
+   names of leaves, places) is told apart for all: as a rule it costs less than an exploration more. *)
 type needs = {
   part : State.t option;  (** the part of the network that does for them; [None]: all of it *)
   compact : int option;  (** with hash compaction *)
   time_seen : Time_seen.t;  (** of this kind: the greatest constant is that of all together *)
+  far : bool;  (** it tells places apart however far bodies are from each other *)
 }
 
 let equal_needs a b =
   Option.equal State.equal a.part b.part
   && Option.equal Int.equal a.compact b.compact
   && Time_seen.same_kind a.time_seen b.time_seen
+  && Bool.equal a.far b.far
 
 (* Some properties, by their places in the list of all. *)
 type group = {
@@ -74,6 +76,7 @@ type group = {
 }
 
 let groups options semantics ~initial checks =
+  let model = Semantics.model semantics in
   let slice = Slice.make semantics ~initial in
   let part (c : Property.check) =
     if List.exists (Reduction.equal Slice) options.reductions then slice [ c.formula ] else None
@@ -85,7 +88,8 @@ let groups options semantics ~initial checks =
     {
       part = part c;
       compact = compact c;
-      time_seen = Reduction.time_seen options.reductions (Semantics.model semantics) [ c.formula ];
+      time_seen = Reduction.time_seen options.reductions model [ c ];
+      far = Reduction.sees_far options.reductions model initial [ c ];
     }
   in
   let rec join needs member = function
@@ -94,7 +98,7 @@ let groups options semantics ~initial checks =
     | g :: rest -> g :: join needs member rest
   in
   match checks with
-  | [] -> [ { needs = { part = None; compact = None; time_seen = Never }; members = [] } ]
+  | [] -> [ { needs = { part = None; compact = None; time_seen = Never; far = false }; members = [] } ]
   | _ :: _ ->
     List.fold_left (fun (i, groups) c -> (i + 1, join (needs c) (i, c) groups)) (0, []) checks |> snd
 

@@ -265,8 +265,7 @@ let kinds_of (checks : Property.check list) plans =
   in
   (formulas_of Plan.is_search, formulas_of (fun plan -> not (Plan.is_search plan)))
 
-let time_seen options model (checks : Property.check list) =
-  Reduction.time_seen options.reductions model (List.map (fun (c : Property.check) -> c.formula) checks)
+let time_seen options model checks = Reduction.time_seen options.reductions model checks
 
 let system options semantics ~initial checks plans =
   let model = Semantics.model semantics in
@@ -275,7 +274,7 @@ let system options semantics ~initial checks plans =
   let deep = match options.bounds.depth with Unbounded -> false | Default _ | Given _ -> true in
   Network_lts.make ~events
     ~time_seen:(time_seen options model checks)
-    ~quotient:(Reduction.quotient options.reductions model initial ~searched ~evaluated)
+    ~quotient:(Reduction.quotient options.reductions model initial ~checks ~searched ~evaluated)
     ?visible:(Reduction.visible options.reductions ~deep ~searched ~evaluated)
     semantics initial
 

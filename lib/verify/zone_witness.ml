@@ -169,7 +169,7 @@ let finish (r : Zone_established.t) (w : Shown_run.t) : Witness.finish =
       let from = Zone_established.state r cycle in
       let puts_off = Make_witness.puts_off r.semantics (after cycle) ~from in
       match Make_witness.moved from last with
-      | Some moved -> Repeats { cycle; moved; puts_off }
+      | Some moved -> Repeats { cycle; moved = Together moved; puts_off }
       | None -> Bug.fail __POS__ "a run over zones does not come back")
 
 let of_run given u ~declared (w : Shown_run.t) : Witness.t =

@@ -273,9 +273,39 @@ def absolute_time():
               {'states': 30})
     r.verdict('A multiple of time.', SHUTTLE, 'EF (2 * time - 1 >= 9 and AG x(p) < 2)', 'violated', {'states': 30})
     r.verdict('With what changes.', SHUTTLE, 'possibly x(p) + time = 8', 'holds')
+    r.verdict('With what stays within bounds: there is one process.', SHUTTLE, 'AG (time > 5 * processes => AF x(p) = 0)',
+              'holds', {'states': 30})
+    r.verdict('With one of two constants.', SHUTTLE, 'AG (time > (if x(p) < 1 then 3 else 5) => AF x(p) = 0)', 'holds',
+              {'states': 30})
+    r.measured('The mean of the time is the time.', SHUTTLE, 'E = ? [ time at 3 ]', least=3, greatest=3)
+    return r
+
+
+def drift():
+    r = Rule('Drift')
+    two = (BLINK + 'process p = Cube mass 1 velocity (-1,0,0) [On]\n'
+           'process q = Cube mass 1 velocity (1,0,0) at translate (6,0,0) [On]\n')
+    r.verdict('Two fly apart and blink: their states recur but for how far they are from each other.', two,
+              'AG AF (behaviour(p) = Off and behaviour(q) = Off)', 'holds', {'states': 30})
+    r.verdict('A distance counts up to a constant.', two, 'AG (distance2(p, q) > 400 => AF behaviour(p) = Off)', 'holds',
+              {'states': 60})
+    r.verdict('And is passed.', two, 'eventually distance2(p, q) > 400', 'holds', {'states': 60})
+    r.verdict('A place counts up to one.', two, 'AG (x(q) > 10 => AG x(q) > 10)', 'holds', {'states': 60})
+    r.verdict('They never touch.', two, 'AG not touching(p, q)', 'holds', {'states': 30})
+    caught = (BLINK + 'process p = Cube mass 2 velocity (1,0,0) [nil]\nprocess q = Cube mass 1 at translate (6,0,0) [nil]\n'
+              'process r = Cube mass 1 velocity (%s,0,0) at translate (12,0,0) [On]\n')
+    r.verdict('Who is hit goes on at 4/3, and catches whom nobody followed.', caught % '6/5', 'eventually touching(q, r)',
+              'holds')
+    r.verdict('But nobody who is faster.', caught % '3/2', 'AG (not touching(q, r) and AF behaviour(r) = Off)', 'holds',
+              {'states': 60})
+    thrown = ('split_step 1\n' + behaviours(Hold='omega(b, {left, right}) push(1). nil')
+              + 'process d = p : Cube mass 1 [Hold] <b, {p.right, q.left}> q : Cube mass 1 at translate (2,0,0) [Hold]\n'
+              'process r = Cube mass 1 velocity (1,0,0) at translate (6,0,0) [nil]\n')
+    r.verdict('Who is pushed off may catch it too, however late.', thrown, 'possibly (touching(q, r) and time > 12)', 'holds')
     return r
 
 
 def suites():
     return [f() for f in (state, jump, quiescent, instants, verdict, zeno, run, dead_end, event, leads_to, next_, until, intervals,
-                          truncated, symmetry, translation, order, slice_, absolute_time)]
+                          truncated, symmetry, translation, order, slice_, absolute_time,
+                          drift)]

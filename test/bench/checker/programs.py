@@ -14,7 +14,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 REDUCTIONS = ["symmetry", "translation", "order", "jump", "slice"]
 ALL_OFF = ["--no-reduce", "all"]
 # The graph of the calculus: that time passes over the ends of steps that change nothing is one of its rules (Jump).
-WHOLE = ["--no-reduce", "symmetry,translation,order,slice"]
+WHOLE = ["--no-reduce", "symmetry,translation,order,slice,drift"]
 
 
 def without(names):

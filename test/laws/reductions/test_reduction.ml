@@ -1,102 +1,17 @@
 (* Each way to explore less against exploring everything: the same verdicts on random crowds of equal bodies,
    witnesses that replay by the rules, and no more states. *)
 
-open Scc_ctl
-open Scc_exact
-open Scc_calculus
 open Scc_semantics
-open Scc_property
-open Scc_evaluate
 open Scc_space
-open Scc_explain
 open Scc_verify
-
-let standard = Scc_engine.Standard.of_model
-
 open Crowds
+open Compared
 
-(* {1 The comparison} *)
-
-let load text =
-  match Scc_test_models.Load.text text with
-  | Error _ -> None  (* where all are shy, no formula may speak of docking *)
-  | Ok e -> Result.to_option (Result.map (fun s -> (e, s)) (Network.initial (standard e.model) e.declared))
-
-let bounds = { Bounds.default with states = Default 3000; time = Given (Rat.of_int 12); instant = Default 60 }
-
-let run ?(bounds = bounds) reductions (e : Scc_elaborate.Elaborate.t) initial =
-  Check.run { Check.default with bounds; reductions } (standard e.model) ~initial e.checks
-
-let definite (v : Verdict.t) =
-  match v with
-  | Holds { bounds = []; _ } -> Some true
-  | Violated _ -> Some false
-  | Holds _ | Measured _ | Undecided _ -> None
-
-let conflict (a : Verdict.outcome) (b : Verdict.outcome) =
-  match (a.verdict, b.verdict) with
-  | Measured x, Measured y -> x.reasons = [] && y.reasons = [] && x.values <> y.values
-  | v, w -> (
-      match (definite v, definite w) with
-      | Some x, Some y -> not (Bool.equal x y)
-      | None, _ | _, None -> false)
-
-let witness : Verdict.t -> Witness.t option = function
-  | Holds { witness; _ } | Violated { witness } | Measured { witness; _ } -> witness
-  | Undecided _ -> None
-
-(* By the rules alone, in the model as it is. *)
-let replays (e : Scc_elaborate.Elaborate.t) initial (o : Verdict.outcome) =
-  match witness o.verdict with
-  | None -> true
-  | Some w -> (
-      match Scc_test_networks.Reach.follow (standard e.model) initial (Witness.choices w) with
-      | Error _ -> false
-      | Ok transitions ->
-        let last = match List.rev transitions with [] -> initial | t :: _ -> t.Transition.target in
-        State.equal last w.last)
-
-(* What was searched for is so where the witness ends: whether p holds there, after its last transition. *)
-let shows (e : Scc_elaborate.Elaborate.t) ({ check = c; verdict = v; _ } : Verdict.outcome) =
-  match (witness v, Plan.of_formula c.formula) with
-  | Some ({ finish = At_state; _ } as w), (Possibly (_, p) | Always (_, p))
-    when not (Formula.has_events (State p)) ->
-    let holds = Trajectory.holds (standard e.model) w.last p in
-    let wanted = match v with Holds _ -> Truth.True | Violated _ | Measured _ | Undecided _ -> False in
-    Truth.equal holds wanted
-  | _ -> true
-
-(* The bound of time cuts both alike. *)
-let comparable (s : Check.stats) =
-  (not s.decided_early)
-  && List.for_all
-    (fun (t : Verdict.truncation) -> match t.limit with Time _ -> true | _ -> false)
-    s.stopped_by
-
-let decided = ref 0
-let refused = ref 0
-
-(* Several explorations may have more states than one: [together] is false. *)
-let agrees kinds ~jump ~together text =
-  match load text with
-  | None -> incr refused; true
-  | Some (e, initial) ->
-    let full = run [ Reduction.Jump ] e initial in
-    let reduced = run kinds e initial in
-    let count (o : Verdict.outcome) = if Option.is_some (definite o.verdict) then incr decided in
-    List.iter count full.outcomes;
-    let comparable = comparable full.stats && comparable reduced.stats in
-    if List.exists2 conflict full.outcomes reduced.outcomes then QCheck2.Test.fail_report "verdicts differ"
-    else if jump && not (List.for_all (replays e initial) reduced.outcomes) then
-      QCheck2.Test.fail_report "a witness does not replay"
-    else if not (List.for_all (shows e) reduced.outcomes) then
-      QCheck2.Test.fail_report "a witness does not show what it should"
-    else if jump && together && comparable && reduced.slices = [] && reduced.stats.states > full.stats.states then
-      QCheck2.Test.fail_report "more states than without"
-    else true
+(* Checks that see places for ever have an exploration of their own where others can do without. *)
+let together kinds = not (List.exists (Reduction.equal Drift) kinds)
 
 let property ?(jump = true) ?(count = 110) name kinds =
-  QCheck2.Test.make ~name ~count ~print:Fun.id case_gen (agrees kinds ~jump ~together:true)
+  QCheck2.Test.make ~name ~count ~print:Fun.id case_gen (agrees kinds ~jump ~together:(together kinds))
 
 let timed name kinds =
   QCheck2.Test.make ~name ~count:125 ~print:Fun.id timed_case_gen (agrees kinds ~jump:true ~together:false)
@@ -111,7 +26,7 @@ let with_switches text =
 let switched name kinds =
   QCheck2.Test.make ~name ~count:50 ~print:Fun.id
     QCheck2.Gen.(case_gen >>= with_switches)
-    (agrees kinds ~jump:true ~together:true)
+    (agrees kinds ~jump:true ~together:(together kinds))
 
 let closings = ref 0
 
@@ -244,14 +159,6 @@ check away : possibly vx(q) = 1
 
 let drift () =
   Alcotest.(check int) "with" 2 (states [ Reduction.Translation; Jump ] drifting)
-
-let verdicts_and_stats reductions text =
-  match load text with
-  | None -> Alcotest.fail "the model is refused"
-  | Some (e, initial) ->
-    let bounds = { Bounds.default with states = Default 3000 } in
-    let report = Check.run { Check.default with bounds; reductions } (standard e.model) ~initial e.checks in
-    (List.map (fun (o : Verdict.outcome) -> Verdict.to_string o.verdict) report.outcomes, report.stats)
 
 (* Alone it is violated in two states, and it stays so whatever else is asked. *)
 let unspoilt () =

@@ -139,7 +139,7 @@ class Comparison:
             for i, (text, _) in enumerate(questions):
                 f.write('check q%d : %s\n' % (i, text))
         self.verdicts(path, questions, [])
-        counts = self.verdicts(path, questions, ['--no-reduce', 'symmetry,translation,order,slice'])
+        counts = self.verdicts(path, questions, ['--no-reduce', 'symmetry,translation,order,slice,drift'])
         if graph.jumps:
             return
         if counts['states'] != len(graph.edges) or counts['transitions'] != graph.transitions():

@@ -239,8 +239,10 @@ let verdict_of (report : Scc_verify.Check.report) name =
 let steps_again () =
   let _, _, report = checked "raft.sc" in
   match verdict_of report "surely" with
-  | Violated { witness = Some { steps = [ _ ]; finish = Repeats { cycle = 0; moved; puts_off = Some _ }; _ } } ->
-    Alcotest.(check string) "each time farther" "(1, 0, 0)" (Vec.to_string moved)
+  | Violated
+      { witness =
+          Some { steps = [ _ ]; finish = Repeats { cycle = 0; moved = Together by; puts_off = Some _ }; _ } } ->
+    Alcotest.(check string) "each time farther" "(1, 0, 0)" (Vec.to_string by)
   | _ -> Alcotest.fail "not a step that is repeated for ever"
 
 (* Why a nested formula fails, in words. *)

@@ -286,10 +286,18 @@ let looks () =
   Alcotest.(check bool) "no next" false (Formula.mentions_next (always (Fact Quiescent)));
   Alcotest.(check bool) "events" true (Formula.has_events (always (positive (Count [ happens (Bounce Any) ]))))
 
+(* Three cubes, of a part each. *)
+let model =
+  let cube i = Printf.sprintf "process c[%d] = solids.Cube(1) mass 1 at translate (%d,0,0) [nil]\n" i (4 * i) in
+  let text = "import <solids>\n" ^ String.concat "" (List.init 3 cube) in
+  match Scc_test_models.Load.text text with
+  | Ok e -> e.model
+  | Error _ -> failwith "the model is refused"
+
 let sees () =
   let time_seen name p expected =
     let same =
-      match (Time_seen.formula (always p), expected) with
+      match (Time_seen.formula model (always p), expected) with
       | Time_seen.Until c, Time_seen.Until d -> Scc_exact.Rat.equal c d
       | a, b -> Time_seen.same_kind a b
     in
@@ -314,10 +322,57 @@ let sees () =
   time_seen "with what changes" (compare time (Quantity (Position (X, 0)))) Always;
   time_seen "conditions" (positive (Count [ compare time (number 3); Fact Quiescent ])) (until 3);
   time_seen "of values" (positive (If (compare time (number 3), size 0, size 1))) (until 3);
-  time_seen "values by conditions" (positive (If (Fact Quiescent, time, size 1))) Always;
+  time_seen "values by conditions" (compare (If (Fact Quiescent, time, size 1)) (number 3)) (until 3);
+  time_seen "one of several constants" (compare time (If (Fact Quiescent, number 3, number 8))) (until 8);
+  time_seen "a condition in it" (compare time (If (compare time (number 9), number 3, number 8))) (until 9);
+  time_seen "a place, or a constant"
+    (compare time (If (Fact Quiescent, Quantity (Position (X, 0)), number 8)))
+    Always;
+  time_seen "twice how many there are" (compare time (Mul (number 2, Quantity Processes))) (until 6);
+  time_seen "of a leaf" (compare (Sub (size 0, number 7)) (Neg time)) (until 7);
+  time_seen "how many bonds" (compare (Add (number 1, Quantity (Bonds (None, None)))) time) (until 4);
+  time_seen "a count"
+    (compare (Mul (number 3, time)) (Count [ Fact Quiescent; Bool true ]))
+    (Until (Rat.make (Z.of_int 2) (Z.of_int 3)));
   let squared = always (positive (Mul (time, time))) in
   let until = Until (All, { low = Scc_exact.Rat.zero; high = None }, State (Fact Quiescent), squared) in
-  Alcotest.(check bool) "under operators" true (Time_seen.same_kind Always (Time_seen.formula until))
+  Alcotest.(check bool) "under operators" true (Time_seen.same_kind Always (Time_seen.formula model until));
+  let mean n : Property.check =
+    let at = { low = Rat.one; high = Some Rat.one } in
+    let formula = Finally (All, at, State (Compare (Ge, n, number 0))) in
+    let asked = Expected ([ Least ], Value_at (n, Rat.one), None) in
+    { name = "c"; span = Scc_base.Span.none; text = ""; asked; formula }
+  in
+  let means n = Time_seen.checks model [ mean n ] in
+  Alcotest.(check bool) "a mean of time" true (Time_seen.same_kind Always (means time));
+  Alcotest.(check bool) "and of none" true (Time_seen.same_kind Never (means (size 0)))
+
+let steers () =
+  let law name text expected =
+    let text =
+      "import <solids>\nprocess p = solids.Cube(1) mass 1 velocity (1,0,0) [nil]\nmotion p = " ^ text ^ "\n"
+    in
+    let seen =
+      match Scc_test_models.Load.text text with
+      | Ok e -> Time_seen.law e.model e.model.leaves.(0).law
+      | Error _ -> Alcotest.failf "a law is refused: %s" text
+    in
+    let same =
+      match (seen, expected) with
+      | Time_seen.Until c, Time_seen.Until d -> Rat.equal c d
+      | a, b -> Time_seen.same_kind a b
+    in
+    Alcotest.(check bool) name true same
+  in
+  let until n = Time_seen.Until (Rat.of_int n) in
+  law "no time" "(vx, x, 0)" Never;
+  law "itself" "(time, 0, 0)" Always;
+  law "a switch" "(if time < 5 then 1 else -1, 0, 0)" (until 5);
+  law "several" "(if 2 * time > 5 and not time > 8 then vx else -1, if 7 < time then 0 else 1, 0)" (until 8);
+  law "a rounded time" "(if round(time, 2) < 5 then 1 else -1, 0, 0)" Always;
+  law "with a place" "(if time < x then 1 else -1, 0, 0)" Always;
+  law "a weight" "choose { (1,0,0) weight if time < 3 then 1 else 2, (0,0,0) }" (until 3);
+  law "a weight that grows" "choose { (1,0,0) weight time, (0,0,0) weight 1 }" Always
 
 let () =
   let cases = Scc_test_support.Property.cases in
@@ -330,5 +385,6 @@ let () =
         [
           Alcotest.test_case "what formulas look at" `Quick looks;
           Alcotest.test_case "how much of time formulas see" `Quick sees;
+          Alcotest.test_case "how much of time laws see" `Quick steers;
         ] );
     ]

@@ -110,6 +110,9 @@ let leaves () =
   said "one leaves the others" [ "leaves q" ] (few 200) (walls ^ shuttle ^ leaver ^ check);
   let _, stats = report (few 200) (walls ^ shuttle ^ check) in
   Alcotest.(check bool) "without it all comes back" true (stats.complete && stats.causes = []);
+  let fast = "process q = Cube mass 1 velocity (0,0,2) at translate (0,0,20) [nil]\n" in
+  let _, stats = report (few 200) (walls ^ shuttle ^ fast ^ check) in
+  Alcotest.(check bool) "or where nobody may be as fast as it" true (stats.complete && stats.causes = []);
   said "a bound process with all of its leaves" [ "leaves q r" ] (few 200)
     (walls ^ shuttle
      ^ "process qr = q : Cube mass 1 velocity (0,0,1) at translate (0,0,20) [nil] <s, {q.right, r.left}>\n\
@@ -126,7 +129,7 @@ let drifts () =
   let _, stats = report (few 100) (pair ^ "check near : AG distance2(p, q) > 1\n") in
   Alcotest.(check bool) "distances do" true (stats.complete && stats.causes = []);
   said "unless it is told where it is" [ "drifts" ]
-    (without Translation (few 100))
+    (without Drift (without Translation (few 100)))
     (pair ^ "check near : AG EF distance2(p, q) < 1\n")
 
 let times () =

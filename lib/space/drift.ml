@@ -1,0 +1,307 @@
+open Scc_exact
+open Scc_geometry
+open Scc_calculus
+open Scc_property
+
+type t = {
+  model : Model.t;
+  axes : Vec.axis list;  (** along which groups may be apart *)
+  may_push : Behaviour.t -> bool;  (** what it releases, now or later *)
+  coordinates : (Vec.axis * int * Places_seen.limits) list;
+  distances : (int * int * Places_seen.limits) list;
+  extents : (Vec.t * Vec.t) Lazy.t array;  (** of a leaf, about its reference point: the least box around it *)
+  fence : (Vec.t * Vec.t) option;
+  (** the least box around all that is fixed: whoever is in it is not apart from that *)
+}
+
+(** {1 Where it is used} *)
+
+let has_prefix (m : Model.t) (s : State.t) is =
+  let in_term = Behaviour.some_prefix m.definitions ~behind:(fun _ -> true) is in
+  let leaf_has (l : State.leaf) = in_term l.behaviour.term in
+  Array.exists (fun (p : State.process) -> Array.exists leaf_has p.leaves) s.processes
+
+(* Without a law, only what is told here happens to bodies that meet nobody for ever. *)
+let goes_on : Behaviour.t -> bool = function
+  | Weak _ | Delay _ | Wait _ -> true
+  | Nil | Open _ | Strong _ | Sum _ | Call _ -> false
+
+let least_and_greatest a b =
+  let each f (v : Vec.t) (w : Vec.t) = Vec.make (f v.x w.x) (f v.y w.y) (f v.z w.z) in
+  (each Rat.min (fst a) (fst b), each Rat.max (snd a) (snd b))
+
+(* The reference point is in it: who is first is told by those (rule Lot). *)
+let extent (leaf : Model.leaf) =
+  let corners (p : Model.part) =
+    List.init (Array.length p.solid.Solid.vertices) (fun i -> Vec.add p.offset (Solid.vertex p.solid i))
+  in
+  let points = Vec.zero :: List.concat_map corners (Array.to_list leaf.parts) in
+  List.fold_left (fun box v -> least_and_greatest box (v, v)) (Vec.zero, Vec.zero) points
+
+let box extent (p : State.process) =
+  let of_leaf (l : State.leaf) =
+    let low, high = extent l.leaf in
+    (Vec.add l.position low, Vec.add l.position high)
+  in
+  Array.fold_left (fun box l -> least_and_greatest box (of_leaf l)) (of_leaf p.leaves.(0)) p.leaves
+
+let is_fixed (m : Model.t) (p : State.process) =
+  Array.exists (fun (l : State.leaf) -> m.leaves.(l.leaf).fixed) p.leaves
+
+let fence m extent (s : State.t) =
+  let around known p =
+    if not (is_fixed m p) then known
+    else
+      let box = box extent p in
+      Some (Option.fold ~none:box ~some:(least_and_greatest box) known)
+  in
+  Array.fold_left around None s.processes
+
+(* A point of it is within the box. *)
+let is_inside (low, high) (p : State.process) =
+  let place = p.leaves.(0).position in
+  let within axis =
+    let at = Vec.component axis in
+    Rat.compare (at low) (at place) <= 0 && Rat.compare (at place) (at high) <= 0
+  in
+  within Vec.X && within Y && within Z
+
+let all_inside (m : Model.t) fence processes =
+  let stays (p : State.process) = m.leaves.(p.leaves.(0).leaf).fixed in
+  match fence with
+  | None -> false
+  | Some box -> Array.for_all (fun p -> stays p || is_inside box p) processes
+
+let pushing : Behaviour.t -> bool = function
+  | Weak (_, { push; _ }, _) | Strong (_, push, _) -> Rat.sign push > 0
+  | Nil | Open _ | Delay _ | Wait _ | Sum _ | Call _ -> false
+
+let make (m : Model.t) (initial : State.t) checks =
+  let on_a_grid = match m.splits with Every _ -> true | Any_time -> false in
+  let seen = Places_seen.checks m checks in
+  if m.steered || Model.has_turns m || (not on_a_grid) || Places_seen.everything seen then None
+  else
+    let extents = Array.map (fun leaf -> lazy (extent leaf)) m.leaves in
+    let fence = fence m (fun leaf -> Lazy.force extents.(leaf)) initial in
+    (* Nobody collides for ever without something fixed. *)
+    let somebody_is_out = Option.is_some fence && not (all_inside m fence initial.processes) in
+    if not (has_prefix m initial goes_on || somebody_is_out) then None
+    else
+      let may_push = has_prefix m initial pushing in
+      Some
+        {
+          model = m;
+          (* who draws first is told by x *)
+          axes = (if m.lots then [ Vec.X ] else [ X; Y; Z ]);
+          may_push =
+            (fun term -> may_push && Behaviour.some_prefix m.definitions ~behind:(fun _ -> true) pushing term);
+          coordinates = Places_seen.coordinates seen;
+          distances = Places_seen.distances seen;
+          extents; fence;
+        }
+
+(** {1 Groups} *)
+
+type sums = {
+  movable : int;  (** leaves that are not fixed; all that follows is of these *)
+  mass : Rat.t;
+  least : Rat.t;  (** the mass of the lightest *)
+  momentum : Vec.t;
+  energy : Rat.t;  (** twice the kinetic one *)
+}
+
+type group = {
+  members : int list;  (** processes, by their places in the state *)
+  leaves : int list;
+  anchored : bool;  (** it is not moved: something in it is fixed, or where it is can be seen *)
+  pushes : bool;
+  sums : sums;
+  low : Vec.t;
+  high : Vec.t;
+  velocity : Vec.t;  (** of its centre of mass; 0 if anchored: it takes momentum from what is fixed *)
+  spread2 : Rat.t option;
+  (** none of its leaves ever moves faster against that velocity than the root of this; [None]: nothing is known *)
+}
+
+let nothing = { movable = 0; mass = Rat.zero; least = Rat.zero; momentum = Vec.zero; energy = Rat.zero }
+
+let add a b =
+  {
+    movable = a.movable + b.movable;
+    mass = Rat.add a.mass b.mass;
+    least =
+      (match (a.movable, b.movable) with 0, _ -> b.least | _, 0 -> a.least | _ -> Rat.min a.least b.least);
+    momentum = Vec.add a.momentum b.momentum;
+    energy = Rat.add a.energy b.energy;
+  }
+
+(* Where the momentum stays, a leaf of mass m in a group of mass M has at most the share (M - m)/M of the energy in
+   the frame of the centre of mass. A group of one leaf releases nothing. *)
+let with_motion g =
+  let s = g.sums in
+  let velocity =
+    if g.anchored || s.movable = 0 then Vec.zero else Vec.scale (Rat.div Rat.one s.mass) s.momentum
+  in
+  let spread2 =
+    if s.movable = 0 then Some Rat.zero
+    else if g.pushes && List.compare_length_with g.leaves 1 > 0 then None
+    else if g.anchored then Some (Rat.div s.energy s.least)
+    else
+      let inner = Rat.sub s.energy (Rat.mul s.mass (Vec.norm2 velocity)) in
+      Some (Rat.div (Rat.mul inner (Rat.sub s.mass s.least)) (Rat.mul s.least s.mass))
+  in
+  { g with velocity; spread2 }
+
+let single d i (p : State.process) =
+  let low, high = box (fun leaf -> Lazy.force d.extents.(leaf)) p in
+  let of_leaf (l : State.leaf) =
+    let leaf = d.model.leaves.(l.leaf) in
+    if leaf.fixed then nothing
+    else
+      {
+        movable = 1;
+        mass = leaf.mass;
+        least = leaf.mass;
+        momentum = Vec.scale leaf.mass p.velocity;
+        energy = Rat.mul leaf.mass (Vec.norm2 p.velocity);
+      }
+  in
+  let leaves = Array.to_list p.leaves in
+  with_motion
+    {
+      members = [ i ];
+      leaves = List.map (fun (l : State.leaf) -> l.leaf) leaves;
+      anchored = is_fixed d.model p;
+      pushes = List.exists (fun (l : State.leaf) -> d.may_push l.behaviour.term) leaves;
+      sums = List.fold_left (fun sums l -> add sums (of_leaf l)) nothing leaves;
+      low; high;
+      velocity = Vec.zero;
+      spread2 = None;
+    }
+
+let join g h =
+  let low, high = least_and_greatest (g.low, g.high) (h.low, h.high) in
+  with_motion
+    {
+      g with
+      members = List.rev_append g.members h.members;
+      leaves = List.rev_append g.leaves h.leaves;
+      anchored = g.anchored || h.anchored;
+      pushes = g.pushes || h.pushes;
+      sums = add g.sums h.sums;
+      low; high;
+    }
+
+(* Whether d > sqrt a + sqrt b, for a, b >= 0. *)
+let exceeds d a b =
+  Rat.sign d > 0
+  &&
+  let rest = Rat.sub (Rat.mul d d) (Rat.add a b) in
+  Rat.sign rest > 0 && Rat.compare (Rat.mul rest rest) (Rat.mul (Rat.of_int 4) (Rat.mul a b)) > 0
+
+(** {1 Apart for ever} *)
+
+let has g leaf = List.exists (Int.equal leaf) g.leaves
+
+(* Above which squared distance nobody can tell any more how far two groups are from each other; [None]: there is
+   none. *)
+let limit d g h =
+  let of_pair (i, j, (limits : Places_seen.limits)) =
+    let between = (has g i && has h j) || (has g j && has h i) in
+    match limits with
+    | _ when not between -> Some Rat.zero
+    | Between (_, high) -> Some high
+    | All -> None
+  in
+  let greatest known pair =
+    match (known, of_pair pair) with
+    | Some a, Some b -> Some (Rat.max a b)
+    | None, _ | _, None -> None
+  in
+  List.fold_left greatest (Some Rat.zero) d.distances
+
+(* Along an axis, whoever is ahead stays ahead, and gets farther. *)
+let apart_along axis ~limit g h a b =
+  let at = Vec.component axis in
+  let ahead g h =
+    let gap = Rat.sub (at h.low) (at g.high) in
+    Rat.sign gap > 0
+    && Rat.compare (Rat.mul gap gap) limit > 0
+    && exceeds (Rat.sub (at h.velocity) (at g.velocity)) a b
+  in
+  ahead g h || ahead h g
+
+let apart d g h =
+  (not (g.anchored && h.anchored))
+  &&
+  match (g.spread2, h.spread2, limit d g h) with
+  | Some a, Some b, Some limit -> List.exists (fun axis -> apart_along axis ~limit g h a b) d.axes
+  | None, _, _ | _, None, _ | _, _, None -> false
+
+(* All of its coordinates that are compared with constants are beyond these, and stay so. *)
+let settled d g =
+  let is_settled (axis, leaf, (limits : Places_seen.limits)) =
+    let at = Vec.component axis in
+    match (limits, g.spread2) with
+    | _, _ when not (has g leaf) -> true
+    | Between (low, high), Some s ->
+      let v = at g.velocity in
+      (Rat.compare (at g.low) high > 0 && exceeds v s Rat.zero)
+      || (Rat.compare (at g.high) low < 0 && exceeds (Rat.neg v) s Rat.zero)
+    | All, _ | _, None -> false
+  in
+  List.for_all is_settled d.coordinates
+
+let anchor d g = if g.anchored || settled d g then g else with_motion { g with anchored = true }
+
+(* The finest partition into groups that are apart for ever. *)
+let rec insert d g groups =
+  match List.find_opt (fun h -> not (apart d g h)) groups with
+  | None -> g :: groups
+  | Some h -> insert d (anchor d (join g h)) (List.filter (fun k -> k != h) groups)
+
+let partition d processes =
+  let add (i, groups) p = (i + 1, insert d (anchor d (single d i p)) groups) in
+  snd (Array.fold_left add (0, []) processes)
+
+let groups d processes =
+  let members g = List.sort Int.compare g.members in
+  List.sort (List.compare Int.compare) (List.map members (partition d processes))
+
+let sees_far m (initial : State.t) checks =
+  Places_seen.for_ever (Places_seen.checks m checks)
+  &&
+  match make m initial [] with
+  | None -> false
+  | Some d -> (not (all_inside m d.fence initial.processes)) && List.length (groups d initial.processes) > 1
+
+(** {1 Where they are placed} *)
+
+let moved by g = { g with low = Vec.add g.low by; high = Vec.add g.high by }
+
+let rec all_apart d = function
+  | [] -> true
+  | g :: rest -> List.for_all (apart d g) rest && all_apart d rest
+
+(* Where it comes to at a time, if its least corner is in the origin at 0. *)
+let shift time g = Vec.sub (Vec.scale time g.velocity) g.low
+
+let place d processes =
+  let groups = if all_inside d.model d.fence processes then [] else partition d processes in
+  let anchored, free = List.partition (fun g -> g.anchored) groups in
+  let rec at time =
+    let shifts = List.map (shift time) free in
+    let there = List.map2 moved shifts free in
+    if List.for_all (settled d) there && all_apart d (anchored @ there) then
+      List.concat (List.map2 (fun g by -> List.map (fun i -> (i, by)) g.members) free shifts)
+    else at (Rat.add time time)
+  in
+  match free with [] -> [] | _ :: _ -> at Rat.one
+
+let keeps d processes (q : Property.quantity) =
+  let groups = lazy (partition d processes) in
+  let home leaf = List.find_opt (fun g -> has g leaf) (Lazy.force groups) in
+  match q with
+  | Position (_, i) -> Option.fold ~none:true ~some:(fun g -> g.anchored) (home i)
+  | Distance2 (i, j) -> Option.fold ~none:true ~some:(fun g -> has g j || Option.is_none (home j)) (home i)
+  | _ -> true
