@@ -134,12 +134,12 @@ module Make (L : Lts.S) = struct
   let is_new g (s : Lts.step) = Tuples.find g.tuples ~near:g.near s.changes < 0
 
   (* Whether the targets that are new fit a number of them. *)
-  let fits g room tuple (steps : Lts.step list) =
+  let fits g room (steps : Lts.step list) =
     List.compare_length_with steps room <= 0
     ||
     let fresh = Hashtbl.create 16 in
     let add (s : Lts.step) =
-      if is_new g s then Hashtbl.replace fresh (Array.to_list (Tuples.apply s.changes tuple)) ()
+      if is_new g s then Hashtbl.replace fresh (Tuples.key g.tuples ~near:g.near s.changes) ()
     in
     List.iter add steps;
     Hashtbl.length fresh <= room
@@ -224,7 +224,7 @@ module Make (L : Lts.S) = struct
     let tuple = Tuples.slots g.near in
     let grow steps ~targets ~count =
       match limits.states with
-      | Some n when not (fits g (n - size g) tuple steps) -> Some States
+      | Some n when not (fits g (n - size g) steps) -> Some States
       | Some _ | None ->
         mark g i Expanded;
         let first = size g in
@@ -234,10 +234,19 @@ module Make (L : Lts.S) = struct
         let keep store = Edge_store.set store i (List.map2 (fun (s : Lts.step) t -> (s.label, t)) steps targets) in
         Option.iter keep g.edges;
         introduce g around visitor ~first tuple steps targets;
-        let matter = List.map2 (fun s target -> relax g limits visitor i (edge s target)) steps targets in
-        let edges () = Array.of_list (List.map2 edge steps targets) in
-        Option.iter (fun opened -> Limits.within around (fun () -> opened g i tuple (edges ()))) visitor.opened;
-        Option.iter (fun told -> told i (List.combine (arrows ~first steps targets) matter)) expander.expanded;
+        let follow s target = relax g limits visitor i (edge s target) in
+        let look () =
+          let edges () = Array.of_list (List.map2 edge steps targets) in
+          Option.iter (fun opened -> Limits.within around (fun () -> opened g i tuple (edges ()))) visitor.opened
+        in
+        (match expander.expanded with
+         | None ->
+           List.iter2 (fun s target -> ignore (follow s target)) steps targets;
+           look ()
+         | Some told ->
+           let matter = List.map2 follow steps targets in
+           look ();
+           told i (List.combine (arrows ~first steps targets) matter));
         None
     in
     match Limits.within around (fun () -> expander.expand i tuple) with

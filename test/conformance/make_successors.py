@@ -14,7 +14,7 @@ import tempfile
 import state_bytes
 
 # States of the whole network, each by itself: reductions are scc's own.
-OPTIONS = ['--no-reduce', 'symmetry,translation,slice,time']
+OPTIONS = ['--no-reduce', 'symmetry,translation,slice,time,drift']
 STATES = 12
 LINES = ['', '00', '0102', 'zz', 'ff', '7b']
 MODELS = ['association', 'chain', 'clasp', 'enzymes', 'figure4', 'figure5', 'ligand', 'outlet', 'raft', 'relay', 'rounded',
