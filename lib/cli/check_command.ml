@@ -288,12 +288,12 @@ let man =
        nested formulas are as short as can be from each operator to the next.";
     `S "STORES";
     `P
-      "With $(b,--store) $(i,DIR) an exploration is kept while it goes on. After Ctrl-C, $(b,--seconds), a kill \
-       or a power cut, the same command goes on from there; its report is that of a run that was never \
-       interrupted. Only what ends the work before it is done may be different ($(b,--seconds), $(b,--memory), \
-       $(b,--jobs)), and what is written of it; a store of something else is refused, and so is one that is \
-       damaged or in use. When it cannot be written any more, as on a full disk, the exploration goes on \
-       without it, and the exit code is 74 where it would be 0.";
+      "With $(b,--store) an exploration is kept in a folder while it goes on. After Ctrl-C, the end of its \
+       seconds, a kill or a power cut, the same command goes on from there; its report is that of a run that \
+       was never interrupted. Only what ends the work before it is done may be different (limits of seconds and \
+       of memory, the number of processes), and what is written of it; a store of something else is refused, \
+       and so is one that is damaged or in use. When it cannot be written any more, as on a full disk, the \
+       exploration goes on without it, and the exit code is 74 where it would be 0.";
     `P
       "Models with parameters of which ranges are known, or with $(b,split_step any), have no store: they are \
        explored by sets of states. $(b,specs/large-models.md) tells more.";

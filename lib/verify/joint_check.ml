@@ -292,10 +292,10 @@ let unsettled options context graph ~horizon : Unsettled.t =
     horizon;
   }
 
-(* No check has such a name. *)
+(* The name alone would not do: it is also that of what has to come true for the check to say anything. *)
 let about = function
   | [] -> "no property"
-  | checks -> String.concat "," (List.map (fun (c : Property.check) -> c.name) checks)
+  | checks -> String.concat "; " (List.map (fun (c : Property.check) -> c.name ^ ": " ^ c.text) checks)
 
 (* One exploration for some checks. *)
 let check options semantics ~initial (checks : Property.check list) =

@@ -84,7 +84,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   $ complete scc ex
   explain explore export
   $ complete scc check --s
-  --sarif --seconds --shortest --slice --smt --states --stats
+  --sarif --seconds --shortest --slice --smt --states --stats --store
   $ complete scc check --color = ''
   always auto never
   $ complete scc check --color = al
