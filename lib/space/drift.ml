@@ -234,9 +234,12 @@ let apart_along axis ~limit g h a b =
 let apart d g h =
   (not (g.anchored && h.anchored))
   &&
-  match (g.spread2, h.spread2, limit d g h) with
-  | Some a, Some b, Some limit -> List.exists (fun axis -> apart_along axis ~limit g h a b) d.axes
-  | None, _, _ | _, None, _ | _, _, None -> false
+  match (g.spread2, h.spread2) with
+  | Some a, Some b -> (
+      let along limit = List.exists (fun axis -> apart_along axis ~limit g h a b) d.axes in
+      (* Which distances are asked about takes longer to see. *)
+      along Rat.zero && match limit d g h with Some limit -> along limit | None -> false)
+  | None, _ | _, None -> false
 
 (* All of its coordinates that are compared with constants are beyond these, and stay so. *)
 let settled d g =
@@ -286,8 +289,14 @@ let rec all_apart d = function
 (* Where it comes to at a time, if its least corner is in the origin at 0. *)
 let shift time g = Vec.sub (Vec.scale time g.velocity) g.low
 
+(* Bits. Where velocities are longer, they grow, so that states do not recur; and each comparison takes long.
+   States of which one stands for the other have the same velocities. *)
+let long = 128
+
 let place d processes =
-  let groups = if all_inside d.model d.fence processes then [] else partition d processes in
+  let is_long (p : State.process) = Vec.bits p.velocity > long in
+  let left_alone = all_inside d.model d.fence processes || Array.exists is_long processes in
+  let groups = if left_alone then [] else partition d processes in
   let anchored, free = List.partition (fun g -> g.anchored) groups in
   let rec at time =
     let shifts = List.map (shift time) free in
