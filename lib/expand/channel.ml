@@ -52,6 +52,8 @@ let has_message c = match readable 0. [ c ] with [] -> false | _ :: _ -> true
 
 (* Without the process that forked it, a child ends when it waits for a message, or tells of something. *)
 let child fd work =
+  (* The files of tables are those of the other process as well. *)
+  Scc_data.Spill.nowhere ();
   List.iter (fun s -> Sys.set_signal s Sys.Signal_ignore) [ Sys.sigint; Sys.sigpipe ];
   List.iter (fun s -> Sys.set_signal s Sys.Signal_default) [ Sys.sigterm; Sys.sigalrm ];
   match work { fd; pid = 0; head = Bytes.create 4 } with

@@ -14,6 +14,7 @@ type t = {
   mutable size : int;
   mutable index : index;
   mutable shift : int;  (** the index has 2^(63 - shift) slots *)
+  in_files : bool;  (** tables may be made there ({!Spill}) *)
 }
 
 let chunk_bits = 13
@@ -21,14 +22,20 @@ let chunk = 1 lsl chunk_bits
 let half = 31
 let mask = (1 lsl half) - 1
 
-let make_index bits : index =
-  let index = Spill.int32s (1 lsl bits) in
+let int32s ~in_files count = if in_files then Spill.int32s count else Array1.create int32 c_layout count
+let ints ~in_files count = if in_files then Spill.ints count else Array1.create int c_layout count
+
+let make_index ~in_files bits : index =
+  let index = int32s ~in_files (1 lsl bits) in
   Array1.fill index (-1l);
   index
 
 let no_narrow : narrow = Array1.create int32 c_layout 0
 let no_wide : wide = Array1.create int c_layout 0
-let create () = { narrow = [||]; wide = [||]; size = 0; index = make_index 8; shift = 63 - 8 }
+
+let create ~in_files =
+  { narrow = [||]; wide = [||]; size = 0; index = make_index ~in_files 8; shift = 63 - 8; in_files }
+
 let size p = p.size
 
 let quarter = 16
@@ -73,10 +80,10 @@ let large = 1 lsl 22
 
 let enlarge p =
   if Array1.dim p.index >= large then begin
-    p.index <- make_index 0;
+    p.index <- make_index ~in_files:false 0;
     Gc.full_major ()
   end;
-  let index = make_index (63 - p.shift + 1) in
+  let index = make_index ~in_files:p.in_files (63 - p.shift + 1) in
   p.shift <- p.shift - 1;
   let rec free i = if Int32.to_int index.{i} < 0 then i else free ((i + 1) land (Array1.dim index - 1)) in
   for id = 0 to p.size - 1 do
@@ -90,11 +97,11 @@ let make_room p c =
     p.narrow <- Array.append p.narrow (Array.make more no_narrow);
     p.wide <- Array.append p.wide (Array.make more no_wide)
   end;
-  p.narrow.(c) <- Spill.int32s chunk
+  p.narrow.(c) <- int32s ~in_files:p.in_files chunk
 
 let widen p c =
   let narrow = p.narrow.(c) in
-  let wide = Spill.ints chunk in
+  let wide = ints ~in_files:p.in_files chunk in
   for i = 0 to chunk - 1 do wide.{i} <- widened narrow.{i} done;
   p.wide.(c) <- wide;
   p.narrow.(c) <- no_narrow

@@ -3,7 +3,9 @@
 
 type t
 
-val create : unit -> t
+val create : in_files:bool -> t
+(** With [in_files], tables may be made in files ({!Scc_data.Spill}): then no other process may have them. *)
+
 val size : t -> int
 
 val intern : t -> int -> int -> int

@@ -48,8 +48,8 @@ let create ~width =
   done;
   {
     width; left; right; parent;
-    inner = Pairs.create ();
-    roots = Pairs.create ();
+    inner = Pairs.create ~in_files:true;
+    roots = Pairs.create ~in_files:true;
     work = Array.make nodes 0;
     stamp = Array.make nodes 0;
     round = 0;

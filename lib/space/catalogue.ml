@@ -103,8 +103,9 @@ let create ~marked ~time_seen ~memory model =
     labels = Labels.create ();
     steps = Steps.create ();
     times = Rationals.create ();
-    places = Pairs.create ();
-    processes = Pairs.create ();
+    (* Processes that are forked from this one go on with them by themselves. *)
+    places = Pairs.create ~in_files:false;
+    processes = Pairs.create ~in_files:false;
     recent = Recent.create ~number:(fun b -> b.number) ~none:no_body ~most:memory;
     seen = Array.make (Array.length model.leaves) no_body;
     bits = 0;
