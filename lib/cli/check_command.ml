@@ -169,12 +169,13 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
     | Error stop -> Ok (Check.unexplored options (l.checks @ premises) stop)
   in
   let* report = Measured.phase measured "explore" explore in
-  let covered =
+  let* covered =
     if extras.coverage then begin
       Option.iter (Watch.more watch) share;
-      Some (Measured.phase measured "coverage" (fun () -> cover options extras.reductions l initial))
+      let cover () = Ok (Some (cover options extras.reductions l initial)) in
+      Measured.phase measured "coverage" (fun () -> Expanded.guard expanded cover)
     end
-    else None
+    else Ok None
   in
   Watch.finish watch;
   Console.progress_done console;

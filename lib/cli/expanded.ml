@@ -9,10 +9,17 @@ module Journal_of_states = Scc_expand.Journal.Make (Network_lts) (Network_exchan
 
 type t = { jobs : int; start : Crew.start; store : Store.t option }
 
+(* Of two builds that call themselves by one version, one may have a fault that the other has not: what one has
+   found is not taken over by the other. *)
+let build () =
+  match Digest.file Sys.executable_name with
+  | digest -> Digest.to_hex digest
+  | exception Sys_error _ -> "unknown"
+
 (* What explorations depend on. *)
 let identity (l : Loaded.t) options =
   let values = List.map (fun (name, q) -> ("parameter " ^ name, Rat.to_string q)) l.origin.parameters in
-  [ ("scc", Version.told); ("model", l.origin.digest) ] @ values @ options
+  [ ("scc", Version.told); ("the build of scc", build ()); ("the model", l.origin.digest) ] @ values @ options
 
 let opened (l : Loaded.t) options folder = Store.openly folder ~identity:(identity l options)
 

@@ -10,10 +10,6 @@ let strong_split = 6
 let draw = 7
 let lot = 8
 
-let put_list buffer put list =
-  Packed.put_nat buffer (List.length list);
-  List.iter (put buffer) list
-
 let put_release codec buffer (r : Transition.release) =
   State_codec.put_bond codec buffer r.bond;
   Packed.put_rational buffer r.push
@@ -41,8 +37,8 @@ let put codec b (l : Transition.label) =
     State_codec.put_bond codec b bond
   | Bounce { firsts; hits } ->
     Packed.put_nat b bounce;
-    put_list b Packed.put_nat firsts;
-    put_list b put_hit hits
+    Packed.put_list b Packed.put_nat firsts;
+    Packed.put_list b put_hit hits
   | Absorb { first; absorber } ->
     Packed.put_nat b absorb;
     Packed.put_nat b first;
@@ -52,7 +48,7 @@ let put codec b (l : Transition.label) =
     put_release codec b r
   | Strong_split releases ->
     Packed.put_nat b strong_split;
-    put_list b (put_release codec) releases
+    Packed.put_list b (put_release codec) releases
   | Draw { first; velocity; chance } ->
     Packed.put_nat b draw;
     Packed.put_nat b first;

@@ -31,6 +31,10 @@ let put_vector b (v : Vec.t) =
   put_rational b v.y;
   put_rational b v.z
 
+let put_list b put list =
+  put_nat b (List.length list);
+  List.iter (put b) list
+
 (* {1 Reading} *)
 
 exception Malformed of string

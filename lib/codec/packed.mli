@@ -11,6 +11,9 @@ val put_integer : Buffer.t -> Z.t -> unit
 val put_rational : Buffer.t -> Rat.t -> unit
 val put_vector : Buffer.t -> Vec.t -> unit
 
+val put_list : Buffer.t -> (Buffer.t -> 'a -> unit) -> 'a list -> unit
+(** Its length, and then each of them. *)
+
 (** {1 Reading} *)
 
 exception Malformed of string

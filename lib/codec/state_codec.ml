@@ -40,10 +40,6 @@ let has mask parts = parts land mask <> 0
 
 (* {1 Writing} *)
 
-let put_list buffer put list =
-  Packed.put_nat buffer (List.length list);
-  List.iter (put buffer) list
-
 let put_feature buffer (f : Feature.t) =
   let index = match f with Vertex i | Edge i | Face i -> i in
   Packed.put_nat buffer ((3 * index) + Feature.dimension f)
@@ -84,7 +80,7 @@ let put_pending t buffer ((bond, lot) : State.bond * State.lot) =
       Packed.put_nat buffer leaf;
       Terms.put t.terms buffer term
     in
-    put_list buffer one list
+    Packed.put_list buffer one list
   in
   put_bond t buffer bond;
   match lot with
@@ -94,18 +90,18 @@ let put_pending t buffer ((bond, lot) : State.bond * State.lot) =
 
 let put_lots t buffer (l : State.lots) =
   Packed.put_rational buffer l.since;
-  put_list buffer (put_pending t) l.pending
+  Packed.put_list buffer (put_pending t) l.pending
 
 let put_process t buffer (p : State.process) =
   let parts = parts p in
   Packed.put_nat buffer parts;
-  put_list buffer (put_leaf t parts) (Array.to_list p.leaves);
-  put_list buffer (put_bond t) (Array.to_list p.bonds);
+  Packed.put_list buffer (put_leaf t parts) (Array.to_list p.leaves);
+  Packed.put_list buffer (put_bond t) (Array.to_list p.bonds);
   Packed.put_vector buffer p.velocity;
   if has has_turn parts then (
     Packed.put_vector buffer p.spin;
     Packed.put_rational buffer p.since;
-    put_list buffer Packed.put_rational (Option.to_list p.lasts);
+    Packed.put_list buffer Packed.put_rational (Option.to_list p.lasts);
     Packed.put_vector buffer p.kept);
   Option.iter (Packed.put_rational buffer) p.clock;
   Option.iter (put_phase buffer) p.phase;
@@ -121,8 +117,8 @@ let put_head buffer count =
   Packed.put_nat buffer count
 
 let put_rest buffer ~step ~time =
-  put_list buffer put_step (Option.to_list step);
-  put_list buffer Packed.put_rational (Option.to_list time)
+  Packed.put_list buffer put_step (Option.to_list step);
+  Packed.put_list buffer Packed.put_rational (Option.to_list time)
 
 let encode t (s : State.t) =
   let buffer = Buffer.create 256 in

@@ -1,6 +1,9 @@
 (** Large tables of numbers, in memory, or beyond some size in files that are mapped: what is not needed of those
     the system keeps on disk alone, and fetches again when it is. The files have no names and end with the
-    process. *)
+    process.
+
+    A process that is forked has the same files, and what it writes to a table of before shows on the other side:
+    it must not write to any, and begins with {!nowhere}. *)
 
 open Bigarray
 

@@ -63,8 +63,10 @@ let what_moved context from state =
   match moved from state with Some by -> Some (Witness.Together by) | None -> apart context from state
 
 (* A round on the graph may lead to another state than it began in, one that the same state of the graph stands
-   for: it is made again until a state recurs, where it was or somewhere else. *)
-let most_rounds = 64
+   for: it is made again until a state recurs, where it was or somewhere else. That is when names that bodies
+   took of each other are back: after the order of a permutation, which is 5460 at most for 32 bodies that are
+   alike. *)
+let most_rounds = 100_000
 
 let follow_lasso context graph steps cycle =
   let stem = List.filteri (fun i _ -> i < cycle) steps and round = drop cycle steps in
@@ -73,7 +75,7 @@ let follow_lasso context graph steps cycle =
     let next = follow_all context graph from round in
     match what_moved context entry.last next.last with
     | Some moved -> (next, moved)
-    | None -> if n >= most_rounds then (next, Witness.Together Vec.zero) else again (n + 1) next
+    | None -> if n >= most_rounds then Bug.fail __POS__ "a round that never comes back" else again (n + 1) next
   in
   again 1 entry
 

@@ -17,10 +17,6 @@ let bytes put =
   put buffer;
   Buffer.contents buffer
 
-let put_list buffer list =
-  Packed.put_nat buffer (List.length list);
-  List.iter (Packed.put_nat buffer) list
-
 let component c ~family number =
   let catalogue = catalogue c in
   bytes (fun b ->
@@ -29,7 +25,7 @@ let component c ~family number =
       | 0 -> State_codec.put_process (codec c) b (Catalogue.body catalogue number).process
       | 1 -> State_codec.put_step b (Catalogue.step_of_number catalogue number)
       | 2 -> Packed.put_rational b (Catalogue.rational catalogue number)
-      | _ -> put_list b (Network_lts.events_of_mark c number))
+      | _ -> Packed.put_list b Packed.put_nat (Network_lts.events_of_mark c number))
 
 let reading text read =
   let source = Packed.source text in

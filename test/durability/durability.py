@@ -8,6 +8,7 @@ the byte, or refuses the store with a code. --few is a part of it that takes som
 'N passed, N failed'.
 """
 import argparse
+import glob
 import os
 import random
 import resource
@@ -82,6 +83,25 @@ def killed_after(cmd, seconds, how=signal.SIGKILL):
         # Processes that worked for it end by themselves.
         if process.poll() is None:
             process.kill()
+
+
+def models(scc, folder, tally):
+    """Every model by one, two and four processes, kept, and from what was kept."""
+    count = 0
+    for path in sorted(glob.glob(MODELS + "*.sc") + glob.glob(MODELS + "laws/*.sc") + glob.glob(BENCH + "*.sc")):
+        args = [path, "--states", "2000"]
+        expected = run(command(scc, args + ["--jobs", "1"]))
+        for jobs in ["2", "4"]:
+            tally.check(run(command(scc, args + ["--jobs", jobs])) == expected, f"{path} by {jobs} processes")
+        store = os.path.join(folder, "of model")
+        kept = run(command(scc, args + ["--jobs", "2"], store))
+        if code_of(kept[2]) == "SC0901":
+            continue
+        tally.check(kept == expected, f"{path}, kept")
+        tally.check(run(command(scc, args, store)) == expected, f"{path}, from what was kept")
+        shutil.rmtree(store)
+        count += 1
+    print(f"{count} models", flush=True)
 
 
 def code_of(stderr):
@@ -226,7 +246,7 @@ def refusals(scc, folder, tally):
     tally.check(run(command(scc, model, store)) == expected, "a new store")
     n4 = [BENCH + "checker/hexokinase.sc", "-D", "n=4"]
     expect("another parameter", command(scc, n4, store), 3, "SC0911", "parameter n is 3 there, and 4 here")
-    expect("another model", command(scc, [MODELS + "chain.sc", "-D", "n=3"], store), 3, "SC0911", "model is")
+    expect("another model", command(scc, [MODELS + "chain.sc", "-D", "n=3"], store), 3, "SC0911", "the model is")
     expect("another option", command(scc, model + ["--depth", "5"], store), 3, "SC0911", "--depth is default there, and 5 here")
     expect("no reduction", command(scc, model + ["--no-reduce", "jump"], store), 3, "SC0911", "--no-reduce is")
     tally.check(run(command(scc, model + ["--seconds", "60"], store)) == expected, "limits of resources do not differ")
@@ -300,6 +320,8 @@ def main():
     tally = Tally()
     with tempfile.TemporaryDirectory() as folder:
         refusals(scc, folder, tally)
+        if not options.few and not options.only:
+            models(scc, folder, tally)
         kills(scc, names, instants, chance, folder, tally)
         interruptions(scc, some, chance, folder, tally)
         workers(scc, some[:3], chance, tally)
