@@ -12,10 +12,10 @@ let push s label target =
   Int_vector.push s.labels label;
   Int_vector.push s.targets target
 
-let set s i edges =
+let set s i ~labels ~targets =
   Int_vector.set s.first i (Int_vector.length s.targets);
-  push s 0 (List.length edges);
-  List.iter (fun (label, target) -> push s label target) edges
+  push s 0 (Array.length targets);
+  Array.iter2 (push s) labels targets
 
 let get s i edge =
   match Int_vector.get s.first i with

@@ -7,7 +7,7 @@ val create : unit -> t
 val make_room : t -> unit
 (** For one state more, without edges as yet. *)
 
-val set : t -> int -> (int * int) list -> unit
+val set : t -> int -> labels:int array -> targets:int array -> unit
 (** The labels and targets of the edges of a state, once. *)
 
 val get : t -> int -> (int -> int -> 'edge) -> 'edge array

@@ -153,14 +153,17 @@ module Make (L : Lts.S) = struct
 
   (* Shows the visitor those that are new, in the order of their numbers from [first] on. *)
   let introduce g around visitor ~first tuple steps targets =
-    let next = ref first in
-    let show (s : Lts.step) id =
-      if id = !next then begin
-        incr next;
-        Limits.within around (fun () -> visitor.found g id (Tuples.apply s.changes tuple))
-      end
+    let rec show next n = function
+      | [] -> ()
+      | (s : Lts.step) :: rest ->
+        let id = Array.unsafe_get targets n in
+        if id = next then begin
+          Limits.within around (fun () -> visitor.found g id (Tuples.apply s.changes tuple));
+          show (next + 1) (n + 1) rest
+        end
+        else show next (n + 1) rest
     in
-    List.iter2 show steps targets
+    if size g > first then show first 0 steps
 
   (* Whether an edge to a known state changes nothing: it takes no time, and leads deeper by no shorter way. *)
   let is_plain g i label target =
@@ -169,12 +172,12 @@ module Make (L : Lts.S) = struct
     && depth g target = depth g i + 1
 
   (* Whether the edge changes anything for its target. *)
-  let relax g limits visitor i e =
-    let matters = not (is_plain g i e.label e.target) in
+  let relax g limits visitor i label target =
+    let matters = not (is_plain g i label target) in
     if matters then begin
-      let better, is_earlier = improve g i e in
-      if is_earlier then visitor.earlier g e.target;
-      if better then settle g limits visitor e.target
+      let better, is_earlier = improve g i { label; target } in
+      if is_earlier then visitor.earlier g target;
+      if better then settle g limits visitor target
     end;
     matters
 
@@ -188,9 +191,22 @@ module Make (L : Lts.S) = struct
 
   (* The targets of the steps of a state that has just been loaded, and those that are new among them. *)
   let looked_up g limits i tuple steps =
-    List.iteri (fun n (s : Lts.step) -> Tuples.prepare g.tuples ~near:g.near s.changes n) steps;
-    Tuples.fetch g.tuples (List.length steps);
-    List.mapi (connect g limits i tuple) steps
+    let rec prepare n = function
+      | [] -> n
+      | (s : Lts.step) :: rest ->
+        Tuples.prepare g.tuples ~near:g.near s.changes n;
+        prepare (n + 1) rest
+    in
+    let count = prepare 0 steps in
+    Tuples.fetch g.tuples count;
+    let targets = Array.make count 0 in
+    let rec find n = function
+      | [] -> targets
+      | s :: rest ->
+        Array.unsafe_set targets n (connect g limits i tuple n s);
+        find (n + 1) rest
+    in
+    find 0 steps
 
   let not_as_noted () = Scc_base.Bug.fail __POS__ "an expansion is not what it was when it was noted"
 
@@ -202,21 +218,34 @@ module Make (L : Lts.S) = struct
         Tuples.prepare g.tuples ~near:g.near s.changes 0;
         if connect g limits i tuple 0 s = known then known else not_as_noted ()
     in
-    List.map target arrows
+    Array.of_list (List.map target arrows)
 
   let without_target = function New s -> s | Known { label; _ } -> { Lts.label; changes = [||] }
 
   (* The first edge to a state that is new makes it; others from the same state find it there. *)
-  let arrows ~first steps targets =
+  let arrows ~first steps targets matters =
     let next = ref first in
-    let arrow (s : Lts.step) target =
-      if target = !next then begin
+    let arrow n (s : Lts.step) =
+      if targets.(n) = !next then begin
         incr next;
-        New s
+        (New s, matters.(n))
       end
-      else Known { label = s.label; target }
+      else (Known { label = s.label; target = targets.(n) }, matters.(n))
     in
-    List.map2 arrow steps targets
+    List.mapi arrow steps
+
+  let labels_of steps = Array.of_list (List.map (fun (s : Lts.step) -> s.label) steps)
+
+  (* Whether each edge changes anything is kept, if somebody wants to know. *)
+  let relax_all g limits visitor i steps targets matters =
+    let rec each n = function
+      | [] -> ()
+      | (s : Lts.step) :: rest ->
+        let matter = relax g limits visitor i s.label (Array.unsafe_get targets n) in
+        if Array.length matters > 0 then matters.(n) <- matter;
+        each (n + 1) rest
+    in
+    each 0 steps
 
   (* Expands a state; or says what ends the exploration. *)
   let expand g (limits : Limits.t) around visitor expander i =
@@ -230,23 +259,15 @@ module Make (L : Lts.S) = struct
         let first = size g in
         let targets = targets () in
         g.transitions <- g.transitions + count;
-        let edge (s : Lts.step) target = { label = s.label; target } in
-        let keep store = Edge_store.set store i (List.map2 (fun (s : Lts.step) t -> (s.label, t)) steps targets) in
-        Option.iter keep g.edges;
+        Option.iter (fun store -> Edge_store.set store i ~labels:(labels_of steps) ~targets) g.edges;
         introduce g around visitor ~first tuple steps targets;
-        let follow s target = relax g limits visitor i (edge s target) in
-        let look () =
-          let edges () = Array.of_list (List.map2 edge steps targets) in
-          Option.iter (fun opened -> Limits.within around (fun () -> opened g i tuple (edges ()))) visitor.opened
+        let matters =
+          match expander.expanded with None -> [||] | Some _ -> Array.make (Array.length targets) false
         in
-        (match expander.expanded with
-         | None ->
-           List.iter2 (fun s target -> ignore (follow s target)) steps targets;
-           look ()
-         | Some told ->
-           let matter = List.map2 follow steps targets in
-           look ();
-           told i (List.combine (arrows ~first steps targets) matter));
+        relax_all g limits visitor i steps targets matters;
+        let edges () = Array.map2 (fun label target -> { label; target }) (labels_of steps) targets in
+        Option.iter (fun opened -> Limits.within around (fun () -> opened g i tuple (edges ()))) visitor.opened;
+        Option.iter (fun told -> told i (arrows ~first steps targets matters)) expander.expanded;
         None
     in
     match Limits.within around (fun () -> expander.expand i tuple) with

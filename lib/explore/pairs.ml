@@ -6,14 +6,15 @@ type narrow = (int32, int32_elt, c_layout) Array1.t
 type index = (int32, int32_elt, c_layout) Array1.t
 
 (* A pair is one key of 62 bits; the keys are kept in chunks, in the order of their numbers: narrow ones, of 32
-   bits for each, where all numbers are less than 2^16, and wide ones. The index is an open hash table of
-   numbers, with -1 in free slots and linear probing. *)
+   bits for each, where all numbers are less than 2^16, and wide ones. The index is an open hash table with linear
+   probing. Of the 32 bits of a key's hash, the upper ones are its slot, and the others stand in the slot beside the
+   number: hardly any key is read that is not the one that is looked for. *)
 type t = {
   mutable narrow : narrow array;  (** empty where the chunk is wide *)
   mutable wide : wide array;
   mutable size : int;
   mutable index : index;
-  mutable shift : int;  (** the index has 2^(63 - shift) slots *)
+  mutable bits : int;  (** the index has 2^bits slots *)
   in_files : bool;  (** tables may be made there ({!Spill}) *)
 }
 
@@ -25,16 +26,23 @@ let mask = (1 lsl half) - 1
 let int32s ~in_files count = if in_files then Spill.int32s count else Array1.create int32 c_layout count
 let ints ~in_files count = if in_files then Spill.ints count else Array1.create int c_layout count
 
+let word = 32
+
+(* No slot that is taken: at most four fifths are, and so no number has all of its bits set. *)
+let free = (1 lsl word) - 1
+
 let make_index ~in_files bits : index =
   let index = int32s ~in_files (1 lsl bits) in
   Array1.fill index (-1l);
   index
 
+let first_bits = 8
+
 let no_narrow : narrow = Array1.create int32 c_layout 0
 let no_wide : wide = Array1.create int c_layout 0
 
 let create ~in_files =
-  { narrow = [||]; wide = [||]; size = 0; index = make_index ~in_files 8; shift = 63 - 8; in_files }
+  { narrow = [||]; wide = [||]; size = 0; index = make_index ~in_files first_bits; bits = first_bits; in_files }
 
 let size p = p.size
 
@@ -68,12 +76,33 @@ let right p i =
   unpack_right (key p i)
 
 (* Fibonacci hashing: the upper bits of a product, after the upper half has been mixed into the lower. *)
-let[@inline] slot p k = ((k lxor (k lsr 29)) * 0x1E3779B97F4A7C15) lsr p.shift
+let[@inline] hash k = ((k lxor (k lsr 29)) * 0x1E3779B97F4A7C15) lsr (Sys.int_size - word)
 
-(* The slot that has the key, or the free one where it belongs. *)
-let rec probe p (index : index) k i =
-  let id = Int32.to_int (Array1.unsafe_get index i) in
-  if id < 0 || key p id = k then i else probe p index k ((i + 1) land (Array1.dim index - 1))
+let[@inline] slot h bits = h lsr (word - bits)
+let[@inline] tag h bits = h land ((1 lsl (word - bits)) - 1)
+let[@inline] entry (index : index) i = Int32.to_int (Array1.unsafe_get index i) land free
+let[@inline] number e bits = e land ((1 lsl bits) - 1)
+
+(* The first slot from this one on that is free, or has the tag. *)
+let rec candidate (index : index) bits tag i =
+  let e = entry index i in
+  if e = free || e lsr bits = tag then i else candidate index bits tag ((i + 1) land (Array1.dim index - 1))
+
+(* The number of the key; or, of one that is not there, the complement of the slot where it belongs. *)
+let rec probe p k tag i =
+  let i = candidate p.index p.bits tag i in
+  let e = entry p.index i in
+  if e = free then lnot i
+  else
+    let id = number e p.bits in
+    if key p id = k then id else probe p k tag ((i + 1) land (Array1.dim p.index - 1))
+
+let look p k =
+  let h = hash k in
+  probe p k (tag h p.bits) (slot h p.bits)
+
+let enter (index : index) bits i h id =
+  Array1.unsafe_set index i (Int32.of_int ((tag h bits lsl bits) lor id))
 
 (* An index is made of the keys alone: of a large one there is only one at a time. *)
 let large = 1 lsl 22
@@ -83,12 +112,14 @@ let enlarge p =
     p.index <- make_index ~in_files:false 0;
     Gc.full_major ()
   end;
-  let index = make_index ~in_files:p.in_files (63 - p.shift + 1) in
-  p.shift <- p.shift - 1;
-  let rec free i = if Int32.to_int index.{i} < 0 then i else free ((i + 1) land (Array1.dim index - 1)) in
+  let bits = p.bits + 1 in
+  let index = make_index ~in_files:p.in_files bits in
+  let rec vacant i = if entry index i = free then i else vacant ((i + 1) land (Array1.dim index - 1)) in
   for id = 0 to p.size - 1 do
-    index.{free (slot p (key p id))} <- Int32.of_int id
+    let h = hash (key p id) in
+    enter index bits (vacant (slot h bits)) h id
   done;
+  p.bits <- bits;
   p.index <- index
 
 let make_room p c =
@@ -117,7 +148,7 @@ let add p k i =
   if id > mask then Scc_base.Bug.fail __POS__ "more than 2^31 pairs";
   put p id k;
   p.size <- id + 1;
-  p.index.{i} <- Int32.of_int id;
+  enter p.index p.bits i (hash k) id;
   (* At most four fifths of the slots are taken. *)
   if 5 * p.size > 4 * Array1.dim p.index then enlarge p;
   id
@@ -127,32 +158,35 @@ let[@inline] pack l r =
   (l lsl half) lor r
 
 let intern_key p k =
-  let i = probe p p.index k (slot p k) in
-  let id = Int32.to_int (Array1.unsafe_get p.index i) in
+  let id = look p k in
   if id >= 0 then id
   else begin
     Scc_base.Critical.enter ();
-    let id = add p k i in
+    let id = add p k (lnot id) in
     Scc_base.Critical.leave ();
     id
   end
 
-let find_key p k = Int32.to_int (Array1.unsafe_get p.index (probe p p.index k (slot p k)))
+let find_key p k = Int.max (-1) (look p k)
 let intern p l r = intern_key p (pack l r)
 let find p l r = find_key p (pack l r)
 
 (* The loads of each loop do not wait for each other, as they do when each key is looked up by itself. *)
-let touch p (keys : int array) (ids : int array) count =
-  let index = p.index in
+let find_keys p (keys : int array) (ids : int array) count =
+  let index = p.index and bits = p.bits in
   for n = 0 to count - 1 do
-    Array.unsafe_set ids n (Int32.to_int (Array1.unsafe_get index (slot p (Array.unsafe_get keys n))))
+    Array.unsafe_set ids n (entry index (slot (hash (Array.unsafe_get keys n)) bits))
   done;
-  let sum = ref 0 in
   for n = 0 to count - 1 do
-    let id = Array.unsafe_get ids n in
-    if id >= 0 then sum := !sum lxor key p id
+    let h = hash (Array.unsafe_get keys n) in
+    let e = Array.unsafe_get ids n in
+    let e = if e lsr bits = tag h bits then e else entry index (candidate index bits (tag h bits) (slot h bits)) in
+    Array.unsafe_set ids n (if e = free then -1 else number e bits)
   done;
-  !sum
+  for n = 0 to count - 1 do
+    let id = Array.unsafe_get ids n and k = Array.unsafe_get keys n in
+    if id >= 0 && key p id <> k then Array.unsafe_set ids n (find_key p k)
+  done
 
 let bytes p =
   let narrow = Array.fold_left (fun n cells -> n + (4 * Array1.dim cells)) (4 * Array1.dim p.index) p.narrow in

@@ -23,9 +23,9 @@ val pack : int -> int -> int
 val intern_key : t -> int -> int
 val find_key : t -> int -> int
 
-val touch : t -> int array -> int array -> int -> int
-(** [touch p keys room n] reads what it will take to look up the first [n] packed pairs, into [room]: of those
-    that are far apart in memory, all are fetched at the same time. The result has no meaning. *)
+val find_keys : t -> int array -> int array -> int -> unit
+(** [find_keys p keys ids n] puts the numbers of the first [n] packed pairs into [ids], -1 where one has not been
+    seen: of those that are far apart in memory, all are fetched at the same time. *)
 
 (** {1 Reading} *)
 

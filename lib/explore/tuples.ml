@@ -14,7 +14,7 @@ type t = {
   mutable round : int;
   pending : int array;  (** nodes a child of which differs, increasing *)
   mutable keys : int array;  (** of several tuples: the pairs of their roots *)
-  mutable room : int array;
+  mutable ids : int array;  (** and their numbers, -1 for those that were not known *)
 }
 
 type spread = { count : int; node : int array }
@@ -55,7 +55,7 @@ let create ~width =
     round = 0;
     pending = Array.make nodes 0;
     keys = [||];
-    room = [||];
+    ids = [||];
   }
 
 let width t = t.width
@@ -170,10 +170,15 @@ let prepare t ~near changes n =
   if n >= Array.length t.keys then begin
     let longer a = Array.append a (Array.make (n + 16) 0) in
     t.keys <- longer t.keys;
-    t.room <- longer t.room
+    t.ids <- longer t.ids
   end;
   t.keys.(n) <- root_key t ~near changes Pairs.intern
 
-let fetch t count = ignore (Sys.opaque_identity (Pairs.touch t.roots t.keys t.room count))
-let intern_prepared t n = Pairs.intern_key t.roots t.keys.(n)
+let fetch t count = Pairs.find_keys t.roots t.keys t.ids count
+
+(* One that was not known may be the same as one before it. *)
+let intern_prepared t n =
+  let id = t.ids.(n) in
+  if id >= 0 then id else Pairs.intern_key t.roots t.keys.(n)
+
 let bytes t = Pairs.bytes t.inner + Pairs.bytes t.roots
