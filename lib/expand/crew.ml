@@ -33,19 +33,11 @@ module Make
 
   type answer = Look | Steps of { some : Lts.step list option; all : Lts.step list }
 
-  let put_step wire b (s : Lts.step) =
-    Wire.put_label wire b s.label;
-    Wire.put_changes wire b s.changes
-
   let put_steps wire b steps =
     Packed.put_nat b (List.length steps);
-    List.iter (put_step wire b) steps
+    List.iter (Wire.put_step wire b) steps
 
-  let read_step wire source =
-    let label = Wire.read_label wire source in
-    { Lts.label; changes = Wire.read_changes wire source }
-
-  let read_steps wire source = Packed.list source (read_step wire)
+  let read_steps wire source = Packed.list source (Wire.read_step wire)
 
   let read_answer wire source =
     match Packed.nat source with

@@ -16,6 +16,14 @@ module Make (E : Lts.Exchange) : sig
   val read_changes : t -> Packed.source -> Tuples.changes
 
   val put_tuple : t -> Buffer.t -> int array -> unit
+  (** Tuples are put and read in the same order, as each is told by what is different from the one before. They are
+      not written to afterwards; so are steps. *)
+
   val read_tuple : t -> Packed.source -> int array
+
+  val put_step : t -> Buffer.t -> Lts.step -> unit
+  (** In order as well. *)
+
+  val read_step : t -> Packed.source -> Lts.step
 end
 (** Readers raise {!Packed.Malformed} and [Failure]. *)

@@ -165,15 +165,17 @@ module Make (L : Lts.S) = struct
     in
     if size g > first then show first 0 steps
 
-  (* Whether an edge to a known state changes nothing: it takes no time, and leads deeper by no shorter way. *)
-  let is_plain g i label target =
-    (not (takes_time g label))
-    && Distances.arrival_number g.distances target = Distances.arrival_number g.distances i
-    && depth g target = depth g i + 1
+  (* An edge to a known state that clearly changes nothing leads deeper by no shorter way, and not earlier. No way
+     that goes on from a state leads to it sooner: of all of its edges, its own depth and arrival are the same. *)
+  let is_plain g ~deeper ~arrival label target =
+    Distances.arrival_number g.distances target = arrival
+    &&
+    let known = depth g target in
+    known = deeper || (known < deeper && takes_time g label)
 
   (* Whether the edge changes anything for its target. *)
-  let relax g limits visitor i label target =
-    let matters = not (is_plain g i label target) in
+  let relax g limits visitor i ~deeper ~arrival label target =
+    let matters = not (is_plain g ~deeper ~arrival label target) in
     if matters then begin
       let better, is_earlier = improve g i { label; target } in
       if is_earlier then visitor.earlier g target;
@@ -216,6 +218,7 @@ module Make (L : Lts.S) = struct
       | New s ->
         let known = size g in
         Tuples.prepare g.tuples ~near:g.near s.changes 0;
+        Tuples.fetch g.tuples 1;
         if connect g limits i tuple 0 s = known then known else not_as_noted ()
     in
     Array.of_list (List.map target arrows)
@@ -238,10 +241,11 @@ module Make (L : Lts.S) = struct
 
   (* Whether each edge changes anything is kept, if somebody wants to know. *)
   let relax_all g limits visitor i steps targets matters =
+    let deeper = depth g i + 1 and arrival = Distances.arrival_number g.distances i in
     let rec each n = function
       | [] -> ()
       | (s : Lts.step) :: rest ->
-        let matter = relax g limits visitor i s.label (Array.unsafe_get targets n) in
+        let matter = relax g limits visitor i ~deeper ~arrival s.label (Array.unsafe_get targets n) in
         if Array.length matters > 0 then matters.(n) <- matter;
         each (n + 1) rest
     in
@@ -296,7 +300,7 @@ module Make (L : Lts.S) = struct
       edges = (if keep_edges then Some (Edge_store.create ()) else None);
       transitions = 0;
       turning = At (Int_vector.create ());
-      timed = Timed_labels.create ();
+      timed = Timed_labels.create ~duration:(L.duration context);
     }
 
   let progress g i : Limits.progress =

@@ -53,7 +53,7 @@ module Make (L : Lts.S) = struct
 
   (** {2 Edges} *)
 
-  let takes_time g label = Timed_labels.takes_time g.timed label ~duration:(fun l -> L.duration g.context l)
+  let takes_time g label = Timed_labels.takes_time g.timed label
 
   (* Those that were put off when the state was expanded may lead to states that are not there. *)
   let edges_of_steps g steps =

@@ -7,8 +7,8 @@ type index = (int32, int32_elt, c_layout) Array1.t
 
 (* A pair is one key of 62 bits; the keys are kept in chunks, in the order of their numbers: narrow ones, of 32
    bits for each, where all numbers are less than 2^16, and wide ones. The index is an open hash table with linear
-   probing. Of the 32 bits of a key's hash, the upper ones are its slot, and the others stand in the slot beside the
-   number: hardly any key is read that is not the one that is looked for. *)
+   probing. Of the 32 bits of a key's hash, the upper ones are its slot, and the others stand in the slot beside
+   the number: hardly any key is read that is not the one that is looked for. *)
 type t = {
   mutable narrow : narrow array;  (** empty where the chunk is wide *)
   mutable wide : wide array;

@@ -2,7 +2,7 @@
 
 type t
 
-val create : unit -> t
+val create : duration:(int -> Scc_exact.Rat.t) -> t
+(** [duration] tells how long a label takes. *)
 
-val takes_time : t -> int -> duration:(int -> Scc_exact.Rat.t) -> bool
-(** Of a label, of which [duration] tells how long it takes when it is asked for the first time. *)
+val takes_time : t -> int -> bool

@@ -1,14 +1,19 @@
 type changes = int array
 
 (* Nodes of the tree are numbered from the slots, 0 to width - 1, upwards; the root is the last. Node k has the
-   children [left.(k)] and [right.(k)], of smaller numbers. *)
+   children [left.(k)] and [right.(k)], of smaller numbers, and the slots from [first.(k)] on, before
+   [beyond.(k)]. *)
 type t = {
   width : int;
   left : int array;
   right : int array;
+  first : int array;
+  beyond : int array;
   parent : int array;  (** -1 for none *)
+  block : int array;  (** of each slot: the node of the block that it is in *)
   inner : Pairs.t;
   roots : Pairs.t;
+  memory : Block_memory.t;
   work : int array;  (** of the tuple that is looked for: the nodes that differ from those of the one near it *)
   stamp : int array;  (** the round in which a node of [work] was written *)
   mutable round : int;
@@ -21,7 +26,9 @@ type spread = { count : int; node : int array }
 
 (* Halves of halves: few different parts, and so few to look up, are on the way from a slot to the root. *)
 let shape width =
-  let left = Array.make ((2 * width) - 1) (-1) and right = Array.make ((2 * width) - 1) (-1) in
+  let nodes = (2 * width) - 1 in
+  let left = Array.make nodes (-1) and right = Array.make nodes (-1) in
+  let first = Array.init nodes Fun.id and beyond = Array.init nodes succ in
   (* The node of the slots from [low] on, below [high], and the next number that is free: children come first. *)
   let rec build next low high =
     if high - low = 1 then (low, next)
@@ -31,25 +38,36 @@ let shape width =
       let r, next = build next middle high in
       left.(next) <- l;
       right.(next) <- r;
+      first.(next) <- low;
+      beyond.(next) <- high;
       (next, next + 1)
     end
   in
   ignore (build width 0 width);
-  (left, right)
+  (left, right, first, beyond)
+
+(* What changes within a block is looked up at once. *)
+let block_width = 8
 
 let create ~width =
   if width < 1 then Scc_base.Bug.fail __POS__ "a tuple of no numbers";
-  let left, right = shape width in
+  let left, right, first, beyond = shape width in
   let nodes = (2 * width) - 1 in
   let parent = Array.make nodes (-1) in
   for k = width to nodes - 1 do
     parent.(left.(k)) <- k;
     parent.(right.(k)) <- k
   done;
+  let rec block k =
+    let above = parent.(k) in
+    if above < 0 || parent.(above) < 0 || beyond.(above) - first.(above) > block_width then k else block above
+  in
   {
-    width; left; right; parent;
+    width; left; right; first; beyond; parent;
+    block = Array.init width block;
     inner = Pairs.create ~in_files:true;
     roots = Pairs.create ~in_files:true;
+    memory = Block_memory.create ();
     work = Array.make nodes 0;
     stamp = Array.make nodes 0;
     round = 0;
@@ -63,18 +81,24 @@ let size t = Pairs.size t.roots
 let spread t = { count = t.width; node = Array.make ((2 * t.width) - 1) (-1) }
 let slots s = Array.sub s.node 0 s.count
 
+(* What is loaded already, below a node that has the same number, is not loaded again. *)
+let rec load_node t node k v =
+  if Array.unsafe_get node k <> v then begin
+    Array.unsafe_set node k v;
+    if k >= t.width then begin
+      let key = Pairs.key t.inner v in
+      load_node t node (Array.unsafe_get t.left k) (Pairs.unpack_left key);
+      load_node t node (Array.unsafe_get t.right k) (Pairs.unpack_right key)
+    end
+  end
+
 (* The root is the pair of its children; of a single slot, the slot and nothing. *)
 let load_key t s key =
-  let node = s.node in
-  if t.width = 1 then node.(0) <- Pairs.unpack_left key
+  if t.width = 1 then s.node.(0) <- Pairs.unpack_left key
   else begin
     let root = (2 * t.width) - 2 in
-    node.(t.left.(root)) <- Pairs.unpack_left key;
-    node.(t.right.(root)) <- Pairs.unpack_right key;
-    for k = root - 1 downto t.width do
-      node.(t.left.(k)) <- Pairs.left t.inner node.(k);
-      node.(t.right.(k)) <- Pairs.right t.inner node.(k)
-    done
+    load_node t s.node t.left.(root) (Pairs.unpack_left key);
+    load_node t s.node t.right.(root) (Pairs.unpack_right key)
   end
 
 let load t s id = load_key t s (Pairs.key t.roots id)
@@ -139,21 +163,68 @@ let unchanged t near =
   let root = (2 * t.width) - 2 in
   Pairs.pack near.node.(t.left.(root)) near.node.(t.right.(root))
 
+(* {3 Blocks}
+
+   A block that some changes are made in: a function of its number and of them, whatever stands in other blocks. *)
+
+(* Of the changes from [low] on, before [high]: whether one is below the node; and what is in a slot after them. *)
+let rec touches t (changes : changes) low high k =
+  low < high
+  && ((changes.(low) >= t.first.(k) && changes.(low) < t.beyond.(k)) || touches t changes (low + 2) high k)
+
+let rec after changes low high slot v =
+  if low >= high then v
+  else after changes (low + 2) high slot (if changes.(low) = slot then changes.(low + 1) else v)
+
+let rec changed t changes low high look k id =
+  if not (touches t changes low high k) then id
+  else if k < t.width then after changes low high k id
+  else begin
+    let key = if id < 0 then -1 else Pairs.key t.inner id in
+    let l = changed t changes low high look t.left.(k) (if id < 0 then -1 else Pairs.unpack_left key) in
+    let r = changed t changes low high look t.right.(k) (if id < 0 then -1 else Pairs.unpack_right key) in
+    if l < 0 || r < 0 then -1 else look t.inner l r
+  end
+
+let block_after t changes low high look k id =
+  if high - low > 4 || id < 0 then changed t changes low high look k id
+  else begin
+    let change i = if i < high then Pairs.pack changes.(i) changes.(i + 1) else -1 in
+    let one = change low and two = change (low + 2) in
+    match Block_memory.find t.memory id one two with
+    | -1 ->
+      let after = changed t changes low high look k id in
+      if after >= 0 then Block_memory.keep t.memory id one two after;
+      after
+    | after -> after
+  end
+
+(* The end of the changes from [i] on that are in one block. *)
+let rec run t changes block i =
+  if i < Array.length changes && t.block.(changes.(i)) = block then run t changes block (i + 2) else i
+
+(* The blocks that changes from [i] on are in, with what is above those that are others now, of which there are
+   [count] with those before; -1, if there is a block that [look] does not know. *)
+let rec enter t near changes look i count =
+  if i >= Array.length changes then count
+  else begin
+    let k = t.block.(changes.(i)) in
+    let until = run t changes k (i + 2) in
+    let before = value t near k in
+    match block_after t changes i until look k before with
+    | -1 -> -1
+    | id when id = before -> enter t near changes look until count
+    | id ->
+      write t k id;
+      enter t near changes look until (put t 0 count t.parent.(k))
+  end
+
 let root_key t ~near changes look =
   if t.width = 1 then Pairs.pack (if Array.length changes = 0 then near.node.(0) else changes.(1)) 0
   else begin
     t.round <- t.round + 1;
-    let rec enter i count =
-      if i >= Array.length changes then count
-      else
-        let slot = changes.(i) and v = Array.unsafe_get changes (i + 1) in
-        if near.node.(slot) = v then enter (i + 2) count
-        else begin
-          write t slot v;
-          enter (i + 2) (put t 0 count t.parent.(slot))
-        end
-    in
-    match enter 0 0 with
+    match enter t near changes look 0 0 with
+    | -1 -> -1
     | 0 -> unchanged t near
     | count -> climb t near look 0 count
   end

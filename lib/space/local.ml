@@ -42,6 +42,7 @@ type t = {
   events : Property.event list;
   marks : Marks.t;
   natures : nature Growable.t;  (** of the first forms *)
+  mutable waits : Rat.t list;  (** of them, each once: equal ones are the same *)
   nobody : alone;
   singles : alone Recent.t;
   hits : hit Recent.t;
@@ -74,6 +75,7 @@ let create ~events ~time_seen ~memory semantics =
   {
     semantics; catalogue; events; marks; nobody;
     natures = Growable.create ();
+    waits = [];
     singles = Recent.create ~number:(fun a -> a.body.number) ~none:nobody ~most:memory;
     hits = Recent.create ~number:(fun h -> spread h.pair) ~none:{ pair = -1; moves = [] } ~most:memory;
   }
@@ -120,9 +122,16 @@ let move t (o : Transition.outcome) =
 
 (* {1 One process} *)
 
+let shared t wait =
+  match List.find_opt (Rat.equal wait) t.waits with
+  | Some known -> known
+  | None ->
+    t.waits <- wait :: t.waits;
+    wait
+
 let look_at_form t p =
   let splits = Network.urgent t.semantics p <> [] || Splits.weak t.semantics p <> [] in
-  { splits; wait = Time.wait (Semantics.model t.semantics) p }
+  { splits; wait = Option.map (shared t) (Time.wait (Semantics.model t.semantics) p) }
 
 let nature t form =
   for i = Growable.length t.natures to form do

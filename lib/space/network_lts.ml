@@ -227,7 +227,7 @@ let wait present =
   let least a (b : Local.alone) =
     match (a, b.nature.wait) with
     | None, d | d, None -> d
-    | Some d, Some e -> Some (Rat.min d e)
+    | Some d, Some e -> if d == e then a else Some (Rat.min d e)
   in
   Array.fold_left least None present
 

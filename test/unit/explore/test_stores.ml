@@ -33,7 +33,7 @@ let pairs =
 let tuples =
   let open Gen in
   let case =
-    let* width = int_range 1 9 in
+    let* width = oneof [ int_range 1 9; int_range 10 40 ] in
     let* list = list_size (int_range 1 300) (array_repeat width (int_range 0 2)) in
     let* near = list_repeat (List.length list) (int_range 0 1000) in
     return (width, List.combine list near)
@@ -69,6 +69,47 @@ let tuples =
             i = (if expected < 0 then size else expected) && Tuples.slots reader = tuple)
          list
        && Tuples.size t = Hashtbl.length known)
+
+(* Few changes at once, in places in any order, many times over: blocks that are remembered, and tuples that come
+   up twice among those of one batch. *)
+let batches =
+  let open Gen in
+  let case =
+    let* width = int_range 1 30 in
+    let change = pair (int_range 0 (width - 1)) (int_range 0 3) in
+    let* batches = list_size (int_range 1 100) (list_size (int_range 1 12) (list_size (int_range 0 6) change)) in
+    return (width, batches)
+  in
+  QCheck2.Test.make ~count:300 ~name:"Tuples numbers several at once as one after the other" case
+    (fun (width, batches) ->
+       let t = Tuples.create ~width and one_by_one = Tuples.create ~width in
+       let near = Tuples.spread t and other = Tuples.spread one_by_one in
+       let whole = Tuples.difference (Array.make width (-1)) (Array.make width 0) in
+       ignore (Tuples.intern t ~near whole);
+       ignore (Tuples.intern one_by_one ~near:other whole);
+       List.for_all
+         (fun batch ->
+            let i = Tuples.size t / 2 in
+            Tuples.load t near i;
+            Tuples.load one_by_one other i;
+            let each_once places =
+              List.sort_uniq (fun (i, _) (j, _) -> Int.compare i j) places
+              |> List.rev
+              |> List.concat_map (fun (i, v) -> [ i; v ])
+              |> Array.of_list
+            in
+            let batch = List.map each_once batch in
+            List.iteri (fun n changes -> Tuples.prepare t ~near changes n) batch;
+            Tuples.fetch t (List.length batch);
+            let together = List.mapi (fun n _ -> Tuples.intern_prepared t n) batch in
+            let apart = List.map (Tuples.intern one_by_one ~near:other) batch in
+            let right changes id =
+              let reader = Tuples.spread t in
+              Tuples.load t reader id;
+              Tuples.slots reader = Tuples.apply changes (Tuples.slots near)
+            in
+            together = apart && List.for_all2 right batch together)
+         batches)
 
 (* Against a list, in the order that is asked for. *)
 let frontier by_time =
@@ -114,6 +155,6 @@ let fingerprints () =
 let () =
   Alcotest.run "stores"
     [
-      ("random", Scc_test_support.Property.cases [ pairs; tuples; frontier false; frontier true ]);
+      ("random", Scc_test_support.Property.cases [ pairs; tuples; batches; frontier false; frontier true ]);
       ("cases", [ Alcotest.test_case "fingerprints" `Quick fingerprints ]);
     ]
