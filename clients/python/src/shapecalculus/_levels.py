@@ -53,10 +53,12 @@ def owner_class(ray: Any) -> Any:
     class Owner(Shard):
         def found(self) -> Tuple[Any, List[Any]]:
             told, out = self.expand()
-            return told, [ray.put(part) for part in out]
+            self.mine = out[self.number]
+            return told, [None if j == self.number else ray.put(part) for j, part in enumerate(out)]
 
         def take_in(self, refs: Sequence[Any]) -> Any:
-            return self.absorb(ray.get(list(refs)))
+            others = ray.get([ref for ref in refs if ref is not None])
+            return self.absorb([self.mine, *others])
 
     return Owner
 
@@ -275,8 +277,7 @@ class Exploration:
         parts = np.split(ranks, np.cumsum([len(k) for k in keys])[:-1])
         p.level, p.width = p.level + 1, len(order)
         p.depth = p.level if fresh > 0 else p.depth
-        self.get([o.commit.remote(p.level, part) for o, part in zip(self.owners, parts)])
-        p.too_long += sum(self.get([o.too_long.remote() for o in self.owners]))
+        p.too_long += sum(self.get([o.commit.remote(p.level, part) for o, part in zip(self.owners, parts)]))
         if p.level >= MOST_LEVELS and not p.stopped and fresh > 0:
             p.stopped = "levels"
         self.progress = p
