@@ -153,8 +153,8 @@ class Shard:
         self.filter.meet(prints)
         self.pending = Found(np.zeros(1, np.int64), np.zeros((1, 4), "<u4"), states)
 
-    def commit(self, level: int, ranks: Any) -> int:
-        """What was taken in is a level, and kept. How many of its states are too long."""
+    def commit(self, level: int, ranks: Any) -> None:
+        """What was taken in is a level, and kept."""
         if self.levels:
             self.levels[-1] = self.levels[-1].bare()
         self.levels.append(self.pending)
@@ -163,7 +163,6 @@ class Shard:
         self.roll_back()
         if self.folder is not None:
             put_file(file_name(self.folder, self.number, level), pickle.dumps((self.levels[-1], self.ranks), 5))
-        return int(self.levels[-1].states.too_long.sum())
 
     def restore(self, level: int) -> None:
         """To what was kept up to a level."""
@@ -227,9 +226,9 @@ class Shard:
             elif ahead and ahead["doubt"]:
                 told.ahead.append((rank, goal, 2))
 
-    def absorb(self, parts: Sequence[Found]) -> Tuple[Any, List[Tuple[int, int, int]]]:
-        """What others and itself have found of its states. The keys of those that are new, in order; and the goals
-        that hold or are undecided there: key, goal, 1 or 2."""
+    def absorb(self, parts: Sequence[Found]) -> Tuple[Any, List[Tuple[int, int, int]], int]:
+        """What others and itself have found of its states. The keys of those that are new, in order; the goals that
+        hold or are undecided there: key, goal, 1 or 2; and how many of them are too long."""
         found = together([f for f in parts if len(f)], self.filter.goals)
         order = np.argsort(found.keys, kind="stable")
         which = self.filter.meet(found.states.prints)[order]
@@ -239,7 +238,8 @@ class Shard:
         first[which[::-1]] = places[::-1]
         self.pending = found.picked(order[(which > 0) & (first[which] == places)])
         keys, goals = self.pending.keys, self.pending.states.goals
-        return keys, [(int(keys[i]), int(g), int(goals[i, g])) for i, g in zip(*np.nonzero(goals))]
+        told = [(int(keys[i]), int(g), int(goals[i, g])) for i, g in zip(*np.nonzero(goals))]
+        return keys, told, int(self.pending.states.too_long.sum())
 
     # Questions ------------------------------------------------------------------------
 
