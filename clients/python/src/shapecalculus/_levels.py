@@ -222,8 +222,11 @@ class Exploration:
         found = [o.found.options(num_returns=1 + self.count).remote() for o in self.owners]
         # Owners take in what the others have found as soon as that is there, without a word from here.
         futures = [o.take_in.remote(*[out[1 + j] for out in found]) for j, o in enumerate(self.owners)]
-        expanded = self.get([out[0] for out in found])
-        taken = self.get(futures)
+        try:
+            expanded, taken = self.get([out[0] for out in found]), self.get(futures)
+        except Lost:
+            self.hear(futures)
+            raise
         keys = np.concatenate([keys for keys, _, _ in taken])
         order = np.argsort(keys, kind="stable")
         # What is met, by when: the rank of the state that is expanded, a new state before what is met ahead of it.
@@ -258,6 +261,14 @@ class Exploration:
         p.too_long += sum(too_long for _, _, too_long in taken)
         self.commit(p, [keys for keys, _, _ in taken], order, fresh)
         return fresh > 0
+
+    def hear(self, futures: Sequence[Any]) -> None:
+        """Ray tells the user of errors that nobody has heard of."""
+        for future in futures:
+            try:
+                self.get([future])
+            except (Lost, ClusterFailed):
+                pass
 
     def last_rank(self, p: Progress, keys: Any) -> Optional[int]:
         """The last that may be expanded where states are bounded: the one after it has too many that are new."""
