@@ -17,8 +17,8 @@ val clear : states -> unit
 
 val read :
   Filter.t -> states -> string -> from:int -> int array -> (int -> int array -> Lts.step list -> unit) -> unit
-(** The states of a frame, by where they begin and their lengths, with what follows them; the transitions of each, with
-    its index and itself, are handed over. *)
+(** The states of a frame, by where they begin and their lengths, with what follows them; the transitions of each
+    are handed over, with its index and itself. *)
 
 (** {1 Targets} *)
 

@@ -129,8 +129,8 @@ let stands_at text from piece =
   in
   from + n <= String.length text && same 0
 
-(* Most processes are shorter than what is looked at, three parts of 8 bytes, and few of them begin alike and are not
-   the same. Near the end of a state there are fewer parts. *)
+(* Most processes are shorter than what is looked at, three parts of 8 bytes, and few of them begin alike and are
+   not the same. Near the end of a state there are fewer parts. *)
 let hash text from =
   let part k =
     let at = from + (8 * k) in

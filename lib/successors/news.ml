@@ -1,7 +1,13 @@
 open Scc_explore
 
 (* What is told to one home. *)
-type home = { targets : Columns.targets; sources : Buffer.t; choices : Buffer.t; prints : Buffer.t; mutable count : int }
+type home = {
+  targets : Columns.targets;
+  sources : Buffer.t;
+  choices : Buffer.t;
+  prints : Buffer.t;
+  mutable count : int;
+}
 
 type t = {
   known : Prints.t;

@@ -2,9 +2,9 @@ open Bigarray
 
 type int32s = (int32, int32_elt, c_layout) Array1.t
 
-(* Fingerprints are kept in chunks in the order of their numbers, four words each. The index is an open hash table of
-   numbers, with -1 in free slots and linear probing. A fingerprint is a sum of digests: any word of it will do as a
-   hash. It is not the first one that owners are told apart by. *)
+(* Fingerprints are kept in chunks in the order of their numbers, four words each. The index is an open hash table
+   of numbers, with -1 in free slots and linear probing. A fingerprint is a sum of digests: any word of it will do
+   as a hash, and it is not the first one, by which owners are told apart. *)
 type t = { mutable chunks : int32s array; mutable size : int; mutable index : int32s }
 
 let chunk_bits = 13

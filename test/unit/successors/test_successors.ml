@@ -163,7 +163,8 @@ let renewed () =
 
 (* Few different words, so that many fingerprints have some in common, and all hashes are the same few. *)
 let table =
-  QCheck2.Test.make ~name:"fingerprints as in a hash table" ~count:60 ~print:string_of_int QCheck2.Gen.int (fun seed ->
+  let name = "fingerprints as in a hash table" in
+  QCheck2.Test.make ~name ~count:60 ~print:string_of_int QCheck2.Gen.int (fun seed ->
       let rand = Random.State.make [| seed |] in
       let any = Random.State.int rand in
       let words = [| 0; 1; 255; 0x7FFF_FFFF; 0x8000_0000; 0xFFFF_FFFF; any 0x3FFF_FFFF; any 0x3FFF_FFFF |] in
@@ -193,7 +194,8 @@ let table =
 
 let many_prints () =
   let prints = Prints.create () and count = 50_000 in
-  let print i = Array.map (fun k -> (i * k) land 0xFFFF_FFFF) [| 0x9E3779B1; 0x85EBCA77; 0xC2B2AE3D; 0x27D4EB2F |] in
+  let factors = [| 0x9E3779B1; 0x85EBCA77; 0xC2B2AE3D; 0x27D4EB2F |] in
+  let print i = Array.map (fun k -> (i * k) land 0xFFFF_FFFF) factors in
   let put n = for i = 0 to n - 1 do assert (Prints.intern prints (print i) = i) done in
   put count;
   Prints.cut prints 30_000;
