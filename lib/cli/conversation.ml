@@ -4,7 +4,7 @@ exception Closed
 exception Interrupted
 
 (* An answer that is being written is written to its end. *)
-type t = { out : Buffer.t; mutable writing : bool; mutable interrupted : bool }
+type t = { out : Buffer.t; room : Bytes.t; mutable writing : bool; mutable interrupted : bool }
 
 let rec write_all bytes from stop =
   if from < stop then
@@ -21,9 +21,13 @@ let send c =
   let n = Buffer.length c.out in
   if n > 0 then begin
     c.writing <- true;
-    let bytes = Buffer.to_bytes c.out in
-    if n > 16 * enough then Buffer.reset c.out else Buffer.clear c.out;
-    write_all bytes 0 n;
+    for part = 0 to (n - 1) / enough do
+      let from = part * enough in
+      let size = Int.min enough (n - from) in
+      Buffer.blit c.out from c.room 0 size;
+      write_all c.room 0 size
+    done;
+    if n > 64 * enough then Buffer.reset c.out else Buffer.clear c.out;
     c.writing <- false;
     if c.interrupted then raise Interrupted
   end
@@ -47,7 +51,7 @@ let catch_signals c =
   Sys.set_signal Sys.sigterm (Sys.Signal_handle handle)
 
 let hold talk =
-  let c = { out = Buffer.create enough; writing = false; interrupted = false } in
+  let c = { out = Buffer.create enough; room = Bytes.create enough; writing = false; interrupted = false } in
   catch_signals c;
   match
     let code = talk c in

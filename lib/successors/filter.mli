@@ -82,6 +82,9 @@ val label_number : t -> int -> int
 
 val reached : t -> int array -> reached
 
+val reach : t -> int array -> Keys.fingerprint -> reached
+(** The same, of a state whose fingerprint is known. *)
+
 val renew : ?most:int -> t -> t
 (** With an empty memory, if what there is has become large (more processes of the network than [most]): tuples of
     the one before mean nothing to it then. Labels keep their numbers. *)

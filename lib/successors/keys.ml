@@ -25,11 +25,11 @@ type t = {
   mutable round : int;
 }
 
-let word text k = Int32.to_int (String.get_int32_le text (4 * k)) land modulus
+let word_in text k = Int32.to_int (String.get_int32_le text (4 * k)) land modulus
 
 let piece bytes =
   let digest = Digest.string bytes in
-  { bytes; print = Array.init words (word digest) }
+  { bytes; print = Array.init words (word_in digest) }
 
 let unknown = { bytes = ""; print = [||] }
 let recent_size = 1 lsl 14
@@ -129,11 +129,13 @@ let stands_at text from piece =
   in
   from + n <= String.length text && same 0
 
-(* Most processes are shorter than what is looked at, and few of them begin alike and are not the same. *)
-let looked_at = 24
-
+(* Most processes are shorter than what is looked at, three parts of 8 bytes, and few of them begin alike and are
+   not the same. Near the end of a state there are fewer parts. *)
 let hash text from =
-  let part k = Int64.to_int (String.get_int64_le text (from + (8 * k))) in
+  let part k =
+    let at = from + (8 * k) in
+    if at + 8 > String.length text then 0 else Int64.to_int (String.get_int64_le text at)
+  in
   let mixed = ((part 0 * 0x1E3779B97F4A7C15) lxor part 1) * 0x1E3779B97F4A7C15 in
   (((mixed lxor (mixed lsr 31) lxor part 2) * 0x1E3779B97F4A7C15) lsr 40) land (recent_size - 1)
 
@@ -145,17 +147,15 @@ let read_new t text from =
 
 (* The process that begins at a place of the text, and where it ends. *)
 let read_process t text from =
-  if from + looked_at > String.length text then read_new t text from
-  else
-    let k = hash text from in
-    let known = t.recent.(k) in
-    if known <> Catalogue.nobody && stands_at text from (process t known).bytes then
-      (known, from + String.length (process t known).bytes)
-    else begin
-      let number, next = read_new t text from in
-      t.recent.(k) <- number;
-      (number, next)
-    end
+  let k = hash text from in
+  let known = t.recent.(k) in
+  if known <> Catalogue.nobody && stands_at text from (process t known).bytes then
+    (known, from + String.length (process t known).bytes)
+  else begin
+    let number, next = read_new t text from in
+    t.recent.(k) <- number;
+    (number, next)
+  end
 
 let enter t tuple last number =
   let p = (Catalogue.body t.catalogue number).process in
@@ -219,15 +219,21 @@ let read t text ~from ~stop =
 
 let no_fingerprint () = Array.make words 0
 
+(* All fingerprints have four words. *)
+let[@inline] word_of (print : fingerprint) k = Array.unsafe_get print k
+let[@inline] put_word (print : fingerprint) k w = Array.unsafe_set print k (w land modulus)
+
 let add into print =
-  for k = 0 to words - 1 do
-    into.(k) <- (into.(k) + print.(k)) land modulus
-  done
+  put_word into 0 (word_of into 0 + word_of print 0);
+  put_word into 1 (word_of into 1 + word_of print 1);
+  put_word into 2 (word_of into 2 + word_of print 2);
+  put_word into 3 (word_of into 3 + word_of print 3)
 
 let take from print =
-  for k = 0 to words - 1 do
-    from.(k) <- (from.(k) - print.(k)) land modulus
-  done
+  put_word from 0 (word_of from 0 - word_of print 0);
+  put_word from 1 (word_of from 1 - word_of print 1);
+  put_word from 2 (word_of from 2 - word_of print 2);
+  put_word from 3 (word_of from 3 - word_of print 3)
 
 let fingerprint t tuple =
   let sum = Array.copy (rest t tuple).print in

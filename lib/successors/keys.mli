@@ -26,6 +26,9 @@ val read : t -> string -> from:int -> stop:int -> (int array, string) result
 
 type fingerprint = int array
 
+val words : int
+(** In a fingerprint. *)
+
 val fingerprint : t -> int array -> fingerprint
 
 val after : t -> fingerprint -> int array -> Scc_explore.Tuples.changes -> int array -> fingerprint

@@ -5,7 +5,7 @@ open Scc_semantics
 open Scc_space
 open Scc_exchange
 
-let version = 1
+let version = 2
 let digit c = Printf.sprintf "%02x" (Char.code c)
 let hex text = String.concat "" (List.map digit (List.of_seq (String.to_seq text)))
 let texts list = `List (List.map Json.text list)

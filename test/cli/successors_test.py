@@ -2,7 +2,7 @@
 """Explores models breadth first through `scc successors`, and compares with `scc check --no-reduce order`:
 the numbers of states and transitions, the verdicts, and the runs that show them.
 
-    successors_test.py SCC [--states N] [--least N] [--framing lines|batches] MODEL ...
+    successors_test.py SCC [--states N] [--least N] [--framing lines|batches|news] MODEL ...
 
 This explorer knows nothing of shapes: it has the bytes of states, and what the filter says of them. It is made from
 specs/successors.md alone. With --least, at least so many models have to be compared as a whole.
@@ -105,6 +105,63 @@ class Batches(Filter):
         return self.lines.close() or super().close()
 
 
+class News(Batches):
+    """One that tells only of what it has not told before, for two homes. Each third answer is forgotten and told again."""
+
+    def __init__(self, *of):
+        super().__init__(*of)
+        self.asked = 0
+        initial = bytes.fromhex(self.header['initial']['fingerprint'])
+        assert [self.meet(initial), self.meet(initial), self.keep(0), self.meet(initial)] == [1, 1, 1, 0]
+
+    def meet(self, fingerprint):
+        self.send(5, [], fingerprint)
+        return struct.unpack('<2I', self.frame())[1]
+
+    def keep(self, how):
+        self.send(6, [how])
+        return struct.unpack('<I', self.frame())[0]
+
+    def told(self, data):
+        self.send(4, [2, len(data)], data)
+        return [self.frame() for _ in range(3)]
+
+    def successors(self, state):
+        frames = self.told(bytes.fromhex(state))
+        self.asked += 1
+        if self.asked % 3 == 0:
+            self.keep(1)
+            again = self.told(bytes.fromhex(state))
+            assert again == frames, 'it is told in another way'
+        self.keep(0)
+        n, homes, text = struct.unpack_from('<3I', frames[0])
+        count, follows = struct.unpack_from('<IB', frames[0], 12)
+        assert (n, homes, len(frames[0])) == (1, 2, 17 + len(self.header['goals']) + text)
+        note = json.loads(frames[0][-text:])['notes'][0] if text else {}
+        found = sorted((m for home in (0, 1) for m in self.home(home, frames[1 + home])), key=lambda m: m['choice'])
+        names = ['moves', 'rests', 'ends', 'stops', 'fault', 'error']
+        answer = {'follows': names[follows], 'successors': found, 'transitions': count}
+        return dict(answer, **{k: v for k, v in note.items() if k != 'index'})
+
+    def home(self, home, frame):
+        n, size, text = struct.unpack_from('<3I', frame)
+        goals, at = len(self.header['goals']), 12 + 16 * n
+        sources, choices, lengths = (struct.unpack_from('<%dI' % n, frame, at + 4 * n * k) for k in range(3))
+        at += 12 * n
+        doubts = {d['index']: d['goals'] for d in json.loads(frame[-text:])['notes']} if text else {}
+        begins = at + n + n * goals
+        assert sources == (0,) * n and sum(lengths) == size and begins + size + text == len(frame)
+        for i in range(n):
+            fingerprint = frame[12 + 16 * i:28 + 16 * i]
+            assert int.from_bytes(fingerprint[:4], 'little') % 2 == home, 'it is told to another home'
+            truths = [bool(t) for t in frame[at + n + i * goals:at + n + (i + 1) * goals]]
+            found = {'choice': choices[i], 'fingerprint': fingerprint.hex(), 'goals': doubts.get(i, truths)}
+            if frame[at + i]:
+                found['too_long'] = True
+            yield dict(found, state=frame[begins:begins + lengths[i]].hex())
+            begins += lengths[i]
+
+
 class Search:
     """One exploration. States are numbered as they are found."""
 
@@ -164,12 +221,14 @@ class Search:
             return True
         moves = answer['successors']
         fresh = {m['fingerprint'] for m in moves if m['fingerprint'] not in self.number}
+        if 'transitions' in answer and len(fresh) < len(moves):
+            raise SystemExit('something is told that is known: %s' % answer)
         if len(self.states) + len(fresh) > self.most:
             return False
-        self.transitions += len(moves)
+        self.transitions += answer.get('transitions', len(moves))
         for k, m in enumerate(moves):
             if m['fingerprint'] not in self.number:
-                self.add(m, (i, k))
+                self.add(m, (i, m.get('choice', k)))
         for g, ahead in enumerate(answer.get('ahead', [])):
             if ahead:
                 self.look(g, i, ahead['met'] is not None, ahead['doubt'] is not None)
@@ -197,6 +256,9 @@ class Search:
         parts = [self.verdict(p) for p in of]
         decisive = kind == 'any'
         return decisive if decisive in parts else None if None in parts else not decisive
+
+
+FRAMINGS = {'lines': Filter, 'batches': Batches, 'news': News}
 
 
 def checked(scc, model, states, folder):
@@ -271,12 +333,12 @@ def main():
     parser.add_argument('models', nargs='+')
     parser.add_argument('--states', type=int, default=3000)
     parser.add_argument('--least', type=int, default=0)
-    parser.add_argument('--framing', choices=['lines', 'batches'], default='lines')
+    parser.add_argument('--framing', choices=sorted(FRAMINGS), default='lines')
     parser.add_argument('--verbose', action='store_true')
     given = parser.parse_args()
     compared, failed = 0, 0
     for path in given.models:
-        wrong = differences(given.scc, path, given.states, Filter if given.framing == 'lines' else Batches)
+        wrong = differences(given.scc, path, given.states, FRAMINGS[given.framing])
         if given.verbose:
             print(path, 'not compared' if wrong is None else 'same' if not wrong else 'DIFFERS', flush=True)
         if wrong is not None:

@@ -47,16 +47,17 @@ class Progress:
 
 
 def owner_class(ray: Any) -> Any:
-    """Shards as actors. What is found of others' states stays where it is until they fetch it."""
+    """Shards as actors. What is found of an owner's own states does not leave it."""
 
     @ray.remote(num_cpus=0, max_restarts=0, scheduling_strategy="SPREAD")
     class Owner(Shard):
-        def found(self) -> Tuple[Any, List[Any]]:
+        def found(self) -> Tuple[Any, ...]:
             told, out = self.expand()
-            return told, [ray.put(part) for part in out]
+            self.mine, out[self.number] = out[self.number], self.nothing()
+            return (told, *out)
 
-        def take_in(self, refs: Sequence[Any]) -> Any:
-            return self.absorb(ray.get(list(refs)))
+        def take_in(self, *others: Any) -> Any:
+            return self.absorb([self.mine, *others])
 
     return Owner
 
@@ -218,15 +219,19 @@ class Exploration:
         p = Progress(
             **{k: (v.copy() if isinstance(v, (dict, list)) else v) for k, v in self.progress.__dict__.items()}
         )
-        expanded = self.get([o.found.remote() for o in self.owners])
-        taken = self.get(
-            [self.owners[j].take_in.remote([parts[j] for _, parts in expanded]) for j in range(self.count)]
-        )
-        keys = np.concatenate([keys for keys, _ in taken])
+        found = [o.found.options(num_returns=1 + self.count).remote() for o in self.owners]
+        # Owners take in what the others have found as soon as that is there, without a word from here.
+        futures = [o.take_in.remote(*[out[1 + j] for out in found]) for j, o in enumerate(self.owners)]
+        try:
+            expanded, taken = self.get([out[0] for out in found]), self.get(futures)
+        except Lost:
+            self.hear(futures)
+            raise
+        keys = np.concatenate([keys for keys, _, _ in taken])
         order = np.argsort(keys, kind="stable")
         # What is met, by when: the rank of the state that is expanded, a new state before what is met ahead of it.
-        events = [((key // CHOICES, 0, key), goal, truth) for _, goals in taken for key, goal, truth in goals]
-        events += [((rank, 1, rank), goal, truth) for told, _ in expanded for rank, goal, truth in told.ahead]
+        events = [((key // CHOICES, 0, key), goal, truth) for _, goals, _ in taken for key, goal, truth in goals]
+        events += [((rank, 1, rank), goal, truth) for told in expanded for rank, goal, truth in told.ahead]
         last = self.last_rank(p, keys[order])
         first: Dict[int, Tuple[int, int, int]] = {}
         for when, goal, truth in sorted(events):
@@ -245,16 +250,25 @@ class Exploration:
         elif last is not None:
             p.stopped = "states"
         if last is None:
-            p.transitions += sum(told.transitions for told, _ in expanded)
+            p.transitions += sum(told.transitions for told in expanded)
             fresh = len(keys)
         else:
             p.transitions += sum(self.get([o.transitions_up_to.remote(last) for o in self.owners]))
             fresh = int(np.count_nonzero(keys // CHOICES <= last))
         p.states += fresh
-        p.faults += [t for told, _ in expanded for rank, t in told.faults if last is None or rank <= last]
-        p.ends += [t for told, _ in expanded for t in told.ends]
-        self.commit(p, [keys for keys, _ in taken], order, fresh)
+        p.faults += [t for told in expanded for rank, t in told.faults if last is None or rank <= last]
+        p.ends += [t for told in expanded for t in told.ends]
+        p.too_long += sum(too_long for _, _, too_long in taken)
+        self.commit(p, [keys for keys, _, _ in taken], order, fresh)
         return fresh > 0
+
+    def hear(self, futures: Sequence[Any]) -> None:
+        """Ray tells the user of errors that nobody has heard of."""
+        for future in futures:
+            try:
+                self.get([future])
+            except (Lost, ClusterFailed):
+                pass
 
     def last_rank(self, p: Progress, keys: Any) -> Optional[int]:
         """The last that may be expanded where states are bounded: the one after it has too many that are new."""
@@ -276,7 +290,6 @@ class Exploration:
         p.level, p.width = p.level + 1, len(order)
         p.depth = p.level if fresh > 0 else p.depth
         self.get([o.commit.remote(p.level, part) for o, part in zip(self.owners, parts)])
-        p.too_long += sum(self.get([o.too_long.remote() for o in self.owners]))
         if p.level >= MOST_LEVELS and not p.stopped and fresh > 0:
             p.stopped = "levels"
         self.progress = p

@@ -11,11 +11,11 @@ from __future__ import annotations
 import os
 import pickle
 from dataclasses import dataclass
-from typing import Any, List, Optional, Sequence, Set, Tuple
+from typing import Any, List, Optional, Sequence, Tuple
 
 import numpy as np
 
-from .successors import Filter, FilterFailed
+from .successors import Filter, FilterFailed, States, Told
 
 CHOICES = 1 << 24
 BATCH = 2048
@@ -31,64 +31,49 @@ def prints_of(data: bytes) -> Any:
     return np.frombuffer(data, "<u4").reshape(-1, 4)
 
 
-def words(prints: Any) -> Tuple[Any, Any]:
-    """Each fingerprint as two numbers."""
-    two = np.ascontiguousarray(prints).view("<u8")
-    return two[:, 0], two[:, 1]
-
-
-def first_of_each(data: bytes) -> Any:
-    """Of fingerprints one after the other, the places where each is for the first time, in order."""
-    low, high = words(prints_of(data))
-    _, first, same = np.unique(low, return_index=True, return_inverse=True)
-    if bool((high[first][same] != high).any()):
-        # Hardly ever have two of them half of their bits in common.
-        first = np.unique(np.stack([low, high]), axis=1, return_index=True)[1]
-    return np.sort(first)
-
-
 @dataclass
 class Found:
     """States that are new to some owner, as columns."""
 
     keys: Any  # of 64 bits
-    prints: Any
     before: Any  # fingerprints
-    too_long: Any
-    goals: Any  # a row for each state
-    states: List[bytes]
+    states: States
 
     def __len__(self) -> int:
         return len(self.keys)
 
     def picked(self, order: Any) -> "Found":
-        states = [self.states[i] for i in order.tolist()] if self.states else []
-        return Found(
-            self.keys[order],
-            self.prints[order],
-            self.before[order],
-            self.too_long[order],
-            self.goals[order],
-            states,
-        )
+        if np.array_equal(order, np.arange(len(self))):
+            return self
+        s = self.states
+        data = s.data.tobytes()
+        ends = np.cumsum(s.lengths, dtype=np.int64)
+        ends, lengths = ends[order], s.lengths[order]
+        cut = b"".join([data[i:j] for i, j in zip((ends - lengths).tolist(), ends.tolist())])
+        states = States(s.prints[order], s.too_long[order], s.goals[order], lengths, np.frombuffer(cut, "u1"))
+        return Found(self.keys[order], self.before[order], states)
 
     def bare(self) -> "Found":
         """What the way to a state takes, and no more."""
-        return Found(self.keys, self.prints, self.before, self.too_long, self.goals[:, :0], [])
+        s = self.states
+        none = np.zeros(0, "u1")
+        states = States(s.prints, s.too_long, np.zeros((len(self), 0), "u1"), none, none)
+        return Found(self.keys, self.before, states)
 
     def place(self, fingerprint: bytes) -> int:
-        return int(np.flatnonzero((self.prints == prints_of(fingerprint)[0]).all(axis=1))[0])
+        return int(np.flatnonzero((self.states.prints == prints_of(fingerprint)[0]).all(axis=1))[0])
 
 
 def together(parts: Sequence[Found], goals: int) -> Found:
+    if len(parts) == 1:
+        return parts[0]
     if not parts:
-        none = np.zeros((0, 4), "<u4")
-        return Found(np.zeros(0, np.int64), none, none, np.zeros(0, "u1"), np.zeros((0, goals), "u1"), [])
-    columns = [
-        np.concatenate([getattr(f, name) for f in parts])
-        for name in ("keys", "prints", "before", "too_long", "goals")
-    ]
-    return Found(*columns, [s for f in parts for s in f.states])
+        none, byte = np.zeros((0, 4), "<u4"), np.zeros(0, "u1")
+        states = States(none, byte, np.zeros((0, goals), "u1"), np.zeros(0, "<u4"), byte)
+        return Found(np.zeros(0, np.int64), none, states)
+    keys, before = (np.concatenate([getattr(f, name) for f in parts]) for name in ("keys", "before"))
+    names = ("prints", "too_long", "goals", "lengths", "data")
+    return Found(keys, before, States(*(np.concatenate([getattr(f.states, n) for f in parts]) for n in names)))
 
 
 @dataclass
@@ -150,13 +135,10 @@ class Shard:
         self.filter = Filter(model, arguments, scc=scc)
         if self.filter.header["digest"] != digest:
             raise FilterFailed("%s is another text here than where the check was asked for" % model)
-        self.known: Set[bytes] = set()
         self.levels: List[Found] = []  # without their states, but for the last one
         self.ranks: Any = np.zeros(0, np.int64)  # of the states of the last level
-        self.told_of: Set[bytes] = set()  # what this owner has told somebody of
-        self.sending: List[bytes] = []  # those of them that may still be lost
         self.counts: List[Tuple[Any, Any]] = []  # ranks of the last level, with how many transitions they have
-        self.pending = self.nothing()
+        self.pending = self.mine = self.nothing()
 
     def nothing(self) -> Found:
         return together([], self.filter.goals)
@@ -165,82 +147,69 @@ class Shard:
 
     def begin(self, fingerprint: bytes, state: bytes, too_long: int) -> None:
         """The initial state is this owner's."""
-        prints = prints_of(fingerprint)
-        goals = np.zeros((1, self.filter.goals), "u1")
-        self.pending = Found(
-            np.zeros(1, np.int64), prints, np.zeros((1, 4), "<u4"), np.array([too_long], "u1"), goals, [state]
-        )
+        prints, goals = prints_of(fingerprint), np.zeros((1, self.filter.goals), "u1")
+        lengths, data = np.array([len(state)], "<u4"), np.frombuffer(state, "u1")
+        states = States(prints, np.array([too_long], "u1"), goals, lengths, data)
+        self.filter.meet(prints)
+        self.pending = Found(np.zeros(1, np.int64), np.zeros((1, 4), "<u4"), states)
 
     def commit(self, level: int, ranks: Any) -> None:
         """What was taken in is a level, and kept."""
         if self.levels:
             self.levels[-1] = self.levels[-1].bare()
         self.levels.append(self.pending)
-        self._know(self.pending)
         self.ranks = np.array(ranks, np.int64)
-        self.sending = []
+        self.filter.keep()
         self.roll_back()
         if self.folder is not None:
             put_file(file_name(self.folder, self.number, level), pickle.dumps((self.levels[-1], self.ranks), 5))
 
-    def _know(self, found: Found) -> None:
-        data = found.prints.tobytes()
-        self.known.update(data[i : i + 16] for i in range(0, len(data), 16))
-
     def restore(self, level: int) -> None:
         """To what was kept up to a level."""
         assert self.folder is not None
-        self.roll_back()
-        self.known, self.levels, self.told_of = set(), [], set()
+        self.filter.forget(all_of_it=True)
+        self.levels = []
         for k in range(level + 1):
             data = get_file(file_name(self.folder, self.number, k))
             if data is None:
                 raise FilterFailed("%s is not there" % file_name(self.folder, self.number, k))
             found, self.ranks = pickle.loads(data)
             self.levels.append(found if k == level else found.bare())
-            self._know(found)
+            self.filter.meet(found.states.prints)
+        self.filter.keep()
+        self.roll_back()
 
     def roll_back(self) -> None:
-        """To the last level that was kept."""
-        self.told_of.difference_update(self.sending)
-        self.sending, self.pending, self.counts = [], self.nothing(), []
+        """To the last level that was kept. What the filter has told since then may be lost: it is told again."""
+        self.filter.forget()
+        self.pending, self.mine, self.counts = self.nothing(), self.nothing(), []
 
     def expand(self) -> Tuple[Expanded, List[Found]]:
-        """The states of the last level; and for each owner, what is found of its states."""
+        """The states of the last level; and for each owner, what is found of its states. The filter tells a state once,
+        when it is found first: by the least key that this owner has for it, as states are expanded by rank."""
+        self.roll_back()
         out: List[List[Found]] = [[] for _ in range(self.owners)]
         told = Expanded(0, [], [], [])
-        self.roll_back()
-        wanted = np.flatnonzero(self.levels[-1].too_long == 0)
-        for at in range(0, len(wanted), BATCH):
-            self._batch(self.levels[-1], wanted[at : at + BATCH], out, told)
+        last, ranks = self.levels[-1], self.ranks
+        if last.states.too_long.any():
+            wanted = np.flatnonzero(last.states.too_long == 0)
+            last, ranks = last.picked(wanted), ranks[wanted]
+        at = 0
+        for part in self.filter.news(last.states.lengths, last.states.data, self.owners, BATCH):
+            here = slice(at, at + len(part.counts))
+            self._part(ranks[here], last.states.prints[here], part, out, told)
+            at = here.stop
         return told, [together(parts, self.filter.goals) for parts in out]
 
-    def _batch(self, last: Found, part: Any, out: List[List[Found]], told: Expanded) -> None:
-        moves = self.filter.expand([last.states[i] for i in part.tolist()])
-        ranks = self.ranks[part]
-        told.transitions += int(moves.counts.sum())
-        self.counts.append((ranks, moves.counts))
-        for index, note in moves.notes.items():
-            self._note(int(ranks[index]), int(moves.follows[index]), note, told)
-        data, told_of = moves.fingerprints, self.told_of
-        fresh = [k for k in first_of_each(data).tolist() if data[16 * k : 16 * k + 16] not in told_of]
-        if not fresh:
-            return
-        sending = [data[16 * k : 16 * k + 16] for k in fresh]
-        told_of.update(sending)
-        self.sending += sending
-        places = np.array(fresh)
-        prints = prints_of(data)[places]
-        begins = np.concatenate([[0], np.cumsum(moves.counts, dtype=np.int64)])
-        sources = np.searchsorted(begins, places, side="right") - 1
-        targets = self.filter.targets(fresh)
-        keys = ranks[sources] * CHOICES + places - begins[sources]
-        found = Found(keys, prints, last.prints[part[sources]], targets.too_long, targets.goals, targets.states)
-        homes = prints[:, 0] % self.owners
-        for j in range(self.owners):
-            mine = np.flatnonzero(homes == j)
-            if len(mine):
-                out[j].append(found.picked(mine))
+    def _part(self, ranks: Any, prints: Any, part: Told, out: List[List[Found]], told: Expanded) -> None:
+        told.transitions += int(part.counts.sum())
+        self.counts.append((ranks, part.counts))
+        for index, note in part.notes.items():
+            self._note(int(ranks[index]), int(part.follows[index]), note, told)
+        for home, news in zip(out, part.homes):
+            if len(news.sources):
+                keys = ranks[news.sources] * CHOICES + news.choices
+                home.append(Found(keys, prints[news.sources], news.states))
 
     def _note(self, rank: int, follows: int, note: Any, told: Expanded) -> None:
         if follows == ERROR:
@@ -257,22 +226,20 @@ class Shard:
             elif ahead and ahead["doubt"]:
                 told.ahead.append((rank, goal, 2))
 
-    def absorb(self, parts: Sequence[Found]) -> Tuple[Any, List[Tuple[int, int, int]]]:
-        """What others and itself have found of its states. The keys of those that are new, in order; and the goals
-        that hold or are undecided there: key, goal, 1 or 2."""
+    def absorb(self, parts: Sequence[Found]) -> Tuple[Any, List[Tuple[int, int, int]], int]:
+        """What others and itself have found of its states. The keys of those that are new, in order; the goals that
+        hold or are undecided there: key, goal, 1 or 2; and how many of them are too long."""
         found = together([f for f in parts if len(f)], self.filter.goals)
-        data, known = found.prints.tobytes(), self.known
-        fresh = np.array([i for i in range(len(found)) if data[16 * i : 16 * i + 16] not in known], np.int64)
-        low, high = words(found.prints[fresh])
-        # The least key of each fingerprint.
-        order = fresh[np.lexsort((found.keys[fresh], high, low))]
-        low, high = words(found.prints[order])
-        first = np.ones(len(order), bool)
-        first[1:] = (low[1:] != low[:-1]) | (high[1:] != high[:-1])
-        order = order[first]
-        self.pending = found.picked(order[np.argsort(found.keys[order])])
-        keys, goals = self.pending.keys, self.pending.goals
-        return keys, [(int(keys[i]), int(g), int(goals[i, g])) for i, g in zip(*np.nonzero(goals))]
+        order = np.argsort(found.keys, kind="stable")
+        which = self.filter.meet(found.states.prints)[order]
+        # Of each state that is new, the first place in this order: what is written last stays.
+        places = np.arange(len(order))
+        first = np.zeros(int(which.max(initial=0)) + 1, np.int64)
+        first[which[::-1]] = places[::-1]
+        self.pending = found.picked(order[(which > 0) & (first[which] == places)])
+        keys, goals = self.pending.keys, self.pending.states.goals
+        told = [(int(keys[i]), int(g), int(goals[i, g])) for i, g in zip(*np.nonzero(goals))]
+        return keys, told, int(self.pending.states.too_long.sum())
 
     # Questions ------------------------------------------------------------------------
 
@@ -280,14 +247,11 @@ class Shard:
         """Of the states of the last level up to a rank."""
         return sum(int(counts[ranks <= rank].sum()) for ranks, counts in self.counts)
 
-    def too_long(self) -> int:
-        return int(self.levels[-1].too_long.sum())
-
     def fingerprint_of(self, value: int, by_rank: bool) -> Optional[bytes]:
         """Of a state of the last level, by its rank; or of one that was taken in, by its key. Or of another owner."""
         found, values = (self.levels[-1], self.ranks) if by_rank else (self.pending, self.pending.keys)
         places = np.flatnonzero(values == value)
-        return found.prints[places[0]].tobytes() if len(places) else None
+        return found.states.prints[places[0]].tobytes() if len(places) else None
 
     def step_to(self, level: int, fingerprint: bytes) -> Tuple[bytes, int]:
         """The state before one of a level, and the choice that leads from there."""

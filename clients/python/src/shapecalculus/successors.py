@@ -6,13 +6,14 @@ import json
 import os
 import struct
 import subprocess
+import threading
 from dataclasses import dataclass
-from typing import Any, List, Optional, Sequence
+from typing import Any, Iterator, List, Optional, Sequence
 
 import numpy as np
 
 #: The version of specs/successors.md that this client speaks.
-VERSION = 1
+VERSION = 2
 
 FOLLOWS = ("moves", "rests", "ends", "stops", "fault", "error")
 
@@ -22,26 +23,47 @@ class FilterFailed(Exception):
 
 
 @dataclass(frozen=True)
-class Moves:
-    """What follows some states, in columns: see specs/successors.md."""
+class States:
+    """States one after the other, in columns; in frames of the filter, or cut out of them."""
 
-    follows: Any  #: a number for each state, an index into FOLLOWS
-    counts: Any  #: how many transitions each has
-    ahead: Any  #: for each state, a number for each goal
-    fingerprints: bytes  #: 16 bytes for each transition
-    labels: Any  #: the number of each transition's label
-    notes: Any  #: by the index of a state
+    prints: Any  #: fingerprints: a row of four numbers for each state
+    too_long: Any
+    goals: Any  #: for each state, a number for each goal: 0 false, 1 true, 2 undecided
+    lengths: Any
+    data: Any  #: the bytes of all states
 
 
 @dataclass(frozen=True)
-class Targets:
-    too_long: Any
-    goals: Any  #: for each target, a number for each goal: 0 false, 1 true, 2 undecided
-    states: List[bytes]
+class News:
+    """Of the targets of some transitions, those that had not been told before."""
+
+    sources: Any  #: for each target, the index of the state before it
+    choices: Any  #: the place of the transition among those of that state
+    states: States
+
+
+@dataclass(frozen=True)
+class Told:
+    """What follows some states: see specs/successors.md."""
+
+    follows: Any  #: a number for each state, an index into FOLLOWS
+    counts: Any  #: how many transitions each has
+    notes: Any  #: by the index of a state
+    homes: List[News]
 
 
 def scc_path(scc: Optional[str]) -> str:
     return scc or os.environ.get("SCC") or "scc"
+
+
+def widen(pipe: Any) -> None:
+    """Fewer turns between the two ends, where the system can."""
+    try:
+        import fcntl
+
+        fcntl.fcntl(pipe.fileno(), 1031, 1 << 20)  # F_SETPIPE_SZ, of Linux
+    except (ImportError, OSError, ValueError):
+        pass
 
 
 class Filter:
@@ -57,6 +79,8 @@ class Filter:
             )
         except OSError as e:
             raise FilterFailed("%s cannot be run: %s" % (command[0], e.strerror)) from None
+        for pipe in (self.process.stdin, self.process.stdout):
+            widen(pipe)
         self.header = self._header()
         self.goals = len(self.header["goals"])
 
@@ -77,10 +101,11 @@ class Filter:
         said = self.process.stderr.read().decode(errors="replace").strip()
         return FilterFailed(said or "the filter ended with exit code %s" % self.process.wait())
 
-    def _send(self, data: bytes) -> None:
+    def _send(self, *parts: Any) -> None:
         assert self.process.stdin is not None
         try:
-            self.process.stdin.write(data)
+            for data in parts:
+                self.process.stdin.write(data)
             self.process.stdin.flush()
         except OSError:
             raise self._failure() from None
@@ -96,36 +121,68 @@ class Filter:
             raise self._failure()
         return body
 
-    def _ask(self, kind: int, numbers: Any, data: bytes = b"") -> bytes:
-        numbers = np.asarray(numbers, dtype="<u4")
-        body = struct.pack("<II", kind, len(numbers)) + numbers.tobytes() + data
-        self._send(struct.pack("<I", len(body)) + body)
+    def _ask(self, kind: int, numbers: Any, data: Any = b"") -> bytes:
+        self._request(kind, numbers, data)
         return self._frame()
 
-    def expand(self, states: Sequence[bytes]) -> Moves:
-        """The transitions of these states."""
-        a = self._ask(2, [len(s) for s in states], b"".join(states))
-        n, m, text = struct.unpack_from("<3I", a)
-        at = 12
-        follows = np.frombuffer(a, "u1", n, at)
-        counts = np.frombuffer(a, "<u4", n, at + n)
-        ahead = np.frombuffer(a, "u1", n * self.goals, at + 5 * n).reshape(n, self.goals)
-        at += 5 * n + n * self.goals
-        fingerprints = a[at : at + 16 * m]
-        labels = np.frombuffer(a, "<u4", m, at + 16 * m)
-        told = json.loads(a[at + 20 * m :]) if text else {}
-        return Moves(follows, counts, ahead, fingerprints, labels, {d["index"]: d for d in told.get("notes", [])})
+    def _request(self, kind: int, numbers: Any, data: Any) -> None:
+        numbers = np.asarray(numbers, dtype="<u4")
+        head = struct.pack("<3I", 8 + numbers.nbytes + len(data), kind, len(numbers))
+        self._send(head + numbers.tobytes(), data)
 
-    def targets(self, places: Sequence[int]) -> Targets:
-        """Of the transitions at these places of the last answer of :meth:`expand`."""
-        a = self._ask(3, places)
+    def news(self, lengths: Any, data: Any, homes: int, batch: int) -> Iterator[Told]:
+        """What follows these states, so many at a time, and of the targets what is not remembered, for each home. All
+        is remembered. The filter works on the next ones meanwhile."""
+        ends = np.concatenate([[0], np.cumsum(lengths, dtype=np.int64)])
+        places = [(i, min(i + batch, len(lengths))) for i in range(0, len(lengths), batch)]
+
+        def ask() -> None:
+            try:
+                for i, j in places:
+                    numbers = np.concatenate([[homes], lengths[i:j]])
+                    self._request(4, numbers, data[int(ends[i]) : int(ends[j])])
+            except FilterFailed:
+                pass  # Whoever waits for the answer finds out.
+
+        asking = threading.Thread(target=ask, daemon=True)
+        asking.start()
+        for _ in places:
+            yield self._told()
+        asking.join()
+
+    def _told(self) -> Told:
+        a = self._frame()
+        n, homes, text = struct.unpack_from("<3I", a)
+        counts = np.frombuffer(a, "<u4", n, 12)
+        follows = np.frombuffer(a, "u1", n, 12 + 4 * n)
+        told = json.loads(a[12 + (5 + self.goals) * n :]) if text else {}
+        notes = {d["index"]: d for d in told.get("notes", [])}
+        return Told(follows, counts, notes, [self._home() for _ in range(homes)])
+
+    def _home(self) -> News:
+        a = self._frame()
         n, size, _ = struct.unpack_from("<3I", a)
-        too_long = np.frombuffer(a, "u1", n, 12)
-        goals = np.frombuffer(a, "u1", n * self.goals, 12 + n).reshape(n, self.goals)
-        at = 12 + n + n * self.goals
-        ends = at + 4 * n + np.cumsum(np.frombuffer(a, "<u4", n, at), dtype=np.int64)
-        begins = [at + 4 * n] + ends.tolist()
-        return Targets(too_long, goals, [a[i:j] for i, j in zip(begins, begins[1:])])
+        prints = np.frombuffer(a, "<u4", 4 * n, 12).reshape(n, 4)
+        sources, choices, lengths = np.frombuffer(a, "<u4", 3 * n, 12 + 16 * n).reshape(3, n)
+        at = 12 + 28 * n
+        too_long = np.frombuffer(a, "u1", n, at)
+        goals = np.frombuffer(a, "u1", n * self.goals, at + n).reshape(n, self.goals)
+        data = np.frombuffer(a, "u1", size, at + n + n * self.goals)
+        return News(sources, choices, States(prints, too_long, goals, lengths, data))
+
+    def meet(self, prints: Any) -> Any:
+        """Of each of these fingerprints, 0 if it was remembered when :meth:`keep` was called last; else a number, the
+        same for the same ones. All are remembered."""
+        a = self._ask(5, [], np.ascontiguousarray(prints, "<u4").tobytes())
+        return np.frombuffer(a, "<u4", len(prints), 4)
+
+    def keep(self) -> None:
+        """What is remembered stays so."""
+        self._ask(6, [0])
+
+    def forget(self, all_of_it: bool = False) -> None:
+        """What is remembered since :meth:`keep` was called last."""
+        self._ask(6, [2 if all_of_it else 1])
 
     def run(self, goal: int, choices: Sequence[int]) -> Any:
         """Of a filter in lines: the schedule of a run that was found, and the property that it is about."""
