@@ -8,7 +8,8 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
-from ._shard import CHOICES, Shard, get_file, owner_of, put_file
+from ._files import BadFile, CannotKeep, get_file, place, put_file
+from ._shard import CHOICES, Shard, owner_of
 from .successors import FilterFailed
 
 #: Paths with more transitions than this may go on for ever within one instant.
@@ -97,8 +98,10 @@ class Exploration:
             cause = e.cause if isinstance(e.cause, Exception) else e
             if isinstance(cause, (self.ray.exceptions.ObjectLostError, self.ray.exceptions.RayActorError)):
                 raise Lost(str(cause)) from None
-            if isinstance(cause, FilterFailed):
+            if isinstance(cause, (FilterFailed, BadFile)):
                 raise ClusterFailed(str(cause), 3) from None
+            if isinstance(cause, CannotKeep):
+                raise cause from None
             raise
         except (
             self.ray.exceptions.RayActorError,
@@ -156,7 +159,7 @@ class Exploration:
         return dict({k: self.header[k] for k in names}, owners=self.count, states=self.most)
 
     def manifest(self) -> str:
-        return "%s/manifest.json" % str(self.folder).rstrip("/")
+        return place(str(self.folder), "manifest.json")
 
     def keep(self) -> None:
         if self.folder is not None:

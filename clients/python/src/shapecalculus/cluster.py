@@ -14,6 +14,7 @@ import threading
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence
 
+from ._files import BadFile, CannotKeep, make_folder
 from ._levels import MOST_LEVELS, ClusterFailed, Exploration, Progress
 from .successors import Filter, FilterFailed
 
@@ -180,14 +181,14 @@ def check(
             base = checkpoint or (scratch if address is None else None)
             for number in numbers:
                 folder = None if base is None else "%s/%d" % (base.rstrip("/"), number)
-                if folder is not None and "://" not in folder:
-                    os.makedirs(folder, exist_ok=True)
+                if folder is not None:
+                    make_folder(folder)
                 of_this = given + ["--exploration", str(number)]
                 explored(ray, model, of_this, scc, owners, folder, states, progress, disturb, report)
-    except FilterFailed as e:
+    except (FilterFailed, BadFile) as e:
         raise ClusterFailed(str(e), 3) from None
-    except OSError as e:
-        raise ClusterFailed("a shard cannot be kept: %s" % e, 4) from None
+    except CannotKeep as e:
+        raise ClusterFailed("nothing can be kept: %s" % e, 74) from None
     return report
 
 
