@@ -82,7 +82,7 @@ let in_all o = o.summary || Option.is_some o.plot
 
 (* What is gone on with: how many runs there are, as text, and as runs where something is told of all of them. *)
 let before o report =
-  let exact = if in_all o then { report with Report.digits = Exactly } else report in
+  let exact = if in_all o then { report with Report.form = Jsonl; digits = Exactly } else report in
   match o.resume with
   | None -> Ok (0, Report.header report, [])
   | Some path ->
@@ -227,7 +227,7 @@ let fitting o =
   else if List.exists (fun q -> Rat.compare q Rat.one > 0) o.quantiles then Error "a quantile is not above 1"
   else
     match o.resume with
-    | Some _ when o.form = Csv -> Error "--resume goes on with JSON Lines: --format jsonl"
+    | Some _ when o.form = Csv && not o.summary -> Error "--resume goes on with JSON Lines: --format jsonl"
     | Some _ when Option.is_some o.part -> Error "--resume does not go with --part"
     | Some _ when Option.is_some o.decimals && Option.is_some o.plot && not o.summary ->
       Error "--resume with --decimals does not go with --plot, which takes exact numbers"

@@ -88,6 +88,7 @@ What is told of all runs counts those that were there, and leaves their file alo
   $ sim --runs 40 --format jsonl --summary --decimals 3 > once.jsonl
   $ cp less.jsonl kept.jsonl
   $ sim --runs 40 --format jsonl --summary --decimals 3 --plot twice.svg --resume less.jsonl | cmp - once.jsonl
+  $ sim --runs 40 --summary --decimals 3 --resume less.jsonl | cmp - once.csv
   $ cmp once.svg twice.svg
   $ cmp less.jsonl kept.jsonl
   $ sim --runs 40 --format jsonl --plot twice.svg --resume less.jsonl
