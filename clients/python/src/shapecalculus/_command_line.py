@@ -10,7 +10,9 @@ something is undecided, a run was over early, or a point is invalid; 3 the model
 work or damaged; 4 interrupted, or an owner or a part is lost for good; 64 a wrong command line, or a property that is
 not served; 69 the cluster does not answer; 70 a fault of the program; 74 something cannot be written"""
 
-LIKE = "What it writes is what `scc %s' does, on however many processors; see `scc %s --help' for what is asked for."
+LIKE = (
+    "What it writes is what `scc %s' does, on however many processors; see `scc %s --help' for what is asked for."
+)
 
 
 def define(text: str) -> List[str]:
@@ -41,7 +43,9 @@ class Parser(argparse.ArgumentParser):
 def where(p: argparse.ArgumentParser, keeps: str) -> None:
     p.add_argument("model", help="the model, at a path that all machines share")
     g = p.add_argument_group("where it is done")
-    g.add_argument("--address", help="of a Ray cluster: ray://host:10001, host:6379 or auto; else Ray is started here")
+    g.add_argument(
+        "--address", help="of a Ray cluster: ray://host:10001, host:6379 or auto; else Ray is started here"
+    )
     g.add_argument(
         "--deadline", type=positive(float), default=60.0, metavar="S", help="wait so long for the address (60)"
     )
@@ -55,9 +59,7 @@ def written(p: argparse.ArgumentParser) -> None:
 
 
 def parser() -> argparse.ArgumentParser:
-    top = Parser(
-        prog="scc-cluster", description="The Shape Calculus on many machines, by Ray.", epilog=EXITS
-    )
+    top = Parser(prog="scc-cluster", description="The Shape Calculus on many machines, by Ray.", epilog=EXITS)
     commands = top.add_subparsers(dest="command", required=True)
 
     p = commands.add_parser("check", help="explore a model, and decide its searches", epilog=EXITS)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import json
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
@@ -218,9 +219,7 @@ class Exploration:
 
     def next_level(self) -> bool:
         """Whether there are states to go on with. Nothing of it counts before it is whole."""
-        p = Progress(
-            **{k: (v.copy() if isinstance(v, (dict, list)) else v) for k, v in self.progress.__dict__.items()}
-        )
+        p = copy.deepcopy(self.progress)
         expanded = self.get([o.found.remote() for o in self.owners])
         taken = self.get(
             [self.owners[j].take_in.remote([parts[j] for _, parts in expanded]) for j in range(self.count)]

@@ -88,9 +88,7 @@ def do_part(work: Work, which: str, first: bytes) -> Done:
 class Spread:
     """The parts of some work, from a checkpoint or by tasks."""
 
-    def __init__(
-        self, ray: Any, work: Work, count: int, folder: Optional[str], asked: bytes, first_line: bytes
-    ):
+    def __init__(self, ray: Any, work: Work, count: int, folder: Optional[str], asked: bytes, first_line: bytes):
         self.ray, self.work, self.count, self.folder = ray, work, count, folder
         self.what = "runs" if work.command == "simulate" else "points"
         self.asked, self.first_line = asked, first_line
@@ -155,9 +153,11 @@ class Spread:
         try:
             done: Done = self.ray.get(future)
         except (lost.WorkerCrashedError, lost.NodeDiedError, lost.ObjectLostError, lost.OutOfMemoryError) as e:
-            return self.was_lost(part, str(e), MOST_TRIES)
+            self.was_lost(part, str(e), MOST_TRIES)
+            return None
         if done.code < 0 or done.code in (4, 70):
-            return self.was_lost(part, done.said or "scc was ended by signal %d" % -done.code, MOST_DEATHS)
+            self.was_lost(part, done.said or "scc was ended by signal %d" % -done.code, MOST_DEATHS)
+            return None
         if done.code not in (0, 2, 3) or not done.text.startswith(self.first_line):
             raise ClusterFailed(without_name(done.said) or "a part has another first line", done.code or 3)
         return done

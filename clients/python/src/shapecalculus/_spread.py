@@ -196,6 +196,8 @@ def sweep(
     """What ``shapecalculus.sweep`` gives, made by all processors of a cluster: see there, and ``simulate``."""
     pieces: List[bytes] = []
     where = Place(address, deadline, checkpoint, progress, disturb)
-    defines = ["%s=%s" % (name, ",".join(str(numbers.to_json(v)) for v in values)) for name, values in grid.items()]
+    defines = [
+        "%s=%s" % (name, ",".join(str(numbers.to_json(v)) for v in values)) for name, values in grid.items()
+    ]
     swept(model, defines, where, pieces.append, form="jsonl", options=options, scc=scc)
     return sweep_records(b"".join(pieces).decode().splitlines())

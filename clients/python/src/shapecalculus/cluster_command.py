@@ -6,7 +6,7 @@ import json
 import os
 import sys
 import time
-from typing import Any, BinaryIO, Callable, List, Optional
+from typing import Any, Callable, List, Optional
 
 from . import cluster
 from ._command_line import parser
@@ -139,9 +139,7 @@ def spread(given: Any) -> int:
         bounds = ("depth", "time", "states", "seconds", "memory", "bits")
         options = ["--%s=%s" % (b, getattr(given, b)) for b in bounds if getattr(given, b) is not None]
         defines = ["=".join(d) for d in given.define]
-        outcome = swept(
-            given.model, defines, where, out.write, form=given.format, options=options, scc=given.scc
-        )
+        outcome = swept(given.model, defines, where, out.write, form=given.format, options=options, scc=given.scc)
     else:
         outcome = simulated(
             given.model,
@@ -172,9 +170,7 @@ def noted(command: str, o: Outcome) -> None:
         sys.stderr.write("scc-cluster: the model is invalid at %d of %d points\n" % (o.not_there, o.count))
     elif o.not_there:
         runs = "1 run" if o.not_there == 1 else "%d runs" % o.not_there
-        sys.stderr.write(
-            "scc-cluster: %s did not come to the last time; what was not observed is empty\n" % runs
-        )
+        sys.stderr.write("scc-cluster: %s did not come to the last time; what was not observed is empty\n" % runs)
 
 
 # All of them ----------------------------------------------------------------------------
