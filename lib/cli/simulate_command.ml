@@ -234,11 +234,12 @@ let fitting o =
     | _ -> Ok { o with output = (if o.output = Some "-" then None else o.output) }
 
 let options =
-  let make path given runs seed jobs part observed every until steps summary quantiles form decimals output resume plot
-    = fitting
+  let make path given runs seed jobs part observed every until steps summary quantiles form decimals output
+      resume plot =
+    fitting
       {
-        path; given; runs; seed; jobs; part; observed; every; until; steps; summary; quantiles; form; decimals; output;
-        resume; plot; }
+        path; given; runs; seed; jobs; part; observed; every; until; steps; summary; quantiles; form; decimals;
+        output; resume; plot; }
   in
   Term.(
     term_result' ~usage:true
