@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import threading
+import time
 from contextlib import contextmanager
 from typing import Any, Dict, Iterator, List, Optional
 
@@ -11,9 +13,15 @@ from ._levels import ClusterFailed
 from .successors import FilterFailed
 
 
+#: What Ray says where machines are too busy to begin in its time; it is asked again then.
+BUSY = ("Initialization failure", "timed out during startup")
+
+
 def connect(address: Optional[str], deadline: float) -> Any:
     """Ray, started here if there is no address. The deadline is in seconds."""
     try:
+        # What is lost is seen to here.
+        os.environ.setdefault("RAY_IGNORE_UNHANDLED_ERRORS", "1")
         import ray
     except ImportError:
         raise ClusterFailed("Ray is not installed: pip install 'shapecalculus[cluster]'", 64) from None
@@ -21,14 +29,21 @@ def connect(address: Optional[str], deadline: float) -> Any:
         return ray
     failure: List[BaseException] = []
 
+    end = time.monotonic() + deadline
+
     def start() -> None:
         try:
             if address is None:
-                ray.init(include_dashboard=False, log_to_driver=False, logging_level="error")
+                # By itself Ray would join one that runs here already.
+                ray.init(address="local", include_dashboard=False, log_to_driver=False, logging_level="error")
             else:
                 ray.init(address=address, log_to_driver=False, logging_level="error")
         except Exception as e:  # whatever Ray says of an address
-            failure.append(e)
+            if any(text in str(e) for text in BUSY) and time.monotonic() < end - 1:
+                time.sleep(1)
+                start()
+            else:
+                failure.append(e)
 
     if address is None:
         start()
@@ -45,6 +60,15 @@ def connect(address: Optional[str], deadline: float) -> Any:
     return ray
 
 
+def of_ray(e: Exception) -> bool:
+    """Whether it comes from Ray, which has more exceptions than its own when its head is lost."""
+    at = e.__traceback__
+    while at is not None and at.tb_next is not None:
+        at = at.tb_next
+    where = at.tb_frame.f_globals.get("__name__", "") if at is not None else ""
+    return type(e).__module__.startswith("ray.") or where.startswith("ray.")
+
+
 @contextmanager
 def told() -> Iterator[None]:
     """What goes wrong, as ClusterFailed."""
@@ -55,22 +79,38 @@ def told() -> Iterator[None]:
     except CannotKeep as e:
         raise ClusterFailed("nothing can be kept: %s" % e, 74) from None
     except Exception as e:
-        if not type(e).__module__.startswith("ray."):
+        if not of_ray(e):
             raise
         said = str(e).strip().splitlines() or [type(e).__name__]
         raise ClusterFailed("Ray: %s" % said[-1], 4) from None
 
 
-class Gauges:
-    """Numbers on Ray's dashboard, and where its metrics are exported."""
+class Here:
+    """Numbers of this process on Ray's dashboard, and where its metrics are exported."""
 
-    def __init__(self, **descriptions: str):
+    def __init__(self, descriptions: Dict[str, str]):
         from ray.util.metrics import Gauge
 
         self.all: Dict[str, Any] = {
             name: Gauge("scc_" + name, description=text) for name, text in descriptions.items()
         }
 
-    def set(self, **values: float) -> None:
+    def set(self, values: Dict[str, float]) -> None:
         for name, value in values.items():
             self.all[name].set(value)
+
+
+class Gauges:
+    """Numbers on Ray's dashboard. A client of a cluster (``ray://``) is no part of it: an actor tells them there."""
+
+    def __init__(self, ray: Any, **descriptions: str):
+        from ray.util.client import ray as client
+
+        self.there = ray.remote(num_cpus=0)(Here).remote(descriptions) if client.is_connected() else None
+        self.here = Here(descriptions) if self.there is None else None
+
+    def set(self, **values: float) -> None:
+        if self.here is not None:
+            self.here.set(values)
+        elif self.there is not None:
+            self.there.set.remote(values)

@@ -113,13 +113,22 @@ def goal_shown(plan: Any, p: Progress) -> Optional[int]:
 # Checks -------------------------------------------------------------------------------
 
 
+def goals_of(plan: Any) -> List[int]:
+    ((kind, of),) = plan.items()
+    if kind in ("all", "any"):
+        return [goal for part in of for goal in goals_of(part)]
+    return [of] if kind in ("possibly", "always") else []
+
+
 def served(header: Any, searches: bool) -> None:
-    timed = [c["name"] for c in header["checks"] if header["horizon"] is not None]
-    timed += [c["name"] for c in header["checks"] if any(g["within"] is not None for g in header["goals"])]
+    def has_bound(c: Any) -> bool:
+        if c["plan"] is None:
+            return header["horizon"] is not None
+        return any(header["goals"][goal]["within"] is not None for goal in goals_of(c["plan"]))
+
+    timed = ", ".join("`%s`" % c["name"] for c in header["checks"] if has_bound(c))
     if timed:
-        raise NotServed(
-            "`%s` has a bound of time, of which a search by levels knows nothing: ask scc check" % timed[0]
-        )
+        raise NotServed("a search by levels knows nothing of bounds of time, as of %s: ask scc check" % timed)
     other = [c["name"] for c in header["checks"] if c["plan"] is None]
     if other and not searches:
         raise NotServed("`%s` is more than a search for a state: ask scc check, or for searches alone" % other[0])
@@ -158,12 +167,13 @@ def check(
     report = Report()
     with told(), tempfile.TemporaryDirectory() as scratch:
         numbers = explorations(model, given, searches, scc)
-        ray = connect(address, deadline)
         base = checkpoint or (scratch if address is None else None)
-        for number in numbers:
-            folder = None if base is None else place(base, str(number))
+        folders = {number: None if base is None else place(base, str(number)) for number in numbers}
+        for folder in folders.values():
             if folder is not None:
                 make_folder(folder)
+        ray = connect(address, deadline)
+        for number, folder in folders.items():
             of_this = given + ["--exploration", str(number)]
             explored(ray, model, of_this, scc, owners, folder, states, progress, disturb, report)
     return report
@@ -196,7 +206,7 @@ def explored(
     lines = Filter(model, given, scc=scc, framing="lines")
     count = owners or max(1, int(ray.cluster_resources().get("CPU", 1)))
     e = Exploration(
-        ray, os.path.abspath(model), given, scc, lines.header, count, folder, states, metrics(progress)
+        ray, os.path.abspath(model), given, scc, lines.header, count, folder, states, metrics(ray, progress)
     )
     try:
         p = e.run(disturb)
@@ -223,9 +233,9 @@ def shown(c: Any, p: Progress, states: int, lines: Filter, e: Exploration) -> Ve
     return Verdict(c["name"], c["formula"], kind, reasons, schedule)
 
 
-def metrics(progress: Optional[Callable[[Progress], None]]) -> Callable[[Progress], None]:
+def metrics(ray: Any, progress: Optional[Callable[[Progress], None]]) -> Callable[[Progress], None]:
     """Tells how far it is, on Ray's dashboard as well."""
-    gauges = Gauges(**{name: "%s of the exploration" % name for name in ("states", "transitions", "level")})
+    gauges = Gauges(ray, **{name: "%s of the exploration" % name for name in ("states", "transitions", "level")})
 
     def show(p: Progress) -> None:
         gauges.set(states=p.states, transitions=p.transitions, level=p.level)
