@@ -51,7 +51,7 @@ class Progress:
 def owner_class(ray: Any) -> Any:
     """Shards as actors. What is found of others' states stays where it is until they fetch it."""
 
-    @ray.remote(num_cpus=0, max_restarts=0, scheduling_strategy="SPREAD")
+    @ray.remote(num_cpus=0, max_restarts=0)
     class Owner(Shard):
         def found(self) -> Tuple[Any, List[Any]]:
             told, out = self.expand()
@@ -87,10 +87,23 @@ class Exploration:
         self.show, self.recovered = show, 0
         self.progress = Progress()
         self.owner = owner_class(ray)
-        self.owners = [self.owner.remote(i, *self.of_owner) for i in range(owners)]
+        self.owners = [self.new_owner(i) for i in range(owners)]
         self.searches = bool(header["checks"]) and all(c["plan"] is not None for c in header["checks"])
 
     # Owners ---------------------------------------------------------------------------
+
+    def new_owner(self, i: int) -> Any:
+        """On the nodes in turn, as many as they have processors. Owners wait more than they work, and ask Ray for no
+        processor; by itself it would put all of them on one node."""
+        from ray.util.scheduling_strategies import NodeAffinitySchedulingStrategy
+
+        cores = sorted((n["NodeID"], int(n["Resources"].get("CPU", 0))) for n in self.ray.nodes() if n["Alive"])
+        most = max((count for _, count in cores), default=0)
+        places = [node for k in range(most) for node, count in cores if k < count]
+        if not places:
+            return self.owner.remote(i, *self.of_owner)
+        strategy = NodeAffinitySchedulingStrategy(places[i % len(places)], soft=True)
+        return self.owner.options(scheduling_strategy=strategy).remote(i, *self.of_owner)
 
     def get(self, futures: Sequence[Any]) -> List[Any]:
         try:
@@ -127,7 +140,7 @@ class Exploration:
                     self.get([self.owners[i].restore.remote(self.progress.level)])
             except (Lost, self.ray.exceptions.RayActorError, self.ray.exceptions.GetTimeoutError):
                 self.ray.kill(self.owners[i])
-                self.owners[i] = self.owner.remote(i, *self.of_owner)
+                self.owners[i] = self.new_owner(i)
                 self.get([self.owners[i].restore.remote(self.progress.level)])
 
     def steadily(self, work: Callable[[], Any]) -> Any:
@@ -150,7 +163,7 @@ class Exploration:
             except Lost as e:
                 lost = str(e).strip().splitlines()
                 self.close()
-                self.owners = [self.owner.remote(i, *self.of_owner) for i in range(self.count)]
+                self.owners = [self.new_owner(i) for i in range(self.count)]
         raise ClusterFailed("owners do not start: %s" % " ".join(lost[-3:]), 4)
 
     # Keeping --------------------------------------------------------------------------
