@@ -77,7 +77,7 @@ def main():
         explorations.resumed(scc)
         explorations.killed(scc, 1, explorations.kill_owner, times, 2, 14)
         spreading.resumed(scc)
-        spreading.killed(scc, 3, spreading.kill_task, max(3, times // 2))
+        spreading.killed(scc, 3, spreading.kill_task, max(3, times // 4))
         explorations.speed(scc)
     parts = {
         'commands': lambda: (troubles.commands(scc), spreading.commands(scc)),

@@ -40,8 +40,8 @@ def commands(scc):
 
 def long_simulation(scc):
     """What takes some seconds, and what scc says of it."""
-    path, options = model('brownian.sc'), dict(runs=4000, observe=['x(ligand)'], every=1, until=40)
-    arguments = ['--runs', '4000', '--observe', 'x(ligand)', '--every', '1', '--until', '40']
+    path, options = model('brownian.sc'), dict(runs=2000, observe=['x(ligand)'], every=1, until=40)
+    arguments = ['--runs', '2000', '--observe', 'x(ligand)', '--every', '1', '--until', '40']
     expected = scc_bytes(scc, 'simulate', path, *arguments)[0].decode()
     return expected, lambda **more: cluster.simulate(path, scc=scc, **options, **more)
 

@@ -54,9 +54,18 @@ def cluster_stands(scc):
              '--include-dashboard=false', '--temp-dir', folder, '--port', str(port), '--ray-client-server-port', str(client),
              '--metrics-export-port', str(exported)]
     log = open(os.path.join(folder, 'log'), 'w')
-    head = subprocess.Popen(words, stdout=log, stderr=log, start_new_session=True)
+
+    def start():
+        return subprocess.Popen(words, stdout=log, stderr=log, start_new_session=True)
+    head = start()
     try:
-        if not awaited(lambda: answers(client) and answers(port), 90):
+        # A busy machine may not begin within the half of a minute that Ray gives it.
+        for _ in range(3):
+            if awaited(lambda: head.poll() is not None or answers(client) and answers(port), 90) and head.poll() is None:
+                break
+            if head.poll() is not None:
+                head = start()
+        else:
             with open(log.name) as f:
                 tell('ray start', [f.read()[-500:]])
             return
