@@ -11,7 +11,7 @@ import os
 import re
 import subprocess
 from dataclasses import dataclass, replace
-from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence
+from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence, Set
 from ._files import BadFile, get_file, place, put_file
 from ._levels import MOST_TRIES, ClusterFailed
 from .successors import scc_path
@@ -94,6 +94,7 @@ class Spread:
         self.asked, self.first_line = asked, first_line
         cores = int(ray.cluster_resources().get("CPU", 1))
         self.parts = min(count, max(PARTS, 8 * cores))
+        self.left: Set[int] = set()  # parts that are not done
         self.again = 0  # how often tasks were lost and done again
         self.tries: Dict[int, int] = {}
         # Ray does lost tasks again by itself; those that it gives up are given to it once more.
@@ -105,7 +106,11 @@ class Spread:
         return place(str(self.folder), "%d.part" % part)
 
     def begin(self) -> None:
-        """Takes up how an earlier call had cut the work, so that its parts fit."""
+        """Takes up what an earlier call has done, and how it had cut the work; nothing is written before."""
+        self.fit()
+        self.left = {k for k in range(self.parts) if self.kept(k) is None}
+
+    def fit(self) -> None:
         if self.folder is None:
             return
         path = place(self.folder, "parts.json")
@@ -174,9 +179,8 @@ class Spread:
         self, progress: Callable[[PartsProgress], None], disturb: Optional[Callable[[Any], None]]
     ) -> Iterator[Done]:
         """All parts in order, each as soon as those before it are there."""
-        self.begin()
         there: Dict[int, Done] = {}
-        left = {k for k in range(self.parts) if self.kept(k) is None}
+        left = self.left
         told = PartsProgress(self.what, self.count - sum(self.size(k) for k in left), self.count)
         futures: Dict[Any, int] = {}
         try:

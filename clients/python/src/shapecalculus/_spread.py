@@ -59,6 +59,7 @@ def spread(work: Work, runs: Optional[int], where: Place, write: Callable[[bytes
             make_folder(where.checkpoint)
         ray = connect(where.address, where.deadline)
         parts = Spread(ray, work, count, where.checkpoint, asked.text, first_line)
+        parts.begin()
         gauges = Gauges(ray, done="Runs or points that are done", wanted="Runs or points that are wanted")
 
         def show(p: PartsProgress) -> None:
