@@ -82,7 +82,7 @@ def full(scc, said_so, where):
 
 def interrupted(scc):
     """Ctrl-C: a terminal sends it to all processes of the group."""
-    check = ['check', BONDS, '-D', 'n=15', '--owners', '2', '--json']
+    check = ['check', BONDS, '-D', 'n=17', '--owners', '2', '--json']
     runs = ['--runs', '5000', '--observe', 'x(ligand)', '--every', '1', '--until', '40']
     simulate = ['simulate', model('brownian.sc'), *runs]
     expected = {'check': report_of(command(scc, *check)[1]), 'simulate': scc_bytes(scc, *simulate)[0]}
