@@ -12,6 +12,7 @@ type options = {
   runs : int;
   seed : int64;
   jobs : int;
+  part : Part.t option;
   observed : string list;
   every : Rat.t;
   until : Rat.t;
@@ -46,13 +47,13 @@ let report o (l : Loaded.t) observables times : Report.t =
     times;
   }
 
-let each_run console o plan ~first ~interrupted each =
-  let told k (r : Simulation.run) =
-    Console.progress console (Printf.sprintf "%d of %d runs" (k + 1) o.runs);
-    each r
+let each_run console o plan ~runs ~written ~first ~last ~interrupted each =
+  let told _ (r : Simulation.run) =
+    each r;
+    Console.progress console (Printf.sprintf "%d of %d runs" !written runs)
   in
   let work = Simulation.run plan ~seed:o.seed in
-  let result = Pool.run ~jobs:o.jobs ~first ~count:o.runs ~work ~interrupted ~each:told in
+  let result = Pool.run ~jobs:o.jobs ~first ~count:last ~work ~interrupted ~each:told in
   Console.progress_done console;
   result
 
@@ -62,20 +63,39 @@ let early console n =
       (Printf.sprintf "scc: %s did not come to the last time; what was not observed is empty"
          (if n = 1 then "1 run" else Printf.sprintf "%d runs" n))
 
-let conclude console o ~finished ~ended_early = function
+let conclude console ~runs ~finished ~ended_early = function
   | Ok () ->
     early console ended_early;
     Ok (if ended_early > 0 then Exit_code.Undecided else Exit_code.Holds)
   | Error Pool.Interrupted ->
     early console ended_early;
     Console.note console
-      (Printf.sprintf "scc: interrupted after %d of %d runs, which are written" finished o.runs);
+      (Printf.sprintf "scc: interrupted after %d of %d runs, which are written" finished runs);
     Ok Exit_code.Stopped
   | Error (Lost { task; how }) ->
     Console.note console
       (Printf.sprintf "scc: the process that made run %d came to an end (%s); %d of %d runs are written" task how
-         finished o.runs);
+         finished runs);
     Ok Exit_code.Bug
+
+let in_all o = o.summary || Option.is_some o.plot
+
+(* What is gone on with: how many runs there are, as text, and as runs where something is told of all of them. *)
+let before o report =
+  let exact = if in_all o then { report with Report.form = Jsonl; digits = Exactly } else report in
+  match o.resume with
+  | None -> Ok (0, Report.header report, [])
+  | Some path ->
+    let* n, text = Resume.lines ~path ~header:(Report.header exact) ~member:"run" ~what:"simulation" in
+    let rec read k = function
+      | line :: rest when k < min n o.runs -> (
+          match Report.read line with
+          | Some r -> Result.map (List.cons r) (read (k + 1) rest)
+          | None -> Resume.bad path "line %d is no run" (k + 2))
+      | _ -> Ok []
+    in
+    let* runs = if in_all o then read 0 (List.tl (String.split_on_char '\n' text)) else Ok [] in
+    Ok (n, text, runs)
 
 let simulate console o ~interrupted =
   let* model = Input.model console ~overrides:o.given ~narrowed:[] o.path in
@@ -84,25 +104,27 @@ let simulate console o ~interrupted =
   let* loaded, observables = Observed.all console model o.observed in
   let plan = plan o loaded observables in
   let report = report o model observables plan.times in
-  let* first, before =
-    match o.resume with
-    | None -> Ok (0, Report.header report)
-    | Some path -> Resume.lines ~path ~header:(Report.header report) ~member:"run" ~what:"simulation"
+  let* there, before, earlier = before o report in
+  let from, last = Part.range o.part ~count:o.runs in
+  let first = max there from in
+  let path =
+    match (o.output, o.resume) with
+    | None, Some path when not o.summary -> Some path
+    | path, _ -> path
   in
-  let path = match (o.output, o.resume) with None, Some path -> Some path | path, _ -> path in
-  let written = ref first and ended_early = ref 0 in
-  let note (r : Simulation.run) =
-    incr written;
-    if Option.is_some r.ended then incr ended_early
-  in
-  let together = o.summary || Option.is_some o.plot in
+  let written = ref there and ended_early = ref 0 in
   let all = ref (Report.nobody report) in
+  let add (r : Simulation.run) =
+    if Option.is_some r.ended then incr ended_early;
+    if in_all o then all := Report.add !all r
+  in
+  List.iter add earlier;
   let write put =
     if not o.summary then put before;
     let result =
-      each_run console o plan ~first ~interrupted (fun r ->
-          note r;
-          if together then all := Report.add !all r;
+      each_run console o plan ~runs:(last - from) ~written ~first ~last ~interrupted (fun r ->
+          incr written;
+          add r;
           if not o.summary then put (Report.run report r))
     in
     if o.summary then
@@ -118,7 +140,7 @@ let simulate console o ~interrupted =
   | Error d -> Error [ d ]
   | Ok result ->
     let* () = Result.map_error (fun d -> [ d ]) (Option.fold ~none:(Ok ()) ~some:draw o.plot) in
-    conclude console o ~finished:!written ~ended_early:!ended_early result
+    conclude console ~runs:(last - from) ~finished:!written ~ended_early:!ended_early result
 
 let run color o =
   let console = Console.make ~color ~json:false () in
@@ -194,7 +216,8 @@ let resume =
     "Goes on where $(docv), written with $(b,--format jsonl) by a simulation that was interrupted, or had less \
      runs, ends; a line that was not finished is made anew. Everything but $(b,--runs) and $(b,--jobs) has \
      to be as it was. The file becomes what it would be if nothing had been interrupted, or $(b,-o) does. \
-     The exit code is about the runs that are made now."
+     The exit code is about the runs that are made now. $(b,--summary) leaves the file alone, and tells of \
+     its runs and of those that are made now, as $(b,--plot) does; the numbers of the file have to be exact."
   in
   Arg.(value & opt (some string) None & info [ "resume" ] ~docv:"FILE" ~doc)
 
@@ -203,23 +226,25 @@ let fitting o =
     Error (Printf.sprintf "--every and --until make more than %d times" Simulation.most_times)
   else if List.exists (fun q -> Rat.compare q Rat.one > 0) o.quantiles then Error "a quantile is not above 1"
   else
-    match (o.resume, o.form, o.summary) with
-    | Some _, Csv, _ -> Error "--resume goes on with JSON Lines: --format jsonl"
-    | Some _, _, true -> Error "--resume does not go with --summary"
-    | Some _, _, false when Option.is_some o.plot -> Error "--resume does not go with --plot"
+    match o.resume with
+    | Some _ when o.form = Csv && not o.summary -> Error "--resume goes on with JSON Lines: --format jsonl"
+    | Some _ when Option.is_some o.part -> Error "--resume does not go with --part"
+    | Some _ when Option.is_some o.decimals && Option.is_some o.plot && not o.summary ->
+      Error "--resume with --decimals does not go with --plot, which takes exact numbers"
     | _ -> Ok { o with output = (if o.output = Some "-" then None else o.output) }
 
 let options =
-  let make path given runs seed jobs observed every until steps summary quantiles form decimals output resume plot
-    = fitting
+  let make path given runs seed jobs part observed every until steps summary quantiles form decimals output
+      resume plot =
+    fitting
       {
-        path; given; runs; seed; jobs; observed; every; until; steps; summary; quantiles; form; decimals; output;
-        resume; plot; }
+        path; given; runs; seed; jobs; part; observed; every; until; steps; summary; quantiles; form; decimals;
+        output; resume; plot; }
   in
   Term.(
     term_result' ~usage:true
-      (const make $ Options.model_file $ Options.overrides $ runs $ Run_options.seed $ Run_options.jobs $ observed
-       $ every $ until $ steps
+      (const make $ Options.model_file $ Options.overrides $ runs $ Run_options.seed $ Run_options.jobs
+       $ Part.option ~what:"runs" $ observed $ every $ until $ steps
        $ summary $ quantiles $ form $ decimals $ output $ resume $ plot))
 
 let man =

@@ -14,6 +14,7 @@ type options = {
   grid : Grid.t;
   budget : Budget.t;
   jobs : int;
+  part : Part.t option;
   form : form;
   output : string option;
   resume : string option;
@@ -75,7 +76,7 @@ let conclude console seen ~count = function
   | Ok () ->
     if seen.refused > 0 then
       Console.note console (Printf.sprintf "scc: the model is invalid at %d of %d points" seen.refused count);
-    if seen.refused = count then Ok Exit_code.Invalid
+    if count > 0 && seen.refused = count then Ok Exit_code.Invalid
     else Ok (if seen.open_ + seen.refused > 0 then Exit_code.Undecided else Exit_code.Holds)
   | Error Pool.Interrupted ->
     Console.note console
@@ -98,14 +99,15 @@ let sweep console o ~interrupted =
     | None -> (None, "md5:" ^ Digest.to_hex (Digest.string (Source.text source)))
   in
   let table = { Table.name; digest; grid = o.grid; bounds = bounds o.budget } in
-  let count = Z.to_int (Grid.size o.grid) in
-  let* start, before =
+  let from, last = Part.range o.part ~count:(Z.to_int (Grid.size o.grid)) in
+  let count = last - from in
+  let* there, before =
     match o.resume with
     | None -> Ok (0, match o.form with Csv -> Table.csv_header table | Jsonl -> Table.json_header table)
     | Some path -> Resume.lines ~path ~header:(Table.json_header table) ~member:"point" ~what:"sweep"
   in
   let path = match (o.output, o.resume) with None, Some path -> Some path | path, _ -> path in
-  let seen = { written = start; open_ = 0; refused = 0; all = [] } in
+  let seen = { written = there; open_ = 0; refused = 0; all = [] } in
   let note outcome =
     seen.written <- seen.written + 1;
     (match (outcome : Outcome.t) with
@@ -117,10 +119,11 @@ let sweep console o ~interrupted =
     put before;
     let each k outcome =
       note outcome;
-      Console.progress console (Printf.sprintf "%d of %d points" (k + 1) count);
+      Console.progress console (Printf.sprintf "%d of %d points" seen.written count);
       put (match o.form with Csv -> Table.csv table k outcome | Jsonl -> Table.json table k outcome)
     in
-    let result = Pool.run ~jobs:o.jobs ~first:start ~count ~work:(check o source) ~interrupted ~each in
+    let first = max there from in
+    let result = Pool.run ~jobs:o.jobs ~first ~count:last ~work:(check o source) ~interrupted ~each in
     Console.progress_done console;
     result
   in
@@ -198,7 +201,7 @@ let twice grid =
   go grid
 
 let options =
-  let make path grid budget jobs form output resume plot =
+  let make path grid budget jobs part form output resume plot =
     let size = Grid.size grid in
     match (twice grid, resume, form, plot, if Option.is_some plot then Picture.axes grid else Ok []) with
     | Some name, _, _, _, _ -> Error (Printf.sprintf "-D %s is there twice" name)
@@ -206,15 +209,17 @@ let options =
       Error (Printf.sprintf "the grid has %s points: at most %d" (Z.to_string size) Grid.most)
     | None, Some _, Csv, _, _ -> Error "--resume goes on with JSON Lines: --format jsonl"
     | None, Some _, Jsonl, Some _, _ -> Error "--resume does not go with --plot"
+    | None, Some _, _, _, _ when Option.is_some part -> Error "--resume does not go with --part"
+    | None, _, _, Some _, _ when Option.is_some part -> Error "--plot does not go with --part"
     | None, _, _, _, Error text -> Error ("--plot: " ^ text)
     | None, _, _, _, Ok _ ->
       let output = if output = Some "-" then None else output in
-      Ok { path; grid; budget; jobs; form; output; resume; plot }
+      Ok { path; grid; budget; jobs; part; form; output; resume; plot }
   in
   Term.(
     term_result' ~usage:true
-      (const make $ Options.model_file $ grid $ Check_options.budget $ Run_options.jobs $ form $ output $ resume
-       $ plot))
+      (const make $ Options.model_file $ grid $ Check_options.budget $ Run_options.jobs
+       $ Part.option ~what:"points" $ form $ output $ resume $ plot))
 
 let man =
   [

@@ -83,6 +83,23 @@ let run t (r : Simulation.run) =
         ("ended", Json.option Json.text r.ended);
       ]
 
+let read line : Simulation.run option =
+  let ( let* ) = Option.bind in
+  (* The element of a list, of which each has to be as it should. *)
+  let all of_one json =
+    let* items = Json.list json in
+    let found = List.filter_map of_one items in
+    if List.compare_lengths found items = 0 then Some (Array.of_list found) else None
+  in
+  let value : Json.t -> Rat.t option option = function
+    | `Null -> Some None
+    | json -> Option.map Option.some (Json.rational json)
+  in
+  let* json = Result.to_option (Json.parse (Scc_base.Source.make ~name:"line" line)) in
+  let* number = Option.bind (Json.member "run" json) Json.int in
+  let* values = Option.bind (Json.member "values" json) (all (all value)) in
+  Some { Simulation.number; values; ended = Option.bind (Json.member "ended" json) Json.string }
+
 (* {1 All together} *)
 
 type summary = { cells : Statistics.t array array; runs : int; early : int }

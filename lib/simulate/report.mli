@@ -27,6 +27,9 @@ val run : t -> Simulation.run -> string
 (** The lines of one run: in CSV one for each time, [run,time,…,ended]; in JSON Lines one, with its own seed. What
     has no value is empty, or null. *)
 
+val read : string -> Simulation.run option
+(** A line in JSON Lines that [run] has written with exact numbers. *)
+
 (** {1 All together} *)
 
 type summary

@@ -56,8 +56,8 @@ With a chart.
   mean of 30 runs, and the range from the quantile 1/20 to 19/20; seed -3
   x(ligand)
   0
-  $ sim --runs 30 --format jsonl --resume no.jsonl --plot chart.svg 2>&1 | head -1
-  scc: --resume does not go with --plot
+  $ sim --runs 30 --format jsonl --decimals 3 --resume no.jsonl --plot chart.svg 2>&1 | head -1
+  scc: --resume with --decimals does not go with --plot, which takes exact numbers
 
 An interrupted one goes on where it ended; a line that was not finished is made anew.
 
@@ -81,6 +81,42 @@ An interrupted one goes on where it ended; a line that was not finished is made 
   Try 'scc simulate --help' or 'scc --help' for more information.
   [64]
   $ cmp part.jsonl all.jsonl
+
+What is told of all runs counts those that were there, and leaves their file alone.
+
+  $ sim --runs 40 --summary --decimals 3 --plot once.svg > once.csv
+  $ sim --runs 40 --format jsonl --summary --decimals 3 > once.jsonl
+  $ cp less.jsonl kept.jsonl
+  $ sim --runs 40 --format jsonl --summary --decimals 3 --plot twice.svg --resume less.jsonl | cmp - once.jsonl
+  $ sim --runs 40 --summary --decimals 3 --resume less.jsonl | cmp - once.csv
+  $ cmp once.svg twice.svg
+  $ cmp less.jsonl kept.jsonl
+  $ sim --runs 40 --format jsonl --plot twice.svg --resume less.jsonl
+  $ cmp once.svg twice.svg
+  $ cmp less.jsonl all.jsonl
+  $ sim --runs 20 --format jsonl --summary --resume all.jsonl > of20.jsonl
+  $ sim --runs 20 --format jsonl --summary | cmp - of20.jsonl
+  $ sed '3s/"values":\[\[/"values":[["x",/' all.jsonl > odd.jsonl
+  $ sim --runs 40 --format jsonl --summary --resume odd.jsonl
+  odd.jsonl: error[SC0804]: line 3 is no run
+  [3]
+
+Parts, one after the other, are the whole.
+
+  $ parts() { n=$1; shift; for k in $(seq $n); do "$@" --part $k/$n | if [ $k = 1 ]; then cat; else tail -n +2; fi; done; }
+  $ parts 7 sim --runs 40 --jobs 2 --format jsonl | cmp - all.jsonl
+  $ parts 50 sim --runs 40 --format jsonl | cmp - all.jsonl
+  $ sim --runs 40 | cksum > all.cksum
+  $ parts 3 sim --runs 40 | cksum | cmp - all.cksum
+  $ sim --runs 40 --format jsonl --part 1/1000000000000000 | cmp - all.jsonl
+  cmp: EOF on - after byte 360, line 1
+  [1]
+  $ sim --runs 40 --part 9/8 2>&1 | head -1
+  scc: option '--part': `9/8' is no part: the third of eight is 3/8
+  $ sim --runs 40 --part 2 2>&1 | head -1
+  scc: option '--part': `2' is no part: the third of eight is 3/8
+  $ sim --runs 40 --part 1/2 --format jsonl --resume part.jsonl 2>&1 | head -1
+  scc: --resume does not go with --part
 
 Runs that are over early.
 

@@ -69,6 +69,18 @@ An interrupted one goes on where it ended.
   $ scc sweep walk.sc -D p=1/4:3/4:1/8 -D n=1..5 --format jsonl --resume part.jsonl 2>&1 | cut -c 1-60
   part.jsonl: error[SC0804]: this file is not of the same swee
 
+Parts, one after the other, are the whole.
+
+  $ for k in 1 2 3; do sweep --jobs 2 --part $k/3 | if [ $k = 1 ]; then cat; else tail -n +2; fi; done | cmp - one.jsonl
+  $ sweep --part 1/1000000 | wc -l
+  1
+  $ sweep --part 3/2 2>&1 | head -1
+  scc: option '--part': `3/2' is no part: the third of eight is 3/8
+  $ sweep --part 1/2 --resume part.jsonl 2>&1 | head -1
+  scc: --resume does not go with --part
+  $ sweep --part 1/2 --plot part.svg 2>&1 | head -1
+  scc: --plot does not go with --part
+
 Pictures: curves over one parameter, cells of colours over two.
 
   $ scc sweep walk.sc -D p=0:1:1/4 --plot curves.svg -o curves.csv

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import copy
 import json
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
-from ._shard import CHOICES, Shard, get_file, owner_of, put_file
+from ._files import BadFile, CannotKeep, get_file, place, put_file
+from ._shard import CHOICES, Shard, owner_of
 from .successors import FilterFailed
 
 #: Paths with more transitions than this may go on for ever within one instant.
@@ -49,7 +51,7 @@ class Progress:
 def owner_class(ray: Any) -> Any:
     """Shards as actors. What is found of an owner's own states does not leave it."""
 
-    @ray.remote(num_cpus=0, max_restarts=0, scheduling_strategy="SPREAD")
+    @ray.remote(num_cpus=0, max_restarts=0)
     class Owner(Shard):
         def found(self) -> Tuple[Any, ...]:
             told, out = self.expand()
@@ -86,10 +88,23 @@ class Exploration:
         self.show, self.recovered = show, 0
         self.progress = Progress()
         self.owner = owner_class(ray)
-        self.owners = [self.owner.remote(i, *self.of_owner) for i in range(owners)]
+        self.owners = [self.new_owner(i) for i in range(owners)]
         self.searches = bool(header["checks"]) and all(c["plan"] is not None for c in header["checks"])
 
     # Owners ---------------------------------------------------------------------------
+
+    def new_owner(self, i: int) -> Any:
+        """On the nodes in turn, as many as they have processors. Owners wait more than they work, and ask Ray for no
+        processor; by itself it would put all of them on one node."""
+        from ray.util.scheduling_strategies import NodeAffinitySchedulingStrategy
+
+        cores = sorted((n["NodeID"], int(n["Resources"].get("CPU", 0))) for n in self.ray.nodes() if n["Alive"])
+        most = max((count for _, count in cores), default=0)
+        places = [node for k in range(most) for node, count in cores if k < count]
+        if not places:
+            return self.owner.remote(i, *self.of_owner)
+        strategy = NodeAffinitySchedulingStrategy(places[i % len(places)], soft=True)
+        return self.owner.options(scheduling_strategy=strategy).remote(i, *self.of_owner)
 
     def get(self, futures: Sequence[Any]) -> List[Any]:
         try:
@@ -98,8 +113,10 @@ class Exploration:
             cause = e.cause if isinstance(e.cause, Exception) else e
             if isinstance(cause, (self.ray.exceptions.ObjectLostError, self.ray.exceptions.RayActorError)):
                 raise Lost(str(cause)) from None
-            if isinstance(cause, FilterFailed):
+            if isinstance(cause, (FilterFailed, BadFile)):
                 raise ClusterFailed(str(cause), 3) from None
+            if isinstance(cause, CannotKeep):
+                raise cause from None
             raise
         except (
             self.ray.exceptions.RayActorError,
@@ -124,7 +141,7 @@ class Exploration:
                     self.get([self.owners[i].restore.remote(self.progress.level)])
             except (Lost, self.ray.exceptions.RayActorError, self.ray.exceptions.GetTimeoutError):
                 self.ray.kill(self.owners[i])
-                self.owners[i] = self.owner.remote(i, *self.of_owner)
+                self.owners[i] = self.new_owner(i)
                 self.get([self.owners[i].restore.remote(self.progress.level)])
 
     def steadily(self, work: Callable[[], Any]) -> Any:
@@ -147,7 +164,7 @@ class Exploration:
             except Lost as e:
                 lost = str(e).strip().splitlines()
                 self.close()
-                self.owners = [self.owner.remote(i, *self.of_owner) for i in range(self.count)]
+                self.owners = [self.new_owner(i) for i in range(self.count)]
         raise ClusterFailed("owners do not start: %s" % " ".join(lost[-3:]), 4)
 
     # Keeping --------------------------------------------------------------------------
@@ -157,7 +174,7 @@ class Exploration:
         return dict({k: self.header[k] for k in names}, owners=self.count, states=self.most)
 
     def manifest(self) -> str:
-        return "%s/manifest.json" % str(self.folder).rstrip("/")
+        return place(str(self.folder), "manifest.json")
 
     def keep(self) -> None:
         if self.folder is not None:
@@ -216,9 +233,7 @@ class Exploration:
 
     def next_level(self) -> bool:
         """Whether there are states to go on with. Nothing of it counts before it is whole."""
-        p = Progress(
-            **{k: (v.copy() if isinstance(v, (dict, list)) else v) for k, v in self.progress.__dict__.items()}
-        )
+        p = copy.deepcopy(self.progress)
         found = [o.found.options(num_returns=1 + self.count).remote() for o in self.owners]
         # Owners take in what the others have found as soon as that is there, without a word from here.
         futures = [o.take_in.remote(*[out[1 + j] for out in found]) for j, o in enumerate(self.owners)]

@@ -8,13 +8,13 @@ first, and on how many machines.
 
 from __future__ import annotations
 
-import os
 import pickle
 from dataclasses import dataclass
 from typing import Any, List, Optional, Sequence, Tuple
 
 import numpy as np
 
+from ._files import BadFile, get_file, place, put_file
 from .successors import Filter, FilterFailed, States, Told
 
 CHOICES = 1 << 24
@@ -87,37 +87,7 @@ class Expanded:
 
 
 def file_name(folder: str, owner: int, level: int) -> str:
-    return "%s/%d-%d.shard" % (folder.rstrip("/"), owner, level)
-
-
-def open_file(path: str, mode: str) -> Any:
-    if "://" in path:
-        import fsspec
-
-        return fsspec.open(path, mode).open()
-    return open(path, mode)
-
-
-def put_file(path: str, data: bytes) -> None:
-    """As a whole or not at all, where the place is a folder."""
-    if "://" in path:
-        with open_file(path, "wb") as f:
-            f.write(data)
-        return
-    with open(path + ".new", "wb") as f:
-        f.write(data)
-        f.flush()
-        os.fsync(f.fileno())
-    os.replace(path + ".new", path)
-
-
-def get_file(path: str) -> Optional[bytes]:
-    try:
-        with open_file(path, "rb") as f:
-            data: bytes = f.read()
-            return data
-    except FileNotFoundError:
-        return None
+    return place(folder, "%d-%d.shard" % (owner, level))
 
 
 class Shard:
@@ -172,7 +142,7 @@ class Shard:
         for k in range(level + 1):
             data = get_file(file_name(self.folder, self.number, k))
             if data is None:
-                raise FilterFailed("%s is not there" % file_name(self.folder, self.number, k))
+                raise BadFile("%s is not there" % file_name(self.folder, self.number, k))
             found, self.ranks = pickle.loads(data)
             self.levels.append(found if k == level else found.bare())
             self.filter.meet(found.states.prints)

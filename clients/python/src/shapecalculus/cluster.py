@@ -1,4 +1,5 @@
-"""Checks of models on many machines, by Ray (specs/cluster.md). Needs the extra ``cluster``: ray, numpy, fsspec.
+"""Checks, simulations and sweeps of models on many machines, by Ray (specs/cluster.md). Needs the extra ``cluster``:
+ray, numpy, fsspec.
 
 from shapecalculus import cluster
 
@@ -10,12 +11,28 @@ from __future__ import annotations
 
 import os
 import tempfile
-import threading
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence
 
+from ._files import make_folder, place
 from ._levels import MOST_LEVELS, ClusterFailed, Exploration, Progress
-from .successors import Filter, FilterFailed
+from ._parts import PartsProgress
+from ._ray import Gauges, connect, told
+from ._spread import simulate, sweep
+from .successors import Filter
+
+__all__ = [
+    "ClusterFailed",
+    "NotServed",
+    "PartsProgress",
+    "Progress",
+    "Report",
+    "Verdict",
+    "check",
+    "connect",
+    "simulate",
+    "sweep",
+]
 
 
 class NotServed(ClusterFailed):
@@ -44,40 +61,6 @@ class Report:
     dead_ends: List[str] = field(default_factory=list)
     faults: List[str] = field(default_factory=list)
     recovered: int = 0  #: how often owners were lost and started again
-
-
-def connect(address: Optional[str], deadline: float) -> Any:
-    """Ray, started here if there is no address. The deadline is in seconds."""
-    try:
-        import ray
-    except ImportError:
-        raise ClusterFailed("Ray is not installed: pip install 'shapecalculus[cluster]'", 64) from None
-    if ray.is_initialized():
-        return ray
-    failure: List[BaseException] = []
-
-    def start() -> None:
-        try:
-            if address is None:
-                ray.init(include_dashboard=False, log_to_driver=False, logging_level="error")
-            else:
-                ray.init(address=address, log_to_driver=False, logging_level="error")
-        except Exception as e:  # whatever Ray says of an address
-            failure.append(e)
-
-    if address is None:
-        start()
-    else:
-        # Ray waits for an address that answers nothing for as long as it likes, and cannot be told otherwise.
-        thread = threading.Thread(target=start, daemon=True)
-        thread.start()
-        thread.join(deadline)
-        if thread.is_alive():
-            raise ClusterFailed("%s does not answer within %g seconds" % (address, deadline), 69)
-    if failure:
-        said = str(failure[0]).strip().splitlines() or [type(failure[0]).__name__]
-        raise ClusterFailed("%s cannot be reached: %s" % (address or "Ray here", said[0]), 69)
-    return ray
 
 
 # Verdicts -----------------------------------------------------------------------------
@@ -130,13 +113,22 @@ def goal_shown(plan: Any, p: Progress) -> Optional[int]:
 # Checks -------------------------------------------------------------------------------
 
 
+def goals_of(plan: Any) -> List[int]:
+    ((kind, of),) = plan.items()
+    if kind in ("all", "any"):
+        return [goal for part in of for goal in goals_of(part)]
+    return [of] if kind in ("possibly", "always") else []
+
+
 def served(header: Any, searches: bool) -> None:
-    timed = [c["name"] for c in header["checks"] if header["horizon"] is not None]
-    timed += [c["name"] for c in header["checks"] if any(g["within"] is not None for g in header["goals"])]
+    def has_bound(c: Any) -> bool:
+        if c["plan"] is None:
+            return header["horizon"] is not None
+        return any(header["goals"][goal]["within"] is not None for goal in goals_of(c["plan"]))
+
+    timed = ", ".join("`%s`" % c["name"] for c in header["checks"] if has_bound(c))
     if timed:
-        raise NotServed(
-            "`%s` has a bound of time, of which a search by levels knows nothing: ask scc check" % timed[0]
-        )
+        raise NotServed("a search by levels knows nothing of bounds of time, as of %s: ask scc check" % timed)
     other = [c["name"] for c in header["checks"] if c["plan"] is None]
     if other and not searches:
         raise NotServed("`%s` is more than a search for a state: ask scc check, or for searches alone" % other[0])
@@ -173,21 +165,17 @@ def check(
     is called with each exploration once its owners are there (for tests)."""
     given = arguments_of(defines or {}, checks, options)
     report = Report()
-    try:
+    with told(), tempfile.TemporaryDirectory() as scratch:
         numbers = explorations(model, given, searches, scc)
+        base = checkpoint or (scratch if address is None else None)
+        folders = {number: None if base is None else place(base, str(number)) for number in numbers}
+        for folder in folders.values():
+            if folder is not None:
+                make_folder(folder)
         ray = connect(address, deadline)
-        with tempfile.TemporaryDirectory() as scratch:
-            base = checkpoint or (scratch if address is None else None)
-            for number in numbers:
-                folder = None if base is None else "%s/%d" % (base.rstrip("/"), number)
-                if folder is not None and "://" not in folder:
-                    os.makedirs(folder, exist_ok=True)
-                of_this = given + ["--exploration", str(number)]
-                explored(ray, model, of_this, scc, owners, folder, states, progress, disturb, report)
-    except FilterFailed as e:
-        raise ClusterFailed(str(e), 3) from None
-    except OSError as e:
-        raise ClusterFailed("a shard cannot be kept: %s" % e, 4) from None
+        for number, folder in folders.items():
+            of_this = given + ["--exploration", str(number)]
+            explored(ray, model, of_this, scc, owners, folder, states, progress, disturb, report)
     return report
 
 
@@ -218,7 +206,7 @@ def explored(
     lines = Filter(model, given, scc=scc, framing="lines")
     count = owners or max(1, int(ray.cluster_resources().get("CPU", 1)))
     e = Exploration(
-        ray, os.path.abspath(model), given, scc, lines.header, count, folder, states, metrics(progress)
+        ray, os.path.abspath(model), given, scc, lines.header, count, folder, states, metrics(ray, progress)
     )
     try:
         p = e.run(disturb)
@@ -228,14 +216,14 @@ def explored(
         report.complete = report.complete and p.complete
         report.dead_ends = sorted(set(report.dead_ends) | set(p.ends))
         report.faults = sorted(set(report.faults) | set(p.faults))
-        report.properties += [told(c, p, states, lines, e) for c in lines.header["checks"] if not c["premise"]]
+        report.properties += [shown(c, p, states, lines, e) for c in lines.header["checks"] if not c["premise"]]
         report.recovered += e.recovered
     finally:
         e.close()
         lines.close()
 
 
-def told(c: Any, p: Progress, states: int, lines: Filter, e: Exploration) -> Verdict:
+def shown(c: Any, p: Progress, states: int, lines: Filter, e: Exploration) -> Verdict:
     if c["plan"] is None:
         return Verdict(c["name"], c["formula"], "undecided", ["it is more than a search"], None)
     goal = goal_shown(c["plan"], p)
@@ -245,18 +233,12 @@ def told(c: Any, p: Progress, states: int, lines: Filter, e: Exploration) -> Ver
     return Verdict(c["name"], c["formula"], kind, reasons, schedule)
 
 
-def metrics(progress: Optional[Callable[[Progress], None]]) -> Callable[[Progress], None]:
+def metrics(ray: Any, progress: Optional[Callable[[Progress], None]]) -> Callable[[Progress], None]:
     """Tells how far it is, on Ray's dashboard as well."""
-    from ray.util.metrics import Gauge
-
-    gauges = {
-        name: Gauge("scc_" + name, description="%s of the exploration" % name)
-        for name in ("states", "transitions", "level")
-    }
+    gauges = Gauges(ray, **{name: "%s of the exploration" % name for name in ("states", "transitions", "level")})
 
     def show(p: Progress) -> None:
-        for name, gauge in gauges.items():
-            gauge.set(getattr(p, name))
+        gauges.set(states=p.states, transitions=p.transitions, level=p.level)
         if progress is not None:
             progress(p)
 

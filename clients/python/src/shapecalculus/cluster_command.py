@@ -1,8 +1,7 @@
-"""``scc-cluster check MODEL``: checks by Ray (specs/cluster.md)."""
+"""``scc-cluster check``, ``simulate`` and ``sweep``: by Ray (specs/cluster.md)."""
 
 from __future__ import annotations
 
-import argparse
 import json
 import os
 import sys
@@ -10,67 +9,8 @@ import time
 from typing import Any, Callable, List, Optional
 
 from . import cluster
-
-EXITS = """exit codes: 0 all hold, 1 a property is violated, 2 something is undecided, 3 the model is invalid or a
-shard is not to be read, 4 interrupted, or an owner is lost for good, 64 a wrong command line or a property that is not
-served, 69 the cluster does not answer"""
-
-
-def define(text: str) -> List[str]:
-    name, equals, value = text.partition("=")
-    if not name or not equals:
-        raise argparse.ArgumentTypeError("`%s' is not of the form name=value" % text)
-    return [name, value]
-
-
-def positive(kind: Callable[[str], Any]) -> Callable[[str], Any]:
-    def parse(text: str) -> Any:
-        try:
-            value = kind(text)
-        except ValueError:
-            value = 0
-        if not value > 0:
-            raise argparse.ArgumentTypeError("`%s' is no positive number" % text)
-        return value
-
-    return parse
-
-
-class Parser(argparse.ArgumentParser):
-    def error(self, message: str) -> Any:
-        self.exit(64, "scc-cluster: %s\n" % message)
-
-
-def parser() -> argparse.ArgumentParser:
-    top = Parser(
-        prog="scc-cluster", description="Checks of the Shape Calculus on many machines, by Ray.", epilog=EXITS
-    )
-    commands = top.add_subparsers(dest="command", required=True)
-    p = commands.add_parser("check", help="explore a model, and decide its searches", epilog=EXITS)
-    p.add_argument("model", help="the model, at a path that all machines share")
-    p.add_argument("--address", help="of a Ray cluster; without one, Ray is started here")
-    p.add_argument("--owners", type=positive(int), metavar="N", help="processes among which states are shared")
-    p.add_argument("-D", "--define", type=define, action="append", default=[], metavar="NAME=VALUE")
-    p.add_argument("--check", action="append", default=[], metavar="NAME", help="this property alone; repeatable")
-    p.add_argument(
-        "--searches", action="store_true", help="leave properties undecided that are more than searches"
-    )
-    p.add_argument(
-        "--states", type=positive(int), default=1 << 40, metavar="N", help="keep at most so many states"
-    )
-    p.add_argument("--no-reduce", action="append", default=[], metavar="NAME,...")
-    p.add_argument("--checkpoint", metavar="FOLDER", help="keep each level there, and go on from what is there")
-    p.add_argument(
-        "--deadline",
-        type=positive(float),
-        default=60.0,
-        metavar="S",
-        help="wait so long for an answer of the address",
-    )
-    p.add_argument("--witness", metavar="FOLDER", help="write the schedule of each run that shows something")
-    p.add_argument("--json", action="store_true")
-    p.add_argument("--scc", help="the program; by default the environment variable SCC, or scc")
-    return top
+from ._command_line import parser
+from ._spread import Outcome, Place, simulated, swept
 
 
 def shown(start: float) -> Optional[Callable[[cluster.Progress], None]]:
@@ -85,6 +25,11 @@ def shown(start: float) -> Optional[Callable[[cluster.Progress], None]]:
         sys.stderr.flush()
 
     return show
+
+
+def clear() -> None:
+    if sys.stderr.isatty():
+        sys.stderr.write("\r\033[K")
 
 
 def tell(report: cluster.Report, as_json: bool) -> None:
@@ -138,38 +83,118 @@ def code_of(report: cluster.Report) -> int:
     return 2 if "undecided" in kinds or (not report.properties and not report.complete) else 0
 
 
+def check(given: Any) -> int:
+    report = cluster.check(
+        given.model,
+        address=given.address,
+        owners=given.owners,
+        defines=dict(given.define),
+        checks=given.check,
+        options=[w for names in given.no_reduce for w in ("--no-reduce", names)],
+        states=given.states,
+        checkpoint=given.checkpoint,
+        deadline=given.deadline,
+        searches=given.searches,
+        scc=given.scc,
+        progress=shown(time.time()),
+    )
+    clear()
+    if given.witness:
+        write(report, given.witness)
+    tell(report, given.json)
+    return code_of(report)
+
+
+# Simulations and sweeps -----------------------------------------------------------------
+
+
+class Output:
+    """A file that is made when there is something to write, or standard output."""
+
+    def __init__(self, path: Optional[str]):
+        self.path, self.file = path, None if path not in (None, "-") else sys.stdout.buffer
+
+    def write(self, data: bytes) -> None:
+        if self.file is None:
+            self.file = open(str(self.path), "wb")
+        self.file.write(data)
+        self.file.flush()
+
+
+def counted() -> Optional[Callable[[cluster.PartsProgress], None]]:
+    if not sys.stderr.isatty():
+        return None
+
+    def show(p: cluster.PartsProgress) -> None:
+        sys.stderr.write("\r\033[K%d of %d %s" % (p.done, p.all, p.what))
+        sys.stderr.flush()
+
+    return show
+
+
+def spread(given: Any) -> int:
+    where = Place(given.address, given.deadline, given.checkpoint, counted())
+    out = Output(given.output)
+    if given.command == "sweep":
+        bounds = ("depth", "time", "states", "seconds", "memory", "bits")
+        options = ["--%s=%s" % (b, getattr(given, b)) for b in bounds if getattr(given, b) is not None]
+        defines = ["=".join(d) for d in given.define]
+        outcome = swept(given.model, defines, where, out.write, form=given.format, options=options, scc=given.scc)
+    else:
+        outcome = simulated(
+            given.model,
+            given.runs,
+            given.observe,
+            given.every,
+            given.until,
+            where,
+            out.write,
+            seed=given.seed,
+            steps=given.steps,
+            decimals=given.decimals,
+            summary=given.summary,
+            quantiles=[q for q in given.quantiles.split(",") if q],
+            plot=given.plot,
+            form=given.format,
+            defines=dict(given.define),
+            scc=given.scc,
+        )
+    clear()
+    noted(given.command, outcome)
+    return outcome.code
+
+
+def noted(command: str, o: Outcome) -> None:
+    sys.stderr.write(o.warnings)
+    if o.not_there and command == "sweep":
+        sys.stderr.write("scc-cluster: the model is invalid at %d of %d points\n" % (o.not_there, o.count))
+    elif o.not_there:
+        runs = "1 run" if o.not_there == 1 else "%d runs" % o.not_there
+        sys.stderr.write("scc-cluster: %s did not come to the last time; what was not observed is empty\n" % runs)
+
+
+# All of them ----------------------------------------------------------------------------
+
+
 def main(arguments: Optional[List[str]] = None) -> int:
     given = parser().parse_args(arguments)
-    options = [w for names in given.no_reduce for w in ("--no-reduce", names)]
     try:
-        report = cluster.check(
-            given.model,
-            address=given.address,
-            owners=given.owners,
-            defines=dict(given.define),
-            checks=given.check,
-            options=options,
-            states=given.states,
-            checkpoint=given.checkpoint,
-            deadline=given.deadline,
-            searches=given.searches,
-            scc=given.scc,
-            progress=shown(time.time()),
-        )
+        code = check(given) if given.command == "check" else spread(given)
+        sys.stdout.flush()
     except cluster.ClusterFailed as e:
+        clear()
         print("scc-cluster: %s" % e, file=sys.stderr)
         code = e.code
     except KeyboardInterrupt:
-        print("scc-cluster: interrupted; what was kept is gone on with by the same --checkpoint", file=sys.stderr)
+        clear()
+        print("scc-cluster: interrupted; the same --checkpoint goes on from what was kept", file=sys.stderr)
         code = 4
-    else:
-        if given.witness:
-            write(report, given.witness)
-        tell(report, given.json)
-        code = code_of(report)
-    sys.stdout.flush()
-    # A thread may still wait for an address that answers nothing.
-    if code == 69:
+    except OSError as e:
+        clear()
+        print("scc-cluster: cannot write: %s" % e, file=sys.stderr)
+        code = 74
+    if code in (69, 74):
+        # A thread may still wait for an address that answers nothing, or an output be full.
         os._exit(code)
     return code
 
