@@ -208,13 +208,14 @@ let choices c source =
   let encoded (t : Transition.t) =
     let target = Catalogue.encode (catalogue c) t.target in
     set_mark c target (Local.mark c.local ~source t.label);
-    (t, Quotient.representative c.quotient (catalogue c) target)
+    Quotient.representative c.quotient (catalogue c) target
   in
-  Result.map (List.map encoded) (Network.successors (semantics c) source)
+  let with_target t = (t, lazy (encoded t)) in
+  Result.map (List.map with_target) (Network.successors (semantics c) source)
 
 let whole c tuple =
   let step ((t : Transition.t), target) : Lts.step =
-    { label = Catalogue.label (catalogue c) t.label; changes = Tuples.difference tuple target }
+    { label = Catalogue.label (catalogue c) t.label; changes = Tuples.difference tuple (Lazy.force target) }
   in
   match choices c (Catalogue.decode (catalogue c) tuple) with
   | Ok transitions -> Ok (List.map step transitions)
