@@ -32,68 +32,52 @@ let box ~margin p =
 
 (* {1 A memory of boxes} *)
 
-(* The box about a part, where it was when it was asked for. *)
-type seen = { placed : Placed.t; centre : Vec.t; turns : bool; margin : Rat.t; box : Float_box.t }
+(* The box about a part that does not turn, where it was when it was last asked for. *)
+type seen = { solid : Solid.t; at : Vec.t; margin : Rat.t; box : Float_box.t }
 
+(* That about a part that has turned, which takes long to find. *)
+type turned = { placed : Placed.t; centre : Vec.t; turns : bool; margin : Rat.t; box : Float_box.t }
+
+(* By the places of parts in the arrays that are asked about: many are where they were, as walls are always, and
+   all of them when nothing but velocities has changed. Of what has turned there are some of
+   each part: where it is in a state, and in those that this leads to. *)
 type memory = {
-  mutable seen : seen array array;  (** of each leaf, a few of each part, the last one first *)
+  mutable seen : seen option array;
+  turned : (int * int, turned list) Hashtbl.t;  (** the last one first *)
   mutable boxes : Float_box.t array;  (** those of the last call of [within] *)
   mutable pairs : (int * int) list;  (** which of them meet *)
 }
 
-let is_of margin (p : Part.t) s =
-  let where_it_was () =
-    (not s.turns) && is_upright p && s.placed.solid == p.placed.solid
-    && Quaternion.is_identity s.placed.turned
-    && Vec.equal s.placed.at p.placed.at
-  in
-  ((s.placed == p.placed && s.centre == p.centre && s.turns = Part.turns p) || where_it_was ())
-  && Rat.equal s.margin margin
+let is_of margin (p : Part.t) (t : turned) =
+  t.placed == p.placed && t.centre == p.centre && t.turns = Part.turns p && Rat.equal t.margin margin
 
-(* Those of a state and of some that it leads to. *)
-let ways = 4
+let most_turned = 4
 
-let room memory (p : Part.t) s =
-  let leaf = p.leaf.leaf and least = ways * (p.index + 1) in
-  let missing = leaf + 1 - Array.length memory.seen in
-  if missing > 0 then memory.seen <- Array.append memory.seen (Array.make missing [||]);
-  let of_leaf = memory.seen.(leaf) in
-  if Array.length of_leaf >= least then of_leaf
-  else begin
-    let longer = Array.append of_leaf (Array.make (least - Array.length of_leaf) s) in
-    memory.seen.(leaf) <- longer;
-    longer
-  end
+let recall_turned memory margin (p : Part.t) =
+  let known = Option.value (Hashtbl.find_opt memory.turned (Part.name p)) ~default:[] in
+  match List.find_opt (is_of margin p) known with
+  | Some t -> t.box
+  | None ->
+    let box = box ~margin p in
+    let t = { placed = p.placed; centre = p.centre; turns = Part.turns p; margin; box } in
+    let kept = List.filteri (fun i _ -> i < most_turned - 1) known in
+    Hashtbl.replace memory.turned (Part.name p) (t :: kept);
+    box
 
-let known memory (p : Part.t) =
-  if p.leaf.leaf < Array.length memory.seen then memory.seen.(p.leaf.leaf) else [||]
-
-(* To be found first the next time. *)
-let put_first (seen : seen array) first i s =
-  Array.blit seen first seen (first + 1) (i - first);
-  seen.(first) <- s
-
-let recall memory margin (p : Part.t) =
-  let seen = known memory p and first = ways * p.index in
-  let rec from i =
-    if i < Int.min (first + ways) (Array.length seen) then
-      if is_of margin p seen.(i) then begin
-        let s = seen.(i) in
-        if i > first then put_first seen first i s;
-        s.box
-      end
-      else from (i + 1)
-    else begin
+let recall memory margin i (p : Part.t) =
+  if not (is_upright p) then recall_turned memory margin p
+  else
+    match memory.seen.(i) with
+    | Some s when s.solid == p.placed.solid && Vec.equal s.at p.placed.at && Rat.equal s.margin margin -> s.box
+    | Some _ | None ->
       let box = box ~margin p in
-      let s = { placed = p.placed; centre = p.centre; turns = Part.turns p; margin; box } in
-      let seen = room memory p s in
-      put_first seen first (first + ways - 1) s;
+      memory.seen.(i) <- Some { solid = p.placed.solid; at = p.placed.at; margin; box };
       box
-    end
-  in
-  from first
 
-let boxes_of memory margin parts = Long_array.init (Array.length parts) (fun i -> recall memory margin parts.(i))
+let boxes_of memory margin parts =
+  let missing = Array.length parts - Array.length memory.seen in
+  if missing > 0 then memory.seen <- Array.append memory.seen (Array.make missing None);
+  Long_array.init (Array.length parts) (fun i -> recall memory margin i parts.(i))
 
 (* {1 Pairs} *)
 
@@ -219,5 +203,5 @@ let earliest memory ~margin ~limit time (parts : Part.t array) =
   else match look 1 (first_window parts ~limit) with Some t when within_limit t -> Some t | Some _ | None -> None
 
 let boxes () =
-  let memory = { seen = [||]; boxes = [||]; pairs = [] } in
+  let memory = { seen = [||]; turned = Hashtbl.create 16; boxes = [||]; pairs = [] } in
   { Kinematics.within = within memory; earliest = earliest memory }

@@ -14,32 +14,32 @@ type known = {
   mutable together : (unit, together) pair list;
 }
 
-(* Some processes for each slot, which is the first leaf, and the place of the one to be forgotten next. *)
-type t = { remembers : bool; mutable slots : known option array array; mutable next : int array }
+(* Some processes for each slot, which is the first leaf: the one that was asked about last comes first. *)
+type t = { remembers : bool; mutable slots : known option array array }
 
-let none = { remembers = false; slots = [||]; next = [||] }
-let create () = { remembers = true; slots = [||]; next = [||] }
+let none = { remembers = false; slots = [||] }
+let create () = { remembers = true; slots = [||] }
 let renewed t = if t.remembers then create () else none
 
-(* States that are looked at one after another have much in common, and what is possible in each leads to others. *)
-let ways = 4
+(* States that are looked at one after another have much in common, and each leads to others, in which something is
+   made anew. *)
+let ways = 6
 
 let make_room t slot =
-  let count = Int.max (slot + 1) (2 * Array.length t.slots) in
-  let slots = Array.make count [||] and next = Array.make count 0 in
+  let slots = Array.make (Int.max (slot + 1) (2 * Array.length t.slots)) [||] in
   Array.blit t.slots 0 slots 0 (Array.length t.slots);
-  Array.blit t.next 0 next 0 (Array.length t.next);
-  t.next <- next;
   t.slots <- slots
+
+let put_first here i known =
+  Array.blit here 0 here 1 i;
+  here.(0) <- Some known;
+  known
 
 let unknown process = { process; parts = None; urgent = None; weak = None; contacts = []; together = [] }
 
 let add t slot process =
   if Array.length t.slots.(slot) = 0 then t.slots.(slot) <- Array.make ways None;
-  let known = unknown process in
-  t.slots.(slot).(t.next.(slot)) <- Some known;
-  t.next.(slot) <- (t.next.(slot) + 1) mod ways;
-  known
+  put_first t.slots.(slot) (ways - 1) (unknown process)
 
 (* The same value in memory: to compare all of it would cost as much as some answers. *)
 let find t (process : State.process) =
@@ -50,21 +50,30 @@ let find t (process : State.process) =
     let here = t.slots.(slot) in
     let rec from i =
       if i >= Array.length here then add t slot process
-      else match here.(i) with Some k when k.process == process -> k | Some _ | None -> from (i + 1)
+      else
+        match here.(i) with
+        | Some k when k.process == process -> if i = 0 then k else put_first here i k
+        | Some _ | None -> from (i + 1)
     in
     from 0
   end
 
+let at index parts =
+  match parts with
+  | (first : Part.t) :: _ when first.process <> index ->
+    List.map (fun (p : Part.t) -> { p with process = index }) parts
+  | _ -> parts
+
 let parts t index process look =
-  let k = find t process in
-  match k.parts with
-  | Some ((first : Part.t) :: _ as parts) ->
-    if first.process = index then parts
-    else List.map (fun (p : Part.t) -> { p with process = index }) parts
-  | Some [] | None ->
-    let parts = look () in
-    k.parts <- Some parts;
-    parts
+  if not t.remembers then look ()
+  else
+    let k = find t process in
+    match k.parts with
+    | Some parts -> at index parts
+    | None ->
+      let parts = look () in
+      k.parts <- Some parts;
+      parts
 
 let urgent t process look =
   let k = find t process in

@@ -43,8 +43,8 @@ let after_collision m (step : State.step option) =
 
 (* An outcome as a transition of the whole network. *)
 let happens c (s : State.t) ~step (o : Transition.outcome) =
-  let others = List.filter (fun p -> not (List.memq p o.gone)) (Array.to_list s.processes) in
-  finish c ~fired:o.fired o.label (Transition.rules o) (State.make ~processes:(o.come @ others) ~step ~time:s.time)
+  let target = State.at ~step ~time:s.time (State.exchange ~gone:o.gone ~come:o.come s) in
+  finish c ~fired:o.fired o.label (Transition.rules o) target
 
 let last_first lists = List.fold_left (fun all list -> List.rev_append list all) [] lists
 

@@ -12,6 +12,7 @@ let make ?(geometry = afresh) ?(neighbours = Kinematics.everyone) ?(laws = Kinem
     ?(known = Known.none) model =
   { setting = { model; geometry; neighbours; laws }; kinematics = kinematics model; known }
 
+let forgetful t = { t with known = Known.none }
 let model t = t.setting.model
 
 let with_model t model =

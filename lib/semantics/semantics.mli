@@ -15,6 +15,9 @@ val make :
     others. Left to itself, each question about contact and each law is answered afresh, and all pairs are looked
     at. *)
 
+val forgetful : t -> t
+(** The same, for who remembers by itself what is answered of processes ({!Known}). *)
+
 val model : t -> Model.t
 
 val with_model : t -> Model.t -> t
