@@ -111,7 +111,8 @@ module type S = sig
     colliding:(State.t -> (int * int) list) ->
     State.t -> State.t * State.t option
   (** A turn begins of each process that a turn is due of and that does not collide (rules Turn and Round);
-      with the state before that, if rule Round changed anything. [parts] tells the parts of a state. Nothing collides then that does not before. *)
+      with the state before that, if rule Round changed anything. [parts] tells the parts of a state.
+      Nothing collides then that does not before. *)
 
   val turns_rightly : setting -> State.process -> bool
   (** Whether a process turns as it can: not at all, in a turn that has begun, or soon. *)
