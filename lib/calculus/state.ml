@@ -111,8 +111,23 @@ let with_draw draw p = { p with draw }
 let with_lots lots p = { p with lots }
 let first p = p.leaves.(0).leaf
 
-let make ~processes ~step ~time =
-  { processes = sorted (fun p q -> Int.compare (first p) (first q)) processes; step; time }
+let compare_first p q = Int.compare (first p) (first q)
+let make ~processes ~step ~time = { processes = sorted compare_first processes; step; time }
+let mapi f (s : t) =
+  { s with processes = Scc_data.Long_array.init (Array.length s.processes) (fun i -> f i s.processes.(i)) }
+
+let at ~step ~time (s : t) = { s with step; time }
+
+let exchange ~gone ~come (s : t) =
+  let rec from i come before =
+    if i = Array.length s.processes then List.rev_append before come
+    else
+      let p = s.processes.(i) in
+      match come with
+      | q :: rest when compare_first q p < 0 -> from i rest (q :: before)
+      | _ -> from (i + 1) come (if List.memq p gone then before else p :: before)
+  in
+  { s with processes = Scc_data.Long_array.of_list (from 0 (List.sort compare_first come) []) }
 
 let leaf_opt p leaf =
   let rec from i =

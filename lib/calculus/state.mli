@@ -104,6 +104,15 @@ val with_bond : bond -> process -> process
 
 val make : processes:process list -> step:step option -> time:Rat.t option -> t
 
+val mapi : (int -> process -> process) -> t -> t
+(** Each by its place. The function keeps the first leaf of each. *)
+
+val at : step:step option -> time:Rat.t option -> t -> t
+(** The same processes. *)
+
+val exchange : gone:process list -> come:process list -> t -> t
+(** Without some of its processes, the same values in memory, and with others. *)
+
 val home : t -> int -> process option
 (** The process that has a leaf; [None] when it is gone (rule Absorb). *)
 

@@ -1,6 +1,7 @@
 open Scc_data
 open Scc_exact
 open Scc_geometry
+open Scc_rigid
 open Scc_broad_phase
 open Scc_semantics
 
@@ -34,16 +35,37 @@ let box ~margin p =
 (* The box about a part that does not turn, where it was when it was last asked for. *)
 type seen = { solid : Solid.t; at : Vec.t; margin : Rat.t; box : Float_box.t }
 
+(* That about a part that has turned, which takes long to find. *)
+type turned = { placed : Placed.t; centre : Vec.t; turns : bool; margin : Rat.t; box : Float_box.t }
+
 (* By the places of parts in the arrays that are asked about: many are where they were, as walls are always, and
-   all of them when nothing but velocities has changed. *)
+   all of them when nothing but velocities has changed. Of what has turned there are some of
+   each part: where it is in a state, and in those that this leads to. *)
 type memory = {
   mutable seen : seen option array;
+  turned : (int * int, turned list) Hashtbl.t;  (** the last one first *)
   mutable boxes : Float_box.t array;  (** those of the last call of [within] *)
   mutable pairs : (int * int) list;  (** which of them meet *)
 }
 
+let is_of margin (p : Part.t) (t : turned) =
+  t.placed == p.placed && t.centre == p.centre && t.turns = Part.turns p && Rat.equal t.margin margin
+
+let most_turned = 4
+
+let recall_turned memory margin (p : Part.t) =
+  let known = Option.value (Hashtbl.find_opt memory.turned (Part.name p)) ~default:[] in
+  match List.find_opt (is_of margin p) known with
+  | Some t -> t.box
+  | None ->
+    let box = box ~margin p in
+    let t = { placed = p.placed; centre = p.centre; turns = Part.turns p; margin; box } in
+    let kept = List.filteri (fun i _ -> i < most_turned - 1) known in
+    Hashtbl.replace memory.turned (Part.name p) (t :: kept);
+    box
+
 let recall memory margin i (p : Part.t) =
-  if not (is_upright p) then box ~margin p
+  if not (is_upright p) then recall_turned memory margin p
   else
     match memory.seen.(i) with
     | Some s when s.solid == p.placed.solid && Vec.equal s.at p.placed.at && Rat.equal s.margin margin -> s.box
@@ -181,5 +203,5 @@ let earliest memory ~margin ~limit time (parts : Part.t array) =
   else match look 1 (first_window parts ~limit) with Some t when within_limit t -> Some t | Some _ | None -> None
 
 let boxes () =
-  let memory = { seen = [||]; boxes = [||]; pairs = [] } in
+  let memory = { seen = [||]; turned = Hashtbl.create 16; boxes = [||]; pairs = [] } in
   { Kinematics.within = within memory; earliest = earliest memory }

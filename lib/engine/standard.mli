@@ -1,5 +1,6 @@
 (** The semantics as everybody runs it: exact geometry with memories of contact queries and of casts, a memory of
-    laws that never change, and neighbours by boxes. None of them changes an answer. *)
+    laws that never change, one of what processes do alone and in twos, and neighbours by boxes.
+    None of them changes an answer. *)
 
 open Scc_calculus
 open Scc_semantics

@@ -12,21 +12,28 @@ module Graph = State_graph
 (* The real states that the steps on the graph lead through: a state of the graph may stand for several. *)
 type followed = { last : State.t; steps : Witness.step list  (** the last first *) }
 
+(* Of the choices the one that was made on the graph is looked at first: as a rule nobody needs the others. *)
 let follow context from wanted target =
   match Network_lts.choices context from.last with
   | Error _ -> Bug.fail __POS__ "a witness does not replay: a fault on its way"
-  | Ok choices -> (
-      let target = Network_lts.representative context target in
-      let fits k = match List.nth_opt choices k with Some (_, t) -> t = target | None -> false in
-      let rec first k = function
-        | [] -> Bug.fail __POS__ "a witness does not replay"
-        | (_, t) :: rest -> if t = target then k else first (k + 1) rest
-      in
-      let choice = if fits wanted then wanted else first 0 choices in
-      let transition = fst (List.nth choices choice) in
-      let before = match from.steps with [] -> Rat.zero | s :: _ -> s.time in
-      let time = Rat.add before (Transition.duration transition) in
-      { last = transition.target; steps = { Witness.choice; transition; time } :: from.steps })
+  | Ok choices ->
+    let standing = lazy (Network_lts.representative context target) in
+    let leads_there (_, t) =
+      let t = Lazy.force t in
+      t = target || t = Lazy.force standing
+    in
+    let rec first k = function
+      | [] -> Bug.fail __POS__ "a witness does not replay"
+      | choice :: rest -> if leads_there choice then (k, choice) else first (k + 1) rest
+    in
+    let choice, (transition, _) =
+      match List.nth_opt choices wanted with
+      | Some made when leads_there made -> (wanted, made)
+      | Some _ | None -> first 0 choices
+    in
+    let before = match from.steps with [] -> Rat.zero | s :: _ -> s.time in
+    let time = Rat.add before (Transition.duration transition) in
+    { last = transition.target; steps = { Witness.choice; transition; time } :: from.steps }
 
 let start context = { last = Network_lts.start context; steps = [] }
 

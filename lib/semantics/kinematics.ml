@@ -57,7 +57,12 @@ module type S = sig
   val time_rules : Rule.t list
   val renewed : setting -> State.process -> State.process
   val at_contact : setting -> colliding:(State.t -> (int * int) list) -> State.t -> State.t
-  val begin_turns : setting -> colliding:(State.t -> (int * int) list) -> State.t -> State.t * State.t option
+
+  val begin_turns :
+    setting ->
+    parts:(State.t -> Part.t array) ->
+    colliding:(State.t -> (int * int) list) ->
+    State.t -> State.t * State.t option
   val turns_rightly : setting -> State.process -> bool
   val settled : setting -> State.process -> bool
 end

@@ -104,9 +104,15 @@ module type S = sig
   val at_contact : setting -> colliding:(State.t -> (int * int) list) -> State.t -> State.t
   (** The turns of all that collides end (rule Turn). [colliding] tells which two processes collide in a state. *)
 
-  val begin_turns : setting -> colliding:(State.t -> (int * int) list) -> State.t -> State.t * State.t option
+
+  val begin_turns :
+    setting ->
+    parts:(State.t -> Part.t array) ->
+    colliding:(State.t -> (int * int) list) ->
+    State.t -> State.t * State.t option
   (** A turn begins of each process that a turn is due of and that does not collide (rules Turn and Round);
-      with the state before that, if rule Round changed anything. Nothing collides then that does not before. *)
+      with the state before that, if rule Round changed anything. [parts] tells the parts of a state.
+      Nothing collides then that does not before. *)
 
   val turns_rightly : setting -> State.process -> bool
   (** Whether a process turns as it can: not at all, in a turn that has begun, or soon. *)

@@ -43,16 +43,22 @@ let after_collision m (step : State.step option) =
 
 (* An outcome as a transition of the whole network. *)
 let happens c (s : State.t) ~step (o : Transition.outcome) =
-  let others = List.filter (fun p -> not (List.memq p o.gone)) (Array.to_list s.processes) in
-  finish c ~fired:o.fired o.label (Transition.rules o) (State.make ~processes:(o.come @ others) ~step ~time:s.time)
+  let target = State.at ~step ~time:s.time (State.exchange ~gone:o.gone ~come:o.come s) in
+  finish c ~fired:o.fired o.label (Transition.rules o) target
 
 let last_first lists = List.fold_left (fun all list -> List.rev_append list all) [] lists
 
-let urgent c p = Transition.distinct (List.rev_append (List.rev (Splits.strong c p)) (Closings.all c p))
-let weak c p = Transition.distinct (Splits.weak c p)
+let urgent (c : Semantics.t) p =
+  Known.urgent c.known p (fun () ->
+      Transition.distinct (List.rev_append (List.rev (Splits.strong c p)) (Closings.all c p)))
 
-let collision c processes cluster =
-  Result.map Transition.distinct (Collisions.outcomes c processes cluster)
+let weak (c : Semantics.t) p = Known.weak c.known p (fun () -> Transition.distinct (Splits.weak c p))
+
+let collision (c : Semantics.t) processes (cluster : Collisions.cluster) =
+  let look () = Result.map Transition.distinct (Collisions.outcomes c processes cluster) in
+  match cluster.members with
+  | [ i; j ] -> Known.together c.known processes.(i) processes.(j) look
+  | _ -> look ()
 
 let of_single c (s : State.t) kind =
   List.map (fun p -> List.map (happens c s ~step:s.step) (kind c p)) (Array.to_list s.processes) |> last_first

@@ -6,7 +6,7 @@ type apart = State.t -> (int * Rat.t) list -> (int * int) list
 
 let replace (s : State.t) changes =
   let change i p = Option.value (List.assoc_opt i changes) ~default:p in
-  State.make ~processes:(List.mapi change (Array.to_list s.processes)) ~step:s.step ~time:s.time
+  State.mapi change s
 
 let involves i (a, b) = a = i || b = i
 

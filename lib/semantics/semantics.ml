@@ -1,15 +1,19 @@
 open Scc_geometry
 open Scc_calculus
 
-type t = { setting : Kinematics.setting; kinematics : (module Kinematics.S) }
+type t = { setting : Kinematics.setting; kinematics : (module Kinematics.S); known : Known.t }
 
 let kinematics (m : Model.t) : (module Kinematics.S) =
   match m.rigid with None -> (module Straight) | Some _ -> (module Turning)
 
 let afresh = Geometry.exact ~obstacle:(fun a b -> Obstacle.make a b)
 
-let make ?(geometry = afresh) ?(neighbours = Kinematics.everyone) ?(laws = Kinematics.ask_again) model =
-  { setting = { model; geometry; neighbours; laws }; kinematics = kinematics model }
+let make ?(geometry = afresh) ?(neighbours = Kinematics.everyone) ?(laws = Kinematics.ask_again)
+    ?(known = Known.none) model =
+  { setting = { model; geometry; neighbours; laws }; kinematics = kinematics model; known }
 
+let forgetful t = { t with known = Known.none }
 let model t = t.setting.model
-let with_model t model = { setting = { t.setting with model }; kinematics = kinematics model }
+
+let with_model t model =
+  { setting = { t.setting with model }; kinematics = kinematics model; known = Known.renewed t.known }

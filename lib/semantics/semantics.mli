@@ -3,13 +3,20 @@
 
 open Scc_calculus
 
-type t = private { setting : Kinematics.setting; kinematics : (module Kinematics.S) }
+type t = private { setting : Kinematics.setting; kinematics : (module Kinematics.S); known : Known.t }
 
 val make :
-  ?geometry:Geometry.t -> ?neighbours:Kinematics.neighbours -> ?laws:Kinematics.laws -> Model.t -> t
+  ?geometry:Geometry.t ->
+  ?neighbours:Kinematics.neighbours ->
+  ?laws:Kinematics.laws ->
+  ?known:Known.t ->
+  Model.t -> t
 (** Its kinematics is chosen here, once and for all: {!Turning} for rigid models (reading I-18), {!Straight} for
     others. Left to itself, each question about contact and each law is answered afresh, and all pairs are looked
     at. *)
+
+val forgetful : t -> t
+(** The same, for who remembers by itself what is answered of processes ({!Known}). *)
 
 val model : t -> Model.t
 

@@ -149,14 +149,14 @@ let begin_steps (m : Model.t) (s : State.t) =
       if Model.of_each m then begin_own p else p
   in
   let step = Option.map (fun _ -> { State.remaining = m.timestep; phase = Steered }) s.step in
-  State.make ~processes:(List.map begin_one (Array.to_list s.processes)) ~step ~time:s.time
+  State.at ~step ~time:s.time (State.mapi (fun _ p -> begin_one p) s)
 
 type outcome = { state : State.t; rules : Rule.t list; rounded : State.t option }
 
 let settle (c : Semantics.t) (s : State.t) =
   let (module K) = c.kinematics in
   let m = c.setting.model in
-  let colliding = Collisions.colliding c in
+  let colliding = Collisions.colliding c and parts (s : State.t) = Collisions.parts c s.processes in
   let s = K.at_contact c.setting ~colliding s in
   let* over, s =
     if Array.exists (fun (p : State.process) -> Option.is_some p.draw) s.processes then Ok (true, s)
@@ -169,7 +169,7 @@ let settle (c : Semantics.t) (s : State.t) =
   else
     let rules = if over && Array.exists (steers m) s.processes then [ Rule.Steer ] else [] in
     let steered = if over then begin_steps m s else s in
-    let state, rounded = K.begin_turns c.setting ~colliding (K.at_contact c.setting ~colliding steered) in
+    let state, rounded = K.begin_turns c.setting ~parts ~colliding (K.at_contact c.setting ~colliding steered) in
     Ok { state; rules = (if Option.is_some rounded then rules @ [ Rule.Round ] else rules); rounded }
 
 (* {1 Draws} *)
@@ -187,9 +187,9 @@ let draw_label (p : State.process) (velocity, chance) =
   Transition.Draw { first = p.leaves.(0).leaf; velocity; chance }
 
 let drawn velocity (s : State.t) =
-  let of_one p =
+  let of_one _ p =
     match if waits p then velocity p else None with
     | Some v -> State.with_draw (Some (State.Drawn v)) p
     | None -> p
   in
-  State.make ~processes:(List.map of_one (Array.to_list s.processes)) ~step:s.step ~time:s.time
+  State.mapi of_one s

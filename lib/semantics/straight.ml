@@ -104,7 +104,7 @@ let start = renewed
 let time_rules = [ Rule.Time; Time_behaviour ]
 let at_contact _ ~colliding:_ s = s
 
-let begin_turns c ~colliding before =
+let begin_turns c ~parts:_ ~colliding before =
   match Round.beginning ~colliding before with
   | [] -> (before, None)
   | indices ->

@@ -94,11 +94,8 @@ let pass_step (m : Model.t) d (step : State.step) : State.step =
   | _ -> { remaining = Rat.sub m.timestep into; phase = Moving }
 
 let pass_within m d (s : State.t) =
-  State.make
-    ~processes:
-      (List.map (fun p -> Turn.ended m (pass_own_step m d (pass_process m d p))) (Array.to_list s.processes))
-    ~step:(Option.map (pass_step m d) s.step)
-    ~time:(Option.map (Rat.add d) s.time)
+  State.mapi (fun _ p -> Turn.ended m (pass_own_step m d (pass_process m d p))) s
+  |> State.at ~step:(Option.map (pass_step m d) s.step) ~time:(Option.map (Rat.add d) s.time)
 
 (* Turns begin anew at the end of each. *)
 let rec pass (c : Semantics.t) d (s : State.t) =

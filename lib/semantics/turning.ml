@@ -115,17 +115,17 @@ let hull c (p : Part.t) =
     }
   else { p.placed with solid = Placed.fixed_solid p.placed; turned = Quaternion.identity }
 
-let never_meet c ((a : Part.t), (b : Part.t)) =
-  let one = hull c a and two = hull c b in
+let never_meet ((a : Part.t), (one : Placed.t)) ((b : Part.t), (two : Placed.t)) =
   let w = Part.relative_velocity a b in
   match Obstacle.first_time_of_contact (Obstacle.make one.solid two.solid) (Vec.sub two.at one.at) w with
   | Never -> true
   | At _ | Inside -> false
 
 let none_ahead c parts =
-  let all = Array.to_list parts in
-  let alone (a : Part.t) (b : Part.t) =
-    not (a.process < b.process && Part.in_relative_motion a b) || never_meet c (a, b)
+  let all = List.map (fun p -> (p, lazy (hull c p))) (Array.to_list parts) in
+  let alone ((a : Part.t), one) ((b : Part.t), two) =
+    not (a.process < b.process && Part.in_relative_motion a b)
+    || never_meet (a, Lazy.force one) (b, Lazy.force two)
   in
   List.for_all (fun a -> List.for_all (alone a) all) all
 
@@ -150,9 +150,6 @@ let start c p = Turn.start c.model p
 
 let time_rules = [ Rule.Time; Time_behaviour; Turn ]
 
-let with_processes f (s : State.t) =
-  State.make ~processes:(List.mapi f (Array.to_list s.processes)) ~step:s.step ~time:s.time
-
 let renewed c p = Turn.renew c.model p
 
 (* What turns on from here may collide that did not, or not any more: then it is looked at again. *)
@@ -162,10 +159,10 @@ let rec at_contact c ~colliding (s : State.t) =
     let hit = colliding s in
     let ends i p = Turn.goes_on p && List.exists (Round.involves i) hit in
     if not (List.exists Fun.id (List.mapi ends (Array.to_list s.processes))) then s
-    else at_contact c ~colliding (with_processes (fun i p -> if ends i p then Turn.renew c.model p else p) s)
+    else at_contact c ~colliding (State.mapi (fun i p -> if ends i p then Turn.renew c.model p else p) s)
 
 (* Which processes are near each other, if some may move by so much. *)
-let near_each_other c (s : State.t) moves =
+let near_each_other c ~parts (s : State.t) moves =
   let by i = Option.value (List.assoc_opt i moves) ~default:Rat.zero in
   let reach ((a : Part.t), (b : Part.t)) = Rat.add (by a.process) (by b.process) in
   let close ((a : Part.t), (b : Part.t)) =
@@ -173,8 +170,7 @@ let near_each_other c (s : State.t) moves =
     Rat.sign reach > 0 && Rat.compare (Near_contact.distance2 a.placed b.placed) (Rat.mul reach reach) <= 0
   in
   let farthest = List.fold_left (fun far (_, d) -> Rat.max far d) Rat.zero moves in
-  let parts = Array.of_list (List.concat (List.mapi (parts c) (Array.to_list s.processes))) in
-  c.neighbours.within (Rat.add farthest farthest) parts
+  c.neighbours.within (Rat.add farthest farthest) (parts s)
   |> List.filter close
   |> List.map (fun ((a : Part.t), (b : Part.t)) -> (a.process, b.process))
 
@@ -184,11 +180,11 @@ let with_spins c ~colliding (s : State.t) indices =
   let s, _ = Round.at_once ~colliding s (List.filter_map midway indices) in
   Round.begun c.model s indices
 
-let begin_turns c ~colliding before =
+let begin_turns c ~parts ~colliding before =
   match Round.beginning ~colliding before with
   | [] -> (before, None)
   | indices ->
-    let s, changed = Round.run c.model ~colliding ~near:(near_each_other c) before indices in
+    let s, changed = Round.run c.model ~colliding ~near:(near_each_other c ~parts) before indices in
     (with_spins c ~colliding s indices, if changed then Some before else None)
 
 let turns_rightly c (p : State.process) =

@@ -8,7 +8,7 @@ type t = {
   axes : Vec.axis list;  (** along which groups may be apart *)
   may_push : Behaviour.t -> bool;  (** what it releases, now or later *)
   coordinates : (Vec.axis * int * Places_seen.limits) list;
-  distances : (int * int * Places_seen.limits) list;
+  distances : (int, Places_seen.limits) Hashtbl.t array;  (** by a leaf, and by the other one *)
   extents : (Vec.t * Vec.t) Lazy.t array;  (** of a leaf, about its reference point: the least box around it *)
   fence : (Vec.t * Vec.t) option;
   (** the least box around all that is fixed: whoever is in it is not apart from that *)
@@ -76,6 +76,15 @@ let pushing : Behaviour.t -> bool = function
   | Weak (_, { push; _ }, _) | Strong (_, push, _) -> Rat.sign push > 0
   | Nil | Open _ | Delay _ | Wait _ | Sum _ | Call _ -> false
 
+let by_leaf (m : Model.t) distances =
+  let known = Array.map (fun _ -> Hashtbl.create 1) m.leaves in
+  let add (i, j, limits) =
+    Hashtbl.replace known.(i) j limits;
+    Hashtbl.replace known.(j) i limits
+  in
+  List.iter add distances;
+  known
+
 let make (m : Model.t) (initial : State.t) checks =
   let on_a_grid = match m.splits with Every _ -> true | Any_time -> false in
   let seen = Places_seen.checks m checks in
@@ -96,7 +105,7 @@ let make (m : Model.t) (initial : State.t) checks =
           may_push =
             (fun term -> may_push && Behaviour.some_prefix m.definitions ~behind:(fun _ -> true) pushing term);
           coordinates = Places_seen.coordinates seen;
-          distances = Places_seen.distances seen;
+          distances = by_leaf m (Places_seen.distances seen);
           extents; fence;
         }
 
@@ -206,19 +215,17 @@ let has g leaf = List.exists (Int.equal leaf) g.leaves
 (* Above which squared distance nobody can tell any more how far two groups are from each other; [None]: there is
    none. *)
 let limit d g h =
-  let of_pair (i, j, (limits : Places_seen.limits)) =
-    let between = (has g i && has h j) || (has g j && has h i) in
-    match limits with
-    | _ when not between -> Some Rat.zero
-    | Between (_, high) -> Some high
-    | All -> None
+  let greater known i j =
+    match (known, Hashtbl.find_opt d.distances.(i) j) with
+    | None, _ | _, Some Places_seen.All -> None
+    | Some a, Some (Between (_, high)) -> Some (Rat.max a high)
+    | Some _, None -> known
   in
-  let greatest known pair =
-    match (known, of_pair pair) with
-    | Some a, Some b -> Some (Rat.max a b)
-    | None, _ | _, None -> None
+  let to_others known i =
+    if Hashtbl.length d.distances.(i) = 0 then known
+    else List.fold_left (fun known j -> greater known i j) known h.leaves
   in
-  List.fold_left greatest (Some Rat.zero) d.distances
+  List.fold_left to_others (Some Rat.zero) g.leaves
 
 (* Along an axis, whoever is ahead stays ahead, and gets farther. *)
 let apart_along axis ~limit g h a b =

@@ -83,7 +83,7 @@ let among t (processes : Local.alone array) =
 
 let resolve t found { one; two; _ } =
   let processes = [| one.body.process; two.body.process |] and pair = number one two in
-  match Collisions.first_time_of_contact (Local.semantics t.local) processes ~limit:None with
+  match Collisions.first_time_of_contact (Local.afresh t.local) processes ~limit:None with
   | None -> Contact_memory.keep_never t.contacts pair
   | Some time ->
     Contact_memory.keep_time t.contacts pair time;

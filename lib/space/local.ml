@@ -38,6 +38,7 @@ module Marks = Catalogue.Interned (struct
 
 type t = {
   semantics : Semantics.t;
+  afresh : Semantics.t;
   catalogue : Catalogue.t;
   events : Property.event list;
   marks : Marks.t;
@@ -49,6 +50,7 @@ type t = {
 }
 
 let semantics t = t.semantics
+let afresh t = t.afresh
 let catalogue t = t.catalogue
 let nobody t = t.nobody
 
@@ -73,7 +75,8 @@ let create ~events ~time_seen ~memory semantics =
     }
   in
   {
-    semantics; catalogue; events; marks; nobody;
+    semantics; catalogue; events;
+    afresh = Semantics.forgetful semantics; marks; nobody;
     natures = Growable.create ();
     waits = [];
     singles = Recent.create ~number:(fun a -> a.body.number) ~none:nobody ~most:memory;
@@ -130,7 +133,7 @@ let shared t wait =
     wait
 
 let look_at_form t p =
-  let splits = Network.urgent t.semantics p <> [] || Splits.weak t.semantics p <> [] in
+  let splits = Network.urgent t.afresh p <> [] || Splits.weak t.afresh p <> [] in
   { splits; wait = Option.map (shared t) (Time.wait (Semantics.model t.semantics) p) }
 
 let nature t form =
@@ -154,8 +157,8 @@ let line velocity boxes =
 let look t number =
   let body = Catalogue.body t.catalogue number in
   let nature = nature t body.form in
-  let moves splits = List.map (move t) (splits t.semantics body.process) in
-  let parts = Collisions.parts t.semantics [| body.process |] in
+  let moves splits = List.map (move t) (splits t.afresh body.process) in
+  let parts = Collisions.parts t.afresh [| body.process |] in
   let boxes = Array.map (Neighbours.box ~margin:Rat.zero) parts in
   {
     body; nature;
@@ -201,7 +204,7 @@ let collisions t a b =
   let h = Recent.get t.hits (spread pair) in
   if h.pair = pair then h.moves
   else begin
-    let moves = List.map (move t) (Network.together t.semantics [| a.body.process; b.body.process |]) in
+    let moves = List.map (move t) (Network.together t.afresh [| a.body.process; b.body.process |]) in
     Recent.keep t.hits { pair; moves };
     moves
   end

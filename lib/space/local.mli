@@ -38,6 +38,10 @@ val create :
 (** Where events mark states ({!Network_lts.make}). [memory], a power of two, bounds what is remembered. *)
 
 val semantics : t -> Semantics.t
+
+val afresh : t -> Semantics.t
+(** {!Semantics.forgetful}: what is told here is remembered here. *)
+
 val catalogue : t -> Catalogue.t
 
 val mark : t -> source:Scc_calculus.State.t -> Transition.label -> int

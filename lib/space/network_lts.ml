@@ -13,6 +13,7 @@ type context = {
   initial : State.t;
   encounters : Encounters.t;
   scene : Scene.t option;  (** where there are many *)
+  draws : bool;  (** a draw is told by who waits for it, and marks nothing *)
   codec : Scc_codec.State_codec.t Lazy.t;
   mutable given_up : Transition.fault list;  (** at the states seen so far, each once *)
   mutable seen : Bytes.t;  (** a bit for each process: whether a state has been found that has it *)
@@ -49,8 +50,9 @@ let make ?(events = []) ?(time_seen = Scc_property.Time_seen.Always) ?(quotient 
   let many = Model.part_count m > few in
   let scene = if Model.straight m && by_pairs m && many then Some (Scene.create local) else None in
   let encounters = Encounters.create ~memory:(4 * memory) local in
+  let draws = Model.draws m && Option.is_none m.rigid && events = [] in
   let codec = lazy (Scc_codec.State_codec.make m initial) in
-  { local; quotient; visible; initial; encounters; scene; codec; given_up = []; seen = Bytes.empty;
+  { local; quotient; visible; initial; encounters; scene; draws; codec; given_up = []; seen = Bytes.empty;
     may_split = false }
 
 (* Processes that were only thought of, as targets of transitions that are not possible as yet, do not count. *)
@@ -177,7 +179,7 @@ let first_contact_of_many c scene present ~limit =
     if movers <= few_movers then Encounters.first_contact c.encounters (Encounters.among c.encounters present)
     else
       let processes = Array.map (fun (a : Local.alone) -> a.body.process) present in
-      Collisions.first_time_of_contact (semantics c) processes ~limit
+      Collisions.first_time_of_contact (Local.afresh c.local) processes ~limit
 
 let of_many c scene tuple =
   Scene.look scene tuple;
@@ -192,11 +194,11 @@ let of_many c scene tuple =
    at rest (reading I-33): all at once. *)
 let at_once c present =
   let processes = Array.map (fun (a : Local.alone) -> a.body.process) present in
-  let collisions = List.rev_map (Local.move c.local) (Network.together (semantics c) processes) in
+  let collisions = List.rev_map (Local.move c.local) (Network.together (Local.afresh c.local) processes) in
   {
     present = Later.make (fun () -> present);
     can = by_themselves present collisions;
-    contact = (fun ~limit -> Collisions.first_time_of_contact (semantics c) processes ~limit);
+    contact = (fun ~limit -> Collisions.first_time_of_contact (Local.afresh c.local) processes ~limit);
   }
 
 let now c tuple =
@@ -208,13 +210,14 @@ let choices c source =
   let encoded (t : Transition.t) =
     let target = Catalogue.encode (catalogue c) t.target in
     set_mark c target (Local.mark c.local ~source t.label);
-    (t, Quotient.representative c.quotient (catalogue c) target)
+    Quotient.representative c.quotient (catalogue c) target
   in
-  Result.map (List.map encoded) (Network.successors (semantics c) source)
+  let with_target t = (t, lazy (encoded t)) in
+  Result.map (List.map with_target) (Network.successors (semantics c) source)
 
 let whole c tuple =
   let step ((t : Transition.t), target) : Lts.step =
-    { label = Catalogue.label (catalogue c) t.label; changes = Tuples.difference tuple target }
+    { label = Catalogue.label (catalogue c) t.label; changes = Tuples.difference tuple (Lazy.force target) }
   in
   match choices c (Catalogue.decode (catalogue c) tuple) with
   | Ok transitions -> Ok (List.map step transitions)
@@ -243,7 +246,46 @@ let by_parts c tuple =
   in
   Network.in_order (step c tuple) now.can ~time
 
-let successors c tuple = if Model.straight (model c) then Ok (by_parts c tuple) else whole c tuple
+(** {2 Draws} *)
+
+let drawn c tuple p outcome =
+  let catalogue = catalogue c in
+  let label = Catalogue.label catalogue (Steer.draw_label p outcome) in
+  let slot = Catalogue.first_leaf p in
+  let number = Catalogue.process catalogue (State.with_draw (Some (Drawn (fst outcome))) p) in
+  let target = Array.copy tuple in
+  target.(slot) <- number;
+  let target' = Quotient.representative c.quotient catalogue target in
+  { Lts.label; changes = (if target' == target then [| slot; number |] else Tuples.difference tuple target') }
+
+(* While two or more wait to draw (rule Draw), a draw changes one process alone: what all have
+   drawn takes effect when
+   the last one has, and who is first is told by those who wait. Of bodies that turn nothing is said here, as turns
+   may end before each draw. *)
+let draws c tuple =
+  if not c.draws then None
+  else
+    let n = Array.length (model c).leaves in
+    let rec waiting i found =
+      if i < 0 then Some found
+      else if tuple.(i) = Catalogue.nobody then waiting (i - 1) found
+      else
+        let p = (Catalogue.body (catalogue c) tuple.(i)).process in
+        if Lots.is_pending p then None
+        else waiting (i - 1) (match p.draw with Some Waits -> p :: found | Some (Drawn _) | None -> found)
+    in
+    match waiting (n - 1) [] with
+    | Some (_ :: _ :: _ as processes) ->
+      let first = Option.get (Process.first_by_place (model c) processes) in
+      let step = Catalogue.step (catalogue c) tuple and time = Catalogue.time (catalogue c) tuple in
+      Steer.chances (semantics c) (State.make ~processes:[ first ] ~step ~time) first
+      |> Result.map (List.map (drawn c tuple first))
+      |> Option.some
+    | Some ([] | [ _ ]) | None -> None
+
+let successors c tuple =
+  if Model.straight (model c) then Ok (by_parts c tuple)
+  else match draws c tuple with Some steps -> steps | None -> whole c tuple
 
 (** {2 One group of many} *)
 

@@ -73,7 +73,7 @@ val same_but_for_places : context -> State.t -> State.t -> bool
 val keeps : context -> int array -> Property.quantity -> bool
 (** {!Quotient.keeps}. *)
 
-val choices : context -> State.t -> ((Transition.t * int array) list, Transition.fault) result
+val choices : context -> State.t -> ((Transition.t * int array Lazy.t) list, Transition.fault) result
 (** Every transition of a state by the rules ({!Network.successors}), each with the tuple of where it leads. *)
 
 include Scc_explore.Lts.S with type context := context and type fault = Transition.fault

@@ -13,7 +13,8 @@ let round m (s : State.t) =
   let semantics = standard m in
   let due = List.map (Turn.renew m) (Array.to_list s.processes) in
   let due = State.make ~processes:due ~step:s.step ~time:s.time in
-  Turning.begin_turns semantics.setting ~colliding:(Collisions.colliding semantics) due
+  let parts (s : State.t) = Collisions.parts semantics s.processes in
+  Turning.begin_turns semantics.setting ~parts ~colliding:(Collisions.colliding semantics) due
 
 let long = quaternion 1_000_003 77_777 3 999
 

@@ -84,6 +84,11 @@ let bystanders =
   QCheck2.Test.make ~name:"bystanders" ~count:50 ~print:Random_network.print (Random_network.generate ())
     (fun network -> agrees ~few:0 ~memory:1024 ~of_model:Fun.id (Random_network.with_bystanders network))
 
+let switched name ~steered count =
+  QCheck2.Test.make ~name ~count ~print:Random_network.print
+    (Random_network.switched ~steered ())
+    (agrees ~memory:1024 ~of_model:Fun.id)
+
 let rings =
   QCheck2.Test.make ~name:"bonds that close rings" ~count:100 ~print:Random_network.print Random_network.linked
     (agrees ~memory:1024 ~of_model:Fun.id)
@@ -135,6 +140,7 @@ let () =
             property "as many" ~few:0 ~memory:1024 200;
             property "as many, with little memory" ~few:0 ~memory:2 100;
             crowd "crowds" ~few:0; crowd "crowds by pairs" ~few:1000; absorbing; bystanders; rings; rigid;
+            switched "with switches" ~steered:false 60; switched "with switches, under laws" ~steered:true 60;
           ] );
       ("models", List.map (fun name -> Alcotest.test_case name `Quick (model name)) models);
       ("models as many", List.map (fun name -> Alcotest.test_case name `Quick (model ~few:0 name)) models);
