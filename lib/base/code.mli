@@ -329,6 +329,9 @@ val other_store : t
 val damaged_store : t
 (** SC0912: a store that is damaged. *)
 
+val not_kept : t
+(** SC0913: a store that could not be written at some instant, while the work goes on without it. *)
+
 (** {1 Successors for programs} *)
 
 val no_state : t

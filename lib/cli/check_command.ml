@@ -150,13 +150,16 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let* () = if zones && Option.is_some extras.store then Expanded.no_sets else Ok () in
   let* expanded =
     let memory = Option.value budget.memory ~default:Check_options.defaults.memory in
-    Expanded.openly ~jobs:extras.jobs ~store:extras.store ~memory (Check_extras.explored extras budget) l
+    Expanded.openly console ~jobs:extras.jobs ~store:extras.store ~memory (Check_extras.explored extras budget) l
   in
   let options =
-    let options = { (Check_options.starting console watch budget) with expanding = Expanded.expanding expanded } in
     let states = Option.value budget.Budget.states ~default:Check_options.defaults.states in
     let compact = if extras.compact then Some states else None in
-    { options with reductions = extras.reductions; order = extras.order; compact; prove = extras.prove }
+    {
+      (Check_options.starting console watch budget) with
+      reductions = extras.reductions; order = extras.order; compact; prove = extras.prove;
+      expanding = Expanded.expanding expanded; compacting = Expanded.compacting expanded;
+    }
   in
   (* What an invariant decides need not be explored: then nothing is known of premises. *)
   let premises = if extras.prove && not zones then [] else l.premises in
@@ -214,8 +217,6 @@ let run color json budget (extras : Check_extras.t) given path =
   let console = Console.make ~color ~json () in
   if unfit extras then
     Guard.usage "--witness does not go with --no-reduce jump: schedules are replayed with jumps"
-  else if extras.compact && Option.is_some extras.store then
-    Guard.usage "--store does not go with --hash-compact: what a store keeps is exact"
   else
     Guard.run console (fun () ->
         match check console budget extras given path with

@@ -22,6 +22,7 @@ type options = {
   decimals : int option;
   output : string option;
   resume : string option;
+  store : string option;
   plot : string option;
 }
 
@@ -46,15 +47,30 @@ let report o (l : Loaded.t) observables times : Report.t =
     times;
   }
 
-let each_run console o plan ~first ~interrupted each =
+let each_run console o runs plan ~first ~interrupted each =
   let told k (r : Simulation.run) =
     Console.progress console (Printf.sprintf "%d of %d runs" (k + 1) o.runs);
     each r
   in
   let work = Simulation.run plan ~seed:o.seed in
-  let result = Pool.run ~jobs:o.jobs ~first ~count:o.runs ~work ~interrupted ~each:told in
+  let result = Kept_runs.run runs ~jobs:o.jobs ~first ~count:o.runs ~work ~interrupted ~each:told in
   Console.progress_done console;
   result
+
+(* A run depends on these and its number alone. *)
+let store console o (l : Loaded.t) folder =
+  let options =
+    [
+      ("what is kept", "runs of scc simulate");
+      ("--observe", String.concat "; " o.observed);
+      ("--every", Rat.to_string o.every);
+      ("--until", Rat.to_string o.until);
+      ("--steps", Option.fold ~none:"default" ~some:string_of_int o.steps);
+      ("--seed", Int64.to_string o.seed);
+    ]
+  in
+  let { Origin.digest; parameters; _ } = l.origin in
+  Kept.openly console ~folder (Kept.identity ~digest ~parameters options)
 
 let early console n =
   if n > 0 then
@@ -89,6 +105,10 @@ let simulate console o ~interrupted =
     | None -> Ok (0, Report.header report)
     | Some path -> Resume.lines ~path ~header:(Report.header report) ~member:"run" ~what:"simulation"
   in
+  let* store =
+    match o.store with None -> Ok None | Some folder -> Result.map Option.some (store console o model folder)
+  in
+  let runs = Kept_runs.start store "the runs" in
   let path = match (o.output, o.resume) with None, Some path -> Some path | path, _ -> path in
   let written = ref first and ended_early = ref 0 in
   let note (r : Simulation.run) =
@@ -100,7 +120,7 @@ let simulate console o ~interrupted =
   let write put =
     if not o.summary then put before;
     let result =
-      each_run console o plan ~first ~interrupted (fun r ->
+      each_run console o runs plan ~first ~interrupted (fun r ->
           note r;
           if together then all := Report.add !all r;
           if not o.summary then put (Report.run report r))
@@ -118,7 +138,10 @@ let simulate console o ~interrupted =
   | Error d -> Error [ d ]
   | Ok result ->
     let* () = Result.map_error (fun d -> [ d ]) (Option.fold ~none:(Ok ()) ~some:draw o.plot) in
-    conclude console o ~finished:!written ~ended_early:!ended_early result
+    let* code = conclude console o ~finished:!written ~ended_early:!ended_early result in
+    let unkept = Kept_runs.close runs in
+    Kept.conclude console unkept;
+    Ok (Exit_code.worst (code :: Kept.code unkept))
 
 let run color o =
   let console = Console.make ~color ~json:false () in
@@ -198,29 +221,38 @@ let resume =
   in
   Arg.(value & opt (some string) None & info [ "resume" ] ~docv:"FILE" ~doc)
 
+let store_option =
+  Kept.option
+    ~doc:
+      "Keeps the runs in the folder $(docv) while they are made, which is made if need be. The same command goes on \
+       from there; so does one with another $(b,--runs) or $(b,--jobs), or that tells of the same runs in another way \
+       ($(b,--format), $(b,--summary), $(b,--plot)). See STORES."
+
 let fitting o =
   if Simulation.too_many ~every:o.every ~until:o.until then
     Error (Printf.sprintf "--every and --until make more than %d times" Simulation.most_times)
   else if List.exists (fun q -> Rat.compare q Rat.one > 0) o.quantiles then Error "a quantile is not above 1"
   else
     match (o.resume, o.form, o.summary) with
+    | Some _, _, _ when Option.is_some o.store -> Error "--resume does not go with --store"
     | Some _, Csv, _ -> Error "--resume goes on with JSON Lines: --format jsonl"
     | Some _, _, true -> Error "--resume does not go with --summary"
     | Some _, _, false when Option.is_some o.plot -> Error "--resume does not go with --plot"
     | _ -> Ok { o with output = (if o.output = Some "-" then None else o.output) }
 
 let options =
-  let make path given runs seed jobs observed every until steps summary quantiles form decimals output resume plot
+  let make path given runs seed jobs observed every until steps summary quantiles form decimals output resume store
+      plot
     = fitting
       {
         path; given; runs; seed; jobs; observed; every; until; steps; summary; quantiles; form; decimals; output;
-        resume; plot; }
+        resume; store; plot; }
   in
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.overrides $ runs $ Run_options.seed $ Run_options.jobs $ observed
        $ every $ until $ steps
-       $ summary $ quantiles $ form $ decimals $ output $ resume $ plot))
+       $ summary $ quantiles $ form $ decimals $ output $ resume $ store_option $ plot))
 
 let man =
   [
@@ -240,6 +272,7 @@ let man =
       "The same model, seed and observables give the same bytes, however many processes work at it. Ctrl-C \
        keeps all runs that are done.";
   ]
+  @ Kept.man
   @ Options.diagnostics_man
   @ [
     `S Manpage.s_examples;

@@ -49,6 +49,14 @@ module Make (E : Lts.Exchange) = struct
     done;
     changes
 
+  let put_step w buffer (s : Lts.step) =
+    put_label w buffer s.label;
+    put_changes w buffer s.changes
+
+  let read_step w source =
+    let label = read_label w source in
+    { Lts.label; changes = read_changes w source }
+
   let put_tuple w buffer tuple = Array.iteri (put_number w buffer) tuple
   let read_tuple w source = Array.init (Array.length w.family) (read_number w source)
 end

@@ -15,6 +15,9 @@ module Make (E : Lts.Exchange) : sig
   val put_changes : t -> Buffer.t -> Tuples.changes -> unit
   val read_changes : t -> Packed.source -> Tuples.changes
 
+  val put_step : t -> Buffer.t -> Lts.step -> unit
+  val read_step : t -> Packed.source -> Lts.step
+
   val put_tuple : t -> Buffer.t -> int array -> unit
   val read_tuple : t -> Packed.source -> int array
 end

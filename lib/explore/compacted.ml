@@ -32,6 +32,15 @@ module Make (L : Lts.S) = struct
     enough : unit -> bool;
   }
 
+  type expander = {
+    expand : int -> int array -> (Lts.step list, L.fault) Stdlib.result;
+    finish : unit -> unit;
+  }
+
+  type expanding = L.context -> expander
+
+  let here context = { expand = (fun _ tuple -> L.successors context tuple); finish = Fun.id }
+
   type result = {
     size : int;
     transitions : int;
@@ -105,13 +114,13 @@ module Make (L : Lts.S) = struct
       Limits.within around (fun () -> visitor.found number (Tuples.apply step.changes tuple))
     end
 
-  let expand s around visitor i key =
+  let expand s around visitor expander i key =
     Tuples.load_key s.tuples s.near key;
     let tuple = Tuples.slots s.near in
     let bits () = L.bits s.context tuple in
     if Limits.too_long s.limits ~longest:(L.longest s.context) ~bits then leave s Explore.Bits
     else
-      match Limits.within around (fun () -> L.successors s.context tuple) with
+      match Limits.within around (fun () -> expander.expand i tuple) with
       | Error fault -> leave s (Explore.Fault fault)
       | Ok steps ->
         Limits.within around (fun () -> visitor.opened i tuple steps);
@@ -157,8 +166,9 @@ module Make (L : Lts.S) = struct
       model_time = Distances.arrival s.paths i;
     }
 
-  let run visitor ~capacity limits (around : Limits.surroundings) context =
+  let run ?(expanding = here) visitor ~capacity limits (around : Limits.surroundings) context =
     let s, first = start limits capacity context in
+    let expander = expanding context in
     (* States are taken as they were found. *)
     let rec loop i =
       match Int_queue.take s.frontier with
@@ -172,15 +182,18 @@ module Make (L : Lts.S) = struct
           | None ->
             (match out_of_bounds s i with
              | Some reason -> leave s reason
-             | None -> expand s around visitor i key);
+             | None -> expand s around visitor expander i key);
             loop (i + 1))
     in
-    (match
-       Limits.within around (fun () -> visitor.found 0 first);
-       loop 0
-     with
-     | () -> ()
-     | exception Limits.Over stop -> leave s (Explore.of_stop stop));
+    let explore () =
+      match
+        Limits.within around (fun () -> visitor.found 0 first);
+        loop 0
+      with
+      | () -> ()
+      | exception Limits.Over stop -> leave s (Explore.of_stop stop)
+    in
+    Fun.protect explore ~finally:expander.finish;
     {
       size = size s;
       transitions = s.transitions;

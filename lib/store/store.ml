@@ -14,6 +14,7 @@ type t = {
   identity : string;  (** a digest, on which those of the blocks rest *)
   had_blocks : bool;
   begun : (string, int) Hashtbl.t;  (** how many explorations of each name *)
+  warn : Diag.t -> unit;
   mutable failed : Diag.t option;
 }
 
@@ -150,7 +151,7 @@ let look_at_blocks db identity =
   in
   Option.is_some exploration
 
-let connect folder identity =
+let connect folder identity warn =
   make_folder folder;
   may_be_store folder;
   let db =
@@ -171,15 +172,16 @@ let connect folder identity =
     run db "PRAGMA journal_mode = WAL";
     run db "PRAGMA synchronous = FULL";
     let identity = digest_of_identity identity in
-    { folder; db; identity; had_blocks = look_at_blocks db identity; begun = Hashtbl.create 8; failed = None }
+    let had_blocks = look_at_blocks db identity in
+    { folder; db; identity; had_blocks; begun = Hashtbl.create 8; warn; failed = None }
   with
   | t -> t
   | exception e ->
     ignore (Sqlite3.db_close db);
     raise e
 
-let openly folder ~identity =
-  match connect folder identity with
+let openly folder ~identity ~warn =
+  match connect folder identity warn with
   | t -> Ok t
   | exception Failed (code, text) -> Error (Diag.error code (at folder) "%s" text)
   | exception Sqlite3.Error text ->
@@ -207,7 +209,10 @@ let give_up t text =
   t.failed <-
     Some
       (Diag.error Code.cannot_write (at t.folder) "%s; what was explored from then on is not kept" text
-         ~hint:"the same command goes on from what was kept, once the store can be written again")
+         ~hint:"the same command goes on from what was kept, once the store can be written again");
+  t.warn
+    (Diag.warning Code.not_kept (at t.folder) "%s: what is found from now on is not kept" text
+       ~hint:"it goes on all the same; what was kept up to now stays")
 
 let log t name : Scc_expand.Log.t =
   let before = Option.value (Hashtbl.find_opt t.begun name) ~default:0 in
