@@ -204,8 +204,9 @@ let all =
     (any_time, "weak splits at any time, where a grid of instants is looked at");
     (not_known, "parameters with ranges, where their values are needed");
     (no_store, "a folder is no store of explorations, or cannot be used as one now");
-    (other_store, "a store keeps another exploration: of another model, with other options or of another version");
+    (other_store, "a store keeps something else: of another model, with other options or of another version");
     (damaged_store, "a store is damaged");
+    (not_kept, "a store that cannot be written any more, while the work goes on");
     (no_state, "bytes that are no state of the model");
     (lost_frame, "a batch of states that does not fit its format");
     (not_asked, "a property or an exploration that the model does not have");

@@ -161,6 +161,7 @@ let store =
 let explored e (budget : Scc_session.Budget.t) =
   let number = function None -> "default" | Some n -> string_of_int n in
   [
+    ("what is kept", "explorations of scc check");
     ("--no-reduce", String.concat "," (List.filter_map (fun k ->
          if List.exists (Reduction.equal k) e.reductions then None else Some (Reduction.name k)) Reduction.all));
     ("--shortest", match e.order with State_graph.By_steps -> "steps" | By_time -> "time");
