@@ -58,6 +58,7 @@ module Make (L : Lts.S) = struct
     room : int;
     tuples : Tuples.t;  (** only for the parts of tuples *)
     near : Tuples.spread;
+    appearances : Appearances.t;  (** keys are of numbers by appearance *)
     seen : Fingerprints.t;
     paths : Distances.t;  (** of the paths on which states were found *)
     choices : Choices.t;  (** the last one of each of them *)
@@ -93,7 +94,7 @@ module Make (L : Lts.S) = struct
     else None
 
   let bytes s =
-    Tuples.bytes s.tuples + Fingerprints.bytes s.seen + Distances.bytes s.paths + Choices.bytes s.choices
+    Tuples.bytes s.tuples + Appearances.bytes s.appearances + Fingerprints.bytes s.seen + Distances.bytes s.paths + Choices.bytes s.choices
 
   let after s i (step : Lts.step) =
     let d = L.duration s.context step.label in
@@ -102,7 +103,7 @@ module Make (L : Lts.S) = struct
   (* The last states may not fit any more. *)
   let follow s around visitor i tuple choice (step : Lts.step) =
     s.transitions <- s.transitions + 1;
-    let key = Tuples.key s.tuples ~near:s.near step.changes in
+    let key = Tuples.key s.tuples ~near:s.near (Appearances.changes s.appearances step.changes) in
     if s.full then ()
     else if size s >= s.room then begin
       leave s Explore.States;
@@ -116,7 +117,7 @@ module Make (L : Lts.S) = struct
 
   let expand s around visitor expander i key =
     Tuples.load_key s.tuples s.near key;
-    let tuple = Tuples.slots s.near in
+    let tuple = Appearances.tuple s.appearances (Tuples.slots s.near) in
     let bits () = L.bits s.context tuple in
     if Limits.too_long s.limits ~longest:(L.longest s.context) ~bits then leave s Explore.Bits
     else
@@ -134,16 +135,17 @@ module Make (L : Lts.S) = struct
     in
     go i []
 
-  let start (limits : Limits.t) capacity context =
+  let start (limits : Limits.t) capacity ~family context =
     let tuples = Tuples.create ~width:(L.width context) in
     let room = match limits.states with None -> capacity | Some n -> Int.min n capacity in
     let near = Tuples.spread tuples in
     let first = L.initial context in
     let whole = Tuples.difference (Array.map (fun _ -> -1) first) first in
-    let key = Tuples.key tuples ~near whole in
+    let appearances = Appearances.create ~width:(L.width context) ~family in
+    let key = Tuples.key tuples ~near (Appearances.changes appearances whole) in
     let s =
       {
-        context; limits; room; tuples; near;
+        context; limits; room; tuples; near; appearances;
         seen = Fingerprints.create ~capacity:room;
         paths = Distances.create ();
         choices = Choices.create ();
@@ -166,8 +168,8 @@ module Make (L : Lts.S) = struct
       model_time = Distances.arrival s.paths i;
     }
 
-  let run ?(expanding = here) visitor ~capacity limits (around : Limits.surroundings) context =
-    let s, first = start limits capacity context in
+  let run ?(expanding = here) visitor ~capacity ~family limits (around : Limits.surroundings) context =
+    let s, first = start limits capacity ~family context in
     let expander = expanding context in
     (* States are taken as they were found. *)
     let rec loop i =

@@ -35,7 +35,9 @@ module Make (L : Lts.S) : sig
   }
 
   val run :
-    ?expanding:expanding -> visitor -> capacity:int -> Limits.t -> Limits.surroundings -> L.context -> result
-  (** Of the limits that on time is not observed. At most [capacity] states are kept, and no more than the
+    ?expanding:expanding -> visitor -> capacity:int -> family:(int -> int) -> Limits.t -> Limits.surroundings ->
+    L.context -> result
+  (** [family], of slots: {!Appearances.create}. What is found, the bound on omissions and any omission depend on no
+      numbers that a process has given to things. Of the limits that on time is not observed. At most [capacity] states are kept, and no more than the
       limit. *)
 end
