@@ -294,8 +294,8 @@ let man =
        seconds, a kill or a power cut, the same command goes on from there; its report is that of a run that \
        was never interrupted. Only what ends the work before it is done may be different (limits of seconds and \
        of memory, the number of processes), and what is written of it; a store of something else is refused, \
-       and so is one that is damaged or in use. When it cannot be written any more, as on a full disk, the \
-       exploration goes on without it, and the exit code is 74 where it would be 0.";
+       and so is one that is damaged or in use. When it cannot be written any more, as on a full disk, a \
+       warning tells so at once, the exploration goes on without it, and the exit code is 74.";
     `P
       "Models with parameters of which ranges are known, or with $(b,split_step any), have no store: they are \
        explored by sets of states. $(b,specs/large-models.md) tells more.";

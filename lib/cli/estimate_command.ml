@@ -303,8 +303,8 @@ let until =
 let store_option =
   Kept.option
     ~doc:
-      "Keeps the runs in the folder $(docv) while they are made, which is made if need be. The same command goes on \
-       from there; so does one with another $(b,--runs), $(b,--most), $(b,--confidence), $(b,--width), \
+      "Keeps the runs in the folder $(docv) while they are made, which is made if need be. The same command goes \
+       on from there; so does one with another $(b,--runs), $(b,--most), $(b,--confidence), $(b,--width), \
        $(b,--seconds) or $(b,--jobs). See STORES."
 
 let options =

@@ -224,9 +224,9 @@ let resume =
 let store_option =
   Kept.option
     ~doc:
-      "Keeps the runs in the folder $(docv) while they are made, which is made if need be. The same command goes on \
-       from there; so does one with another $(b,--runs) or $(b,--jobs), or that tells of the same runs in another way \
-       ($(b,--format), $(b,--summary), $(b,--plot)). See STORES."
+      "Keeps the runs in the folder $(docv) while they are made, which is made if need be. The same command goes \
+       on from there; so does one with another $(b,--runs) or $(b,--jobs), or that tells of the same runs in \
+       another way ($(b,--format), $(b,--summary), $(b,--plot)). See STORES."
 
 let fitting o =
   if Simulation.too_many ~every:o.every ~until:o.until then

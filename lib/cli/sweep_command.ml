@@ -214,9 +214,9 @@ let plot =
 let store_option =
   Kept.option
     ~doc:
-      "Keeps the points in the folder $(docv) while they are worked on, which is made if need be. The same command \
-       goes on from there; so does one with another $(b,--jobs), or that tells of the same points in another way \
-       ($(b,--format), $(b,--plot)). See STORES."
+      "Keeps the points in the folder $(docv) while they are worked on, which is made if need be. The same \
+       command goes on from there; so does one with another $(b,--jobs), or that tells of the same points in \
+       another way ($(b,--format), $(b,--plot)). See STORES."
 
 let twice grid =
   let rec go = function

@@ -94,7 +94,8 @@ module Make (L : Lts.S) = struct
     else None
 
   let bytes s =
-    Tuples.bytes s.tuples + Appearances.bytes s.appearances + Fingerprints.bytes s.seen + Distances.bytes s.paths + Choices.bytes s.choices
+    Tuples.bytes s.tuples + Appearances.bytes s.appearances + Fingerprints.bytes s.seen + Distances.bytes s.paths
+    + Choices.bytes s.choices
 
   let after s i (step : Lts.step) =
     let d = L.duration s.context step.label in
@@ -103,7 +104,8 @@ module Make (L : Lts.S) = struct
   (* The last states may not fit any more. *)
   let follow s around visitor i tuple choice (step : Lts.step) =
     s.transitions <- s.transitions + 1;
-    let key = Tuples.key s.tuples ~near:s.near (Appearances.changes s.appearances step.changes) in
+    let changes = Appearances.changes s.appearances step.changes in
+    let key = Tuples.key s.tuples ~near:s.near changes in
     if s.full then ()
     else if size s >= s.room then begin
       leave s Explore.States;

@@ -13,8 +13,8 @@ module Make (L : Lts.S) : sig
   (** Who finds the transitions of states; what is found does not depend on it. *)
   type expander = {
     expand : int -> int array -> (Lts.step list, L.fault) Stdlib.result;
-    (** of a state and its tuple: all of them ({!Lts.S.successors}). Called by increasing numbers, within an attempt
-        *)
+    (** of a state and its tuple: all of them ({!Lts.S.successors}). Called by increasing numbers, within an
+        attempt *)
     finish : unit -> unit;  (** at the end, whatever that is *)
   }
 
@@ -35,9 +35,9 @@ module Make (L : Lts.S) : sig
   }
 
   val run :
-    ?expanding:expanding -> visitor -> capacity:int -> family:(int -> int) -> Limits.t -> Limits.surroundings ->
-    L.context -> result
-  (** [family], of slots: {!Appearances.create}. What is found, the bound on omissions and any omission depend on no
-      numbers that a process has given to things. Of the limits that on time is not observed. At most [capacity] states are kept, and no more than the
-      limit. *)
+    ?expanding:expanding -> visitor -> capacity:int -> family:(int -> int) ->
+    Limits.t -> Limits.surroundings -> L.context -> result
+    (** [family], of slots: {!Appearances.create}. What is found, the bound on omissions and any omission depend on
+        no numbers that a process has given to things. Of the limits that on time is not observed.
+        At most [capacity] states are kept, and no more than the limit. *)
 end

@@ -66,7 +66,8 @@ let search ?expanding limits around context ~capacity ~rests goals =
         (fun () -> goals <> [] && List.for_all (fun m -> Option.is_some m.place) monitors);
     }
   in
-  let r = State_fingerprints.run ?expanding visitor ~capacity ~family:(Network_exchange.family context) limits around context in
+  let family = Network_exchange.family context in
+  let r = State_fingerprints.run ?expanding visitor ~capacity ~family limits around context in
   let answer m =
     match m.place with
     | Some (i, during) -> Met { choices = r.path i; during }

@@ -1,5 +1,5 @@
-(** Explorations, and lists of runs, on disk: a folder with one SQLite database, in which each of them has its blocks
-    ({!Scc_expand.Log}), one transaction for each.
+(** Explorations, and lists of runs, on disk: a folder with one SQLite database, in which each of them has its
+    blocks ({!Scc_expand.Log}), one transaction for each.
 
     A block is there as a whole or not at all, and is there for good once {!Scc_expand.Log.t.keep} has returned:
     the write-ahead log is synchronised with each transaction. Each block has a digest of itself and of all before

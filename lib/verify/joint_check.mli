@@ -23,8 +23,8 @@ type options = {
       (rule Invariants), in half of the time *)
   expanding : about:string -> State_graph.expanding;
   compacting : about:string -> State_fingerprints.expanding;
-  (** the same with hash compaction: asked for with each exploration; what it is about and the options determine it, and explorations that are
-      about the same come in the same order *)
+  (** the same with hash compaction: asked for with each exploration; what it is about and the options determine
+      it, and explorations that are about the same come in the same order *)
 }
 
 val default : options

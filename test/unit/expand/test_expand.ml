@@ -223,13 +223,14 @@ let pieces =
     Gen.(pair case_gen (list_size (int_range 1 4) (int_range 0 12)))
     in_pieces
 
-(* The same with hash compaction, told by what its visitor hears and by its result: a state of these graphs is a key. *)
+(* The same with hash compaction, told by what its visitor hears and by its result. *)
 let compacted ?expanding ?(first = 0) ?(stop = fun () -> None) case =
   let context = Toy.make ~first case.toy in
   let heard = Buffer.create 256 in
   let say format = Printf.bprintf heard (format ^^ "\n") in
   let step (s : Lts.step) tuple =
-    Printf.sprintf "%d@%s" (Toy.decode context (Tuples.apply s.changes tuple)) (Rat.to_string (Toy.duration context s.label))
+    let target = Toy.decode context (Tuples.apply s.changes tuple) in
+    Printf.sprintf "%d@%s" target (Rat.to_string (Toy.duration context s.label))
   in
   let opened i tuple steps = say "opened %d: %s" i (String.concat " " (List.map (fun s -> step s tuple) steps)) in
   let visitor =
@@ -240,7 +241,8 @@ let compacted ?expanding ?(first = 0) ?(stop = fun () -> None) case =
     }
   in
   let limits = { Limits.unlimited with depth = case.depth; states = case.states } in
-  let r = Compact.run ?expanding visitor ~capacity:100 ~family:(Exchange.family context) limits { Limits.quiet with stop } context in
+  let family = Exchange.family context and around = { Limits.quiet with stop } in
+  let r = Compact.run ?expanding visitor ~capacity:100 ~family limits around context in
   say "%d states, %d transitions, depth %d, %d left, omission %h" r.size r.transitions r.depth (List.length r.left)
     r.omission;
   List.iter (fun i -> say "%s" (String.concat " " (List.map string_of_int (r.path i)))) (List.init r.size Fun.id);
@@ -279,7 +281,8 @@ let compacted_unfit () =
     | exception Scc_expand.Journal.Unfit _ -> ()
   in
   let all = kept () in
-  refuses "a note of a later state comes first" (List.map (fun block -> "\001" ^ String.sub block 1 (String.length block - 1)) all);
+  let later block = "\001" ^ String.sub block 1 (String.length block - 1) in
+  refuses "a note of a later state comes first" (List.map later all);
   refuses "a note that ends too early" [ String.sub (List.hd all) 0 2 ]
 
 (* Notes of another graph are seen not to fit, or make the exploration that they are of. *)
