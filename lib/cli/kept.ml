@@ -32,7 +32,8 @@ let man =
     `P
       "With $(b,--store) what is done goes to a folder at once. After Ctrl-C, $(b,kill -9) or a power cut the \
        same command goes on from there, and ends with the bytes of a run that was never interrupted. At most a \
-       second of work is lost. When the store cannot be written any more, as on a full disk, a warning tells so at \
-       once, the work goes on without it, and the exit code is 74. A store is of one model, one \
-       build of scc and one set of options; one of something else is refused, and what differs is told. One process at a time has it.";
+       second of work is lost. When the store cannot be written any more, as on a full disk, a warning tells so \
+       at once, the work goes on without it, and the exit code is 74. A store is of one model, one build of scc \
+       and one set of options; one of something else is refused, and what differs is told. One process at a time \
+       has it.";
   ]
