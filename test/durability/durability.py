@@ -46,7 +46,7 @@ EXPLORATIONS = {
     "pegs": [MODELS + "pegs.sc"],
     "fingerprints": [BENCH + "checker/hexokinase.sc", "-D", "n=4", "--hash-compact"],
     "fingerprints, found": [MODELS + "enzyme.sc", "--hash-compact", "--full"],
-    "estimate": ["estimate", MODELS + "brownian.sc", "--runs", "40"],
+    "estimate": ["estimate", MODELS + "brownian.sc", "--runs", "15"],
     "estimate, by width": ["estimate", MODELS + "ruin.sc", "--most", "60", "--json"],
     "simulate": ["simulate", MODELS + "ruin.sc", "--runs", "400", "--observe", "x(walker)", "--every", "1", "--until", "40"],
     "summary": [
@@ -56,6 +56,7 @@ EXPLORATIONS = {
     "sweep": ["sweep", BENCH + "checker/hexokinase.sc", "-D", "n=1..3"],
 }
 FEW = ["hexokinase", "by time", "slices", "probabilities", "coverage", "fingerprints", "estimate", "sweep"]
+QUICK = ["by time", "probabilities", "estimate", "sweep"]
 # What is not the work of scc check.
 OTHERS = ["estimate", "simulate", "sweep"]
 # Commands that a limit of seconds ends: sweep takes it for each point.
@@ -384,9 +385,10 @@ def main():
         if not options.few and not options.only:
             models(scc, folder, tally)
         kills(scc, names, instants, chance, folder, tally)
-        interruptions(scc, some, chance, folder, tally)
+        most = QUICK if options.few else some
+        interruptions(scc, most, chance, folder, tally)
         workers(scc, some[:3], chance, tally)
-        full_disks(scc, some, chance, folder, tally)
+        full_disks(scc, most, chance, folder, tally)
         damage(scc, some[:3] if not options.few else some[1:3], damages, chance, folder, tally)
     print(f"{tally.passed} passed, {tally.failed} failed")
     return 1 if tally.failed else 0
