@@ -324,10 +324,13 @@ val no_store : t
 (** SC0910: a folder that is no store of explorations, or cannot be used as one now. *)
 
 val other_store : t
-(** SC0911: a store that keeps another exploration: of another model, with other options or of another version. *)
+(** SC0911: a store that keeps something else: of another model, with other options or of another version. *)
 
 val damaged_store : t
 (** SC0912: a store that is damaged. *)
+
+val not_kept : t
+(** SC0913: a store that cannot be written any more, while the work goes on. *)
 
 (** {1 Successors for programs} *)
 

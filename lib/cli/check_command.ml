@@ -150,13 +150,16 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let* () = if zones && Option.is_some extras.store then Expanded.no_sets else Ok () in
   let* expanded =
     let memory = Option.value budget.memory ~default:Check_options.defaults.memory in
-    Expanded.openly ~jobs:extras.jobs ~store:extras.store ~memory (Check_extras.explored extras budget) l
+    Expanded.openly console ~jobs:extras.jobs ~store:extras.store ~memory (Check_extras.explored extras budget) l
   in
   let options =
-    let options = { (Check_options.starting console watch budget) with expanding = Expanded.expanding expanded } in
     let states = Option.value budget.Budget.states ~default:Check_options.defaults.states in
     let compact = if extras.compact then Some states else None in
-    { options with reductions = extras.reductions; order = extras.order; compact; prove = extras.prove }
+    {
+      (Check_options.starting console watch budget) with
+      reductions = extras.reductions; order = extras.order; compact; prove = extras.prove;
+      expanding = Expanded.expanding expanded; compacting = Expanded.compacting expanded;
+    }
   in
   (* What an invariant decides need not be explored: then nothing is known of premises. *)
   let premises = if extras.prove && not zones then [] else l.premises in
@@ -214,8 +217,6 @@ let run color json budget (extras : Check_extras.t) given path =
   let console = Console.make ~color ~json () in
   if unfit extras then
     Guard.usage "--witness does not go with --no-reduce jump: schedules are replayed with jumps"
-  else if extras.compact && Option.is_some extras.store then
-    Guard.usage "--store does not go with --hash-compact: what a store keeps is exact"
   else
     Guard.run console (fun () ->
         match check console budget extras given path with
@@ -293,8 +294,8 @@ let man =
        seconds, a kill or a power cut, the same command goes on from there; its report is that of a run that \
        was never interrupted. Only what ends the work before it is done may be different (limits of seconds and \
        of memory, the number of processes), and what is written of it; a store of something else is refused, \
-       and so is one that is damaged or in use. When it cannot be written any more, as on a full disk, the \
-       exploration goes on without it, and the exit code is 74 where it would be 0.";
+       and so is one that is damaged or in use. When it cannot be written any more, as on a full disk, a \
+       warning tells so at once, the exploration goes on without it, and the exit code is 74.";
     `P
       "Models with parameters of which ranges are known, or with $(b,split_step any), have no store: they are \
        explored by sets of states. $(b,specs/large-models.md) tells more.";

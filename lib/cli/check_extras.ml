@@ -156,14 +156,16 @@ let store =
      interruption, the same command goes on from there, and ends with the report of a run that was never \
      interrupted. See STORES."
   in
-  Arg.(value & opt (some string) None & info [ "store" ] ~docv:"DIR" ~doc)
+  Kept.option ~doc
 
 let explored e (budget : Scc_session.Budget.t) =
   let number = function None -> "default" | Some n -> string_of_int n in
   [
+    ("what is kept", "explorations of scc check");
     ("--no-reduce", String.concat "," (List.filter_map (fun k ->
          if List.exists (Reduction.equal k) e.reductions then None else Some (Reduction.name k)) Reduction.all));
     ("--shortest", match e.order with State_graph.By_steps -> "steps" | By_time -> "time");
+    ("--hash-compact", if e.compact then "given" else "not given");
     ("--depth", number budget.depth);
     ("--time", Option.fold ~none:"default" ~some:Scc_exact.Rat.to_string budget.time);
     ("--states", number budget.states);

@@ -23,6 +23,7 @@ type options = {
   seconds : float option;
   seed : int64;
   jobs : int;
+  store : string option;
 }
 
 (* {1 What is asked} *)
@@ -101,7 +102,7 @@ let paths (l : Loaded.t) asked ~by_name =
 
 type ending = Whole | Interrupted | Lost of string
 
-let sample console o (plan : Sample.plan) estimation ~stopped =
+let sample console o runs (plan : Sample.plan) estimation ~stopped =
   let work = Sample.run plan ~seed:o.seed in
   let rec go first =
     match Estimation.next estimation with
@@ -111,11 +112,11 @@ let sample console o (plan : Sample.plan) estimation ~stopped =
           Console.progress console (Printf.sprintf "%d runs" (k + 1));
           Estimation.add estimation outcome
         in
-        match Pool.run ~jobs:o.jobs ~first ~count ~work ~interrupted:stopped ~each with
+        match Kept_runs.run runs ~jobs:o.jobs ~first ~count ~work ~interrupted:stopped ~each with
         | Ok () ->
           Estimation.judge estimation ~last:false;
           go count
-        | Error Interrupted ->
+        | Error Pool.Interrupted ->
           Estimation.judge estimation ~last:true;
           Interrupted
         | Error (Lost { task; how }) ->
@@ -125,6 +126,22 @@ let sample console o (plan : Sample.plan) estimation ~stopped =
   let ending = go 0 in
   Console.progress_done console;
   ending
+
+(* A run depends on these and its number alone: how many there are, and what is made of them, may change. *)
+let store console o (l : Loaded.t) (paths : Path.t list) folder =
+  let free = match o.free with Sample.Apart -> "apart" | Evenly -> "evenly" in
+  let options =
+    [
+      ("what is kept", "runs of scc estimate");
+      ("what is estimated", Scc_verify.Joint_check.about (List.map (fun (p : Path.t) -> p.check) paths));
+      ("--free", free);
+      ("--steps", string_of_int o.steps);
+      ("--until", Option.fold ~none:"default" ~some:Rat.to_string o.until);
+      ("--seed", Int64.to_string o.seed);
+    ]
+  in
+  let { Origin.digest; parameters; _ } = l.origin in
+  Kept.openly console ~folder (Kept.identity ~digest ~parameters options)
 
 (* {1 The report} *)
 
@@ -184,11 +201,18 @@ let estimate console o watch =
       until = o.until;
     }
   in
+  let* store =
+    match o.store with
+    | None -> Ok None
+    | Some folder -> Result.map Option.some (store console o model paths folder)
+  in
+  let runs = Kept_runs.start store "the runs" in
   let estimation = Estimation.start aim paths in
   let stopped () = Option.is_some (Watch.stop watch ()) in
-  let ending = sample console o plan estimation ~stopped in
+  let ending = sample console o runs plan estimation ~stopped in
   let answers = Estimation.answers estimation in
-  let exit = exit_code answers ending in
+  let unkept = Kept_runs.close runs in
+  let exit = Exit_code.worst (exit_code answers ending :: Kept.code unkept) in
   let report =
     {
       Estimate_report.origin = model.origin;
@@ -202,6 +226,7 @@ let estimate console o watch =
   Console.answer console
     ~json:(fun () -> Estimate_report.json report ~exit)
     ~text:(fun () -> text console report);
+  Kept.conclude console unkept;
   (match ending with
    | Whole -> ()
    | Interrupted -> Console.note console "scc: stopped; what is said rests on the runs that were made"
@@ -275,20 +300,29 @@ let until =
   let doc = "Leaves a run at the model time $(docv), if not all is decided by then." in
   Arg.(value & opt (some (Options.positive "model time")) None & info [ "until" ] ~docv:"TIME" ~doc)
 
+let store_option =
+  Kept.option
+    ~doc:
+      "Keeps the runs in the folder $(docv) while they are made, which is made if need be. The same command goes \
+       on from there; so does one with another $(b,--runs), $(b,--most), $(b,--confidence), $(b,--width), \
+       $(b,--seconds) or $(b,--jobs). See STORES."
+
 let options =
-  let make path given checks properties runs most confidence width free steps until seconds seed jobs =
+  let make path given checks properties runs most confidence width free steps until seconds seed jobs store =
     if Rat.compare confidence Rat.one >= 0 then Error "a confidence is below 1"
     else if Rat.compare width (Rat.make Z.one (Z.of_int 10_000)) < 0 then Error "a width is at least 1/10000"
     else
       Ok
         {
           path; given; checks; properties; runs; most; confidence; width; free; steps; until; seconds; seed; jobs;
+          store;
         }
   in
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.overrides $ checks $ properties $ runs $ most $ confidence $ width
-       $ free $ steps $ until $ Run_options.seconds $ Run_options.seed $ Run_options.jobs))
+       $ free $ steps $ until $ Run_options.seconds $ Run_options.seed $ Run_options.jobs
+       $ store_option))
 
 let man =
   [
@@ -307,6 +341,7 @@ let man =
       "The same options give the same answers, however many processes work at it, but for $(b,--seconds) and \
        interruptions, after which there is an answer from the runs that were made.";
   ]
+  @ Kept.man
   @ Options.diagnostics_man
   @ [
     `S Manpage.s_examples;

@@ -1,29 +1,16 @@
 open Scc_base
-open Scc_exact
 open Scc_space
 open Scc_session
 open Scc_store
 module Crew = Scc_expand.Crew
 module Crew_of_states = Crew.Make (Network_lts) (Network_exchange) (State_graph)
 module Journal_of_states = Scc_expand.Journal.Make (Network_lts) (Network_exchange) (State_graph)
+module Journal_of_fingerprints =
+  Scc_expand.Step_journal.Make (Network_lts) (Network_exchange) (State_fingerprints)
 
 type t = { jobs : int; start : Crew.start; store : Store.t option }
 
-(* Of two builds that call themselves by one version, one may have a fault that the other has not: what one has
-   found is not taken over by the other. *)
-let build () =
-  match Digest.file Sys.executable_name with
-  | digest -> Digest.to_hex digest
-  | exception Sys_error _ -> "unknown"
-
-(* What explorations depend on. *)
-let identity (l : Loaded.t) options =
-  let values = List.map (fun (name, q) -> ("parameter " ^ name, Rat.to_string q)) l.origin.parameters in
-  [ ("scc", Version.told); ("the build of scc", build ()); ("the model", l.origin.digest) ] @ values @ options
-
-let opened (l : Loaded.t) options folder = Store.openly folder ~identity:(identity l options)
-
-let openly ~jobs ~store ~memory options l =
+let openly console ~jobs ~store ~memory options (l : Loaded.t) =
   let with_store store =
     match jobs with
     | Some jobs -> { jobs; start = At_once; store }
@@ -32,17 +19,23 @@ let openly ~jobs ~store ~memory options l =
   match store with
   | None -> Ok (with_store None)
   | Some folder -> (
-      match opened l options folder with
+      let { Origin.digest; parameters; _ } = l.origin in
+      match Kept.openly console ~folder (Kept.identity ~digest ~parameters options) with
       | Ok store ->
         Scc_data.Spill.to_folder folder ~beyond:(Memory.bytes_of_words memory / 4);
         Ok (with_store (Some store))
-      | Error d -> Error [ d ])
+      | Error _ as refused -> refused)
 
 let expanding t ~about =
   let crew = Crew_of_states.expanding ~jobs:t.jobs ~start:t.start in
   match t.store with
   | None -> crew
   | Some store -> Journal_of_states.expanding (Store.log store about) crew
+
+let compacting t ~about =
+  match t.store with
+  | None -> State_fingerprints.here
+  | Some store -> Journal_of_fingerprints.expanding (Store.log store about)
 
 let guard t explore =
   match explore () with

@@ -12,6 +12,9 @@ val stopped : Console.t -> string -> Exit_code.t
 (** Tells what ended the work before there was a result: exit 4. In JSON mode there is a document without
     diagnostics. *)
 
+val complain : string list -> unit
+(** Lines to standard error, whatever else is written as a document. *)
+
 val usage : string -> Exit_code.t
 (** Says what is wrong with the command line: exit 64. *)
 

@@ -20,7 +20,7 @@ let jobs =
   let doc = "How many processes work at the runs." in
   Arg.(
     value
-    & opt (Options.integer ~least:1 ~most:1024 "number of processes") 1
+    & opt (Options.integer ~least:1 ~most:1024 "number of processes from 1 to 1024") 1
     & info [ "j"; "jobs" ] ~docv:"J" ~doc)
 
 let seconds =

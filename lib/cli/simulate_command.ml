@@ -23,6 +23,7 @@ type options = {
   decimals : int option;
   output : string option;
   resume : string option;
+  store : string option;
   plot : string option;
 }
 
@@ -47,15 +48,30 @@ let report o (l : Loaded.t) observables times : Report.t =
     times;
   }
 
-let each_run console o plan ~runs ~written ~first ~last ~interrupted each =
+let each_run console o kept plan ~runs ~written ~first ~last ~interrupted each =
   let told _ (r : Simulation.run) =
     each r;
     Console.progress console (Printf.sprintf "%d of %d runs" !written runs)
   in
   let work = Simulation.run plan ~seed:o.seed in
-  let result = Pool.run ~jobs:o.jobs ~first ~count:last ~work ~interrupted ~each:told in
+  let result = Kept_runs.run kept ~jobs:o.jobs ~first ~count:last ~work ~interrupted ~each:told in
   Console.progress_done console;
   result
+
+(* A run depends on these and its number alone. *)
+let store console o (l : Loaded.t) folder =
+  let options =
+    [
+      ("what is kept", "runs of scc simulate");
+      ("--observe", String.concat "; " o.observed);
+      ("--every", Rat.to_string o.every);
+      ("--until", Rat.to_string o.until);
+      ("--steps", Option.fold ~none:"default" ~some:string_of_int o.steps);
+      ("--seed", Int64.to_string o.seed);
+    ]
+  in
+  let { Origin.digest; parameters; _ } = l.origin in
+  Kept.openly console ~folder (Kept.identity ~digest ~parameters options)
 
 let early console n =
   if n > 0 then
@@ -112,6 +128,10 @@ let simulate console o ~interrupted =
     | None, Some path when not o.summary -> Some path
     | path, _ -> path
   in
+  let* store =
+    match o.store with None -> Ok None | Some folder -> Result.map Option.some (store console o model folder)
+  in
+  let kept = Kept_runs.start store "the runs" in
   let written = ref there and ended_early = ref 0 in
   let all = ref (Report.nobody report) in
   let add (r : Simulation.run) =
@@ -122,7 +142,7 @@ let simulate console o ~interrupted =
   let write put =
     if not o.summary then put before;
     let result =
-      each_run console o plan ~runs:(last - from) ~written ~first ~last ~interrupted (fun r ->
+      each_run console o kept plan ~runs:(last - from) ~written ~first ~last ~interrupted (fun r ->
           incr written;
           add r;
           if not o.summary then put (Report.run report r))
@@ -140,7 +160,10 @@ let simulate console o ~interrupted =
   | Error d -> Error [ d ]
   | Ok result ->
     let* () = Result.map_error (fun d -> [ d ]) (Option.fold ~none:(Ok ()) ~some:draw o.plot) in
-    conclude console ~runs:(last - from) ~finished:!written ~ended_early:!ended_early result
+    let* code = conclude console ~runs:(last - from) ~finished:!written ~ended_early:!ended_early result in
+    let unkept = Kept_runs.close kept in
+    Kept.conclude console unkept;
+    Ok (Exit_code.worst (code :: Kept.code unkept))
 
 let run color o =
   let console = Console.make ~color ~json:false () in
@@ -221,12 +244,21 @@ let resume =
   in
   Arg.(value & opt (some string) None & info [ "resume" ] ~docv:"FILE" ~doc)
 
+let store_option =
+  Kept.option
+    ~doc:
+      "Keeps the runs in the folder $(docv) while they are made, which is made if need be. The same command goes \
+       on from there; so does one with another $(b,--runs) or $(b,--jobs), or that tells of the same runs in \
+       another way ($(b,--format), $(b,--summary), $(b,--plot)). See STORES."
+
 let fitting o =
   if Simulation.too_many ~every:o.every ~until:o.until then
     Error (Printf.sprintf "--every and --until make more than %d times" Simulation.most_times)
   else if List.exists (fun q -> Rat.compare q Rat.one > 0) o.quantiles then Error "a quantile is not above 1"
   else
     match o.resume with
+    | _ when Option.is_some o.store && Option.is_some o.part -> Error "--store does not go with --part"
+    | Some _ when Option.is_some o.store -> Error "--resume does not go with --store"
     | Some _ when o.form = Csv && not o.summary -> Error "--resume goes on with JSON Lines: --format jsonl"
     | Some _ when Option.is_some o.part -> Error "--resume does not go with --part"
     | Some _ when Option.is_some o.decimals && Option.is_some o.plot && not o.summary ->
@@ -235,17 +267,17 @@ let fitting o =
 
 let options =
   let make path given runs seed jobs part observed every until steps summary quantiles form decimals output
-      resume plot =
+      resume store plot =
     fitting
       {
         path; given; runs; seed; jobs; part; observed; every; until; steps; summary; quantiles; form; decimals;
-        output; resume; plot; }
+        output; resume; store; plot; }
   in
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.overrides $ runs $ Run_options.seed $ Run_options.jobs
        $ Part.option ~what:"runs" $ observed $ every $ until $ steps
-       $ summary $ quantiles $ form $ decimals $ output $ resume $ plot))
+       $ summary $ quantiles $ form $ decimals $ output $ resume $ store_option $ plot))
 
 let man =
   [
@@ -265,6 +297,7 @@ let man =
       "The same model, seed and observables give the same bytes, however many processes work at it. Ctrl-C \
        keeps all runs that are done.";
   ]
+  @ Kept.man
   @ Options.diagnostics_man
   @ [
     `S Manpage.s_examples;

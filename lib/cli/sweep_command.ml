@@ -18,6 +18,7 @@ type options = {
   form : form;
   output : string option;
   resume : string option;
+  store : string option;
   plot : string option;
 }
 
@@ -88,6 +89,18 @@ let conclude console seen ~count = function
          task how seen.written count);
     Ok Exit_code.Bug
 
+(* A point depends on these and its number alone. *)
+let store console o ~digest folder =
+  let axis (a : Grid.axis) =
+    ("-D " ^ a.name, String.concat "," (List.map Scc_exact.Rat.to_string (Array.to_list a.values)))
+  in
+  let bound name = ("--" ^ name, Option.value (List.assoc_opt name (bounds o.budget)) ~default:"default") in
+  let options =
+    (("what is kept", "points of scc sweep") :: List.map axis o.grid)
+    @ List.map bound [ "depth"; "time"; "states"; "seconds"; "memory"; "bits" ]
+  in
+  Kept.openly console ~folder (Kept.identity ~digest ~parameters:[] options)
+
 let told result = Result.map_error (fun d -> [ d ]) result
 
 let sweep console o ~interrupted =
@@ -106,6 +119,10 @@ let sweep console o ~interrupted =
     | None -> Ok (0, match o.form with Csv -> Table.csv_header table | Jsonl -> Table.json_header table)
     | Some path -> Resume.lines ~path ~header:(Table.json_header table) ~member:"point" ~what:"sweep"
   in
+  let* store =
+    match o.store with None -> Ok None | Some folder -> Result.map Option.some (store console o ~digest folder)
+  in
+  let points = Kept_runs.start store "the points" in
   let path = match (o.output, o.resume) with None, Some path -> Some path | path, _ -> path in
   let seen = { written = there; open_ = 0; refused = 0; all = [] } in
   let note outcome =
@@ -123,7 +140,9 @@ let sweep console o ~interrupted =
       put (match o.form with Csv -> Table.csv table k outcome | Jsonl -> Table.json table k outcome)
     in
     let first = max there from in
-    let result = Pool.run ~jobs:o.jobs ~first ~count:last ~work:(check o source) ~interrupted ~each in
+    let result =
+      Kept_runs.run points ~jobs:o.jobs ~first ~count:last ~work:(check o source) ~interrupted ~each
+    in
     Console.progress_done console;
     result
   in
@@ -139,7 +158,10 @@ let sweep console o ~interrupted =
     | Some path, Ok () -> draw path
     | Some _, Error _ | None, _ -> Ok ()
   in
-  conclude console seen ~count result
+  let* code = conclude console seen ~count result in
+  let unkept = Kept_runs.close points in
+  Kept.conclude console unkept;
+  Ok (Exit_code.worst (code :: Kept.code unkept))
 
 let run color o =
   let console = Console.make ~color ~json:false () in
@@ -192,6 +214,13 @@ let plot =
   in
   Arg.(value & opt (some string) None & info [ "plot" ] ~docv:"FILE" ~doc)
 
+let store_option =
+  Kept.option
+    ~doc:
+      "Keeps the points in the folder $(docv) while they are worked on, which is made if need be. The same \
+       command goes on from there; so does one with another $(b,--jobs), or that tells of the same points in \
+       another way ($(b,--format), $(b,--plot)). See STORES."
+
 let twice grid =
   let rec go = function
     | [] -> None
@@ -201,12 +230,14 @@ let twice grid =
   go grid
 
 let options =
-  let make path grid budget jobs part form output resume plot =
+  let make path grid budget jobs part form output resume store plot =
     let size = Grid.size grid in
     match (twice grid, resume, form, plot, if Option.is_some plot then Picture.axes grid else Ok []) with
     | Some name, _, _, _, _ -> Error (Printf.sprintf "-D %s is there twice" name)
     | None, _, _, _, _ when Z.gt size (Z.of_int Grid.most) ->
       Error (Printf.sprintf "the grid has %s points: at most %d" (Z.to_string size) Grid.most)
+    | None, Some _, _, _, _ when Option.is_some store -> Error "--resume does not go with --store"
+    | None, _, _, _, _ when Option.is_some store && Option.is_some part -> Error "--store does not go with --part"
     | None, Some _, Csv, _, _ -> Error "--resume goes on with JSON Lines: --format jsonl"
     | None, Some _, Jsonl, Some _, _ -> Error "--resume does not go with --plot"
     | None, Some _, _, _, _ when Option.is_some part -> Error "--resume does not go with --part"
@@ -214,12 +245,12 @@ let options =
     | None, _, _, _, Error text -> Error ("--plot: " ^ text)
     | None, _, _, _, Ok _ ->
       let output = if output = Some "-" then None else output in
-      Ok { path; grid; budget; jobs; part; form; output; resume; plot }
+      Ok { path; grid; budget; jobs; part; form; output; resume; store; plot }
   in
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ grid $ Check_options.budget $ Run_options.jobs
-       $ Part.option ~what:"points" $ form $ output $ resume $ plot))
+       $ Part.option ~what:"points" $ form $ output $ resume $ store_option $ plot))
 
 let man =
   [
@@ -232,6 +263,7 @@ let man =
       "Where the model is invalid the table says so, and the sweep goes on. Without $(b,--seconds) the same sweep \
        gives the same bytes, however many processes work at it. Ctrl-C keeps all points that are done.";
   ]
+  @ Kept.man
   @ Options.diagnostics_man
   @ [
     `S Manpage.s_examples;

@@ -4,13 +4,6 @@ open Scc_explore
 
 exception Unfit of string
 
-(* Seconds after which a block is written that is not full: so that little is lost of a short exploration, and
-   writing takes little of the time of any. *)
-let patience ~since_beginning = Float.min 1. (Float.max 0.02 (since_beginning /. 20.))
-
-(* The clock is asked after so many notes. *)
-let between_looks = 32
-
 module Make
     (L : Lts.S)
     (E : Lts.Exchange with type context = L.context)
@@ -23,15 +16,11 @@ module Make
     log : Log.t;
     wire : Wire.t;
     all_edges : bool;
-    full : int;  (** bytes of a block *)
     mutable source : Packed.source option;  (** of the block that is read; [None]: all has been *)
     mutable ahead : note option;  (** the next note *)
     mutable followed : bool;  (** the state that is being expanded was noted before *)
     mutable last : int;  (** the state of the last note *)
-    buffer : Buffer.t;
-    mutable notes : int;  (** in the buffer *)
-    begun : float;
-    mutable written : float;  (** when, the last block *)
+    blocks : Blocks.t;
   }
 
   (** {2 Notes as bytes}
@@ -43,23 +32,24 @@ module Make
   let zigzag n = if n >= 0 then 2 * n else (-2 * n) - 1
   let unzigzag n = if n land 1 = 0 then n / 2 else -((n + 1) / 2)
 
-  let put_arrow j (arrow : Graph.arrow) =
+  let put_arrow j buffer (arrow : Graph.arrow) =
     match arrow with
     | New s ->
-      Wire.put_label j.wire j.buffer s.label;
-      Packed.put_nat j.buffer 0;
-      Wire.put_changes j.wire j.buffer s.changes
+      Wire.put_label j.wire buffer s.label;
+      Packed.put_nat buffer 0;
+      Wire.put_changes j.wire buffer s.changes
     | Known e ->
-      Wire.put_label j.wire j.buffer e.label;
-      Packed.put_nat j.buffer (e.target + 1)
+      Wire.put_label j.wire buffer e.label;
+      Packed.put_nat buffer (e.target + 1)
 
-  let put j note =
-    Packed.put_nat j.buffer (zigzag (note.state - j.last - 1));
-    Packed.put_nat j.buffer note.count;
-    Packed.put_nat j.buffer (List.length note.arrows);
-    List.iter (put_arrow j) note.arrows;
-    j.last <- note.state;
-    j.notes <- j.notes + 1
+  (* Each block begins with whether all edges are told. *)
+  let put j note buffer =
+    if Buffer.length buffer = 0 then Packed.put_nat buffer (Bool.to_int j.all_edges);
+    Packed.put_nat buffer (zigzag (note.state - j.last - 1));
+    Packed.put_nat buffer note.count;
+    Packed.put_nat buffer (List.length note.arrows);
+    List.iter (put_arrow j buffer) note.arrows;
+    j.last <- note.state
 
   let arrow j source : Graph.arrow =
     let label = Wire.read_label j.wire source in
@@ -77,7 +67,6 @@ module Make
 
   let unfit what = raise (Unfit what)
 
-  (* Each begins with whether all edges are told. *)
   let open_block j block =
     let source = Packed.source block in
     let told = Packed.nat source in
@@ -97,24 +86,6 @@ module Make
     | () -> ()
     | exception (Packed.Malformed what | Failure what) -> unfit what
 
-  let write j =
-    if j.notes > 0 then begin
-      let block = Buffer.create (Buffer.length j.buffer + 1) in
-      Packed.put_nat block (Bool.to_int j.all_edges);
-      Buffer.add_buffer block j.buffer;
-      Buffer.clear j.buffer;
-      j.notes <- 0;
-      j.log.keep (Buffer.contents block)
-    end;
-    j.written <- Unix.gettimeofday ()
-
-  let is_time j =
-    let now = Unix.gettimeofday () in
-    now -. j.written > patience ~since_beginning:(now -. j.begun)
-
-  let write_in_time j =
-    if Buffer.length j.buffer >= j.full || (j.notes land (between_looks - 1) = 0 && is_time j) then write j
-
   (** {2 Following and noting} *)
 
   (* Of edges that change nothing the number will do, unless all are told. A label is told when it first comes
@@ -125,9 +96,8 @@ module Make
     | Known e -> j.all_edges || matters || not (Wire.knows_label j.wire e.label)
 
   let note j state edges =
-    Critical.run (fun () ->
-        put j { state; count = List.length edges; arrows = List.map fst (List.filter (is_told j) edges) };
-        write_in_time j)
+    let arrows = List.map fst (List.filter (is_told j) edges) in
+    Critical.run (fun () -> Blocks.add j.blocks (put j { state; count = List.length edges; arrows }))
 
   let follow j =
     Critical.run (fun () ->
@@ -135,23 +105,18 @@ module Make
         advance j;
         note)
 
-  let expanding ?(block = 1 lsl 20) log (after : Graph.expanding) : Graph.expanding =
+  let expanding ?block log (after : Graph.expanding) : Graph.expanding =
     fun g ~all_edges ~waiting ->
-    let now = Unix.gettimeofday () in
     let j =
       {
         log;
         wire = Wire.make (Graph.context g);
         all_edges;
-        full = block;
         source = Some (Packed.source "");
         ahead = None;
         followed = false;
         last = -1;
-        buffer = Buffer.create 65536;
-        notes = 0;
-        begun = now;
-        written = now;
+        blocks = Blocks.make ?full:block log;
       }
     in
     advance j;
@@ -179,7 +144,7 @@ module Make
       | _ :: _ -> note j state edges
     in
     let finish () =
-      Critical.run (fun () -> write j);
+      Critical.run (fun () -> Blocks.write j.blocks);
       if Lazy.is_val after then (Lazy.force after).finish ()
     in
     { expand; expanded = Some expanded; finish }

@@ -16,6 +16,5 @@ module Make
     (_ : Lts.Exchange with type context = L.context)
     (Graph : module type of Explore.Make (L)) : sig
   val expanding : ?block:int -> Log.t -> Graph.expanding -> Graph.expanding
-  (** By what was kept, and then by another one, which is asked for when it is needed. A block is written when it
-      has [block] bytes, a MiB by default, or a while after the one before, a second at most. *)
+  (** By what was kept, and then by another one, which is asked for when it is needed. [block]: {!Blocks.make}. *)
 end

@@ -32,6 +32,15 @@ module Make (L : Lts.S) = struct
     enough : unit -> bool;
   }
 
+  type expander = {
+    expand : int -> int array -> (Lts.step list, L.fault) Stdlib.result;
+    finish : unit -> unit;
+  }
+
+  type expanding = L.context -> expander
+
+  let here context = { expand = (fun _ tuple -> L.successors context tuple); finish = Fun.id }
+
   type result = {
     size : int;
     transitions : int;
@@ -49,6 +58,7 @@ module Make (L : Lts.S) = struct
     room : int;
     tuples : Tuples.t;  (** only for the parts of tuples *)
     near : Tuples.spread;
+    appearances : Appearances.t;  (** keys are of numbers by appearance *)
     seen : Fingerprints.t;
     paths : Distances.t;  (** of the paths on which states were found *)
     choices : Choices.t;  (** the last one of each of them *)
@@ -84,7 +94,8 @@ module Make (L : Lts.S) = struct
     else None
 
   let bytes s =
-    Tuples.bytes s.tuples + Fingerprints.bytes s.seen + Distances.bytes s.paths + Choices.bytes s.choices
+    Tuples.bytes s.tuples + Appearances.bytes s.appearances + Fingerprints.bytes s.seen + Distances.bytes s.paths
+    + Choices.bytes s.choices
 
   let after s i (step : Lts.step) =
     let d = L.duration s.context step.label in
@@ -93,7 +104,8 @@ module Make (L : Lts.S) = struct
   (* The last states may not fit any more. *)
   let follow s around visitor i tuple choice (step : Lts.step) =
     s.transitions <- s.transitions + 1;
-    let key = Tuples.key s.tuples ~near:s.near step.changes in
+    let changes = Appearances.changes s.appearances step.changes in
+    let key = Tuples.key s.tuples ~near:s.near changes in
     if s.full then ()
     else if size s >= s.room then begin
       leave s Explore.States;
@@ -105,13 +117,13 @@ module Make (L : Lts.S) = struct
       Limits.within around (fun () -> visitor.found number (Tuples.apply step.changes tuple))
     end
 
-  let expand s around visitor i key =
+  let expand s around visitor expander i key =
     Tuples.load_key s.tuples s.near key;
-    let tuple = Tuples.slots s.near in
+    let tuple = Appearances.tuple s.appearances (Tuples.slots s.near) in
     let bits () = L.bits s.context tuple in
     if Limits.too_long s.limits ~longest:(L.longest s.context) ~bits then leave s Explore.Bits
     else
-      match Limits.within around (fun () -> L.successors s.context tuple) with
+      match Limits.within around (fun () -> expander.expand i tuple) with
       | Error fault -> leave s (Explore.Fault fault)
       | Ok steps ->
         Limits.within around (fun () -> visitor.opened i tuple steps);
@@ -125,16 +137,17 @@ module Make (L : Lts.S) = struct
     in
     go i []
 
-  let start (limits : Limits.t) capacity context =
+  let start (limits : Limits.t) capacity ~family context =
     let tuples = Tuples.create ~width:(L.width context) in
     let room = match limits.states with None -> capacity | Some n -> Int.min n capacity in
     let near = Tuples.spread tuples in
     let first = L.initial context in
     let whole = Tuples.difference (Array.map (fun _ -> -1) first) first in
-    let key = Tuples.key tuples ~near whole in
+    let appearances = Appearances.create ~width:(L.width context) ~family in
+    let key = Tuples.key tuples ~near (Appearances.changes appearances whole) in
     let s =
       {
-        context; limits; room; tuples; near;
+        context; limits; room; tuples; near; appearances;
         seen = Fingerprints.create ~capacity:room;
         paths = Distances.create ();
         choices = Choices.create ();
@@ -157,8 +170,9 @@ module Make (L : Lts.S) = struct
       model_time = Distances.arrival s.paths i;
     }
 
-  let run visitor ~capacity limits (around : Limits.surroundings) context =
-    let s, first = start limits capacity context in
+  let run ?(expanding = here) visitor ~capacity ~family limits (around : Limits.surroundings) context =
+    let s, first = start limits capacity ~family context in
+    let expander = expanding context in
     (* States are taken as they were found. *)
     let rec loop i =
       match Int_queue.take s.frontier with
@@ -172,15 +186,18 @@ module Make (L : Lts.S) = struct
           | None ->
             (match out_of_bounds s i with
              | Some reason -> leave s reason
-             | None -> expand s around visitor i key);
+             | None -> expand s around visitor expander i key);
             loop (i + 1))
     in
-    (match
-       Limits.within around (fun () -> visitor.found 0 first);
-       loop 0
-     with
-     | () -> ()
-     | exception Limits.Over stop -> leave s (Explore.of_stop stop));
+    let explore () =
+      match
+        Limits.within around (fun () -> visitor.found 0 first);
+        loop 0
+      with
+      | () -> ()
+      | exception Limits.Over stop -> leave s (Explore.of_stop stop)
+    in
+    Fun.protect explore ~finally:expander.finish;
     {
       size = size s;
       transitions = s.transitions;

@@ -10,6 +10,19 @@ module Make (L : Lts.S) : sig
     enough : unit -> bool;  (** asked before each expansion: whether to stop *)
   }
 
+  (** Who finds the transitions of states; what is found does not depend on it. *)
+  type expander = {
+    expand : int -> int array -> (Lts.step list, L.fault) Stdlib.result;
+    (** of a state and its tuple: all of them ({!Lts.S.successors}). Called by increasing numbers, within an
+        attempt *)
+    finish : unit -> unit;  (** at the end, whatever that is *)
+  }
+
+  type expanding = L.context -> expander
+  (** Of a search that begins. *)
+
+  val here : expanding
+
   type result = {
     size : int;
     transitions : int;
@@ -21,7 +34,10 @@ module Make (L : Lts.S) : sig
     bytes : int;
   }
 
-  val run : visitor -> capacity:int -> Limits.t -> Limits.surroundings -> L.context -> result
-  (** Of the limits that on time is not observed. At most [capacity] states are kept, and no more than the
-      limit. *)
+  val run :
+    ?expanding:expanding -> visitor -> capacity:int -> family:(int -> int) ->
+    Limits.t -> Limits.surroundings -> L.context -> result
+    (** [family], of slots: {!Appearances.create}. What is found, the bound on omissions and any omission depend on
+        no numbers that a process has given to things. Of the limits that on time is not observed.
+        At most [capacity] states are kept, and no more than the limit. *)
 end

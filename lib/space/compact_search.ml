@@ -2,7 +2,6 @@ open Scc_ctl
 open Scc_exact
 open Scc_explore
 open Scc_semantics
-module Compacted = Compacted.Make (Network_lts)
 
 type met = { choices : int list; during : (Timeline.moment * Algebraic.t) option }
 
@@ -57,17 +56,18 @@ let opened context ~rests m i tuple steps =
     Option.iter meet (Timeline.first_after_start is_true timeline)
   | _ -> ()
 
-let search limits around context ~capacity ~rests goals =
+let search ?expanding limits around context ~capacity ~rests goals =
   let monitors = List.map (fun goal -> { goal; place = None; undefined = None }) goals in
   let visitor =
     {
-      Compacted.found = (fun i tuple -> List.iter (fun m -> found m i tuple) monitors);
+      State_fingerprints.found = (fun i tuple -> List.iter (fun m -> found m i tuple) monitors);
       opened = (fun i tuple steps -> List.iter (fun m -> opened context ~rests m i tuple steps) monitors);
       enough =
         (fun () -> goals <> [] && List.for_all (fun m -> Option.is_some m.place) monitors);
     }
   in
-  let r = Compacted.run visitor ~capacity limits around context in
+  let family = Network_exchange.family context in
+  let r = State_fingerprints.run ?expanding visitor ~capacity ~family limits around context in
   let answer m =
     match m.place with
     | Some (i, during) -> Met { choices = r.path i; during }

@@ -25,6 +25,7 @@ type result = {
 }
 
 val search :
+  ?expanding:State_fingerprints.expanding ->
   Limits.t -> Limits.surroundings -> Network_lts.context -> capacity:int -> rests:(int array -> bool) ->
   On_the_fly.predicate list -> result
 (** Ends when all goals have been met. Choices are those among the transitions of {!Network_lts}. *)

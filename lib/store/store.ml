@@ -14,6 +14,7 @@ type t = {
   identity : string;  (** a digest, on which those of the blocks rest *)
   had_blocks : bool;
   begun : (string, int) Hashtbl.t;  (** how many explorations of each name *)
+  warn : Diag.t -> unit;
   mutable failed : Diag.t option;
 }
 
@@ -30,7 +31,7 @@ let damaged what = fail Code.damaged_store "the store is damaged: %s" what
 let refuse db (rc : Sqlite3.Rc.t) =
   let text = Sqlite3.errmsg db in
   match rc with
-  | BUSY | LOCKED -> fail Code.no_store "another process explores with this store"
+  | BUSY | LOCKED -> fail Code.no_store "another process has this store"
   | CORRUPT | NOTADB | MISMATCH -> damaged text
   | _ -> fail Code.no_store "the store cannot be used: %s" text
 
@@ -63,29 +64,33 @@ let number db sql =
 
 (** {2 Opening} *)
 
-let refuse_system_error = function
-  | Unix.Unix_error (error, _, _) -> fail Code.no_store "%s" (Unix.error_message error)
-  | Sys_error text -> fail Code.no_store "%s" text
-  | e -> raise e
+let may what f =
+  match f () with
+  | x -> x
+  | exception Unix.Unix_error (error, _, _) -> fail Code.no_store "%s: %s" what (Unix.error_message error)
+  | exception Sys_error text -> fail Code.no_store "%s: %s" what text
 
 let make_folder folder =
   match Sys.is_directory folder with
   | true -> ()
   | false -> fail Code.no_store "it is a file, and a store is a folder"
-  | exception Sys_error _ -> (
-      match Unix.mkdir folder 0o777 with
-      | () -> ()
-      | exception e -> refuse_system_error e)
+  | exception Sys_error _ -> may "the folder cannot be made" (fun () -> Unix.mkdir folder 0o777)
 
 (* A folder that is there holds a store, or nothing. *)
 let may_be_store folder =
-  match Sys.readdir folder with
-  | exception e -> refuse_system_error e
-  | entries ->
-    let n = String.length file in
-    let own name = String.length name >= n && String.equal (String.sub name 0 n) file in
-    if Array.length entries > 0 && not (Array.exists own entries) then
-      fail Code.no_store "the folder holds other things, and is no store"
+  may "the folder cannot be read" (fun () -> Unix.access folder [ R_OK; X_OK ]);
+  let entries = may "the folder cannot be read" (fun () -> Sys.readdir folder) in
+  let n = String.length file in
+  let own name = String.length name >= n && String.equal (String.sub name 0 n) file in
+  if Array.length entries > 0 && not (Array.exists own entries) then
+    fail Code.no_store "the folder holds other things, and is no store";
+  (* SQLite would tell of an input or output that failed. *)
+  may "the folder cannot be written to" (fun () -> Unix.access folder [ W_OK ]);
+  let writable name =
+    if own name then
+      may "the store cannot be written to" (fun () -> Unix.access (Filename.concat folder name) [ R_OK; W_OK ])
+  in
+  Array.iter writable entries
 
 let is_ours db =
   let id = number db "PRAGMA application_id" in
@@ -122,7 +127,7 @@ let same_identity db identity =
     | None -> Some (Printf.sprintf "nothing is known there of %s" name)
   in
   match List.find_map differs identity with
-  | Some what -> fail Code.other_store "it keeps another exploration: %s" what
+  | Some what -> fail Code.other_store "it keeps something else: %s" what
   | None -> if List.compare_lengths kept identity <> 0 then damaged "what it is of is not whole"
 
 let digest_of_identity identity =
@@ -150,7 +155,7 @@ let look_at_blocks db identity =
   in
   Option.is_some exploration
 
-let connect folder identity =
+let connect folder identity warn =
   make_folder folder;
   may_be_store folder;
   let db =
@@ -171,15 +176,16 @@ let connect folder identity =
     run db "PRAGMA journal_mode = WAL";
     run db "PRAGMA synchronous = FULL";
     let identity = digest_of_identity identity in
-    { folder; db; identity; had_blocks = look_at_blocks db identity; begun = Hashtbl.create 8; failed = None }
+    let had_blocks = look_at_blocks db identity in
+    { folder; db; identity; had_blocks; begun = Hashtbl.create 8; warn; failed = None }
   with
   | t -> t
   | exception e ->
     ignore (Sqlite3.db_close db);
     raise e
 
-let openly folder ~identity =
-  match connect folder identity with
+let openly folder ~identity ~warn =
+  match connect folder identity warn with
   | t -> Ok t
   | exception Failed (code, text) -> Error (Diag.error code (at folder) "%s" text)
   | exception Sqlite3.Error text ->
@@ -206,8 +212,11 @@ let write t exploration number digest bytes =
 let give_up t text =
   t.failed <-
     Some
-      (Diag.error Code.cannot_write (at t.folder) "%s; what was explored from then on is not kept" text
-         ~hint:"the same command goes on from what was kept, once the store can be written again")
+      (Diag.error Code.cannot_write (at t.folder) "%s; what was found from then on is not kept" text
+         ~hint:"the same command goes on from what was kept, once the store can be written again");
+  t.warn
+    (Diag.warning Code.not_kept (at t.folder) "%s: what is found from now on is not kept" text
+       ~hint:"it goes on all the same; what was kept up to now stays")
 
 let log t name : Scc_expand.Log.t =
   let before = Option.value (Hashtbl.find_opt t.begun name) ~default:0 in

@@ -1,5 +1,5 @@
-(** Explorations on disk: a folder with one SQLite database, in which each exploration of a run has its blocks
-    ({!Scc_expand.Log}), one transaction for each.
+(** Explorations, and lists of runs, on disk: a folder with one SQLite database, in which each of them has its
+    blocks ({!Scc_expand.Log}), one transaction for each.
 
     A block is there as a whole or not at all, and is there for good once {!Scc_expand.Log.t.keep} has returned:
     the write-ahead log is synchronised with each transaction. Each block has a digest of itself and of all before
@@ -9,11 +9,12 @@ open Scc_base
 
 type t
 
-val openly : string -> identity:(string * string) list -> (t, Diag.t) result
+val openly : string -> identity:(string * string) list -> warn:(Diag.t -> unit) -> (t, Diag.t) result
 (** The store in a folder, which is made if it is not there. [identity]: of what it keeps explorations, by names
     and values: all must be those that it was made with. It is this process's alone until it ends. The error:
     the folder cannot be made, read or written, is no store, or another process has it (SC0910); it keeps something
-    else, and what differs (SC0911); it is damaged (SC0912). All blocks have been looked at. *)
+    else, and what differs (SC0911); it is damaged (SC0912). All blocks have been looked at. [warn] is told
+    once when blocks are not kept any more (SC0913). *)
 
 val folder : t -> string
 

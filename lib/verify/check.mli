@@ -17,6 +17,7 @@ type options = Joint_check.options = {
   observe : (State.t -> unit) option;
   prove : bool;
   expanding : about:string -> State_graph.expanding;
+  compacting : about:string -> State_fingerprints.expanding;
 }
 
 val default : options

@@ -71,7 +71,8 @@ let check (options : Joint_check.options) ~capacity semantics ~initial checks : 
   let goals = List.map (Predicate.make context) (List.concat_map goals plans) in
   let limits = Bounds.limits options.bounds ~horizon:None in
   let rests tuple = Network.quiescent semantics (Catalogue.decode (Network_lts.catalogue context) tuple) in
-  let r = Compact_search.search limits options.surroundings context ~capacity ~rests goals in
+  let expanding = options.compacting ~about:(Joint_check.about checks) in
+  let r = Compact_search.search ~expanding limits options.surroundings context ~capacity ~rests goals in
   let ((bounds, faults) as met) = limits_met options (Semantics.model semantics) r in
   let step (outcomes, answers) (check, plan) =
     let v, answers = verdict context met plan answers in

@@ -17,6 +17,7 @@ type options = {
   observe : (State.t -> unit) option;
   prove : bool;
   expanding : about:string -> Graph.expanding;
+  compacting : about:string -> State_fingerprints.expanding;
 }
 
 let default =
@@ -29,6 +30,7 @@ let default =
     observe = None;
     prove = false;
     expanding = (fun ~about:_ -> Graph.here);
+    compacting = (fun ~about:_ -> State_fingerprints.here);
   }
 
 type stats = {

@@ -22,8 +22,9 @@ type options = {
   (** over zones, an invariant is looked for before anything is explored, and not only where nothing else proves it
       (rule Invariants), in half of the time *)
   expanding : about:string -> State_graph.expanding;
-  (** asked for with each exploration; what it is about and the options determine it, and explorations that are
-      about the same come in the same order *)
+  compacting : about:string -> State_fingerprints.expanding;
+  (** the same with hash compaction: asked for with each exploration; what it is about and the options determine
+      it, and explorations that are about the same come in the same order *)
 }
 
 val default : options
@@ -58,6 +59,9 @@ type result = {
 
 val horizon : Property.check list -> Rat.t option
 (** The time beyond which none of the properties looks; [None]: one looks at all times. *)
+
+val about : Property.check list -> string
+(** What an exploration for some checks is about. *)
 
 val system : options -> Semantics.t -> initial:State.t -> Property.check list -> Plan.t list -> Network_lts.context
 (** The system to explore for some checks, of which these are the plans, with the reductions that keep them. *)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Explorations that are kept, and what becomes of them: killed, interrupted, on full disks and with damaged files.
+"""Explorations and runs that are kept, and what becomes of them: killed, interrupted, on full disks and with damaged files.
 
     durability.py SCC [--instants N] [--seed N] [--only NAME] [--few]
 
@@ -44,8 +44,27 @@ EXPLORATIONS = {
     "coverage": [MODELS + "enzyme.sc", "--coverage"],
     "invariants": [MODELS + "gas.sc", "--prove"],
     "pegs": [MODELS + "pegs.sc"],
+    "fingerprints": [BENCH + "checker/hexokinase.sc", "-D", "n=4", "--hash-compact"],
+    "fingerprints, found": [MODELS + "enzyme.sc", "--hash-compact", "--full"],
+    "estimate": ["estimate", MODELS + "brownian.sc", "--runs", "15"],
+    "estimate, by width": ["estimate", MODELS + "ruin.sc", "--most", "60", "--json"],
+    "simulate": ["simulate", MODELS + "ruin.sc", "--runs", "400", "--observe", "x(walker)", "--every", "1", "--until", "40"],
+    "summary": [
+        *["simulate", MODELS + "brownian.sc", "--runs", "300", "--observe", "x(ligand)"],
+        *["--every", "1", "--until", "20", "--summary"],
+    ],
+    "sweep": ["sweep", BENCH + "checker/hexokinase.sc", "-D", "n=1..3"],
 }
-FEW = ["hexokinase", "by time", "slices", "probabilities", "coverage"]
+FEW = ["hexokinase", "by time", "slices", "probabilities", "coverage", "fingerprints", "estimate", "sweep"]
+QUICK = ["by time", "probabilities", "estimate", "sweep"]
+# What is not the work of scc check.
+OTHERS = ["estimate", "simulate", "sweep"]
+# Commands that a limit of seconds ends: sweep takes it for each point.
+WITH_SECONDS = ["check", "estimate"]
+
+
+# Longer than any test waits.
+LONG = [BENCH + "checker/hexokinase.sc", "-D", "n=6", "--states", "10000000"]
 
 
 class Tally:
@@ -61,7 +80,8 @@ class Tally:
 
 
 def command(scc, args, store=None):
-    return [scc, "check", *args] + (["--store", store] if store else [])
+    words = args if args[0] in OTHERS else ["check", *args]
+    return [scc, *words] + (["--store", store] if store else [])
 
 
 def run(cmd, **how):
@@ -140,8 +160,9 @@ def interruptions(scc, names, chance, folder, tally):
         cmd = command(scc, args, store)
         killed_after(cmd, chance.uniform(0.05, lasts), signal.SIGINT)
         tally.check(run(cmd) == expected, f"{name}: another report after an interruption")
-        run(cmd + ["--seconds", "0.05"])
-        tally.check(run(cmd) == expected, f"{name}: another report after a limit of seconds")
+        if cmd[1] in WITH_SECONDS:
+            run(cmd + ["--seconds", "0.05"])
+            tally.check(run(cmd) == expected, f"{name}: another report after a limit of seconds")
         shutil.rmtree(store)
 
 
@@ -191,8 +212,29 @@ def full_disks(scc, names, chance, folder, tally):
                 (code in (1, 2, 74) and told == "SC0103") or (code == 3 and told == "SC0910") or (code, out, err) == expected,
                 f"{name} with {most} bytes of {whole}: exit code {code}, {err}",
             )
+            warned = told != "SC0103" or "warning[SC0913]" in err
+            tally.check(warned, f"{name} with {most} bytes of {whole}: no warning\n{err}")
             tally.check(run(command(scc, args, store)) == expected, f"{name}: another report after a full disk")
             shutil.rmtree(store)
+    warned_at_once(scc, os.path.join(folder, "full at once"), tally)
+
+
+def warned_at_once(scc, store, tally):
+    """What cannot be kept is told while the exploration goes on."""
+
+    def limited():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (100000, 100000))
+
+    process = subprocess.Popen(
+        command(scc, LONG, store), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, preexec_fn=limited
+    )
+    line = process.stderr.readline()
+    tally.check("warning[SC0913]" in line and process.poll() is None, f"a full disk is not told at once: {line}")
+    process.kill()
+    process.wait()
+    process.stderr.close()
+    shutil.rmtree(store)
 
 
 def damage(scc, names, trials, chance, folder, tally):
@@ -274,20 +316,24 @@ def refusals(scc, folder, tally):
         how = {}
     locked = os.path.join(folder, "locked")
     os.mkdir(locked, 0o555)
-    expect("a folder that is not ours to write", command(scc, model, os.path.join(locked, "x")), 3, "SC0910", "", **how)
+    expect(
+        *["a folder that is not ours to write", command(scc, model, os.path.join(locked, "x")), 3, "SC0910"],
+        "cannot be made", **how,
+    )
+    expect("an empty folder, the same", command(scc, model, locked), 3, "SC0910", "cannot be written to", **how)
     os.chmod(os.path.join(store, "explorations.sqlite"), 0o444)
     os.chmod(store, 0o555)
-    expect("a store that is read-only", command(scc, model, store), 3, "SC0910", "", **how)
+    expect("a store that is read-only", command(scc, model, store), 3, "SC0910", "cannot be written to", **how)
     os.chmod(store, 0o755)
+    expect("a database that is read-only", command(scc, model, store), 3, "SC0910", "cannot be written to", **how)
 
     busy = os.path.join(folder, "busy")
-    long = [BENCH + "checker/hexokinase.sc", "-D", "n=6", "--states", "10000000"]
-    first = subprocess.Popen(command(scc, long, busy), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    first = subprocess.Popen(command(scc, LONG, busy), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
         while not os.path.exists(os.path.join(busy, "explorations.sqlite-wal")):
             time.sleep(0.01)
         time.sleep(0.3)
-        expect("two at once", command(scc, long, busy), 3, "SC0910", "another process")
+        expect("two at once", command(scc, LONG, busy), 3, "SC0910", "another process")
     finally:
         first.kill()
         first.wait()
@@ -295,11 +341,27 @@ def refusals(scc, folder, tally):
     ranged = [MODELS + "moment.sc"]
     got, _, err = run(command(scc, ranged, os.path.join(folder, "ranged")))
     tally.check(got == 3 and code_of(err) == "SC0901", f"sets of states: exit code {got}, {err}")
-    got, _, err = run(command(scc, model + ["--hash-compact"], os.path.join(folder, "compact")))
-    tally.check(got == 64, f"hash compaction: exit code {got}, {err}")
     for jobs in ["0", "10000", "x"]:
-        got, _, err = run(command(scc, model + ["--jobs", jobs]))
-        tally.check(got == 64 and "--jobs" in err, f"--jobs {jobs}: exit code {got}, {err}")
+        for words in [model, EXPLORATIONS["estimate"], EXPLORATIONS["simulate"], EXPLORATIONS["sweep"]]:
+            got, _, err = run(command(scc, words + ["--jobs", jobs]))
+            tally.check(got == 64 and "--jobs" in err, f"--jobs {jobs}: exit code {got}, {err}")
+
+    compact = model + ["--hash-compact"]
+    expect("hash compaction", command(scc, compact, store), 3, "SC0911", "--hash-compact is not given there, and given here")
+    of_runs = os.path.join(folder, "of runs")
+    estimate = ["estimate", MODELS + "ruin.sc", "--runs", "30"]
+    expected = run(command(scc, estimate))
+    tally.check(run(command(scc, estimate, of_runs)) == expected, "runs")
+    more = ["estimate", MODELS + "ruin.sc", "--runs", "50"]
+    tally.check(run(command(scc, more, of_runs)) == run(command(scc, more)), "more runs")
+    tally.check(run(command(scc, estimate, of_runs)) == expected, "less runs, from those of more")
+    expect("other runs", command(scc, estimate + ["--seed", "1"], of_runs), 3, "SC0911", "--seed is 0 there, and 1 here")
+    others = command(scc, [MODELS + "ruin.sc"], of_runs)
+    expect("no exploration", others, 3, "SC0911", "runs of scc estimate there, and explorations of scc check here")
+    resumed = ["--format", "jsonl", "--resume", plain]
+    for name in ["simulate", "sweep"]:
+        got, _, err = run(command(scc, EXPLORATIONS[name] + resumed, os.path.join(folder, "both")))
+        tally.check(got == 64 and "--resume does not go with --store" in err, f"{name}: exit code {got}, {err}")
 
 
 def main():
@@ -323,9 +385,10 @@ def main():
         if not options.few and not options.only:
             models(scc, folder, tally)
         kills(scc, names, instants, chance, folder, tally)
-        interruptions(scc, some, chance, folder, tally)
+        most = QUICK if options.few else some
+        interruptions(scc, most, chance, folder, tally)
         workers(scc, some[:3], chance, tally)
-        full_disks(scc, some, chance, folder, tally)
+        full_disks(scc, most, chance, folder, tally)
         damage(scc, some[:3] if not options.few else some[1:3], damages, chance, folder, tally)
     print(f"{tally.passed} passed, {tally.failed} failed")
     return 1 if tally.failed else 0

@@ -92,6 +92,8 @@ end
 
 module Graph = Explore.Make (Toy)
 module Journal = Journal.Make (Toy) (Exchange) (Graph)
+module Compact = Compacted.Make (Toy)
+module Compact_journal = Step_journal.Make (Toy) (Exchange) (Compact)
 module Crew = Scc_expand.Crew
 module Crews = Crew.Make (Toy) (Exchange) (Graph)
 
@@ -221,6 +223,68 @@ let pieces =
     Gen.(pair case_gen (list_size (int_range 1 4) (int_range 0 12)))
     in_pieces
 
+(* The same with hash compaction, told by what its visitor hears and by its result. *)
+let compacted ?expanding ?(first = 0) ?(stop = fun () -> None) case =
+  let context = Toy.make ~first case.toy in
+  let heard = Buffer.create 256 in
+  let say format = Printf.bprintf heard (format ^^ "\n") in
+  let step (s : Lts.step) tuple =
+    let target = Toy.decode context (Tuples.apply s.changes tuple) in
+    Printf.sprintf "%d@%s" target (Rat.to_string (Toy.duration context s.label))
+  in
+  let opened i tuple steps = say "opened %d: %s" i (String.concat " " (List.map (fun s -> step s tuple) steps)) in
+  let visitor =
+    {
+      Compact.opened;
+      found = (fun i tuple -> say "found %d: %d" i (Toy.decode context tuple));
+      enough = (fun () -> false);
+    }
+  in
+  let limits = { Limits.unlimited with depth = case.depth; states = case.states } in
+  let family = Exchange.family context and around = { Limits.quiet with stop } in
+  let r = Compact.run ?expanding visitor ~capacity:100 ~family limits around context in
+  say "%d states, %d transitions, depth %d, %d left, omission %h" r.size r.transitions r.depth (List.length r.left)
+    r.omission;
+  List.iter (fun i -> say "%s" (String.concat " " (List.map string_of_int (r.path i)))) (List.init r.size Fun.id);
+  Buffer.contents heard
+
+let compacted_follows case =
+  let expected = compacted case in
+  let by log = Compact_journal.expanding ~block:1 log in
+  let log, kept = kept_from [] in
+  ignore (same case (compacted ~expanding:(by log) case) expected);
+  let all = kept () in
+  let goes_on blocks =
+    let log, kept = kept_from blocks in
+    same case (compacted ~expanding:(by log) ~first:7 case) expected
+    && (kept () = all || QCheck2.Test.fail_reportf "%s\n\nother notes" (print case))
+  in
+  List.for_all goes_on (prefixes all)
+
+let compacted_kept =
+  QCheck2.Test.make ~count:1500 ~name:"the same with hash compaction" ~print case_gen compacted_follows
+
+let compacted_unfit () =
+  let case =
+    {
+      toy = [| Some [ (1, 0); (2, 0) ]; Some [ (2, 1) ]; Some [ (0, 1) ] |];
+      depth = None; time = None; states = None; by_time = false; keep_edges = true; sees_edges = false;
+      reducing = false;
+    }
+  in
+  let log, kept = kept_from [] in
+  ignore (compacted ~expanding:(Compact_journal.expanding ~block:1 log) case);
+  let refuses what blocks =
+    let log, _ = kept_from blocks in
+    match compacted ~expanding:(Compact_journal.expanding ~block:1 log) case with
+    | _ -> Alcotest.failf "%s: it was taken" what
+    | exception Scc_expand.Journal.Unfit _ -> ()
+  in
+  let all = kept () in
+  let later block = "\001" ^ String.sub block 1 (String.length block - 1) in
+  refuses "a note of a later state comes first" (List.map later all);
+  refuses "a note that ends too early" [ String.sub (List.hd all) 0 2 ]
+
 (* Notes of another graph are seen not to fit, or make the exploration that they are of. *)
 let unfit () =
   let case =
@@ -300,8 +364,11 @@ let () =
   Alcotest.run "expand"
     [
       ( "kept",
-        Scc_test_support.Property.cases [ kept; pieces ]
-        @ [ Alcotest.test_case "notes that do not fit" `Quick unfit ] );
+        Scc_test_support.Property.cases [ kept; pieces; compacted_kept ]
+        @ [
+          Alcotest.test_case "notes that do not fit" `Quick unfit;
+          Alcotest.test_case "nor with hash compaction" `Quick compacted_unfit;
+        ] );
       ( "several processes",
         Scc_test_support.Property.cases [ crews; both; deaths ]
         @ [ Alcotest.test_case "a large graph" `Quick zigzags ] );

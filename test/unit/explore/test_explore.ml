@@ -241,7 +241,7 @@ let compacted (toy, depth, _) =
       enough = (fun () -> false);
     }
   in
-  let r = Compact.run visitor ~capacity:100 limits Limits.quiet toy in
+  let r = Compact.run visitor ~capacity:100 ~family:(fun _ -> 0) limits Limits.quiet toy in
   let g = explore ~limits toy in
   let follow s choice = match toy.(s) with Some l -> fst (List.nth l choice) | None -> -1 in
   r.size = Graph.size g

@@ -1,0 +1,39 @@
+open Scc_base
+open Scc_exact
+open Scc_store
+open Cmdliner
+
+(* Of two builds that call themselves by one version, one may have a fault that the other has not: what one has
+   found is not taken over by the other. *)
+let build () =
+  match Digest.file Sys.executable_name with
+  | digest -> Digest.to_hex digest
+  | exception Sys_error _ -> "unknown"
+
+let identity ~digest ~parameters options =
+  let values = List.map (fun (name, q) -> ("parameter " ^ name, Rat.to_string q)) parameters in
+  [ ("scc", Version.told); ("the build of scc", build ()); ("the model", digest) ] @ values @ options
+
+let tell console d =
+  if Console.is_json console then Guard.complain [ String.trim (Diag.render ~source:(Console.source console) d) ]
+  else Console.report console [ d ]
+
+let openly console ~folder identity =
+  Result.map_error (fun d -> [ d ]) (Store.openly folder ~identity ~warn:(tell console))
+
+let code = List.map (fun (_ : Diag.t) -> Scc_session.Exit_code.Unwritten)
+let conclude console = List.iter (tell console)
+
+let option ~doc = Arg.(value & opt (some string) None & info [ "store" ] ~docv:"DIR" ~doc)
+
+let man =
+  [
+    `S "STORES";
+    `P
+      "With $(b,--store) what is done goes to a folder at once. After Ctrl-C, $(b,kill -9) or a power cut the \
+       same command goes on from there, and ends with the bytes of a run that was never interrupted. At most a \
+       second of work is lost. When the store cannot be written any more, as on a full disk, a warning tells so \
+       at once, the work goes on without it, and the exit code is 74. A store is of one model, one build of scc \
+       and one set of options; one of something else is refused, and what differs is told. One process at a time \
+       has it.";
+  ]

@@ -1,0 +1,59 @@
+open Scc_expand
+open Scc_store
+open Scc_workers
+
+type 'a t = {
+  store : Store.t option;
+  log : Log.t;
+  blocks : Blocks.t;
+  mutable block : string;  (** that is read *)
+  mutable place : int;  (** of the next outcome in it *)
+}
+
+let start store about =
+  let log = Option.fold ~none:Log.none ~some:(fun s -> Store.log s about) store in
+  { store; log; blocks = Blocks.make log; block = ""; place = 0 }
+
+(* A block has been seen to be what a process of the same build has written. *)
+let rec next t =
+  if t.place < String.length t.block then begin
+    let outcome = Marshal.from_string t.block t.place in
+    t.place <- t.place + Marshal.total_size (Bytes.unsafe_of_string t.block) t.place;
+    Some outcome
+  end
+  else
+    match t.log.next () with
+    | None -> None
+    | Some block ->
+      t.block <- block;
+      t.place <- 0;
+      next t
+
+let keep t outcome =
+  if Option.is_some t.store then
+    Blocks.add t.blocks (fun buffer -> Buffer.add_string buffer (Marshal.to_string outcome []))
+
+let run t ~jobs ~first ~count ~work ~interrupted ~each =
+  let rec follow k =
+    if k >= count then Ok ()
+    else if interrupted () then Error Pool.Interrupted
+    else
+      match next t with
+      | Some outcome ->
+        each k outcome;
+        follow (k + 1)
+      | None ->
+        let each k outcome =
+          keep t outcome;
+          each k outcome
+        in
+        Pool.run ~jobs ~first:k ~count ~work ~interrupted ~each
+  in
+  Fun.protect ~finally:(fun () -> Blocks.write t.blocks) (fun () -> follow first)
+
+let close t =
+  match t.store with
+  | None -> []
+  | Some store ->
+    Store.close store;
+    Option.to_list (Store.failed store)
