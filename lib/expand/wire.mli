@@ -15,9 +15,6 @@ module Make (E : Lts.Exchange) : sig
   val put_changes : t -> Buffer.t -> Tuples.changes -> unit
   val read_changes : t -> Packed.source -> Tuples.changes
 
-  val put_step : t -> Buffer.t -> Lts.step -> unit
-  val read_step : t -> Packed.source -> Lts.step
-
   val put_tuple : t -> Buffer.t -> int array -> unit
   (** Tuples are put and read in the same order, as each is told by what is different from the one before. They are
       not written to afterwards; so are steps. *)

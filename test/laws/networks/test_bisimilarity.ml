@@ -70,7 +70,7 @@ let rewritten name ~count networks =
        fail_on (agree seed (Random_network.model network) (Random_network.declared network)))
 
 let turning name features =
-  QCheck2.Test.make ~name ~count:10
+  QCheck2.Test.make ~name ~count:4
     ~print:(fun (n, seed) -> Printf.sprintf "%s, seed %d" (Random_rigid.print n) seed)
     (Gen.pair (Random_rigid.generate features) Gen.(0 -- 1_000_000))
     (fun (network, seed) ->
@@ -91,7 +91,7 @@ let comes_to m part s (t : Transition.t) =
   | Some _ | None -> Some "an eps that expires does not cut time"
 
 let cut_short name features =
-  QCheck2.Test.make ~name ~count:7
+  QCheck2.Test.make ~name ~count:3
     ~print:(fun (n, _) -> Random_rigid.print n)
     (Gen.pair (Random_rigid.generate features) Gen.(1 -- 12))
     (fun (network, k) ->
@@ -129,9 +129,9 @@ let () =
       ( "Bisimilarity",
         Scc_test_support.Property.cases
           [
-            rewritten "Bisimilarity: behaviours written in another way" ~count:75 (Random_network.generate ());
-            rewritten "Bisimilarity: with laws of motion" ~count:75 (Random_network.generate ~steered:true ());
-            rewritten "Bisimilarity: with the switches of a model" ~count:40
+            rewritten "Bisimilarity: behaviours written in another way" ~count:30 (Random_network.generate ());
+            rewritten "Bisimilarity: with laws of motion" ~count:30 (Random_network.generate ~steered:true ());
+            rewritten "Bisimilarity: with the switches of a model" ~count:16
               (Random_network.switched ~steered:true ());
             turning "Bisimilarity: bodies that turn" Random_rigid.anything;
             turning "Bisimilarity: bodies that turn, with laws and rounding" falling;

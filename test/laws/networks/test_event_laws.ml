@@ -107,7 +107,7 @@ let explored (m, start) = (m, Reach.states m start ~limit:40)
 let straight_states n = explored (Random_network.start n)
 let states_twice n = explored (twice (Random_network.start n))
 
-let straight name ?(count = 75) ?(networks = Random_network.generate ()) ?(states = straight_states) law =
+let straight name ?(count = 30) ?(networks = Random_network.generate ()) ?(states = straight_states) law =
   QCheck2.Test.make ~name ~count ~print:Random_network.print networks (fun n ->
       let m, states = states n in
       fail_on (List.find_map (law m) states))
@@ -118,7 +118,7 @@ let turning_twice n =
   let short (s, _) = Rigid_reach.bits s <= Rigid_reach.longest in
   (m, List.filter short (Rigid_reach.states ~limit:6 ~steps:12 m start))
 
-let turning name ?(count = 6) features law =
+let turning name ?(count = 3) features law =
   QCheck2.Test.make ~name ~count ~print:Random_rigid.print (Random_rigid.generate features) (fun n ->
       let m, states = turning_twice n in
       fail_on (List.find_map (law m) states))
@@ -194,7 +194,7 @@ let show_pile bodies =
        bodies)
 
 let bounces_end ?(switches = Switches.off) name =
-  QCheck2.Test.make ~name ~count:100 ~print:show_pile pile (fun bodies ->
+  QCheck2.Test.make ~name ~count:40 ~print:show_pile pile (fun bodies ->
       let m, s = network_of_pile bodies in
       bounces (Switches.apply switches m) s 0 <= many_bounces)
 
@@ -336,21 +336,21 @@ let () =
         ~failing:
           [
             quick "there are many events at once" together;
-            fails "Confluence: fails with laws of motion" ~count:200 (Random_network.generate ~steered:true ())
+            fails "Confluence: fails with laws of motion" ~count:80 (Random_network.generate ~steered:true ())
               states_twice;
           ]
         [
           straight "Confluence: events that share no process come to the same in either order"
             ~states:states_twice confluent;
           straight "Confluence: with binding by contact"
-            ~count:25
+            ~count:10
             ~networks:(Gen.map (Random_network.with_switches Switches.by_contact) (Random_network.switched ()))
             ~states:states_twice confluent;
           straight "Confluence: with the switches of a model, of what is not in contact"
             ~networks:(Random_network.switched ()) ~states:states_twice
             (confluent ~only:in_separate_companies);
           straight "Confluence: laws of motion with steps of single processes, of what is not in contact"
-            ~count:7
+            ~count:3
             ~networks:(Random_network.switched ~steered:true ())
             ~states:(fun n -> states_twice (Random_network.with_switches Switches.local n))
             (confluent ~only:in_separate_companies);
@@ -359,16 +359,16 @@ let () =
             { Random_rigid.anything with rounds = true }
             confluent;
           turning "Confluence: bodies that turn, with the switches of a model, of what is not in contact"
-            ~count:5
+            ~count:3
             { Random_rigid.anything with rounds = true; switched = true }
             (confluent ~only:in_separate_companies);
         ];
       group "Sites"
         [
-          straight "Sites: two processes that collide may bind iff surfaces meet" ~count:150 finds_sites;
-          straight "Sites: with the switches of a model" ~count:40 ~networks:(Random_network.switched ())
+          straight "Sites: two processes that collide may bind iff surfaces meet" ~count:60 finds_sites;
+          straight "Sites: with the switches of a model" ~count:16 ~networks:(Random_network.switched ())
             finds_sites;
-          straight "Sites: with binding by contact any two may bind iff surfaces meet" ~count:40
+          straight "Sites: with binding by contact any two may bind iff surfaces meet" ~count:16
             ~networks:(Gen.map (Random_network.with_switches Switches.by_contact) (Random_network.switched ()))
             finds_sites_anywhere;
         ];
@@ -379,12 +379,12 @@ let () =
             quick "Reversal: fails with collisions together" clusters;
           ]
         [
-          straight "Reversal: of bodies that are packed" ~count:50
+          straight "Reversal: of bodies that are packed" ~count:20
             ~networks:(Gen.map (Random_network.with_switches Switches.by_contact) (Random_network.switched ()))
             ~states:(fun n -> straight_states (Random_network.inert n))
             undone;
           straight "Reversal: bounces by one direction, and the way between, are undone"
-            ~count:150
+            ~count:60
             ~states:(fun n -> straight_states (Random_network.inert n))
             undone;
         ];

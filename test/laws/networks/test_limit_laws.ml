@@ -72,7 +72,7 @@ let rec after m s n =
 let falls =
   let open Gen in
   QCheck2.Test.make ~name:"Convergence: a body that falls is too high by half of g times the time times the step"
-    ~count:100
+    ~count:40
     ~print:(fun (g, v, n, d) -> say "g %d, velocity %d, %d steps of 1/%d" g v n d)
     (quad (-9 -- 9) (-9 -- 9) (0 -- 30) (1 -- 40))
     (fun (g, v, n, d) ->
@@ -89,7 +89,7 @@ let falls =
 (* By the angle about z, in floats: the exact one is no rational. *)
 let spins =
   let open Gen in
-  QCheck2.Test.make ~name:"Convergence: a body that spins falls short by the square of the step" ~count:60
+  QCheck2.Test.make ~name:"Convergence: a body that spins falls short by the square of the step" ~count:25
     ~print:(fun (w, n, d) -> say "spin %d/8, %d steps of 1/%d" w n d)
     (triple (1 -- 8) (1 -- 20) (4 -- 40))
     (fun (w, n, d) ->
@@ -132,7 +132,7 @@ let within_resolution m (s : State.t) early missing =
   List.exists near (Collisions.meetings (standard m) there.processes)
 
 let contacts =
-  QCheck2.Test.make ~name:"Convergence: the first contact comes early, by no more than the resolution" ~count:60
+  QCheck2.Test.make ~name:"Convergence: the first contact comes early, by no more than the resolution" ~count:25
     ~print:Random_rigid.print
     (Random_rigid.generate { Random_rigid.anything with behaves = false })
     (fun n ->
@@ -179,7 +179,7 @@ let follows fine s (t : Transition.t) =
 let split_step (m : Model.t) = match m.splits with Every step -> step | Any_time -> assert false
 
 let splits =
-  QCheck2.Test.make ~name:"Convergence: runs of a split step are runs of its half, and of its third" ~count:150
+  QCheck2.Test.make ~name:"Convergence: runs of a split step are runs of its half, and of its third" ~count:60
     ~print:(fun (n, _) -> Random_network.print n)
     (Gen.pair (Random_network.generate ()) Gen.(2 -- 3))
     (fun (n, k) ->
@@ -250,7 +250,7 @@ let sticking =
   Gen.map stuck (Random_network.switched ())
 
 let in_translation =
-  QCheck2.Test.make ~name:"Convergence: within a window, when a split happens tells on no place" ~count:80
+  QCheck2.Test.make ~name:"Convergence: within a window, when a split happens tells on no place" ~count:30
     ~print:(fun (n, _) -> Random_network.print n)
     (Gen.pair sticking Gen.(1 -- 12))
     (fun (n, k) ->
@@ -264,7 +264,7 @@ let constant_spin = Random_rigid.generate { Random_rigid.anything with dynamics 
 (* A piece at r from the centre of a whole that spins by w has its velocity of the instant, and goes on straight:
    so the two differ by no more than |w| |r| (2 + |w| d) times what was waited. *)
 let of_turning =
-  QCheck2.Test.make ~name:"Convergence: of bodies that turn, places follow the split instant" ~count:40
+  QCheck2.Test.make ~name:"Convergence: of bodies that turn, places follow the split instant" ~count:16
     ~print:(fun (n, _) -> Random_rigid.print n)
     (Gen.pair constant_spin Gen.(1 -- 12))
     (fun (n, k) ->
@@ -297,7 +297,7 @@ let there_are_windows () =
 (* A cube falls from rest on a floor, and comes back. *)
 let bounces =
   let open Gen in
-  QCheck2.Test.make ~name:"Convergence: a body that falls and bounces is off by no more than the step" ~count:40
+  QCheck2.Test.make ~name:"Convergence: a body that falls and bounces is off by no more than the step" ~count:16
     ~print:(fun (g, t, n, d) -> say "g %d, falls for %d/4, %d steps of 1/%d" g t n d)
     (quad (1 -- 9) (2 -- 8) (0 -- 60) (8 -- 60))
     (fun (g, t, n, d) ->
@@ -336,7 +336,7 @@ let motions (s : State.t) =
   List.concat_map (fun (p : State.process) -> [ p.velocity; p.spin ]) (Array.to_list s.processes)
 
 let bounces_of_turning =
-  QCheck2.Test.make ~name:"Convergence: a first bounce of bodies that turn follows the resolution" ~count:25
+  QCheck2.Test.make ~name:"Convergence: a first bounce of bodies that turn follows the resolution" ~count:10
     ~print:Random_rigid.print
     (Random_rigid.generate { Random_rigid.anything with behaves = false })
     (fun n ->

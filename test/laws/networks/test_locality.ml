@@ -183,25 +183,25 @@ let turning first second =
 
 let laws =
   [
-    law "Locality: networks that are far apart are their product" ~count:50 ~print:Random_network.print
+    law "Locality: networks that are far apart are their product" ~count:20 ~print:Random_network.print
       (Random_network.generate ()) straight;
-    law "Locality: with rounding" ~count:50 ~print:Random_network.print (Random_network.rounding ()) straight;
-    law "Locality: bodies that turn" ~count:7 ~print:Random_rigid.print
+    law "Locality: with rounding" ~count:20 ~print:Random_network.print (Random_network.rounding ()) straight;
+    law "Locality: bodies that turn" ~count:3 ~print:Random_rigid.print
       (Random_rigid.generate Random_rigid.anything)
       turning;
-    law "Locality: bodies that turn, with rounding" ~count:7 ~print:Random_rigid.print
+    law "Locality: bodies that turn, with rounding" ~count:3 ~print:Random_rigid.print
       (Random_rigid.generate { Random_rigid.anything with rounds = true })
       turning;
-    law "Locality: laws of motion with steps of single processes" ~count:50 ~print:Random_network.print
+    law "Locality: laws of motion with steps of single processes" ~count:20 ~print:Random_network.print
       (Random_network.generate ~steered:true ())
       falling;
-    law "Locality: bodies that turn, with such laws and rounding" ~count:7 ~print:Random_rigid.print
+    law "Locality: bodies that turn, with such laws and rounding" ~count:3 ~print:Random_rigid.print
       (Random_rigid.generate { Random_rigid.anything with rounds = true; laws = true })
       falling_and_turning;
-    law "Locality: with the switches of a model" ~count:25 ~print:Random_network.print
+    law "Locality: with the switches of a model" ~count:10 ~print:Random_network.print
       (Random_network.switched ~steered:true ~draws:false ())
       falling;
-    law "Locality: bodies that turn, with the switches of a model" ~count:5 ~print:Random_rigid.print
+    law "Locality: bodies that turn, with the switches of a model" ~count:3 ~print:Random_rigid.print
       (Random_rigid.generate
          { Random_rigid.anything with rounds = true; laws = true; switched = true; draws = false })
       falling_and_turning;

@@ -184,7 +184,7 @@ let docking () =
 
 let random =
   let features = { Random_rigid.anything with rounds = true; laws = true } in
-  QCheck2.Test.make ~name:"random networks that turn, fall and are rounded" ~count:40
+  QCheck2.Test.make ~name:"random networks that turn, fall and are rounded" ~count:16
     ~print:(fun (n, _) -> Random_rigid.print n)
     QCheck2.Gen.(pair (Random_rigid.generate features) int)
     (fun (network, seed) ->

@@ -146,7 +146,7 @@ let rules_are_right m (_ : State.t) (t : Transition.t) =
 
 let fail_on = function None -> true | Some why -> QCheck2.Test.fail_report why
 
-let property name ?(count = 7) features holds =
+let property name ?(count = 3) features holds =
   QCheck2.Test.make ~name ~count ~print:Random_rigid.print (Random_rigid.generate features) holds
 
 let any = Random_rigid.anything
@@ -204,7 +204,7 @@ let mirrored network =
   fail_on (Symmetry.broken reflection m (List.filter short states))
 
 let mirror =
-  [ property "point reflection" ~count:10 { rounded with plain = true; behaves = false } mirrored ]
+  [ property "point reflection" ~count:4 { rounded with plain = true; behaves = false } mirrored ]
 
 (* {1 Quiescent networks} *)
 

@@ -25,11 +25,11 @@ let of_networks name ~count ~of_network networks symmetry =
     (Gen.pair networks symmetry)
     (fun (n, symmetry) -> holds symmetry (Random_network.start (of_network n)))
 
-let straight name ?(count = 125) ?steered ?(of_network = Fun.id) symmetry =
+let straight name ?(count = 50) ?steered ?(of_network = Fun.id) symmetry =
   of_networks name ~count ~of_network (Random_network.generate ?steered ()) symmetry
 
 (* With the switches that a model has. *)
-let switched name ?(count = 40) ?steered ?draws ?(of_network = Fun.id) symmetry =
+let switched name ?(count = 16) ?steered ?draws ?(of_network = Fun.id) symmetry =
   of_networks name ~count ~of_network (Random_network.switched ?steered ?draws ()) symmetry
 
 (* {1 Bodies that turn} *)
@@ -41,7 +41,7 @@ let comparable (symmetry : Symmetry.t) m (s, _) =
     (Network.quiescent (standard m) s)
     (Network.quiescent (standard (symmetry.model m)) (symmetry.state s))
 
-let turning name ?(count = 5) ?(of_network = Fun.id) features symmetry =
+let turning name ?(count = 3) ?(of_network = Fun.id) features symmetry =
   QCheck2.Test.make ~name ~count
     ~print:(fun (n, _) -> Random_rigid.print n)
     (Gen.pair (Random_rigid.generate features) symmetry)
@@ -51,7 +51,7 @@ let turning name ?(count = 5) ?(of_network = Fun.id) features symmetry =
        fail_on (Symmetry.broken symmetry m (List.filter (comparable symmetry m) states)))
 
 (* Where a law is said to fail, some network shows it. *)
-let fails name ?(count = 10) features symmetry =
+let fails name ?(count = 4) features symmetry =
   let shows () =
     let rand = Random.State.make [| 42 |] in
     let broken (n, symmetry) =
@@ -135,7 +135,7 @@ let other_way (s : State.t) =
   State.make ~processes:(List.map process (backwards s.processes)) ~step:s.step ~time:s.time
 
 let brackets =
-  QCheck2.Test.make ~name:"Congruence: brackets, ends of bonds and parallel components in any order" ~count:100
+  QCheck2.Test.make ~name:"Congruence: brackets, ends of bonds and parallel components in any order" ~count:40
     ~print:Random_network.print (Random_network.generate ()) (fun n ->
         let m, start = Random_network.start n in
         let states = Reach.states m start ~limit:states_per_network in
@@ -168,14 +168,14 @@ let () =
             fails "Rotation: fails with rounding" { rounded with dynamics = `Constant_spin } turn;
           ]
         [
-          straight "Rotation: by the rotations of a cube" ~count:100 cube_rotation;
+          straight "Rotation: by the rotations of a cube" ~count:40 cube_rotation;
           straight "Rotation: by any rational rotation" rotation;
-          turning "Rotation: bodies that turn, by any rational rotation" ~count:5 constant_spin turn;
-          turning "Rotation: shapes that are declared in another position" ~count:5 constant_spin rotation;
+          turning "Rotation: bodies that turn, by any rational rotation" ~count:3 constant_spin turn;
+          turning "Rotation: shapes that are declared in another position" ~count:3 constant_spin rotation;
           turning "Rotation: free bodies by a quarter turn" any quarter_turn;
           turning "Rotation: with rounding, by the rotations of a cube" rounded cube_rotation;
           switched "Rotation: with the switches of a model" ~draws:false rotation;
-          turning "Rotation: bodies that turn, with the switches of a model" ~count:5
+          turning "Rotation: bodies that turn, with the switches of a model" ~count:3
             (with_switches { constant_spin with draws = false }) turn;
         ];
       group "Boost" ~failing:[ fails "Boost: fails with rounding and where something is fixed" rounded boost ]

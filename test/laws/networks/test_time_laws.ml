@@ -19,7 +19,7 @@ let states_per_network = 60
 let steered = Random_network.generate ~steered:true ()
 let switched = Random_network.switched ~steered:true ()
 
-let straight name ?(count = 125) ?(networks = steered) law =
+let straight name ?(count = 50) ?(networks = steered) law =
   QCheck2.Test.make ~name ~count
     ~print:(fun (n, _) -> Random_network.print n)
     (Gen.pair networks Gen.(1 -- 12))
@@ -28,7 +28,7 @@ let straight name ?(count = 125) ?(networks = steered) law =
        let states = Reach.states m start ~limit:states_per_network in
        fail_on (List.find_map (law m (rational k 13)) states))
 
-let turning name ?(count = 6) features law =
+let turning name ?(count = 3) features law =
   QCheck2.Test.make ~name ~count
     ~print:(fun (n, _) -> Random_rigid.print n)
     (Gen.pair (Random_rigid.generate features) Gen.(1 -- 12))
@@ -134,36 +134,36 @@ let () =
         [
           straight "TimeDeterminism: at most one passing of time" deterministic;
           turning "TimeDeterminism: bodies that turn, with laws and rounding" falling deterministic;
-          straight "TimeDeterminism: with the switches of a model" ~count:30 ~networks:switched deterministic;
+          straight "TimeDeterminism: with the switches of a model" ~count:12 ~networks:switched deterministic;
           turning "TimeDeterminism: bodies that turn, with the switches of a model" falling_switched deterministic;
         ];
       group "TimeAdditivity"
         [
           straight "TimeAdditivity: two passings of time are one" additive;
           turning "TimeAdditivity: of bodies that turn" falling additive;
-          straight "TimeAdditivity: with rounding" ~count:30 ~networks:(Random_network.rounding ()) additive;
-          straight "TimeAdditivity: with the switches of a model" ~count:30 ~networks:switched additive;
+          straight "TimeAdditivity: with rounding" ~count:12 ~networks:(Random_network.rounding ()) additive;
+          straight "TimeAdditivity: with the switches of a model" ~count:12 ~networks:switched additive;
           turning "TimeAdditivity: bodies that turn, with the switches of a model" falling_switched additive;
         ];
       group "TimeContinuity"
         [
           straight "TimeContinuity: midway there is the rest of the time, and nothing else" continuous;
-          turning "TimeContinuity: of bodies that turn, with laws and rounding" ~count:12 falling continuous;
-          straight "TimeContinuity: with the switches of a model" ~count:30 ~networks:switched continuous;
+          turning "TimeContinuity: of bodies that turn, with laws and rounding" ~count:5 falling continuous;
+          straight "TimeContinuity: with the switches of a model" ~count:12 ~networks:switched continuous;
           turning "TimeContinuity: bodies that turn, with the switches of a model" falling_switched continuous;
         ];
       group "Urgency"
         [
           straight "Urgency: time passes iff nothing urgent is possible" urgent;
           turning "Urgency: bodies that turn" falling urgent;
-          straight "Urgency: with the switches of a model" ~count:30 ~networks:switched urgent;
+          straight "Urgency: with the switches of a model" ~count:12 ~networks:switched urgent;
           turning "Urgency: bodies that turn, with the switches of a model" falling_switched urgent;
         ];
       group "Progress"
         [
           straight "Progress: each state acts, lets time pass, or is quiescent" progresses;
           turning "Progress: so do bodies that turn, or they are in persistent contact" falling progresses;
-          straight "Progress: with the switches of a model" ~count:30 ~networks:switched progresses;
+          straight "Progress: with the switches of a model" ~count:12 ~networks:switched progresses;
           turning "Progress: bodies that turn, with the switches of a model" falling_switched progresses;
         ];
     ]

@@ -382,10 +382,10 @@ let () =
       ( "explanations",
         Scc_test_support.Property.cases
           [
-            explanations "one operator" ~unsure:false ~truncated:false ~depth:1 5000;
-            explanations "nested operators" ~unsure:false ~truncated:false ~depth:3 3000;
-            explanations "nested deeper" ~unsure:false ~truncated:false ~depth:4 1000;
-            explanations "undecided predicates, truncated graphs" ~unsure:true ~truncated:true ~depth:2 3000;
+            explanations "one operator" ~unsure:false ~truncated:false ~depth:1 2000;
+            explanations "nested operators" ~unsure:false ~truncated:false ~depth:3 1200;
+            explanations "nested deeper" ~unsure:false ~truncated:false ~depth:4 400;
+            explanations "undecided predicates, truncated graphs" ~unsure:true ~truncated:true ~depth:2 1200;
           ] );
       ( "doubts",
         Scc_test_support.Property.cases

@@ -60,7 +60,7 @@ let value_at c =
   | (Known _ | Unknown _), _ -> false
 
 let law ?(unsure = false) ?(truncated = false) name f =
-  Scc_test_support.Property.case (QCheck2.Test.make ~name ~count:4_000 ~print (gen ~unsure ~truncated) f)
+  Scc_test_support.Property.case (QCheck2.Test.make ~name ~count:1600 ~print (gen ~unsure ~truncated) f)
 
 (* A flow that meets g at no rational instant: the time is enclosed. *)
 let irrational () =

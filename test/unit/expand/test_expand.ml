@@ -195,7 +195,7 @@ let follows case =
   List.for_all goes_on (prefixes all)
 
 let kept =
-  QCheck2.Test.make ~count:1500 ~name:"from whatever was kept the exploration is the same" ~print case_gen follows
+  QCheck2.Test.make ~count:600 ~name:"from whatever was kept the exploration is the same" ~print case_gen follows
 
 (* Stopped after some looks, and again, until it comes to its end. *)
 let in_pieces (case, pieces) =
@@ -218,7 +218,7 @@ let in_pieces (case, pieces) =
   same case (go [] pieces) expected
 
 let pieces =
-  QCheck2.Test.make ~count:3000 ~name:"stopped and resumed, it is the same"
+  QCheck2.Test.make ~count:1200 ~name:"stopped and resumed, it is the same"
     ~print:(fun (c, _) -> print c)
     Gen.(pair case_gen (list_size (int_range 1 4) (int_range 0 12)))
     in_pieces
@@ -262,7 +262,7 @@ let compacted_follows case =
   List.for_all goes_on (prefixes all)
 
 let compacted_kept =
-  QCheck2.Test.make ~count:1500 ~name:"the same with hash compaction" ~print case_gen compacted_follows
+  QCheck2.Test.make ~count:600 ~name:"the same with hash compaction" ~print case_gen compacted_follows
 
 let compacted_unfit () =
   let case =
@@ -314,7 +314,7 @@ let by_crew jobs = Crews.expanding ~jobs ~start:Crew.At_once
 let together case = same case (told ~expanding:(by_crew 2) case) (told case)
 
 let crews =
-  QCheck2.Test.make ~count:300 ~name:"two processes find what one finds" ~print case_gen together
+  QCheck2.Test.make ~count:120 ~name:"two processes find what one finds" ~print case_gen together
 
 let crew_and_journal case =
   let expected = told case in
@@ -325,7 +325,7 @@ let crew_and_journal case =
   same case (run (fst (kept_from some))) expected
 
 let both =
-  QCheck2.Test.make ~count:150 ~name:"also while it is kept" ~print case_gen crew_and_journal
+  QCheck2.Test.make ~count:60 ~name:"also while it is kept" ~print case_gen crew_and_journal
 
 (* A process dies wherever it comes to such a state; in the end nobody is left but this one. *)
 let mortal (case, k) =
@@ -333,7 +333,7 @@ let mortal (case, k) =
   same case (told ~dies ~expanding:(by_crew 2) case) (told case)
 
 let deaths =
-  QCheck2.Test.make ~count:100 ~name:"processes that die lose nothing"
+  QCheck2.Test.make ~count:40 ~name:"processes that die lose nothing"
     ~print:(fun (c, _) -> print c)
     Gen.(pair case_gen (int_range 1 4))
     mortal

@@ -71,8 +71,8 @@ let () =
       ( "random networks",
         Scc_test_support.Property.cases
           [
-            test ~count:60 "two processes find what one finds" shared;
-            test ~count:100 "what was kept is followed" kept;
-            test ~count:40 "with tables in files" in_files;
+            test ~count:25 "two processes find what one finds" shared;
+            test ~count:40 "what was kept is followed" kept;
+            test ~count:16 "with tables in files" in_files;
           ] );
     ]

@@ -156,7 +156,7 @@ let scene_bodies (s : Solids.scene) =
   (body (Solids.solid ~id:0 s.a) Vec.zero, body (Solids.solid ~id:1 s.b) s.r ~velocity:s.w)
 
 let cast name gen =
-  Solids.property name ~count:300 ~gen (fun s ->
+  Solids.property name ~count:120 ~gen (fun s ->
       let a, b = scene_bodies s in
       let until = Rat.of_int 2 in
       let found = Sweep.first_penetration a b ~from:Rat.zero ~until and expected = without_turning a b ~until in
@@ -210,7 +210,7 @@ let show_motion (m : Motion.t) =
 
 let show (a, b) = show_motion a ^ "\n" ^ show_motion b
 
-let property ?(count = 150) name gen f =
+let property ?(count = 60) name gen f =
   let run (a, b) =
     QCheck2.assume (Sweep.relation a b Rat.zero <> Obstacle.Interpenetrating);
     f a b (Sweep.first_penetration a b ~from:Rat.zero ~until:Rat.one)
@@ -284,7 +284,7 @@ let hulls_of_50 =
       (Gen.triple any_turn any_turn spin)
       (Gen.pair spin (Gen.map (fun (x, y) -> v 7 x y) Gen.(pair (-5 -- 5) (-5 -- 5))))
   in
-  property ~count:12 "hulls of 50 faces" gen (fun a b found -> relation a b found && swapped a b found)
+  property ~count:5 "hulls of 50 faces" gen (fun a b found -> relation a b found && swapped a b found)
 
 let () =
   let case name f = Alcotest.test_case name `Quick f in

@@ -64,7 +64,7 @@ let turns () =
 
 let rigid =
   let features = { Random_rigid.anything with rounds = true; laws = true } in
-  QCheck2.Test.make ~name:"rigid" ~count:25 ~print:Random_rigid.print (Random_rigid.generate features)
+  QCheck2.Test.make ~name:"rigid" ~count:10 ~print:Random_rigid.print (Random_rigid.generate features)
     (fun network ->
        let m, start = Random_rigid.start network in
        match explored ~memory:1024 m start ~states:15 with
@@ -72,16 +72,16 @@ let rigid =
        | _, why :: _ -> QCheck2.Test.fail_report why)
 
 let crowd name ~few =
-  QCheck2.Test.make ~name ~count:30 ~print:Random_network.print Random_network.crowd
+  QCheck2.Test.make ~name ~count:12 ~print:Random_network.print Random_network.crowd
     (agrees ~few ~memory:1024 ~of_model:Fun.id)
 
 (* Looked at as many are: with some absorbed, and with so many at rest that sweeps are asked. *)
 let absorbing =
-  QCheck2.Test.make ~name:"some are absorbed" ~count:100 ~print:Random_network.print (Random_network.absorbing ())
+  QCheck2.Test.make ~name:"some are absorbed" ~count:40 ~print:Random_network.print (Random_network.absorbing ())
     (agrees ~few:0 ~memory:1024 ~of_model:Fun.id)
 
 let bystanders =
-  QCheck2.Test.make ~name:"bystanders" ~count:50 ~print:Random_network.print (Random_network.generate ())
+  QCheck2.Test.make ~name:"bystanders" ~count:20 ~print:Random_network.print (Random_network.generate ())
     (fun network -> agrees ~few:0 ~memory:1024 ~of_model:Fun.id (Random_network.with_bystanders network))
 
 let switched name ~steered count =
@@ -90,7 +90,7 @@ let switched name ~steered count =
     (agrees ~memory:1024 ~of_model:Fun.id)
 
 let rings =
-  QCheck2.Test.make ~name:"bonds that close rings" ~count:100 ~print:Random_network.print Random_network.linked
+  QCheck2.Test.make ~name:"bonds that close rings" ~count:40 ~print:Random_network.print Random_network.linked
     (agrees ~memory:1024 ~of_model:Fun.id)
 
 let model ?few name () =
