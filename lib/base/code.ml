@@ -99,7 +99,6 @@ let not_known = "SC0903"
 let no_store = "SC0910"
 let other_store = "SC0911"
 let damaged_store = "SC0912"
-let not_kept = "SC0913"
 let no_state = "SC0920"
 let lost_frame = "SC0921"
 let not_asked = "SC0922"
@@ -206,7 +205,6 @@ let all =
     (no_store, "a folder is no store of explorations, or cannot be used as one now");
     (other_store, "a store keeps something else: of another model, with other options or of another version");
     (damaged_store, "a store is damaged");
-    (not_kept, "a store that cannot be written any more, while the work goes on");
     (no_state, "bytes that are no state of the model");
     (lost_frame, "a batch of states that does not fit its format");
     (not_asked, "a property or an exploration that the model does not have");

@@ -329,9 +329,6 @@ val other_store : t
 val damaged_store : t
 (** SC0912: a store that is damaged. *)
 
-val not_kept : t
-(** SC0913: a store that cannot be written any more, while the work goes on. *)
-
 (** {1 Successors for programs} *)
 
 val no_state : t

@@ -9,7 +9,7 @@ val identity :
     names and values ({!Store.openly}). *)
 
 val openly : Console.t -> folder:string -> (string * string) list -> (Store.t, Diag.t list) result
-(** With an identity. When something cannot be kept any more, a warning (SC0913) tells so at once, on standard
+(** With an identity. When something cannot be kept any more, a warning (SC0103) tells so at once, on standard
     error also where all else is told in a document. *)
 
 val code : Diag.t list -> Scc_session.Exit_code.t list

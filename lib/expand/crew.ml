@@ -35,9 +35,9 @@ module Make
 
   let put_steps wire b steps =
     Packed.put_nat b (List.length steps);
-    List.iter (Wire.put_step wire b) steps
+    List.iter (Wire.put_recent wire b) steps
 
-  let read_steps wire source = Packed.list source (Wire.read_step wire)
+  let read_steps wire source = Packed.list source (Wire.read_recent wire)
 
   let read_answer wire source =
     match Packed.nat source with

@@ -89,18 +89,18 @@ module Make (E : Lts.Exchange) = struct
     && (s.changes == t.changes
         || (Array.length s.changes = Array.length t.changes && same_from 0 s.changes t.changes))
 
-  let put_whole w buffer (s : Lts.step) =
+  let put_step w buffer (s : Lts.step) =
     put_label w buffer s.label;
     put_changes w buffer s.changes
 
-  let read_whole w source =
+  let read_step w source =
     let label = read_label w source in
     { Lts.label; changes = read_changes w source }
 
-  let put_step w buffer s =
+  let put_recent w buffer s =
     if not (is_short s) then begin
       Packed.put_nat buffer long;
-      put_whole w buffer s
+      put_step w buffer s
     end
     else begin
       let k = place s in
@@ -109,17 +109,17 @@ module Make (E : Lts.Exchange) = struct
         w.steps.(k) <- s;
         Packed.put_nat buffer kept;
         Packed.put_nat buffer k;
-        put_whole w buffer s
+        put_step w buffer s
       end
     end
 
-  let read_step w source =
+  let read_recent w source =
     let told = Packed.below (first_place + places) ~what:"the place of a step" source in
     if told >= first_place then w.steps.(told - first_place)
-    else if told = long then read_whole w source
+    else if told = long then read_step w source
     else begin
       let k = Packed.below places ~what:"the place of a step" source in
-      let s = read_whole w source in
+      let s = read_step w source in
       w.steps.(k) <- s;
       s
     end

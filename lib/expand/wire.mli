@@ -22,8 +22,11 @@ module Make (E : Lts.Exchange) : sig
   val read_tuple : t -> Packed.source -> int array
 
   val put_step : t -> Buffer.t -> Lts.step -> unit
-  (** In order as well. *)
-
   val read_step : t -> Packed.source -> Lts.step
+
+  val put_recent : t -> Buffer.t -> Lts.step -> unit
+  (** A step in short, if it came up lately; in order as well. The bytes depend on the numbers of this process. *)
+
+  val read_recent : t -> Packed.source -> Lts.step
 end
 (** Readers raise {!Packed.Malformed} and [Failure]. *)

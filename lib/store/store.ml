@@ -215,7 +215,7 @@ let give_up t text =
       (Diag.error Code.cannot_write (at t.folder) "%s; what was found from then on is not kept" text
          ~hint:"the same command goes on from what was kept, once the store can be written again");
   t.warn
-    (Diag.warning Code.not_kept (at t.folder) "%s: what is found from now on is not kept" text
+    (Diag.warning Code.cannot_write (at t.folder) "%s: what is found from now on is not kept" text
        ~hint:"it goes on all the same; what was kept up to now stays")
 
 let log t name : Scc_expand.Log.t =

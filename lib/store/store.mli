@@ -14,7 +14,7 @@ val openly : string -> identity:(string * string) list -> warn:(Diag.t -> unit) 
     and values: all must be those that it was made with. It is this process's alone until it ends. The error:
     the folder cannot be made, read or written, is no store, or another process has it (SC0910); it keeps something
     else, and what differs (SC0911); it is damaged (SC0912). All blocks have been looked at. [warn] is told
-    once when blocks are not kept any more (SC0913). *)
+    once when blocks are not kept any more (SC0103). *)
 
 val folder : t -> string
 

@@ -212,7 +212,7 @@ def full_disks(scc, names, chance, folder, tally):
                 (code in (1, 2, 74) and told == "SC0103") or (code == 3 and told == "SC0910") or (code, out, err) == expected,
                 f"{name} with {most} bytes of {whole}: exit code {code}, {err}",
             )
-            warned = told != "SC0103" or "warning[SC0913]" in err
+            warned = told != "SC0103" or "warning[SC0103]" in err
             tally.check(warned, f"{name} with {most} bytes of {whole}: no warning\n{err}")
             tally.check(run(command(scc, args, store)) == expected, f"{name}: another report after a full disk")
             shutil.rmtree(store)
@@ -230,7 +230,7 @@ def warned_at_once(scc, store, tally):
         command(scc, LONG, store), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, preexec_fn=limited
     )
     line = process.stderr.readline()
-    tally.check("warning[SC0913]" in line and process.poll() is None, f"a full disk is not told at once: {line}")
+    tally.check("warning[SC0103]" in line and process.poll() is None, f"a full disk is not told at once: {line}")
     process.kill()
     process.wait()
     process.stderr.close()

@@ -54,7 +54,7 @@ check twice : E = ? [ 2 * time - 1 at 5/2 ]
 (* {1 What drifts apart} *)
 
 let drifting name kinds =
-  QCheck2.Test.make ~name ~count:60 ~print:Fun.id Drifters.case (agrees kinds ~jump:true ~together:false)
+  QCheck2.Test.make ~name ~count:150 ~print:Fun.id Drifters.case (agrees kinds ~jump:true ~together:false)
 
 (* A state and the one that stands for it: the same transitions, to states that one stands for, and the same truth
    of all predicates at each instant of what passes until then. [stands_for] is the rule to be tried. *)
@@ -115,7 +115,7 @@ let by_rule (e : Scc_elaborate.Elaborate.t) initial =
 let by_rule_tried = { moved = 0; states = 0 }
 
 let stands_for_all =
-  QCheck2.Test.make ~name:"Drift: a state and the one that stands for it" ~count:160 ~print:Fun.id
+  QCheck2.Test.make ~name:"Drift: a state and the one that stands for it" ~count:400 ~print:Fun.id
     Drifters.with_predicates (fun text ->
         match load text with
         | None -> true

@@ -146,8 +146,8 @@ let agrees case =
 let print case =
   String.concat "\n" (Scene.print case.scene :: List.mapi (fun i _ -> Printf.sprintf "formula %d" i) case.formulas)
 
-let law = QCheck2.Test.make ~name:"formulas" ~count:30 ~print generate agrees
-let law_any = QCheck2.Test.make ~name:"runs on a grid" ~count:20 ~print generate_any agrees
+let law = QCheck2.Test.make ~name:"formulas" ~count:75 ~print generate agrees
+let law_any = QCheck2.Test.make ~name:"runs on a grid" ~count:50 ~print generate_any agrees
 
 let enough () =
   Printf.printf "%d formulas that a run on a grid shows\n" !shown;

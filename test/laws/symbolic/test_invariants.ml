@@ -136,7 +136,7 @@ let agrees case =
 
 let generate = if Sys.getenv_opt "SCC_NO_SHRINKING" = None then generate else Gen.no_shrink generate
 
-let law = QCheck2.Test.make ~name:"invariants" ~count:20 ~print:(fun c -> Scene.print c.scene) generate agrees
+let law = QCheck2.Test.make ~name:"invariants" ~count:50 ~print:(fun c -> Scene.print c.scene) generate agrees
 
 let enough () =
   Printf.printf "%d invariants (%d not accepted), %d without; %d states; %d claims, looked at %d times\n" !found

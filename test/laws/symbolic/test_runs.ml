@@ -233,7 +233,7 @@ let law_of case =
     List.iter2 one case.claims report.outcomes;
     true
 
-let law = QCheck2.Test.make ~name:"runs" ~count:100 ~print:(fun c -> Scene.print c.scene) generate law_of
+let law = QCheck2.Test.make ~name:"runs" ~count:250 ~print:(fun c -> Scene.print c.scene) generate law_of
 
 let enough () =
   Hashtbl.iter (fun kind n -> Printf.printf "%s: %d\n" kind n) kinds;

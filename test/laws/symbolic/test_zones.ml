@@ -275,7 +275,7 @@ let agrees case =
 (* For teeth.py, which does not ask for the least example. *)
 let generate = if Sys.getenv_opt "SCC_NO_SHRINKING" = None then generate else Gen.no_shrink generate
 
-let law = QCheck2.Test.make ~name:"zones" ~count:400 ~print:(fun c -> Scene.print c.scene) generate agrees
+let law = QCheck2.Test.make ~name:"zones" ~count:1000 ~print:(fun c -> Scene.print c.scene) generate agrees
 
 (* Rates of what has to be among it, which is printed: a test that sees no splits says nothing of them. *)
 let enough () =
