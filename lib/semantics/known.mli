@@ -1,6 +1,5 @@
-(** What has been found out about single processes, and about two, for those that were asked about
-    last. A network that
-    takes a step leaves most of its processes alone, and what they do by themselves depends on nobody else:
+(** What has been found out about single processes, and about two, for those that were asked about last. A network
+    that takes a step leaves most of its processes alone, and what they do by themselves depends on nobody else:
     where the parts of a process are, what it must and may do alone, whether parts of two are in contact and what
     comes of it when the two collide. No answer depends on what is remembered.
 

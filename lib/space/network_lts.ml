@@ -258,10 +258,9 @@ let drawn c tuple p outcome =
   let target' = Quotient.representative c.quotient catalogue target in
   { Lts.label; changes = (if target' == target then [| slot; number |] else Tuples.difference tuple target') }
 
-(* While two or more wait to draw (rule Draw), a draw changes one process alone: what all have
-   drawn takes effect when
-   the last one has, and who is first is told by those who wait. Of bodies that turn nothing is said here, as turns
-   may end before each draw. *)
+(* While two or more wait to draw (rule Draw), a draw changes one process alone: what all have drawn takes effect
+   when the last one has, and who is first is told by those who wait. Of bodies that turn nothing is said here, as
+   turns may end before each draw. *)
 let draws c tuple =
   if not c.draws then None
   else
