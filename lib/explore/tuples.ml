@@ -81,16 +81,18 @@ let size t = Pairs.size t.roots
 let spread t = { count = t.width; node = Array.make ((2 * t.width) - 1) (-1) }
 let slots s = Array.sub s.node 0 s.count
 
-(* What is loaded already, below a node that has the same number, is not loaded again. *)
+(* What is loaded already, below a node that has the same number, is not loaded again. A node has no number while what
+   is below it changes: work may be given up anywhere, and then all of that is loaded again. *)
 let rec load_node t node k v =
-  if Array.unsafe_get node k <> v then begin
-    Array.unsafe_set node k v;
-    if k >= t.width then begin
+  if Array.unsafe_get node k <> v then
+    if k < t.width then Array.unsafe_set node k v
+    else begin
+      Array.unsafe_set node k (-1);
       let key = Pairs.key t.inner v in
       load_node t node (Array.unsafe_get t.left k) (Pairs.unpack_left key);
-      load_node t node (Array.unsafe_get t.right k) (Pairs.unpack_right key)
+      load_node t node (Array.unsafe_get t.right k) (Pairs.unpack_right key);
+      Array.unsafe_set node k v
     end
-  end
 
 (* The root is the pair of its children; of a single slot, the slot and nothing. *)
 let load_key t s key =

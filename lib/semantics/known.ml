@@ -75,23 +75,21 @@ let parts t index process look =
       k.parts <- Some parts;
       parts
 
-let urgent t process look =
-  let k = find t process in
-  match k.urgent with
+let outcomes known keep look =
+  match known with
   | Some outcomes -> outcomes
   | None ->
     let outcomes = look () in
-    k.urgent <- Some outcomes;
+    keep (Some outcomes);
     outcomes
+
+let urgent t process look =
+  let k = find t process in
+  outcomes k.urgent (fun found -> k.urgent <- found) look
 
 let weak t process look =
   let k = find t process in
-  match k.weak with
-  | Some outcomes -> outcomes
-  | None ->
-    let outcomes = look () in
-    k.weak <- Some outcomes;
-    outcomes
+  outcomes k.weak (fun found -> k.weak <- found) look
 
 (* {1 Two} *)
 
