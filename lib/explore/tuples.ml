@@ -81,8 +81,8 @@ let size t = Pairs.size t.roots
 let spread t = { count = t.width; node = Array.make ((2 * t.width) - 1) (-1) }
 let slots s = Array.sub s.node 0 s.count
 
-(* What is loaded already, below a node that has the same number, is not loaded again. A node has no number while what
-   is below it changes: work may be given up anywhere, and then all of that is loaded again. *)
+(* What is loaded already, below a node that has the same number, is not loaded again. A node has no number while
+   what is below it changes: work may be given up anywhere, and then all of that is loaded again. *)
 let rec load_node t node k v =
   if Array.unsafe_get node k <> v then
     if k < t.width then Array.unsafe_set node k v
