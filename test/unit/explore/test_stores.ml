@@ -93,8 +93,8 @@ let batches =
             Tuples.load t near i;
             Tuples.load one_by_one other i;
             let each_once places =
-              List.sort_uniq (fun (i, _) (j, _) -> Int.compare i j) places
-              |> List.rev
+              let keep known (i, v) = if List.mem_assoc i known then known else (i, v) :: known in
+              List.fold_left keep [] places
               |> List.concat_map (fun (i, v) -> [ i; v ])
               |> Array.of_list
             in
@@ -140,6 +140,22 @@ let frontier by_time =
       Frontier.iter (fun i -> left := i :: !left) f;
       List.rev !left = List.map fst !waiting)
 
+(* Where there are many, some have the same slot and tag as others. *)
+let many_pairs () =
+  let n = 300_000 and batch = 50 in
+  let p = Pairs.create ~in_files:false in
+  let key i = Pairs.pack (i lsr 10) (i land 1023) in
+  for i = 0 to n - 1 do ignore (Pairs.intern_key p (key i)) done;
+  let ids = Array.make batch 0 in
+  let wrong = ref 0 in
+  for k = 0 to (2 * n / batch) - 1 do
+    let keys = Array.init batch (fun i -> key ((k * batch) + i)) in
+    Pairs.find_keys p keys ids batch;
+    let expected i = if (k * batch) + i < n then (k * batch) + i else -1 in
+    Array.iteri (fun i id -> if id <> expected i || Pairs.find_key p keys.(i) <> id then incr wrong) ids
+  done;
+  Alcotest.(check int) "wrong answers" 0 !wrong
+
 (* Few are taken for known, no more than the bound says, by far; and none that is known is taken for new. *)
 let fingerprints () =
   let n = 200_000 in
@@ -156,5 +172,7 @@ let () =
   Alcotest.run "stores"
     [
       ("random", Scc_test_support.Property.cases [ pairs; tuples; batches; frontier false; frontier true ]);
-      ("cases", [ Alcotest.test_case "fingerprints" `Quick fingerprints ]);
+      ( "cases",
+        [ Alcotest.test_case "fingerprints" `Quick fingerprints;
+          Alcotest.test_case "many pairs" `Quick many_pairs ] );
     ]
