@@ -40,7 +40,7 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     | Repeats of int
 
   type trace = { steps : Graph.step list; last : int; finish : finish }
-  type doubts = { unexplored : int list; undefined : string option }
+  type doubts = { unexplored : int Seq.t; undefined : string option }
   type answer = Met of trace | Never | Open of doubts
   type result = { graph : Graph.t; answers : answer list; zeno : trace option }
 
@@ -243,11 +243,11 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     | Some place -> Met (trace_to m g place)
     | None -> (
         let unexplored =
-          List.filter_map (fun (i, _) -> if arrives_in_time m g i then Some i else None) (Graph.unexpanded g)
+          Seq.filter_map (fun (i, _) -> if arrives_in_time m g i then Some i else None) (Graph.unexpanded g)
         in
-        match (unexplored, first_undefined m g) with
-        | [], None -> Never
-        | unexplored, undefined -> Open { unexplored; undefined })
+        match (unexplored (), first_undefined m g) with
+        | Seq.Nil, None -> Never
+        | (Seq.Nil | Cons _), undefined -> Open { unexplored; undefined })
 
   (** {2 All together} *)
 

@@ -40,7 +40,7 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) : sig
 
   (** Why there is no answer; not both empty. *)
   type doubts = {
-    unexplored : int list;  (** the states that were not expanded and could matter *)
+    unexplored : int Seq.t;  (** the states that were not expanded and could matter *)
     undefined : string option;  (** the goal could not be decided somewhere where it matters *)
   }
 

@@ -128,8 +128,14 @@ module Make (L : Lts.S) : sig
   val greatest_depth : t -> int
   val greatest_arrival : t -> Rat.t
 
-  val unexpanded : t -> (int * L.fault reason) list
-  (** In the order of states; states that are still queued are not listed. *)
+  val unexpanded : t -> (int * L.fault reason) Seq.t
+  (** In the order of states, and there may be millions; states that are still queued are left out. *)
+
+  val left : t -> int
+  (** How many states are unexpanded; like {!left_for} without a look at them. *)
+
+  val left_for : t -> L.fault reason -> int
+  (** How many are for this reason; for any fault, where it is one. *)
 
   val complete : t -> bool
   (** Every state is expanded. *)

@@ -39,10 +39,20 @@ module Make (L : Lts.S) = struct
 
   let status g i = Statuses.get g.statuses i
   let is_expanded g i = Statuses.is_expanded g.statuses i
+
+  (* The first ones are mostly expanded. *)
   let unexpanded g =
-    let reason i = match status g i with Unexpanded reason -> [ (i, reason) ] | Expanded | Queued -> [] in
-    let rec from i acc = if i < 0 then acc else from (i - 1) (reason i @ acc) in
-    from (size g - 1) []
+    let rec from i () =
+      if i >= size g then Seq.Nil
+      else
+        match status g i with
+        | Unexpanded reason -> Seq.Cons ((i, reason), from (i + 1))
+        | Expanded | Queued -> from (i + 1) ()
+    in
+    from 0
+
+  let left g = Statuses.unexpanded g.statuses
+  let left_for g reason = Statuses.count g.statuses reason
 
   let complete g =
     let rec from i = i = size g || (is_expanded g i && from (i + 1)) in

@@ -19,11 +19,16 @@ type 'fault status = Expanded | Queued | Unexpanded of 'fault reason
 
 (* Reasons are kept as digits, and faults beside them: in chunks of [span], of which one whose marks are all
    equal has none, but stands for its common one. *)
-type 'fault t = { mutable chunks : Bytes.t array; mutable common : Bytes.t; faults : (int, 'fault) Hashtbl.t }
+type 'fault t = {
+  mutable chunks : Bytes.t array;
+  mutable common : Bytes.t;
+  faults : (int, 'fault) Hashtbl.t;
+  counts : int array;  (** of each mark; of those that are queued less than nothing, as they begin so *)
+}
 
 let bits = 12
 let span = 1 lsl bits
-let create () = { chunks = [||]; common = Bytes.empty; faults = Hashtbl.create 1 }
+let create () = { chunks = [||]; common = Bytes.empty; faults = Hashtbl.create 1; counts = Array.make 256 0 }
 
 let mark = function
   | Queued -> 'q'
@@ -73,9 +78,15 @@ let are_equal chunk =
   let rec from i = i = span || (Char.equal first (Bytes.unsafe_get chunk i) && from (i + 1)) in
   from 1
 
+let count_as s mark by =
+  let k = Char.code mark in
+  s.counts.(k) <- s.counts.(k) + by
+
 let put s i mark =
   let k = i lsr bits and at = i land (span - 1) in
   make_room s k;
+  count_as s (mark_at s i) (-1);
+  count_as s mark 1;
   if Bytes.length s.chunks.(k) > 0 || not (Char.equal (Bytes.get s.common k) mark) then begin
     if Bytes.length s.chunks.(k) = 0 then s.chunks.(k) <- Bytes.make span (Bytes.get s.common k);
     let chunk = s.chunks.(k) in
@@ -93,5 +104,7 @@ let set s i status =
    | Expanded | Queued | Unexpanded _ -> ());
   put s i (mark status)
 
+let count s reason = s.counts.(Char.code (mark (Unexpanded reason)))
+let unexpanded s = Array.fold_left ( + ) 0 (Array.sub s.counts (Char.code '0') 10)
 let is_expanded s i = Char.equal (mark_at s i) 'e'
 let bytes s = Array.fold_left (fun n chunk -> n + 8 + Bytes.length chunk) (Bytes.length s.common) s.chunks

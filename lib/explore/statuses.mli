@@ -28,6 +28,12 @@ val get : 'fault t -> int -> 'fault status
 (** Of a state whose status has been set. *)
 
 val set : 'fault t -> int -> 'fault status -> unit
+val unexpanded : 'fault t -> int
+(** How many states are. *)
+
+val count : 'fault t -> 'fault reason -> int
+(** How many are for this reason; all faults count together. *)
+
 val is_expanded : 'fault t -> int -> bool
 
 val bytes : 'fault t -> int

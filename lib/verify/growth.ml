@@ -246,11 +246,9 @@ let crowded context graph =
 
 (** {2 All of it} *)
 
-let is_resource : _ Scc_explore.Explore.reason -> bool = function
-  | States | Bits | Seconds | Memory | Interrupted -> true
-  | Depth | Time | Instant | Stopped | Fault _ -> false
+let resources : _ Scc_explore.Explore.reason list = [ States; Bits; Seconds; Memory; Interrupted ]
 
-let ended graph = List.exists (fun (_, reason) -> is_resource reason) (Graph.unexpanded graph)
+let ended graph = List.exists (fun reason -> Graph.left_for graph reason > 0) resources
 
 let find context graph =
   let model = Network_lts.model context in

@@ -185,17 +185,13 @@ let horizon (checks : Property.check list) =
 let is_event context (e : Graph.edge) =
   not (Transition.is_time (Catalogue.label_of (Network_lts.catalogue context) e.label))
 
-let is_too_long : _ Explore.reason -> bool = function
-  | Bits -> true
-  | Depth | Time | Instant | States | Seconds | Memory | Interrupted | Stopped | Fault _ -> false
-
 (* The first state with a number that is too long. *)
-let growth (r : Unsettled.t) unexpanded =
-  let told (i, _) =
+let growth (r : Unsettled.t) =
+  let told i =
     let state = Catalogue.decode (Network_lts.catalogue r.context) (Graph.tuple r.graph i) in
     Bounds.long_number r.model state ~depth:(Graph.depth r.graph i)
   in
-  Option.map told (List.find_opt (fun (_, reason) -> is_too_long reason) unexpanded)
+  Option.map told (Unsettled.first r Bits)
 
 let convergence (r : Unsettled.t) =
   match Quickening.find r.context r.graph with
@@ -212,21 +208,20 @@ let likely (r : Unsettled.t) bounds =
       | Error _ -> [])
 
 let stats (r : Unsettled.t) : stats =
-  let unexpanded = Graph.unexpanded r.graph in
-  let causes = List.rev (List.rev_map (fun (_, reason) -> Unsettled.cause r reason) unexpanded) in
+  let causes = List.map (Unsettled.cause r) (Unsettled.reasons r (Seq.map fst (Graph.unexpanded r.graph))) in
   let bounds = List.filter_map (function Bounds.Bound t -> Some t | Fault _ | Early -> None) causes in
   {
     states = Graph.size r.graph;
     transitions = Graph.transitions r.graph;
     depth = Graph.greatest_depth r.graph;
     model_time = Some (Graph.greatest_arrival r.graph);
-    complete = (match unexpanded with [] -> true | _ :: _ -> false);
+    complete = Graph.left r.graph = 0;
     eventful = Catalogue.has_events (Network_lts.catalogue r.context);
     split_step = Network_lts.split_step r.context;
     decided_early = List.exists (function Bounds.Early -> true | Bound _ | Fault _ -> false) causes;
     stopped_by = Verdict.distinct bounds;
     dead_ends = Bounds.dead_ends r.context;
-    growth = growth r unexpanded;
+    growth = growth r;
     shared = Shared_edge.warning r.context;
     causes = likely r bounds;
     converges = (match bounds with [] -> None | _ :: _ -> convergence r);
@@ -239,13 +234,7 @@ let stats (r : Unsettled.t) : stats =
 let zeno (r : Unsettled.t) (result : Search.result) =
   match result.zeno with
   | Some t -> Some (Make_witness.of_trace r.context r.graph None t)
-  | None ->
-    List.find_map
-      (fun (i, (reason : _ Explore.reason)) ->
-         match reason with
-         | Instant -> Some (Make_witness.of_path r.context r.graph i)
-         | Depth | Time | States | Bits | Seconds | Memory | Interrupted | Stopped | Fault _ -> None)
-      (Graph.unexpanded r.graph)
+  | None -> Option.map (Make_witness.of_path r.context r.graph) (Unsettled.first r Instant)
 
 (* Without edges a state takes a quarter of the memory. They are needed to look back from states to those before,
    and worth keeping where earlier times may have to be passed on. *)

@@ -30,7 +30,7 @@ let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
     | _, Scc_ctl.Expectation.Known _ -> []
     | _, Unknown { reason; unexplored } ->
       List.map (fun text -> Verdict.Undefined text) (Option.to_list reason)
-      @ if unexplored = [] then [] else Unsettled.unexplored r unexplored
+      @ if unexplored = [] then [] else Unsettled.unexplored r (List.to_seq unexplored)
   in
   let known = function side, Scc_ctl.Expectation.Known m -> Some (side, m) | _, Unknown _ -> None in
   let found = List.map find sides in

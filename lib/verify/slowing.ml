@@ -38,7 +38,7 @@ let deepest graph =
     | Some j when Graph.depth graph j >= Graph.depth graph i -> best
     | Some _ | None -> Some i
   in
-  List.fold_left deeper None (Graph.unexpanded graph)
+  Seq.fold_left deeper None (Graph.unexpanded graph)
 
 let find graph =
   let instants i = List.map (Graph.arrival graph) (Graph.ancestors graph i) in

@@ -16,17 +16,43 @@ type t = {
 
 let cause r reason = Bounds.cause r.bounds r.model ~horizon:r.horizon reason
 
-let reason_of r i =
-  match Graph.status r.graph i with
-  | Explore.Unexpanded reason -> cause r reason
-  | Expanded | Queued -> Scc_base.Bug.fail __POS__ "a state that was expanded is in doubt"
+let bounds : _ Explore.reason list = [ Depth; Time; Instant; States; Bits; Seconds; Memory; Interrupted; Stopped ]
 
-(* The nearest of some states, in steps. *)
-let nearest r = function
-  | [] -> None
-  | i :: rest ->
-    let nearer best j = if Graph.depth r.graph j < Graph.depth r.graph best then j else best in
-    Some (List.fold_left nearer i rest)
+(* There may be millions of states, and few reasons: once all that there are have come up, no more is looked at. *)
+let reasons r states =
+  let count = Graph.left_for r.graph in
+  let kinds = List.length (List.filter (fun b -> count b > 0) bounds) in
+  let faults = Graph.left r.graph - List.fold_left (fun n b -> n + count b) 0 bounds in
+  let rec look found kinds faults states =
+    if kinds = 0 && faults = 0 then List.rev found
+    else
+      match states () with
+      | Seq.Nil -> List.rev found
+      | Cons (i, rest) -> (
+          match Graph.status r.graph i with
+          | Unexpanded (Fault _ as fault) -> look (fault :: found) kinds (faults - 1) rest
+          | Unexpanded reason when List.memq reason found -> look found kinds faults rest
+          | Unexpanded reason -> look (reason :: found) (kinds - 1) faults rest
+          | Expanded | Queued -> Scc_base.Bug.fail __POS__ "a state that was expanded is in doubt")
+  in
+  look [] kinds faults states
+
+let first r reason =
+  let rec find states =
+    match states () with
+    | Seq.Nil -> None
+    | Cons ((i, found), rest) -> if found == reason then Some i else find rest
+  in
+  if Graph.left_for r.graph reason = 0 then None else find (Graph.unexpanded r.graph)
+
+(* How many states there are, and the nearest of them, in steps. *)
+let counted r states =
+  let nearer (count, best) j =
+    match best with
+    | Some i when Graph.depth r.graph i <= Graph.depth r.graph j -> (count + 1, best)
+    | Some _ | None -> (count + 1, Some j)
+  in
+  Seq.fold_left nearer (0, None) states
 
 (* Why no answer was found in some states. *)
 let causes r states : Verdict.reason list =
@@ -36,8 +62,7 @@ let causes r states : Verdict.reason list =
     | Early -> Scc_base.Bug.fail __POS__ "an open question did not keep the exploration going"
   in
   let fault = function Bounds.Fault f -> Some f.Scc_base.Diag.message | Bound _ | Early -> None in
-  (* There may be millions of them. *)
-  let causes = List.rev (List.rev_map (reason_of r) states) in
+  let causes = List.map (cause r) (reasons r states) in
   let bounds = Verdict.distinct (List.filter_map bound causes) in
   let faults = List.sort_uniq String.compare (List.filter_map fault causes) in
   List.map (fun t -> Verdict.Truncated t) bounds @ List.map (fun text -> Verdict.Fault text) faults
@@ -45,13 +70,14 @@ let causes r states : Verdict.reason list =
 (* With a run to the nearest of them. It may be long, and take as long to be made as to be found: then it is left
    out. *)
 let unexplored r states =
+  let count, nearest = counted r states in
   let run i () = Make_witness.of_path r.context r.graph i in
   let matter i =
     match r.surroundings.attempt.run Concluding (run i) with
-    | Ok nearest -> Some (Verdict.Unexplored { count = List.length states; nearest })
+    | Ok nearest -> Some (Verdict.Unexplored { count; nearest })
     | Error _ -> None
   in
-  causes r states @ Option.to_list (Option.bind (nearest r states) matter)
+  causes r states @ Option.to_list (Option.bind nearest matter)
 
 let undefined (d : Search.doubts) = List.map (fun text -> Verdict.Undefined text) (Option.to_list d.undefined)
 let search_doubts r (d : Search.doubts) = undefined d @ unexplored r d.unexplored
@@ -61,4 +87,4 @@ let doubts r (d : Scc_ctl.Doubts.t) =
     List.map (fun (u : Scc_ctl.Doubts.undefined) -> u.reason) d.undefined |> List.sort_uniq String.compare
   in
   List.map (fun text -> Verdict.Undefined text) undefined
-  @ unexplored r d.unexplored
+  @ unexplored r (List.to_seq d.unexplored)

@@ -17,10 +17,16 @@ type t = {
 
 val cause : t -> Transition.fault Explore.reason -> Bounds.cause
 
-val causes : t -> int list -> Verdict.reason list
+val reasons : t -> int Seq.t -> Transition.fault Explore.reason list
+(** Why these states were not expanded: all faults, and each other reason once, in the order of the states. *)
+
+val first : t -> Transition.fault Explore.reason -> int option
+(** The first state that was not expanded for a reason that is no fault. *)
+
+val causes : t -> int Seq.t -> Verdict.reason list
 (** Why these states were not expanded. *)
 
-val unexplored : t -> int list -> Verdict.reason list
+val unexplored : t -> int Seq.t -> Verdict.reason list
 (** The same, with a run to the nearest of them. *)
 
 val search_doubts : t -> Search.doubts -> Verdict.reason list

@@ -271,8 +271,16 @@ let reason = function
   | Stopped -> "stopped"
   | Fault f -> "fault " ^ f
 
-let left g = List.map (fun (i, r) -> (state g i, reason r)) (Graph.unexpanded g)
-let check_left what expected g = Alcotest.(check (list (pair int string))) what expected (left g)
+let left g = List.map (fun (i, r) -> (state g i, reason r)) (List.of_seq (Graph.unexpanded g))
+
+(* What is counted as states are put off and expanded is what there is. *)
+let check_left what expected g =
+  let reasons = List.of_seq (Seq.map snd (Graph.unexpanded g)) in
+  let count reason = List.length (List.filter (( = ) reason) reasons) in
+  Alcotest.(check (list (pair int string))) what expected (left g);
+  Alcotest.(check int) (what ^ ": count") (List.length expected) (Graph.left g);
+  List.iter (fun r -> Alcotest.(check int) (what ^ ": " ^ reason r) (count r) (Graph.left_for g r))
+    (Explore.[ Depth; Time; Instant; States; Bits; Seconds; Memory; Interrupted; Stopped ] @ reasons)
 
 (* 0 reaches 3 at once but late, and by a longer way early enough. *)
 let late_shortcut : toy =
