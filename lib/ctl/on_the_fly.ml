@@ -254,14 +254,20 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
   let monitor rests by_time question =
     { question; rests; by_time; met = None; decided = false; doubtful = [] }
 
-  (* States that can be reached from some by edges without duration. *)
+  (* States that can be reached from some by edges without duration; and those edges, each with its choice, as they
+     may have to be made anew. *)
   let reached_at_once g arcs targets =
-    let reached = Worklist.create (Graph.size g) in
+    let reached = Worklist.create (Graph.size g) and known = Hashtbl.create 1024 in
+    let visit i =
+      let found = arcs i in
+      if found <> [] then Hashtbl.replace known i found;
+      List.iter (fun (j, _) -> Worklist.add reached j) found
+    in
     for n = 0 to Int_vector.length targets - 1 do
       Worklist.add reached (Int_vector.get targets n)
     done;
-    Worklist.run reached (fun i -> List.iter (fun (j, _) -> Worklist.add reached j) (arcs i));
-    Worklist.mem reached
+    Worklist.run reached visit;
+    (Worklist.mem reached, fun i -> Option.value (Hashtbl.find_opt known i) ~default:[])
 
   (* The first cycle along which no time passes, of those that lead through what is inside. *)
   let find_cycle g arcs inside =
@@ -302,7 +308,9 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     match Graph.turning g with
     | Anywhere -> find_cycle g arcs (fun _ -> true)
     | At targets when Int_vector.length targets = 0 -> None
-    | At targets -> find_cycle g arcs (reached_at_once g arcs targets)
+    | At targets ->
+      let inside, arcs = reached_at_once g arcs targets in
+      find_cycle g arcs inside
 
   (* Looking at a whole graph costs time in proportion to it: it is done each time that it has doubled. *)
   let at_doublings settled =

@@ -21,5 +21,6 @@ module Make
     (_ : Lts.Exchange with type context = L.context)
     (Graph : module type of Explore.Make (L)) : sig
   val expanding : jobs:int -> start:start -> Graph.expanding
-  (** With so many other processes; with 1 there are none, and it is {!Graph.here}. *)
+  (** With so many processes; this one is among them, and finds what the others leave. With 1 it is
+      {!Graph.here}. *)
 end

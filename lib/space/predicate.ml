@@ -119,7 +119,8 @@ module Tuple = struct
       fun t -> Ok (Rat.of_int (Option.fold ~none:0 ~some:f (home t)))
     | Sum f ->
       let of_number = by_process c (Ok Rat.zero) (fun p -> of_curve (f (path p))) in
-      fold c (fun sum p -> add sum (of_number p)) (Ok Rat.zero)
+      let of_slot p = if p = Catalogue.nobody then Ok Rat.zero else of_number p in
+      Running_sum.of_tuples ~width:(leaves c) of_slot
     | Number f ->
       let of_number = by_process c 0 f in
       fun t -> Ok (Rat.of_int (fold c (fun sum p -> sum + of_number p) 0 t))

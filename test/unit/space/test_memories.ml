@@ -30,6 +30,41 @@ let ranks_of_bounds =
        Contact_memory.keep_not_before m 0 (Float.max 0. bound);
        Contact_memory.rank (Contact_memory.find m 0) <= Contact_memory.rank_of t)
 
+(* {1 Sums} *)
+
+exception Given_up
+
+(* Of some numbers there is no value, and some may not be found in the end. *)
+let value ~may_fail n =
+  if n < 0 then Ok Rat.zero
+  else if n = 7 then Error "seven"
+  else if n = 8 && may_fail then raise Given_up
+  else Ok (ratio ((n * n) - 11) (1 + (n mod 3)))
+
+let naive tuple =
+  let add sum n = Result.bind sum (fun x -> Result.map (Rat.add x) (value ~may_fail:false n)) in
+  Array.fold_left add (Ok Rat.zero) (Array.sub tuple 0 5)
+
+let tuples = Gen.(list_size (1 -- 30) (array_size (return 6) (-1 -- 8)))
+let print_tuples = QCheck2.Print.(list (array int))
+
+let sums =
+  QCheck2.Test.make ~name:"sums of tuples in turn" ~count:2000 ~print:print_tuples tuples (fun tuples ->
+      let may_fail = ref false in
+      let sum = Running_sum.of_tuples ~width:5 (fun n -> value ~may_fail:!may_fail n) in
+      let is_right tuple =
+        may_fail := true;
+        (match sum tuple with
+         | found -> found = naive tuple
+         | exception Given_up -> Array.mem 8 tuple)
+        &&
+        (may_fail := false;
+         tuple.(0) mod 2 = 0 || sum tuple = naive tuple)
+      in
+      List.for_all is_right tuples)
+
+(* {1 Times of contact} *)
+
 type kept = Never | Meeting | Time of Rat.t | Not_before of float
 
 let keep m pair = function
@@ -89,6 +124,7 @@ let () =
   Alcotest.run "memories"
     [
       ("ranks", Scc_test_support.Property.cases [ ranks; ranks_of_bounds ]);
+      ("sums", Scc_test_support.Property.cases [ sums ]);
       ("contacts", [ Alcotest.test_case "kept and forgotten" `Quick contacts ]);
       ("recent", [ Alcotest.test_case "kept and forgotten" `Quick recent ]);
     ]
