@@ -272,6 +272,6 @@ module Make
              Memory.set_beside 0)
           !crew
       in
-      { expand; expanded = None; finish }
+      { expand; expanded = (fun () -> None); finish }
     end
 end

@@ -90,14 +90,10 @@ module Make
 
   (* Of edges that change nothing the number will do, unless all are told. A label is told when it first comes
      up, so that all are known of the edges of a graph. *)
-  let is_told j ((arrow : Graph.arrow), matters) =
-    match arrow with
-    | New _ -> true
-    | Known e -> j.all_edges || matters || not (Wire.knows_label j.wire e.label)
+  let asks j label = j.all_edges || not (Wire.knows_label j.wire label)
 
-  let note j state edges =
-    let arrows = List.map fst (List.filter (is_told j) edges) in
-    Critical.run (fun () -> Blocks.add j.blocks (put j { state; count = List.length edges; arrows }))
+  let tell j state ~count arrows =
+    if count > 0 then Critical.run (fun () -> Blocks.add j.blocks (put j { state; count; arrows }))
 
   let follow j =
     Critical.run (fun () ->
@@ -137,15 +133,11 @@ module Make
         j.followed <- false;
         afresh state tuple
     in
-    let expanded state edges =
-      match edges with
-      | [] -> ()
-      | _ :: _ when j.followed -> j.followed <- false
-      | _ :: _ -> note j state edges
-    in
+    let told = Some { Graph.asks = asks j; tell = tell j } in
+    let expanded () = if j.followed then None else told in
     let finish () =
       Critical.run (fun () -> Blocks.write j.blocks);
       if Lazy.is_val after then (Lazy.force after).finish ()
     in
-    { expand; expanded = Some expanded; finish }
+    { expand; expanded; finish }
 end

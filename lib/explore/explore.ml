@@ -40,9 +40,11 @@ module Make (L : Lts.S) = struct
       enough = (fun () -> false);
     }
 
+  type told = { asks : int -> bool; tell : int -> count:int -> arrow list -> unit }
+
   type expander = {
     expand : int -> int array -> (expansion, L.fault) result;
-    expanded : (int -> (arrow * bool) list -> unit) option;
+    expanded : unit -> told option;
     finish : unit -> unit;
   }
 
@@ -225,31 +227,28 @@ module Make (L : Lts.S) = struct
 
   let without_target = function New s -> s | Known { label; _ } -> { Lts.label; changes = [||] }
 
-  (* The first edge to a state that is new makes it; others from the same state find it there. *)
-  let arrows ~first steps targets matters =
-    let next = ref first in
-    let arrow n (s : Lts.step) =
-      if targets.(n) = !next then begin
-        incr next;
-        (New s, matters.(n))
-      end
-      else (Known { label = s.label; target = targets.(n) }, matters.(n))
-    in
-    List.mapi arrow steps
-
   let labels_of steps = Array.of_list (List.map (fun (s : Lts.step) -> s.label) steps)
 
-  (* Whether each edge changes anything is kept, if somebody wants to know. *)
-  let relax_all g limits visitor i steps targets matters =
+  (* What is told of the edges. The first one to a state that is new makes it; others from the same state find it
+     there. *)
+  let relax_all g limits visitor i ~first steps targets told =
     let deeper = depth g i + 1 and arrival = Distances.arrival_number g.distances i in
-    let rec each n = function
-      | [] -> ()
+    let rec each n next arrows = function
+      | [] -> List.rev arrows
       | (s : Lts.step) :: rest ->
-        let matter = relax g limits visitor i ~deeper ~arrival s.label (Array.unsafe_get targets n) in
-        if Array.length matters > 0 then matters.(n) <- matter;
-        each (n + 1) rest
+        let target = Array.unsafe_get targets n in
+        let matters = relax g limits visitor i ~deeper ~arrival s.label target in
+        let is_new = target = next in
+        let arrows =
+          match told with
+          | None -> arrows
+          | Some _ when is_new -> New s :: arrows
+          | Some t when matters || t.asks s.label -> Known { label = s.label; target } :: arrows
+          | Some _ -> arrows
+        in
+        each (n + 1) (if is_new then next + 1 else next) arrows rest
     in
-    each 0 steps
+    each 0 first [] steps
 
   (* Expands a state; or says what ends the exploration. *)
   let expand g (limits : Limits.t) around visitor expander i =
@@ -265,13 +264,11 @@ module Make (L : Lts.S) = struct
         g.transitions <- g.transitions + count;
         Option.iter (fun store -> Edge_store.set store i ~labels:(labels_of steps) ~targets) g.edges;
         introduce g around visitor ~first tuple steps targets;
-        let matters =
-          match expander.expanded with None -> [||] | Some _ -> Array.make (Array.length targets) false
-        in
-        relax_all g limits visitor i steps targets matters;
+        let told = expander.expanded () in
+        let arrows = relax_all g limits visitor i ~first steps targets told in
         let edges () = Array.map2 (fun label target -> { label; target }) (labels_of steps) targets in
         Option.iter (fun opened -> Limits.within around (fun () -> opened g i tuple (edges ()))) visitor.opened;
-        Option.iter (fun told -> told i (arrows ~first steps targets matters)) expander.expanded;
+        Option.iter (fun t -> t.tell i ~count arrows) told;
         None
     in
     match Limits.within around (fun () -> expander.expand i tuple) with
@@ -338,7 +335,7 @@ module Make (L : Lts.S) = struct
   let here g ~all_edges:_ ~waiting:_ =
     {
       expand = (fun _ tuple -> Result.map (fun steps -> All steps) (successors g tuple));
-      expanded = None;
+      expanded = (fun () -> None);
       finish = Fun.id;
     }
 

@@ -59,13 +59,18 @@ module Make (L : Lts.S) : sig
       that change anything, and how many there are. *)
   type expansion = All of Lts.step list | Noted of { arrows : arrow list; count : int }
 
+  (** Who is told what came of a state that was expanded and looked at to the end. *)
+  type told = {
+    asks : int -> bool;
+    (** whether edges of this label are told that lead to known states and have not changed anything; others are *)
+    tell : int -> count:int -> arrow list -> unit;  (** the state, how many edges it has, and those, in order *)
+  }
+
   (** Who finds the transitions of states. What a graph is does not depend on it. *)
   type expander = {
     expand : int -> int array -> (expansion, L.fault) result;
     (** of a state and its tuple. Called within an attempt, which may be given up wherever it is *)
-    expanded : (int -> (arrow * bool) list -> unit) option;
-    (** told of each state that was expanded and looked at to the end: what was found, in order, and of each edge
-        whether it has changed anything. Edges of which only the number was noted are left out *)
+    expanded : unit -> told option;  (** asked after {!expand}: who wants to know what comes of it *)
     finish : unit -> unit;  (** at the end, whatever that is *)
   }
 
