@@ -254,20 +254,25 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
   let monitor rests by_time question =
     { question; rests; by_time; met = None; decided = false; doubtful = [] }
 
-  (* States that can be reached from some by edges without duration; and those edges, each with its choice, as they
-     may have to be made anew. *)
+  (* States that can be reached from some by edges without duration; and those edges, each with its choice: they
+     are asked for several times, and a graph that keeps no edges makes them anew. *)
   let reached_at_once g arcs targets =
-    let reached = Worklist.create (Graph.size g) and known = Hashtbl.create 1024 in
+    let reached = Worklist.create (Graph.size g) and known = Edge_store.create () in
+    for _ = 1 to Graph.size g do
+      Edge_store.make_room known
+    done;
     let visit i =
       let found = arcs i in
-      if found <> [] then Hashtbl.replace known i found;
+      let column f = Array.of_list (List.map f found) in
+      Edge_store.set known i ~labels:(column snd) ~targets:(column fst);
       List.iter (fun (j, _) -> Worklist.add reached j) found
     in
     for n = 0 to Int_vector.length targets - 1 do
       Worklist.add reached (Int_vector.get targets n)
     done;
     Worklist.run reached visit;
-    (Worklist.mem reached, fun i -> Option.value (Hashtbl.find_opt known i) ~default:[])
+    let arcs i = Array.to_list (Edge_store.get known i (fun choice target -> (target, choice))) in
+    (Worklist.mem reached, arcs)
 
   (* The first cycle along which no time passes, of those that lead through what is inside. *)
   let find_cycle g arcs inside =

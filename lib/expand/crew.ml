@@ -19,9 +19,9 @@ let worth = 20e-6
 (* So often is a process replaced that has died; what is left is found here. *)
 let most_deaths = 20
 
-(* Of so many states with numbers one after the other, a power of two, some are left to this process. *)
+(* Of so many states with numbers one after the other, a power of two, the first few are found by this process. *)
 let stretch = 64
-let most_left = 60
+let most_here = 60
 
 module Make
     (L : Lts.S)
@@ -100,7 +100,7 @@ module Make
     mutable workers : worker list;
     mutable deaths : int;
     mutable batch : int;  (** states of the next request *)
-    mutable left : int;  (** of each {!stretch} of states those, the first ones, that are found here *)
+    mutable here : int;  (** how many of each {!stretch} of states are found by this process *)
   }
 
   let told c = Memory.set_beside (List.fold_left (fun n w -> n + Memory.bytes_of_words w.words) 0 c.workers)
@@ -122,15 +122,15 @@ module Make
 
   let bytes_under_way w = Queue.fold (fun n (_, bytes) -> n + bytes) 0 w.requests
 
-  (* Who waits for others leaves less to them, and more when they have nothing to do. *)
-  let leave_less c = c.left <- Int.min most_left (c.left + 1)
-  let leave_more c = c.left <- Int.max 0 (c.left - 1)
+  (* A process that waits for others finds more by itself, and less when they have nothing to do. *)
+  let find_more_here c = c.here <- Int.min most_here (c.here + 1)
+  let find_less_here c = c.here <- Int.max 0 (c.here - 1)
 
   (* States for a request, the first ones of those that wait and have not been sent. *)
   let next_states c =
     let chosen = ref [] and count = ref 0 in
     let choose i =
-      if i land (stretch - 1) < c.left || Hashtbl.mem c.states i then false
+      if i land (stretch - 1) < c.here || Hashtbl.mem c.states i then false
       else begin
         chosen := i :: !chosen;
         incr count;
@@ -171,10 +171,10 @@ module Make
     | free -> (
         let busy w = Queue.length w.requests in
         let w = List.hd (List.stable_sort (fun a b -> Int.compare (busy a) (busy b)) free) in
+        if Queue.is_empty w.requests then find_less_here c;
         match next_states c with
-        | [] -> if Queue.is_empty w.requests then leave_more c
+        | [] -> ()
         | states ->
-          if Queue.is_empty w.requests then leave_more c;
           request c w states;
           send c)
 
@@ -210,7 +210,7 @@ module Make
     | None -> None
     | Some (Found answer) -> take c i answer
     | Some Under_way ->
-      leave_less c;
+      find_more_here c;
       exchange c (Channel.ready (all_channels c));
       found c i
 
@@ -220,7 +220,7 @@ module Make
   let between_looks c = Int.max 1 (c.batch / 4)
 
   let begun g jobs waiting =
-    let c = { graph = g; waiting; states = Hashtbl.create 1024; workers = []; deaths = 0; batch = 8; left = 0 } in
+    let c = { graph = g; waiting; states = Hashtbl.create 1024; workers = []; deaths = 0; batch = 8; here = 0 } in
     for _ = 1 to jobs - 1 do
       new_worker c
     done;

@@ -137,7 +137,7 @@ module Make (L : Lts.S) : sig
   (** In the order of states, and there may be millions; states that are still queued are left out. *)
 
   val left : t -> int
-  (** How many states are unexpanded; like {!left_for} without a look at them. *)
+  (** How many states are unexpanded; answered at once, as {!left_for} is. *)
 
   val left_for : t -> L.fault reason -> int
   (** How many are for this reason; for any fault, where it is one. *)

@@ -40,7 +40,6 @@ module Make (L : Lts.S) = struct
   let status g i = Statuses.get g.statuses i
   let is_expanded g i = Statuses.is_expanded g.statuses i
 
-  (* The first ones are mostly expanded. *)
   let unexpanded g =
     let rec from i () =
       if i >= size g then Seq.Nil

@@ -23,7 +23,7 @@ type 'fault t = {
   mutable chunks : Bytes.t array;
   mutable common : Bytes.t;
   faults : (int, 'fault) Hashtbl.t;
-  counts : int array;  (** of each mark; of those that are queued less than nothing, as they begin so *)
+  counts : int array;  (** how many have each mark; not of ['q'], which all have before they are set *)
 }
 
 let bits = 12
@@ -105,6 +105,8 @@ let set s i status =
   put s i (mark status)
 
 let count s reason = s.counts.(Char.code (mark (Unexpanded reason)))
+
+(* The reasons have the ten digits. *)
 let unexpanded s = Array.fold_left ( + ) 0 (Array.sub s.counts (Char.code '0') 10)
 let is_expanded s i = Char.equal (mark_at s i) 'e'
 let bytes s = Array.fold_left (fun n chunk -> n + 8 + Bytes.length chunk) (Bytes.length s.common) s.chunks

@@ -28,6 +28,7 @@ val get : 'fault t -> int -> 'fault status
 (** Of a state whose status has been set. *)
 
 val set : 'fault t -> int -> 'fault status -> unit
+
 val unexpanded : 'fault t -> int
 (** How many states are. *)
 

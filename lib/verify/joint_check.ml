@@ -198,14 +198,12 @@ let convergence (r : Unsettled.t) =
   | Some q -> Some (Verdict.Proved q)
   | None -> Option.map (fun s -> Verdict.Named s) (Slowing.find r.graph)
 
-(* It looks at some hundreds of states, which may be large: with no time for that, nothing is said. *)
-let likely (r : Unsettled.t) bounds =
+(* What is told besides of explorations that met a bound. It looks for the deepest of what may be millions of
+   states, and at some hundreds, which may be large: with no time for that, nothing is said. *)
+let besides (r : Unsettled.t) bounds find ~default =
   match bounds with
-  | [] -> []
-  | _ :: _ -> (
-      match r.surroundings.attempt.run Concluding (fun () -> Growth.find r.context r.graph) with
-      | Ok causes -> causes
-      | Error _ -> [])
+  | [] -> default
+  | _ :: _ -> Result.value (r.surroundings.attempt.run Concluding find) ~default
 
 let stats (r : Unsettled.t) : stats =
   let causes = List.map (Unsettled.cause r) (Unsettled.reasons r (Seq.map fst (Graph.unexpanded r.graph))) in
@@ -223,8 +221,8 @@ let stats (r : Unsettled.t) : stats =
     dead_ends = Bounds.dead_ends r.context;
     growth = growth r;
     shared = Shared_edge.warning r.context;
-    causes = likely r bounds;
-    converges = (match bounds with [] -> None | _ :: _ -> convergence r);
+    causes = besides r bounds (fun () -> Growth.find r.context r.graph) ~default:[];
+    converges = besides r bounds (fun () -> convergence r) ~default:None;
     faults =
       List.sort_uniq Scc_base.Diag.compare
         (List.filter_map (function Bounds.Fault f -> Some f | Bound _ | Early -> None) causes);

@@ -67,17 +67,16 @@ let causes r states : Verdict.reason list =
   let faults = List.sort_uniq String.compare (List.filter_map fault causes) in
   List.map (fun t -> Verdict.Truncated t) bounds @ List.map (fun text -> Verdict.Fault text) faults
 
-(* With a run to the nearest of them. It may be long, and take as long to be made as to be found: then it is left
-   out. *)
+(* With a run to the nearest of them. They may be too many to be counted in time, and the run may be long, and take
+   as long to be made as to be found: then it is left out. *)
 let unexplored r states =
-  let count, nearest = counted r states in
-  let run i () = Make_witness.of_path r.context r.graph i in
-  let matter i =
-    match r.surroundings.attempt.run Concluding (run i) with
-    | Ok nearest -> Some (Verdict.Unexplored { count; nearest })
-    | Error _ -> None
+  let matter () =
+    let count, nearest = counted r states in
+    let told i = Verdict.Unexplored { count; nearest = Make_witness.of_path r.context r.graph i } in
+    Option.map told nearest
   in
-  causes r states @ Option.to_list (Option.bind nearest matter)
+  let matter = Result.value (r.surroundings.attempt.run Concluding matter) ~default:None in
+  causes r states @ Option.to_list matter
 
 let undefined (d : Search.doubts) = List.map (fun text -> Verdict.Undefined text) (Option.to_list d.undefined)
 let search_doubts r (d : Search.doubts) = undefined d @ unexplored r d.unexplored
