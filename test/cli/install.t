@@ -51,17 +51,7 @@ Each command and each option of its manual is known to each shell, and the shell
   $ bash=prefix/share/bash-completion/completions/scc
   $ zsh=prefix/share/zsh/site-functions/_scc
   $ fish=prefix/share/fish/vendor_completions.d/scc.fish
-  $ commands=$(scc --help=plain | sed -n '/^COMMANDS/,/^COMMON/s/^       \([a-z]*\) .*/\1/p')
-  $ for command in $commands; do
-  >   grep -q "^      $command) options=" $bash || echo "bash: $command"
-  >   grep -q "^  $command) _arguments" $zsh || echo "zsh: $command"
-  >   grep -q -- "-a $command " $fish || echo "fish: $command"
-  >   scc $command --help=plain | grep -o '^       -.*' | grep -oE -- '--[a-z-]+' | while read -r option; do
-  >     grep "^      $command) options=" $bash | grep -E -- "[\" ]$option[\" ]" > /dev/null || echo "bash: $command $option"
-  >     sed -n "/^  $command) /,/;;/p" $zsh | grep -- "'\*$option[=\[]" > /dev/null || echo "zsh: $command $option"
-  >     grep "_from $command'" $fish | grep -- "-l ${option#--} " > /dev/null || echo "fish: $command $option"
-  >   done
-  > done
+  $ python3 -B completions.py scc $bash $zsh $fish
   $ bash -n $bash
   $ for shell in zsh fish; do
   >   if command -v $shell > /dev/null; then eval file='$'$shell; $shell -n $file || echo "$shell cannot read it"; fi

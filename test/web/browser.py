@@ -30,6 +30,10 @@ def missing():
     return None
 
 
+# Flags of a browser that cannot draw scenes, which would take most of the time.
+WITHOUT_SCENES = ['--disable-3d-apis']
+
+
 class Browser:
     def __init__(self, width=1400, height=900, flags=()):
         options = webdriver.ChromeOptions()

@@ -30,9 +30,6 @@ def write(path, text):
         file.write(text)
 
 
-WITHOUT_SCENES = ['--disable-3d-apis']
-
-
 class Desk(Browser):
     """A browser with desks."""
 
@@ -629,7 +626,7 @@ def main(scc, folder):
         return 3
     folder = os.path.join(folder, 'desk')
     os.makedirs(folder, exist_ok=True)
-    b = Desk(flags=WITHOUT_SCENES)  # which would take most of the time
+    b = Desk(flags=browser.WITHOUT_SCENES)
     try:
         b.begin(scc, folder, 'docking.sc')
         for part in [words, typing, naming, late]:

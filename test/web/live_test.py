@@ -311,7 +311,7 @@ def main(program, folder):
     with open(model, 'w', encoding='utf-8') as file:
         file.write(RAFTS)
     served = Served(program, model)
-    b = Live()
+    b = Live(flags=browser.WITHOUT_SCENES)
     try:
         name, told = served.open(RAFTS)
         same('the document', told['state'], 'ready')

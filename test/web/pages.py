@@ -437,7 +437,7 @@ def large(b, scc):
 
 def without_webgl(scc):
     """Where no scene can be drawn, the page says why, and all else is there."""
-    b = browser.Browser(flags=['--disable-3d-apis'])
+    b = browser.Browser(flags=browser.WITHOUT_SCENES)
     try:
         b.open(scc.view(HEXOKINASE))
         check('why there is no scene', 'cannot be drawn' in b.text('scene-why'), b.text('scene-why'))

@@ -14,7 +14,7 @@ import stormpy
 
 from common import MODELS, Run, models
 
-STATES = 20000
+STATES = 4000
 
 # Models whose graph is not finite, or long in the making, with the bounds within which it is explored.
 BOUNDS = {

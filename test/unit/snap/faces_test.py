@@ -2,9 +2,10 @@
 """scc shape --hull --faces N, judged with fractions: a convex solid of at most N faces with all points behind them, each
 face touching the hull, and as far beyond it as is told, to forty bits.
 
-    faces_test.py SCC
+    faces_test.py SCC [K]    with each K-th of them, 1 unless told
 """
 
+import itertools
 import json
 import math
 import os
@@ -86,11 +87,11 @@ def clouds():
 
 
 def main():
-    scc = os.path.abspath(sys.argv[1])
+    scc, every = os.path.abspath(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 1
     passed = failed = 0
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "cloud.obj")
-        for most, points in clouds():
+        for most, points in itertools.islice(clouds(), 0, None, every):
             with open(path, "w") as file:
                 file.write("".join("v %d %d %d\n" % tuple(p) for p in points))
             found = wrong(most, points, run(scc, path)[1], run(scc, path, "--faces", str(most))[1])
