@@ -146,12 +146,9 @@ module Make (L : Lts.S) = struct
     List.iter add steps;
     Hashtbl.length fresh <= room
 
-  (* The target of a transition, which may be new. *)
-  let connect g limits i tuple n ({ label; changes } : Lts.step) =
-    let known = size g in
-    let id = Tuples.intern_prepared g.tuples n in
-    if id = known then add g limits id (after g i label) changes (fun () -> Tuples.apply changes tuple);
-    id
+  (* The target of a transition, which may be new; [known] states were there before it was looked up. *)
+  let connect g limits i tuple ~known id ({ label; changes } : Lts.step) =
+    if id = known then add g limits id (after g i label) changes (fun () -> Tuples.apply changes tuple)
 
   (* Shows the visitor those that are new, in the order of their numbers from [first] on. *)
   let introduce g around visitor ~first tuple steps targets =
@@ -207,7 +204,10 @@ module Make (L : Lts.S) = struct
     let rec find n = function
       | [] -> targets
       | s :: rest ->
-        Array.unsafe_set targets n (connect g limits i tuple n s);
+        let known = size g in
+        let id = Tuples.intern_prepared g.tuples n in
+        Array.unsafe_set targets n id;
+        connect g limits i tuple ~known id s;
         find (n + 1) rest
     in
     find 0 steps
@@ -219,9 +219,10 @@ module Make (L : Lts.S) = struct
       | Known { target; _ } -> if target < size g then target else not_as_noted ()
       | New s ->
         let known = size g in
-        Tuples.prepare g.tuples ~near:g.near s.changes 0;
-        Tuples.fetch g.tuples 1;
-        if connect g limits i tuple 0 s = known then known else not_as_noted ()
+        let id = Tuples.intern g.tuples ~near:g.near s.changes in
+        if id <> known then not_as_noted ();
+        connect g limits i tuple ~known id s;
+        id
     in
     Array.of_list (List.map target arrows)
 

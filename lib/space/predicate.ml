@@ -23,16 +23,6 @@ let by_process c initial f =
 
 let leaves c = Array.length (Network_lts.model c).leaves
 
-let fold c f acc (tuple : int array) =
-  let n = leaves c in
-  let rec from i acc =
-    if i = n then acc
-    else
-      let p = tuple.(i) in
-      from (i + 1) (if p = Catalogue.nobody then acc else f acc p)
-  in
-  from 0 acc
-
 (* The number of the process of a leaf: it is in the slot of its first leaf, which comes no later. Or nobody. *)
 let home_number c leaf =
   let catalogue = Network_lts.catalogue c in
@@ -120,10 +110,12 @@ module Tuple = struct
     | Sum f ->
       let of_number = by_process c (Ok Rat.zero) (fun p -> of_curve (f (path p))) in
       let of_slot p = if p = Catalogue.nobody then Ok Rat.zero else of_number p in
-      Running_sum.of_tuples ~width:(leaves c) of_slot
+      Running_sum.rationals ~width:(leaves c) of_slot
     | Number f ->
       let of_number = by_process c 0 f in
-      fun t -> Ok (Rat.of_int (fold c (fun sum p -> sum + of_number p) 0 t))
+      let of_slot p = Ok (if p = Catalogue.nobody then 0 else of_number p) in
+      let sum = Running_sum.integers ~width:(leaves c) of_slot in
+      fun t -> Result.map Rat.of_int (sum t)
     | Time -> (
         fun t ->
           match Catalogue.time (Network_lts.catalogue c) t with

@@ -3,13 +3,13 @@ open Scc_exact
 let nothing = -1
 
 (* [bodies], [values] and [total] are of the last tuple. They are not known while they are changed. *)
-let of_tuples ~width value =
-  let bodies = Array.make width nothing and values = Array.make width Rat.zero in
-  let total = ref Rat.zero and are_known = ref true in
+let of_tuples ~width ~zero ~exchange value =
+  let bodies = Array.make width nothing and values = Array.make width zero in
+  let total = ref zero and are_known = ref true in
   let forget () =
     Array.fill bodies 0 width nothing;
-    Array.fill values 0 width Rat.zero;
-    total := Rat.zero
+    Array.fill values 0 width zero;
+    total := zero
   in
   let rec correct (tuple : int array) i =
     if i = width then Ok !total
@@ -18,10 +18,9 @@ let of_tuples ~width value =
       match value tuple.(i) with
       | Error _ as e -> e
       | Ok v ->
-        let before = values.(i) in
+        total := exchange !total values.(i) v;
         bodies.(i) <- tuple.(i);
         values.(i) <- v;
-        if not (Rat.equal v before) then total := Rat.add !total (Rat.sub v before);
         correct tuple (i + 1)
   in
   fun tuple ->
@@ -30,3 +29,9 @@ let of_tuples ~width value =
     let sum = correct tuple 0 in
     are_known := Result.is_ok sum;
     sum
+
+let rationals ~width value =
+  let exchange total before v = if Rat.equal v before then total else Rat.add total (Rat.sub v before) in
+  of_tuples ~width ~zero:Rat.zero ~exchange value
+
+let integers ~width value = of_tuples ~width ~zero:0 ~exchange:(fun total before v -> total - before + v) value

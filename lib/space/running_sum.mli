@@ -3,7 +3,10 @@
 
 open Scc_exact
 
-val of_tuples : width:int -> (int -> (Rat.t, 'why) result) -> int array -> (Rat.t, 'why) result
-(** [of_tuples ~width value] sums the values of the first [width] slots of each tuple, which depend on what is in
+val rationals : width:int -> (int -> (Rat.t, 'why) result) -> int array -> (Rat.t, 'why) result
+(** [rationals ~width value] sums the values of the first [width] slots of each tuple, which depend on what is in
     them alone; or it is the reason of the first slot that has no value. The value of -1 is zero. It may be given
     up anywhere, by an exception of [value] as well. *)
+
+val integers : width:int -> (int -> (int, 'why) result) -> int array -> (int, 'why) result
+(** The same of integers. *)

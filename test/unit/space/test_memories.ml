@@ -41,27 +41,33 @@ let value ~may_fail n =
   else if n = 8 && may_fail then raise Given_up
   else Ok (ratio ((n * n) - 11) (1 + (n mod 3)))
 
-let naive tuple =
-  let add sum n = Result.bind sum (fun x -> Result.map (Rat.add x) (value ~may_fail:false n)) in
-  Array.fold_left add (Ok Rat.zero) (Array.sub tuple 0 5)
+let integer ~may_fail n = Result.map (fun _ -> Int.max 0 (n + (n * n))) (value ~may_fail n)
+
+let naive zero add value tuple =
+  let add sum n = Result.bind sum (fun x -> Result.map (add x) (value ~may_fail:false n)) in
+  Array.fold_left add (Ok zero) (Array.sub tuple 0 5)
 
 let tuples = Gen.(list_size (1 -- 30) (array_size (return 6) (-1 -- 8)))
 let print_tuples = QCheck2.Print.(list (array int))
 
-let sums =
-  QCheck2.Test.make ~name:"sums of tuples in turn" ~count:2000 ~print:print_tuples tuples (fun tuples ->
+(* Sums of tuples in turn, some of which are given up, are those of each for itself. *)
+let sums name running naive value =
+  QCheck2.Test.make ~name ~count:2000 ~print:print_tuples tuples (fun tuples ->
       let may_fail = ref false in
-      let sum = Running_sum.of_tuples ~width:5 (fun n -> value ~may_fail:!may_fail n) in
+      let sum = running ~width:5 (fun n -> value ~may_fail:!may_fail n) in
       let is_right tuple =
         may_fail := true;
         (match sum tuple with
-         | found -> found = naive tuple
+         | found -> found = naive value tuple
          | exception Given_up -> Array.mem 8 tuple)
         &&
         (may_fail := false;
-         tuple.(0) mod 2 = 0 || sum tuple = naive tuple)
+         tuple.(0) mod 2 = 0 || sum tuple = naive value tuple)
       in
       List.for_all is_right tuples)
+
+let sums_of_rationals = sums "sums of tuples in turn" Running_sum.rationals (naive Rat.zero Rat.add) value
+let sums_of_integers = sums "the same of integers" Running_sum.integers (naive 0 ( + )) integer
 
 (* {1 Times of contact} *)
 
@@ -124,7 +130,7 @@ let () =
   Alcotest.run "memories"
     [
       ("ranks", Scc_test_support.Property.cases [ ranks; ranks_of_bounds ]);
-      ("sums", Scc_test_support.Property.cases [ sums ]);
+      ("sums", Scc_test_support.Property.cases [ sums_of_rationals; sums_of_integers ]);
       ("contacts", [ Alcotest.test_case "kept and forgotten" `Quick contacts ]);
       ("recent", [ Alcotest.test_case "kept and forgotten" `Quick recent ]);
     ]
