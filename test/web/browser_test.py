@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The pages of scc view in a browser: browser_test.py SCC WORK. The last line is 'N passed, N failed'.
+"""The pages of scc view in a browser: browser_test.py SCC WORK [K], with each K-th model, 1 unless told. The last line is
+'N passed, N failed'.
 
 Everything that a page shows is held against scc trace, which makes it by other means: states of the kernel, not
 what has changed since an earlier one. Ends with 3 if there is no browser.
@@ -140,12 +141,12 @@ def instants(b, scc, model, data, chance):
 DRAWN = 8
 
 
-def models(scc):
-    """All models; most of them by the texts and lists of their pages alone."""
+def models(scc, every):
+    """Models of the project; most of them by the texts and lists of their pages alone."""
     chance = random.Random(16)
     drawing, plain = browser.Browser(640, 480), browser.Browser(640, 480, flags=browser.WITHOUT_SCENES)
     try:
-        for k, model in enumerate(sorted(glob.glob('specs/models/*.sc'))):
+        for k, model in enumerate(sorted(glob.glob('specs/models/*.sc'))[::every]):
             one_model(plain if k % DRAWN else drawing, scc, model, chance)
     finally:
         drawing.quit()
@@ -179,7 +180,7 @@ def main():
         print(lacking)
         sys.exit(3)
     import pages
-    told(models, scc)
+    told(models, scc, int(sys.argv[3]) if len(sys.argv) > 3 else 1)
     b = browser.Browser()
     try:
         for part in pages.PARTS:
