@@ -97,17 +97,17 @@ let horizon =
          let truth g = Eval.truth (Small.evaluator g) c.formula (Positions.start 0) in
          Option.equal Bool.equal (truth c.graph) (truth short))
 
-let () =
-  Alcotest.run "ctl"
-    [
-      ( "random graphs",
-        Scc_test_support.Property.cases
-          [
-            exact "one operator" ~unsure:false ~truncated:false ~depth:1 8000;
-            exact "nested operators" ~unsure:false ~truncated:false ~depth:3 6000;
-            exact "undecided predicates" ~unsure:true ~truncated:false ~depth:2 4000;
-            exact "truncated graphs" ~unsure:true ~truncated:true ~depth:2 4000;
-            sound;
-            horizon;
-          ] );
-    ]
+let suite =
+  ("ctl",
+   [
+     ( "random graphs",
+       Scc_test_support.Property.cases
+         [
+           exact "one operator" ~unsure:false ~truncated:false ~depth:1 8000;
+           exact "nested operators" ~unsure:false ~truncated:false ~depth:3 6000;
+           exact "undecided predicates" ~unsure:true ~truncated:false ~depth:2 4000;
+           exact "truncated graphs" ~unsure:true ~truncated:true ~depth:2 4000;
+           sound;
+           horizon;
+         ] );
+   ])

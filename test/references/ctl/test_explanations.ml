@@ -376,22 +376,22 @@ let settled c =
 let test name ~unsure ~truncated ~depth count f =
   QCheck2.Test.make ~count ~name ~print (case_gen ~unsure ~truncated ~depth) f
 
-let () =
-  Alcotest.run "explanations"
-    [
-      ( "explanations",
-        Scc_test_support.Property.cases
-          [
-            explanations "one operator" ~unsure:false ~truncated:false ~depth:1 2000;
-            explanations "nested operators" ~unsure:false ~truncated:false ~depth:3 1200;
-            explanations "nested deeper" ~unsure:false ~truncated:false ~depth:4 400;
-            explanations "undecided predicates, truncated graphs" ~unsure:true ~truncated:true ~depth:2 1200;
-          ] );
-      ( "doubts",
-        Scc_test_support.Property.cases
-          [
-            test "what cannot be decided" ~unsure:true ~truncated:true ~depth:3 6000 doubted;
-            test "nothing is in doubt where all is known" ~unsure:false ~truncated:false ~depth:3 8000 decided;
-            test "which unexplored nodes matter" ~unsure:false ~truncated:true ~depth:3 6000 settled;
-          ] );
-    ]
+let suite =
+  ("explanations",
+   [
+     ( "explanations",
+       Scc_test_support.Property.cases
+         [
+           explanations "one operator" ~unsure:false ~truncated:false ~depth:1 2000;
+           explanations "nested operators" ~unsure:false ~truncated:false ~depth:3 1200;
+           explanations "nested deeper" ~unsure:false ~truncated:false ~depth:4 400;
+           explanations "undecided predicates, truncated graphs" ~unsure:true ~truncated:true ~depth:2 1200;
+         ] );
+     ( "doubts",
+       Scc_test_support.Property.cases
+         [
+           test "what cannot be decided" ~unsure:true ~truncated:true ~depth:3 6000 doubted;
+           test "nothing is in doubt where all is known" ~unsure:false ~truncated:false ~depth:3 8000 decided;
+           test "which unexplored nodes matter" ~unsure:false ~truncated:true ~depth:3 6000 settled;
+         ] );
+   ])

@@ -204,9 +204,9 @@ let fail () =
   f "EG (f and g) = EG f and EG g" parting (eg (And [ p; q ])) (And [ eg p; eg q ]) (false, true);
   f "AG (f or g) = AG f or AG g" parting (ag (Or [ p; q ])) (Or [ ag p; ag q ]) (true, false)
 
-let () =
-  Alcotest.run "laws"
-    [
-      ("hold", Scc_test_support.Property.cases [ hold; fewer_runs ]);
-      ("fail", [ Alcotest.test_case "CtlLaws: those that fail" `Quick fail ]);
-    ]
+let suite =
+  ("laws",
+   [
+     ("hold", Scc_test_support.Property.cases [ hold; fewer_runs ]);
+     ("fail", [ Alcotest.test_case "CtlLaws: those that fail" `Quick fail ]);
+   ])

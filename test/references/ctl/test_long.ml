@@ -78,7 +78,7 @@ let ends () =
   Alcotest.(check (option bool)) "passed before" (Some false)
     (Eval.truth e (Finally (All, until (half - 1), never)) start)
 
-let () =
+let suite =
   let quick name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "long"
-    [ ("graphs", [ quick "lines" lines; quick "cycles" cycles; quick "an unknown end" ends ]) ]
+  ("long",
+   [ ("graphs", [ quick "lines" lines; quick "cycles" cycles; quick "an unknown end" ends ]) ])

@@ -95,17 +95,17 @@ let irrational () =
     Alcotest.(check bool) "narrow" true narrow
   | _ -> Alcotest.fail "no interval"
 
-let () =
-  Alcotest.run "means"
-    [
-      ( "random graphs",
-        [
-          law "the time until something" time_until;
-          law "how often something happens" changes_until;
-          law "a number at a time" value_at;
-          law ~unsure:true ~truncated:true "times on truncated graphs" time_until;
-          law ~unsure:true ~truncated:true "counts on truncated graphs" changes_until;
-          law ~truncated:true "numbers on truncated graphs" value_at;
-        ] );
-      ("by hand", [ Alcotest.test_case "an irrational instant" `Quick irrational ]);
-    ]
+let suite =
+  ("means",
+   [
+     ( "random graphs",
+       [
+         law "the time until something" time_until;
+         law "how often something happens" changes_until;
+         law "a number at a time" value_at;
+         law ~unsure:true ~truncated:true "times on truncated graphs" time_until;
+         law ~unsure:true ~truncated:true "counts on truncated graphs" changes_until;
+         law ~truncated:true "numbers on truncated graphs" value_at;
+       ] );
+     ("by hand", [ Alcotest.test_case "an irrational instant" `Quick irrational ]);
+   ])

@@ -87,10 +87,10 @@ let translation () =
     "formulas" [ "A(p U q)"; "!EG q" ]
     (List.map Small.print_formula formulas)
 
-let () =
+let suite =
   let quick name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "reasons"
-    [
-      ("reasons", [ quick "explanations" explanations; quick "doubts" doubts ]);
-      ("properties", [ quick "translation" translation ]);
-    ]
+  ("reasons",
+   [
+     ("reasons", [ quick "explanations" explanations; quick "doubts" doubts ]);
+     ("properties", [ quick "translation" translation ]);
+   ])

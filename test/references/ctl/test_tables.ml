@@ -258,7 +258,7 @@ let irrational () =
   check "within 1.41" "." (hundredths 141) Algebraic.zero;
   check "within 1.42" "T" (hundredths 142) Algebraic.zero
 
-let () =
+let suite =
   let quick name f = Alcotest.test_case name `Quick f in
   let all = [ connectives; nexts; pieces; unbounded; zeno; dead_ends; bounded; intervals; unknown ] in
-  Alcotest.run "tables" [ ("operators", List.map case all @ [ quick "irrational cuts" irrational ]) ]
+  ("tables", [ ("operators", List.map case all @ [ quick "irrational cuts" irrational ]) ])

@@ -132,41 +132,41 @@ let truncated relation naive name =
 
 let same_traces g h = Naive.traces 6 g = Naive.traces 6 h
 
-let () =
-  Alcotest.run "random graphs"
-    [
-      ( "partitions",
-        Scc_test_support.Property.cases
-          [
-            partitions "strong" Refine.Strong Strong;
-            partitions "branching" Refine.Branching Branching;
-            partitions "weak" Refine.Weak Weak;
-            partitions ~most:14 "strong, larger" Refine.Strong Strong;
-            partitions ~most:14 "branching, larger" Refine.Branching Branching;
-            partitions ~most:14 "weak, larger" Refine.Weak Weak;
-          ] );
-      ( "comparison",
-        Scc_test_support.Property.cases
-          [
-            agrees "strong agrees with the definition" Strong Strong 3000;
-            agrees "branching agrees with the definition" Branching Branching 3000;
-            agrees "weak agrees with the definition" Weak Weak 3000;
-            traces;
-            hierarchy;
-          ] );
-      ( "explanations",
-        Scc_test_support.Property.cases
-          [
-            explained Strong "every difference has a formula: strong";
-            explained Branching "every difference has a formula: branching";
-            explained Weak "every difference has a formula: weak";
-          ] );
-      ( "unknown states",
-        Scc_test_support.Property.cases
-          [
-            truncated Strong (Naive.related Strong) "strong";
-            truncated Branching (Naive.related Branching) "branching";
-            truncated Weak (Naive.related Weak) "weak";
-            truncated Trace same_traces "trace";
-          ] );
-    ]
+let suite =
+  ("random graphs",
+   [
+     ( "partitions",
+       Scc_test_support.Property.cases
+         [
+           partitions "strong" Refine.Strong Strong;
+           partitions "branching" Refine.Branching Branching;
+           partitions "weak" Refine.Weak Weak;
+           partitions ~most:14 "strong, larger" Refine.Strong Strong;
+           partitions ~most:14 "branching, larger" Refine.Branching Branching;
+           partitions ~most:14 "weak, larger" Refine.Weak Weak;
+         ] );
+     ( "comparison",
+       Scc_test_support.Property.cases
+         [
+           agrees "strong agrees with the definition" Strong Strong 3000;
+           agrees "branching agrees with the definition" Branching Branching 3000;
+           agrees "weak agrees with the definition" Weak Weak 3000;
+           traces;
+           hierarchy;
+         ] );
+     ( "explanations",
+       Scc_test_support.Property.cases
+         [
+           explained Strong "every difference has a formula: strong";
+           explained Branching "every difference has a formula: branching";
+           explained Weak "every difference has a formula: weak";
+         ] );
+     ( "unknown states",
+       Scc_test_support.Property.cases
+         [
+           truncated Strong (Naive.related Strong) "strong";
+           truncated Branching (Naive.related Branching) "branching";
+           truncated Weak (Naive.related Weak) "weak";
+           truncated Trace same_traces "trace";
+         ] );
+   ])

@@ -171,11 +171,11 @@ let efforts =
     Alcotest.test_case "long silent chains, weak" `Quick (long_chain Weak "tau");
   ]
 
-let () =
-  Alcotest.run "relations"
-    [
-      ("pairs", pairs);
-      ("explanations", explanations);
-      ("unknown states", truncated);
-      ("effort", efforts);
-    ]
+let suite =
+  ("relations",
+   [
+     ("pairs", pairs);
+     ("explanations", explanations);
+     ("unknown states", truncated);
+     ("effort", efforts);
+   ])

@@ -132,12 +132,12 @@ let rubbish =
       map (String.concat "") (list_size (int_range 0 12) piece))
     (fun s -> match Aut.read ~file:"x.aut" s with Ok _ | Error _ -> true)
 
-let () =
-  Alcotest.run "texts"
-    [
-      ("canonical labels", canonical);
-      ("passings of time", passings);
-      ("patterns", patterns);
-      ("renaming", renamings);
-      ("aut", aut @ Scc_test_support.Property.cases [ rubbish ]);
-    ]
+let suite =
+  ("texts",
+   [
+     ("canonical labels", canonical);
+     ("passings of time", passings);
+     ("patterns", patterns);
+     ("renaming", renamings);
+     ("aut", aut @ Scc_test_support.Property.cases [ rubbish ]);
+   ])

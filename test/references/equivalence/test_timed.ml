@@ -175,18 +175,18 @@ let truncated deterministic name =
        | "undecided" -> true
        | _ -> not same)
 
-let () =
-  Alcotest.run "timed"
-    [
-      ("by hand", by_hand @ [ Alcotest.test_case "explanations" `Quick explanations ]);
-      ( "random",
-        Scc_test_support.Property.cases
-          [
-            refinement true "a passing of time may be cut";
-            refinement false "also where time passes in several ways";
-            truncated true "nothing is claimed of what is not known";
-            truncated false "nor where time passes in several ways";
-            definition true "agrees with steps of a unit";
-            definition false "agrees with steps of a unit where time passes in several ways";
-          ] );
-    ]
+let suite =
+  ("timed",
+   [
+     ("by hand", by_hand @ [ Alcotest.test_case "explanations" `Quick explanations ]);
+     ( "random",
+       Scc_test_support.Property.cases
+         [
+           refinement true "a passing of time may be cut";
+           refinement false "also where time passes in several ways";
+           truncated true "nothing is claimed of what is not known";
+           truncated false "nor where time passes in several ways";
+           definition true "agrees with steps of a unit";
+           definition false "agrees with steps of a unit where time passes in several ways";
+         ] );
+   ])

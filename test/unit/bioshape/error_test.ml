@@ -186,10 +186,10 @@ let readable () =
   let items = Read.readable (Source.make ~name:"m.xml" text) in
   Alcotest.(check int) "declarations" 2 (List.length items)
 
-let () =
+let suite =
   let quick name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "faults of models in XML"
-    [
-      ("malformed", malformed); ("refused", refused); ("schema", schema); ("texts", texts);
-      ("others", [ quick "unwritable" unwritable; quick "readable" readable ]);
-    ]
+  ("faults of models in XML",
+   [
+     ("malformed", malformed); ("refused", refused); ("schema", schema); ("texts", texts);
+     ("others", [ quick "unwritable" unwritable; quick "readable" readable ]);
+   ])

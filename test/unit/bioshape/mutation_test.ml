@@ -115,5 +115,5 @@ let mutations () =
   (* Both happen, or the test says nothing. *)
   Alcotest.(check bool) (Printf.sprintf "%d are read" !read) true (!read > 20 && !read < 2_400 * times)
 
-let () =
-  Alcotest.run "damaged models in XML" [ ("documents", [ Alcotest.test_case "mutated" `Quick mutations ]) ]
+let suite =
+  ("damaged models in XML", [ ("documents", [ Alcotest.test_case "mutated" `Quick mutations ]) ])

@@ -187,13 +187,13 @@ let large () =
   let model = get text (Parse.parse (Source.make ~name:"model.sc" text)) in
   Alcotest.(check bool) "the tree" true (Ast_equal.model model (fst (read (xml model))))
 
-let () =
+let suite =
   let quick name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "models in XML"
-    [
-      ("models", [ quick "every model of specs/models" models ]);
-      ("random", Scc_test_support.Property.cases [ random; contexts ]);
-      ("comments", List.map comment comments);
-      ("others", foreign);
-      ("size", [ quick "deep" deep; quick "large" large ]);
-    ]
+  ("models in XML",
+   [
+     ("models", [ quick "every model of specs/models" models ]);
+     ("random", Scc_test_support.Property.cases [ random; contexts ]);
+     ("comments", List.map comment comments);
+     ("others", foreign);
+     ("size", [ quick "deep" deep; quick "large" large ]);
+   ])

@@ -64,7 +64,7 @@ let sweeps =
        in
        List.for_all within [ Vec.X; Y; Z ])
 
-let () =
-  Alcotest.run "boxes"
-    [ ("known", [ Alcotest.test_case "a grid of cubes on a floor" `Quick grid ]);
-      ("properties", Scc_test_support.Property.cases [ complete; sweeps ]) ]
+let suite =
+  ("boxes",
+   [ ("known", [ Alcotest.test_case "a grid of cubes on a floor" `Quick grid ]);
+     ("properties", Scc_test_support.Property.cases [ complete; sweeps ]) ])

@@ -139,12 +139,12 @@ let edge_not_its_other_face () =
   Alcotest.(check int) "one pair of faces" 1 (List.length face_pairs);
   Alcotest.(check int) "its face, four edges, four vertices" 9 (List.length pairs)
 
-let () =
-  Alcotest.run "contact"
-    [ ( "known",
-        [ Alcotest.test_case "two cubes" `Quick dimensions;
-          Alcotest.test_case "reading I-3" `Quick edge_not_its_other_face ] );
-      ( "properties",
-        Scc_test_support.Property.cases
-          [ touching; touching_aligned; highest; region aimed 200 "the region, where bodies collide";
-            region resting 200 "the region, for aligned bodies"; symmetric ] ) ]
+let suite =
+  ("contact",
+   [ ( "known",
+       [ Alcotest.test_case "two cubes" `Quick dimensions;
+         Alcotest.test_case "reading I-3" `Quick edge_not_its_other_face ] );
+     ( "properties",
+       Scc_test_support.Property.cases
+         [ touching; touching_aligned; highest; region aimed 200 "the region, where bodies collide";
+           region resting 200 "the region, for aligned bodies"; symmetric ] ) ])

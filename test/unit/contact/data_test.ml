@@ -34,11 +34,11 @@ let kissing () =
        Alcotest.(check int) (name "dimension") 2 (Contact.highest o offset).dimension)
     cases
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "data sets"
-    [ ( "casts",
-        [ case "cubes" (casts "cube.txt" "pairs_cube.txt" "answers_cube.txt");
-          case "aligned cubes" (casts "cube.txt" "pairs_deg.txt" "answers_deg.txt");
-          case "hulls of 50 faces" (casts "poly50.txt" "pairs_poly.txt" "answers_poly.txt") ] );
-      ("contacts", [ case "kissing cubes" kissing ]) ]
+  ("data sets",
+   [ ( "casts",
+       [ case "cubes" (casts "cube.txt" "pairs_cube.txt" "answers_cube.txt");
+         case "aligned cubes" (casts "cube.txt" "pairs_deg.txt" "answers_deg.txt");
+         case "hulls of 50 faces" (casts "poly50.txt" "pairs_poly.txt" "answers_poly.txt") ] );
+     ("contacts", [ case "kissing cubes" kissing ]) ])

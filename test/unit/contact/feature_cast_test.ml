@@ -110,9 +110,9 @@ let by_hand () =
   check "never, at rest" "never" slant [ v 1 1 2 ] (v 0 0 0);
   check "going apart" "never" slant [ v 2 2 2 ] (v 1 1 1)
 
-let () =
-  Alcotest.run "features that meet"
-    [
-      ("random", Scc_test_support.Property.cases [ random ]);
-      ("cases", [ Alcotest.test_case "by hand" `Quick by_hand ]);
-    ]
+let suite =
+  ("features that meet",
+   [
+     ("random", Scc_test_support.Property.cases [ random ]);
+     ("cases", [ Alcotest.test_case "by hand" `Quick by_hand ]);
+   ])

@@ -86,7 +86,7 @@ let known () =
   let x = Nnls.solve ~gram:[| [| Rat.of_int 4 |] |] ~target:[| Rat.of_int 2 |] in
   Alcotest.(check string) "one column" "1/2" (Rat.to_string x.(0))
 
-let () =
-  Alcotest.run "nnls"
-    [ ("known", [ Alcotest.test_case "cones" `Quick known ]);
-      ("properties", Scc_test_support.Property.cases [ kuhn_tucker; many; all_subsets ]) ]
+let suite =
+  ("nnls",
+   [ ("known", [ Alcotest.test_case "cones" `Quick known ]);
+     ("properties", Scc_test_support.Property.cases [ kuhn_tucker; many; all_subsets ]) ])

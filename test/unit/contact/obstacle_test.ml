@@ -205,12 +205,12 @@ let touching_cubes () =
   meeting "at rest, apart" (v 3 2 2) Vec.zero None;
   meeting "at one instant" (v 3 1 0) (v (-1) 1 0) (Some (some 1, some 1))
 
-let () =
-  Alcotest.run "obstacle"
-    [ ( "known",
-        [ Alcotest.test_case "numbers of facets" `Quick counts;
-          Alcotest.test_case "two cubes" `Quick touching_cubes ] );
-      ( "properties",
-        Scc_test_support.Property.cases
-          [ relation; cast; aimed_cast; facets; random_hulls; offsets; at_collision; approaching_is_at_zero;
-            hair; far_away; overflowing ] ) ]
+let suite =
+  ("obstacle",
+   [ ( "known",
+       [ Alcotest.test_case "numbers of facets" `Quick counts;
+         Alcotest.test_case "two cubes" `Quick touching_cubes ] );
+     ( "properties",
+       Scc_test_support.Property.cases
+         [ relation; cast; aimed_cast; facets; random_hulls; offsets; at_collision; approaching_is_at_zero;
+           hair; far_away; overflowing ] ) ])

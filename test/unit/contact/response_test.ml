@@ -157,12 +157,12 @@ let cut =
          List.equal Vec.equal (Response.directions one w) (Response.directions many w)
          && Vec.equal (Response.bounce one w) (Response.bounce many w))
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "response"
-    [ ( "known",
-        [ case "edge down on a seam (reading I-13)" seam; case "a corner" corner;
-          case "four tiles under a tip" four_tiles; case "a step" step; case "a gap" gap; case "wedged" wedged;
-          case "vertex-vertex" vertex_vertex;
-          case "face-face" face_face; case "a slanted face" slanted_face ] );
-      ("properties", Scc_test_support.Property.cases [ energy; parting; impulse_in_cone; cut ]) ]
+  ("response",
+   [ ( "known",
+       [ case "edge down on a seam (reading I-13)" seam; case "a corner" corner;
+         case "four tiles under a tip" four_tiles; case "a step" step; case "a gap" gap; case "wedged" wedged;
+         case "vertex-vertex" vertex_vertex;
+         case "face-face" face_face; case "a slanted face" slanted_face ] );
+     ("properties", Scc_test_support.Property.cases [ energy; parting; impulse_in_cone; cut ]) ])

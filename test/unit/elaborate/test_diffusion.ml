@@ -68,10 +68,10 @@ let least () =
   | Ok _ -> Alcotest.fail "a kick that is too short"
   | Error least -> Alcotest.(check string) "the least square" "6" (Rat.to_string least)
 
-let () =
-  Alcotest.run "diffusion"
-    [
-      ( "Diffuse",
-        Scc_test_support.Property.cases [ moments ]
-        @ [ Alcotest.test_case "Diffuse: the least kick" `Quick least ] );
-    ]
+let suite =
+  ("diffusion",
+   [
+     ( "Diffuse",
+       Scc_test_support.Property.cases [ moments ]
+       @ [ Alcotest.test_case "Diffuse: the least kick" `Quick least ] );
+   ])

@@ -147,16 +147,16 @@ let faults =
       "for i in 1..2 { compound T = decompose \"t.off\" mass 1 }";
   ]
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "drawn bodies"
-    [
-      ( "in order",
-        [
-          case "Decomposed: channels on drawn faces" channels;
-          case "masses, places, families" masses;
-          case "meshes" meshes;
-          case "bonds" bonds;
-        ] );
-      ("faults", cases faults);
-    ]
+  ("drawn bodies",
+   [
+     ( "in order",
+       [
+         case "Decomposed: channels on drawn faces" channels;
+         case "masses, places, families" masses;
+         case "meshes" meshes;
+         case "bonds" bonds;
+       ] );
+     ("faults", cases faults);
+   ])

@@ -361,19 +361,19 @@ let several () =
     let codes = List.map (fun (d : Diag.t) -> d.code) ds in
     Alcotest.(check (list string)) "codes" [ "SC0208"; "SC0201"; "SC0208"; "SC0201"; "SC0201" ] codes
 
-let () =
-  Alcotest.run "faults"
-    [
-      ("names and values", cases names_and_values);
-      ("templates", cases templates);
-      ("networks", cases networks);
-      ("behaviours and laws", cases behaviours_and_laws);
-      ("limits", cases limits);
-      ( "reports",
-        [
-          Alcotest.test_case "SC0209 unknown parameter" `Quick overridden;
-          Alcotest.test_case "SC0320 bad mesh" `Quick bad_mesh;
-          Alcotest.test_case "bounded" `Quick bounded;
-          Alcotest.test_case "several in order" `Quick several;
-        ] );
-    ]
+let suite =
+  ("faults",
+   [
+     ("names and values", cases names_and_values);
+     ("templates", cases templates);
+     ("networks", cases networks);
+     ("behaviours and laws", cases behaviours_and_laws);
+     ("limits", cases limits);
+     ( "reports",
+       [
+         Alcotest.test_case "SC0209 unknown parameter" `Quick overridden;
+         Alcotest.test_case "SC0320 bad mesh" `Quick bad_mesh;
+         Alcotest.test_case "bounded" `Quick bounded;
+         Alcotest.test_case "several in order" `Quick several;
+       ] );
+   ])

@@ -360,23 +360,23 @@ let diamond =
     "import \"a.sc\" import \"b.sc\" process p = a.A mass 1 [nil] process q = b.B mass 1 at translate (9, \
      0, 0) [nil]"
 
-let () =
+let suite =
   let test = Alcotest.test_case in
-  Alcotest.run "the language"
-    [
-      ("numbers", List.map worth numbers); ("laws", List.map steers laws);
-      ("formulas", [ test "functions and ranges" `Quick formulas ]); ("faults of functions", cases of_functions);
-      ( "families",
-        [
-          test "of behaviours" `Quick behaviours; test "of shapes" `Quick shapes; test "texts of checks"
-            `Quick texts;
-        ] );
-      ("faults of families", cases of_families);
-      ("solids", test "hulls" `Quick hulls :: test "circles" `Slow circles :: List.map counts solids);
-      ( "modules",
-        [
-          test "imports" `Quick imports; test "values for parameters" `Quick parameters;
-          test "the library" `Quick library; test "a diamond" `Quick diamond;
-        ] );
-      ("faults of modules", faults);
-    ]
+  ("the language",
+   [
+     ("numbers", List.map worth numbers); ("laws", List.map steers laws);
+     ("formulas", [ test "functions and ranges" `Quick formulas ]); ("faults of functions", cases of_functions);
+     ( "families",
+       [
+         test "of behaviours" `Quick behaviours; test "of shapes" `Quick shapes; test "texts of checks"
+           `Quick texts;
+       ] );
+     ("faults of families", cases of_families);
+     ("solids", test "hulls" `Quick hulls :: test "circles" `Slow circles :: List.map counts solids);
+     ( "modules",
+       [
+         test "imports" `Quick imports; test "values for parameters" `Quick parameters;
+         test "the library" `Quick library; test "a diamond" `Quick diamond;
+       ] );
+     ("faults of modules", faults);
+   ])

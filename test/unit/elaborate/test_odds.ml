@@ -77,14 +77,14 @@ let shares () =
     [ q 1 7; Rat.mul whole (q 1 3); Rat.zero; Rat.mul whole (q 2 3) ]
     [ Chance (q 1 7); rate 1; rate 0; rate 2 ]
 
-let () =
-  Alcotest.run "odds"
-    [
-      ( "rates",
-        Scc_test_support.Property.cases [ near ]
-        @ [
-          Alcotest.test_case "known values" `Quick known;
-          Alcotest.test_case "the simplest ones" `Quick simplest;
-          Alcotest.test_case "Lot: rates that compete" `Quick shares;
-        ] );
-    ]
+let suite =
+  ("odds",
+   [
+     ( "rates",
+       Scc_test_support.Property.cases [ near ]
+       @ [
+         Alcotest.test_case "known values" `Quick known;
+         Alcotest.test_case "the simplest ones" `Quick simplest;
+         Alcotest.test_case "Lot: rates that compete" `Quick shares;
+       ] );
+   ])

@@ -92,13 +92,13 @@ let normal_form () =
 
 let case name run = Alcotest.test_case name `Quick run
 
-let () =
-  Alcotest.run "properties"
-    [
-      ("texts", properties);
-      ( "rest",
-        [
-          case "let" lets; case "lets that nothing uses" unused_lets; case "in loops" indexed_checks;
-          case "normal form" normal_form;
-        ] );
-    ]
+let suite =
+  ("properties",
+   [
+     ("texts", properties);
+     ( "rest",
+       [
+         case "let" lets; case "lets that nothing uses" unused_lets; case "in loops" indexed_checks;
+         case "normal form" normal_form;
+       ] );
+   ])

@@ -303,25 +303,25 @@ let apart () =
   ignore (accept (cube ^ text ^ "(x, 0, 0) [nil]"));
   check (case "bodies that stand" "SC0403" "r" (cube ^ text ^ "(1, 0, 0) [nil]")) ()
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "ranges"
-    [
-      ("places", List.map place places);
-      ( "what depends on them",
-        [
-          case "places of several bodies" several;
-          case "parts of compounds" parts;
-          case "what is known" known;
-          case "delays" delays;
-          case "formulas" formulas;
-          case "a hundred, of 10^-300" many;
-          case "an end that is left out guards" guarded;
-          case "a `let` that nothing uses" unused;
-          case "overlaps of what stands" apart;
-          case "values and narrower ranges" narrowed;
-        ] );
-      ("against values", Scc_test_support.Property.cases [ at_values ]);
-      ("where they cannot be", cases linear_alone);
-      ("other faults", cases others);
-    ]
+  ("ranges",
+   [
+     ("places", List.map place places);
+     ( "what depends on them",
+       [
+         case "places of several bodies" several;
+         case "parts of compounds" parts;
+         case "what is known" known;
+         case "delays" delays;
+         case "formulas" formulas;
+         case "a hundred, of 10^-300" many;
+         case "an end that is left out guards" guarded;
+         case "a `let` that nothing uses" unused;
+         case "overlaps of what stands" apart;
+         case "values and narrower ranges" narrowed;
+       ] );
+     ("against values", Scc_test_support.Property.cases [ at_values ]);
+     ("where they cannot be", cases linear_alone);
+     ("other faults", cases others);
+   ])

@@ -355,25 +355,25 @@ let large () =
 
 let case name run = Alcotest.test_case name `Quick run
 
-let () =
-  Alcotest.run "terms"
-    [
-      ("values", [ case "loops" loops; case "overrides" overrides;
-                   case "defaults" defaults; case "scopes" scopes ]);
-      ( "shapes",
-        [
-          case "solids" solids;
-          case "matrix" matrix;
-          case "compound" compound;
-          case "velocity of a compound" compound_velocity;
-          case "mesh" mesh;
-        ] );
-      ( "behaviours",
-        [
-          case "features" features; case "only" only; case "definitions" definitions;
-          case "canonical" canonical;
-        ] );
-      ("networks", [ case "bonds" bonds; case "network" network; case "fixed" fixed ]);
-      ("motion", [ case "laws" motion; case "time" time ]);
-      ("size", [ case "deep" deep; case "large" large ]);
-    ]
+let suite =
+  ("terms",
+   [
+     ("values", [ case "loops" loops; case "overrides" overrides;
+                  case "defaults" defaults; case "scopes" scopes ]);
+     ( "shapes",
+       [
+         case "solids" solids;
+         case "matrix" matrix;
+         case "compound" compound;
+         case "velocity of a compound" compound_velocity;
+         case "mesh" mesh;
+       ] );
+     ( "behaviours",
+       [
+         case "features" features; case "only" only; case "definitions" definitions;
+         case "canonical" canonical;
+       ] );
+     ("networks", [ case "bonds" bonds; case "network" network; case "fixed" fixed ]);
+     ("motion", [ case "laws" motion; case "time" time ]);
+     ("size", [ case "deep" deep; case "large" large ]);
+   ])

@@ -159,17 +159,17 @@ let faults =
       (cube ^ "compound C { part l : Cube mass 1 spin (0,0,1) } fixed p = C");
   ]
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "turning bodies"
-    [
-      ( "models",
-        [
-          case "when rigid" whether; case "settings" values; case "a spin without dynamics" unstated;
-          case "the default resolution" resolution;
-        ] );
-      ("properties", [ case "atoms" atoms ]);
-      ("faults", cases faults);
-      ( "motion",
-        [ case "of one leaf" one; case "of several leaves" bound; case "of compounds" compound ] );
-    ]
+  ("turning bodies",
+   [
+     ( "models",
+       [
+         case "when rigid" whether; case "settings" values; case "a spin without dynamics" unstated;
+         case "the default resolution" resolution;
+       ] );
+     ("properties", [ case "atoms" atoms ]);
+     ("faults", cases faults);
+     ( "motion",
+       [ case "of one leaf" one; case "of several leaves" bound; case "of compounds" compound ] );
+   ])

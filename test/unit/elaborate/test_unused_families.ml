@@ -50,6 +50,6 @@ let accepted () =
   Alcotest.(check (list string)) "no other warnings" []
     (List.map (fun (d : Diag.t) -> d.message) (List.filter (fun d -> not (unused d)) t.warnings))
 
-let () =
-  Alcotest.run "families that nothing uses"
-    [ ("accepted", [ Alcotest.test_case "without faults" `Quick accepted ]); ("faults", cases faults) ]
+let suite =
+  ("families that nothing uses",
+   [ ("accepted", [ Alcotest.test_case "without faults" `Quick accepted ]); ("faults", cases faults) ])

@@ -200,19 +200,19 @@ let points_are_inside =
 
 let case name run = Alcotest.test_case name `Quick run
 
-let () =
-  Alcotest.run "well-formed"
-    [
-      ( "states",
-        [
-          case "sound" nothing;
-          case "leaves" leaves;
-          case "overlaps" overlaps;
-          case "walls" walls;
-          case "bonds" bonds;
-          case "trees" trees;
-          case "clocks" clocks;
-          case "steps" steps;
-        ] );
-      ("overlaps", Scc_test_support.Property.cases [ pairs_are_all_pairs; a_limit_is_kept; points_are_inside ]);
-    ]
+let suite =
+  ("well-formed",
+   [
+     ( "states",
+       [
+         case "sound" nothing;
+         case "leaves" leaves;
+         case "overlaps" overlaps;
+         case "walls" walls;
+         case "bonds" bonds;
+         case "trees" trees;
+         case "clocks" clocks;
+         case "steps" steps;
+       ] );
+     ("overlaps", Scc_test_support.Property.cases [ pairs_are_all_pairs; a_limit_is_kept; points_are_inside ]);
+   ])

@@ -115,10 +115,10 @@ let large name points () =
     let some = List.init 20 (fun k -> k * Array.length hull.ifs_faces / 20) in
     Alcotest.(check bool) (name ^ ": all points are behind") true (List.for_all behind some)
 
-let () =
+let suite =
   let case name points = Alcotest.test_case name `Quick (large name points) in
-  Alcotest.run "hull"
-    [
-      ("clouds", Scc_test_support.Property.cases [ same_faces; same_order ]);
-      ("many points", [ case "a sphere" (on_a_sphere 20000); case "a cone" (cone 6000) ]);
-    ]
+  ("hull",
+   [
+     ("clouds", Scc_test_support.Property.cases [ same_faces; same_order ]);
+     ("many points", [ case "a sphere" (on_a_sphere 20000); case "a cone" (cone 6000) ]);
+   ])

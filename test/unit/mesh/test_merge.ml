@@ -101,14 +101,14 @@ let test_back_to_back () =
   let ifs = set [| v 0 0 0; v 1 0 0; v 0 1 0 |] [| [| 0; 1; 2 |]; [| 2; 1; 0 |] |] in
   Alcotest.(check int) "two faces" 2 (Array.length (Merge_coplanar.merge ifs).ifs_faces)
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "merge"
-    [
-      ("triangulations", Scc_test_support.Property.cases [ undoes; idempotent ]);
-      ( "what stays",
-        [
-          case "a ring" test_ring; case "a corner that others need" test_needed;
-          case "back to back" test_back_to_back;
-        ] );
-    ]
+  ("merge",
+   [
+     ("triangulations", Scc_test_support.Property.cases [ undoes; idempotent ]);
+     ( "what stays",
+       [
+         case "a ring" test_ring; case "a corner that others need" test_needed;
+         case "back to back" test_back_to_back;
+       ] );
+   ])

@@ -338,18 +338,18 @@ let no_exception =
        | Ok ifs -> String.length (Solid_report.to_text ~name:path (Solid_report.make ifs)) > 0
        | Error d -> String.equal d.Diag.span.file path)
 
-let () =
-  Alcotest.run "mesh"
-    [
-      ( "formats",
-        List.map (good tetrahedron) (files @ Threemf_files.files)
-        @ List.map (good by_first_use) (stl_files @ Gltf_files.files) );
-      ("clouds", List.map cloud clouds);
-      ("mirrors", [
-          Alcotest.test_case "of glTF" `Quick (mirrors Fun.id "t.gltf" Gltf_files.mirrored);
-          Alcotest.test_case "of 3MF" `Quick (mirrors Rat.neg "t.3mf" Threemf_files.mirrored);
-        ]);
-      ("exactness", [ Alcotest.test_case "numbers" `Quick test_exact; Scc_test_support.Property.case decimals ]);
-      ("bad files", List.map bad_case (bad @ Gltf_files.bad @ Threemf_files.bad));
-      ("noise", [ Scc_test_support.Property.case no_exception ]);
-    ]
+let suite =
+  ("mesh",
+   [
+     ( "formats",
+       List.map (good tetrahedron) (files @ Threemf_files.files)
+       @ List.map (good by_first_use) (stl_files @ Gltf_files.files) );
+     ("clouds", List.map cloud clouds);
+     ("mirrors", [
+         Alcotest.test_case "of glTF" `Quick (mirrors Fun.id "t.gltf" Gltf_files.mirrored);
+         Alcotest.test_case "of 3MF" `Quick (mirrors Rat.neg "t.3mf" Threemf_files.mirrored);
+       ]);
+     ("exactness", [ Alcotest.test_case "numbers" `Quick test_exact; Scc_test_support.Property.case decimals ]);
+     ("bad files", List.map bad_case (bad @ Gltf_files.bad @ Threemf_files.bad));
+     ("noise", [ Scc_test_support.Property.case no_exception ]);
+   ])

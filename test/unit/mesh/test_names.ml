@@ -49,4 +49,4 @@ let named =
 let naming () =
   List.iter (fun (path, text, expected) -> Alcotest.(check string) text expected (names_of path text)) named
 
-let () = Alcotest.run "names" [ ("names", [ Alcotest.test_case "of faces" `Quick naming ]) ]
+let suite = ("names", [ ("names", [ Alcotest.test_case "of faces" `Quick naming ]) ])

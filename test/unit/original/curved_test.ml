@@ -126,16 +126,16 @@ let strips () =
   Alcotest.(check bool) "not all of it" true (List.length found < 12);
   Alcotest.(check bool) "of a cone as well" true (features (solid "cone(1, 4)" "cap((0, 1, 0), 1/2)") <> [])
 
-let () =
-  Alcotest.run "curved solids"
-    [
-      ( "polyhedra",
-        [
-          Alcotest.test_case "Regions: balls are convex, with vertices on the sphere" `Quick balls;
-          Alcotest.test_case "Regions: distances of balls" `Quick distances;
-          Alcotest.test_case "Regions: distances of discs" `Quick discs;
-          Alcotest.test_case "the least distance" `Quick least;
-        ] );
-      ( "caps",
-        [ Alcotest.test_case "Regions: caps of a ball" `Quick cap; Alcotest.test_case "strips" `Quick strips ] );
-    ]
+let suite =
+  ("curved solids",
+   [
+     ( "polyhedra",
+       [
+         Alcotest.test_case "Regions: balls are convex, with vertices on the sphere" `Quick balls;
+         Alcotest.test_case "Regions: distances of balls" `Quick distances;
+         Alcotest.test_case "Regions: distances of discs" `Quick discs;
+         Alcotest.test_case "the least distance" `Quick least;
+       ] );
+     ( "caps",
+       [ Alcotest.test_case "Regions: caps of a ball" `Quick cap; Alcotest.test_case "strips" `Quick strips ] );
+   ])

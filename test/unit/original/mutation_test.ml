@@ -81,9 +81,9 @@ let long () =
       "behaviour A = " ^ String.concat " + " (List.init 2_000 (fun _ -> "<a, x>. nil"));
     ]
 
-let () =
-  Alcotest.run "texts of the original notation"
-    [
-      ("mutations", [ Scc_test_support.Property.case damaged ]); ("long", [ Alcotest.test_case "long texts"
-                                                                              `Quick long ]);
-    ]
+let suite =
+  ("texts of the original notation",
+   [
+     ("mutations", [ Scc_test_support.Property.case damaged ]); ("long", [ Alcotest.test_case "long texts"
+                                                                             `Quick long ]);
+   ])

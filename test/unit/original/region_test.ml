@@ -304,14 +304,14 @@ let few_cuts () =
   check "the whole face, by its corners" (0, 1) "polygon((-1, -1, 1), (-1, 1, 1), (1, 1, 1), (1, -1, 1))";
   check "a face without its edges" (0, 1) "surface() ∩ interior(top)"
 
-let () =
-  Alcotest.run "regions"
-    [
-      ("points", Scc_test_support.Property.cases [ points; areas ]);
-      ( "bodies",
-        [
-          Alcotest.test_case "Regions: masses of pieces" `Quick masses;
-          Alcotest.test_case "Regions: on a slanted face" `Quick slanted;
-          Alcotest.test_case "Regions: no more cuts than are needed" `Quick few_cuts;
-        ] );
-    ]
+let suite =
+  ("regions",
+   [
+     ("points", Scc_test_support.Property.cases [ points; areas ]);
+     ( "bodies",
+       [
+         Alcotest.test_case "Regions: masses of pieces" `Quick masses;
+         Alcotest.test_case "Regions: on a slanted face" `Quick slanted;
+         Alcotest.test_case "Regions: no more cuts than are needed" `Quick few_cuts;
+       ] );
+   ])

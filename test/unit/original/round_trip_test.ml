@@ -129,13 +129,13 @@ let random =
           | Ok (m', _) -> same m m' || QCheck2.Test.fail_report text
           | Error ds -> QCheck2.Test.fail_report (text ^ rendered text ds)))
 
-let () =
-  Alcotest.run "the original notation"
-    [
-      ( "round trips",
-        [
-          Alcotest.test_case "Regions: every model" `Quick models;
-          Alcotest.test_case "Regions: what each part of the notation says" `Quick says;
-          Scc_test_support.Property.case random;
-        ] );
-    ]
+let suite =
+  ("the original notation",
+   [
+     ( "round trips",
+       [
+         Alcotest.test_case "Regions: every model" `Quick models;
+         Alcotest.test_case "Regions: what each part of the notation says" `Quick says;
+         Scc_test_support.Property.case random;
+       ] );
+   ])

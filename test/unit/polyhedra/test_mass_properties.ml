@@ -179,12 +179,12 @@ let test_solid () =
   let normals = List.map Ivec.to_string (Array.to_list s.normals) in
   Alcotest.(check (list string)) "normals" [ "(0, 0, -1)"; "(0, -1, 0)"; "(-1, 0, 0)"; "(1, 1, 1)" ] normals
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "mass properties"
-    [
-      ( "Mass",
-        [ case "box" test_box; case "tetrahedron" test_tetrahedron; case "prism" test_prism ]
-        @ Scc_test_support.Property.cases [ translation; linear_images; rotation; additivity ] );
-      ("Solid", [ case "an image of a template" test_solid ]);
-    ]
+  ("mass properties",
+   [
+     ( "Mass",
+       [ case "box" test_box; case "tetrahedron" test_tetrahedron; case "prism" test_prism ]
+       @ Scc_test_support.Property.cases [ translation; linear_images; rotation; additivity ] );
+     ("Solid", [ case "an image of a template" test_solid ]);
+   ])

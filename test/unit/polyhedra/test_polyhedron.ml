@@ -232,20 +232,20 @@ let test_report () =
   has "inside out" "oriented inward" bad;
   has "inside out" "all seven conditions hold" bad
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "polyhedron"
-    [
-      ("Def-4.1", [ case "rotation equivalence" test_rotation ]);
-      ("Def-4.2", [ case "downgrade" test_downgrade; case "closure" test_closure ]);
-      ("Def-4.3", [ case "faults" test_faults; case "flat sets" test_flat ]);
-      ("I-1", [ case "edges are unordered" test_edges; case "names" test_names ]);
-      ("I-2", [ case "the printed conditions" test_paper; case "both verdicts in one report" test_report ]);
-      ("D-1", [ case "the sides of a face" test_face_of_the_paper ]);
-      ("D-3", [ case "both verdicts in one report" test_report ]);
-      ("D-4", [ case "the printed conditions" test_paper ]);
-      ("D-6", [ case "degenerate features" test_degenerate ]);
-      ("D-7", [ case "the normal of a face" test_face_of_the_paper ]);
-      ("D-8", [ case "coplanar neighbours" test_coplanar ]);
-      ("transform", [ case "linear images" test_transform ]);
-    ]
+  ("polyhedron",
+   [
+     ("Def-4.1", [ case "rotation equivalence" test_rotation ]);
+     ("Def-4.2", [ case "downgrade" test_downgrade; case "closure" test_closure ]);
+     ("Def-4.3", [ case "faults" test_faults; case "flat sets" test_flat ]);
+     ("I-1", [ case "edges are unordered" test_edges; case "names" test_names ]);
+     ("I-2", [ case "the printed conditions" test_paper; case "both verdicts in one report" test_report ]);
+     ("D-1", [ case "the sides of a face" test_face_of_the_paper ]);
+     ("D-3", [ case "both verdicts in one report" test_report ]);
+     ("D-4", [ case "the printed conditions" test_paper ]);
+     ("D-6", [ case "degenerate features" test_degenerate ]);
+     ("D-7", [ case "the normal of a face" test_face_of_the_paper ]);
+     ("D-8", [ case "coplanar neighbours" test_coplanar ]);
+     ("transform", [ case "linear images" test_transform ]);
+   ])

@@ -243,14 +243,14 @@ let witnesses =
         in
         faults <> [] && (List.exists mended faults || List.for_all holds faults))
 
-let () =
-  Alcotest.run "random solids"
-    [
-      ( "Def-4.3",
-        Scc_test_support.Property.cases
-          [
-            hulls_accepted; implies_paper; inside_out; two_hulls; without_a_face; turned_face; affine; witnesses;
-            as_written "changed hulls: E0 to E5 as written" changed_hull;
-            as_written "noise: E0 to E5 as written" noise;
-          ] );
-    ]
+let suite =
+  ("random solids",
+   [
+     ( "Def-4.3",
+       Scc_test_support.Property.cases
+         [
+           hulls_accepted; implies_paper; inside_out; two_hulls; without_a_face; turned_face; affine; witnesses;
+           as_written "changed hulls: E0 to E5 as written" changed_hull;
+           as_written "noise: E0 to E5 as written" noise;
+         ] );
+   ])

@@ -100,16 +100,16 @@ let insufficient () =
   in
   Alcotest.(check (list string)) "counterexamples" known (List.sort String.compare found)
 
-let () =
+let suite =
   let case e = Alcotest.test_case (file e) `Quick (check e) in
-  Alcotest.run "solids"
-    [
-      ("I-2: specs/conformance/solids", List.map case (Lazy.force manifest));
-      ( "the manifest",
-        [
-          Alcotest.test_case "lists every file" `Quick complete;
-          Alcotest.test_case "has every kind of fault" `Quick all_kinds;
-          Alcotest.test_case "D-3: what passes the seven conditions and bounds no convex solid" `Quick
-            insufficient;
-        ] );
-    ]
+  ("solids",
+   [
+     ("I-2: specs/conformance/solids", List.map case (Lazy.force manifest));
+     ( "the manifest",
+       [
+         Alcotest.test_case "lists every file" `Quick complete;
+         Alcotest.test_case "has every kind of fault" `Quick all_kinds;
+         Alcotest.test_case "D-3: what passes the seven conditions and bounds no convex solid" `Quick
+           insufficient;
+       ] );
+   ])

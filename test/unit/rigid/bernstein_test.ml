@@ -154,9 +154,9 @@ let mixed () =
   let is_rational r = Option.is_some (Algebraic.to_rat (algebraic r)) in
   Alcotest.(check (list bool)) "rational" [ true; false; false ] (List.map is_rational found)
 
-let () =
-  Alcotest.run "Bernstein coefficients"
-    [ ( "against Sturm",
-        Scc_test_support.Property.cases
-          [ halves; same_roots; from_rational; from_root; comparison; narrowed; odd_parts ]
-        @ [ Alcotest.test_case "rational and irrational roots" `Quick mixed ] ) ]
+let suite =
+  ("Bernstein coefficients",
+   [ ( "against Sturm",
+       Scc_test_support.Property.cases
+         [ halves; same_roots; from_rational; from_root; comparison; narrowed; odd_parts ]
+       @ [ Alcotest.test_case "rational and irrational roots" `Quick mixed ] ) ])

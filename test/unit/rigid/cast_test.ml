@@ -298,7 +298,7 @@ let right_grid (c, resolution) =
 
 let property ~count name gen holds = QCheck2.Test.make ~count ~name ~print gen holds
 
-let () =
+let suite =
   let cases =
     Scc_test_support.Property.cases
       [
@@ -328,4 +328,4 @@ let () =
           right_grid;
       ]
   in
-  Alcotest.run "cast" [ ("cast", cases) ]
+  ("cast", [ ("cast", cases) ])

@@ -103,13 +103,13 @@ let few () =
   check "a point over a triangle" "(0, 0, -1)" [ v 1 1 1 ] [ v 0 0 0; v 3 0 0; v 0 3 0 ];
   check "the same point often" "(0, 0, -1)" [ v 1 1 1; v 1 1 1 ] [ v 0 0 0; v 0 0 0; v 3 0 0; v 0 3 0; v 3 3 0 ]
 
-let () =
-  Alcotest.run "closest"
-    [ ("known", [ Alcotest.test_case "few points" `Quick few ]);
-      ( "properties",
-        Scc_test_support.Property.cases
-          [ property "the least over all pairs of features" ~count:150 anywhere same_as_trying;
-            property "also for aligned solids" ~count:150 aligned same_as_trying;
-            property "no two points are nearer" ~count:1000 anywhere is_optimal;
-            property "from B to A it is the opposite" ~count:500 aligned symmetric; touching;
-            interpenetrating ] ) ]
+let suite =
+  ("closest",
+   [ ("known", [ Alcotest.test_case "few points" `Quick few ]);
+     ( "properties",
+       Scc_test_support.Property.cases
+         [ property "the least over all pairs of features" ~count:150 anywhere same_as_trying;
+           property "also for aligned solids" ~count:150 aligned same_as_trying;
+           property "no two points are nearer" ~count:1000 anywhere is_optimal;
+           property "from B to A it is the opposite" ~count:500 aligned symmetric; touching;
+           interpenetrating ] ) ])

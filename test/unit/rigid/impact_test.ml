@@ -354,24 +354,24 @@ let split s =
   && List.for_all (fun x -> Vec.equal (Impact.velocity_at whole x) (Impact.velocity_at a x) || is_fixed s.a)
     [ v 1 2 3; v 0 (-4) 1 ]
 
-let () =
-  Alcotest.run "impact"
-    [ ( "known",
-        [ Alcotest.test_case "central hits" `Quick central; Alcotest.test_case "off centre" `Quick off_centre;
-          Alcotest.test_case "two flush tiles (reading I-13)" `Quick flush_tiles;
-          Alcotest.test_case "beside a seam" `Quick beside_the_seam;
-          Alcotest.test_case "beside an edge, and a wall" `Quick edge_and_wall;
-          Alcotest.test_case "symmetric spins" `Quick head_on ] );
-      ( "properties",
-        Scc_test_support.Property.cases
-          [ property "momentum, angular momentum and energy are kept" ~count:1200 (bounced keeps);
-            property "a fixed body takes nothing" ~count:200 ~gen:also_fixed (bounced with_fixed);
-            property "what approached leaves" ~count:400 ~gen:also_fixed (bounced reflected);
-            property "there is a response iff a contact approaches" ~count:200 ~gen:also_fixed answered;
-            property "repeated collisions end" ~count:240 ends;
-            property "mirrored" ~count:200 ~gen:also_fixed mirrored;
-            property "exchanged" ~count:200 ~gen:also_fixed exchanged;
-            of_real "real contacts: kept" ~count:80 (bounced_really keeps);
-            of_real "real contacts: what approached leaves" ~count:80 (bounced_really reflected);
-            property "bind" ~count:200 ~gen:also_fixed bound;
-            property "split" ~count:200 ~gen:also_fixed split ] ) ]
+let suite =
+  ("impact",
+   [ ( "known",
+       [ Alcotest.test_case "central hits" `Quick central; Alcotest.test_case "off centre" `Quick off_centre;
+         Alcotest.test_case "two flush tiles (reading I-13)" `Quick flush_tiles;
+         Alcotest.test_case "beside a seam" `Quick beside_the_seam;
+         Alcotest.test_case "beside an edge, and a wall" `Quick edge_and_wall;
+         Alcotest.test_case "symmetric spins" `Quick head_on ] );
+     ( "properties",
+       Scc_test_support.Property.cases
+         [ property "momentum, angular momentum and energy are kept" ~count:1200 (bounced keeps);
+           property "a fixed body takes nothing" ~count:200 ~gen:also_fixed (bounced with_fixed);
+           property "what approached leaves" ~count:400 ~gen:also_fixed (bounced reflected);
+           property "there is a response iff a contact approaches" ~count:200 ~gen:also_fixed answered;
+           property "repeated collisions end" ~count:240 ends;
+           property "mirrored" ~count:200 ~gen:also_fixed mirrored;
+           property "exchanged" ~count:200 ~gen:also_fixed exchanged;
+           of_real "real contacts: kept" ~count:80 (bounced_really keeps);
+           of_real "real contacts: what approached leaves" ~count:80 (bounced_really reflected);
+           property "bind" ~count:200 ~gen:also_fixed bound;
+           property "split" ~count:200 ~gen:also_fixed split ] ) ])

@@ -240,16 +240,16 @@ let figure_7 () =
   let count d = List.length (List.filter (fun (p : Contact.pair) -> p.dimension = d) c.pairs) in
   Alcotest.(check (list int)) "face, edges, vertices" [ 1; 4; 4 ] [ count 2; count 1; count 0 ]
 
-let () =
-  Alcotest.run "near contact"
-    [ ( "known",
-        [ Alcotest.test_case "two cubes" `Quick cubes; Alcotest.test_case "a vertex, an edge" `Quick mixed;
-          Alcotest.test_case "a tilted cube" `Quick tilted;
-          Alcotest.test_case "projections (reading I-3)" `Quick figure_7 ] );
-      ( "properties",
-        Scc_test_support.Property.cases
-          [ property "hardly apart is as touching" ~count:120 as_exact;
-            property "touching is what it is without turns" ~count:80 exactly;
-            nearly_property "from both sides the same" ~count:80 from_both_sides;
-            property "from both sides the same, touching" ~count:40 from_both_sides;
-            nearly_property "nearly touching" ~count:120 sound; transported; flat ] ) ]
+let suite =
+  ("near contact",
+   [ ( "known",
+       [ Alcotest.test_case "two cubes" `Quick cubes; Alcotest.test_case "a vertex, an edge" `Quick mixed;
+         Alcotest.test_case "a tilted cube" `Quick tilted;
+         Alcotest.test_case "projections (reading I-3)" `Quick figure_7 ] );
+     ( "properties",
+       Scc_test_support.Property.cases
+         [ property "hardly apart is as touching" ~count:120 as_exact;
+           property "touching is what it is without turns" ~count:80 exactly;
+           nearly_property "from both sides the same" ~count:80 from_both_sides;
+           property "from both sides the same, touching" ~count:40 from_both_sides;
+           nearly_property "nearly touching" ~count:120 sound; transported; flat ] ) ])

@@ -93,10 +93,10 @@ let sampled () =
   List.iter (fun kind -> List.iter (case kind) (List.init 20 Fun.id)) [ Turning_cases.Chance; Aligned; Peak ];
   Alcotest.(check bool) "both kinds of samples" true (!inside > 40 && !outside > 40)
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "turning bodies against subdivision of time"
-    [ ( "casts",
-        [ case "the cast" (agrees cast); case "the exact sweep" (agrees ~share:3 Turning_check.by_sweep);
-          case "wrong casts are seen" broken ] );
-      ("the subdivision", [ case "against samples" sampled ]) ]
+  ("turning bodies against subdivision of time",
+   [ ( "casts",
+       [ case "the cast" (agrees cast); case "the exact sweep" (agrees ~share:3 Turning_check.by_sweep);
+         case "wrong casts are seen" broken ] );
+     ("the subdivision", [ case "against samples" sampled ]) ])

@@ -286,20 +286,20 @@ let hulls_of_50 =
   in
   property ~count:5 "hulls of 50 faces" gen (fun a b found -> relation a b found && swapped a b found)
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "first penetration"
-    [ ( "by hand",
-        [ case "resting and sliding" resting; case "on the tip" on_the_tip; case "a rod and a wall" rod_and_wall;
-          case "grazes" grazes ] );
-      ( "without turning",
-        [ case "aligned cubes" (casts "cube.txt" "pairs_deg.txt" 1);
-          case "cubes" (casts "cube.txt" "pairs_cube.txt" 10);
-          case "hulls of 50 faces" (casts "poly50.txt" "pairs_poly.txt" 40) ]
-        @ Scc_test_support.Property.cases
-          [ cast "casts" Solids.aimed; cast "resting bodies" Solids.resting; cast "scenes" Solids.scene ] );
-      ( "turning",
-        Scc_test_support.Property.cases
-          (List.concat
-             [ both "relations" relation; both "swap" swapped; both "the whole world moved" whole_world;
-               both "later" later; both "parts" parts; [ hulls_of_50 ] ]) ) ]
+  ("first penetration",
+   [ ( "by hand",
+       [ case "resting and sliding" resting; case "on the tip" on_the_tip; case "a rod and a wall" rod_and_wall;
+         case "grazes" grazes ] );
+     ( "without turning",
+       [ case "aligned cubes" (casts "cube.txt" "pairs_deg.txt" 1);
+         case "cubes" (casts "cube.txt" "pairs_cube.txt" 10);
+         case "hulls of 50 faces" (casts "poly50.txt" "pairs_poly.txt" 40) ]
+       @ Scc_test_support.Property.cases
+         [ cast "casts" Solids.aimed; cast "resting bodies" Solids.resting; cast "scenes" Solids.scene ] );
+     ( "turning",
+       Scc_test_support.Property.cases
+         (List.concat
+            [ both "relations" relation; both "swap" swapped; both "the whole world moved" whole_world;
+              both "later" later; both "parts" parts; [ hulls_of_50 ] ]) ) ])

@@ -172,17 +172,17 @@ let prefixes () =
     (find (chain (weak "a" [ "top" ] x)) Behaviour.is_delay is_open);
   check "but where one looks behind all" true (find (chain (weak "a" [ "top" ] x)) (fun _ -> true) is_open)
 
-let () =
-  Alcotest.run "behaviour"
-    [
-      ("rules", rules);
-      ( "terms",
-        [
-          Alcotest.test_case "I-14: the origin of a behaviour follows the passing of time" `Quick origin;
-          Alcotest.test_case "I-17: aged sums recur, and L is a set" `Quick recurrence;
-          Alcotest.test_case "State: terms are as they are written" `Quick brackets;
-          Alcotest.test_case "guardedness" `Quick unguarded;
-          Alcotest.test_case "Prefixes: each definition is looked at once" `Quick prefixes;
-        ] );
-      ("laws", Scc_test_support.Property.cases [ additivity; before_horizon; order ]);
-    ]
+let suite =
+  ("behaviour",
+   [
+     ("rules", rules);
+     ( "terms",
+       [
+         Alcotest.test_case "I-14: the origin of a behaviour follows the passing of time" `Quick origin;
+         Alcotest.test_case "I-17: aged sums recur, and L is a set" `Quick recurrence;
+         Alcotest.test_case "State: terms are as they are written" `Quick brackets;
+         Alcotest.test_case "guardedness" `Quick unguarded;
+         Alcotest.test_case "Prefixes: each definition is looked at once" `Quick prefixes;
+       ] );
+     ("laws", Scc_test_support.Property.cases [ additivity; before_horizon; order ]);
+   ])

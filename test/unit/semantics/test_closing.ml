@@ -253,20 +253,20 @@ let well_formed () =
   in
   Alcotest.(check int) "nor two pieces" 1 (List.length (Well_formed.check (standard m) s))
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "closing"
-    [
-      ( "cases",
-        [
-          case "Close: two leaves of one process" closes; case "Close: when nothing closes" none;
-          case "Close: one bond of each two leaves" once; case "Close: by an edge" by_an_edge;
-          case "Close: three that meet at once" orders;
-          case "Close: at the instant of a collision" with_a_collision;
-          case "Close: with a fixed leaf" with_a_fixed_leaf; case "I-37: splits of a ring" splits;
-          case "I-37: round within an instant" round; case "I-37: a push within a ring" pushes_cancel;
-          case "Close: bodies that turn" turning; case "I-37: a push within a ring that turns" turning_pushes;
-          case "Close: parts of one leaf do not close" compound;
-          case "WellFormed: bonds that close rings (I-37)" well_formed;
-        ] );
-    ]
+  ("closing",
+   [
+     ( "cases",
+       [
+         case "Close: two leaves of one process" closes; case "Close: when nothing closes" none;
+         case "Close: one bond of each two leaves" once; case "Close: by an edge" by_an_edge;
+         case "Close: three that meet at once" orders;
+         case "Close: at the instant of a collision" with_a_collision;
+         case "Close: with a fixed leaf" with_a_fixed_leaf; case "I-37: splits of a ring" splits;
+         case "I-37: round within an instant" round; case "I-37: a push within a ring" pushes_cancel;
+         case "Close: bodies that turn" turning; case "I-37: a push within a ring that turns" turning_pushes;
+         case "Close: parts of one leaf do not close" compound;
+         case "WellFormed: bonds that close rings (I-37)" well_formed;
+       ] );
+   ])

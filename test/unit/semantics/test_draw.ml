@@ -166,19 +166,19 @@ let own_steps () =
   check_velocity "p goes on" "(1, 0, 0)" s 0;
   Alcotest.(check bool) "a state like others" true (Well_formed.check (standard m) s = [])
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "draws"
-    [
-      ( "Draw",
-        [
-          case "Draw: one walker" one_walker;
-          case "Draw: shares" shares;
-          case "Draw: one after the other, all at once" in_order;
-          case "Draw: compounds" compounds;
-          case "Draw: what is held" held;
-          case "Draw: weights that cannot be" weights_that_cannot_be;
-          case "Draw: too many ways" too_many;
-          case "Draw: steps of single processes (I-31)" own_steps;
-        ] );
-    ]
+  ("draws",
+   [
+     ( "Draw",
+       [
+         case "Draw: one walker" one_walker;
+         case "Draw: shares" shares;
+         case "Draw: one after the other, all at once" in_order;
+         case "Draw: compounds" compounds;
+         case "Draw: what is held" held;
+         case "Draw: weights that cannot be" weights_that_cannot_be;
+         case "Draw: too many ways" too_many;
+         case "Draw: steps of single processes (I-31)" own_steps;
+       ] );
+   ])

@@ -314,18 +314,18 @@ let split_clock_of_the_fixed () =
   let wait = List.init 8 (fun _ -> 1) in
   Alcotest.(check bool) "as the transition relation" true (follow m s wait ~looks:always)
 
-let () =
-  Alcotest.run "event run"
-    [
-      ( "known",
-        [
-          Alcotest.test_case "absolute time" `Quick absolute_time;
-          Alcotest.test_case "splits of those who have been bound" `Quick splits_of_the_bound;
-          Alcotest.test_case "split clocks of fixed bodies that are hit" `Quick split_clock_of_the_fixed;
-          Alcotest.test_case "those who fly apart" `Quick apart;
-          Alcotest.test_case "what is far away costs nothing" `Quick local;
-        ] );
-      ( "as the transition relation",
-        Scc_test_support.Property.cases
-          [ small; unseen; far_away; crowds; later; in_a_box; together; rings; any_time ] );
-    ]
+let suite =
+  ("event run",
+   [
+     ( "known",
+       [
+         Alcotest.test_case "absolute time" `Quick absolute_time;
+         Alcotest.test_case "splits of those who have been bound" `Quick splits_of_the_bound;
+         Alcotest.test_case "split clocks of fixed bodies that are hit" `Quick split_clock_of_the_fixed;
+         Alcotest.test_case "those who fly apart" `Quick apart;
+         Alcotest.test_case "what is far away costs nothing" `Quick local;
+       ] );
+     ( "as the transition relation",
+       Scc_test_support.Property.cases
+         [ small; unseen; far_away; crowds; later; in_a_box; together; rings; any_time ] );
+   ])

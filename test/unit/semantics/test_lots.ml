@@ -212,21 +212,21 @@ let before_laws () =
   check_labels "then draws, of each" [ "draw(p, (1, 0, 0)) chance(1)" ] m s;
   check_labels "one after the other" [ "draw(q, (1, 0, 0)) chance(1)" ] m (take m s "draw(p, (1, 0, 0)) chance(1)")
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "lots"
-    [
-      ( "lots",
-        [
-          case "Lot: one bond" one_bond;
-          case "Lot: chances of 0 and 1" ends_of_the_scale;
-          case "Lot: both ends draw" both_ends;
-          case "Lot: several ways" several_ways;
-          case "Lot: who is first" who_is_first;
-          case "Lot: all of them" all_of_them;
-          case "Lot: chances that sum to more than 1" sum_beyond_one;
-          case "Lot: what is repeated counts twice" repeated;
-          case "Lot: before laws are asked" before_laws;
-          case "I-39: instants of the network" instants;
-        ] );
-    ]
+  ("lots",
+   [
+     ( "lots",
+       [
+         case "Lot: one bond" one_bond;
+         case "Lot: chances of 0 and 1" ends_of_the_scale;
+         case "Lot: both ends draw" both_ends;
+         case "Lot: several ways" several_ways;
+         case "Lot: who is first" who_is_first;
+         case "Lot: all of them" all_of_them;
+         case "Lot: chances that sum to more than 1" sum_beyond_one;
+         case "Lot: what is repeated counts twice" repeated;
+         case "Lot: before laws are asked" before_laws;
+         case "I-39: instants of the network" instants;
+       ] );
+   ])

@@ -220,17 +220,17 @@ let free_turned () =
   check_vec "its angular momentum by its spin" (Vec.to_string kept) (momentum after);
   Alcotest.(check bool) "the spin is another one" false (Vec.equal p.spin after.spin)
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "round"
-    [
-      ("room", [ case "room for those that are rounded" room ]);
-      ( "round",
-        [
-          case "orientations" orientation; case "where nothing turns" straight;
-          case "a process as a whole" whole; case "velocities wait" velocities;
-          case "not while it collides" colliding; case "the reference of an orientation" reference;
-          case "no rest before it is rounded" waiting; case "angular momenta" free;
-          case "the spin of what was turned" free_turned;
-        ] );
-    ]
+  ("round",
+   [
+     ("room", [ case "room for those that are rounded" room ]);
+     ( "round",
+       [
+         case "orientations" orientation; case "where nothing turns" straight;
+         case "a process as a whole" whole; case "velocities wait" velocities;
+         case "not while it collides" colliding; case "the reference of an orientation" reference;
+         case "no rest before it is rounded" waiting; case "angular momenta" free;
+         case "the spin of what was turned" free_turned;
+       ] );
+   ])

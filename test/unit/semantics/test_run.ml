@@ -106,6 +106,6 @@ let turning =
     (Random_rigid.print, Random_rigid.model, Random_rigid.declared)
     (Random_rigid.generate { Random_rigid.anything with laws = true; switched = true; rounds = true })
 
-let () =
-  Alcotest.run "runs under laws"
-    [ ("as the rules", Scc_test_support.Property.cases [ small; by_constants; unseen; many; rounding; turning ]) ]
+let suite =
+  ("runs under laws",
+   [ ("as the rules", Scc_test_support.Property.cases [ small; by_constants; unseen; many; rounding; turning ]) ])

@@ -349,31 +349,31 @@ let pushes_turn () =
   Alcotest.(check (list string)) "spins" [ "(0, 0, 3/4)"; "(0, 0, 3/4)" ]
     (List.map (fun (p : State.process) -> Vec.to_string p.spin) (Array.to_list t.target.processes))
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "split"
-    [
-      ( "cases",
-        [
-          case "WeakSplit: both ends must offer it (I-6)" both_ends;
-          case "WeakSplit: only at split instants (I-9)" instants;
-          case "I-9: a further bond" one_more;
-          case "WeakSplit: at any time (I-9)" any_time;
-          case "WeakSplit: the pieces keep their motion (I-11)" pieces_rest;
-          case "StrongSplit: urgent" urgent;
-          case "I-36: pushes" pushes;
-          case "I-36: of bodies that turn" pushes_turn;
-          case "StrongSplit: separate components react separately (I-7)" separate_components;
-        ] );
-      ( "brute force",
-        Scc_test_support.Property.cases
-          [
-            strong_is_brute_force "StrongSplit: the reactions are those of the definition" (gen_tree ());
-            pieces_keep_everything "WeakSplit, StrongSplit: the pieces have all leaves and the other bonds"
-              (gen_tree ());
-            strong_is_brute_force "StrongSplit: so they are where bonds close rings (I-37)"
-              (gen_tree ~rings:true ());
-            pieces_keep_everything ~rings:true "WeakSplit, StrongSplit: what a ring holds stays one (I-37)"
-              (gen_tree ~rings:true ());
-          ] );
-    ]
+  ("split",
+   [
+     ( "cases",
+       [
+         case "WeakSplit: both ends must offer it (I-6)" both_ends;
+         case "WeakSplit: only at split instants (I-9)" instants;
+         case "I-9: a further bond" one_more;
+         case "WeakSplit: at any time (I-9)" any_time;
+         case "WeakSplit: the pieces keep their motion (I-11)" pieces_rest;
+         case "StrongSplit: urgent" urgent;
+         case "I-36: pushes" pushes;
+         case "I-36: of bodies that turn" pushes_turn;
+         case "StrongSplit: separate components react separately (I-7)" separate_components;
+       ] );
+     ( "brute force",
+       Scc_test_support.Property.cases
+         [
+           strong_is_brute_force "StrongSplit: the reactions are those of the definition" (gen_tree ());
+           pieces_keep_everything "WeakSplit, StrongSplit: the pieces have all leaves and the other bonds"
+             (gen_tree ());
+           strong_is_brute_force "StrongSplit: so they are where bonds close rings (I-37)"
+             (gen_tree ~rings:true ());
+           pieces_keep_everything ~rings:true "WeakSplit, StrongSplit: what a ring holds stays one (I-37)"
+             (gen_tree ~rings:true ());
+         ] );
+   ])

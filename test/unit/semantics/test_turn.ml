@@ -358,22 +358,22 @@ let just_begun () =
   Alcotest.(check bool) "a turn of it is due" true (Turn.due after.processes.(0));
   check_rat "and began now" "0" after.processes.(0).since
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "turn"
-    [
-      ( "turn",
-        [
-          case "the length of a turn" length; case "time on a body that turns" pass;
-          case "a new turn" renew;
-          case "half-way through a turn" midway; case "pieces of what turned" piece;
-          case "turns of its own" own_turns; case "whoever stops time" bystander;
-          case "steered into a contact" steered_into; case "a turn that has just begun" just_begun;
-        ] );
-      ("cast", [ case "parts off their centres" off_centre; case "rounded down" thirds ]);
-      ( "meeting",
-        [
-          case "mirror images" mirror; case "bound to a fixed body" fixed_bind;
-          case "face to face as without turns" translational; case "persistent contact" persistent;
-        ] );
-    ]
+  ("turn",
+   [
+     ( "turn",
+       [
+         case "the length of a turn" length; case "time on a body that turns" pass;
+         case "a new turn" renew;
+         case "half-way through a turn" midway; case "pieces of what turned" piece;
+         case "turns of its own" own_turns; case "whoever stops time" bystander;
+         case "steered into a contact" steered_into; case "a turn that has just begun" just_begun;
+       ] );
+     ("cast", [ case "parts off their centres" off_centre; case "rounded down" thirds ]);
+     ( "meeting",
+       [
+         case "mirror images" mirror; case "bound to a fixed body" fixed_bind;
+         case "face to face as without turns" translational; case "persistent contact" persistent;
+       ] );
+   ])

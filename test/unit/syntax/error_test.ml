@@ -181,16 +181,16 @@ let allowed =
       ("a small number of 4 000 digits", "param n = 0." ^ nine 1_999 ^ "e-2000");
     ]
 
-let () =
-  Alcotest.run "syntax errors"
-    [
-      ("lexical", lexical);
-      ("syntax", syntax);
-      ("recovery",
-       [
-         Alcotest.test_case "at most so many errors" `Quick capped;
-         Alcotest.test_case "the same errors every time" `Quick deterministic;
-       ]);
-      ("100 000 nested", hundred_thousand);
-      ("within the limits", allowed);
-    ]
+let suite =
+  ("syntax errors",
+   [
+     ("lexical", lexical);
+     ("syntax", syntax);
+     ("recovery",
+      [
+        Alcotest.test_case "at most so many errors" `Quick capped;
+        Alcotest.test_case "the same errors every time" `Quick deterministic;
+      ]);
+     ("100 000 nested", hundred_thousand);
+     ("within the limits", allowed);
+   ])

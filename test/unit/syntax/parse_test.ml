@@ -237,18 +237,18 @@ let foreign_numbers () =
 
 let each name law cases = List.map (fun (a, b) -> Alcotest.test_case (name ^ a) `Quick (law (a, b))) cases
 
-let () =
-  Alcotest.run "syntax reading"
-    [
-      ("precedence", each "" same_expr precedence @ each "not " distinct_expr distinct);
-      ("notations", each "" same_model notations);
-      ("whole",
-       [
-         Alcotest.test_case "every construct" `Quick whole_language;
-         Alcotest.test_case "places in the text" `Quick spans;
-         Alcotest.test_case "formatting" `Quick format;
-         Alcotest.test_case "numbers" `Quick numbers;
-         Alcotest.test_case "numbers that no text holds" `Quick foreign_numbers;
-         Alcotest.test_case "numbers of the command line" `Quick rational;
-       ]);
-    ]
+let suite =
+  ("syntax reading",
+   [
+     ("precedence", each "" same_expr precedence @ each "not " distinct_expr distinct);
+     ("notations", each "" same_model notations);
+     ("whole",
+      [
+        Alcotest.test_case "every construct" `Quick whole_language;
+        Alcotest.test_case "places in the text" `Quick spans;
+        Alcotest.test_case "formatting" `Quick format;
+        Alcotest.test_case "numbers" `Quick numbers;
+        Alcotest.test_case "numbers that no text holds" `Quick foreign_numbers;
+        Alcotest.test_case "numbers of the command line" `Quick rational;
+      ]);
+   ])

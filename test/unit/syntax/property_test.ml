@@ -119,20 +119,20 @@ let mutilated =
   let stop = min (String.length text) (from + length) in
   return (String.sub text 0 from ^ put ^ String.sub text stop (String.length text - stop))
 
-let () =
-  Alcotest.run "syntax properties"
-    [
-      ("print and parse",
-       Scc_test_support.Property.cases
-         [
-           parse_print_expr 3000 "precedence is kept" Gen.operators;
-           parse_print_expr 1000 "parse (print e) = e" Gen.expr;
-           parse_print;
-           print_idempotent;
-           comments_kept;
-           comments_idempotent;
-         ]);
-      ("any text has an answer",
-       Scc_test_support.Property.cases
-         [ total bytes "any bytes"; total soup "any tokens"; total mutilated "a damaged model" ]);
-    ]
+let suite =
+  ("syntax properties",
+   [
+     ("print and parse",
+      Scc_test_support.Property.cases
+        [
+          parse_print_expr 3000 "precedence is kept" Gen.operators;
+          parse_print_expr 1000 "parse (print e) = e" Gen.expr;
+          parse_print;
+          print_idempotent;
+          comments_kept;
+          comments_idempotent;
+        ]);
+     ("any text has an answer",
+      Scc_test_support.Property.cases
+        [ total bytes "any bytes"; total soup "any tokens"; total mutilated "a damaged model" ]);
+   ])

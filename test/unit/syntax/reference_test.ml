@@ -72,11 +72,11 @@ let precedence =
              (Ast_equal.expr (Support.parsed_expr a) (Support.parsed_expr b))))
     binary_pairs
 
-let () =
-  Alcotest.run "language reference"
-    [
-      ("examples", examples);
-      ("words", [ Alcotest.test_case "the list of words" `Quick words ]);
-      ("limits", limits);
-      ("precedence", precedence);
-    ]
+let suite =
+  ("language reference",
+   [
+     ("examples", examples);
+     ("words", [ Alcotest.test_case "the list of words" `Quick words ]);
+     ("limits", limits);
+     ("precedence", precedence);
+   ])

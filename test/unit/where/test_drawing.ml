@@ -206,13 +206,13 @@ let files () =
   Alcotest.(check bool) "thin sets are seen" true
     (contains (drawn ligands [ ("thin", thin) ]) "fill=\"none\" stroke=\"#4477aa\" stroke-width=\"2\"")
 
-let () =
+let suite =
   let case name test = Alcotest.test_case name `Quick test in
-  Alcotest.run "drawing"
-    [
-      ("views", [ case "views" views ]);
-      ("regions", case "by hand" regions :: Scc_test_support.Property.cases [ at_points ]);
-      ("outlines", case "by hand" outline_by_hand :: Scc_test_support.Property.cases [ areas; belonging ]);
-      ("axes", [ case "marks" marks ]);
-      ("files", [ case "files" files ]);
-    ]
+  ("drawing",
+   [
+     ("views", [ case "views" views ]);
+     ("regions", case "by hand" regions :: Scc_test_support.Property.cases [ at_points ]);
+     ("outlines", case "by hand" outline_by_hand :: Scc_test_support.Property.cases [ areas; belonging ]);
+     ("axes", [ case "marks" marks ]);
+     ("files", [ case "files" files ]);
+   ])

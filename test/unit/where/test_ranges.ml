@@ -36,7 +36,7 @@ let ends () =
   check "low of y" false y (q (-1) 2);
   check "high of z" false z Rat.one
 
-let () =
+let suite =
   let case name test = Alcotest.test_case name `Quick test in
-  Alcotest.run "ranges"
-    [ ("ranges", [ case "text" text; case "box" box; case "ends" ends ]) ]
+  ("ranges",
+   [ ("ranges", [ case "text" text; case "box" box; case "ends" ends ]) ])

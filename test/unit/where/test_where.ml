@@ -140,15 +140,15 @@ let decimals () =
   exact "third" None (q 1 3);
   exact "tiny" None tiny
 
-let () =
+let suite =
   let case name test = Alcotest.test_case name `Quick test in
-  Alcotest.run "where"
-    [
-      ( "sets",
-        [
-          case "by hand" by_hand; case "no parameters" without_parameters; case "unknown" unknown;
-          case "refused" refused;
-        ] );
-      ("laws", Scc_test_support.Property.cases [ parts; same_sets; no_two_convex; measures; ordered ]);
-      ("decimals", [ case "decimals" decimals ]);
-    ]
+  ("where",
+   [
+     ( "sets",
+       [
+         case "by hand" by_hand; case "no parameters" without_parameters; case "unknown" unknown;
+         case "refused" refused;
+       ] );
+     ("laws", Scc_test_support.Property.cases [ parts; same_sets; no_two_convex; measures; ordered ]);
+     ("decimals", [ case "decimals" decimals ]);
+   ])

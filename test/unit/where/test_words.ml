@@ -135,16 +135,16 @@ let smt () =
 |}
     script
 
-let () =
+let suite =
   let case name test = Alcotest.test_case name `Quick test in
-  Alcotest.run "words"
-    [
-      ( "words",
-        [
-          case "reports" reports; case "without volume" without_volume; case "unknown" unknown;
-          case "numbers" numbers;
-          case "open ranges" open_ranges;
-        ] );
-      ("json", [ case "json" json ]);
-      ("smt", [ case "smt" smt ]);
-    ]
+  ("words",
+   [
+     ( "words",
+       [
+         case "reports" reports; case "without volume" without_volume; case "unknown" unknown;
+         case "numbers" numbers;
+         case "open ranges" open_ranges;
+       ] );
+     ("json", [ case "json" json ]);
+     ("smt", [ case "smt" smt ]);
+   ])

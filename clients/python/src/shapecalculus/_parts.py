@@ -77,8 +77,12 @@ def header(work: Work, form: str) -> Done:
 
 def do_part(work: Work, which: str, first: bytes) -> Done:
     """On some machine. Lines of CSV do not tell of which model they are."""
-    if work.form == "csv" and run(work.part(NO_PART, "jsonl")).text != first:
-        return Done(3, "%s is another text on some machine than here\n" % work.model, b"")
+    if work.form == "csv":
+        told = run(work.part(NO_PART, "jsonl"))
+        if told.code != 0:
+            return told
+        if told.text != first:
+            return Done(3, "%s is another text on some machine than here\n" % work.model, b"")
     return run(work.part(which, work.form))
 
 
