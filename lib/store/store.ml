@@ -169,6 +169,8 @@ let connect folder identity warn =
     run db "PRAGMA locking_mode = EXCLUSIVE";
     let there = is_ours db in
     if there then same_identity db identity;
+    (* Blocks are long: fewer pages are fewer writes. Of a file that is there it stays as it is. *)
+    run db "PRAGMA page_size = 16384";
     run db "BEGIN IMMEDIATE";
     Sqlite3.busy_timeout db patience;
     if not there then create db identity;

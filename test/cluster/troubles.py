@@ -90,7 +90,7 @@ def interrupted(scc):
         with tempfile.TemporaryDirectory() as folder:
             words = in_words(scc, *arguments, '--checkpoint', folder)
             p = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
-            begun = awaited(lambda: os.path.exists(os.path.join(folder, kept)), 60)
+            begun = awaited(lambda: os.path.exists(os.path.join(folder, kept)), 300)
             of_it = children(p.pid)
             begin = time.time()
             os.killpg(p.pid, signal.SIGINT)
