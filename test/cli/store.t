@@ -47,7 +47,7 @@ Searches with hash compaction.
 
 Files that cannot grow: it is told at once, and the work goes on.
 
-  $ (trap '' XFSZ; ulimit -f 60; scc check ../bench/checker/hexokinase.sc -D n=4 --store full 2>&1 >report)
+  $ (trap '' XFSZ; ulimit -f 400; scc check ../bench/checker/hexokinase.sc -D n=4 --store full 2>&1 >report)
   full: warning[SC0103]: the store cannot be used: disk I/O error: what is found from now on is not kept
     hint: it goes on all the same; what was kept up to now stays
   full: error[SC0103]: the store cannot be used: disk I/O error; what was found from then on is not kept
