@@ -44,12 +44,12 @@ let drop_manual () =
       out_indent = nothing;
     }
 
-(* Tables outside the heap are there as long as what is explored: that there are many is no reason to look for
-   garbage, which OCaml takes it for. *)
-let more_of_tables () = Gc.set { (Gc.get ()) with custom_major_ratio = 1000 }
+(* OCaml looks for garbage the more often the more there is in tables outside its heap. Those of an exploration stay until
+   its end. *)
+let do_not_hurry_for_tables () = Gc.set { (Gc.get ()) with custom_major_ratio = 1000 }
 
 let main () =
-  more_of_tables ();
+  do_not_hurry_for_tables ();
   let info =
     Cmd.info "scc" ~version:Version.told ~doc:"interpreter and model checker for the Shape Calculus" ~man
       ~exits:(Exits.man ())
