@@ -7,8 +7,8 @@ type t = {
   mutable took : float;  (** seconds, to write it *)
 }
 
-(* Seconds after which a block is written that is not full: so many that writing takes a thirtieth of the time, unless that
-   is more than a second. *)
+(* Seconds after which a block is written that is not full: so many that writing takes a thirtieth of the time,
+   unless that is more than a second. *)
 let patience b now =
   Float.min 1. (Float.max 0.02 (Float.max ((now -. b.begun) /. 20.) (30. *. b.took)))
 
