@@ -5,14 +5,9 @@ open Cmdliner
 
 (* Of two builds that call themselves by one version, one may have a fault that the other has not: what one has
    found is not taken over by the other. *)
-let build () =
-  match Digest.file Sys.executable_name with
-  | digest -> Digest.to_hex digest
-  | exception Sys_error _ -> "unknown"
-
 let identity ~digest ~parameters options =
   let values = List.map (fun (name, q) -> ("parameter " ^ name, Rat.to_string q)) parameters in
-  [ ("scc", Version.told); ("the build of scc", build ()); ("the model", digest) ] @ values @ options
+  [ ("scc", Version.told); ("the build of scc", Scc_build.Build.digest); ("the model", digest) ] @ values @ options
 
 let tell console d =
   if Console.is_json console then Guard.complain [ String.trim (Diag.render ~source:(Console.source console) d) ]

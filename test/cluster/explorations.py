@@ -126,7 +126,7 @@ def damaged(folder, options):
         return data[:at] + bytes([data[at] ^ 4]) + data[at + 1:]
     changes = [
         ('with a flipped bit', flipped), ('cut off', lambda data: data[:len(data) // 2]), ('emptied', lambda data: b''),
-        ('of another version', lambda data: data.replace(b'scc-cluster 2', b'scc-cluster 1', 1)),
+        ('of another version', lambda data: data.replace(b'scc-cluster 3', b'scc-cluster 2', 1)),
         ('with something else', lambda data: b'nonsense'), ('without it', None)]
     for file in ('1/1-4.shard', '1/manifest.json'):
         path = os.path.join(folder, file)

@@ -63,7 +63,7 @@ def parser() -> argparse.ArgumentParser:
     commands = top.add_subparsers(dest="command", required=True)
 
     p = commands.add_parser("check", help="explore a model, and decide its searches", epilog=EXITS)
-    where(p, "each level")
+    where(p, "levels")
     p.add_argument("--owners", type=positive(int), metavar="N", help="processes among which states are shared")
     p.add_argument("-D", "--define", type=define, action="append", default=[], metavar="NAME=VALUE")
     p.add_argument("--check", action="append", default=[], metavar="NAME", help="this property alone; repeatable")

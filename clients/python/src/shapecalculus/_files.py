@@ -5,10 +5,11 @@ from __future__ import annotations
 
 import hashlib
 import os
+from dataclasses import dataclass
 from typing import Any, Optional
 
 #: Changes whenever what a checkpoint holds does.
-VERSION = b"scc-cluster 2 "
+VERSION = b"scc-cluster 3 "
 
 
 class BadFile(Exception):
@@ -42,8 +43,8 @@ def make_folder(path: str) -> None:
             raise CannotKeep("%s: %s" % (path, e.strerror)) from None
 
 
-def put_file(path: str, data: bytes) -> None:
-    """As a whole or not at all, where the place is a folder."""
+def put_file(path: str, data: bytes, durable: bool = True) -> None:
+    """As a whole or not at all, where the place is a folder. What is durable survives a power cut."""
     head = VERSION + hashlib.sha256(data).hexdigest().encode() + b"\n"
     try:
         if "://" in path:
@@ -53,9 +54,12 @@ def put_file(path: str, data: bytes) -> None:
         with open(path + ".new", "wb") as f:
             f.write(head)
             f.write(data)
-            f.flush()
-            os.fsync(f.fileno())
+            if durable:
+                f.flush()
+                os.fsync(f.fileno())
         os.replace(path + ".new", path)
+        if not durable:
+            return
         # The name is durable only when the folder is.
         folder = os.open(os.path.dirname(path) or ".", os.O_RDONLY)
         try:
@@ -81,3 +85,23 @@ def get_file(path: str) -> Optional[bytes]:
     if head[len(VERSION) :] != hashlib.sha256(data).hexdigest().encode() + b"\n":
         raise BadFile("%s is damaged: its digest is another one" % path)
     return data
+
+
+@dataclass(frozen=True)
+class Folder:
+    """Where files of a checkpoint are. What only has to outlive the owners of one call need not be durable."""
+
+    path: str
+    durable: bool = True
+
+    def file(self, name: str) -> str:
+        return place(self.path, name)
+
+    def make(self) -> None:
+        make_folder(self.path)
+
+    def put(self, name: str, data: bytes) -> None:
+        put_file(self.file(name), data, self.durable)
+
+    def get(self, name: str) -> Optional[bytes]:
+        return get_file(self.file(name))

@@ -4,19 +4,23 @@ from __future__ import annotations
 
 import copy
 import json
+import time
 from dataclasses import dataclass, field
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from ._files import BadFile, CannotKeep, get_file, place, put_file
-from ._shard import CHOICES, Shard, owner_of
+from ._files import BadFile, CannotKeep, Folder
+from ._shard import CHOICES, Expanded, Found, Shard, owner_of
 from .successors import FilterFailed
 
 #: Paths with more transitions than this may go on for ever within one instant.
 MOST_LEVELS = 10_000
 #: Owners that are lost so often in one level are no accident.
 MOST_TRIES = 20
+#: So many seconds may pass before what was found is kept.
+LONG = 1.0
+MANIFEST = "manifest.json"
 
 
 class ClusterFailed(Exception):
@@ -49,17 +53,34 @@ class Progress:
 
 
 def owner_class(ray: Any) -> Any:
-    """Shards as actors. What is found of an owner's own states does not leave it."""
+    """Shards as actors. What is found of an owner's own states does not leave it. A call costs a millisecond, as much
+    as a hundred states: there are two in a level, and for an owner alone one."""
 
     @ray.remote(num_cpus=0, max_restarts=0)
     class Owner(Shard):
-        def found(self) -> Tuple[Any, ...]:
-            told, out = self.expand()
-            self.mine, out[self.number] = out[self.number], self.nothing()
-            return (told, *out)
+        told: Union[Expanded, Exception]
 
-        def take_in(self, *others: Any) -> Any:
-            return self.absorb([self.mine, *others])
+        def found(self, level: int, ranks: Any) -> Any:
+            """Expands what it took in as a level, if it is not that yet. What is found, but for its own: a value for
+            each other owner, or that value if there is one."""
+            try:
+                if ranks is not None:
+                    self.commit(level, ranks)
+                self.told, out = self.expand()
+            except Exception as e:
+                self.told = e
+                raise
+            self.mine = out.pop(self.number)
+            return out[0] if len(out) == 1 else out
+
+        def take_in(self, *others: Found) -> Any:
+            if isinstance(self.told, Exception):
+                raise self.told
+            return (self.told, *self.absorb([self.mine, *others]))
+
+        def alone(self, level: int, ranks: Any) -> Any:
+            self.found(level, ranks)
+            return self.take_in()
 
     return Owner
 
@@ -79,7 +100,7 @@ class Exploration:
         scc: Optional[str],
         header: Any,
         owners: int,
-        folder: Optional[str],
+        folder: Optional[Folder],
         states: int,
         show: Callable[[Progress], None],
     ):
@@ -87,6 +108,9 @@ class Exploration:
         self.of_owner = (owners, model, list(arguments), scc, header["digest"], folder)
         self.show, self.recovered = show, 0
         self.progress = Progress()
+        self.safe = self.progress  # up to the last level that all owners have kept
+        self.kept_at = time.monotonic()
+        self.ranks: Optional[List[Any]] = None  # of the last level, if owners have not yet been told of them
         self.owner = owner_class(ray)
         self.owners = [self.new_owner(i) for i in range(owners)]
         self.searches = bool(header["checks"]) and all(c["plan"] is not None for c in header["checks"])
@@ -132,6 +156,7 @@ class Exploration:
                 "an owner was lost, and nothing was kept: --checkpoint tells where to keep shards", 4
             )
         self.recovered += 1
+        self.progress, self.ranks = self.safe, None
         for i in range(self.count):
             try:
                 level = self.ray.get(self.owners[i].level.remote(), timeout=60)
@@ -173,28 +198,28 @@ class Exploration:
         names = ["digest", "parameters", "program", "reductions", "exploration", "checks", "bounds"]
         return dict({k: self.header[k] for k in names}, owners=self.count, states=self.most)
 
-    def manifest(self) -> str:
-        return place(str(self.folder), "manifest.json")
-
     def keep(self) -> None:
-        if self.folder is not None:
-            put_file(self.manifest(), json.dumps([self.identity(), self.progress.__dict__]).encode())
+        self.get([o.save.remote(self.progress.level, part) for o, part in zip(self.owners, self.ranks or [])])
+        self.safe, self.ranks, self.kept_at = self.progress, None, time.monotonic()
+        # Nobody reads the manifest of a folder that goes with this call.
+        if self.folder is not None and self.folder.durable:
+            self.folder.put(MANIFEST, json.dumps([self.identity(), self.progress.__dict__]).encode())
 
     def kept(self) -> bool:
         """Takes up what was kept by an earlier run, if there is anything."""
-        data = get_file(self.manifest()) if self.folder is not None else None
-        if data is None:
+        data = self.folder.get(MANIFEST) if self.folder is not None else None
+        if self.folder is None or data is None:
             return False
         try:
             identity, progress = json.loads(data)
             progress["met"] = {int(k): tuple(v) for k, v in progress["met"].items()}
-            self.progress = Progress(**progress)
+            self.progress = self.safe = Progress(**progress)
         except (ValueError, TypeError, KeyError, AttributeError):
-            raise ClusterFailed("%s is no manifest of a check" % self.manifest(), 3) from None
+            raise ClusterFailed("%s is no manifest of a check" % self.folder.file(MANIFEST), 3) from None
         mine = json.loads(json.dumps(self.identity()))
         if identity != mine:
             other = ", ".join(k for k in mine if identity.get(k) != mine[k])
-            raise ClusterFailed("%s is of another check: it differs in %s" % (self.folder, other), 3)
+            raise ClusterFailed("%s is of another check: it differs in %s" % (self.folder.path, other), 3)
         return True
 
     # Levels ---------------------------------------------------------------------------
@@ -202,7 +227,6 @@ class Exploration:
     def run(self, disturb: Optional[Callable[[Any], None]] = None) -> Progress:
         if not self.kept():
             self.start()
-            self.keep()
         else:
             self.steadily(lambda: self.get([o.restore.remote(self.progress.level) for o in self.owners]))
         if disturb is not None:
@@ -217,7 +241,7 @@ class Exploration:
         home = self.owners[owner_of(fingerprint, self.count)]
         too_long = int(bool(initial.get("too_long")))
         self.get([home.begin.remote(fingerprint, bytes.fromhex(initial["state"]), too_long)])
-        self.get([o.commit.remote(0, [0] if o is home else []) for o in self.owners])
+        self.ranks = [[0] if o is home else [] for o in self.owners]
         p = Progress(too_long=too_long)
         for goal, truth in enumerate(initial["goals"]):
             if truth is True:
@@ -227,6 +251,7 @@ class Exploration:
         if self.decided(p):
             p.stopped = "early"
         self.progress = p
+        self.keep()
 
     def decided(self, p: Progress) -> bool:
         return self.searches and len(p.met) == len(self.header["goals"])
@@ -234,14 +259,7 @@ class Exploration:
     def next_level(self) -> bool:
         """Whether there are states to go on with. Nothing of it counts before it is whole."""
         p = copy.deepcopy(self.progress)
-        found = [o.found.options(num_returns=1 + self.count).remote() for o in self.owners]
-        # Owners take in what the others have found as soon as that is there, without a word from here.
-        futures = [o.take_in.remote(*[out[1 + j] for out in found]) for j, o in enumerate(self.owners)]
-        try:
-            expanded, taken = self.get([out[0] for out in found]), self.get(futures)
-        except Lost:
-            self.hear(futures)
-            raise
+        expanded, taken = self.expand()
         keys = np.concatenate([keys for keys, _, _ in taken])
         order = np.argsort(keys, kind="stable")
         # What is met, by when: the rank of the state that is expanded, a new state before what is met ahead of it.
@@ -274,8 +292,31 @@ class Exploration:
         p.faults += [t for told in expanded for rank, t in told.faults if last is None or rank <= last]
         p.ends += [t for told in expanded for t in told.ends]
         p.too_long += sum(too_long for _, _, too_long in taken)
-        self.commit(p, [keys for keys, _, _ in taken], order, fresh)
+        self.rank(p, [keys for keys, _, _ in taken], order, fresh)
+        if p.stopped or fresh == 0 or time.monotonic() - self.kept_at > LONG:
+            self.keep()
         return fresh > 0
+
+    def expand(self) -> Tuple[List[Expanded], List[Any]]:
+        """The last level. Of each owner, what it tells of its part, and of the states that it has taken in."""
+        level, ranks = self.progress.level, self.ranks or [None] * self.count
+        if self.count == 1:
+            futures = [self.owners[0].alone.remote(level, ranks[0])]
+        else:
+            others = self.count - 1
+            found = [o.found.options(num_returns=others).remote(level, r) for o, r in zip(self.owners, ranks)]
+            of: List[List[Any]] = [[one] if others == 1 else list(one) for one in found]
+            # Owners take in what the others have found as soon as that is there, without a word from here.
+            futures = [
+                o.take_in.remote(*[out[j - (i < j)] for i, out in enumerate(of) if i != j])
+                for j, o in enumerate(self.owners)
+            ]
+        try:
+            answers = self.get(futures)
+        except Lost:
+            self.hear(futures)
+            raise
+        return [told for told, *_ in answers], [taken for _, *taken in answers]
 
     def hear(self, futures: Sequence[Any]) -> None:
         """Ray tells the user of errors that nobody has heard of."""
@@ -298,17 +339,16 @@ class Exploration:
         level = self.progress.level + (0 if ahead else 1)
         return level, next(f for f in found if f is not None).hex()
 
-    def commit(self, p: Progress, keys: Sequence[Any], order: Any, fresh: int) -> None:
+    def rank(self, p: Progress, keys: Sequence[Any], order: Any, fresh: int) -> None:
+        """What was taken in is the last level."""
         ranks = np.empty(len(order), dtype=np.int64)
         ranks[order] = np.arange(len(order))
-        parts = np.split(ranks, np.cumsum([len(k) for k in keys])[:-1])
+        self.ranks = np.split(ranks, np.cumsum([len(k) for k in keys])[:-1])
         p.level, p.width = p.level + 1, len(order)
         p.depth = p.level if fresh > 0 else p.depth
-        self.get([o.commit.remote(p.level, part) for o, part in zip(self.owners, parts)])
         if p.level >= MOST_LEVELS and not p.stopped and fresh > 0:
             p.stopped = "levels"
         self.progress = p
-        self.keep()
 
     def choices(self, level: int, fingerprint: str) -> List[int]:
         """From the initial state to one that was found, backwards by fingerprints."""

@@ -12,7 +12,7 @@ import re
 import subprocess
 from dataclasses import dataclass, replace
 from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence, Set
-from ._files import BadFile, get_file, place, put_file
+from ._files import BadFile, Folder
 from ._levels import MOST_TRIES, ClusterFailed
 from .successors import scc_path
 
@@ -92,7 +92,7 @@ def do_part(work: Work, which: str, first: bytes) -> Done:
 class Spread:
     """The parts of some work, from a checkpoint or by tasks."""
 
-    def __init__(self, ray: Any, work: Work, count: int, folder: Optional[str], asked: bytes, first_line: bytes):
+    def __init__(self, ray: Any, work: Work, count: int, folder: Optional[Folder], asked: bytes, first_line: bytes):
         self.ray, self.work, self.count, self.folder = ray, work, count, folder
         self.what = "runs" if work.command == "simulate" else "points"
         self.asked, self.first_line = asked, first_line
@@ -107,7 +107,7 @@ class Spread:
     # Keeping --------------------------------------------------------------------------
 
     def file(self, part: int) -> str:
-        return place(str(self.folder), "%d.part" % part)
+        return "%d.part" % part
 
     def begin(self) -> None:
         """Takes up what an earlier call has done, and how it had cut the work; nothing is written before."""
@@ -117,7 +117,6 @@ class Spread:
     def fit(self) -> None:
         if self.folder is None:
             return
-        path = place(self.folder, "parts.json")
         mine = {
             "command": self.work.command,
             "arguments": self.work.arguments,
@@ -125,18 +124,18 @@ class Spread:
             "asked": json.loads(self.asked),
             "count": self.count,
         }
-        data = get_file(path)
+        data = self.folder.get("parts.json")
         if data is None:
-            put_file(path, json.dumps(dict(mine, parts=self.parts)).encode())
+            self.folder.put("parts.json", json.dumps(dict(mine, parts=self.parts)).encode())
             return
         there = json.loads(data)
         other = ", ".join(k for k in mine if there[k] != mine[k])
         if other:
-            raise ClusterFailed("%s is of other work: it differs in %s" % (self.folder, other), 3)
+            raise ClusterFailed("%s is of other work: it differs in %s" % (self.folder.path, other), 3)
         self.parts = there["parts"]
 
     def kept(self, part: int) -> Optional[Done]:
-        data = get_file(self.file(part)) if self.folder is not None else None
+        data = self.folder.get(self.file(part)) if self.folder is not None else None
         if data is None:
             return None
         about, text = data.split(b"\n", 1)
@@ -145,7 +144,7 @@ class Spread:
 
     def keep(self, part: int, done: Done) -> None:
         if self.folder is not None:
-            put_file(self.file(part), json.dumps([done.code, done.said]).encode() + b"\n" + done.text)
+            self.folder.put(self.file(part), json.dumps([done.code, done.said]).encode() + b"\n" + done.text)
 
     # Doing ----------------------------------------------------------------------------
 
@@ -208,7 +207,8 @@ class Spread:
                         progress(told)
                 found = there.pop(turn, None) or self.kept(turn)
                 if found is None:
-                    raise BadFile("%s is gone" % self.file(turn))
+                    assert self.folder is not None
+                    raise BadFile("%s is gone" % self.folder.file(self.file(turn)))
                 yield found
         finally:
             for future in futures:

@@ -14,7 +14,7 @@ from typing import Any, List, Optional, Sequence, Tuple
 
 import numpy as np
 
-from ._files import BadFile, get_file, place, put_file
+from ._files import BadFile, Folder
 from .successors import Filter, FilterFailed, States, Told
 
 CHOICES = 1 << 24
@@ -86,8 +86,8 @@ class Expanded:
     ahead: List[Tuple[int, int, int]]  # rank, goal, 1 met or 2 in doubt
 
 
-def file_name(folder: str, owner: int, level: int) -> str:
-    return place(folder, "%d-%d.shard" % (owner, level))
+def file_name(owner: int, level: int) -> str:
+    return "%d-%d.shard" % (owner, level)
 
 
 class Shard:
@@ -99,13 +99,14 @@ class Shard:
         arguments: Sequence[str],
         scc: Optional[str],
         digest: str,
-        folder: Optional[str],
+        folder: Optional[Folder],
     ):
         self.number, self.owners, self.folder = number, owners, folder
         self.filter = Filter(model, arguments, scc=scc)
         if self.filter.header["digest"] != digest:
             raise FilterFailed("%s is another text here than where the check was asked for" % model)
         self.levels: List[Found] = []  # without their states, but for the last one
+        self.saved = -1  # the last level that is in a file
         self.ranks: Any = np.zeros(0, np.int64)  # of the states of the last level
         self.counts: List[Tuple[Any, Any]] = []  # ranks of the last level, with how many transitions they have
         self.pending = self.mine = self.nothing()
@@ -124,33 +125,46 @@ class Shard:
         self.pending = Found(np.zeros(1, np.int64), np.zeros((1, 4), "<u4"), states)
 
     def commit(self, level: int, ranks: Any) -> None:
-        """What was taken in is a level, and kept."""
+        """What was taken in is a level."""
         if self.levels:
             self.levels[-1] = self.levels[-1].bare()
         self.levels.append(self.pending)
         self.ranks = np.array(ranks, np.int64)
         self.filter.keep()
         self.roll_back()
+
+    def save(self, level: int, ranks: Any) -> None:
+        """What was taken in is a level, and all levels are in files: each file has those after the one that it
+        names."""
+        self.commit(level, ranks)
         if self.folder is not None:
-            put_file(file_name(self.folder, self.number, level), pickle.dumps((self.levels[-1], self.ranks), 5))
+            data = pickle.dumps((self.saved, self.levels[self.saved + 1 :], self.ranks), 5)
+            self.folder.put(file_name(self.number, level), data)
+            self.saved = level
 
     def restore(self, level: int) -> None:
-        """To what was kept up to a level."""
+        """To what was saved with a level."""
         assert self.folder is not None
         self.filter.forget(all_of_it=True)
-        self.levels = []
-        for k in range(level + 1):
-            data = get_file(file_name(self.folder, self.number, k))
+        self.levels, self.saved, at = [], level, level
+        while at >= 0:
+            name = file_name(self.number, at)
+            data = self.folder.get(name)
             if data is None:
-                raise BadFile("%s is not there" % file_name(self.folder, self.number, k))
-            found, self.ranks = pickle.loads(data)
-            self.levels.append(found if k == level else found.bare())
+                raise BadFile("%s is not there" % self.folder.file(name))
+            before, levels, ranks = pickle.loads(data)
+            if at == level:
+                self.ranks = ranks
+            else:
+                levels[-1] = levels[-1].bare()
+            self.levels, at = levels + self.levels, before
+        for found in self.levels:
             self.filter.meet(found.states.prints)
         self.filter.keep()
         self.roll_back()
 
     def roll_back(self) -> None:
-        """To the last level that was kept. What the filter has told since then may be lost: it is told again."""
+        """To the last level. What the filter has told since then may be lost: it is told again."""
         self.filter.forget()
         self.pending, self.mine, self.counts = self.nothing(), self.nothing(), []
 
@@ -230,5 +244,5 @@ class Shard:
         return found.before[i].tobytes(), int(found.keys[i]) % CHOICES
 
     def level(self) -> int:
-        """The last one that was kept."""
+        """The last one."""
         return len(self.levels) - 1

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any, Callable, List, Mapping, Optional, Sequence
 
 from . import numbers
-from ._files import make_folder
+from ._files import Folder
 from ._levels import ClusterFailed
 from ._parts import Done, PartsProgress, Spread, Work, header, run, without_name
 from ._ray import Gauges, connect, told
@@ -55,10 +55,11 @@ def spread(work: Work, runs: Optional[int], where: Place, write: Callable[[bytes
         first_line = asked.text if work.form == "jsonl" else header(work, "csv").text
         count = points(asked.text) if runs is None else runs
         outcome = Outcome(count, warnings=asked.said)
-        if where.checkpoint is not None:
-            make_folder(where.checkpoint)
+        folder = None if where.checkpoint is None else Folder(where.checkpoint)
+        if folder is not None:
+            folder.make()
         ray = connect(where.address, where.deadline)
-        parts = Spread(ray, work, count, where.checkpoint, asked.text, first_line)
+        parts = Spread(ray, work, count, folder, asked.text, first_line)
         parts.begin()
         gauges = Gauges(ray, done="Runs or points that are done", wanted="Runs or points that are wanted")
 

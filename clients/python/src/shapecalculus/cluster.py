@@ -14,7 +14,7 @@ import tempfile
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence
 
-from ._files import make_folder, place
+from ._files import Folder, place
 from ._levels import MOST_LEVELS, ClusterFailed, Exploration, Progress
 from ._parts import PartsProgress
 from ._ray import Gauges, connect, told
@@ -158,8 +158,8 @@ def check(
     """The verdicts of the searches of a model, with the numbers and runs of ``scc check --no-reduce order``.
 
     ``address`` is that of a cluster; without one, Ray is started here. ``owners`` is how many processes share the
-    states (by default one for each processor). Shards are kept in the folder ``checkpoint`` after each level (a path
-    that all machines share, or an address of fsspec): lost owners begin again from there, and so does a later call.
+    states (by default one for each processor). Shards are kept in the folder ``checkpoint`` about once a second (a
+    path that all machines share, or an address of fsspec): lost owners begin again from there, and so does a later call.
     Without it, and without an address, they are kept in a folder that is removed in the end. ``searches``: properties
     that are more than a search are left undecided, and not refused. ``options`` go to ``scc successors``; ``disturb``
     is called with each exploration once its owners are there (for tests)."""
@@ -168,10 +168,12 @@ def check(
     with told(), tempfile.TemporaryDirectory() as scratch:
         numbers = explorations(model, given, searches, scc)
         base = checkpoint or (scratch if address is None else None)
-        folders = {number: None if base is None else place(base, str(number)) for number in numbers}
+        folders: Dict[int, Optional[Folder]] = dict.fromkeys(numbers)
+        if base is not None:
+            folders = {number: Folder(place(base, str(number)), checkpoint is not None) for number in numbers}
         for folder in folders.values():
             if folder is not None:
-                make_folder(folder)
+                folder.make()
         ray = connect(address, deadline)
         for number, folder in folders.items():
             of_this = given + ["--exploration", str(number)]
@@ -197,7 +199,7 @@ def explored(
     given: List[str],
     scc: Optional[str],
     owners: Optional[int],
-    folder: Optional[str],
+    folder: Optional[Folder],
     states: int,
     progress: Optional[Callable[[Progress], None]],
     disturb: Optional[Callable[[Any], None]],

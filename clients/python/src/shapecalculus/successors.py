@@ -83,6 +83,7 @@ class Filter:
             widen(pipe)
         self.header = self._header()
         self.goals = len(self.header["goals"])
+        self.remembers = False  # something since keep was called last
 
     def _header(self) -> Any:
         assert self.process.stdout is not None
@@ -144,6 +145,7 @@ class Filter:
             except FilterFailed:
                 pass  # Whoever waits for the answer finds out.
 
+        self.remembers = True
         asking = threading.Thread(target=ask, daemon=True)
         asking.start()
         for _ in places:
@@ -173,16 +175,20 @@ class Filter:
     def meet(self, prints: Any) -> Any:
         """Of each of these fingerprints, 0 if it was remembered when :meth:`keep` was called last; else a number, the
         same for the same ones. All are remembered."""
+        self.remembers = True
         a = self._ask(5, [], np.ascontiguousarray(prints, "<u4").tobytes())
         return np.frombuffer(a, "<u4", len(prints), 4)
 
     def keep(self) -> None:
         """What is remembered stays so."""
         self._ask(6, [0])
+        self.remembers = False
 
     def forget(self, all_of_it: bool = False) -> None:
         """What is remembered since :meth:`keep` was called last."""
-        self._ask(6, [2 if all_of_it else 1])
+        if self.remembers or all_of_it:
+            self._ask(6, [2 if all_of_it else 1])
+            self.remembers = False
 
     def run(self, goal: int, choices: Sequence[int]) -> Any:
         """Of a filter in lines: the schedule of a run that was found, and the property that it is about."""
