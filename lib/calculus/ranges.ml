@@ -38,6 +38,22 @@ let to_string ranges = String.concat ", " (List.map range_to_string (Array.to_li
 
 let constant n = Linear.constant n Rat.zero
 
+(* The least and the greatest value of a form, in the limit, and whether there is a point where it has them. *)
+let extremes ranges (form : Linear.t) =
+  let add i (value, attained) (low : bound) (high : bound) =
+    let a = form.coefficients.(i) in
+    let bound = if Rat.sign a > 0 then low else high in
+    if Rat.sign a = 0 then (value, attained)
+    else (Rat.add value (Rat.mul a bound.value), attained && bound.included)
+  in
+  let none = (form.constant, true) in
+  let _, least, greatest =
+    Array.fold_left
+      (fun (i, least, greatest) { low; high; _ } -> (i + 1, add i least low high, add i greatest high low))
+      (0, none, none) ranges
+  in
+  (least, greatest)
+
 (* Those that a form depends on, and the form over them alone: a hundred others do not matter. *)
 let concerned ranges (form : Linear.t) =
   let on = List.filter (fun i -> Rat.sign form.coefficients.(i) <> 0) (List.init (Array.length ranges) Fun.id) in
@@ -46,14 +62,21 @@ let concerned ranges (form : Linear.t) =
   (few, Linear.of_terms (Array.length few) ~constant:form.constant coefficients)
 
 let negative ranges form =
-  let few, form = concerned ranges form in
-  let named point = Array.to_list (Array.mapi (fun k (r : range) -> (r.name, point.(k))) few) in
-  Polyhedron.interior_point (Polyhedron.add (box few) (Constraint.less form (constant (Array.length few))))
-  |> Option.map named
+  let (least, _), _ = extremes ranges form in
+  if Rat.sign least >= 0 then None
+  else
+    let few, form = concerned ranges form in
+    let named point = Array.to_list (Array.mapi (fun k (r : range) -> (r.name, point.(k))) few) in
+    Polyhedron.interior_point (Polyhedron.add (box few) (Constraint.less form (constant (Array.length few))))
+    |> Option.map named
 
 let may_be_zero ranges form =
-  let few, form = concerned ranges form in
-  not (Polyhedron.is_empty (Polyhedron.add (box few) (Constraint.equals form (constant (Array.length few)))))
+  let (least, least_attained), (greatest, greatest_attained) = extremes ranges form in
+  match (Rat.sign least, Rat.sign greatest) with
+  | 0, 0 -> true
+  | 0, _ -> least_attained
+  | _, 0 -> greatest_attained
+  | below, above -> below < 0 && above > 0
 
 let point ranges =
   let simplest r =
