@@ -10,11 +10,11 @@ open Compared
 (* Checks that see places for ever have an exploration of their own where others can do without. *)
 let together kinds = not (List.exists (Reduction.equal Drift) kinds)
 
-let property ?(jump = true) ?(count = 110) name kinds =
+let property ?(jump = true) ?(count = 60) name kinds =
   QCheck2.Test.make ~name ~count ~print:Fun.id case_gen (agrees kinds ~jump ~together:(together kinds))
 
 let timed name kinds =
-  QCheck2.Test.make ~name ~count:125 ~print:Fun.id timed_case_gen (agrees kinds ~jump:true ~together:false)
+  QCheck2.Test.make ~name ~count:65 ~print:Fun.id timed_case_gen (agrees kinds ~jump:true ~together:false)
 
 (* With collisions together, with binding by contact, or both, and with steps of single processes. *)
 let with_switches text =

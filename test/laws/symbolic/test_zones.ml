@@ -275,7 +275,7 @@ let agrees case =
 (* For teeth.py, which does not ask for the least example. *)
 let generate = if Sys.getenv_opt "SCC_NO_SHRINKING" = None then generate else Gen.no_shrink generate
 
-let law = QCheck2.Test.make ~name:"zones" ~count:1000 ~print:(fun c -> Scene.print c.scene) generate agrees
+let law = QCheck2.Test.make ~name:"zones" ~count:500 ~print:(fun c -> Scene.print c.scene) generate agrees
 
 (* Rates of what has to be among it, which is printed: a test that sees no splits says nothing of them. *)
 let enough () =
@@ -289,7 +289,7 @@ let enough () =
       "bind"; "bind, by contact"; "absorb"; "bounce"; "bounce of many"; "strong split"; "weak split";
       "passes some";
     ]
-    [ 80; 150; 100; 1000; 4; 30; 500; 100 ]
+    [ 30; 75; 50; 500; 2; 15; 250; 50 ]
 
 let () =
   Alcotest.run "zones"

@@ -166,7 +166,7 @@ let scene () =
   in
   head ^ String.concat "" (List.map fst parts) ^ String.concat "" (List.init 3 check)
 
-let scenes = 300
+let scenes = 180
 let used = ref 0
 
 let random () =
@@ -182,7 +182,7 @@ let random () =
 
 (* {1 Interchangeable leaves} *)
 
-let crowds = 150
+let crowds = 90
 let crowded = ref 0
 
 let interchangeable () =

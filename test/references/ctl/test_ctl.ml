@@ -103,10 +103,10 @@ let suite =
      ( "random graphs",
        Scc_test_support.Property.cases
          [
-           exact "one operator" ~unsure:false ~truncated:false ~depth:1 8000;
-           exact "nested operators" ~unsure:false ~truncated:false ~depth:3 6000;
-           exact "undecided predicates" ~unsure:true ~truncated:false ~depth:2 4000;
-           exact "truncated graphs" ~unsure:true ~truncated:true ~depth:2 4000;
+           exact "one operator" ~unsure:false ~truncated:false ~depth:1 4000;
+           exact "nested operators" ~unsure:false ~truncated:false ~depth:3 3000;
+           exact "undecided predicates" ~unsure:true ~truncated:false ~depth:2 2000;
+           exact "truncated graphs" ~unsure:true ~truncated:true ~depth:2 2000;
            sound;
            horizon;
          ] );

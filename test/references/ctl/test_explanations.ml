@@ -390,8 +390,8 @@ let suite =
      ( "doubts",
        Scc_test_support.Property.cases
          [
-           test "what cannot be decided" ~unsure:true ~truncated:true ~depth:3 6000 doubted;
-           test "nothing is in doubt where all is known" ~unsure:false ~truncated:false ~depth:3 8000 decided;
-           test "which unexplored nodes matter" ~unsure:false ~truncated:true ~depth:3 6000 settled;
+           test "what cannot be decided" ~unsure:true ~truncated:true ~depth:3 3000 doubted;
+           test "nothing is in doubt where all is known" ~unsure:false ~truncated:false ~depth:3 4000 decided;
+           test "which unexplored nodes matter" ~unsure:false ~truncated:true ~depth:3 3000 settled;
          ] );
    ])
