@@ -1,4 +1,4 @@
-(* Writes a module with a digest of what a program is built from: the versions before "--" and the files after it. *)
+(* A digest of what a program is built from: the versions before "--" and the files after it. *)
 
 let () =
   let rec cut before = function

@@ -123,23 +123,23 @@ let models () =
     names;
   Alcotest.(check bool) "there are models" true (!tried > 50)
 
-let () =
-  Alcotest.run "bisimilarity"
-    [
-      ( "Bisimilarity",
-        Scc_test_support.Property.cases
-          [
-            rewritten "Bisimilarity: behaviours written in another way" ~count:30 (Random_network.generate ());
-            rewritten "Bisimilarity: with laws of motion" ~count:30 (Random_network.generate ~steered:true ());
-            rewritten "Bisimilarity: with the switches of a model" ~count:16
-              (Random_network.switched ~steered:true ());
-            turning "Bisimilarity: bodies that turn" Random_rigid.anything;
-            turning "Bisimilarity: bodies that turn, with laws and rounding" falling;
-            turning "Bisimilarity: bodies that turn, with the switches of a model"
-              { falling with switched = true };
-            cut_short "Bisimilarity: an eps that expires moves no contact of bodies that turn"
-              Random_rigid.anything;
-            cut_short "Bisimilarity: an eps that expires, with laws and rounding" falling;
-          ]
-        @ [ Alcotest.test_case "Bisimilarity: the models of the project" `Quick models ] );
-    ]
+let suite =
+  ("bisimilarity",
+   [
+     ( "Bisimilarity",
+       Scc_test_support.Property.cases
+         [
+           rewritten "Bisimilarity: behaviours written in another way" ~count:30 (Random_network.generate ());
+           rewritten "Bisimilarity: with laws of motion" ~count:30 (Random_network.generate ~steered:true ());
+           rewritten "Bisimilarity: with the switches of a model" ~count:16
+             (Random_network.switched ~steered:true ());
+           turning "Bisimilarity: bodies that turn" Random_rigid.anything;
+           turning "Bisimilarity: bodies that turn, with laws and rounding" falling;
+           turning "Bisimilarity: bodies that turn, with the switches of a model"
+             { falling with switched = true };
+           cut_short "Bisimilarity: an eps that expires moves no contact of bodies that turn"
+             Random_rigid.anything;
+           cut_short "Bisimilarity: an eps that expires, with laws and rounding" falling;
+         ]
+       @ [ Alcotest.test_case "Bisimilarity: the models of the project" `Quick models ] );
+   ])

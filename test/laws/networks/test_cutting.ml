@@ -184,17 +184,17 @@ let bindings name ~count networks =
        let m, states = straight_states n in
        fail_on (binds_alike axes m states))
 
-let () =
+let suite =
   let any = Random_network.generate () and switched = Random_network.switched () in
-  Alcotest.run "cutting"
-    [
-      ( "Cutting",
-        Scc_test_support.Property.cases
-          [
-            cut_straight "Cutting: bounces of random networks" ~count:300 any;
-            cut_straight "Cutting: bounces, with the switches of a model" ~count:100 switched;
-            bindings "Cutting: who may bind to whom, and what comes of it" ~count:300 any;
-            bindings "Cutting: who may bind, with the switches of a model" ~count:100 switched;
-          ]
-        @ [ Alcotest.test_case "Cutting: fails for bodies that turn" `Quick cut_is_seen ] );
-    ]
+  ("cutting",
+   [
+     ( "Cutting",
+       Scc_test_support.Property.cases
+         [
+           cut_straight "Cutting: bounces of random networks" ~count:300 any;
+           cut_straight "Cutting: bounces, with the switches of a model" ~count:100 switched;
+           bindings "Cutting: who may bind to whom, and what comes of it" ~count:300 any;
+           bindings "Cutting: who may bind, with the switches of a model" ~count:100 switched;
+         ]
+       @ [ Alcotest.test_case "Cutting: fails for bodies that turn" `Quick cut_is_seen ] );
+   ])

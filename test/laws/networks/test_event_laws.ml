@@ -322,70 +322,70 @@ let clusters =
     (Gen.map (Random_network.with_switches Switches.together) (Random_network.switched ()))
     (fun m state -> Option.is_some (undone m state))
 
-let () =
+let suite =
   let group name ?(failing = []) tests = (name, Scc_test_support.Property.cases tests @ failing) in
   let quick name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "event laws"
-    [
-      group "Progress"
-        [
-          bounces_end "Progress: the bounces of an instant end where all could part";
-          bounces_end ~switches:Switches.together "Progress: so do those of clusters";
-        ];
-      group "Confluence"
-        ~failing:
-          [
-            quick "there are many events at once" together;
-            fails "Confluence: fails with laws of motion" ~count:80 (Random_network.generate ~steered:true ())
-              states_twice;
-          ]
-        [
-          straight "Confluence: events that share no process come to the same in either order"
-            ~states:states_twice confluent;
-          straight "Confluence: with binding by contact"
-            ~count:10
-            ~networks:(Gen.map (Random_network.with_switches Switches.by_contact) (Random_network.switched ()))
-            ~states:states_twice confluent;
-          straight "Confluence: with the switches of a model, of what is not in contact"
-            ~networks:(Random_network.switched ()) ~states:states_twice
-            (confluent ~only:in_separate_companies);
-          straight "Confluence: laws of motion with steps of single processes, of what is not in contact"
-            ~count:3
-            ~networks:(Random_network.switched ~steered:true ())
-            ~states:(fun n -> states_twice (Random_network.with_switches Switches.local n))
-            (confluent ~only:in_separate_companies);
-          turning "Confluence: bodies that turn" Random_rigid.anything confluent;
-          turning "Confluence: bodies that turn, with rounding"
-            { Random_rigid.anything with rounds = true }
-            confluent;
-          turning "Confluence: bodies that turn, with the switches of a model, of what is not in contact"
-            ~count:3
-            { Random_rigid.anything with rounds = true; switched = true }
-            (confluent ~only:in_separate_companies);
-        ];
-      group "Sites"
-        [
-          straight "Sites: two processes that collide may bind iff surfaces meet" ~count:60 finds_sites;
-          straight "Sites: with the switches of a model" ~count:16 ~networks:(Random_network.switched ())
-            finds_sites;
-          straight "Sites: with binding by contact any two may bind iff surfaces meet" ~count:16
-            ~networks:(Gen.map (Random_network.with_switches Switches.by_contact) (Random_network.switched ()))
-            finds_sites_anywhere;
-        ];
-      group "Reversal"
-        ~failing:
-          [
-            quick "Reversal: fails where several directions count" several;
-            quick "Reversal: fails with collisions together" clusters;
-          ]
-        [
-          straight "Reversal: of bodies that are packed" ~count:20
-            ~networks:(Gen.map (Random_network.with_switches Switches.by_contact) (Random_network.switched ()))
-            ~states:(fun n -> straight_states (Random_network.inert n))
-            undone;
-          straight "Reversal: bounces by one direction, and the way between, are undone"
-            ~count:60
-            ~states:(fun n -> straight_states (Random_network.inert n))
-            undone;
-        ];
-    ]
+  ("event laws",
+   [
+     group "Progress"
+       [
+         bounces_end "Progress: the bounces of an instant end where all could part";
+         bounces_end ~switches:Switches.together "Progress: so do those of clusters";
+       ];
+     group "Confluence"
+       ~failing:
+         [
+           quick "there are many events at once" together;
+           fails "Confluence: fails with laws of motion" ~count:80 (Random_network.generate ~steered:true ())
+             states_twice;
+         ]
+       [
+         straight "Confluence: events that share no process come to the same in either order"
+           ~states:states_twice confluent;
+         straight "Confluence: with binding by contact"
+           ~count:10
+           ~networks:(Gen.map (Random_network.with_switches Switches.by_contact) (Random_network.switched ()))
+           ~states:states_twice confluent;
+         straight "Confluence: with the switches of a model, of what is not in contact"
+           ~networks:(Random_network.switched ()) ~states:states_twice
+           (confluent ~only:in_separate_companies);
+         straight "Confluence: laws of motion with steps of single processes, of what is not in contact"
+           ~count:3
+           ~networks:(Random_network.switched ~steered:true ())
+           ~states:(fun n -> states_twice (Random_network.with_switches Switches.local n))
+           (confluent ~only:in_separate_companies);
+         turning "Confluence: bodies that turn" Random_rigid.anything confluent;
+         turning "Confluence: bodies that turn, with rounding"
+           { Random_rigid.anything with rounds = true }
+           confluent;
+         turning "Confluence: bodies that turn, with the switches of a model, of what is not in contact"
+           ~count:3
+           { Random_rigid.anything with rounds = true; switched = true }
+           (confluent ~only:in_separate_companies);
+       ];
+     group "Sites"
+       [
+         straight "Sites: two processes that collide may bind iff surfaces meet" ~count:60 finds_sites;
+         straight "Sites: with the switches of a model" ~count:16 ~networks:(Random_network.switched ())
+           finds_sites;
+         straight "Sites: with binding by contact any two may bind iff surfaces meet" ~count:16
+           ~networks:(Gen.map (Random_network.with_switches Switches.by_contact) (Random_network.switched ()))
+           finds_sites_anywhere;
+       ];
+     group "Reversal"
+       ~failing:
+         [
+           quick "Reversal: fails where several directions count" several;
+           quick "Reversal: fails with collisions together" clusters;
+         ]
+       [
+         straight "Reversal: of bodies that are packed" ~count:20
+           ~networks:(Gen.map (Random_network.with_switches Switches.by_contact) (Random_network.switched ()))
+           ~states:(fun n -> straight_states (Random_network.inert n))
+           undone;
+         straight "Reversal: bounces by one direction, and the way between, are undone"
+           ~count:60
+           ~states:(fun n -> straight_states (Random_network.inert n))
+           undone;
+       ];
+   ])

@@ -124,38 +124,38 @@ let together m = { m with Model.collisions = Together }
 let by_contact m = { m with Model.binding = On_contact }
 let naive m = Semantics.make ~geometry:by_all_axes m
 
-let () =
+let suite =
   let tests = Scc_test_support.Property.cases in
-  Alcotest.run "kernel"
-    [
-      ( "all pairs, nothing remembered",
-        tests
-          [
-            straight "in translation" ~count:160 ~limit:25 bare;
-            straight "with laws of motion" ~steered:true ~count:120 ~limit:25 bare;
-            straight "among many" ~of_network:Random_network.with_bystanders ~count:16 ~limit:8 bare;
-            turning "bodies that turn" Random_rigid.anything ~count:16 ~limit:8 bare;
-            turning "with laws and rounding" { Random_rigid.anything with laws = true; rounds = true } ~count:12
-              ~limit:8 bare;
-            straight "collisions together" ~of_model:together ~count:40 ~limit:25 bare;
-            straight "binding by contact" ~of_model:by_contact ~count:40 ~limit:25 bare;
-            straight "both, with laws of motion" ~of_model:(fun m -> by_contact (together m)) ~steered:true
-              ~count:40 ~limit:25 bare;
-            QCheck2.Test.make ~name:"bonds that close rings" ~count:25 ~print:Random_network.print
-              Random_network.linked
-              (fun n -> agrees ~limit:25 bare (Random_network.start n));
-            turning "bodies that turn, collisions together" ~of_model:together Random_rigid.anything ~count:8
-              ~limit:8 bare;
-          ] );
-      ( "motion is a path",
-        tests
-          [
-            QCheck2.Test.make ~name:"straight" ~count:40 ~print:Random_network.print
-              (Random_network.generate ~steered:true ())
-              (fun n -> along_its_paths ~steps:25 (Random_network.start n));
-            QCheck2.Test.make ~name:"turning" ~count:16 ~print:Random_rigid.print
-              (Random_rigid.generate Random_rigid.anything)
-              (fun n -> along_its_paths ~steps:5 (Random_rigid.start n));
-          ] );
-      ("by all separating axes", tests [ straight "in translation" ~count:120 ~limit:12 naive ]);
-    ]
+  ("kernel",
+   [
+     ( "all pairs, nothing remembered",
+       tests
+         [
+           straight "in translation" ~count:160 ~limit:25 bare;
+           straight "with laws of motion" ~steered:true ~count:120 ~limit:25 bare;
+           straight "among many" ~of_network:Random_network.with_bystanders ~count:16 ~limit:8 bare;
+           turning "bodies that turn" Random_rigid.anything ~count:16 ~limit:8 bare;
+           turning "with laws and rounding" { Random_rigid.anything with laws = true; rounds = true } ~count:12
+             ~limit:8 bare;
+           straight "collisions together" ~of_model:together ~count:40 ~limit:25 bare;
+           straight "binding by contact" ~of_model:by_contact ~count:40 ~limit:25 bare;
+           straight "both, with laws of motion" ~of_model:(fun m -> by_contact (together m)) ~steered:true
+             ~count:40 ~limit:25 bare;
+           QCheck2.Test.make ~name:"bonds that close rings" ~count:25 ~print:Random_network.print
+             Random_network.linked
+             (fun n -> agrees ~limit:25 bare (Random_network.start n));
+           turning "bodies that turn, collisions together" ~of_model:together Random_rigid.anything ~count:8
+             ~limit:8 bare;
+         ] );
+     ( "motion is a path",
+       tests
+         [
+           QCheck2.Test.make ~name:"straight" ~count:40 ~print:Random_network.print
+             (Random_network.generate ~steered:true ())
+             (fun n -> along_its_paths ~steps:25 (Random_network.start n));
+           QCheck2.Test.make ~name:"turning" ~count:16 ~print:Random_rigid.print
+             (Random_rigid.generate Random_rigid.anything)
+             (fun n -> along_its_paths ~steps:5 (Random_rigid.start n));
+         ] );
+     ("by all separating axes", tests [ straight "in translation" ~count:120 ~limit:12 naive ]);
+   ])

@@ -350,11 +350,11 @@ let bounces_of_turning =
        | None, None -> true
        | None, Some _ | Some _, None -> QCheck2.Test.fail_report "one bounces, the other does not")
 
-let () =
-  Alcotest.run "limit laws"
-    [
-      ( "Convergence",
-        Scc_test_support.Property.cases
-          [ falls; spins; contacts; splits; in_translation; of_turning; bounces; bounces_of_turning ]
-        @ [ Alcotest.test_case "there are windows" `Quick there_are_windows ] );
-    ]
+let suite =
+  ("limit laws",
+   [
+     ( "Convergence",
+       Scc_test_support.Property.cases
+         [ falls; spins; contacts; splits; in_translation; of_turning; bounces; bounces_of_turning ]
+       @ [ Alcotest.test_case "there are windows" `Quick there_are_windows ] );
+   ])

@@ -207,4 +207,4 @@ let laws =
       falling_and_turning;
   ]
 
-let () = Alcotest.run "locality" [ ("Locality", Scc_test_support.Property.cases laws) ]
+let suite = ("locality", [ ("Locality", Scc_test_support.Property.cases laws) ])

@@ -254,9 +254,9 @@ let conflicts () =
   let trees = Gen.generate ~rand ~n:100 tree in
   Alcotest.(check bool) "some" true (List.length (List.filter in_conflict trees) > 10)
 
-let () =
-  Alcotest.run "lots"
-    [
-      ("Lot", Scc_test_support.Property.cases [ independent ]);
-      ("scope", [ Alcotest.test_case "bonds that cannot all go" `Quick conflicts ]);
-    ]
+let suite =
+  ("lots",
+   [
+     ("Lot", Scc_test_support.Property.cases [ independent ]);
+     ("scope", [ Alcotest.test_case "bonds that cannot all go" `Quick conflicts ]);
+   ])

@@ -195,16 +195,16 @@ let random =
        | None -> true
        | Some why -> QCheck2.Test.fail_report why)
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
   let of_variant i ((name, _, _) as variant) = case ("transitions, " ^ name) (transitions (7 + i) variant) in
-  Alcotest.run "order and names"
-    [
-      ("any order of declaration, and other names", List.mapi of_variant variants);
-      ( "verdicts",
-        [
-          case "any order of declaration, and other names" (same_verdicts 3 Fun.id);
-          case "with rounding" (same_verdicts 4 rounding); case "docking, rounded" docking;
-        ] );
-      ("random", Scc_test_support.Property.cases [ random ]);
-    ]
+  ("order and names",
+   [
+     ("any order of declaration, and other names", List.mapi of_variant variants);
+     ( "verdicts",
+       [
+         case "any order of declaration, and other names" (same_verdicts 3 Fun.id);
+         case "with rounding" (same_verdicts 4 rounding); case "docking, rounded" docking;
+       ] );
+     ("random", Scc_test_support.Property.cases [ random ]);
+   ])

@@ -93,7 +93,7 @@ let varied networks expected () =
     "kinds of transitions" expected
     (List.sort_uniq String.compare (List.concat_map seen (QCheck2.Gen.generate ~rand ~n:100 networks)))
 
-let () =
+let suite =
   let cases = Scc_test_support.Property.cases in
   let any = Random_network.generate () and switched = Random_network.switched () in
   let absorbing = Random_network.absorbing () in
@@ -103,30 +103,30 @@ let () =
   let rings = [ "close"; "strong, of a ring"; "weak, of a ring" ] and lots = [ "first"; "keep"; "release" ] in
   let more = "absorb" :: "bind, by contact" :: "bounce, of several" :: (lots @ rings) in
   let more = List.sort String.compare (more @ all) in
-  Alcotest.run "random networks"
-    [
-      ( "scope",
-        [
-          Alcotest.test_case "every kind of transition comes up" `Quick (varied any all);
-          Alcotest.test_case "absorption, too" `Quick (varied absorbing ("absorb" :: all));
-          Alcotest.test_case "draws, too" `Quick (varied drawing [ "bind"; "bounce"; "draw"; "time"; "weak" ]);
-          Alcotest.test_case "with switches, too" `Quick (varied switched more);
-        ] );
-      ( "laws",
-        cases
-          [
-            preserves any "Preservation: no transition leaves the well-formed networks";
-            preserves
-              (Random_network.generate ~steered:true ())
-              "Preservation: under laws of motion";
-            preserves (Random_network.rounding ()) "Preservation: with rounding";
-            preserves ~count:150
-              (Random_network.switched ~steered:true ())
-              "Preservation: with the switches of a model";
-            preserves absorbing "Preservation: where some are absorbed";
-            conserves absorbing "Conservation: where some are absorbed";
-            conserves any "Conservation: momentum and energy";
-            conserves ~count:150 switched "Conservation: with the switches of a model";
-          ] );
-      ("far away", cases [ bystanders ]);
-    ]
+  ("random networks",
+   [
+     ( "scope",
+       [
+         Alcotest.test_case "every kind of transition comes up" `Quick (varied any all);
+         Alcotest.test_case "absorption, too" `Quick (varied absorbing ("absorb" :: all));
+         Alcotest.test_case "draws, too" `Quick (varied drawing [ "bind"; "bounce"; "draw"; "time"; "weak" ]);
+         Alcotest.test_case "with switches, too" `Quick (varied switched more);
+       ] );
+     ( "laws",
+       cases
+         [
+           preserves any "Preservation: no transition leaves the well-formed networks";
+           preserves
+             (Random_network.generate ~steered:true ())
+             "Preservation: under laws of motion";
+           preserves (Random_network.rounding ()) "Preservation: with rounding";
+           preserves ~count:150
+             (Random_network.switched ~steered:true ())
+             "Preservation: with the switches of a model";
+           preserves absorbing "Preservation: where some are absorbed";
+           conserves absorbing "Conservation: where some are absorbed";
+           conserves any "Conservation: momentum and energy";
+           conserves ~count:150 switched "Conservation: with the switches of a model";
+         ] );
+     ("far away", cases [ bystanders ]);
+   ])

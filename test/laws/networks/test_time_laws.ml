@@ -126,44 +126,44 @@ let progresses m _ (s, _) =
       Some "time passes by nothing, or backwards"
     else None
 
-let () =
+let suite =
   let group name tests = (name, Scc_test_support.Property.cases tests) in
-  Alcotest.run "time laws"
-    [
-      group "TimeDeterminism"
-        [
-          straight "TimeDeterminism: at most one passing of time" deterministic;
-          turning "TimeDeterminism: bodies that turn, with laws and rounding" falling deterministic;
-          straight "TimeDeterminism: with the switches of a model" ~count:12 ~networks:switched deterministic;
-          turning "TimeDeterminism: bodies that turn, with the switches of a model" falling_switched deterministic;
-        ];
-      group "TimeAdditivity"
-        [
-          straight "TimeAdditivity: two passings of time are one" additive;
-          turning "TimeAdditivity: of bodies that turn" falling additive;
-          straight "TimeAdditivity: with rounding" ~count:12 ~networks:(Random_network.rounding ()) additive;
-          straight "TimeAdditivity: with the switches of a model" ~count:12 ~networks:switched additive;
-          turning "TimeAdditivity: bodies that turn, with the switches of a model" falling_switched additive;
-        ];
-      group "TimeContinuity"
-        [
-          straight "TimeContinuity: midway there is the rest of the time, and nothing else" continuous;
-          turning "TimeContinuity: of bodies that turn, with laws and rounding" ~count:5 falling continuous;
-          straight "TimeContinuity: with the switches of a model" ~count:12 ~networks:switched continuous;
-          turning "TimeContinuity: bodies that turn, with the switches of a model" falling_switched continuous;
-        ];
-      group "Urgency"
-        [
-          straight "Urgency: time passes iff nothing urgent is possible" urgent;
-          turning "Urgency: bodies that turn" falling urgent;
-          straight "Urgency: with the switches of a model" ~count:12 ~networks:switched urgent;
-          turning "Urgency: bodies that turn, with the switches of a model" falling_switched urgent;
-        ];
-      group "Progress"
-        [
-          straight "Progress: each state acts, lets time pass, or is quiescent" progresses;
-          turning "Progress: so do bodies that turn, or they are in persistent contact" falling progresses;
-          straight "Progress: with the switches of a model" ~count:12 ~networks:switched progresses;
-          turning "Progress: bodies that turn, with the switches of a model" falling_switched progresses;
-        ];
-    ]
+  ("time laws",
+   [
+     group "TimeDeterminism"
+       [
+         straight "TimeDeterminism: at most one passing of time" deterministic;
+         turning "TimeDeterminism: bodies that turn, with laws and rounding" falling deterministic;
+         straight "TimeDeterminism: with the switches of a model" ~count:12 ~networks:switched deterministic;
+         turning "TimeDeterminism: bodies that turn, with the switches of a model" falling_switched deterministic;
+       ];
+     group "TimeAdditivity"
+       [
+         straight "TimeAdditivity: two passings of time are one" additive;
+         turning "TimeAdditivity: of bodies that turn" falling additive;
+         straight "TimeAdditivity: with rounding" ~count:12 ~networks:(Random_network.rounding ()) additive;
+         straight "TimeAdditivity: with the switches of a model" ~count:12 ~networks:switched additive;
+         turning "TimeAdditivity: bodies that turn, with the switches of a model" falling_switched additive;
+       ];
+     group "TimeContinuity"
+       [
+         straight "TimeContinuity: midway there is the rest of the time, and nothing else" continuous;
+         turning "TimeContinuity: of bodies that turn, with laws and rounding" ~count:5 falling continuous;
+         straight "TimeContinuity: with the switches of a model" ~count:12 ~networks:switched continuous;
+         turning "TimeContinuity: bodies that turn, with the switches of a model" falling_switched continuous;
+       ];
+     group "Urgency"
+       [
+         straight "Urgency: time passes iff nothing urgent is possible" urgent;
+         turning "Urgency: bodies that turn" falling urgent;
+         straight "Urgency: with the switches of a model" ~count:12 ~networks:switched urgent;
+         turning "Urgency: bodies that turn, with the switches of a model" falling_switched urgent;
+       ];
+     group "Progress"
+       [
+         straight "Progress: each state acts, lets time pass, or is quiescent" progresses;
+         turning "Progress: so do bodies that turn, or they are in persistent contact" falling progresses;
+         straight "Progress: with the switches of a model" ~count:12 ~networks:switched progresses;
+         turning "Progress: bodies that turn, with the switches of a model" falling_switched progresses;
+       ];
+   ])

@@ -265,9 +265,7 @@ MISTAKES = {
 }
 
 TESTS = [
-    "test/unit/symbolic/test_cases.exe",
-    "test/unit/symbolic/test_contact_cells.exe",
-    "test/unit/symbolic/test_zone.exe",
+    "test/unit/symbolic/tests.exe",
     "test/laws/symbolic/test_zones.exe",
     "test/laws/symbolic/test_formulas.exe",
     "test/laws/symbolic/test_runs.exe",

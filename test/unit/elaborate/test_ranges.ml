@@ -176,21 +176,22 @@ let as_of_polyhedra =
       let range = triple bound (int_range 1 2) bool in
       triple (list_size (int_range 1 3) range) (list_repeat 3 (int_range (-2) 2)) (int_range (-6) 6))
   in
-  QCheck2.Test.make ~name:"signs of forms are those that polyhedra tell" ~count:2000 gen (fun (all, factors, rest) ->
-      let range i ((low, low_included), length, high_included) : Ranges.range =
-        {
-          name = Printf.sprintf "p%d" i;
-          low = { value = Rat.of_int low; included = low_included };
-          high = { value = Rat.of_int (low + length); included = high_included };
-        }
-      in
-      let ranges = Array.of_list (List.mapi range all) in
-      let n = Array.length ranges in
-      let terms = List.filteri (fun i _ -> i < n) (List.mapi (fun i a -> (i, Rat.of_int a)) factors) in
-      let form = Linear.of_terms n ~constant:(Rat.of_int rest) terms and zero = Linear.constant n Rat.zero in
-      let some constraint_ = not (Polyhedron.is_empty (Polyhedron.add (Ranges.box ranges) constraint_)) in
-      Bool.equal (Ranges.may_be_zero ranges form) (some (Constraint.equals form zero))
-      && Bool.equal (Option.is_some (Ranges.negative ranges form)) (some (Constraint.less form zero)))
+  QCheck2.Test.make ~name:"signs of forms are those that polyhedra tell" ~count:2000 gen
+    (fun (all, factors, rest) ->
+       let range i ((low, low_included), length, high_included) : Ranges.range =
+         {
+           name = Printf.sprintf "p%d" i;
+           low = { value = Rat.of_int low; included = low_included };
+           high = { value = Rat.of_int (low + length); included = high_included };
+         }
+       in
+       let ranges = Array.of_list (List.mapi range all) in
+       let n = Array.length ranges in
+       let terms = List.filteri (fun i _ -> i < n) (List.mapi (fun i a -> (i, Rat.of_int a)) factors) in
+       let form = Linear.of_terms n ~constant:(Rat.of_int rest) terms and zero = Linear.constant n Rat.zero in
+       let some constraint_ = not (Polyhedron.is_empty (Polyhedron.add (Ranges.box ranges) constraint_)) in
+       Bool.equal (Ranges.may_be_zero ranges form) (some (Constraint.equals form zero))
+       && Bool.equal (Option.is_some (Ranges.negative ranges form)) (some (Constraint.less form zero)))
 
 (* {1 Extremes} *)
 

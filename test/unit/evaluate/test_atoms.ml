@@ -158,5 +158,5 @@ let turning =
   QCheck2.Test.make ~count:40 ~name:"also of bodies that turn" ~print:Random_rigid.print
     (Random_rigid.generate Random_rigid.anything) (fun n -> kept (Random_rigid.start n))
 
-let () =
-  Alcotest.run "atoms" [ ("the table", Scc_test_support.Property.cases [ straight; absorbing; turning ]) ]
+let suite =
+  ("atoms", [ ("the table", Scc_test_support.Property.cases [ straight; absorbing; turning ]) ])

@@ -176,17 +176,17 @@ let along () =
 
 let case name run = Alcotest.test_case name `Quick run
 
-let () =
-  Alcotest.run "events"
-    [
-      ( "transitions",
-        [
-          case "a bind" (patterns binding is_bind of_a_bind);
-          case "a bounce" (patterns bouncing is_bounce of_a_bounce);
-          case "a bounce of parts" (patterns bouncing_by_parts is_bounce of_a_bounce_by_parts);
-          case "a weak split" (patterns splitting_weakly is_weak of_a_weak_split);
-          case "a strong split" (patterns splitting_strongly is_strong of_a_strong_split);
-          case "a passing of time" (patterns binding is_time of_time);
-        ] );
-      ("trajectories", [ case "where an event holds" along ]);
-    ]
+let suite =
+  ("events",
+   [
+     ( "transitions",
+       [
+         case "a bind" (patterns binding is_bind of_a_bind);
+         case "a bounce" (patterns bouncing is_bounce of_a_bounce);
+         case "a bounce of parts" (patterns bouncing_by_parts is_bounce of_a_bounce_by_parts);
+         case "a weak split" (patterns splitting_weakly is_weak of_a_weak_split);
+         case "a strong split" (patterns splitting_strongly is_strong of_a_strong_split);
+         case "a passing of time" (patterns binding is_time of_time);
+       ] );
+     ("trajectories", [ case "where an event holds" along ]);
+   ])

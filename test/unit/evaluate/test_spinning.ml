@@ -225,9 +225,9 @@ let leaving () =
   if cuts > 4 then Alcotest.failf "%d cuts" cuts;
   check "far" "false" (at (timeline 0 2) 1 2)
 
-let () =
-  Alcotest.run "atoms over turns"
-    [
-      ("random", Scc_test_support.Property.cases [ of_constant_spin; of_free_body; touching ]);
-      ("cases", [ Alcotest.test_case "leaving" `Quick leaving ]);
-    ]
+let suite =
+  ("atoms over turns",
+   [
+     ("random", Scc_test_support.Property.cases [ of_constant_spin; of_free_body; touching ]);
+     ("cases", [ Alcotest.test_case "leaving" `Quick leaving ]);
+   ])

@@ -337,10 +337,10 @@ let irrational () =
   let self = Value.div ~reason:"zero" extent (curve [ 0; 1 ]) (curve [ 0; 1 ]) in
   Alcotest.(check string) "t / t = 1" "? T" (show (Value.compare Eq extent self (curve [ 1 ])))
 
-let () =
+let suite =
   let quick name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "trajectory"
-    [
-      ("random runs", Scc_test_support.Property.cases [ random; components ]);
-      ("cases", [ quick "pieces" pieces; quick "irrational instants" irrational ]);
-    ]
+  ("trajectory",
+   [
+     ("random runs", Scc_test_support.Property.cases [ random; components ]);
+     ("cases", [ quick "pieces" pieces; quick "irrational instants" irrational ]);
+   ])

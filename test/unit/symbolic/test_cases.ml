@@ -346,6 +346,6 @@ check at_1 : possibly (event weak(b) and time = 1) within 1
       [ holds "at_1" [ [ is_0 [ 1 ] Rat.zero ]; [ is_0 [ 1 ] (int (-1)) ] ] Rat.zero ];
   ]
 
-let () =
-  Alcotest.run "sets of parameters by hand"
-    [ ("meetings", meetings); ("times", times); ("ties", ties); ("splits", splits); ("runs", Runs_by_hand.cases) ]
+let suite =
+  ("sets of parameters by hand",
+   [ ("meetings", meetings); ("times", times); ("ties", ties); ("splits", splits); ("runs", Runs_by_hand.cases) ])

@@ -100,10 +100,10 @@ let meets () =
     Alcotest.(check bool) "elsewhere not" true (List.for_all (Polyhedron.disjoint region) misses)
   | _ -> Alcotest.fail "one face alone is met"
 
-let () =
+let suite =
   let quick name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "contact cells"
-    [
-      ("by hand", [ quick "two cubes" meets ]);
-      ("random", Scc_test_support.Property.cases [ random ] @ [ quick "enough of all" counts ]);
-    ]
+  ("contact cells",
+   [
+     ("by hand", [ quick "two cubes" meets ]);
+     ("random", Scc_test_support.Property.cases [ random ] @ [ quick "enough of all" counts ]);
+   ])

@@ -59,6 +59,6 @@ let agrees all =
 let random = QCheck2.Test.make ~name:"the cell of a point has what comes first" ~count:300 events agrees
 let enough () = Alcotest.(check bool) "many ties" true (!ties > 500)
 
-let () =
-  Alcotest.run "first"
-    [ ("random", Scc_test_support.Property.cases [ random ] @ [ Alcotest.test_case "enough" `Quick enough ]) ]
+let suite =
+  ("first",
+   [ ("random", Scc_test_support.Property.cases [ random ] @ [ Alcotest.test_case "enough" `Quick enough ]) ])

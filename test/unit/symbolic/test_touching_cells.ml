@@ -37,6 +37,6 @@ let random =
 
 let enough () = Alcotest.(check bool) "many points touch" true (!touching > 500)
 
-let () =
+let suite =
   let cases = Scc_test_support.Property.cases [ random ] in
-  Alcotest.run "touching cells" [ ("random", cases @ [ Alcotest.test_case "enough" `Quick enough ]) ]
+  ("touching cells", [ ("random", cases @ [ Alcotest.test_case "enough" `Quick enough ]) ])

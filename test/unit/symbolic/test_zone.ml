@@ -55,7 +55,7 @@ let kinds () =
   same "halted" false { closed with halted = true };
   same "after an event" false { closed with arrived = [ 0 ] }
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "zone" [ ("comparing", [ case "borders" borders; case "borders of other forms" other_forms; case
-                                          "kinds" kinds ]) ]
+  ("zone", [ ("comparing", [ case "borders" borders; case "borders of other forms" other_forms; case
+                               "kinds" kinds ]) ])

@@ -374,25 +374,25 @@ let at_split_step () =
     Alcotest.(check bool) text true (starts && not (String.contains text ','))
   | _ -> Alcotest.fail "one verdict"
 
-let () =
+let suite =
   let quick name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "check"
-    [
-      ( "verdicts",
-        [
-          quick "over the whole run" over_the_run;
-          quick "steps of single processes" own_steps;
-          quick "a division by zero" undefined;
-          quick "a polynomial of high degree" high_degree;
-          quick "operators within operators" nested;
-          quick "instants of operators within operators" inner_instants;
-          quick "bounds" bounds;
-          quick "interruption" interruption;
-          quick "early end" early;
-          quick "faults of laws" faults;
-          quick "Zeno" zeno;
-          quick "dead ends" dead_ends; quick "what may rest on runs without time" may_rest;
-          quick "at which split step" at_split_step;
-        ] );
-      ("witnesses", [ quick "instants in words" words; quick "no fairness" fairness ]);
-    ]
+  ("check",
+   [
+     ( "verdicts",
+       [
+         quick "over the whole run" over_the_run;
+         quick "steps of single processes" own_steps;
+         quick "a division by zero" undefined;
+         quick "a polynomial of high degree" high_degree;
+         quick "operators within operators" nested;
+         quick "instants of operators within operators" inner_instants;
+         quick "bounds" bounds;
+         quick "interruption" interruption;
+         quick "early end" early;
+         quick "faults of laws" faults;
+         quick "Zeno" zeno;
+         quick "dead ends" dead_ends; quick "what may rest on runs without time" may_rest;
+         quick "at which split step" at_split_step;
+       ] );
+     ("witnesses", [ quick "instants in words" words; quick "no fairness" fairness ]);
+   ])

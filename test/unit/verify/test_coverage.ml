@@ -185,18 +185,18 @@ let nothing_unattributed name () =
   let strong = fired (function Behaviour.Strong _ -> true | _ -> false) in
   Alcotest.(check bool) (name ^ ": strongly") true (strong > 0 = (total (fun x -> x.strong) > 0))
 
-let () =
+let suite =
   let case = Alcotest.test_case in
   let for_models f = List.map (fun name -> case name `Quick (f name)) (models ()) in
-  Alcotest.run "coverage"
-    [
-      ( "by hand",
-        [
-          case "summands that are alike in two definitions" `Quick equal_summands;
-          case "summands that cannot be told apart" `Quick alike;
-          case "name and co-name" `Quick polarities;
-          case "behaviours by species" `Quick species;
-        ] );
-      ("the rules that transitions name", for_models rules_agree);
-      ("nothing goes without a summand", for_models nothing_unattributed);
-    ]
+  ("coverage",
+   [
+     ( "by hand",
+       [
+         case "summands that are alike in two definitions" `Quick equal_summands;
+         case "summands that cannot be told apart" `Quick alike;
+         case "name and co-name" `Quick polarities;
+         case "behaviours by species" `Quick species;
+       ] );
+     ("the rules that transitions name", for_models rules_agree);
+     ("nothing goes without a summand", for_models nothing_unattributed);
+   ])

@@ -253,22 +253,22 @@ let guide () =
   in
   List.iter try_ blocks
 
-let () =
+let suite =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "growth"
-    [
-      ( "causes",
-        [
-          case "numbers" numbers;
-          case "steps of a law" steps;
-          case "steps that keep their beat" steady;
-          case "one that leaves" leaves;
-          case "drift" drifts;
-          case "absolute time" times;
-          case "orders of one instant" orders;
-          case "weak splits" splits;
-          case "nothing to say" nothing;
-          case "words" words;
-        ] );
-      ("the guide", [ case "its models before and after" guide ]);
-    ]
+  ("growth",
+   [
+     ( "causes",
+       [
+         case "numbers" numbers;
+         case "steps of a law" steps;
+         case "steps that keep their beat" steady;
+         case "one that leaves" leaves;
+         case "drift" drifts;
+         case "absolute time" times;
+         case "orders of one instant" orders;
+         case "weak splits" splits;
+         case "nothing to say" nothing;
+         case "words" words;
+       ] );
+     ("the guide", [ case "its models before and after" guide ]);
+   ])

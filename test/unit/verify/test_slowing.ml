@@ -116,11 +116,11 @@ let linear () =
       "vx/vy, vy, vz";
     ]
 
-let () =
+let suite =
   let case = Alcotest.test_case in
-  Alcotest.run "slowing"
-    [
-      ("slowing", [ case "gaps" `Quick gaps; case "walls that close" `Quick closing ]);
-      ( "proofs",
-        [ case "runs that repeat themselves faster" `Quick quickening; case "linear laws" `Quick linear ] );
-    ]
+  ("slowing",
+   [
+     ("slowing", [ case "gaps" `Quick gaps; case "walls that close" `Quick closing ]);
+     ( "proofs",
+       [ case "runs that repeat themselves faster" `Quick quickening; case "linear laws" `Quick linear ] );
+   ])

@@ -51,5 +51,5 @@ let together () =
   in
   fewer "one that is not decided goes on" [ never; bounded ] [ left; proof ] ~than:[ never ]
 
-let () =
-  Alcotest.run "together" [ ("together", [ Alcotest.test_case "checks of one exploration" `Quick together ]) ]
+let suite =
+  ("together", [ ("together", [ Alcotest.test_case "checks of one exploration" `Quick together ]) ])

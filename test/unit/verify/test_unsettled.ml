@@ -80,10 +80,10 @@ let models =
     "association.sc"; "brownian.sc";
   ]
 
-let () =
+let suite =
   let case name = Alcotest.test_case name `Quick (of_model ("../../../specs/models/" ^ name)) in
-  Alcotest.run "unsettled"
-    [
-      ("models", List.map case models);
-      ("all", [ Alcotest.test_case "reasons that come late" `Quick late_ones ]);
-    ]
+  ("unsettled",
+   [
+     ("models", List.map case models);
+     ("all", [ Alcotest.test_case "reasons that come late" `Quick late_ones ]);
+   ])

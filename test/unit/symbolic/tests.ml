@@ -1,0 +1,7 @@
+let () =
+  Scc_test_support.Suites.run
+    [ Test_contact_cells.suite;
+      Test_touching_cells.suite;
+      Test_first.suite;
+      Test_zone.suite;
+      Test_cases.suite ]

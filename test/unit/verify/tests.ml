@@ -1,0 +1,8 @@
+let () =
+  Scc_test_support.Suites.run
+    [ Test_check.suite;
+      Test_coverage.suite;
+      Test_slowing.suite;
+      Test_together.suite;
+      Test_growth.suite;
+      Test_unsettled.suite ]
