@@ -75,7 +75,7 @@ def main():
 
     def alone(scc):
         explorations.resumed(scc)
-        explorations.killed(scc, 1, explorations.kill_owner, times, 2, 14)
+        explorations.killed(scc, 1, explorations.kill_owner, times, 2, 17)
         spreading.resumed(scc)
         spreading.killed(scc, 3, spreading.kill_task, max(3, times // 4))
         explorations.speed(scc)
