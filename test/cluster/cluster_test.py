@@ -53,7 +53,7 @@ def with_nodes(scc, times):
     try:
         filled()
         ray.init(address=several.address, log_to_driver=False, logging_level='error')
-        explorations.killed(scc, 2, lambda e, rand, at: kill_node(rand, at, []), times, 4, 13, filled)
+        explorations.killed(scc, 2, lambda e, rand, at: kill_node(rand, at, []), times, 4, filled)
         spreading.killed(scc, 4, lambda s, rand, at, hits: kill_node(rand, at, hits), max(2, times // 4), filled)
     finally:
         ray.shutdown()
@@ -75,7 +75,7 @@ def main():
 
     def alone(scc):
         explorations.resumed(scc)
-        explorations.killed(scc, 1, explorations.kill_owner, times, 2, 17)
+        explorations.killed(scc, 1, explorations.kill_owner, times, 2)
         spreading.resumed(scc)
         spreading.killed(scc, 3, spreading.kill_task, max(3, times // 4))
         explorations.speed(scc)

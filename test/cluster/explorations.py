@@ -9,7 +9,7 @@ import time
 import ray
 
 from shapecalculus import cluster
-from support import BONDS, MODELS, at_random, later, plain, scc_bytes, tell
+from support import BONDS, HEXOKINASE, MODELS, at_random, later, plain, scc_bytes, tell
 
 STATES = 3000
 
@@ -64,17 +64,18 @@ def models(scc):
     tell('%d models compared, %d not served' % (compared, refused), [] if compared >= 48 else ['too few'])
 
 
-def killed(scc, seed, kill, times, owners, size, before=lambda: None):
-    """The same check again and again, while somebody kills at random instants."""
-    options = dict(owners=owners, defines={'n': str(size)}, scc=scc)
+def killed(scc, seed, kill, times, owners, before=lambda: None):
+    """The same check again and again, while somebody kills at random instants. Its states come up again in later levels,
+    so that an owner that has forgotten any is noticed."""
+    options = dict(owners=owners, defines={'n': '5'}, states=30000, scc=scc)
     begun = []
-    expected = cluster.check(BONDS, disturb=lambda e: begun.append(time.time()), **options)
+    expected = cluster.check(HEXOKINASE, disturb=lambda e: begun.append(time.time()), **options)
     lasts = time.time() - begun[0]
     recovered = 0
     for k, rand, at in at_random(seed, times, lasts):
         before()
         with tempfile.TemporaryDirectory() as folder:
-            report = cluster.check(BONDS, checkpoint=folder, disturb=lambda e: kill(e, rand, at), **options)
+            report = cluster.check(HEXOKINASE, checkpoint=folder, disturb=lambda e: kill(e, rand, at), **options)
         recovered += report.recovered
         tell('check %d: killed after %.2f of %.2f s, recovered %d' % (k, at, lasts, report.recovered),
              [] if plain(report) == plain(expected) else ['%s, and not %s' % (plain(report), plain(expected))])
@@ -97,32 +98,38 @@ def resumed(scc):
             time.sleep(1.1)
         if p.level == 5:
             raise Stop
-    options = dict(owners=2, defines={'n': '10'}, scc=scc)
-    expected = cluster.check(BONDS, **options)
     with tempfile.TemporaryDirectory() as folder:
+        # States of levels that were kept come up again, and the run that shows the verdict leads through these.
+        path = os.path.join(folder, 'hexokinase.sc')
+        with open(HEXOKINASE) as f, open(path, 'w') as copy:
+            copy.write(f.read() + 'check second : possibly behaviour(atp[2]) = Adp\n')
+        options = dict(owners=2, defines={'n': '3'}, scc=scc)
+        expected = cluster.check(path, **options)
+        kept = os.path.join(folder, 'kept')
         try:
-            cluster.check(BONDS, checkpoint=folder, progress=stop, **options)
+            cluster.check(path, checkpoint=kept, progress=stop, **options)
         except Stop:
             pass
+        files = sorted(os.listdir(os.path.join(kept, '1')))
         levels = []
-        report = cluster.check(BONDS, checkpoint=folder, progress=lambda p: levels.append(p.level), **options)
-        same = plain(report) == plain(expected) and levels[0] == 6
-        tell('resumed at level %d' % levels[0], [] if same else ['differs'])
-        for what, other in [('of another size', dict(options, defines={'n': '9'})), ('of other owners', dict(options, owners=3))]:
-            refused(what, folder, other)
-        damaged(folder, options)
+        report = cluster.check(path, checkpoint=kept, progress=lambda p: levels.append(p.level), **options)
+        same = plain(report) == plain(expected) and levels[0] == 6 and report.states == 309 and '1-3.shard' in files
+        tell('resumed at level %d' % levels[0], [] if same else ['differs: %s, %s' % (files, plain(report))])
+        for what, other in [('of another size', dict(options, defines={'n': '4'})), ('of other owners', dict(options, owners=3))]:
+            refused(what, path, kept, other)
+        damaged(path, kept, options)
 
 
-def refused(what, folder, options):
+def refused(what, path, folder, options):
     try:
-        cluster.check(BONDS, checkpoint=folder, **options)
+        cluster.check(path, checkpoint=folder, **options)
         tell('a checkpoint ' + what, ['it is taken'])
     except cluster.ClusterFailed as e:
         said = str(e).replace(folder, '')
         tell('a checkpoint %s is refused: %s' % (what, said), [] if e.code == 3 else ['code %d' % e.code])
 
 
-def damaged(folder, options):
+def damaged(path, folder, options):
     """Each damage by itself, and mended again."""
     def flipped(data):
         at = len(data) * 2 // 3
@@ -132,19 +139,19 @@ def damaged(folder, options):
         ('of another version', lambda data: data.replace(b'scc-cluster 3', b'scc-cluster 2', 1)),
         ('with something else', lambda data: b'nonsense'), ('without it', None)]
     for file in ('1/1-3.shard', '1/1-5.shard', '1/manifest.json'):
-        path = os.path.join(folder, file)
-        with open(path, 'rb') as f:
+        place = os.path.join(folder, file)
+        with open(place, 'rb') as f:
             data = f.read()
         for what, change in changes:
             if change is not None:
-                with open(path, 'wb') as f:
+                with open(place, 'wb') as f:
                     f.write(change(data))
             elif file.endswith('.shard'):
-                os.remove(path)
+                os.remove(place)
             else:
                 continue
-            refused('%s: %s' % (file, what), folder, options)
-            with open(path, 'wb') as f:
+            refused('%s: %s' % (file, what), path, folder, options)
+            with open(place, 'wb') as f:
                 f.write(data)
 
 

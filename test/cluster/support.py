@@ -12,6 +12,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.join(HERE, '..', '..')
 MODELS = os.path.join(ROOT, 'specs', 'models')
 BONDS = os.path.join(ROOT, 'test', 'bench', 'checker', 'bonds.sc')
+HEXOKINASE = os.path.join(ROOT, 'test', 'bench', 'checker', 'hexokinase.sc')
 passed = failed = 0
 
 
