@@ -191,7 +191,15 @@ let as_of_polyhedra =
        let form = Linear.of_terms n ~constant:(Rat.of_int rest) terms and zero = Linear.constant n Rat.zero in
        let some constraint_ = not (Polyhedron.is_empty (Polyhedron.add (Ranges.box ranges) constraint_)) in
        Bool.equal (Ranges.may_be_zero ranges form) (some (Constraint.equals form zero))
-       && Bool.equal (Option.is_some (Ranges.negative ranges form)) (some (Constraint.less form zero)))
+       &&
+       match Ranges.negative ranges form with
+       | None -> not (some (Constraint.less form zero))
+       | Some named ->
+         (* Those that it does not depend on are not named, and do not matter. *)
+         let value i (r : Ranges.range) = Option.value (List.assoc_opt r.name named) ~default:(Rat.of_int i) in
+         let point = Array.mapi value ranges in
+         let within i r = Ranges.mem r point.(i) || not (List.mem_assoc (Ranges.name ranges i) named) in
+         Rat.sign (Linear.eval form point) < 0 && List.for_all Fun.id (Array.to_list (Array.mapi within ranges)))
 
 (* {1 Extremes} *)
 
