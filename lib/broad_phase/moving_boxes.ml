@@ -13,8 +13,8 @@ let create n = Array.make (size * n) 0.
 let count (b : t) = Array.length b / size
 
 (* Each operation on floats rounds to the nearest, so that the exact result lies between its neighbours. *)
-let down = Float.pred
-let up = Float.succ
+let[@inline] down x = Next_float.pred x
+let[@inline] up x = Next_float.succ x
 
 let set (b : t) i box ~(at : Vec.t) ~(velocity : Vec.t) =
   let axis k q u =

@@ -141,7 +141,7 @@ let room ~rows ~entries ~slots =
     slot = Int_array.make slots (-1);
   }
 
-let positive x = if x > 0. then x else Float.succ 0.
+let positive x = if x > 0. then x else Next_float.succ 0.
 
 (* The probability of an entry, and a new one. *)
 let entry src rows i =

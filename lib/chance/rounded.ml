@@ -37,8 +37,8 @@ let rows_of_a_block (e : Equations.t) =
 
 let start (e : Equations.t) ~upper =
   (* A constant is 0 exactly or positive; the float next to it may be 0 all the same. *)
-  let below x = if x > 0. then Float.pred x else 0. in
-  let above r x = if x > 0. || Rat.sign e.constant.(r) > 0 then Float.succ x else 0. in
+  let below x = if x > 0. then Next_float.pred x else 0. in
+  let above r x = if x > 0. || Rat.sign e.constant.(r) > 0 then Next_float.succ x else 0. in
   let rows () = Array.init e.size (Equations.first_row e) in
   {
     equations = e;

@@ -15,7 +15,8 @@ let grown margin box =
   if Rat.sign margin = 0 then box
   else
     let by = Float_box.up margin in
-    let low k = Float.pred (Float_box.low box k -. by) and high k = Float.succ (Float_box.high box k +. by) in
+    let low k = Next_float.pred (Float_box.low box k -. by) in
+    let high k = Next_float.succ (Float_box.high box k +. by) in
     Float_box.make ~low:(Array.init 3 low) ~high:(Array.init 3 high)
 
 (* A box about a place that goes in a straight line: of the part itself, or of the ball that it turns in. *)
@@ -126,7 +127,7 @@ let fold_pairs earlier boxes (parts : Part.t array) =
 
 (* The pairs whose boxes, swept over [0, span] for a span > 0, meet. *)
 let meeting_within boxes (parts : Part.t array) span =
-  let until = Float.succ (Float_box.up span) in
+  let until = Next_float.succ (Float_box.up span) in
   let sweep i = Float_box.swept (Part.velocity parts.(i)) ~until boxes.(i) in
   meeting (Long_array.init (Array.length parts) sweep)
 

@@ -17,9 +17,15 @@ let sign = Q.sign
 
 (* Most of what is compared is one and the same number, which many states share. *)
 let equal a b = a == b || Q.equal a b
-let compare a b = if a == b then 0 else Q.compare a b
-let min a b = if a == b then a else Q.min a b
-let max a b = if a == b then a else Q.max a b
+
+(* Nor do most others have two denominators; where they are small they are the same word. *)
+let compare a b =
+  if a == b then 0
+  else if Q.den a == Q.den b then Z.compare (Q.num a) (Q.num b)
+  else Q.compare a b
+
+let min a b = if compare a b <= 0 then a else b
+let max a b = if compare a b >= 0 then a else b
 let hash x = (Z.hash (Q.num x) * 31) + Z.hash (Q.den x)
 let is_integer x = Z.equal (Q.den x) Z.one
 let floor x = Z.fdiv (Q.num x) (Q.den x)

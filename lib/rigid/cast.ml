@@ -124,12 +124,14 @@ let meets s =
    little before it. Which cell it is may be wrong by one where the grid has a phase: it is a guess there. *)
 let cell_of s t = Float.of_int (int_of_float (Float.ldexp (t +. s.phase) s.query.clock.grid))
 let exactly_begins s k = Float.ldexp k (-s.query.clock.grid)
-let begins_by s k = if s.phase = 0. then exactly_begins s k else Float.succ (exactly_begins s k -. s.phase_below)
+let begins_by s k =
+  if s.phase = 0. then exactly_begins s k else Next_float.succ (exactly_begins s k -. s.phase_below)
+
 let begins_after s k =
-  if s.phase = 0. then exactly_begins s k else Float.pred (exactly_begins s k -. s.phase_above)
+  if s.phase = 0. then exactly_begins s k else Next_float.pred (exactly_begins s k -. s.phase_above)
 
 (* A delay that leads from t beyond t' >= t or just there: the difference is rounded up. *)
-let delay t t' = Float.succ (t' -. t)
+let delay t t' = Next_float.succ (t' -. t)
 
 let rec advance s at =
   if at.steps = 0 then sweep s.query (Q.of_float at.t) s.query.span
@@ -177,7 +179,7 @@ and probe s at k expected careful =
 
 and step s at delay tries =
   if Separation.holds s.plane delay then
-    advance s { at with t = Float.pred (at.t +. delay); steps = at.steps - 1 }
+    advance s { at with t = Next_float.pred (at.t +. delay); steps = at.steps - 1 }
   else shorten s at delay tries
 
 and shorten s at delay tries =

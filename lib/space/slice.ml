@@ -199,14 +199,15 @@ let reach s ~energy i =
     | None, _ | _, None -> infinity
     | Some energy, Some h ->
       let mass = s.model.leaves.(s.parts.(i).leaf.leaf).mass in
-      Float.succ (Float.sqrt (Float_box.up (Rat.div (Rat.mul energy (Rat.mul h h)) mass)))
+      Next_float.succ (Float.sqrt (Float_box.up (Rat.div (Rat.mul energy (Rat.mul h h)) mass)))
 
 (* Sums and differences are rounded to the nearest; none is infinity - infinity, as least coordinates are never
    +infinity, nor greatest ones -infinity. *)
 let grown_box s ~energy i =
   let p = s.parts.(i) in
   let box = Float_box.at p.placed.at p.placed.solid.box and r = reach s ~energy i in
-  let low k = Float.pred (Float_box.low box k -. r) and high k = Float.succ (Float_box.high box k +. r) in
+  let low k = Next_float.pred (Float_box.low box k -. r) in
+  let high k = Next_float.succ (Float_box.high box k +. r) in
   Float_box.make ~low:(Array.init 3 low) ~high:(Array.init 3 high)
 
 let withdraw s g =

@@ -1,0 +1,10 @@
+(* Floats of one sign are in the order of their bits. *)
+let[@inline] moved x by = Int64.float_of_bits (Int64.add (Int64.bits_of_float x) by)
+
+let[@inline] succ x =
+  if x > 0. then if x < infinity then moved x 1L else x
+  else if x < 0. then moved x (-1L)
+  else if x = 0. then 0x1p-1074
+  else x
+
+let[@inline] pred x = -.succ (-.x)

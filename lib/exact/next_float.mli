@@ -1,0 +1,8 @@
+(** The floats next to a float, as {!Stdlib.Float.succ} and [pred] tell them, without a call into C: filters round
+    outward by them in each step. *)
+
+val succ : float -> float
+(** The least float that is greater; the same of infinity and of what is no number. *)
+
+val pred : float -> float
+(** The greatest float that is less; the same of minus infinity and of what is no number. *)
