@@ -114,12 +114,22 @@ let apply changes tuple =
   done;
   copy
 
-let difference a b =
-  let rec from i acc =
-    if i < 0 then Array.of_list acc
-    else from (i - 1) (if a.(i) = b.(i) then acc else i :: b.(i) :: acc)
-  in
-  from (Array.length a - 1) []
+let difference (a : int array) (b : int array) =
+  let differ i = Array.unsafe_get a i <> Array.unsafe_get b i in
+  let count = ref 0 in
+  for i = 0 to Array.length a - 1 do
+    if differ i then incr count
+  done;
+  let changes = Array.make (2 * !count) 0 in
+  let next = ref 0 in
+  for i = 0 to Array.length a - 1 do
+    if differ i then begin
+      changes.(!next) <- i;
+      changes.(!next + 1) <- b.(i);
+      next := !next + 2
+    end
+  done;
+  changes
 
 (** {2 Looking up} *)
 
@@ -191,7 +201,8 @@ let rec changed t changes low high look k id =
 let block_after t changes low high look k id =
   if high - low > 4 || id < 0 then changed t changes low high look k id
   else begin
-    let change i = if i < high then Pairs.pack changes.(i) changes.(i + 1) else -1 in
+    let number i = Array.unsafe_get changes i in
+    let change i = if i < high then Pairs.pack (number i) (number (i + 1)) else -1 in
     let one = change low and two = change (low + 2) in
     match Block_memory.find t.memory id one two with
     | -1 ->

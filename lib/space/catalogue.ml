@@ -245,11 +245,8 @@ let decode c tuple =
   in
   State.make ~processes:(processes (n - 1) []) ~step:(step c tuple) ~time:(time c tuple)
 
-let pass_time c tuple d =
-  if c.model.keeps_time then begin
-    let slot = time_slot c in
-    tuple.(slot) <- time_number c (Rat.add (Rationals.get c.times tuple.(slot)) d)
-  end
+let time_after c tuple d =
+  if c.model.keeps_time then Some (time_number c (Rat.add (Rationals.get c.times tuple.(time_slot c)) d)) else None
 
 let label c l = Labels.intern c.labels l
 let label_of c i = Labels.get c.labels i

@@ -22,6 +22,9 @@ val width : t -> int
 
 val nobody : int
 
+val time_slot : t -> int
+(** Where the time stands, if states have it. *)
+
 val mark_slot : t -> int
 (** Where the mark stands; {!encode} leaves it 0, and {!decode} does not look at it. *)
 
@@ -40,8 +43,8 @@ val put_rest : t -> int array -> step:State.step option -> time:Rat.t option -> 
 val same_rest : t -> int array -> int array -> bool
 (** Two states have all but their processes in common, the mark included. *)
 
-val pass_time : t -> int array -> Rat.t -> unit
-(** Puts the time forward, if states have it. *)
+val time_after : t -> int array -> Rat.t -> int option
+(** What is in the slot of time when so much has passed, if states have time. *)
 
 (** {1 Slots} *)
 

@@ -65,9 +65,14 @@ let rec consider t found (a : Local.alone) (b : Local.alone) pair code =
     else if rank <= found.rank then found.still_open <- { bound = rank; one = a; two = b } :: found.still_open
   end
 
+let in_relative_motion (processes : Local.alone array) =
+  let velocity i = (Array.unsafe_get processes i).Local.body.velocity in
+  let rec from i = i > 0 && (velocity i <> velocity 0 || from (i - 1)) in
+  from (Array.length processes - 1)
+
 let among t (processes : Local.alone array) =
   let found = { collisions = []; rank = none; time = Rat.zero; still_open = [] } in
-  let k = Array.length processes in
+  let k = if in_relative_motion processes then Array.length processes else 0 in
   for i = 0 to k - 2 do
     let a = Array.unsafe_get processes i in
     for j = i + 1 to k - 1 do

@@ -113,35 +113,51 @@ let set_happened c tuple places = set_mark c tuple (mark_of c places)
 
 (** {2 Transitions of the whole} *)
 
+let to_representative c tuple (s : Lts.step) =
+  if Quotient.is_none c.quotient then s
+  else
+    let target = Quotient.representative c.quotient (catalogue c) (Tuples.apply s.changes tuple) in
+    { s with changes = Tuples.difference tuple target }
+
 (* Who is there, and where, changes only with time and by absorption: other transitions lead from representatives
    to representatives. *)
-let pass c tuple present d : Lts.step =
-  let label = Catalogue.label (catalogue c) (Transition.Time d) in
-  let target = Array.copy tuple in
-  Array.iter (fun a -> target.(Catalogue.first_leaf a.Local.body.process) <- Local.after c.local d a) present;
-  Catalogue.pass_time (catalogue c) target d;
-  set_mark c target 0;
+let pass c (tuple : int array) present d =
+  let change slot number rest = if tuple.(slot) = number then rest else slot :: number :: rest in
+  let mark = if Local.has_events c.local then change (Catalogue.mark_slot (catalogue c)) 0 [] else [] in
+  let mark_and_time =
+    match Catalogue.time_after (catalogue c) tuple d with
+    | None -> mark
+    | Some number -> change (Catalogue.time_slot (catalogue c)) number mark
+  in
+  let rec from i rest =
+    if i < 0 then Array.of_list rest
+    else
+      let a = Array.unsafe_get present i in
+      from (i - 1) (change (Catalogue.first_leaf a.Local.body.process) (Local.after c.local d a) rest)
+  in
+  let changes = from (Array.length present - 1) mark_and_time in
+  let step = { Lts.label = Catalogue.label (catalogue c) (Transition.Time d); changes } in
   let moves = Array.exists (fun (a : Local.alone) -> not a.rests) present in
-  let target = if moves then Quotient.representative c.quotient (catalogue c) target else target in
-  { label; changes = Tuples.difference tuple target }
+  if moves then to_representative c tuple step else step
 
-let step c tuple (m : Local.move) : Lts.step =
-  if not m.takes_out then m.step
-  else
-    let target = Quotient.representative c.quotient (catalogue c) (Tuples.apply m.step.changes tuple) in
-    { m.step with changes = Tuples.difference tuple target }
+let step c tuple (m : Local.move) = if m.takes_out then to_representative c tuple m.step else m.step
 
-let present c tuple =
-  let room = Array.make (Array.length (model c).leaves) (Local.nobody c.local) in
+let present c (tuple : int array) =
+  let leaves = Array.length (model c).leaves in
+  let is_there i = Array.unsafe_get tuple i <> Catalogue.nobody in
   let count = ref 0 in
-  for i = 0 to Array.length room - 1 do
-    let number = Array.unsafe_get tuple i in
-    if number <> Catalogue.nobody then begin
-      room.(!count) <- Local.alone c.local number;
+  for i = 0 to leaves - 1 do
+    if is_there i then incr count
+  done;
+  let room = Array.make !count (Local.nobody c.local) in
+  count := 0;
+  for i = 0 to leaves - 1 do
+    if is_there i then begin
+      room.(!count) <- Local.alone c.local (Array.unsafe_get tuple i);
       incr count
     end
   done;
-  if !count = Array.length room then room else Array.sub room 0 !count
+  room
 
 (* What can happen now but for the passing of time, all the last first; who is there; and what tells the first
    time of contact, if nobody collides. *)

@@ -5,6 +5,7 @@ open Scc_property
 type t = { symmetry : Symmetry.t; translation : bool; drift : Drift.t option }
 
 let none = { symmetry = Symmetry.none; translation = false; drift = None }
+let is_none q = Symmetry.is_none q.symmetry && (not q.translation) && Option.is_none q.drift
 
 let translatable (m : Model.t) (s : State.t) formulas =
   let stays (p : State.process) = Option.is_none (State.mass m p) in

@@ -10,6 +10,7 @@ type t = {
 }
 
 val none : t
+val is_none : t -> bool
 
 val translatable : Model.t -> State.t -> Property.temporal list -> bool
 (** Whether nothing depends on where the whole is: no law and no formula speaks of positions, and nothing is

@@ -2,6 +2,10 @@ open Scc_exact
 
 let nothing = -1
 
+(* The first slot from [i] on, of [width], that is not the same in both; or [width]. *)
+let rec next_difference (a : int array) (b : int array) i width =
+  if i = width || Array.unsafe_get a i <> Array.unsafe_get b i then i else next_difference a b (i + 1) width
+
 (* [bodies], [values] and [total] are of the last tuple. They are not known while they are changed. *)
 let of_tuples ~width ~zero ~exchange value =
   let bodies = Array.make width nothing and values = Array.make width zero in
@@ -12,8 +16,8 @@ let of_tuples ~width ~zero ~exchange value =
     total := zero
   in
   let rec correct (tuple : int array) i =
+    let i = next_difference tuple bodies i width in
     if i = width then Ok !total
-    else if tuple.(i) = bodies.(i) then correct tuple (i + 1)
     else
       match value tuple.(i) with
       | Error _ as e -> e
