@@ -305,11 +305,7 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     go 0
 
   let zeno_cycle g =
-    let arcs i =
-      Array.to_list (Array.mapi (fun k (e : Graph.edge) -> (k, e)) (Graph.edges g i))
-      |> List.filter (fun (_, e) -> Rat.sign (Graph.duration g e) = 0)
-      |> List.map (fun (k, (e : Graph.edge)) -> (e.target, k))
-    in
+    let arcs i = List.map (fun (choice, (e : Graph.edge)) -> (e.target, choice)) (Graph.edges_at_once g i) in
     match Graph.turning g with
     | Anywhere -> find_cycle g arcs (fun _ -> true)
     | At targets when Int_vector.length targets = 0 -> None

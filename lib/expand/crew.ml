@@ -4,9 +4,12 @@ open Scc_explore
 
 type start = At_once | When_it_pays
 
-(* Seconds that a message is to be worth, and how many states are in one at most. *)
+(* Seconds that a message is to be worth, and those that it has to be; how many states are in one at least, while
+   another is under way, and how many at most. *)
 let batch_seconds = 0.002
-let most_states = 512
+let message_seconds = 50e-6
+let few_states = 64
+let most_states = 2048
 
 (* A request of no more bytes than this, with those that are under way, does not fill the channel: then nobody
    waits for anybody who waits. *)
@@ -16,12 +19,24 @@ let most_bytes = 48 * 1024
 let grace = 0.5
 let worth = 20e-6
 
+(* What is told costs this process about so many times what is measured of it, as caches and the garbage collector
+   have to do with it, too. One of so many states is timed. *)
+let safety = 3.
+let one_of = 16
+
 (* So often is a process replaced that has died; what is left is found here. *)
 let most_deaths = 20
 
 (* Of so many states with numbers one after the other, a power of two, the first few are found by this process. *)
 let stretch = 64
-let most_here = 60
+let most_here = 63
+
+module States = Hashtbl.Make (struct
+    type t = int
+
+    let equal = Int.equal
+    let hash = Fun.id
+  end)
 
 module Make
     (L : Lts.S)
@@ -32,8 +47,9 @@ module Make
   (** {2 Messages}
 
       A request is a number of states and their tuples. A reply is, of each of them, 0 where its transitions have
-      to be looked at here; 1 and all of them; or 2, those that may do ({!Lts.S.reduced}), and all of them; after
-      that the microseconds that it took, and the words of the heap. *)
+      to be looked at here; 1 and all of them; or 2, those that may do ({!Lts.S.reduced}), and all of them. Before
+      that are the microseconds that the other process has waited for the request, those that the answers took, and
+      the words of its heap. *)
 
   type answer = Look | Steps of { some : Lts.step list option; all : Lts.step list }
 
@@ -66,41 +82,59 @@ module Make
 
   let serve context channel =
     let from = Wire.make context and back = Wire.make context in
-    let b = Buffer.create 65536 in
-    let rec go () =
+    let answers = Buffer.create 65536 and reply = Buffer.create 65536 in
+    let put_seconds seconds = Packed.put_nat reply (int_of_float (1e6 *. Float.max 0. seconds)) in
+    let rec go since =
       let source = Packed.source (Channel.get channel) in
       let start = Unix.gettimeofday () in
-      Buffer.clear b;
+      Buffer.clear answers;
       for _ = 1 to Packed.nat source do
-        answer context back b (Wire.read_tuple from source)
+        answer context back answers (Wire.read_tuple from source)
       done;
-      Packed.put_nat b (int_of_float (1e6 *. Float.max 0. (Unix.gettimeofday () -. start)));
-      Packed.put_nat b (Memory.heap_words ());
-      Channel.put channel b;
-      go ()
+      Buffer.clear reply;
+      put_seconds (start -. since);
+      put_seconds (Unix.gettimeofday () -. start);
+      Packed.put_nat reply (Memory.heap_words ());
+      Buffer.add_buffer reply answers;
+      Channel.put channel reply;
+      go (Unix.gettimeofday ())
     in
-    go ()
+    go (Unix.gettimeofday ())
 
   (** {2 This process} *)
 
-  type worker = {
+  (* The answers of a reply are read when it is the turn of their states: then they are short-lived. *)
+  type request = {
+    worker : worker;
+    bytes : int;
+    mutable unread : int list;  (** its states whose answers have not been read, in order *)
+    mutable reply : Packed.source option;
+  }
+
+  and worker = {
     channel : Channel.t;
     there : Wire.t;
     back : Wire.t;
-    requests : (int list * int) Queue.t;  (** under way: their states, in order, and their bytes *)
+    under_way : request Queue.t;
+    replies : request Queue.t;  (** the answered ones, in order *)
     mutable words : int;  (** of its heap, as it last told *)
   }
 
-  type place = Under_way | Found of answer
-
   type t = {
     graph : Graph.t;
-    waiting : (int -> bool) -> bool;
-    states : (int, place) Hashtbl.t;  (** that were sent, and have not had their turn *)
+    waits : int -> bool;
+    mutable now : int;  (** the state that is expanded *)
+    mutable next : int;  (** the first that has not been looked at: whether it is found here or not *)
+    ready : int Queue.t;  (** those that are not, and have not been sent *)
+    sent : request States.t;  (** of states that have not had their turn *)
+    early : answer States.t;  (** that had to be read before the turn of their states *)
     mutable workers : worker list;
     mutable deaths : int;
-    mutable batch : int;  (** states of the next request *)
+    mutable batch : int;  (** states of the next request, *)
+    mutable least : int;  (** and how many it is to have at least *)
     mutable here : int;  (** how many of each {!stretch} of states are found by this process *)
+    mutable telling : float;  (** seconds that this process has spent on what others find *)
+    mutable taken : int;  (** so many states *)
   }
 
   let told c = Memory.set_beside (List.fold_left (fun n w -> n + Memory.bytes_of_words w.words) 0 c.workers)
@@ -109,36 +143,47 @@ module Make
     let context = Graph.context c.graph in
     let channel = Channel.fork (serve context) in
     let there = Wire.make context and back = Wire.make context in
-    c.workers <- { channel; there; back; requests = Queue.create (); words = 0 } :: c.workers
+    c.workers <-
+      { channel; there; back; under_way = Queue.create (); replies = Queue.create (); words = 0 } :: c.workers
 
   (* What it was to find is found by others, or here. *)
   let bury c w =
     Channel.close w.channel;
-    Queue.iter (fun (states, _) -> List.iter (Hashtbl.remove c.states) states) w.requests;
+    Queue.iter (fun request -> List.iter (States.remove c.sent) request.unread) w.under_way;
     c.workers <- List.filter (fun other -> other != w) c.workers;
     c.deaths <- c.deaths + 1;
     if c.deaths <= most_deaths then new_worker c;
     told c
 
-  let bytes_under_way w = Queue.fold (fun n (_, bytes) -> n + bytes) 0 w.requests
+  let bytes_under_way w = Queue.fold (fun n request -> n + request.bytes) 0 w.under_way
 
   (* A process that waits for others finds more by itself, and less when they have nothing to do. *)
   let find_more_here c = c.here <- Int.min most_here (c.here + 1)
   let find_less_here c = c.here <- Int.max 0 (c.here - 1)
 
-  (* States for a request, the first ones of those that wait and have not been sent. *)
+  (* What takes so long is done so many times. *)
+  let timed c times work =
+    let start = Unix.gettimeofday () in
+    let result = work () in
+    let seconds = Float.max 0. (Unix.gettimeofday () -. start) in
+    c.telling <- c.telling +. (float_of_int times *. seconds);
+    result
+
+  (* In the order of their numbers, which is about that in which they are expanded. *)
+  let see_who_is_ready c =
+    while c.next < Graph.size c.graph && Queue.length c.ready < 2 * c.batch do
+      if c.next land (stretch - 1) >= c.here then Queue.push c.next c.ready;
+      c.next <- c.next + 1
+    done
+
+  (* States for a request: some may have been expanded meanwhile. *)
   let next_states c =
-    let chosen = ref [] and count = ref 0 in
-    let choose i =
-      if i land (stretch - 1) < c.here || Hashtbl.mem c.states i then false
-      else begin
-        chosen := i :: !chosen;
-        incr count;
-        !count >= c.batch
-      end
+    let rec from count chosen =
+      match if count < c.batch then Queue.take_opt c.ready else None with
+      | None -> List.rev chosen
+      | Some i -> if i <> c.now && c.waits i then from (count + 1) (i :: chosen) else from count chosen
     in
-    ignore (c.waiting choose);
-    List.rev !chosen
+    from 0 []
 
   (* As many of them as are let through; a large state goes alone. *)
   let request c w states =
@@ -149,78 +194,129 @@ module Make
         fill (i :: sent) rest
       | _ -> List.rev sent
     in
-    let sent = fill [] states in
+    let sent = timed c 1 (fun () -> fill [] states) in
     let whole = Buffer.create (Buffer.length b + 4) in
     Packed.put_nat whole (List.length sent);
     Buffer.add_buffer whole b;
-    List.iter (fun i -> Hashtbl.replace c.states i Under_way) sent;
-    Queue.push (sent, Buffer.length whole) w.requests;
+    let request = { worker = w; bytes = Buffer.length whole; unread = sent; reply = None } in
+    List.iter (fun i -> States.replace c.sent i request) sent;
+    Queue.push request w.under_way;
     match Channel.put w.channel whole with () -> () | exception Channel.Closed -> bury c w
 
-  (* Two requests each, so that nobody waits for the next one. *)
-  let has_room w =
-    Queue.is_empty w.requests || (Queue.length w.requests < 2 && bytes_under_way w <= most_bytes / 2)
+  (* Two requests each, so that nobody waits for the next one; but only who has none gets one of few states. *)
+  let has_room c w =
+    Queue.is_empty w.under_way
+    || Queue.length w.under_way < 2
+       && bytes_under_way w <= most_bytes / 2
+       && Queue.length c.ready >= Int.min few_states c.batch
 
   (* What is found is of no use before its turn: nobody runs far ahead of the process that has the graph. *)
-  let is_far_ahead c = Hashtbl.length c.states > 3 * c.batch * List.length c.workers
+  let is_far_ahead c = States.length c.sent > 3 * c.batch * List.length c.workers
 
   let rec send c =
-    match List.filter has_room c.workers with
+    see_who_is_ready c;
+    match List.filter (has_room c) c.workers with
     | [] -> ()
-    | _ :: _ when is_far_ahead c -> ()
-    | free -> (
-        let busy w = Queue.length w.requests in
+    | free when Queue.length c.ready >= c.least && not (is_far_ahead c) -> (
+        let busy w = Queue.length w.under_way in
         let w = List.hd (List.stable_sort (fun a b -> Int.compare (busy a) (busy b)) free) in
-        if Queue.is_empty w.requests then find_less_here c;
-        match next_states c with
+        match timed c 1 (fun () -> next_states c) with
         | [] -> ()
         | states ->
           request c w states;
           send c)
+    | _ :: _ -> ()
+
+  (* To tell another process of states, and to hear of them, takes longer than to find their transitions. *)
+  let costs_more c each = c.taken > 1000 && c.telling *. safety > each *. float_of_int c.taken
 
   let receive c w =
     match Channel.get w.channel with
     | exception Channel.Closed -> bury c w
     | message ->
       let source = Packed.source message in
-      let states, _ = Queue.pop w.requests in
-      List.iter (fun i -> Hashtbl.replace c.states i (Found (read_answer w.back source))) states;
-      let seconds = 1e-6 *. float_of_int (Packed.nat source) in
+      let request = Queue.pop w.under_way in
+      let seconds () = 1e-6 *. float_of_int (Packed.nat source) in
+      let waited = seconds () in
+      let worked = seconds () in
       w.words <- Packed.nat source;
       told c;
-      let each = Float.max 1e-7 (seconds /. float_of_int (List.length states)) in
-      c.batch <- Int.max 1 (Int.min most_states (int_of_float (batch_seconds /. each)))
+      let each = Float.max 1e-7 (worked /. float_of_int (List.length request.unread)) in
+      if costs_more c each then find_more_here c else if waited > worked /. 4. then find_less_here c;
+      c.batch <- Int.max 1 (Int.min most_states (int_of_float (batch_seconds /. each)));
+      c.least <- Int.max 1 (Int.min (c.batch / 4) (int_of_float (message_seconds /. each)));
+      request.reply <- Some source;
+      Queue.push request w.replies
 
   let exchange c channels =
     Critical.run (fun () ->
         List.iter (fun w -> if List.memq w.channel channels then receive c w) c.workers;
         send c)
 
-  let all_channels c = List.map (fun w -> w.channel) c.workers
+  let channels c = List.filter_map (fun w -> if Queue.is_empty w.under_way then None else Some w.channel) c.workers
 
-  let take c i answer =
-    Hashtbl.remove c.states i;
-    match answer with
-    | Look -> None
-    | Steps { some; all } -> Some (Graph.all_or_some c.graph ~some ~all:(fun () -> Ok all))
+  (* Of a state whose request has been answered. What one process tells can only be read in order. *)
+  let rec read_on c w i =
+    match Queue.peek w.replies with
+    | { reply = Some source; unread = next :: rest; _ } as request ->
+      let answer = read_answer w.back source in
+      request.unread <- rest;
+      if next = i then answer
+      else begin
+        States.replace c.early next answer;
+        read_on c w i
+      end
+    | { reply = None; _ } | { unread = []; _ } ->
+      ignore (Queue.pop w.replies);
+      read_on c w i
+
+  let answer_of c request i =
+    match States.find_opt c.early i with
+    | None -> read_on c request.worker i
+    | Some answer ->
+      States.remove c.early i;
+      answer
 
   (* None: it is to be found here. *)
   let rec found c i =
-    match Hashtbl.find_opt c.states i with
+    match States.find_opt c.sent i with
     | None -> None
-    | Some (Found answer) -> take c i answer
-    | Some Under_way ->
+    | Some { reply = None; _ } ->
       find_more_here c;
-      exchange c (Channel.ready (all_channels c));
+      exchange c (Channel.ready (channels c));
       found c i
+    | Some request -> (
+        let read () = answer_of c request i in
+        let answer = if i land (one_of - 1) = 0 then timed c one_of read else read () in
+        c.taken <- c.taken + 1;
+        States.remove c.sent i;
+        match answer with
+        | Look -> None
+        | Steps { some; all } -> Some (Graph.all_or_some c.graph ~some ~all:(fun () -> Ok all)))
 
   let steps result = Result.map (fun steps -> Graph.All steps) result
 
-  (* After so many states one looks whether something has come, and whether somebody has nothing to do. *)
-  let between_looks c = Int.max 1 (c.batch / 4)
+  (* Whether something has come, and whether others have nothing to do, is looked at after so many states. *)
+  let between_looks c = Int.max 1 (c.batch / 32)
 
-  let begun g jobs waiting =
-    let c = { graph = g; waiting; states = Hashtbl.create 1024; workers = []; deaths = 0; batch = 8; here = 0 } in
+  let begun g jobs waits =
+    let c =
+      {
+        graph = g; waits;
+        now = -1;
+        next = 0;
+        ready = Queue.create ();
+        sent = States.create 1024;
+        early = States.create 16;
+        workers = [];
+        deaths = 0;
+        batch = 8;
+        least = 1;
+        here = 0;
+        telling = 0.;
+        taken = 0;
+      }
+    in
     for _ = 1 to jobs - 1 do
       new_worker c
     done;
@@ -228,8 +324,8 @@ module Make
 
   (* Whether it pays is asked once the first states have been found here. *)
   let expanding ~jobs ~start : Graph.expanding =
-    fun g ~all_edges ~waiting ->
-    if jobs < 2 then Graph.here g ~all_edges ~waiting
+    fun g ~all_edges ~waits ->
+    if jobs < 2 then Graph.here g ~all_edges ~waits
     else begin
       let crew = ref None and turns = ref 0 in
       let first = Unix.gettimeofday () and spent = ref 0. and here = ref 0 in
@@ -248,7 +344,7 @@ module Make
       in
       let call_in () =
         if Option.is_none !crew && pays () then
-          Critical.run (fun () -> crew := Some (begun g jobs waiting))
+          Critical.run (fun () -> crew := Some (begun g jobs waits))
       in
       let expand i tuple =
         incr turns;
@@ -256,14 +352,12 @@ module Make
         match !crew with
         | None -> find_here tuple
         | Some c -> (
+            c.now <- i;
             if !turns mod between_looks c = 0 then
-              exchange c (List.filter Channel.has_message (all_channels c));
+              exchange c (List.filter Channel.has_message (channels c));
             match found c i with
             | Some result -> steps result
-            | None ->
-              let result = steps (Graph.successors g tuple) in
-              exchange c [];
-              result)
+            | None -> steps (Graph.successors g tuple))
       in
       let finish () =
         Option.iter

@@ -102,7 +102,7 @@ module Make
         note)
 
   let expanding ?block log (after : Graph.expanding) : Graph.expanding =
-    fun g ~all_edges ~waiting ->
+    fun g ~all_edges ~waits ->
     let j =
       {
         log;
@@ -116,7 +116,7 @@ module Make
       }
     in
     advance j;
-    let after = lazy (after g ~all_edges ~waiting) in
+    let after = lazy (after g ~all_edges ~waits) in
     let afresh state tuple = (Lazy.force after).Graph.expand state tuple in
     let expand state tuple =
       match j.ahead with

@@ -255,7 +255,7 @@ module Make (L : Lts.S) = struct
   let expand g (limits : Limits.t) around visitor expander i =
     Tuples.load g.tuples g.near i;
     let tuple = Tuples.slots g.near in
-    let grow steps ~targets ~count =
+    let grow steps ~targets ~count ~all_told =
       match limits.states with
       | Some n when not (fits g (n - size g) steps) -> Some States
       | Some _ | None ->
@@ -267,6 +267,8 @@ module Make (L : Lts.S) = struct
         introduce g around visitor ~first tuple steps targets;
         let told = expander.expanded () in
         let arrows = relax_all g limits visitor i ~first steps targets told in
+        if all_told && List.for_all (fun (s : Lts.step) -> takes_time g s.label) steps then
+          Statuses.note_timed g.statuses i;
         let edges () = Array.map2 (fun label target -> { label; target }) (labels_of steps) targets in
         Option.iter (fun opened -> Limits.within around (fun () -> opened g i tuple (edges ()))) visitor.opened;
         Option.iter (fun t -> t.tell i ~count arrows) told;
@@ -277,9 +279,10 @@ module Make (L : Lts.S) = struct
       leave_out g i (Fault fault);
       None
     | Ok (All steps) ->
-      grow steps ~targets:(fun () -> looked_up g limits i tuple steps) ~count:(List.length steps)
+      grow steps ~targets:(fun () -> looked_up g limits i tuple steps) ~count:(List.length steps) ~all_told:true
     | Ok (Noted { arrows; count }) ->
       grow (List.map without_target arrows) ~targets:(fun () -> as_noted g limits i tuple arrows) ~count
+        ~all_told:false
 
   (* All that is left of the frontier, of which [i] has been taken already. *)
   let give_up g i reason =
@@ -322,18 +325,14 @@ module Make (L : Lts.S) = struct
       None
     | Queued, None -> expand g limits around visitor expander i
 
-  (* Those that will be expanded as far as can be told now, the next one first. *)
-  let exists_waiting g limits visitor test =
-    let waits i =
-      match status g i with
-      | Queued -> Option.is_none (out_of_bounds g limits i) && visitor.matters (arrival g i)
-      | Expanded | Unexpanded _ -> false
-    in
-    Frontier.exists (fun i -> waits i && test i) g.frontier
+  let waits g limits visitor i =
+    match status g i with
+    | Queued -> Option.is_none (out_of_bounds g limits i) && visitor.matters (arrival g i)
+    | Expanded | Unexpanded _ -> false
 
-  type expanding = t -> all_edges:bool -> waiting:((int -> bool) -> bool) -> expander
+  type expanding = t -> all_edges:bool -> waits:(int -> bool) -> expander
 
-  let here g ~all_edges:_ ~waiting:_ =
+  let here g ~all_edges:_ ~waits:_ =
     {
       expand = (fun _ tuple -> Result.map (fun steps -> All steps) (successors g tuple));
       expanded = (fun () -> None);
@@ -347,7 +346,7 @@ module Make (L : Lts.S) = struct
     let whole = Tuples.difference (Array.map (fun _ -> -1) first) first in
     let i = Tuples.intern g.tuples ~near:g.near whole in
     let all_edges = keep_edges || Option.is_some visitor.opened in
-    let expander = expanding g ~all_edges ~waiting:(exists_waiting g limits visitor) in
+    let expander = expanding g ~all_edges ~waits:(waits g limits visitor) in
     (* What ends the exploration, at this state or before it. *)
     let look round i =
       if visitor.enough () then Some Stopped

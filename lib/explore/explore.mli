@@ -74,10 +74,9 @@ module Make (L : Lts.S) : sig
     finish : unit -> unit;  (** at the end, whatever that is *)
   }
 
-  type expanding = t -> all_edges:bool -> waiting:((int -> bool) -> bool) -> expander
+  type expanding = t -> all_edges:bool -> waits:(int -> bool) -> expander
   (** Of an exploration that begins. [all_edges]: edges are kept or looked at, also those that change nothing.
-      [waiting test]: whether one of the states satisfies the test that are to be expanded as far as can be told
-      now; the next one is looked at first, and none after the one that does. *)
+      [waits i]: whether the state is to be expanded as far as can be told now. *)
 
   val here : expanding
   (** By {!successors}. *)
@@ -104,6 +103,9 @@ module Make (L : Lts.S) : sig
 
   val edges : t -> int -> edge array
   (** In the order of {!Lts.S.successors}; empty while the state is not expanded. *)
+
+  val edges_at_once : t -> int -> (int * edge) list
+  (** Those without duration, each with its place among the {!edges}. *)
 
   val targets : t -> timed:bool -> int -> int array
   (** Those of the edges of a state that take time, or of those that take none, in order. *)

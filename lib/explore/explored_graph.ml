@@ -87,6 +87,13 @@ module Make (L : Lts.S) = struct
 
   let edges g i = if is_expanded g i then known_edges g i else [||]
 
+  (* Of most states it has been noted that there are none. *)
+  let edges_at_once g i =
+    if Statuses.is_timed g.statuses i then []
+    else
+      Array.to_list (Array.mapi (fun choice e -> (choice, e)) (edges g i))
+      |> List.filter (fun (_, e) -> not (takes_time g e.label))
+
   let passing g i =
     let timed e = takes_time g e.label in
     let label =

@@ -53,12 +53,3 @@ let take = function
 let iter f = function
   | Line l -> Queue.iter (fun run -> for i = run.first to run.last do f i done) l.runs
   | Calendar c -> Times.iter (fun _ day -> Queue.iter f day) c.days
-
-let exists test f =
-  let rec between i last = i <= last && (test i || between (i + 1) last) in
-  let rec some holds seq =
-    match seq () with Seq.Nil -> false | Cons (x, rest) -> holds x || some holds rest
-  in
-  match f with
-  | Line l -> some (fun run -> between run.first run.last) (Queue.to_seq l.runs)
-  | Calendar c -> some (fun (_, day) -> some test (Queue.to_seq day)) (Times.to_seq c.days)

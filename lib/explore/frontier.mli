@@ -17,6 +17,3 @@ val take : t -> int option
 
 val length : t -> int
 val iter : (int -> unit) -> t -> unit
-
-val exists : (int -> bool) -> t -> bool
-(** From the head on, up to the first that is so. *)

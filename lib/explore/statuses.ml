@@ -52,7 +52,7 @@ let mark_at s i =
 let get s i =
   match mark_at s i with
   | 'q' -> Queued
-  | 'e' -> Expanded
+  | 'e' | 't' -> Expanded
   | '0' -> Unexpanded Depth
   | '1' -> Unexpanded Time
   | '2' -> Unexpanded Instant
@@ -108,5 +108,8 @@ let count s reason = s.counts.(Char.code (mark (Unexpanded reason)))
 
 (* The reasons have the ten digits. *)
 let unexpanded s = Array.fold_left ( + ) 0 (Array.sub s.counts (Char.code '0') 10)
-let is_expanded s i = Char.equal (mark_at s i) 'e'
+let is_expanded s i = match mark_at s i with 'e' | 't' -> true | _ -> false
+
+let note_timed s i = put s i 't'
+let is_timed s i = Char.equal (mark_at s i) 't'
 let bytes s = Array.fold_left (fun n chunk -> n + 8 + Bytes.length chunk) (Bytes.length s.common) s.chunks

@@ -37,5 +37,11 @@ val count : 'fault t -> 'fault reason -> int
 
 val is_expanded : 'fault t -> int -> bool
 
+val note_timed : 'fault t -> int -> unit
+(** A state that has been expanded has no edges but such as take time. *)
+
+val is_timed : 'fault t -> int -> bool
+(** Whether that has been noted. *)
+
 val bytes : 'fault t -> int
 (** About how much memory it takes. *)

@@ -140,7 +140,11 @@ let told ?expanding ?dies ?(first = 0) ?(stop = fun () -> None) case =
   for i = 0 to Graph.size g - 1 do
     say "%d: %d %s %d %s: %s" i (name g i) (status (Graph.status g i)) (Graph.depth g i)
       (Rat.to_string (Graph.arrival g i))
-      (edges g (Graph.edges g i))
+      (edges g (Graph.edges g i));
+    (* Also where it has been noted that there are none. *)
+    let numbered = List.mapi (fun k e -> (k, e)) (Array.to_list (Graph.edges g i)) in
+    let at_once = List.filter (fun (_, e) -> Rat.sign (Graph.duration g e) = 0) numbered in
+    if at_once <> Graph.edges_at_once g i then QCheck2.Test.fail_reportf "edges at once of %d" i
   done;
   Buffer.contents heard
 
