@@ -195,6 +195,20 @@ let body c number =
     b
   end
 
+let memory = 1 lsl 12
+
+let remembered c any f =
+  let known = Array.make memory nobody and values = Array.make memory any in
+  fun number ->
+    let k = number land (memory - 1) in
+    if known.(k) = number then values.(k)
+    else begin
+      let v = f (body c number).process in
+      known.(k) <- number;
+      values.(k) <- v;
+      v
+    end
+
 let displaced c d b =
   let velocity = Vectors.get c.vectors b.velocity in
   let place = Vec.axpy d velocity (Vectors.get c.vectors b.place) in

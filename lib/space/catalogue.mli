@@ -90,6 +90,10 @@ val no_body : body
 
 val body : t -> int -> body
 
+val remembered : t -> 'value -> (State.process -> 'value) -> int -> 'value
+(** A function of processes as one of their numbers, that remembers its last values. Any value is needed to begin
+    with. *)
+
 val displaced : t -> Rat.t -> body -> int
 (** Where its velocity takes it in a time, with nothing else changed. *)
 

@@ -66,11 +66,12 @@ let is_inside (low, high) (p : State.process) =
   in
   within Vec.X && within Y && within Z
 
-let all_inside (m : Model.t) fence processes =
-  let stays (p : State.process) = m.leaves.(p.leaves.(0).leaf).fixed in
+let is_held (m : Model.t) fence (p : State.process) =
   match fence with
   | None -> false
-  | Some box -> Array.for_all (fun p -> stays p || is_inside box p) processes
+  | Some box -> m.leaves.(p.leaves.(0).leaf).fixed || is_inside box p
+
+let all_inside m fence processes = Option.is_some fence && Array.for_all (is_held m fence) processes
 
 let pushing : Behaviour.t -> bool = function
   | Weak (_, { push; _ }, _) | Strong (_, push, _) -> Rat.sign push > 0
@@ -299,6 +300,8 @@ let shift time g = Vec.sub (Vec.scale time g.velocity) g.low
 (* Bits. Where velocities are longer, they grow, so that states do not recur; and each comparison takes long.
    States of which one stands for the other have the same velocities. *)
 let long = 128
+
+let is_inside d p = is_held d.model d.fence p
 
 let place d processes =
   let is_long (p : State.process) = Vec.bits p.velocity > long in

@@ -8,7 +8,7 @@ type fault = Transition.fault
 
 type context = {
   local : Local.t;
-  quotient : Quotient.t;
+  quotient : Quotient.within;
   visible : (int -> bool) option;
   initial : State.t;
   encounters : Encounters.t;
@@ -26,14 +26,14 @@ let model c = Semantics.model (semantics c)
 let start c = c.initial
 let codec c = Lazy.force c.codec
 let width c = Catalogue.width (catalogue c)
-let initial c = Quotient.representative c.quotient (catalogue c) (Catalogue.encode (catalogue c) c.initial)
-let representative c tuple = Quotient.representative c.quotient (catalogue c) tuple
+let initial c = Quotient.representative c.quotient (Catalogue.encode (catalogue c) c.initial)
+let representative c tuple = Quotient.representative c.quotient tuple
 
 let same_but_for_places c (s : State.t) (t : State.t) =
-  Quotient.same_but_for_places c.quotient (catalogue c) (Catalogue.encode (catalogue c) s)
+  Quotient.same_but_for_places c.quotient (Catalogue.encode (catalogue c) s)
     (Catalogue.encode (catalogue c) t)
 
-let keeps c tuple quantity = Quotient.keeps c.quotient (catalogue c) tuple quantity
+let keeps c tuple quantity = Quotient.keeps c.quotient tuple quantity
 let longest c = Catalogue.greatest_bits (catalogue c)
 let bits c tuple = (Length.longest (Catalogue.decode (catalogue c) tuple)).bits
 let duration c label = Catalogue.duration (catalogue c) label
@@ -52,6 +52,7 @@ let make ?(events = []) ?(time_seen = Scc_property.Time_seen.Always) ?(quotient 
   let encounters = Encounters.create ~memory:(4 * memory) local in
   let draws = Model.draws m && Option.is_none m.rigid && events = [] in
   let codec = lazy (Scc_codec.State_codec.make m initial) in
+  let quotient = Quotient.within quotient (Local.catalogue local) in
   { local; quotient; visible; initial; encounters; scene; draws; codec; given_up = []; seen = Bytes.empty;
     may_split = false }
 
@@ -116,7 +117,7 @@ let set_happened c tuple places = set_mark c tuple (mark_of c places)
 let to_representative c tuple (s : Lts.step) =
   if Quotient.is_none c.quotient then s
   else
-    let target = Quotient.representative c.quotient (catalogue c) (Tuples.apply s.changes tuple) in
+    let target = Quotient.representative c.quotient (Tuples.apply s.changes tuple) in
     { s with changes = Tuples.difference tuple target }
 
 (* Who is there, and where, changes only with time and by absorption: other transitions lead from representatives
@@ -226,7 +227,7 @@ let choices c source =
   let encoded (t : Transition.t) =
     let target = Catalogue.encode (catalogue c) t.target in
     set_mark c target (Local.mark c.local ~source t.label);
-    Quotient.representative c.quotient (catalogue c) target
+    Quotient.representative c.quotient target
   in
   let with_target t = (t, lazy (encoded t)) in
   Result.map (List.map with_target) (Network.successors (semantics c) source)
@@ -271,7 +272,7 @@ let drawn c tuple p outcome =
   let number = Catalogue.process catalogue (State.with_draw (Some (Drawn (fst outcome))) p) in
   let target = Array.copy tuple in
   target.(slot) <- number;
-  let target' = Quotient.representative c.quotient catalogue target in
+  let target' = Quotient.representative c.quotient target in
   { Lts.label; changes = (if target' == target then [| slot; number |] else Tuples.difference tuple target') }
 
 (* While two or more wait to draw (rule Draw), a draw changes one process alone: what all have drawn takes effect

@@ -5,21 +5,7 @@ open Scc_motion
 open Scc_property
 open Scc_evaluate
 
-let memory = 1 lsl 12
-
-(* A function of processes that remembers its last values. *)
-let by_process c initial f =
-  let catalogue = Network_lts.catalogue c in
-  let known = Array.make memory Catalogue.nobody and values = Array.make memory initial in
-  fun number ->
-    let k = number land (memory - 1) in
-    if known.(k) = number then values.(k)
-    else begin
-      let v = f (Catalogue.body catalogue number).process in
-      known.(k) <- number;
-      values.(k) <- v;
-      v
-    end
+let by_process c any f = Catalogue.remembered (Network_lts.catalogue c) any f
 
 let leaves c = Array.length (Network_lts.model c).leaves
 

@@ -10,18 +10,26 @@ type t = {
 }
 
 val none : t
-val is_none : t -> bool
 
 val translatable : Model.t -> State.t -> Property.temporal list -> bool
 (** Whether nothing depends on where the whole is: no law and no formula speaks of positions, and nothing is
     fixed. *)
 
-val representative : t -> Catalogue.t -> int array -> int array
-(** Of the states that are equal to one, the one that stands for them all. *)
+(** {1 Of the tuples of a catalogue} *)
 
-val same_but_for_places : t -> Catalogue.t -> int array -> int array -> bool
+type within
+
+val within : t -> Catalogue.t -> within
+
+val is_none : within -> bool
+(** Each state stands for itself alone. *)
+
+val representative : within -> int array -> int array
+(** Of the states that are equal to one, the one that stands for them all; the same array, if that is it. *)
+
+val same_but_for_places : within -> int array -> int array -> bool
 (** Two states under the same names that differ in nothing but in how far those are from each other that never meet
     again. *)
 
-val keeps : t -> Catalogue.t -> int array -> Property.quantity -> bool
+val keeps : within -> int array -> Property.quantity -> bool
 (** Whether its value in a state of the graph is that in each state that this one stands for. *)

@@ -65,12 +65,12 @@ let find (m : Model.t) ~(initial : State.t) ~searched ~evaluated =
 (** {2 Canonical form} *)
 
 (* The first of the members, in order of their places, and none of the others. *)
-let in_order places members ~present =
+let in_order places present members =
+  let there i = i < Array.length members && present.(members.(i)) in
+  let rec gone i = i >= Array.length members || ((not (there i)) && gone (i + 1)) in
   let rec from i =
-    i >= Array.length present
-    || present.(i) = members.(i)
-       && (i = 0 || Vec.compare places.(present.(i - 1)) places.(present.(i)) < 0)
-       && from (i + 1)
+    if not (there i) then gone i
+    else (i = 0 || Vec.compare places.(members.(i - 1)) places.(members.(i)) < 0) && from (i + 1)
   in
   from 0
 
@@ -88,10 +88,10 @@ let canonical s processes =
               present.(l.leaf) <- true)
            p.leaves)
       processes;
-    let here members = Array.of_list (List.filter (fun l -> present.(l)) (Array.to_list members)) in
-    let left = Array.map here s.members in
-    if Array.for_all2 (fun members present -> in_order places members ~present) s.members left then None
+    if Array.for_all (in_order places present) s.members then None
     else begin
+      let here members = Array.of_list (List.filter (fun l -> present.(l)) (Array.to_list members)) in
+      let left = Array.map here s.members in
       let image = Array.init n Fun.id in
       let sort members left =
         let sorted = Array.copy left in

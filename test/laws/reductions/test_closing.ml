@@ -108,9 +108,8 @@ let by_rule (e : Scc_elaborate.Elaborate.t) initial =
   | Some d ->
     let quotient = { Quotient.none with drift = Some d } in
     let catalogue = Catalogue.create ~marked:false ~time_seen:Always ~memory:1024 e.model in
-    Some
-      (fun s ->
-         Catalogue.encode catalogue s |> Quotient.representative quotient catalogue |> Catalogue.decode catalogue)
+    let within = Quotient.within quotient catalogue in
+    Some (fun s -> Catalogue.encode catalogue s |> Quotient.representative within |> Catalogue.decode catalogue)
 
 let by_rule_tried = { moved = 0; states = 0 }
 
