@@ -179,9 +179,13 @@ class Spread:
             )
 
     def run(
-        self, progress: Callable[[PartsProgress], None], disturb: Optional[Callable[[Any], None]]
+        self,
+        progress: Callable[[PartsProgress], None],
+        disturb: Optional[Callable[[Any], None]],
+        ray_ends: bool = False,
     ) -> Iterator[Done]:
-        """All parts in order, each as soon as those before it are there."""
+        """All parts in order, each as soon as those before it are there. What is not waited for is cancelled, unless Ray
+        ends anyway: Ray 2.60 crashes at times where a task ends while it is cancelled."""
         there: Dict[int, Done] = {}
         left = self.left
         told = PartsProgress(self.what, self.count - sum(self.size(k) for k in left), self.count)
@@ -211,5 +215,5 @@ class Spread:
                     raise BadFile("%s is gone" % self.folder.file(self.file(turn)))
                 yield found
         finally:
-            for future in futures:
+            for future in () if ray_ends else futures:
                 self.ray.cancel(future)

@@ -43,6 +43,7 @@ class Place:
     checkpoint: Optional[str] = None
     progress: Optional[Callable[[PartsProgress], None]] = None
     disturb: Optional[Callable[[Any], None]] = None
+    ends: bool = False  #: the process ends with this work, and a Ray that was started here with the process
 
 
 def spread(work: Work, runs: Optional[int], where: Place, write: Callable[[bytes], Any]) -> Outcome:
@@ -69,7 +70,7 @@ def spread(work: Work, runs: Optional[int], where: Place, write: Callable[[bytes
                 where.progress(p)
 
         write(first_line)
-        for done in parts.run(show, where.disturb):
+        for done in parts.run(show, where.disturb, where.ends and where.address is None):
             write(done.text[len(first_line) :])
             outcome.note(done)
         outcome.again = parts.again

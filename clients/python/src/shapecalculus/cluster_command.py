@@ -133,7 +133,7 @@ def counted() -> Optional[Callable[[cluster.PartsProgress], None]]:
 
 
 def spread(given: Any) -> int:
-    where = Place(given.address, given.deadline, given.checkpoint, counted())
+    where = Place(given.address, given.deadline, given.checkpoint, counted(), ends=True)
     out = Output(given.output)
     if given.command == "sweep":
         bounds = ("depth", "time", "states", "seconds", "memory", "bits")
