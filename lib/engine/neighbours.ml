@@ -200,8 +200,13 @@ let earliest memory ~margin ~limit time (parts : Part.t array) =
         | Some _ | None when Option.equal Rat.equal limit window -> None
         | Some _ | None -> look (round + 1) (wider parts ~limit ~met:(List.length near) ~round span))
   in
-  if Part.move_alike parts then None
-  else match look 1 (first_window parts ~limit) with Some t when within_limit t -> Some t | Some _ | None -> None
+  let found =
+    if Part.move_alike parts then None
+    (* To look at boxes first takes as long as to cast one that does not turn. *)
+    else if Array.length parts = 2 && Array.for_all is_upright parts then earlier None (0, 1)
+    else look 1 (first_window parts ~limit)
+  in
+  match found with Some t when within_limit t -> Some t | Some _ | None -> None
 
 let boxes () =
   let memory = { seen = [||]; turned = Hashtbl.create 16; boxes = [||]; pairs = [] } in

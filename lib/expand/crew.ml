@@ -17,7 +17,7 @@ let most_bytes = 48 * 1024
 
 (* Seconds after which others may be called in, and those that a state is to take for it. *)
 let grace = 0.5
-let worth = 20e-6
+let worth = 2.5e-6
 
 (* What is told costs this process about so many times what is measured of it, as caches and the garbage collector
    have to do with it, too. One of so many states is timed. *)

@@ -18,7 +18,15 @@ type within = {
   quotient : t;
   catalogue : Catalogue.t;
   is_inside : int -> bool;  (** {!Drift.is_inside}, of the number of a process *)
+  names : names Recent.t;
 }
+
+(* A process of one leaf, the leaf that it is renamed to, and its number then. *)
+and names = { number : int; leaf : int; renamed : int }
+
+let place_of_name number leaf = (31 * number) + leaf
+let no_names = { number = Catalogue.nobody; leaf = 0; renamed = Catalogue.nobody }
+let memory = 1 lsl 14
 
 let within quotient catalogue =
   let is_inside =
@@ -26,7 +34,8 @@ let within quotient catalogue =
     | None -> fun _ -> true
     | Some d -> Catalogue.remembered catalogue false (Drift.is_inside d)
   in
-  { quotient; catalogue; is_inside }
+  let names = Recent.create ~number:(fun n -> place_of_name n.number n.leaf) ~none:no_names ~most:memory in
+  { quotient; catalogue; is_inside; names }
 
 let process w number = (Catalogue.body w.catalogue number).process
 
@@ -39,16 +48,38 @@ let fold_present w f acc (tuple : int array) =
 let present w tuple = fold_present w (fun slot _ slots -> slot :: slots) [] tuple
 let processes w tuple = Array.of_list (fold_present w (fun _ number found -> process w number :: found) [] tuple)
 
+(* The slot and the number of a process whose leaves have other names. *)
+let renamed w image number =
+  let p = process w number in
+  match p.leaves with
+  | [| { leaf; _ } |] when image leaf = leaf -> (leaf, number)
+  | [| { leaf; _ } |] ->
+    let leaf = image leaf in
+    let known = Recent.get w.names (place_of_name number leaf) in
+    if known.number = number && known.leaf = leaf then (leaf, known.renamed)
+    else begin
+      let names = { number; leaf; renamed = Catalogue.process w.catalogue (State.renamed image p) } in
+      Recent.keep w.names names;
+      (leaf, names.renamed)
+    end
+  | _ ->
+    let p = State.renamed image p in
+    (Catalogue.first_leaf p, Catalogue.process w.catalogue p)
+
 let sorted w tuple =
   let symmetry = w.quotient.symmetry in
   if Symmetry.is_none symmetry then tuple
   else
     match Symmetry.canonical symmetry (processes w tuple) with
     | None -> tuple
-    | Some renamed ->
+    | Some image ->
       let copy = Array.copy tuple in
       List.iter (fun slot -> copy.(slot) <- Catalogue.nobody) (present w tuple);
-      List.iter (fun p -> copy.(Catalogue.first_leaf p) <- Catalogue.process w.catalogue p) renamed;
+      let put _ number () =
+        let slot, number = renamed w image number in
+        copy.(slot) <- number
+      in
+      fold_present w put () tuple;
       copy
 
 (* The first leaf comes to the origin. *)

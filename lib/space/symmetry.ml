@@ -99,6 +99,6 @@ let canonical s processes =
         Array.iteri (fun i leaf -> image.(leaf) <- members.(i)) sorted
       in
       Array.iter2 sort s.members left;
-      Some (List.map (State.renamed (fun l -> image.(l))) (Array.to_list processes))
+      Some (fun leaf -> image.(leaf))
     end
   end
