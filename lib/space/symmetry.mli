@@ -25,5 +25,5 @@ val classes : t -> int list list
 (** Of two or more leaves. *)
 
 val canonical : t -> State.process array -> (int -> int) option
-(** How the leaves of a state are to be renamed, so that interchangeable ones are in the order of their places, and those
-    of a class that are gone are its last; [None] when they are in that order already. *)
+(** How the leaves of a state are to be renamed, so that interchangeable ones are in the order of their places, and
+    those of a class that are gone are its last; [None] when they are in that order already. *)
