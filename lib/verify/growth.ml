@@ -170,17 +170,14 @@ let leaving m leaf states =
   let at (s : State.t) =
     Option.bind (State.home s leaf) (fun p -> distance2 m p s)
   in
-  let rec rises before = function
-    | [] -> true
-    | Some d :: rest -> Rat.compare before d <= 0 && rises d rest
-    | None :: _ -> false
+  let rec rises first before i =
+    if i = Array.length states then if Rat.compare first before < 0 then Some (first, before) else None
+    else
+      match at states.(i) with
+      | Some d when Rat.compare before d <= 0 -> rises first d (i + 1)
+      | Some _ | None -> None
   in
-  match List.map at (Array.to_list states) with
-  | Some first :: rest when rises first rest -> (
-      match List.nth_opt rest (List.length rest - 1) with
-      | Some (Some last) when Rat.compare first last < 0 -> Some (first, last)
-      | _ -> None)
-  | _ -> None
+  Option.bind (at states.(0)) (fun first -> rises first first 1)
 
 let leaves_all (m : Model.t) states =
   let others leaf = Array.map (fun s -> at_origin (without leaf s)) states in
