@@ -4,32 +4,15 @@ open Scc_explore
 
 type start = At_once | When_it_pays
 
-(* Seconds that a message is to be worth, and those that it has to be; how many states are in one at least, while
-   another is under way, and how many at most. *)
-let batch_seconds = 0.002
-let message_seconds = 50e-6
-let few_states = 64
-let most_states = 2048
-
 (* A request of no more bytes than this, with those that are under way, does not fill the channel: then nobody
    waits for anybody who waits. *)
 let most_bytes = 48 * 1024
 
-(* Seconds after which others may be called in, and those that a state is to take for it. *)
+(* Seconds after which others may be called in. *)
 let grace = 0.5
-let worth = 2.5e-6
-
-(* What is told costs this process about so many times what is measured of it, as caches and the garbage collector
-   have to do with it, too. One of so many states is timed. *)
-let safety = 3.
-let one_of = 16
 
 (* So often is a process replaced that has died; what is left is found here. *)
 let most_deaths = 20
-
-(* Of so many states with numbers one after the other, a power of two, the first few are found by this process. *)
-let stretch = 64
-let most_here = 63
 
 module States = Hashtbl.Make (struct
     type t = int
@@ -122,6 +105,7 @@ module Make
 
   type t = {
     graph : Graph.t;
+    balance : Balance.t;
     waits : int -> bool;
     mutable now : int;  (** the state that is expanded *)
     mutable next : int;  (** the first that has not been looked at: whether it is found here or not *)
@@ -130,11 +114,6 @@ module Make
     early : answer States.t;  (** that had to be read before the turn of their states *)
     mutable workers : worker list;
     mutable deaths : int;
-    mutable batch : int;  (** states of the next request, *)
-    mutable least : int;  (** and how many it is to have at least *)
-    mutable here : int;  (** how many of each {!stretch} of states are found by this process *)
-    mutable telling : float;  (** seconds that this process has spent on what others find *)
-    mutable taken : int;  (** so many states *)
   }
 
   let told c = Memory.set_beside (List.fold_left (fun n w -> n + Memory.bytes_of_words w.words) 0 c.workers)
@@ -157,29 +136,17 @@ module Make
 
   let bytes_under_way w = Queue.fold (fun n request -> n + request.bytes) 0 w.under_way
 
-  (* A process that waits for others finds more by itself, and less when they have nothing to do. *)
-  let find_more_here c = c.here <- Int.min most_here (c.here + 1)
-  let find_less_here c = c.here <- Int.max 0 (c.here - 1)
-
-  (* What takes so long is done so many times. *)
-  let timed c times work =
-    let start = Unix.gettimeofday () in
-    let result = work () in
-    let seconds = Float.max 0. (Unix.gettimeofday () -. start) in
-    c.telling <- c.telling +. (float_of_int times *. seconds);
-    result
-
   (* In the order of their numbers, which is about that in which they are expanded. *)
   let see_who_is_ready c =
-    while c.next < Graph.size c.graph && Queue.length c.ready < 2 * c.batch do
-      if c.next land (stretch - 1) >= c.here then Queue.push c.next c.ready;
+    while c.next < Graph.size c.graph && Queue.length c.ready < 2 * Balance.batch c.balance do
+      if not (Balance.is_here c.balance c.next) then Queue.push c.next c.ready;
       c.next <- c.next + 1
     done
 
   (* States for a request: some may have been expanded meanwhile. *)
   let next_states c =
     let rec from count chosen =
-      match if count < c.batch then Queue.take_opt c.ready else None with
+      match if count < Balance.batch c.balance then Queue.take_opt c.ready else None with
       | None -> List.rev chosen
       | Some i -> if i <> c.now && c.waits i then from (count + 1) (i :: chosen) else from count chosen
     in
@@ -194,7 +161,7 @@ module Make
         fill (i :: sent) rest
       | _ -> List.rev sent
     in
-    let sent = timed c 1 (fun () -> fill [] states) in
+    let sent = Balance.telling c.balance (fun () -> fill [] states) in
     let whole = Buffer.create (Buffer.length b + 4) in
     Packed.put_nat whole (List.length sent);
     Buffer.add_buffer whole b;
@@ -208,27 +175,24 @@ module Make
     Queue.is_empty w.under_way
     || Queue.length w.under_way < 2
        && bytes_under_way w <= most_bytes / 2
-       && Queue.length c.ready >= Int.min few_states c.batch
+       && Queue.length c.ready >= Balance.least_ahead c.balance
 
   (* What is found is of no use before its turn: nobody runs far ahead of the process that has the graph. *)
-  let is_far_ahead c = States.length c.sent > 3 * c.batch * List.length c.workers
+  let is_far_ahead c = States.length c.sent > 3 * Balance.batch c.balance * List.length c.workers
 
   let rec send c =
     see_who_is_ready c;
     match List.filter (has_room c) c.workers with
     | [] -> ()
-    | free when Queue.length c.ready >= c.least && not (is_far_ahead c) -> (
+    | free when Queue.length c.ready >= Balance.least c.balance && not (is_far_ahead c) -> (
         let busy w = Queue.length w.under_way in
         let w = List.hd (List.stable_sort (fun a b -> Int.compare (busy a) (busy b)) free) in
-        match timed c 1 (fun () -> next_states c) with
+        match Balance.telling c.balance (fun () -> next_states c) with
         | [] -> ()
         | states ->
           request c w states;
           send c)
     | _ :: _ -> ()
-
-  (* To tell another process of states, and to hear of them, takes longer than to find their transitions. *)
-  let costs_more c each = c.taken > 1000 && c.telling *. safety > each *. float_of_int c.taken
 
   let receive c w =
     match Channel.get w.channel with
@@ -241,10 +205,7 @@ module Make
       let worked = seconds () in
       w.words <- Packed.nat source;
       told c;
-      let each = Float.max 1e-7 (worked /. float_of_int (List.length request.unread)) in
-      if costs_more c each then find_more_here c else if waited > worked /. 4. then find_less_here c;
-      c.batch <- Int.max 1 (Int.min most_states (int_of_float (batch_seconds /. each)));
-      c.least <- Int.max 1 (Int.min (c.batch / 4) (int_of_float (message_seconds /. each)));
+      Balance.answered c.balance ~states:(List.length request.unread) ~waited ~worked;
       request.reply <- Some source;
       Queue.push request w.replies
 
@@ -282,13 +243,11 @@ module Make
     match States.find_opt c.sent i with
     | None -> None
     | Some { reply = None; _ } ->
-      find_more_here c;
+      Balance.waited c.balance;
       exchange c (Channel.ready (channels c));
       found c i
     | Some request -> (
-        let read () = answer_of c request i in
-        let answer = if i land (one_of - 1) = 0 then timed c one_of read else read () in
-        c.taken <- c.taken + 1;
+        let answer = Balance.hearing c.balance i (fun () -> answer_of c request i) in
         States.remove c.sent i;
         match answer with
         | Look -> None
@@ -296,13 +255,10 @@ module Make
 
   let steps result = Result.map (fun steps -> Graph.All steps) result
 
-  (* Whether something has come, and whether others have nothing to do, is looked at after so many states. *)
-  let between_looks c = Int.max 1 (c.batch / 32)
-
-  let begun g jobs waits =
+  let begun g balance jobs waits =
     let c =
       {
-        graph = g; waits;
+        graph = g; balance; waits;
         now = -1;
         next = 0;
         ready = Queue.create ();
@@ -310,11 +266,6 @@ module Make
         early = States.create 16;
         workers = [];
         deaths = 0;
-        batch = 8;
-        least = 1;
-        here = 0;
-        telling = 0.;
-        taken = 0;
       }
     in
     for _ = 1 to jobs - 1 do
@@ -328,23 +279,16 @@ module Make
     if jobs < 2 then Graph.here g ~all_edges ~waits
     else begin
       let crew = ref None and turns = ref 0 in
-      let first = Unix.gettimeofday () and spent = ref 0. and here = ref 0 in
-      let find_here tuple =
-        let before = Unix.gettimeofday () in
-        let result = steps (Graph.successors g tuple) in
-        spent := !spent +. (Unix.gettimeofday () -. before);
-        incr here;
-        result
-      in
+      let first = Unix.gettimeofday () and balance = Balance.create ~now:Unix.gettimeofday in
+      let find_here tuple = steps (Balance.finding balance (fun () -> Graph.successors g tuple)) in
       let pays () =
         match start with
         | At_once -> true
-        | When_it_pays ->
-          Unix.gettimeofday () -. first > grace && !spent > worth *. float_of_int !here
+        | When_it_pays -> Unix.gettimeofday () -. first > grace && Balance.pays balance
       in
       let call_in () =
         if Option.is_none !crew && pays () then
-          Critical.run (fun () -> crew := Some (begun g jobs waits))
+          Critical.run (fun () -> crew := Some (begun g balance jobs waits))
       in
       let expand i tuple =
         incr turns;
@@ -353,11 +297,9 @@ module Make
         | None -> find_here tuple
         | Some c -> (
             c.now <- i;
-            if !turns mod between_looks c = 0 then
+            if !turns mod Balance.between_looks balance = 0 then
               exchange c (List.filter Channel.has_message (channels c));
-            match found c i with
-            | Some result -> steps result
-            | None -> steps (Graph.successors g tuple))
+            match found c i with Some result -> steps result | None -> find_here tuple)
       in
       let finish () =
         Option.iter

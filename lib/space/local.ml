@@ -42,7 +42,7 @@ type t = {
   catalogue : Catalogue.t;
   events : Property.event list;
   marks : Marks.t;
-  natures : nature Growable.t;  (** of the first forms *)
+  natures : nature option Growable.t;  (** of the first forms, where it has been asked for *)
   mutable waits : Rat.t list;  (** of them, each once: equal ones are the same *)
   nobody : alone;
   singles : alone Recent.t;
@@ -137,10 +137,15 @@ let look_at_form t p =
   { splits; wait = Option.map (shared t) (Time.wait (Semantics.model t.semantics) p) }
 
 let nature t form =
-  for i = Growable.length t.natures to form do
-    Growable.push t.natures (look_at_form t (Catalogue.form t.catalogue i))
+  for _ = Growable.length t.natures to form do
+    Growable.push t.natures None
   done;
-  Growable.get t.natures form
+  match Growable.get t.natures form with
+  | Some nature -> nature
+  | None ->
+    let nature = look_at_form t (Catalogue.form t.catalogue form) in
+    Growable.set t.natures form (Some nature);
+    nature
 
 (* The box about all comes first. *)
 let line velocity boxes =
