@@ -1,5 +1,5 @@
-(* Seconds of work that a request is to be worth, and those that it has to be; and how many states are in one at most,
-   and at least while another is under way. *)
+(* Seconds of work that a request is to be worth, and those that it has to be; and how many states are in one at
+   most, and at least while another is under way. *)
 let batch_seconds = 0.002
 let message_seconds = 50e-6
 let most_states = 2048

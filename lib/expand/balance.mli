@@ -1,6 +1,6 @@
-(** Which states a process that has the graph finds by itself, and which it leaves to others ({!Crew}): by what it
-    costs to find transitions, to tell others of states and hear of them, and by who waits for whom. All is measured
-    while it goes on; nothing that is found depends on it. *)
+(** Of which states the process that has the graph finds the transitions by itself, and which it leaves to others
+    ({!Crew}): by what it costs to find them, to tell others of states and to hear of them, and by who waits for
+    whom. All is measured while it goes on; nothing that is found depends on it. *)
 
 type t
 
@@ -16,8 +16,8 @@ val pays : t -> bool
 (** What has been found here takes so long that others may be of use. *)
 
 val telling : t -> (unit -> 'a) -> 'a
-(** Makes a request of some states. What a system takes to carry it does not count: of few states in one request it is
-    much, and requests have few states where few are told. *)
+(** Makes a request of some states. What a system takes to carry it does not count: it is much for a request of few
+    states, and requests have few where few are told. *)
 
 val hearing : t -> int -> (unit -> 'a) -> 'a
 (** Hears of one state, of this number. *)
@@ -26,7 +26,8 @@ val waited : t -> unit
 (** This process had nothing to do. *)
 
 val answered : t -> states:int -> waited:float -> worked:float -> unit
-(** Another process has found the transitions of so many states, in so many seconds, and had nothing to do before. *)
+(** Another process has found the transitions of so many states in [worked] seconds, and had nothing to do for
+    [waited] seconds before. *)
 
 (** {1 What follows} *)
 

@@ -54,8 +54,9 @@ let what_costs_more () =
 let how_many () =
   let w = world () in
   let told seconds =
-    Balance.answered w.balance ~states:10 ~waited:0. ~worked:(10. *. seconds);
-    (Balance.batch w.balance, Balance.least w.balance, Balance.least_ahead w.balance, Balance.between_looks w.balance)
+    let b = w.balance in
+    Balance.answered b ~states:10 ~waited:0. ~worked:(10. *. seconds);
+    (Balance.batch b, Balance.least b, Balance.least_ahead b, Balance.between_looks b)
   in
   let sizes = Alcotest.(pair (pair int int) (pair int int)) in
   let pairs (a, b, c, d) = ((a, b), (c, d)) in
