@@ -11,6 +11,7 @@ import glob
 import json
 import os
 import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -59,10 +60,10 @@ VALIDATORS = {}
 
 
 def validator(name):
-    """Of one schema, or with oracle# before it of a definition of the oracle's messages."""
+    """Of one schema, or, after a #, of a definition in it."""
     if name not in VALIDATORS:
-        of_oracle = name.partition("oracle#")[2]
-        schema = {"$ref": f"oracle.schema.json#/$defs/{of_oracle}"} if of_oracle else SCHEMAS[name + ".schema.json"]
+        whole, _, part = name.partition("#")
+        schema = {"$ref": f"{whole}.schema.json#/$defs/{part}"} if part else SCHEMAS[whole + ".schema.json"]
         VALIDATORS[name] = Validator(schema)
     return VALIDATORS[name]
 
@@ -494,6 +495,59 @@ def check_oracle(scc):
             check_answer(request, answers[json.dumps(request["id"])], f"oracle: {line[:60]}")
 
 
+def check_successors(scc, model, states=12):
+    """The first states of a model, asked for in lines, runs to those that meet a goal, and lines that are none of
+    either; and the texts of the frames that tell of the initial state."""
+    validate = validator("successors")
+    words = [scc, "successors", model]
+    pipe = subprocess.PIPE
+    filter = subprocess.Popen(words, stdin=pipe, stdout=pipe, stderr=subprocess.DEVNULL, text=True)
+
+    def told(kind):
+        document = json.loads(filter.stdout.readline(), parse_float=no_float)
+        error = jsonschema.exceptions.best_match(validate.iter_errors(document))
+        ok = error is None and kind in document
+        count(ok, f"successors {model}", error and f"{error.json_path}: {error.message[:300]}" or f"no {kind}")
+        return document if ok else {}
+
+    def ask(line, kind):
+        filter.stdin.write(line + "\n")
+        filter.stdin.flush()
+        return told(kind)
+
+    header = told("initial")
+    initial = header.get("initial", {"state": "", "goals": []})
+    found, shown = {initial["state"]: []}, set()
+    for state in found_in_turn(found, states):
+        answer = ask(state, "follows")
+        for goal, truth in enumerate(answer.get("goals", [])):
+            if truth is True and goal not in shown and header["goals"][goal]["within"] is None:
+                shown.add(goal)
+                ask(json.dumps({"goal": goal, "choices": found[state]}), "schedule")
+        for choice, next in enumerate(answer.get("successors", [])):
+            found.setdefault(next["state"], found[state] + [choice])
+    ask("0g", "error")
+    ask('{"goal": 100000, "choices": []}', "error")
+    filter.stdin.close()
+    filter.wait()
+    body = struct.pack("<3I", 1, 1, len(initial["state"]) // 2) + bytes.fromhex(initial["state"])
+    frames = subprocess.run(words + ["--framing", "batches"], input=struct.pack("<I", len(body)) + body, capture_output=True)
+    at = frames.stdout.index(b"\n") + 1
+    for name in ("moves_text", "targets_text"):
+        size, *_, text = struct.unpack_from("<4I", frames.stdout, at)
+        at += 4 + size
+        if text > 0:
+            check(f"successors#{name}", frames.stdout[at - text:at].decode(), f"successors {model}: {name}")
+
+
+def found_in_turn(found, most):
+    """Breadth first: more may be found while it goes on."""
+    for number in range(most):
+        if number >= len(found):
+            return
+        yield list(found)[number]
+
+
 def main():
     scc = sys.argv[1]
     for name in sorted(SCHEMAS):
@@ -514,6 +568,7 @@ def main():
                 check_trace(scc, model, "--states=ends")
                 check_simulation(scc, model)
                 check_graphs(scc, model, folder)
+                check_successors(scc, model)
         for model in sorted(glob.glob("specs/conformance/invalid/*.sc")):
             check_sarif(scc, model, folder)
         check_slowing(scc, folder)
