@@ -8,8 +8,10 @@ type start = At_once | When_it_pays
    waits for anybody who waits. *)
 let most_bytes = 48 * 1024
 
-(* Seconds after which others may be called in. *)
+(* Others are called in after so many seconds, and while there are so few states: a process that is forked keeps
+   what its parent has had, and what the parent writes to comes to be there twice. *)
 let grace = 0.5
+let few = 1 lsl 19
 
 (* So often is a process replaced that has died; what is left is found here. *)
 let most_deaths = 20
@@ -284,7 +286,8 @@ module Make
       let pays () =
         match start with
         | At_once -> true
-        | When_it_pays -> Unix.gettimeofday () -. first > grace && Balance.pays balance
+        | When_it_pays ->
+          Graph.size g <= few && Unix.gettimeofday () -. first > grace && Balance.pays balance
       in
       let call_in () =
         if Option.is_none !crew && pays () then
