@@ -155,10 +155,14 @@ let half t () : unit -> Limits.stop option =
 
 let interrupted t () = t.signalled
 
+(* A wish to stop that comes as the report is written would keep it from whoever waits for it. *)
 let finish t =
   timer 0.;
   t.stage <- None;
-  if t.signals && not t.signalled then on_signals Signal_default
+  if t.signals && not t.signalled then begin
+    let since = Unix.gettimeofday () in
+    on_signals (Signal_handle (fun signal -> if Unix.gettimeofday () -. since > again then end_by signal))
+  end
 
 (* What was given up for its memory has left it behind as garbage. *)
 let compacted t stage =

@@ -30,4 +30,4 @@ val interrupted : t -> unit -> bool
 
 val finish : t -> unit
 (** The work has stopped: what is left to do, such as writing what is known, takes as long as it takes. A signal
-    ends the program at once. *)
+    ends the program, but for one within the first half of a second. *)
