@@ -150,6 +150,12 @@ module Make (L : Lts.S) = struct
   let connect g limits i tuple ~known id ({ label; changes } : Lts.step) =
     if id = known then add g limits id (after g i label) changes (fun () -> Tuples.apply changes tuple)
 
+  let intern_prepared g limits i tuple n step =
+    let known = size g in
+    let id = Tuples.intern_prepared g.tuples n in
+    connect g limits i tuple ~known id step;
+    id
+
   (* Shows the visitor those that are new, in the order of their numbers from [first] on. *)
   let introduce g around visitor ~first tuple steps targets =
     let rec show next n = function
@@ -166,21 +172,17 @@ module Make (L : Lts.S) = struct
 
   (* An edge to a known state that clearly changes nothing leads deeper by no shorter way, and not earlier. No way
      that goes on from a state leads to it sooner: of all of its edges, its own depth and arrival are the same. *)
-  let is_plain g ~deeper ~arrival label target =
+  let[@inline] is_plain g ~deeper ~arrival label target =
     Distances.arrival_number g.distances target = arrival
     &&
     let known = depth g target in
     known = deeper || (known < deeper && takes_time g label)
 
-  (* Whether the edge changes anything for its target. *)
-  let relax g limits visitor i ~deeper ~arrival label target =
-    let matters = not (is_plain g ~deeper ~arrival label target) in
-    if matters then begin
-      let better, is_earlier = improve g i { label; target } in
-      if is_earlier then visitor.earlier g target;
-      if better then settle g limits visitor target
-    end;
-    matters
+  (* An edge that may change something for its target. *)
+  let relax g limits visitor i label target =
+    let better, is_earlier = improve g i { label; target } in
+    if is_earlier then visitor.earlier g target;
+    if better then settle g limits visitor target
 
   let all_or_some g ~some ~all =
     match some with
@@ -192,25 +194,26 @@ module Make (L : Lts.S) = struct
 
   (* The targets of the steps of a state that has just been loaded, and those that are new among them. *)
   let looked_up g limits i tuple steps =
-    let rec prepare n = function
-      | [] -> n
-      | (s : Lts.step) :: rest ->
-        Tuples.prepare g.tuples ~near:g.near s.changes n;
-        prepare (n + 1) rest
-    in
-    let count = prepare 0 steps in
-    Tuples.fetch g.tuples count;
-    let targets = Array.make count 0 in
-    let rec find n = function
-      | [] -> targets
+    let changes_nothing (s : Lts.step) = Array.length s.changes = 0 in
+    let rec prepare count prepared = function
+      | [] -> (count, prepared)
+      | s :: rest when changes_nothing s -> prepare (count + 1) prepared rest
       | s :: rest ->
-        let known = size g in
-        let id = Tuples.intern_prepared g.tuples n in
-        Array.unsafe_set targets n id;
-        connect g limits i tuple ~known id s;
-        find (n + 1) rest
+        Tuples.prepare g.tuples ~near:g.near ~lasting:(not (takes_time g s.label)) s.changes prepared;
+        prepare (count + 1) (prepared + 1) rest
     in
-    find 0 steps
+    let count, prepared = prepare 0 0 steps in
+    Tuples.fetch g.tuples prepared;
+    let targets = Array.make count i in
+    let rec find n k = function
+      | [] -> targets
+      | s :: rest when changes_nothing s -> find (n + 1) k rest
+      | s :: rest ->
+        let known = Tuples.prepared g.tuples k in
+        Array.unsafe_set targets n (if known >= 0 then known else intern_prepared g limits i tuple k s);
+        find (n + 1) (k + 1) rest
+    in
+    find 0 0 steps
 
   let not_as_noted () = Scc_base.Bug.fail __POS__ "an expansion is not what it was when it was noted"
 
@@ -238,7 +241,8 @@ module Make (L : Lts.S) = struct
       | [] -> List.rev arrows
       | (s : Lts.step) :: rest ->
         let target = Array.unsafe_get targets n in
-        let matters = relax g limits visitor i ~deeper ~arrival s.label target in
+        let matters = not (is_plain g ~deeper ~arrival s.label target) in
+        if matters then relax g limits visitor i s.label target;
         let is_new = target = next in
         let arrows =
           match told with

@@ -174,14 +174,20 @@ let find p l r = find_key p (pack l r)
 (* The loads of each loop do not wait for each other, as they do when each key is looked up by itself. *)
 let find_keys p (keys : int array) (ids : int array) count =
   let index = p.index and bits = p.bits in
+  let to_slot = word - bits in
+  let tags = (1 lsl to_slot) - 1 and numbers = (1 lsl bits) - 1 in
   for n = 0 to count - 1 do
-    Array.unsafe_set ids n (entry index (slot (hash (Array.unsafe_get keys n)) bits))
+    Array.unsafe_set ids n (entry index (hash (Array.unsafe_get keys n) lsr to_slot))
   done;
   for n = 0 to count - 1 do
     let h = hash (Array.unsafe_get keys n) in
     let e = Array.unsafe_get ids n in
-    let e = if e lsr bits = tag h bits then e else entry index (candidate index bits (tag h bits) (slot h bits)) in
-    Array.unsafe_set ids n (if e = free then -1 else number e bits)
+    let e =
+      if e lsr bits = h land tags then e
+      else if e = free then free
+      else entry index (candidate index bits (h land tags) (h lsr to_slot))
+    in
+    Array.unsafe_set ids n (if e = free then -1 else e land numbers)
   done;
   for n = 0 to count - 1 do
     let id = Array.unsafe_get ids n and k = Array.unsafe_get keys n in

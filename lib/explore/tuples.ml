@@ -13,7 +13,11 @@ type t = {
   block : int array;  (** of each slot: the node of the block that it is in *)
   inner : Pairs.t;
   roots : Pairs.t;
-  memory : Block_memory.t;
+  blocks : Block_memory.t;
+  halves : Block_memory.t;  (** in which one slot changes, and one in the other half *)
+  middle : int;  (** the first slot of the half on the right *)
+  on_left : Half_memory.t;
+  on_right : Half_memory.t;
   work : int array;  (** of the tuple that is looked for: the nodes that differ from those of the one near it *)
   stamp : int array;  (** the round in which a node of [work] was written *)
   mutable round : int;
@@ -67,7 +71,11 @@ let create ~width =
     block = Array.init width block;
     inner = Pairs.create ~in_files:true;
     roots = Pairs.create ~in_files:true;
-    memory = Block_memory.create ();
+    blocks = Block_memory.create ();
+    halves = Block_memory.create ();
+    middle = width / 2;
+    on_left = Half_memory.create ();
+    on_right = Half_memory.create ();
     work = Array.make nodes 0;
     stamp = Array.make nodes 0;
     round = 0;
@@ -198,16 +206,16 @@ let rec changed t changes low high look k id =
     if l < 0 || r < 0 then -1 else look t.inner l r
   end
 
-let block_after t changes low high look k id =
+let part_after t memory changes low high look k id =
   if high - low > 4 || id < 0 then changed t changes low high look k id
   else begin
     let number i = Array.unsafe_get changes i in
     let change i = if i < high then Pairs.pack (number i) (number (i + 1)) else -1 in
     let one = change low and two = change (low + 2) in
-    match Block_memory.find t.memory id one two with
+    match Block_memory.find memory id one two with
     | -1 ->
       let after = changed t changes low high look k id in
-      if after >= 0 then Block_memory.keep t.memory id one two after;
+      if after >= 0 then Block_memory.keep memory id one two after;
       after
     | after -> after
   end
@@ -224,7 +232,7 @@ let rec enter t near changes look i count =
     let k = t.block.(changes.(i)) in
     let until = run t changes k (i + 2) in
     let before = value t near k in
-    match block_after t changes i until look k before with
+    match part_after t t.blocks changes i until look k before with
     | -1 -> -1
     | id when id = before -> enter t near changes look until count
     | id ->
@@ -232,8 +240,25 @@ let rec enter t near changes look i count =
       enter t near changes look until (put t 0 count t.parent.(k))
   end
 
+(* {3 Halves}
+
+   A half is a function of what it was before and of the changes that are made in it. *)
+
+let[@inline] left_root t = Array.unsafe_get t.left ((2 * t.width) - 2)
+let[@inline] right_root t = Array.unsafe_get t.right ((2 * t.width) - 2)
+let[@inline] is_left t (changes : changes) i = Array.unsafe_get changes i < t.middle
+
+(* One slot changes in each of them. *)
+let by_halves t near changes look =
+  let on_left, on_right = if is_left t changes 0 then (0, 2) else (2, 0) in
+  let after k i = part_after t t.halves changes i (i + 2) look k (Array.unsafe_get near.node k) in
+  match (after (left_root t) on_left, after (right_root t) on_right) with
+  | -1, _ | _, -1 -> -1
+  | left, right -> Pairs.pack left right
+
 let root_key t ~near changes look =
   if t.width = 1 then Pairs.pack (if Array.length changes = 0 then near.node.(0) else changes.(1)) 0
+  else if Array.length changes = 4 && is_left t changes 0 <> is_left t changes 2 then by_halves t near changes look
   else begin
     t.round <- t.round + 1;
     match enter t near changes look 0 0 with
@@ -250,19 +275,56 @@ let find t ~near changes =
   | -1 -> -1
   | k -> Pairs.find_key t.roots k
 
-let prepare t ~near changes n =
+(* {3 Changes that come again} *)
+
+(* More changes than this come up again too seldom. *)
+let few_changes = 3
+
+(* Whether the changes from the i-th on are all in one half. *)
+let rec all_on ~left t changes i =
+  i >= Array.length changes || (Bool.equal left (is_left t changes i) && all_on ~left t changes (i + 2))
+
+let remember t (changes : changes) key =
+  let count = Array.length changes in
+  if count > 0 && count <= 2 * few_changes then begin
+    let left = is_left t changes 0 in
+    if all_on ~left t changes 2 then
+      if left then Half_memory.keep t.on_left changes (Pairs.unpack_left key)
+      else Half_memory.keep t.on_right changes (Pairs.unpack_right key)
+  end
+
+let lasting_key t ~near changes =
+  match Half_memory.find t.on_left changes with
+  | -1 -> (
+      match Half_memory.find t.on_right changes with
+      | -1 ->
+        let key = root_key t ~near changes Pairs.intern in
+        remember t changes key;
+        key
+      | after -> Pairs.pack (Array.unsafe_get near.node (left_root t)) after)
+  | after -> Pairs.pack after (Array.unsafe_get near.node (right_root t))
+
+let start_halves t near =
+  if t.width > 1 then begin
+    Half_memory.start t.on_left near.node.(left_root t);
+    Half_memory.start t.on_right near.node.(right_root t)
+  end
+
+let prepare t ~near ~lasting changes n =
   if n >= Array.length t.keys then begin
     let longer a = Array.append a (Array.make (n + 16) 0) in
     t.keys <- longer t.keys;
     t.ids <- longer t.ids
   end;
-  t.keys.(n) <- root_key t ~near changes Pairs.intern
+  if n = 0 then start_halves t near;
+  t.keys.(n) <-
+    (if lasting && t.width > 1 then lasting_key t ~near changes else root_key t ~near changes Pairs.intern)
 
 let fetch t count = Pairs.find_keys t.roots t.keys t.ids count
 
+let[@inline] prepared t n = Array.unsafe_get t.ids n
+
 (* One that was not known may be the same as one before it. *)
-let intern_prepared t n =
-  let id = t.ids.(n) in
-  if id >= 0 then id else Pairs.intern_key t.roots t.keys.(n)
+let intern_prepared t n = Pairs.intern_key t.roots t.keys.(n)
 
 let bytes t = Pairs.bytes t.inner + Pairs.bytes t.roots

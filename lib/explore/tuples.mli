@@ -52,12 +52,17 @@ val load_key : t -> spread -> int -> unit
     The same as {!intern} of each in turn, in three rounds, so that what is far apart in memory is fetched at
     the same time. *)
 
-val prepare : t -> near:spread -> changes -> int -> unit
-(** [prepare t ~near changes n]: the tuple of this number, from 0, of those that are to come. *)
+val prepare : t -> near:spread -> lasting:bool -> changes -> int -> unit
+(** [prepare t ~near ~lasting changes n]: the tuple of this number, from 0, of those that are to come. [lasting]:
+    the same array of changes may come again, near other tuples. *)
 
 val fetch : t -> int -> unit
 (** So many have been prepared. *)
 
+val prepared : t -> int -> int
+(** The number, once it has been fetched; -1 of a tuple that was not known then. *)
+
 val intern_prepared : t -> int -> int
+(** Of one that was not known. *)
 
 val bytes : t -> int

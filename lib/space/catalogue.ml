@@ -76,6 +76,7 @@ type t = {
   recent : body Recent.t;
   seen : body array;  (** by slots: those last given out or numbered *)
   mutable bits : int;  (** the length of the longest number *)
+  mutable passed : Rat.t * int;  (** how long time passed last, and the label of that *)
 }
 
 (* Numbers of processes begin at 1. *)
@@ -109,6 +110,7 @@ let create ~marked ~time_seen ~memory model =
     recent = Recent.create ~number:(fun b -> b.number) ~none:no_body ~most:memory;
     seen = Array.make (Array.length model.leaves) no_body;
     bits = 0;
+    passed = (Rat.zero, -1);
   }
 
 let model c = c.model
@@ -263,6 +265,16 @@ let time_after c tuple d =
   if c.model.keeps_time then Some (time_number c (Rat.add (Rationals.get c.times tuple.(time_slot c)) d)) else None
 
 let label c l = Labels.intern c.labels l
+
+(* Of many states one after the other it is the same. *)
+let time_label c d =
+  match c.passed with
+  | known, label when label >= 0 && Rat.equal known d -> label
+  | _ ->
+    let label = label c (Transition.Time d) in
+    c.passed <- (d, label);
+    label
+
 let label_of c i = Labels.get c.labels i
 
 let labels c = List.init (Labels.size c.labels) (label_of c)

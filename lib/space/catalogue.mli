@@ -106,6 +106,10 @@ val form : t -> int -> State.process
 val first_leaf : State.process -> int
 
 val label : t -> Transition.label -> int
+
+val time_label : t -> Rat.t -> int
+(** Of so much time that passes. *)
+
 val hash_label : Transition.label -> int
 val label_of : t -> int -> Transition.label
 

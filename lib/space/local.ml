@@ -191,7 +191,7 @@ let ageless a = Option.is_none a.nature.wait
 let after t d a =
   if ageless a && a.rests then a.body.number
   else begin
-    if not (Rat.equal d a.passed) then begin
+    if not (d == a.passed || Rat.equal d a.passed) then begin
       a.after <-
         (if ageless a then Catalogue.displaced t.catalogue d a.body
          else

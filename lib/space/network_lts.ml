@@ -123,7 +123,7 @@ let to_representative c tuple (s : Lts.step) =
 (* Who is there, and where, changes only with time and by absorption: other transitions lead from representatives
    to representatives. *)
 let pass c (tuple : int array) present d =
-  let change slot number rest = if tuple.(slot) = number then rest else slot :: number :: rest in
+  let[@inline] change slot number rest = if tuple.(slot) = number then rest else slot :: number :: rest in
   let mark = if Local.has_events c.local then change (Catalogue.mark_slot (catalogue c)) 0 [] else [] in
   let mark_and_time =
     match Catalogue.time_after (catalogue c) tuple d with
@@ -137,28 +137,32 @@ let pass c (tuple : int array) present d =
       from (i - 1) (change (Catalogue.first_leaf a.Local.body.process) (Local.after c.local d a) rest)
   in
   let changes = from (Array.length present - 1) mark_and_time in
-  let step = { Lts.label = Catalogue.label (catalogue c) (Transition.Time d); changes } in
-  let moves = Array.exists (fun (a : Local.alone) -> not a.rests) present in
-  if moves then to_representative c tuple step else step
+  let step = { Lts.label = Catalogue.time_label (catalogue c) d; changes } in
+  let moves () = Array.exists (fun (a : Local.alone) -> not a.rests) present in
+  if Array.length changes = 0 || Quotient.is_none c.quotient || not (moves ()) then step
+  else to_representative c tuple step
 
 let step c tuple (m : Local.move) = if m.takes_out then to_representative c tuple m.step else m.step
 
 let present c (tuple : int array) =
   let leaves = Array.length (model c).leaves in
-  let is_there i = Array.unsafe_get tuple i <> Catalogue.nobody in
-  let count = ref 0 in
-  for i = 0 to leaves - 1 do
-    if is_there i then incr count
-  done;
-  let room = Array.make !count (Local.nobody c.local) in
-  count := 0;
-  for i = 0 to leaves - 1 do
-    if is_there i then begin
-      room.(!count) <- Local.alone c.local (Array.unsafe_get tuple i);
-      incr count
+  let rec count i n =
+    if i = leaves then n
+    else count (i + 1) (if Array.unsafe_get tuple i = Catalogue.nobody then n else n + 1)
+  in
+  let found = Array.make (count 0 0) (Local.nobody c.local) in
+  let rec fill i n =
+    if n < Array.length found then begin
+      let number = Array.unsafe_get tuple i in
+      if number = Catalogue.nobody then fill (i + 1) n
+      else begin
+        Array.unsafe_set found n (Local.alone c.local number);
+        fill (i + 1) (n + 1)
+      end
     end
-  done;
-  room
+  in
+  fill 0 0;
+  found
 
 (* What can happen now but for the passing of time, all the last first; who is there; and what tells the first
    time of contact, if nobody collides. *)
@@ -243,13 +247,16 @@ let whole c tuple =
     Ok []
   | Error _ as fault -> fault
 
-let wait present =
-  let least a (b : Local.alone) =
-    match (a, b.nature.wait) with
-    | None, d | d, None -> d
-    | Some d, Some e -> if d == e then a else Some (Rat.min d e)
+let wait (present : Local.alone array) =
+  let rec least i found =
+    if i < 0 then found
+    else
+      match ((Array.unsafe_get present i).nature.wait, found) with
+      | None, _ -> least (i - 1) found
+      | wait, None -> least (i - 1) wait
+      | Some d, Some e -> least (i - 1) (if d == e then found else Some (Rat.min d e))
   in
-  Array.fold_left least None present
+  least (Array.length present - 1) None
 
 let by_parts c tuple =
   let now = now c tuple in

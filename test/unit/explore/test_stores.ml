@@ -70,6 +70,24 @@ let tuples =
          list
        && Tuples.size t = Hashtbl.length known)
 
+(* Changes of places, the first of each. *)
+let each_once places =
+  let keep known (i, v) = if List.mem_assoc i known then known else (i, v) :: known in
+  Array.of_list (List.concat_map (fun (i, v) -> [ i; v ]) (List.fold_left keep [] places))
+
+(* With the tuple of zeros. *)
+let tuples_of ~width =
+  let t = Tuples.create ~width in
+  let near = Tuples.spread t in
+  ignore (Tuples.intern t ~near (Tuples.difference (Array.make width (-1)) (Array.make width 0)));
+  (t, near)
+
+let numbers_together t ~near ~lasting batch =
+  List.iteri (fun n changes -> Tuples.prepare t ~near ~lasting changes n) batch;
+  Tuples.fetch t (List.length batch);
+  let number n _ = match Tuples.prepared t n with -1 -> Tuples.intern_prepared t n | known -> known in
+  List.mapi number batch
+
 (* Few changes at once, in places in any order, many times over: blocks that are remembered, and tuples that come
    up twice among those of one batch. *)
 let batches =
@@ -82,26 +100,14 @@ let batches =
   in
   QCheck2.Test.make ~count:300 ~name:"Tuples numbers several at once as one after the other" case
     (fun (width, batches) ->
-       let t = Tuples.create ~width and one_by_one = Tuples.create ~width in
-       let near = Tuples.spread t and other = Tuples.spread one_by_one in
-       let whole = Tuples.difference (Array.make width (-1)) (Array.make width 0) in
-       ignore (Tuples.intern t ~near whole);
-       ignore (Tuples.intern one_by_one ~near:other whole);
+       let t, near = tuples_of ~width and one_by_one, other = tuples_of ~width in
        List.for_all
          (fun batch ->
             let i = Tuples.size t / 2 in
             Tuples.load t near i;
             Tuples.load one_by_one other i;
-            let each_once places =
-              let keep known (i, v) = if List.mem_assoc i known then known else (i, v) :: known in
-              List.fold_left keep [] places
-              |> List.concat_map (fun (i, v) -> [ i; v ])
-              |> Array.of_list
-            in
             let batch = List.map each_once batch in
-            List.iteri (fun n changes -> Tuples.prepare t ~near changes n) batch;
-            Tuples.fetch t (List.length batch);
-            let together = List.mapi (fun n _ -> Tuples.intern_prepared t n) batch in
+            let together = numbers_together t ~near ~lasting:(i land 1 = 0) batch in
             let apart = List.map (Tuples.intern one_by_one ~near:other) batch in
             let right changes id =
               let reader = Tuples.spread t in
@@ -110,6 +116,66 @@ let batches =
             in
             together = apart && List.for_all2 right batch together)
          batches)
+
+(* The same arrays of changes near one tuple after the other, some more and some less of them, as transitions of
+   states that have halves in common; those of a few places, in one half or in both. *)
+let lasting =
+  let open Gen in
+  let case =
+    let* width = int_range 1 12 in
+    let change = pair (int_range 0 (width - 1)) (int_range 0 2) in
+    let* pool = list_size (int_range 1 10) (list_size (int_range 0 4) change) in
+    let* asked = list_size (int_range 1 200) (pair nat (list_size (int_range 0 5) nat)) in
+    return (width, pool, asked)
+  in
+  QCheck2.Test.make ~count:500 ~name:"changes that come again are those that they were" case
+    (fun (width, pool, asked) ->
+       let t, near = tuples_of ~width and plain, other = tuples_of ~width in
+       let pool = List.map each_once pool in
+       let left_out_of n m = m mod (2 * List.length pool) = n in
+       List.for_all
+         (fun (state, left_out) ->
+            let i = state mod Tuples.size t in
+            Tuples.load t near i;
+            Tuples.load plain other i;
+            let batch = List.filteri (fun n _ -> not (List.exists (left_out_of n) left_out)) pool in
+            numbers_together t ~near ~lasting:true batch = List.map (Tuples.intern plain ~near:other) batch)
+         asked)
+
+(* Halves that take each other's places, with changes in any order: what is remembered of one was told of it. *)
+let halves =
+  let changes = Array.init 40 (fun k -> [| k; k |]) in
+  let half = Gen.oneofl [ 0; 1; 64; 65; 128; 8192 ] in
+  let asked = Gen.(list_size (1 -- 300) (pair half (list_size (0 -- 40) (0 -- 39)))) in
+  let after half k = (100 * half) + k in
+  QCheck2.Test.make ~count:300 ~name:"what is remembered of a half was told of it" asked (fun list ->
+      let m = Half_memory.create () in
+      let ask half k =
+        match Half_memory.find m changes.(k) with
+        | -1 ->
+          Half_memory.keep m changes.(k) (after half k);
+          true
+        | found -> found = after half k
+      in
+      List.for_all (fun (half, ks) -> Half_memory.start m half; List.for_all (ask half) ks) list)
+
+let halves_remember () =
+  let m = Half_memory.create () and changes = Array.init 3 (fun k -> [| k; k |]) in
+  let ask half =
+    Half_memory.start m half;
+    let one k =
+      let found = Half_memory.find m changes.(k) in
+      if found < 0 then Half_memory.keep m changes.(k) (half + k);
+      found
+    in
+    List.map one [ 0; 1; 2 ]
+  in
+  (* A half that comes up once may never come again: it is remembered from the second time on. *)
+  Alcotest.(check (list int)) "once" [ -1; -1; -1 ] (ask 5);
+  Alcotest.(check (list int)) "twice" [ -1; -1; -1 ] (ask 5);
+  Alcotest.(check (list int)) "a third time" [ 5; 6; 7 ] (ask 5);
+  Alcotest.(check (list int)) "after another one" [ -1; -1; -1 ] (ask 6);
+  Alcotest.(check (list int)) "again" [ 5; 6; 7 ] (ask 5)
 
 (* Against a list, in the order that is asked for. *)
 let frontier by_time =
@@ -172,8 +238,11 @@ let fingerprints () =
 let () =
   Alcotest.run "stores"
     [
-      ("random", Scc_test_support.Property.cases [ pairs; tuples; batches; frontier false; frontier true ]);
+      ( "random",
+        Scc_test_support.Property.cases
+          [ pairs; tuples; batches; lasting; halves; frontier false; frontier true ] );
       ( "cases",
         [ Alcotest.test_case "fingerprints" `Quick fingerprints;
-          Alcotest.test_case "many pairs" `Quick many_pairs ] );
+          Alcotest.test_case "many pairs" `Quick many_pairs;
+          Alcotest.test_case "halves" `Quick halves_remember ] );
     ]
