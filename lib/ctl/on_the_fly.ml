@@ -305,7 +305,7 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     go 0
 
   let zeno_cycle g =
-    let arcs i = List.map (fun (choice, (e : Graph.edge)) -> (e.target, choice)) (Graph.edges_at_once g i) in
+    let arcs i = List.map (fun (choice, target) -> (target, choice)) (Graph.edges_at_once g i) in
     match Graph.turning g with
     | Anywhere -> find_cycle g arcs (fun _ -> true)
     | At targets when Int_vector.length targets = 0 -> None

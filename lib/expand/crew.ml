@@ -255,7 +255,7 @@ module Make
         | Look -> None
         | Steps { some; all } -> Some (Graph.all_or_some c.graph ~some ~all:(fun () -> Ok all)))
 
-  let steps result = Result.map (fun steps -> Graph.All steps) result
+  let steps result = Result.map (fun found -> Graph.Found found) result
 
   let begun g balance jobs waits =
     let c =

@@ -127,7 +127,7 @@ module Make
       | Some _ -> (
           (* What is not noted has no transitions. *)
           match afresh state tuple with
-          | (Ok (All []) | Error _) as none -> none
+          | (Ok (Found { steps = []; _ }) | Error _) as none -> none
           | Ok _ -> unfit (Printf.sprintf "there is nothing of state %d" state))
       | None ->
         j.followed <- false;

@@ -21,7 +21,8 @@ module Make (L : Lts.S) = struct
   include Explored_graph.Make (L)
 
   type arrow = New of Lts.step | Known of edge
-  type expansion = All of Lts.step list | Noted of { arrows : arrow list; count : int }
+  type steps = { steps : Lts.step list; reduced : bool }
+  type expansion = Found of steps | Noted of { arrows : arrow list; count : int }
 
   type visitor = {
     found : t -> int -> int array -> unit;
@@ -186,8 +187,8 @@ module Make (L : Lts.S) = struct
 
   let all_or_some g ~some ~all =
     match some with
-    | Some steps when List.for_all (is_new g) steps -> Ok steps
-    | Some _ | None -> all ()
+    | Some steps when List.for_all (is_new g) steps -> Ok { steps; reduced = true }
+    | Some _ | None -> Result.map (fun steps -> { steps; reduced = false }) (all ())
 
   let successors g tuple =
     all_or_some g ~some:(L.reduced g.context tuple) ~all:(fun () -> L.successors g.context tuple)
@@ -255,11 +256,19 @@ module Make (L : Lts.S) = struct
     in
     each 0 first [] steps
 
+  (* A search for cycles asks again for the edges without duration of many states, once there may be one. *)
+  let remember_at_once g i steps targets =
+    let may_turn = match g.turning with At states -> Int_vector.length states > 0 | Anywhere -> true in
+    if may_turn && Option.is_none g.edges then begin
+      let tell put n (s : Lts.step) = if not (takes_time g s.label) then put n targets.(n) in
+      Edges_at_once.keep g.at_once i (fun put -> List.iteri (tell put) steps)
+    end
+
   (* Expands a state; or says what ends the exploration. *)
   let expand g (limits : Limits.t) around visitor expander i =
     Tuples.load g.tuples g.near i;
     let tuple = Tuples.slots g.near in
-    let grow steps ~targets ~count ~all_told =
+    let grow { steps; reduced } ~targets ~count ~all_told =
       match limits.states with
       | Some n when not (fits g (n - size g) steps) -> Some States
       | Some _ | None ->
@@ -272,7 +281,8 @@ module Make (L : Lts.S) = struct
         let told = expander.expanded () in
         let arrows = relax_all g limits visitor i ~first steps targets told in
         if all_told && List.for_all (fun (s : Lts.step) -> takes_time g s.label) steps then
-          Statuses.note_timed g.statuses i;
+          Statuses.note_timed g.statuses i
+        else if all_told && not reduced then remember_at_once g i steps targets;
         let edges () = Array.map2 (fun label target -> { label; target }) (labels_of steps) targets in
         Option.iter (fun opened -> Limits.within around (fun () -> opened g i tuple (edges ()))) visitor.opened;
         Option.iter (fun t -> t.tell i ~count arrows) told;
@@ -282,10 +292,10 @@ module Make (L : Lts.S) = struct
     | Error fault ->
       leave_out g i (Fault fault);
       None
-    | Ok (All steps) ->
-      grow steps ~targets:(fun () -> looked_up g limits i tuple steps) ~count:(List.length steps) ~all_told:true
+    | Ok (Found ({ steps; _ } as found)) ->
+      grow found ~targets:(fun () -> looked_up g limits i tuple steps) ~count:(List.length steps) ~all_told:true
     | Ok (Noted { arrows; count }) ->
-      grow (List.map without_target arrows) ~targets:(fun () -> as_noted g limits i tuple arrows) ~count
+      grow { steps = List.map without_target arrows; reduced = false } ~targets:(fun () -> as_noted g limits i tuple arrows) ~count
         ~all_told:false
 
   (* All that is left of the frontier, of which [i] has been taken already. *)
@@ -303,6 +313,7 @@ module Make (L : Lts.S) = struct
       statuses = Statuses.create ();
       frontier = (match order with By_steps -> Frontier.by_steps () | By_time -> Frontier.by_time ());
       edges = (if keep_edges then Some (Edge_store.create ()) else None);
+      at_once = Edges_at_once.create ();
       transitions = 0;
       turning = At (Int_vector.create ());
       timed = Timed_labels.create ~duration:(L.duration context);
@@ -338,7 +349,7 @@ module Make (L : Lts.S) = struct
 
   let here g ~all_edges:_ ~waits:_ =
     {
-      expand = (fun _ tuple -> Result.map (fun steps -> All steps) (successors g tuple));
+      expand = (fun _ tuple -> Result.map (fun found -> Found found) (successors g tuple));
       expanded = (fun () -> None);
       finish = Fun.id;
     }

@@ -55,9 +55,11 @@ module Make (L : Lts.S) : sig
   (** An edge of a state that is expanded: to one that is new, or to one that is there by then. *)
   type arrow = New of Lts.step | Known of edge
 
-  (** What is found at a state: all of its transitions, or, where it was expanded before in the same graph, those
+  type steps = { steps : Lts.step list; reduced : bool  (** there are more, which will do later *) }
+
+  (** What is found at a state: its transitions, or, where it was expanded before in the same graph, those
       that change anything, and how many there are. *)
-  type expansion = All of Lts.step list | Noted of { arrows : arrow list; count : int }
+  type expansion = Found of steps | Noted of { arrows : arrow list; count : int }
 
   (** Who is told what came of a state that was expanded and looked at to the end. *)
   type told = {
@@ -81,13 +83,12 @@ module Make (L : Lts.S) : sig
   val here : expanding
   (** By {!successors}. *)
 
-  val successors : t -> int array -> (Lts.step list, L.fault) result
+  val successors : t -> int array -> (steps, L.fault) result
   (** What {!expander.expand} is to find: the reduced transitions of a tuple if all of them lead to states that are
       not known, and else all. *)
 
   val all_or_some :
-    t -> some:Lts.step list option -> all:(unit -> (Lts.step list, L.fault) result) ->
-    (Lts.step list, L.fault) result
+    t -> some:Lts.step list option -> all:(unit -> (Lts.step list, L.fault) result) -> (steps, L.fault) result
   (** The same of the state that is expanded, when both are known. *)
 
   val run :
@@ -104,8 +105,8 @@ module Make (L : Lts.S) : sig
   val edges : t -> int -> edge array
   (** In the order of {!Lts.S.successors}; empty while the state is not expanded. *)
 
-  val edges_at_once : t -> int -> (int * edge) list
-  (** Those without duration, each with its place among the {!edges}. *)
+  val edges_at_once : t -> int -> (int * int) list
+  (** The places among the {!edges} of those without duration, each with its target. *)
 
   val targets : t -> timed:bool -> int -> int array
   (** Those of the edges of a state that take time, or of those that take none, in order. *)

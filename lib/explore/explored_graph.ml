@@ -18,6 +18,7 @@ module Make (L : Lts.S) = struct
     statuses : L.fault Statuses.t;
     frontier : Frontier.t;
     edges : Edge_store.t option;
+    at_once : Edges_at_once.t;
     mutable transitions : int;
     mutable turning : turning;
     timed : Timed_labels.t;
@@ -89,10 +90,13 @@ module Make (L : Lts.S) = struct
 
   (* Of most states it has been noted that there are none. *)
   let edges_at_once g i =
-    if Statuses.is_timed g.statuses i then []
+    if Statuses.is_timed g.statuses i || not (is_expanded g i) then []
     else
-      Array.to_list (Array.mapi (fun choice e -> (choice, e)) (edges g i))
-      |> List.filter (fun (_, e) -> not (takes_time g e.label))
+      match Edges_at_once.find g.at_once i with
+      | Some known -> known
+      | None ->
+        Array.to_list (Array.mapi (fun choice e -> (choice, e)) (edges g i))
+        |> List.filter_map (fun (choice, e) -> if takes_time g e.label then None else Some (choice, e.target))
 
   let passing g i =
     let timed e = takes_time g e.label in
@@ -150,7 +154,7 @@ module Make (L : Lts.S) = struct
     {
       states = Tuples.bytes g.tuples;
       labels = Distances.bytes g.distances + Statuses.bytes g.statuses;
-      edges = Option.fold ~none:0 ~some:Edge_store.bytes g.edges;
+      edges = Option.fold ~none:(Edges_at_once.bytes g.at_once) ~some:Edge_store.bytes g.edges;
     }
 
 end

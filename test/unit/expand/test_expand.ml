@@ -143,7 +143,8 @@ let told ?expanding ?dies ?(first = 0) ?(stop = fun () -> None) case =
       (edges g (Graph.edges g i));
     (* Also where it has been noted that there are none. *)
     let numbered = List.mapi (fun k e -> (k, e)) (Array.to_list (Graph.edges g i)) in
-    let at_once = List.filter (fun (_, e) -> Rat.sign (Graph.duration g e) = 0) numbered in
+    let at_once (k, (e : Graph.edge)) = if Rat.sign (Graph.duration g e) = 0 then Some (k, e.target) else None in
+    let at_once = List.filter_map at_once numbered in
     if at_once <> Graph.edges_at_once g i then QCheck2.Test.fail_reportf "edges at once of %d" i
   done;
   Buffer.contents heard
