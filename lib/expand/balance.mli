@@ -31,7 +31,7 @@ val answered : t -> states:int -> waited:float -> worked:float -> unit
 
 (** {1 What follows} *)
 
-val is_here : t -> int -> bool
+val is_here : t -> found_here:bool -> bool
 (** The state of this number is left to this process, if others have nothing to do yet. *)
 
 val batch : t -> int

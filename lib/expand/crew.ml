@@ -27,64 +27,8 @@ module Make
     (L : Lts.S)
     (E : Lts.Exchange with type context = L.context)
     (Graph : module type of Explore.Make (L)) = struct
-  module Wire = Wire.Make (E)
-
-  (** {2 Messages}
-
-      A request is a number of states and their tuples. A reply is, of each of them, 0 where its transitions have
-      to be looked at here; 1 and all of them; or 2, those that may do ({!Lts.S.reduced}), and all of them. Before
-      that are the microseconds that the other process has waited for the request, those that the answers took, and
-      the words of its heap. *)
-
-  type answer = Look | Steps of { some : Lts.step list option; all : Lts.step list }
-
-  let put_steps wire b steps =
-    Packed.put_nat b (List.length steps);
-    List.iter (Wire.put_recent wire b) steps
-
-  let read_steps wire source = Packed.list source (Wire.read_recent wire)
-
-  let read_answer wire source =
-    match Packed.nat source with
-    | 0 -> Look
-    | 1 -> Steps { some = None; all = read_steps wire source }
-    | _ ->
-      let some = read_steps wire source in
-      Steps { some = Some some; all = read_steps wire source }
-
-  (** {2 Another process} *)
-
-  let answer context wire b tuple =
-    match (L.reduced context tuple, L.successors context tuple) with
-    | _, (Error _ | Ok []) -> Packed.put_nat b 0
-    | None, Ok all ->
-      Packed.put_nat b 1;
-      put_steps wire b all
-    | Some some, Ok all ->
-      Packed.put_nat b 2;
-      put_steps wire b some;
-      put_steps wire b all
-
-  let serve context channel =
-    let from = Wire.make context and back = Wire.make context in
-    let answers = Buffer.create 65536 and reply = Buffer.create 65536 in
-    let put_seconds seconds = Packed.put_nat reply (int_of_float (1e6 *. Float.max 0. seconds)) in
-    let rec go since =
-      let source = Packed.source (Channel.get channel) in
-      let start = Unix.gettimeofday () in
-      Buffer.clear answers;
-      for _ = 1 to Packed.nat source do
-        answer context back answers (Wire.read_tuple from source)
-      done;
-      Buffer.clear reply;
-      put_seconds (start -. since);
-      put_seconds (Unix.gettimeofday () -. start);
-      Packed.put_nat reply (Memory.heap_words ());
-      Buffer.add_buffer reply answers;
-      Channel.put channel reply;
-      go (Unix.gettimeofday ())
-    in
-    go (Unix.gettimeofday ())
+  module Served = Served.Make (L) (E)
+  module Wire = Served.Wire
 
   (** {2 This process} *)
 
@@ -97,13 +41,21 @@ module Make
   }
 
   and worker = {
+    number : int;
     channel : Channel.t;
     there : Wire.t;
     back : Wire.t;
     under_way : request Queue.t;
     replies : request Queue.t;  (** the answered ones, in order *)
     mutable words : int;  (** of its heap, as it last told *)
+    mutable owing : int;  (** states that it has been told of, and whose answers have not been read *)
+    mutable place : int;  (** of the next of its answers that is read *)
+    mutable room : int;  (** of the last one *)
   }
+
+  (* What another process has told of the state that is expanded: the steps that were taken, and the places of the
+     answer and of the first of them. *)
+  type source = { from : worker; answer : int; first : int; steps : Lts.step list }
 
   type t = {
     graph : Graph.t;
@@ -113,19 +65,27 @@ module Make
     mutable next : int;  (** the first that has not been looked at: whether it is found here or not *)
     ready : int Queue.t;  (** those that are not, and have not been sent *)
     sent : request States.t;  (** of states that have not had their turn *)
-    early : answer States.t;  (** that had to be read before the turn of their states *)
+    early : (Served.answer * int) States.t;
+    (** with their places, those that had to be read before the turn of their states *)
+    origins : Origins.t;
+    mutable source : source option;
+    mutable known : int;  (** states, before this one was expanded *)
     mutable workers : worker list;
+    mutable made : int;  (** workers, so far *)
     mutable deaths : int;
   }
 
+  let width c = L.width (Graph.context c.graph)
   let told c = Memory.set_beside (List.fold_left (fun n w -> n + Memory.bytes_of_words w.words) 0 c.workers)
 
   let new_worker c =
     let context = Graph.context c.graph in
-    let channel = Channel.fork (serve context) in
+    let channel = Channel.fork (Served.serve context) in
     let there = Wire.make context and back = Wire.make context in
-    c.workers <-
-      { channel; there; back; under_way = Queue.create (); replies = Queue.create (); words = 0 } :: c.workers
+    let under_way = Queue.create () and replies = Queue.create () in
+    let number = c.made and words = 0 and owing = 0 and place = 0 and room = 0 in
+    c.workers <- { number; channel; there; back; under_way; replies; words; owing; place; room } :: c.workers;
+    c.made <- c.made + 1
 
   (* What it was to find is found by others, or here. *)
   let bury c w =
@@ -141,7 +101,8 @@ module Make
   (* In the order of their numbers, which is about that in which they are expanded. *)
   let see_who_is_ready c =
     while c.next < Graph.size c.graph && Queue.length c.ready < 2 * Balance.batch c.balance do
-      if not (Balance.is_here c.balance c.next) then Queue.push c.next c.ready;
+      let found_here = not (Origins.mem c.origins c.next) in
+      if not (Balance.is_here c.balance ~found_here) then Queue.push c.next c.ready;
       c.next <- c.next + 1
     done
 
@@ -154,12 +115,23 @@ module Make
     in
     from 0 []
 
+  (* What will have been answered until this is read takes about as much room as the last answer. *)
+  let put_state c w b i =
+    let back answer = w.place + (w.owing * w.room) - answer in
+    w.owing <- w.owing + 1;
+    let state =
+      match Origins.find c.origins i ~worker:w.number with
+      | Some (answer, step) when back answer <= Answered.surely -> Served.Place { answer; step }
+      | Some _ | None -> Tuple (Graph.tuple c.graph i)
+    in
+    Served.put_state w.there b state
+
   (* As many of them as are let through; a large state goes alone. *)
   let request c w states =
     let b = Buffer.create 4096 in
     let rec fill sent = function
       | i :: rest when Buffer.length b < most_bytes / 4 ->
-        Wire.put_tuple w.there b (Graph.tuple c.graph i);
+        put_state c w b i;
         fill (i :: sent) rest
       | _ -> List.rev sent
     in
@@ -202,10 +174,8 @@ module Make
     | message ->
       let source = Packed.source message in
       let request = Queue.pop w.under_way in
-      let seconds () = 1e-6 *. float_of_int (Packed.nat source) in
-      let waited = seconds () in
-      let worked = seconds () in
-      w.words <- Packed.nat source;
+      let { Served.waited; worked; words } = Served.read_heading source in
+      w.words <- words;
       told c;
       Balance.answered c.balance ~states:(List.length request.unread) ~waited ~worked;
       request.reply <- Some source;
@@ -222,16 +192,33 @@ module Make
   let rec read_on c w i =
     match Queue.peek w.replies with
     | { reply = Some source; unread = next :: rest; _ } as request ->
-      let answer = read_answer w.back source in
+      let answer = Served.read_answer w.back source in
+      let place = w.place in
+      w.owing <- w.owing - 1;
+      (match (answer : Served.answer) with
+       | Look -> ()
+       | Steps { some; all } ->
+         w.room <- Answered.room ~width:(width c) (Served.kept ~some ~all);
+         w.place <- w.place + w.room);
       request.unread <- rest;
-      if next = i then answer
+      if next = i then (answer, place)
       else begin
-        States.replace c.early next answer;
+        States.replace c.early next (answer, place);
         read_on c w i
       end
     | { reply = None; _ } | { unread = []; _ } ->
       ignore (Queue.pop w.replies);
       read_on c w i
+
+  (* Those that may do are kept before all. *)
+  let source c from ~some ~place (found : Graph.steps) =
+    let width = width c in
+    let first =
+      match some with
+      | Some some when not found.reduced -> place + Answered.room ~width some
+      | Some _ | None -> place + Answered.first_step ~width
+    in
+    { from; answer = place; first; steps = found.steps }
 
   let answer_of c request i =
     match States.find_opt c.early i with
@@ -252,8 +239,27 @@ module Make
         let answer = Balance.hearing c.balance i (fun () -> answer_of c request i) in
         States.remove c.sent i;
         match answer with
-        | Look -> None
-        | Steps { some; all } -> Some (Graph.all_or_some c.graph ~some ~all:(fun () -> Ok all)))
+        | Look, _ -> None
+        | Steps { some; all }, place ->
+          let found = Graph.all_or_some c.graph ~some ~all:(fun () -> Ok all) in
+          Result.iter (fun found -> c.source <- Some (source c request.worker ~some ~place found)) found;
+          Some found)
+
+  (* Of the states that are new, in the order of their numbers, where each came up. *)
+  let note_origins c { from; answer; first; steps } arrows =
+    let rec go number step steps (arrows : Graph.arrow list) =
+      match (steps, arrows) with
+      | _, [] | [], _ -> ()
+      | _, Known _ :: arrows -> go number step steps arrows
+      | s :: steps, New new_one :: rest ->
+        let next = step + Answered.room_of_step s in
+        if s == new_one then begin
+          Origins.put c.origins number ~worker:from.number ~answer ~step;
+          go (number + 1) next steps rest
+        end
+        else go number next steps arrows
+    in
+    go c.known first steps arrows
 
   let steps result = Result.map (fun found -> Graph.Found found) result
 
@@ -266,7 +272,11 @@ module Make
         ready = Queue.create ();
         sent = States.create 1024;
         early = States.create 16;
+        origins = Origins.create ();
+        source = None;
+        known = 0;
         workers = [];
+        made = 0;
         deaths = 0;
       }
     in
@@ -300,6 +310,8 @@ module Make
         | None -> find_here tuple
         | Some c -> (
             c.now <- i;
+            c.source <- None;
+            c.known <- Graph.size g;
             if !turns mod Balance.between_looks balance = 0 then
               exchange c (List.filter Channel.has_message (channels c));
             match found c i with Some result -> steps result | None -> find_here tuple)
@@ -311,6 +323,10 @@ module Make
              Memory.set_beside 0)
           !crew
       in
-      { expand; expanded = (fun () -> None); finish }
+      let asked c source =
+        { Graph.asks = (fun _ -> false); tell = (fun _ ~count:_ arrows -> note_origins c source arrows) }
+      in
+      let expanded () = Option.bind !crew (fun c -> Option.map (asked c) c.source) in
+      { expand; expanded; finish }
     end
 end

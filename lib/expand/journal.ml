@@ -134,7 +134,19 @@ module Make
         afresh state tuple
     in
     let told = Some { Graph.asks = asks j; tell = tell j } in
-    let expanded () = if j.followed then None else told in
+    (* Others may want to know as well. *)
+    let expanded () =
+      if j.followed then None
+      else
+        match (Lazy.force after).expanded () with
+        | None -> told
+        | Some t ->
+          let tell i ~count arrows =
+            tell j i ~count arrows;
+            t.tell i ~count arrows
+          in
+          Some { asks = (fun label -> asks j label || t.asks label); tell }
+    in
     let finish () =
       Critical.run (fun () -> Blocks.write j.blocks);
       if Lazy.is_val after then (Lazy.force after).finish ()

@@ -1,7 +1,11 @@
 open Scc_data
 
 (* Those of a state stand side by side, each as one number of its place and its target, after how many there are. *)
-type t = { first : Int_vector.t;  (** by states; -1 for none *) mutable edges : int array; mutable length : int }
+type t = {
+  first : Int_vector.t;  (** by states; -1 for none *)
+  mutable edges : int array;
+  mutable length : int;
+}
 
 let most = 1 lsl 18
 let create () = { first = Int_vector.create (); edges = [||]; length = 0 }

@@ -295,8 +295,8 @@ module Make (L : Lts.S) = struct
     | Ok (Found ({ steps; _ } as found)) ->
       grow found ~targets:(fun () -> looked_up g limits i tuple steps) ~count:(List.length steps) ~all_told:true
     | Ok (Noted { arrows; count }) ->
-      grow { steps = List.map without_target arrows; reduced = false } ~targets:(fun () -> as_noted g limits i tuple arrows) ~count
-        ~all_told:false
+      let noted = { steps = List.map without_target arrows; reduced = false } in
+      grow noted ~targets:(fun () -> as_noted g limits i tuple arrows) ~count ~all_told:false
 
   (* All that is left of the frontier, of which [i] has been taken already. *)
   let give_up g i reason =

@@ -256,6 +256,31 @@ let by_halves t near changes look =
   | -1, _ | _, -1 -> -1
   | left, right -> Pairs.pack left right
 
+(* {3 Many changes} *)
+
+let is_written t k = Array.unsafe_get t.stamp k = t.round
+
+(* All nodes above them, children first; the root is the last. *)
+let rec from_below t near look k =
+  let l = Array.unsafe_get t.left k and r = Array.unsafe_get t.right k in
+  if k = (2 * t.width) - 2 then Pairs.pack (value t near l) (value t near r)
+  else if is_written t l || is_written t r then begin
+    let id = look t.inner (value t near l) (value t near r) in
+    if id < 0 then -1
+    else begin
+      write t k id;
+      from_below t near look (k + 1)
+    end
+  end
+  else from_below t near look (k + 1)
+
+let with_all t near (changes : changes) look =
+  t.round <- t.round + 1;
+  for i = 0 to (Array.length changes / 2) - 1 do
+    write t (Array.unsafe_get changes (2 * i)) (Array.unsafe_get changes ((2 * i) + 1))
+  done;
+  from_below t near look t.width
+
 let root_key t ~near changes look =
   if t.width = 1 then Pairs.pack (if Array.length changes = 0 then near.node.(0) else changes.(1)) 0
   else if Array.length changes = 4 && is_left t changes 0 <> is_left t changes 2 then by_halves t near changes look
@@ -310,6 +335,9 @@ let start_halves t near =
     Half_memory.start t.on_right near.node.(right_root t)
   end
 
+(* Of one slot in eight: to go through all nodes costs less than to go up from each of them. *)
+let are_many t (changes : changes) = 4 * Array.length changes >= t.width
+
 let prepare t ~near ~lasting changes n =
   if n >= Array.length t.keys then begin
     let longer a = Array.append a (Array.make (n + 16) 0) in
@@ -318,7 +346,10 @@ let prepare t ~near ~lasting changes n =
   end;
   if n = 0 then start_halves t near;
   t.keys.(n) <-
-    (if lasting && t.width > 1 then lasting_key t ~near changes else root_key t ~near changes Pairs.intern)
+    (if t.width = 1 then root_key t ~near changes Pairs.intern
+     else if lasting then lasting_key t ~near changes
+     else if are_many t changes then with_all t near changes Pairs.intern
+     else root_key t ~near changes Pairs.intern)
 
 let fetch t count = Pairs.find_keys t.roots t.keys t.ids count
 

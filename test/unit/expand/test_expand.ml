@@ -348,22 +348,19 @@ let zigzags =
   let n = 4000 in
   let edges i = [ (((i * 7) + 1) mod n, 1); (((i * 3) + 2) mod n, 0); ((i + 1) mod n, 2) ] in
   let toy = Array.init n (fun i -> Some (edges i)) in
-  let case by_time =
-    {
-      toy; depth = None; time = None; states = None; by_time; keep_edges = true; sees_edges = true;
-      reducing = false;
-    }
+  let case (by_time, reducing) =
+    { toy; depth = None; time = None; states = None; by_time; keep_edges = true; sees_edges = true; reducing }
   in
   fun () ->
     List.iter
-      (fun by_time ->
-         let case = case by_time in
+      (fun kind ->
+         let case = case kind in
          let expected = told case in
          List.iter
            (fun jobs ->
               Alcotest.(check bool) "the same" true (String.equal expected (told ~expanding:(by_crew jobs) case)))
            [ 2; 5 ])
-      [ false; true ]
+      [ (false, false); (true, false); (false, true) ]
 
 let () =
   Alcotest.run "expand"
