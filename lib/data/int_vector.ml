@@ -30,8 +30,8 @@ let get v i =
     let base = Array.unsafe_get v.base k and narrow : narrow = Array.unsafe_get v.narrow k in
     if Array1.dim narrow > 0 then base + Array1.unsafe_get narrow at else base
 
-let fits x = x >= -0x8000_0000 && x <= 0x7fff_ffff
-let is_near x = x >= -0x8000 && x <= 0x7fff
+let[@inline] fits x = x >= -0x8000_0000 && x <= 0x7fff_ffff
+let[@inline] is_near x = x >= -0x8000 && x <= 0x7fff
 
 let narrow_of v k =
   let narrow = v.narrow.(k) in
@@ -74,10 +74,14 @@ let make_room v x =
   end;
   v.base.(k) <- x
 
+(* Mostly it is near the base, as those before it are. *)
 let push v x =
-  if v.length land (span - 1) = 0 then make_room v x;
-  v.length <- v.length + 1;
-  set v (v.length - 1) x
+  let i = v.length in
+  let k = i lsr bits and at = i land (span - 1) in
+  if at = 0 then make_room v x;
+  v.length <- i + 1;
+  let near = x - Array.unsafe_get v.base k and narrow : narrow = Array.unsafe_get v.narrow k in
+  if Array1.dim narrow > 0 && is_near near then Array1.unsafe_set narrow at near else set v i x
 
 let bytes v =
   let chunks = 24 * Array.length v.base in

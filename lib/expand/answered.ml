@@ -1,16 +1,19 @@
 open Bigarray
 open Scc_explore
 
-type numbers = (int, int_elt, c_layout) Array1.t
+type numbers = (int32, int32_elt, c_layout) Array1.t
 
-(* The numbers of the tuple, and then of each step how many its changes have, and these. *)
+(* The numbers of the tuple, and then of each step how many its changes have, and these; all are less than 2^31.
+   16 MiB, in which a system puts nothing before it is written. *)
 type t = { width : int; ring : numbers; mutable place : int  (** of the next number *) }
 
-let size = 1 lsl 19
+let size = 1 lsl 22
 let surely = size / 2
-let create ~width = { width; ring = Array1.create int c_layout size; place = 0 }
-let[@inline] at (ring : numbers) place = Array1.unsafe_get ring (place land (size - 1))
-let[@inline] set (ring : numbers) place number = Array1.unsafe_set ring (place land (size - 1)) number
+let create ~width = { width; ring = Array1.create int32 c_layout size; place = 0 }
+let[@inline] at (ring : numbers) place = Int32.to_int (Array1.unsafe_get ring (place land (size - 1)))
+
+let[@inline] set (ring : numbers) place number =
+  Array1.unsafe_set ring (place land (size - 1)) (Int32.of_int number)
 
 let put t (numbers : int array) =
   let ring = t.ring and place = t.place in

@@ -1,5 +1,5 @@
-(** What a process has answered lately, so that it can be told of the states that were found in its answers by where
-    they came up: such a state is the tuple of an answer with the changes of one of its steps.
+(** What a process has answered lately, so that it can be told of the states that were found in its answers by
+    where they came up: such a state is the tuple of an answer with the changes of one of its steps.
 
     An answer takes a place after the one before, which the other side counts as well; what was kept first is
     overwritten. *)

@@ -39,7 +39,10 @@ type t = {
 }
 
 let no_mean () = { seconds = 0.; count = 0 }
-let create ~now = { now; find = no_mean (); tell = no_mean (); here = 0; owed = 0; batch = 8; least = 1; since = 0 }
+
+let create ~now =
+  { now; find = no_mean (); tell = no_mean (); here = 0; owed = 0; batch = 8; least = 1; since = 0 }
+
 let each m = m.seconds /. float_of_int m.count
 
 let count_one m =

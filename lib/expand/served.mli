@@ -1,9 +1,9 @@
 (** What another process does for the one that has the graph ({!Crew}), and how the two talk.
 
-    A request is a number of states. Each is 0 and its tuple, or, of one that came up in an answer of the other process,
-    1 + the place of that answer and how far it is from there to the step ({!Answered}). A reply is a heading and, of
-    each of the states, 0 where its transitions have to be looked at by the process that asked; 1 and all of them; or 2,
-    those that may do ({!Lts.S.reduced}), and all of them. *)
+    A request is a number of states. Each is 0 and its tuple, or, of one that came up in an answer of the other
+    process, 1 + the place of that answer and how far it is from there to the step ({!Answered}). A reply is a
+    heading and, of each of the states, 0 where its transitions have to be looked at by the process that asked;
+    1 and all of them; or 2, those that may do ({!Lts.S.reduced}), and all of them. *)
 
 open Scc_codec
 open Scc_explore

@@ -1,6 +1,6 @@
 open Scc_data
 
-(* Those of a state stand side by side, each as one number of its place and its target, after how many there are. *)
+(* Those of a state stand side by side, each as one number of its place and its target, after their number. *)
 type t = {
   first : Int_vector.t;  (** by states; -1 for none *)
   mutable edges : int array;

@@ -37,11 +37,13 @@ let rationals ~width value =
     total := Rat.zero
   in
   let put i body =
-    let add v =
-      if not (Rat.equal v values.(i)) then total := Rat.add !total (Rat.sub v values.(i));
-      values.(i) <- v
-    in
-    Result.map add (value body)
+    match value body with
+    | Error why -> Error why
+    | Ok v ->
+      let before = values.(i) in
+      if not (v == before || Rat.equal v before) then total := Rat.add !total (Rat.sub v before);
+      values.(i) <- v;
+      Ok ()
   in
   of_tuples ~width ~forget ~put (fun () -> !total)
 

@@ -52,7 +52,7 @@ let overwritten () =
   let a = Answered.create ~width and s = { Lts.label = 0; changes = [| 3; 7 |] } in
   let tuple k = Array.make width k in
   let room = Answered.room ~width [ s ] in
-  let last = 2000 in
+  let last = 10_000 in
   for k = 0 to last do Answered.keep a (tuple k) [ s ] done;
   let found k = Answered.tuple a ~answer:(k * room) ~step:((k * room) + width) in
   Alcotest.(check bool) "the first one is gone" true (found 0 = None);
