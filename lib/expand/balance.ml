@@ -108,6 +108,7 @@ let is_here b ~found_here =
   in
   if here then b.owed <- b.owed - stretch;
   here
+
 let batch b = b.batch
 let least b = b.least
 let least_ahead b = Int.min few_states b.batch

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import threading
 import time
@@ -27,6 +28,8 @@ def connect(address: Optional[str], deadline: float) -> Any:
         raise ClusterFailed("Ray is not installed: pip install 'shapecalculus[cluster]'", 64) from None
     if ray.is_initialized():
         return ray
+    # What it tells of a connection that is lost comes as an exception as well.
+    logging.getLogger("ray.util.client").setLevel(logging.CRITICAL)
     failure: List[BaseException] = []
 
     end = time.monotonic() + deadline
