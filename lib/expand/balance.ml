@@ -12,11 +12,8 @@ let worth = 2.5e-6
    have to do with it, too. *)
 let safety = 3.
 
-(* Of so many states, a power of two, some are found here. *)
+(* Of so many states with numbers one after the other, a power of two, the first few are found here. *)
 let stretch = 64
-
-(* So many more or less than that may be, for states to be found where the one before them was. *)
-let slack = 16
 
 (* Of states in large requests, one of so many is timed for all. *)
 let one_of = 16
@@ -32,17 +29,13 @@ type t = {
   find : mean;
   tell : mean;  (** and hear *)
   mutable here : int;  (** how many of each {!stretch} *)
-  mutable owed : int;  (** states that are to be found here, times {!stretch} *)
   mutable batch : int;
   mutable least : int;
   mutable since : int;  (** states of which nothing was heard, since that was tried *)
 }
 
 let no_mean () = { seconds = 0.; count = 0 }
-
-let create ~now =
-  { now; find = no_mean (); tell = no_mean (); here = 0; owed = 0; batch = 8; least = 1; since = 0 }
-
+let create ~now = { now; find = no_mean (); tell = no_mean (); here = 0; batch = 8; least = 1; since = 0 }
 let each m = m.seconds /. float_of_int m.count
 
 let count_one m =
@@ -101,14 +94,7 @@ let answered b ~states ~waited ~worked =
 
 (* {1 What follows} *)
 
-let is_here b ~found_here =
-  b.owed <- b.owed + b.here;
-  let here =
-    b.here > 0 && (b.here = stretch || b.owed > slack * stretch || (found_here && b.owed > -slack * stretch))
-  in
-  if here then b.owed <- b.owed - stretch;
-  here
-
+let is_here b i = i land (stretch - 1) < b.here
 let batch b = b.batch
 let least b = b.least
 let least_ahead b = Int.min few_states b.batch

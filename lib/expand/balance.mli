@@ -31,9 +31,8 @@ val answered : t -> states:int -> waited:float -> worked:float -> unit
 
 (** {1 What follows} *)
 
-val is_here : t -> found_here:bool -> bool
-(** A state is left to this process, if others have nothing to do yet; mostly one that was [found_here], in
-    the transitions of another such state. Asked once of each state. *)
+val is_here : t -> int -> bool
+(** The state of this number is left to this process, if others have nothing to do yet. *)
 
 val batch : t -> int
 (** How many states are to be in a request at most. *)

@@ -101,8 +101,7 @@ module Make
   (* In the order of their numbers, which is about that in which they are expanded. *)
   let see_who_is_ready c =
     while c.next < Graph.size c.graph && Queue.length c.ready < 2 * Balance.batch c.balance do
-      let found_here = not (Origins.mem c.origins c.next) in
-      if not (Balance.is_here c.balance ~found_here) then Queue.push c.next c.ready;
+      if not (Balance.is_here c.balance c.next) then Queue.push c.next c.ready;
       c.next <- c.next + 1
     done
 

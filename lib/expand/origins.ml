@@ -13,8 +13,6 @@ let put t state ~worker ~answer ~step =
   t.answers.(k) <- answer;
   t.steps.(k) <- step
 
-let mem t state = t.states.(state land (size - 1)) = state
-
 let find t state ~worker =
   let k = state land (size - 1) in
   if t.states.(k) = state && t.workers.(k) = worker then Some (t.answers.(k), t.steps.(k)) else None
