@@ -44,6 +44,7 @@ let tuple t ~answer ~step =
     Some tuple
   end
 
+let words t = Int.min t.place size / (Sys.word_size / 32)
 let room_of_step (s : Lts.step) = 1 + Array.length s.changes
 let first_step ~width = width
 let room ~width steps = List.fold_left (fun n s -> n + room_of_step s) width steps

@@ -17,6 +17,9 @@ val keep : t -> int array -> Lts.step list -> unit
 val tuple : t -> answer:int -> step:int -> int array option
 (** The end of a step of an answer, by the places of both; [None] if that has been overwritten. *)
 
+val words : t -> int
+(** Of memory that it takes. *)
+
 (** {1 Places} *)
 
 val room : width:int -> Lts.step list -> int

@@ -47,7 +47,7 @@ module Make
     back : Wire.t;
     under_way : request Queue.t;
     replies : request Queue.t;  (** the answered ones, in order *)
-    mutable words : int;  (** of its heap, as it last told *)
+    mutable words : int;  (** of memory that it takes, as it last told *)
     mutable owing : int;  (** states that it has been told of, and whose answers have not been read *)
     mutable place : int;  (** of the next of its answers that is read *)
     mutable room : int;  (** of the last one *)

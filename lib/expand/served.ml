@@ -86,7 +86,8 @@ module Make (L : Lts.S) (E : Lts.Exchange with type context = L.context) = struc
       done;
       Buffer.clear reply;
       let worked = Unix.gettimeofday () -. start in
-      put_heading reply { waited = start -. since; worked; words = Memory.heap_words () };
+      let words = Memory.heap_words () + Answered.words answered in
+      put_heading reply { waited = start -. since; worked; words };
       Buffer.add_buffer reply answers;
       Channel.put channel reply;
       go (Unix.gettimeofday ())

@@ -13,7 +13,8 @@ module Make (L : Lts.S) (E : Lts.Exchange with type context = L.context) : sig
 
   type state = Tuple of int array | Place of { answer : int; step : int }
 
-  (** Seconds that the other process has waited for the request, and worked at it; and the words of its heap. *)
+  (** Seconds that the other process has waited for the request, and worked at it; and the words of memory
+      that it takes. *)
   type heading = { waited : float; worked : float; words : int }
 
   type answer = Look | Steps of { some : Lts.step list option; all : Lts.step list }
