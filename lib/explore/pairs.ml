@@ -6,8 +6,8 @@ type narrow = (int32, int32_elt, c_layout) Array1.t
 type index = (int32, int32_elt, c_layout) Array1.t
 
 (* A pair is one key of 62 bits; the keys are kept in chunks, in the order of their numbers: narrow ones, of 32
-   bits for each, where all numbers are less than 2^16, and wide ones. The index is an open hash table with linear
-   probing. Of the 32 bits of a key's hash, the upper ones are its slot, and the others stand in the slot beside
+   bits for each, where all numbers are less than 2^16, and wide ones. The index is an open hash table, probed line
+   by line. Of the 32 bits of a key's hash, the upper ones are its slot, and the others stand in the slot beside
    the number: hardly any key is read that is not the one that is looked for. *)
 type t = {
   mutable narrow : narrow array;  (** empty where the chunk is wide *)
@@ -29,7 +29,7 @@ let ints ~in_files count = if in_files then Spill.ints count else Array1.create 
 let word = 32
 
 (* No slot that is taken: at most four fifths are, and so no number has all of its bits set. *)
-let free = (1 lsl word) - 1
+let free = -1
 
 let make_index ~in_files bits : index =
   let index = int32s ~in_files (1 lsl bits) in
@@ -75,18 +75,32 @@ let right p i =
   check p i;
   unpack_right (key p i)
 
-(* Fibonacci hashing: the upper bits of a product, after the upper half has been mixed into the lower. *)
-let[@inline] hash k = ((k lxor (k lsr 29)) * 0x1E3779B97F4A7C15) lsr (Sys.int_size - word)
+(* As many slots as a line of a processor's cache holds. Pairs that are alike but for the lowest bits of what is on the
+   right are looked for in one line, each in another of its slots, as such pairs are often asked for one after the
+   other. *)
+let line = 16
 
-let[@inline] slot h bits = h lsr (word - bits)
-let[@inline] tag h bits = h land ((1 lsl (word - bits)) - 1)
-let[@inline] entry (index : index) i = Int32.to_int (Array1.unsafe_get index i) land free
+(* Fibonacci hashing: the upper bits of a product, after the upper half has been mixed into the lower. *)
+let[@inline] hash k =
+  let alike = k land lnot (line - 1) in
+  ((alike lxor (alike lsr 29)) * 0x1E3779B97F4A7C15) lsr (Sys.int_size - word)
+
+let[@inline] slot k h bits = ((h lsr (word - bits)) land lnot (line - 1)) lor ((h + k) land (line - 1))
+
+(* From a slot the way leads to the same one of the next line, and after all lines to the next slot of the first. *)
+let[@inline] next (index : index) i =
+  let j = i + line in
+  if j < Array1.dim index then j else (i + 1) land (line - 1)
+
+(* What a slot holds is read with its sign, and so is the tag, which is what is above the number. *)
+let[@inline] tag h bits = (h lsl (Sys.int_size - word + bits)) asr (Sys.int_size - word + bits)
+let[@inline] entry (index : index) i = Int32.to_int (Array1.unsafe_get index i)
 let[@inline] number e bits = e land ((1 lsl bits) - 1)
 
 (* The first slot from this one on that is free, or has the tag. *)
 let rec candidate (index : index) bits tag i =
   let e = entry index i in
-  if e = free || e lsr bits = tag then i else candidate index bits tag ((i + 1) land (Array1.dim index - 1))
+  if e = free || e asr bits = tag then i else candidate index bits tag (next index i)
 
 (* The number of the key; or, of one that is not there, the complement of the slot where it belongs. *)
 let rec probe p k tag i =
@@ -95,11 +109,11 @@ let rec probe p k tag i =
   if e = free then lnot i
   else
     let id = number e p.bits in
-    if key p id = k then id else probe p k tag ((i + 1) land (Array1.dim p.index - 1))
+    if key p id = k then id else probe p k tag (next p.index i)
 
 let look p k =
   let h = hash k in
-  probe p k (tag h p.bits) (slot h p.bits)
+  probe p k (tag h p.bits) (slot k h p.bits)
 
 let enter (index : index) bits i h id =
   Array1.unsafe_set index i (Int32.of_int ((tag h bits lsl bits) lor id))
@@ -114,10 +128,11 @@ let enlarge p =
   end;
   let bits = p.bits + 1 in
   let index = make_index ~in_files:p.in_files bits in
-  let rec vacant i = if entry index i = free then i else vacant ((i + 1) land (Array1.dim index - 1)) in
+  let rec vacant i = if entry index i = free then i else vacant (next index i) in
   for id = 0 to p.size - 1 do
-    let h = hash (key p id) in
-    enter index bits (vacant (slot h bits)) h id
+    let k = key p id in
+    let h = hash k in
+    enter index bits (vacant (slot k h bits)) h id
   done;
   p.bits <- bits;
   p.index <- index
@@ -171,27 +186,21 @@ let find_key p k = Int.max (-1) (look p k)
 let intern p l r = intern_key p (pack l r)
 let find p l r = find_key p (pack l r)
 
-(* The loads of each loop do not wait for each other, as they do when each key is looked up by itself. *)
+(* The loads of the first loop do not wait for each other, as they do when each key is looked up by itself. *)
 let find_keys p (keys : int array) (ids : int array) count =
   let index = p.index and bits = p.bits in
-  let to_slot = word - bits in
-  let tags = (1 lsl to_slot) - 1 and numbers = (1 lsl bits) - 1 in
+  let numbers = (1 lsl bits) - 1 in
   for n = 0 to count - 1 do
-    Array.unsafe_set ids n (entry index (hash (Array.unsafe_get keys n) lsr to_slot))
+    let k = Array.unsafe_get keys n in
+    Array.unsafe_set ids n (entry index (slot k (hash k) bits))
   done;
   for n = 0 to count - 1 do
-    let h = hash (Array.unsafe_get keys n) in
-    let e = Array.unsafe_get ids n in
-    let e =
-      if e lsr bits = h land tags then e
-      else if e = free then free
-      else entry index (candidate index bits (h land tags) (h lsr to_slot))
-    in
-    Array.unsafe_set ids n (if e = free then -1 else e land numbers)
-  done;
-  for n = 0 to count - 1 do
-    let id = Array.unsafe_get ids n and k = Array.unsafe_get keys n in
-    if id >= 0 && key p id <> k then Array.unsafe_set ids n (find_key p k)
+    let k = Array.unsafe_get keys n and e = Array.unsafe_get ids n in
+    let id = e land numbers in
+    Array.unsafe_set ids n
+      (if e = free then -1
+       else if e asr bits = tag (hash k) bits && key p id = k then id
+       else find_key p k)
   done
 
 let bytes p =
