@@ -8,10 +8,13 @@ type 'a discrete = { urgent : 'a list; weak : 'a list; collisions : 'a list }
 
 let is_urgent d = match (d.urgent, d.collisions) with [], [] -> false | _ -> true
 
+let rec before f later = function
+  | [] -> later
+  | last :: rest -> before f (f last :: later) rest
+
 let in_order f d ~time =
-  let before later last_first = List.fold_left (fun all x -> f x :: all) later last_first in
   let later = if is_urgent d then [] else time () in
-  before (before (before later d.collisions) d.weak) d.urgent
+  before f (before f (before f later d.collisions) d.weak) d.urgent
 
 let time_rules (c : Semantics.t) =
   let (module K) = c.kinematics in

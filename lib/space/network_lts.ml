@@ -12,6 +12,8 @@ type context = {
   visible : (int -> bool) option;
   initial : State.t;
   encounters : Encounters.t;
+  left : Section.memory;  (** of the first half of the slots of processes *)
+  right : Section.memory;
   scene : Scene.t option;  (** where there are many *)
   draws : bool;  (** a draw is told by who waits for it, and marks nothing *)
   codec : Scc_codec.State_codec.t Lazy.t;
@@ -50,11 +52,14 @@ let make ?(events = []) ?(time_seen = Scc_property.Time_seen.Always) ?(quotient 
   let many = Model.part_count m > few in
   let scene = if Model.straight m && by_pairs m && many then Some (Scene.create local) else None in
   let encounters = Encounters.create ~memory:(4 * memory) local in
+  let leaves = Array.length m.leaves in
+  let left = Section.memory local ~first:0 ~beyond:(leaves / 2) in
+  let right = Section.memory local ~first:(leaves / 2) ~beyond:leaves in
   let draws = Model.draws m && Option.is_none m.rigid && events = [] in
   let codec = lazy (Scc_codec.State_codec.make m initial) in
   let quotient = Quotient.within quotient (Local.catalogue local) in
-  { local; quotient; visible; initial; encounters; scene; draws; codec; given_up = []; seen = Bytes.empty;
-    may_split = false }
+  { local; quotient; visible; initial; encounters; left; right; scene; draws; codec; given_up = [];
+    seen = Bytes.empty; may_split = false }
 
 (* Processes that were only thought of, as targets of transitions that are not possible as yet, do not count. *)
 let enter c number =
@@ -120,9 +125,26 @@ let to_representative c tuple (s : Lts.step) =
     let target = Quotient.representative c.quotient (Tuples.apply s.changes tuple) in
     { s with changes = Tuples.difference tuple target }
 
+(* What can happen now but for the passing of time, all the last first; who is there, in the order of slots; and what
+   tells the first time of contact, if nobody collides. *)
+type now = {
+  sections : unit -> Section.t * Section.t;
+  can : Local.move Network.discrete;
+  contact : limit:Rat.t option -> Rat.t option;
+}
+
+let present now =
+  let one, other = now.sections () in
+  Array.append (Section.present one) (Section.present other)
+
+let joined a b =
+  match (a, b) with
+  | [||], c | c, [||] -> c
+  | _ -> Array.append a b
+
 (* Who is there, and where, changes only with time and by absorption: other transitions lead from representatives
    to representatives. *)
-let pass c (tuple : int array) present d =
+let pass c (tuple : int array) now d =
   let[@inline] change slot number rest = if tuple.(slot) = number then rest else slot :: number :: rest in
   let mark = if Local.has_events c.local then change (Catalogue.mark_slot (catalogue c)) 0 [] else [] in
   let mark_and_time =
@@ -130,67 +152,36 @@ let pass c (tuple : int array) present d =
     | None -> mark
     | Some number -> change (Catalogue.time_slot (catalogue c)) number mark
   in
-  let rec from i rest =
-    if i < 0 then Array.of_list rest
-    else
-      let a = Array.unsafe_get present i in
-      from (i - 1) (change (Catalogue.first_leaf a.Local.body.process) (Local.after c.local d a) rest)
-  in
-  let changes = from (Array.length present - 1) mark_and_time in
+  let one, other = now.sections () in
+  let processes = joined (Section.after c.local d one) (Section.after c.local d other) in
+  let changes = match mark_and_time with [] -> processes | _ :: _ -> joined processes (Array.of_list mark_and_time) in
   let step = { Lts.label = Catalogue.time_label (catalogue c) d; changes } in
-  let moves () = Array.exists (fun (a : Local.alone) -> not a.rests) present in
-  if Array.length changes = 0 || Quotient.is_none c.quotient || not (moves ()) then step
+  let rest = Section.rest one && Section.rest other in
+  if Array.length changes = 0 || Quotient.is_none c.quotient || rest then step
   else to_representative c tuple step
 
 let step c tuple (m : Local.move) = if m.takes_out then to_representative c tuple m.step else m.step
 
-let present c (tuple : int array) =
-  let leaves = Array.length (model c).leaves in
-  let rec count i n =
-    if i = leaves then n
-    else count (i + 1) (if Array.unsafe_get tuple i = Catalogue.nobody then n else n + 1)
-  in
-  let found = Array.make (count 0 0) (Local.nobody c.local) in
-  let rec fill i n =
-    if n < Array.length found then begin
-      let number = Array.unsafe_get tuple i in
-      if number = Catalogue.nobody then fill (i + 1) n
-      else begin
-        Array.unsafe_set found n (Local.alone c.local number);
-        fill (i + 1) (n + 1)
-      end
-    end
-  in
-  fill 0 0;
-  found
-
-(* What can happen now but for the passing of time, all the last first; who is there; and what tells the first
-   time of contact, if nobody collides. *)
-type now = {
-  present : Local.alone array Later.t;
-  can : Local.move Network.discrete;
-  contact : limit:Rat.t option -> Rat.t option;
-}
-
-let by_themselves (present : Local.alone array) collisions =
-  let urgent = ref [] and weak = ref [] in
-  for i = 0 to Array.length present - 1 do
-    let a = Array.unsafe_get present i in
-    (match a.urgent with [] -> () | moves -> urgent := List.rev_append moves !urgent);
-    match a.weak with [] -> () | moves -> weak := List.rev_append moves !weak
-  done;
-  { Network.urgent = !urgent; weak = !weak; collisions }
-
-let of_few c present =
-  let found = Encounters.among c.encounters present in
-  {
-    present = Later.make (fun () -> present);
-    can = by_themselves present (Encounters.collisions found);
-    contact = (fun ~limit:_ -> Encounters.first_contact c.encounters found);
-  }
+let of_few c tuple =
+  let left = Section.look c.left tuple and right = Section.look c.right tuple in
+  let both left right = match left with [] -> right | _ :: _ -> right @ left in
+  let urgent = both (Section.urgent left) (Section.urgent right) in
+  let weak = both (Section.weak left) (Section.weak right) in
+  let sections () = (left, right) in
+  if Section.in_relative_motion left right then begin
+    let found = Encounters.among c.encounters (Array.append (Section.present left) (Section.present right)) in
+    {
+      sections;
+      can = { urgent; weak; collisions = Encounters.collisions found };
+      contact = (fun ~limit:_ -> Encounters.first_contact c.encounters found);
+    }
+  end
+  else { sections; can = { urgent; weak; collisions = [] }; contact = (fun ~limit:_ -> None) }
 
 (* Where few move, who meets whom is told by pairs; else who is near whom in time is seen at once. *)
 let few_movers = 16
+
+let processes present = Array.map (fun (a : Local.alone) -> a.body.process) present
 
 let first_contact_of_many c scene present ~limit =
   if not (Scene.in_relative_motion scene) then None
@@ -198,34 +189,34 @@ let first_contact_of_many c scene present ~limit =
     let present = Later.force present in
     let movers = Array.fold_left (fun n (a : Local.alone) -> if a.rests then n else n + 1) 0 present in
     if movers <= few_movers then Encounters.first_contact c.encounters (Encounters.among c.encounters present)
-    else
-      let processes = Array.map (fun (a : Local.alone) -> a.body.process) present in
-      Collisions.first_time_of_contact (Local.afresh c.local) processes ~limit
+    else Collisions.first_time_of_contact (Local.afresh c.local) (processes present) ~limit
 
 let of_many c scene tuple =
   Scene.look scene tuple;
   let present = Later.make (fun () -> Scene.present scene) in
   {
-    present;
+    sections = (fun () -> (Section.of_present (Later.force present), Section.nobody));
     can = { urgent = Scene.urgent scene; weak = Scene.weak scene; collisions = Scene.collisions scene };
     contact = (fun ~limit -> first_contact_of_many c scene present ~limit);
   }
 
 (* Where two do not collide by themselves, but with all others that hang together with them (reading I-32), or meet
    at rest (reading I-33): all at once. *)
-let at_once c present =
-  let processes = Array.map (fun (a : Local.alone) -> a.body.process) present in
+let at_once c tuple =
+  let left = Section.look c.left tuple and right = Section.look c.right tuple in
+  let all = Section.of_present (Array.append (Section.present left) (Section.present right)) in
+  let processes = processes (Section.present all) in
   let collisions = List.rev_map (Local.move c.local) (Network.together (Local.afresh c.local) processes) in
   {
-    present = Later.make (fun () -> present);
-    can = by_themselves present collisions;
+    sections = (fun () -> (all, Section.nobody));
+    can = { urgent = Section.urgent all; weak = Section.weak all; collisions };
     contact = (fun ~limit -> Collisions.first_time_of_contact (Local.afresh c.local) processes ~limit);
   }
 
 let now c tuple =
   match c.scene with
   | Some scene -> of_many c scene tuple
-  | None -> (if by_pairs (model c) then of_few else at_once) c (present c tuple)
+  | None -> (if by_pairs (model c) then of_few else at_once) c tuple
 
 let choices c source =
   let encoded (t : Transition.t) =
@@ -247,26 +238,17 @@ let whole c tuple =
     Ok []
   | Error _ as fault -> fault
 
-let wait (present : Local.alone array) =
-  let rec least i found =
-    if i < 0 then found
-    else
-      match ((Array.unsafe_get present i).nature.wait, found) with
-      | None, _ -> least (i - 1) found
-      | wait, None -> least (i - 1) wait
-      | Some d, Some e -> least (i - 1) (if d == e then found else Some (Rat.min d e))
-  in
-  least (Array.length present - 1) None
+let sooner d e =
+  match (d, e) with None, other | other, None -> other | Some d, Some e -> Some (if d == e then d else Rat.min d e)
 
 let by_parts c tuple =
   let now = now c tuple in
   let time () =
-    let present = Later.force now.present in
-    let wait = wait present in
-    match (wait, now.contact ~limit:wait) with
-    | None, None -> []
-    | Some d, None | None, Some d -> [ pass c tuple present d ]
-    | Some d, Some e -> [ pass c tuple present (Rat.min d e) ]
+    let one, other = now.sections () in
+    let wait = sooner (Section.wait one) (Section.wait other) in
+    match sooner wait (now.contact ~limit:wait) with
+    | None -> []
+    | Some d -> [ pass c tuple now d ]
   in
   Network.in_order (step c tuple) now.can ~time
 
@@ -315,7 +297,7 @@ let successors c tuple =
 (* Of the groups with something urgent to do, the first in which nobody can be seen, if others could act as
    well. *)
 let group_moves semantics visible present (d : Local.move Network.discrete) =
-  let groups = Groups.of_processes semantics (Array.map (fun (a : Local.alone) -> a.body.process) present) in
+  let groups = Groups.of_processes semantics (processes present) in
   let group (m : Local.move) = Groups.of_leaf groups m.leaf in
   let hidden g = not (List.exists visible (Groups.leaves groups g)) in
   let urgent = List.rev_append d.urgent d.collisions in
@@ -338,5 +320,5 @@ let reduced c tuple =
       let now = now c tuple in
       if not (Network.is_urgent now.can) then None
       else
-        group_moves (semantics c) visible (Later.force now.present) now.can
+        group_moves (semantics c) visible (present now) now.can
         |> Option.map (Network.in_order (step c tuple) ~time:(fun () -> [])))

@@ -99,9 +99,9 @@ module Tuple = struct
       Running_sum.rationals ~width:(leaves c) of_slot
     | Number f ->
       let of_number = by_process c 0 f in
-      let of_slot p = Ok (if p = Catalogue.nobody then 0 else of_number p) in
+      let of_slot p = if p = Catalogue.nobody then 0 else of_number p in
       let sum = Running_sum.integers ~width:(leaves c) of_slot in
-      fun t -> Result.map Rat.of_int (sum t)
+      fun t -> Ok (Rat.of_int (sum t))
     | Time -> (
         fun t ->
           match Catalogue.time (Network_lts.catalogue c) t with

@@ -1,64 +1,74 @@
 open Scc_exact
 
+(* What the slots of the last tuple hold, and what that is worth. Neither is known while they change. *)
+type 'value last = { bodies : int array; values : 'value array; mutable total : 'value; mutable are_known : bool }
+
 let nothing = -1
 
-(* The first slot from [i] on, of [width], that is not the same in both; or [width]. *)
-let rec next_difference (a : int array) (b : int array) i width =
-  if i = width || Array.unsafe_get a i <> Array.unsafe_get b i then i
-  else next_difference a b (i + 1) width
+let last ~width zero =
+  { bodies = Array.make width nothing; values = Array.make width zero; total = zero; are_known = true }
 
-(* [bodies] are those of the last tuple, of which [put] has been told. They are not known while they change. *)
-let of_tuples ~width ~forget ~put total =
-  let bodies = Array.make width nothing and are_known = ref true in
-  let rec correct (tuple : int array) i =
-    let i = next_difference tuple bodies i width in
-    if i = width then Ok (total ())
-    else
-      match put i tuple.(i) with
-      | Error why -> Error why
-      | Ok () ->
-        bodies.(i) <- tuple.(i);
-        correct tuple (i + 1)
-  in
-  fun tuple ->
-    if not !are_known then begin
-      Array.fill bodies 0 width nothing;
-      forget ()
-    end;
-    are_known := false;
-    let sum = correct tuple 0 in
-    are_known := Result.is_ok sum;
-    sum
+let begin_with last zero =
+  if not last.are_known then begin
+    Array.fill last.bodies 0 (Array.length last.bodies) nothing;
+    Array.fill last.values 0 (Array.length last.values) zero;
+    last.total <- zero
+  end;
+  last.are_known <- false
+
+(* The first slot from [i] on, of [width], that is not the same in both; or [width]. *)
+let next_difference (a : int array) (b : int array) i width =
+  let i = ref i in
+  while !i < width && Array.unsafe_get a !i = Array.unsafe_get b !i do
+    incr i
+  done;
+  !i
 
 let rationals ~width value =
-  let values = Array.make width Rat.zero and total = ref Rat.zero in
-  let forget () =
-    Array.fill values 0 width Rat.zero;
-    total := Rat.zero
+  let last = last ~width Rat.zero in
+  let rec correct (tuple : int array) i total =
+    let i = next_difference tuple last.bodies i width in
+    if i = width then Ok total
+    else
+      let body = Array.unsafe_get tuple i in
+      match value body with
+      | Error _ as why -> why
+      | Ok v ->
+        let before = Array.unsafe_get last.values i in
+        last.bodies.(i) <- body;
+        if v == before || Rat.equal v before then correct tuple (i + 1) total
+        else begin
+          last.values.(i) <- v;
+          correct tuple (i + 1) (Rat.add total (Rat.sub v before))
+        end
   in
-  let put i body =
-    match value body with
-    | Error why -> Error why
-    | Ok v ->
-      let before = values.(i) in
-      if not (v == before || Rat.equal v before) then total := Rat.add !total (Rat.sub v before);
-      values.(i) <- v;
-      Ok ()
-  in
-  of_tuples ~width ~forget ~put (fun () -> !total)
+  fun tuple ->
+    begin_with last Rat.zero;
+    match correct tuple 0 last.total with
+    | Error _ as why -> why
+    | Ok total as sum ->
+      last.total <- total;
+      last.are_known <- true;
+      sum
 
+(* On its own, as an array of any values would be looked at for what it holds each time. *)
 let integers ~width value =
-  let values : int array = Array.make width 0 and total = ref 0 in
-  let forget () =
-    Array.fill values 0 width 0;
-    total := 0
+  let last : int last = last ~width 0 in
+  let rec correct (tuple : int array) i total =
+    let i = next_difference tuple last.bodies i width in
+    if i = width then total
+    else begin
+      let body = Array.unsafe_get tuple i in
+      let v = value body in
+      let before = Array.unsafe_get last.values i in
+      last.bodies.(i) <- body;
+      last.values.(i) <- v;
+      correct tuple (i + 1) (total - before + v)
+    end
   in
-  let put i body =
-    match value body with
-    | Error why -> Error why
-    | Ok v ->
-      total := !total - values.(i) + v;
-      values.(i) <- v;
-      Ok ()
-  in
-  of_tuples ~width ~forget ~put (fun () -> !total)
+  fun tuple ->
+    begin_with last 0;
+    let total = correct tuple 0 last.total in
+    last.total <- total;
+    last.are_known <- true;
+    total

@@ -8,5 +8,5 @@ val rationals : width:int -> (int -> (Rat.t, 'why) result) -> int array -> (Rat.
     them alone; or it is the reason of the first slot that has no value. The value of -1 is zero. It may be given
     up anywhere, by an exception of [value] as well. *)
 
-val integers : width:int -> (int -> (int, 'why) result) -> int array -> (int, 'why) result
-(** The same of integers. *)
+val integers : width:int -> (int -> int) -> int array -> int
+(** The same of integers, which all slots have. *)

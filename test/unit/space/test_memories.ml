@@ -41,11 +41,15 @@ let value ~may_fail n =
   else if n = 8 && may_fail then raise Given_up
   else Ok (ratio ((n * n) - 11) (1 + (n mod 3)))
 
-let integer ~may_fail n = Result.map (fun _ -> Int.max 0 (n + (n * n))) (value ~may_fail n)
+let integer ~may_fail n =
+  if n < 0 then 0 else if n = 8 && may_fail then raise Given_up else (n * n) - (11 * n) + 3
 
-let naive zero add value tuple =
-  let add sum n = Result.bind sum (fun x -> Result.map (add x) (value ~may_fail:false n)) in
-  Array.fold_left add (Ok zero) (Array.sub tuple 0 5)
+let naive_of_rationals tuple =
+  let add sum n = Result.bind sum (fun x -> Result.map (Rat.add x) (value ~may_fail:false n)) in
+  Array.fold_left add (Ok Rat.zero) (Array.sub tuple 0 5)
+
+let naive_of_integers tuple =
+  Array.fold_left (fun sum n -> sum + integer ~may_fail:false n) 0 (Array.sub tuple 0 5)
 
 let tuples = Gen.(list_size (1 -- 30) (array_size (return 6) (-1 -- 8)))
 let print_tuples = QCheck2.Print.(list (array int))
@@ -58,16 +62,16 @@ let sums name running naive value =
       let is_right tuple =
         may_fail := true;
         (match sum tuple with
-         | found -> found = naive value tuple
+         | found -> found = naive tuple
          | exception Given_up -> Array.mem 8 tuple)
         &&
         (may_fail := false;
-         tuple.(0) mod 2 = 0 || sum tuple = naive value tuple)
+         tuple.(0) mod 2 = 0 || sum tuple = naive tuple)
       in
       List.for_all is_right tuples)
 
-let sums_of_rationals = sums "sums of tuples in turn" Running_sum.rationals (naive Rat.zero Rat.add) value
-let sums_of_integers = sums "the same of integers" Running_sum.integers (naive 0 ( + )) integer
+let sums_of_rationals = sums "sums of tuples in turn" Running_sum.rationals naive_of_rationals value
+let sums_of_integers = sums "the same of integers" Running_sum.integers naive_of_integers integer
 
 (* {1 Times of contact} *)
 
@@ -126,11 +130,86 @@ let recent () =
   done;
   Alcotest.(check bool) "others are not" true (fst (Recent.get m 1) <> 1)
 
+(* {1 Who stands in some slots} *)
+
+(* The catalogue of a model, and what each slot holds in some of its states. *)
+let slots_of name =
+  let open Scc_explore in
+  let e = Scc_test_models.Load.(exactly (file ("../../../specs/models/" ^ name))) in
+  let semantics = Scc_engine.Standard.of_model e.model in
+  let start = Result.get_ok (Scc_semantics.Network.initial semantics e.declared) in
+  let context = Network_lts.make semantics start in
+  let limits = { Limits.unlimited with states = Some 300 } in
+  let g = State_graph.run limits Limits.quiet context in
+  let local = Local.create ~events:[] ~time_seen:Scc_property.Time_seen.Always ~memory:1024 semantics in
+  let again i = Catalogue.encode (Local.catalogue local) (Catalogue.decode (Network_lts.catalogue context) (State_graph.tuple g i)) in
+  let tuples = List.init (State_graph.size g) again in
+  let held slot = List.sort_uniq Int.compare (List.map (fun tuple -> tuple.(slot)) tuples) in
+  (local, Array.init (Array.length (Catalogue.model (Local.catalogue local)).leaves) held)
+
+let sections name =
+  let local, held = slots_of name in
+  let n = Array.length held in
+  (* Few for each slot, so that they come again, and many tuples, so that they take each other's places. *)
+  let tuple = Gen.(flatten_a (Array.map (fun numbers -> oneofl (List.filteri (fun i _ -> i < 4) numbers)) held)) in
+  let case = Gen.(pair (0 -- n) (pair (list_size (return 300) tuple) (oneofl [ Rat.one; ratio 1 3 ]))) in
+  QCheck2.Test.make ~count:30 ~name:("who stands in slots of " ^ name) case (fun (middle, (tuples, d)) ->
+      let left = Section.memory local ~first:0 ~beyond:middle
+      and right = Section.memory local ~first:middle ~beyond:n in
+      let alone tuple first beyond =
+        List.init (beyond - first) (fun k -> tuple.(first + k))
+        |> List.filter (fun number -> number <> Catalogue.nobody)
+        |> List.map (Local.alone local)
+      in
+      let number (a : Local.alone) = a.body.number in
+      let waits = List.filter_map (fun (a : Local.alone) -> a.nature.wait) in
+      let least = function [] -> None | w :: rest -> Some (List.fold_left Rat.min w rest) in
+      let velocities those = List.sort_uniq Int.compare (List.map (fun (a : Local.alone) -> a.body.velocity) those) in
+      let last_first moves those = List.rev (List.concat_map moves those) in
+      let later those =
+        let change (a : Local.alone) =
+          let number' = Local.after local d a in
+          if number' = number a then [] else [ Catalogue.first_leaf a.body.process; number' ]
+        in
+        Array.of_list (List.concat_map change those)
+      in
+      let is_right s those =
+        List.map number (Array.to_list (Section.present s)) = List.map number those
+        && List.equal ( == ) (Section.urgent s) (last_first (fun (a : Local.alone) -> a.urgent) those)
+        && List.equal ( == ) (Section.weak s) (last_first (fun (a : Local.alone) -> a.weak) those)
+        && Option.equal Rat.equal (Section.wait s) (least (waits those))
+        && Bool.equal (Section.rest s) (List.for_all (fun (a : Local.alone) -> a.rests) those)
+        && Section.after local d s = later those
+      in
+      let looked_at tuple =
+        let one = Section.look left tuple and other = Section.look right tuple in
+        let these = alone tuple 0 middle and those = alone tuple middle n in
+        is_right one these && is_right other those
+        && Bool.equal (Section.in_relative_motion one other) (List.length (velocities (these @ those)) > 1)
+        && is_right (Section.of_present (Array.of_list (these @ those))) (these @ those)
+      in
+      List.for_all looked_at tuples)
+
+(* What comes again is there from the third time on, as the same. *)
+let sections_remembered () =
+  let local, held = slots_of "hexokinase.sc" in
+  let n = Array.length held in
+  let m = Section.memory local ~first:0 ~beyond:n in
+  let some = Array.map List.hd held and other = Array.map (fun numbers -> List.nth numbers (List.length numbers - 1)) held in
+  let first = Section.look m some in
+  let second = Section.look m some in
+  ignore (Section.look m other);
+  Alcotest.(check bool) "not the first time" false (first == second);
+  Alcotest.(check bool) "then it is" true (Section.look m some == second);
+  Alcotest.(check bool) "others are others" false (Section.look m other == second)
+
 let () =
   Alcotest.run "memories"
     [
       ("ranks", Scc_test_support.Property.cases [ ranks; ranks_of_bounds ]);
       ("sums", Scc_test_support.Property.cases [ sums_of_rationals; sums_of_integers ]);
       ("contacts", [ Alcotest.test_case "kept and forgotten" `Quick contacts ]);
+      ("sections", Alcotest.test_case "remembered" `Quick sections_remembered
+                   :: Scc_test_support.Property.cases (List.map sections [ "hexokinase.sc"; "gas.sc"; "dimers.sc" ]));
       ("recent", [ Alcotest.test_case "kept and forgotten" `Quick recent ]);
     ]
