@@ -136,9 +136,9 @@ module Make (L : Lts.S) = struct
 
   let is_new g (s : Lts.step) = Tuples.find g.tuples ~near:g.near s.changes < 0
 
-  (* Whether the targets that are new fit a number of them. *)
-  let fits g room (steps : Lts.step list) =
-    List.compare_length_with steps room <= 0
+  (* Whether the targets that are new, of so many transitions, fit a number of them. *)
+  let fits g room (steps : Lts.step list) count =
+    count <= room
     ||
     let fresh = Hashtbl.create 16 in
     let add (s : Lts.step) =
@@ -158,18 +158,20 @@ module Make (L : Lts.S) = struct
     id
 
   (* Shows the visitor those that are new, in the order of their numbers from [first] on. *)
-  let introduce g around visitor ~first tuple steps targets =
+  let introduce g around visitor ~first tuple steps =
     let rec show next n = function
       | [] -> ()
       | (s : Lts.step) :: rest ->
-        let id = Array.unsafe_get targets n in
-        if id = next then begin
-          Limits.within around (fun () -> visitor.found g id (Tuples.apply s.changes tuple));
+        if Array.unsafe_get g.targets n = next then begin
+          visitor.found g next (Tuples.apply s.changes tuple);
           show (next + 1) (n + 1) rest
         end
         else show next (n + 1) rest
     in
-    if size g > first then show first 0 steps
+    if size g > first then Limits.within around (fun () -> show first 0 steps)
+
+  let make_room_for_targets g count =
+    if count > Array.length g.targets then g.targets <- Array.make (2 * count) (-1)
 
   (* An edge to a known state that clearly changes nothing leads deeper by no shorter way, and not earlier. No way
      that goes on from a state leads to it sooner: of all of its edges, its own depth and arrival are the same. *)
@@ -193,32 +195,36 @@ module Make (L : Lts.S) = struct
   let successors g tuple =
     all_or_some g ~some:(L.reduced g.context tuple) ~all:(fun () -> L.successors g.context tuple)
 
-  (* The targets of the steps of a state that has just been loaded, and those that are new among them. *)
-  let looked_up g limits i tuple steps =
+  (* Finds the targets of the steps of a state that has just been loaded, and makes those that are new. *)
+  let look_up g limits i tuple steps count =
     let changes_nothing (s : Lts.step) = Array.length s.changes = 0 in
-    let rec prepare count prepared = function
-      | [] -> (count, prepared)
-      | s :: rest when changes_nothing s -> prepare (count + 1) prepared rest
+    let rec prepare prepared = function
+      | [] -> prepared
+      | s :: rest when changes_nothing s -> prepare prepared rest
       | s :: rest ->
         Tuples.prepare g.tuples ~near:g.near ~lasting:(not (takes_time g s.label)) s.changes prepared;
-        prepare (count + 1) (prepared + 1) rest
+        prepare (prepared + 1) rest
     in
-    let count, prepared = prepare 0 0 steps in
-    Tuples.fetch g.tuples prepared;
-    let targets = Array.make count i in
+    Tuples.begin_round g.tuples ~near:g.near count;
+    Tuples.fetch g.tuples (prepare 0 steps);
+    make_room_for_targets g count;
     let rec find n k = function
-      | [] -> targets
-      | s :: rest when changes_nothing s -> find (n + 1) k rest
+      | [] -> ()
+      | s :: rest when changes_nothing s ->
+        Array.unsafe_set g.targets n i;
+        find (n + 1) k rest
       | s :: rest ->
         let known = Tuples.prepared g.tuples k in
-        Array.unsafe_set targets n (if known >= 0 then known else intern_prepared g limits i tuple k s);
+        Array.unsafe_set g.targets n (if known >= 0 then known else intern_prepared g limits i tuple k s);
         find (n + 1) (k + 1) rest
     in
     find 0 0 steps
 
   let not_as_noted () = Scc_base.Bug.fail __POS__ "an expansion is not what it was when it was noted"
 
-  let as_noted g limits i tuple arrows =
+  (* The same of what was noted of them. *)
+  let look_up_noted g limits i tuple arrows count =
+    make_room_for_targets g count;
     let target = function
       | Known { target; _ } -> if target < size g then target else not_as_noted ()
       | New s ->
@@ -228,39 +234,46 @@ module Make (L : Lts.S) = struct
         connect g limits i tuple ~known id s;
         id
     in
-    Array.of_list (List.map target arrows)
+    List.iteri (fun n arrow -> g.targets.(n) <- target arrow) arrows
 
   let without_target = function New s -> s | Known { label; _ } -> { Lts.label; changes = [||] }
 
   let labels_of steps = Array.of_list (List.map (fun (s : Lts.step) -> s.label) steps)
 
-  (* What is told of the edges. The first one to a state that is new makes it; others from the same state find it
-     there. *)
-  let relax_all g limits visitor i ~first steps targets told =
+  (* Relaxes the edges of a state. *)
+  let relax_all g limits visitor i steps =
+    let deeper = depth g i + 1 and arrival = Distances.arrival_number g.distances i in
+    let rec each n = function
+      | [] -> ()
+      | (s : Lts.step) :: rest ->
+        let target = Array.unsafe_get g.targets n in
+        if not (is_plain g ~deeper ~arrival s.label target) then relax g limits visitor i s.label target;
+        each (n + 1) rest
+    in
+    each 0 steps
+
+  (* The same, and what is told of them. The first one to a state that is new makes it; others from the same state
+     find it there. *)
+  let relax_and_tell g limits visitor i ~first steps told =
     let deeper = depth g i + 1 and arrival = Distances.arrival_number g.distances i in
     let rec each n next arrows = function
       | [] -> List.rev arrows
       | (s : Lts.step) :: rest ->
-        let target = Array.unsafe_get targets n in
+        let target = Array.unsafe_get g.targets n in
         let matters = not (is_plain g ~deeper ~arrival s.label target) in
         if matters then relax g limits visitor i s.label target;
-        let is_new = target = next in
-        let arrows =
-          match told with
-          | None -> arrows
-          | Some _ when is_new -> New s :: arrows
-          | Some t when matters || t.asks s.label -> Known { label = s.label; target } :: arrows
-          | Some _ -> arrows
-        in
-        each (n + 1) (if is_new then next + 1 else next) arrows rest
+        if target = next then each (n + 1) (next + 1) (New s :: arrows) rest
+        else if matters || told.asks s.label then
+          each (n + 1) next (Known { label = s.label; target } :: arrows) rest
+        else each (n + 1) next arrows rest
     in
     each 0 first [] steps
 
   (* A search for cycles asks again for the edges without duration of many states, once there may be one. *)
-  let remember_at_once g i steps targets =
+  let remember_at_once g i steps =
     let may_turn = match g.turning with At states -> Int_vector.length states > 0 | Anywhere -> true in
     if may_turn && Option.is_none g.edges then begin
-      let tell put n (s : Lts.step) = if not (takes_time g s.label) then put n targets.(n) in
+      let tell put n (s : Lts.step) = if not (takes_time g s.label) then put n g.targets.(n) in
       Edges_at_once.keep g.at_once i (fun put -> List.iteri (tell put) steps)
     end
 
@@ -268,22 +281,30 @@ module Make (L : Lts.S) = struct
   let expand g (limits : Limits.t) around visitor expander i =
     Tuples.load g.tuples g.near i;
     let tuple = Tuples.slots g.near in
-    let grow { steps; reduced } ~targets ~count ~all_told =
+    (* There are [count] transitions, these steps among them, whose targets [look_up] finds. *)
+    let grow { steps; reduced } ~look_up ~length ~count ~all_told =
       match limits.states with
-      | Some n when not (fits g (n - size g) steps) -> Some States
+      | Some n when not (fits g (n - size g) steps length) -> Some States
       | Some _ | None ->
         mark g i Expanded;
         let first = size g in
-        let targets = targets () in
+        look_up length;
+        let targets () = Array.sub g.targets 0 length in
         g.transitions <- g.transitions + count;
-        Option.iter (fun store -> Edge_store.set store i ~labels:(labels_of steps) ~targets) g.edges;
-        introduce g around visitor ~first tuple steps targets;
+        Option.iter (fun store -> Edge_store.set store i ~labels:(labels_of steps) ~targets:(targets ())) g.edges;
+        introduce g around visitor ~first tuple steps;
         let told = expander.expanded () in
-        let arrows = relax_all g limits visitor i ~first steps targets told in
+        let arrows =
+          match told with
+          | None ->
+            relax_all g limits visitor i steps;
+            []
+          | Some told -> relax_and_tell g limits visitor i ~first steps told
+        in
         if all_told && List.for_all (fun (s : Lts.step) -> takes_time g s.label) steps then
           Statuses.note_timed g.statuses i
-        else if all_told && not reduced then remember_at_once g i steps targets;
-        let edges () = Array.map2 (fun label target -> { label; target }) (labels_of steps) targets in
+        else if all_told && not reduced then remember_at_once g i steps;
+        let edges () = Array.map2 (fun label target -> { label; target }) (labels_of steps) (targets ()) in
         Option.iter (fun opened -> Limits.within around (fun () -> opened g i tuple (edges ()))) visitor.opened;
         Option.iter (fun t -> t.tell i ~count arrows) told;
         None
@@ -293,10 +314,12 @@ module Make (L : Lts.S) = struct
       leave_out g i (Fault fault);
       None
     | Ok (Found ({ steps; _ } as found)) ->
-      grow found ~targets:(fun () -> looked_up g limits i tuple steps) ~count:(List.length steps) ~all_told:true
+      let count = List.length steps in
+      grow found ~look_up:(look_up g limits i tuple steps) ~length:count ~count ~all_told:true
     | Ok (Noted { arrows; count }) ->
       let noted = { steps = List.map without_target arrows; reduced = false } in
-      grow noted ~targets:(fun () -> as_noted g limits i tuple arrows) ~count ~all_told:false
+      grow noted ~look_up:(look_up_noted g limits i tuple arrows) ~length:(List.length arrows) ~count
+        ~all_told:false
 
   (* All that is left of the frontier, of which [i] has been taken already. *)
   let give_up g i reason =
@@ -314,6 +337,7 @@ module Make (L : Lts.S) = struct
       frontier = (match order with By_steps -> Frontier.by_steps () | By_time -> Frontier.by_time ());
       edges = (if keep_edges then Some (Edge_store.create ()) else None);
       at_once = Edges_at_once.create ();
+      targets = [||];
       transitions = 0;
       turning = At (Int_vector.create ());
       timed = Timed_labels.create ~duration:(L.duration context);

@@ -19,6 +19,7 @@ module Make (L : Lts.S) = struct
     frontier : Frontier.t;
     edges : Edge_store.t option;
     at_once : Edges_at_once.t;
+    mutable targets : int array;  (** of the state being expanded, and room for more *)
     mutable transitions : int;
     mutable turning : turning;
     timed : Timed_labels.t;

@@ -85,8 +85,11 @@ let count_as s mark by =
 let put s i mark =
   let k = i lsr bits and at = i land (span - 1) in
   make_room s k;
-  count_as s (mark_at s i) (-1);
-  count_as s mark 1;
+  let before = mark_at s i in
+  if not (Char.equal before mark) then begin
+    count_as s before (-1);
+    count_as s mark 1
+  end;
   if Bytes.length s.chunks.(k) > 0 || not (Char.equal (Bytes.get s.common k) mark) then begin
     if Bytes.length s.chunks.(k) = 0 then s.chunks.(k) <- Bytes.make span (Bytes.get s.common k);
     let chunk = s.chunks.(k) in

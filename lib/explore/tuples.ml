@@ -309,6 +309,9 @@ let few_changes = 3
 let rec all_on ~left t changes i =
   i >= Array.length changes || (Bool.equal left (is_left t changes i) && all_on ~left t changes (i + 2))
 
+(* Of changes that go on in the other half, what half they leave on the left. *)
+let goes_on half = -2 - half
+
 let remember t (changes : changes) key =
   let count = Array.length changes in
   if count > 0 && count <= 2 * few_changes then begin
@@ -316,6 +319,7 @@ let remember t (changes : changes) key =
     if all_on ~left t changes 2 then
       if left then Half_memory.keep t.on_left changes (Pairs.unpack_left key)
       else Half_memory.keep t.on_right changes (Pairs.unpack_right key)
+    else if left && count = 4 then Half_memory.keep t.on_left changes (goes_on (Pairs.unpack_left key))
   end
 
 let lasting_key t ~near changes =
@@ -327,7 +331,11 @@ let lasting_key t ~near changes =
         remember t changes key;
         key
       | after -> Pairs.pack (Array.unsafe_get near.node (left_root t)) after)
-  | after -> Pairs.pack after (Array.unsafe_get near.node (right_root t))
+  | after when after >= 0 -> Pairs.pack after (Array.unsafe_get near.node (right_root t))
+  | after ->
+    let right = right_root t in
+    Pairs.pack (goes_on after)
+      (part_after t t.halves changes 2 4 Pairs.intern right (Array.unsafe_get near.node right))
 
 let start_halves t near =
   if t.width > 1 then begin
@@ -338,14 +346,15 @@ let start_halves t near =
 (* Of one slot in eight: to go through all nodes costs less than to go up from each of them. *)
 let are_many t (changes : changes) = 4 * Array.length changes >= t.width
 
-let prepare t ~near ~lasting changes n =
-  if n >= Array.length t.keys then begin
-    let longer a = Array.append a (Array.make (n + 16) 0) in
-    t.keys <- longer t.keys;
-    t.ids <- longer t.ids
+let begin_round t ~near count =
+  if count > Array.length t.keys then begin
+    t.keys <- Array.make (2 * count) 0;
+    t.ids <- Array.make (2 * count) 0
   end;
-  if n = 0 then start_halves t near;
-  t.keys.(n) <-
+  start_halves t near
+
+let prepare t ~near ~lasting changes n =
+  Array.unsafe_set t.keys n
     (if t.width = 1 then root_key t ~near changes Pairs.intern
      else if lasting then lasting_key t ~near changes
      else if are_many t changes then with_all t near changes Pairs.intern

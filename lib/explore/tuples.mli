@@ -52,6 +52,9 @@ val load_key : t -> spread -> int -> unit
     The same as {!intern} of each in turn, in three rounds, so that what is far apart in memory is fetched at
     the same time. *)
 
+val begin_round : t -> near:spread -> int -> unit
+(** There will be at most so many, all near the same one. *)
+
 val prepare : t -> near:spread -> lasting:bool -> changes -> int -> unit
 (** [prepare t ~near ~lasting changes n]: the tuple of this number, from 0, of those that are to come. [lasting]:
     the same array of changes may come again, near other tuples. *)

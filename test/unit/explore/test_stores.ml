@@ -83,6 +83,7 @@ let tuples_of ~width =
   (t, near)
 
 let numbers_together t ~near ~lasting batch =
+  Tuples.begin_round t ~near (List.length batch);
   List.iteri (fun n changes -> Tuples.prepare t ~near ~lasting changes n) batch;
   Tuples.fetch t (List.length batch);
   let number n _ = match Tuples.prepared t n with -1 -> Tuples.intern_prepared t n | known -> known in
