@@ -145,6 +145,7 @@ let export console o ~interrupted =
 let run color o =
   let console = Console.make ~color ~json:false () in
   let interrupted = Watch.interrupted (Watch.start ()) in
+  Memory.spare_runs ();
   Guard.run console (fun () -> export console o ~interrupted)
 
 (* {1 The command line} *)

@@ -44,12 +44,8 @@ let drop_manual () =
       out_indent = nothing;
     }
 
-(* OCaml looks for garbage the more often the more there is in tables outside its heap. Those of an exploration
-   stay until its end. *)
-let do_not_hurry_for_tables () = Gc.set { (Gc.get ()) with custom_major_ratio = 1000 }
-
 let main () =
-  do_not_hurry_for_tables ();
+  Scc_base.Memory.spare_tables ();
   let info =
     Cmd.info "scc" ~version:Version.told ~doc:"interpreter and model checker for the Shape Calculus" ~man
       ~exits:(Exits.man ())

@@ -168,6 +168,7 @@ let simulate console o ~interrupted =
 let run color o =
   let console = Console.make ~color ~json:false () in
   let interrupted = Watch.interrupted (Watch.start ()) in
+  Scc_base.Memory.spare_runs ();
   Guard.run console (fun () -> simulate console o ~interrupted)
 
 (* {1 The command line} *)

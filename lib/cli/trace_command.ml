@@ -37,6 +37,7 @@ let write_run o (chosen : Chosen_run.t) ~interrupted write =
 let run color o =
   let console = Console.make ~color ~json:false () in
   let interrupted = Watch.interrupted (Watch.start ()) in
+  Scc_base.Memory.spare_runs ();
   Guard.run console (fun () ->
       let* chosen = Chosen_run.prepare console o.choices ~given:o.given o.path in
       let write = write_run o chosen ~interrupted in

@@ -48,6 +48,7 @@ let content console o watch =
 let run color budget o =
   let o = { o with shown = { o.shown with budget } } in
   let console = Console.make ~color ~json:false () in
+  Memory.spare_runs ();
   Guard.run console (fun () ->
       let watch = Check_options.watch budget in
       let* write = content console o watch in

@@ -173,6 +173,7 @@ let run o start log =
 
 let () =
   let o = options (List.tl (Array.to_list Sys.argv)) in
+  Scc_base.Memory.spare_runs ();
   let start = Gas_start.make o.shapes ~count:o.count ~seed:o.seed in
   Option.iter (fun path -> with_file path (fun c -> Gas_start.write c start ~time:o.time)) o.write;
   match o.events with
