@@ -30,6 +30,7 @@ let sooner wait (a : Local.alone) =
   | other, None -> other
   | Some d, Some e -> if d == e || Rat.compare e d <= 0 then wait else a.nature.wait
 
+(* After no time all are who they were. *)
 let no_time = (Rat.zero, [||])
 
 let of_present (present : Local.alone array) =
@@ -58,7 +59,6 @@ let changes local d s =
   in
   from (Array.length s.present - 1) []
 
-(* No time passes in which nobody is another one afterwards than before, but where all stay what they are. *)
 let after local d s =
   let known, changed = s.later in
   if known == d || Rat.equal known d then changed

@@ -72,6 +72,14 @@ let without_end () =
   let watch = Watch.start () in
   match Watch.half watch () () with None -> 0 | Some _ -> 1
 
+(* So many seconds after the work has ended by itself. *)
+let signal_after seconds () =
+  Watch.finish (Watch.start ());
+  Unix.sleepf seconds;
+  signal ();
+  processor_seconds 0.05;
+  0
+
 let cases =
   [
     ("what ends in time", 0, attempt ~seconds:60. Exploring ignore);
@@ -88,6 +96,8 @@ let cases =
     ("nothing, once it is finished", 0, fun () ->
         let watch = Watch.start ~seconds:0.1 () in
         Watch.finish watch; processor_seconds 0.5; 0);
+    ("nobody who reports, right after the work", 0, signal_after 0.);
+    ("who still reports, later", -1, signal_after 0.8);
     ( "not what must not be left half done", 0,
       attempt ~seconds:0.1 Exploring (fun () -> Scc_base.Critical.run (fun () -> processor_seconds 0.5)) );
   ]
