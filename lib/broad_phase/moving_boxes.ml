@@ -19,8 +19,8 @@ let[@inline] up x = Next_float.succ x
 let set (b : t) i box ~(at : Vec.t) ~(velocity : Vec.t) =
   let axis k q u =
     let a = (size * i) + along k in
-    b.(a) <- down (Float_box.down q +. Float_box.low box k);
-    b.(a + 1) <- up (Float_box.up q +. Float_box.high box k);
+    b.(a) <- Next_float.sum_below (Float_box.down q) (Float_box.low box k);
+    b.(a + 1) <- Next_float.sum_above (Float_box.up q) (Float_box.high box k);
     b.(a + 2) <- Float_box.down u;
     b.(a + 3) <- Float_box.up u
   in
@@ -50,47 +50,52 @@ let swept (b : t) i ~from =
   done;
   Float_box.make ~low ~high
 
-(* At most the difference, and none of what does not move. *)
-let[@inline] lead u v = if u = 0. && v = 0. then 0. else down (u -. v)
+(* A quotient at least, or at most, the exact one; where that is zero, it is. *)
+let[@inline] above g w = if g = 0. then 0. else up (g /. w)
+let[@inline] below g w = if g = 0. then 0. else down (g /. w)
 
 (* The boxes overlap along an axis at time t iff neither begins after the other has ended:
    x0 + u0 t <= x1' + u1' t, that is w t <= g with w = u0 - u1' and g = x1' - x0, and the same with the boxes
    exchanged. With w rounded down and g up the condition is weaker; for w > 0 it says t <= g/w, for w < 0 it says
    t >= g/w, and for w = 0 that g >= 0. The six conditions are kept together as an interval of time, each
    quotient rounded so that the interval grows. A quotient that is a NaN (infinite g and w) narrows nothing. What
-   remains begins before infinity, as it is rounded down. *)
-let overlap (a : t) i (b : t) j ~from ~until =
+   remains begins before infinity, as it is rounded down.
+
+   Their interiors overlap where all of this is so without equality: for w = 0 that is g > 0, and an interval of
+   one instant has none. *)
+let overlap ~interiors (a : t) i (b : t) j ~from ~until =
   let least = ref from and greatest = ref until in
   let axis = ref 0 in
   while !axis < 3 do
     let k = !axis in
     let i = (size * i) + along k and j = (size * j) + along k in
-    let w = lead a.(i + 2) b.(j + 3) and g = up (b.(j + 1) -. a.(i)) in
+    let w = Next_float.sum_below a.(i + 2) (-.b.(j + 3)) and g = Next_float.sum_above b.(j + 1) (-.a.(i)) in
     if w > 0. then begin
-      let t = up (g /. w) in
+      let t = above g w in
       if t < !greatest then greatest := t
     end
     else if w < 0. then begin
-      let t = down (g /. w) in
+      let t = below g w in
       if t > !least then least := t
     end
-    else if g < 0. then greatest := neg_infinity;
-    let w = lead b.(j + 2) a.(i + 3) and g = up (a.(i + 1) -. b.(j)) in
+    else if g < 0. || (interiors && g = 0.) then greatest := neg_infinity;
+    let w = Next_float.sum_below b.(j + 2) (-.a.(i + 3)) and g = Next_float.sum_above a.(i + 1) (-.b.(j)) in
     if w > 0. then begin
-      let t = up (g /. w) in
+      let t = above g w in
       if t < !greatest then greatest := t
     end
     else if w < 0. then begin
-      let t = down (g /. w) in
+      let t = below g w in
       if t > !least then least := t
     end
-    else if g < 0. then greatest := neg_infinity;
-    axis := if !least <= !greatest then k + 1 else 4
+    else if g < 0. || (interiors && g = 0.) then greatest := neg_infinity;
+    axis := if !least < !greatest || ((not interiors) && !least = !greatest) then k + 1 else 4
   done;
   if !axis = 3 then !least else infinity
 
 let may_meet b i j ~from =
   let one = until b i and two = until b j in
-  overlap b i b j ~from ~until:(if two < one then two else one) < infinity
+  overlap ~interiors:false b i b j ~from ~until:(if two < one then two else one) < infinity
 
-let not_before a i b j = overlap a i b j ~from:0. ~until:infinity
+let not_before a i b j = overlap ~interiors:false a i b j ~from:0. ~until:infinity
+let not_inside_before a i b j = overlap ~interiors:true a i b j ~from:0. ~until:infinity

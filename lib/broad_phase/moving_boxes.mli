@@ -30,3 +30,6 @@ val may_meet : t -> int -> int -> from:float -> bool
 val not_before : t -> int -> t -> int -> float
 (** [not_before a i b j]: box i of [a] and box j of [b], if both move so for ever, have no point in common from
     time 0 to before this time, which is infinite only if they never have. *)
+
+val not_inside_before : t -> int -> t -> int -> float
+(** The same of their interiors: what touches and does not go on into the other is passed over. *)

@@ -8,3 +8,18 @@ let[@inline] succ x =
   else x
 
 let[@inline] pred x = -.succ (-.x)
+
+(* What a sum that is rounded to the nearest lacks is itself a float, and this is it (Knuth); no number, where
+   something is infinite. *)
+let[@inline] rest a b sum =
+  let b' = sum -. a in
+  (a -. (sum -. b')) +. (b -. b')
+
+let[@inline] sum_below a b =
+  let sum = a +. b in
+  if rest a b sum >= 0. then sum else pred sum
+
+let[@inline] sum_above a b =
+  let sum = a +. b in
+  if rest a b sum <= 0. then sum else succ sum
+

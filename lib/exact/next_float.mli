@@ -6,3 +6,9 @@ val succ : float -> float
 
 val pred : float -> float
 (** The greatest float that is less; the same of minus infinity and of what is no number. *)
+
+val sum_below : float -> float -> float
+(** The sum, if it is a float, or else one of the two floats next to it: that below it, unless it is infinite. *)
+
+val sum_above : float -> float -> float
+(** Likewise that above it. *)

@@ -55,6 +55,13 @@ let to_float x =
     else Q.to_float x
   else Q.to_float x
 
+let is_float x =
+  let n = Q.num x and d = Q.den x in
+  Z.fits_int n && Z.fits_int d
+  &&
+  let n = Z.to_int n and d = Z.to_int d in
+  n <= exact_float && n >= -exact_float && d > 0 && d land (d - 1) = 0
+
 let near_float x =
   let n = Z.to_float (Q.num x) and d = Z.to_float (Q.den x) in
   if Float.abs n < 0x1p1000 && d < 0x1p1000 then n /. d else Q.to_float x

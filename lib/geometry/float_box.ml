@@ -5,15 +5,22 @@ type t = float array
 
 (* [Rat.to_float] gives the nearest float, so that the number lies between the float's neighbours: strictly below
    [succ infinity] = infinity and above [pred infinity], the greatest finite float, when it is too great for a
-   float, and in the same way below. A zero stays one: what does not move must not seem to. *)
-let down q = if Rat.sign q = 0 then 0. else Next_float.pred (Rat.to_float q)
-let up q = if Rat.sign q = 0 then 0. else Next_float.succ (Rat.to_float q)
+   float, and in the same way below. What is a float stays one: what does not move must not seem to, nor what
+   touches to overlap. *)
+let down q =
+  let x = Rat.to_float q in
+  if Rat.is_float q then x else Next_float.pred x
+
+let up q =
+  let x = Rat.to_float q in
+  if Rat.is_float q then x else Next_float.succ x
 
 let of_corners (a : Vec.t) (b : Vec.t) = [| down a.x; down a.y; down a.z; up b.x; up b.y; up b.z |]
-(* A sum is rounded to the nearest float, and so lies between its neighbours. No sum here is infinity - infinity:
-   what is rounded down is never +infinity, and what is rounded up never -infinity. *)
+
+(* No sum here is infinity - infinity: what is rounded down is never +infinity, and what is rounded up never
+   -infinity. *)
 let at (p : Vec.t) (b : t) =
-  let low q x = Next_float.pred (down q +. x) and high q x = Next_float.succ (up q +. x) in
+  let low q x = Next_float.sum_below (down q) x and high q x = Next_float.sum_above (up q) x in
   [| low p.x b.(0); low p.y b.(1); low p.z b.(2); high p.x b.(3); high p.y b.(4); high p.z b.(5) |]
 
 (* An edge at x + u t with x >= x0 and u >= u0 has x + u t >= x0 + u0 t, which is least at the end if u0 < 0. *)

@@ -25,14 +25,14 @@ let number (a : Local.alone) (b : Local.alone) = (a.body.number lsl 31) lor b.bo
 (* Not before this time, by boxes; infinite, if never. *)
 let not_before (a : Local.alone) (b : Local.alone) =
   let one = Later.force a.line and two = Later.force b.line in
-  let hulls = Moving_boxes.not_before one 0 two 0 in
+  let hulls = Moving_boxes.not_inside_before one 0 two 0 in
   let n = Moving_boxes.count one and m = Moving_boxes.count two in
   if hulls > 0. || (n = 2 && m = 2) then hulls
   else begin
     let least = ref infinity in
     for i = 1 to n - 1 do
       for j = 1 to m - 1 do
-        least := Float.min !least (Moving_boxes.not_before one i two j)
+        least := Float.min !least (Moving_boxes.not_inside_before one i two j)
       done
     done;
     !least

@@ -122,6 +122,30 @@ let bounds =
        let agrees t = (not (meet_at t a b)) || (bound < infinity && Rat.compare (Q.of_float bound) t <= 0) in
        List.for_all agrees [ Rat.zero; from; until; t ])
 
+let inside_at t a b =
+  let (low, high), (low', high') = (at t a, at t b) in
+  let overlap x0 x1 y0 y1 = Rat.compare x0 y1 < 0 && Rat.compare y0 x1 < 0 in
+  overlap low.Vec.x high.Vec.x low'.Vec.x high'.Vec.x
+  && overlap low.y high.y low'.y high'.y
+  && overlap low.z high.z low'.z high'.z
+
+(* Also of two that touch at the time [from], where one side meets another. *)
+let bounds_of_interiors =
+  QCheck2.Test.make ~name:"nor do interiors that meet" ~count:4000
+    ~print:(fun (a, b, (t, _)) -> print_box a ^ "\n" ^ print_box b ^ "\n" ^ print_times t)
+    (Gen.triple moving moving (Gen.pair times Gen.bool))
+    (fun (a, b, ((from, until, t), touching)) ->
+       let b =
+         if not touching then b
+         else
+           let x = Rat.sub (snd (at from a)).x (fst (at from b)).x in
+           let shift = Vec.make x Rat.zero Rat.zero in
+           { b with low = Vec.add b.low shift; high = Vec.add b.high shift }
+       in
+       let bound = Moving_boxes.not_inside_before (table [ a ] ~until:1.) 0 (table [ b ] ~until:1.) 0 in
+       let agrees t = (not (inside_at t a b)) || (bound < infinity && Rat.compare (Q.of_float bound) t <= 0) in
+       List.for_all agrees [ Rat.zero; from; until; t; Rat.add from (ratio 1 1000) ])
+
 let unit x velocity = { low = Vec.of_ints x 0 0; high = Vec.of_ints (x + 1) 1 1; velocity }
 
 let filters () =
@@ -140,6 +164,16 @@ let filters () =
   let bound a b = Moving_boxes.not_before (table [ a ] ~until:1.) 0 (table [ b ] ~until:1.) 0 in
   Alcotest.(check bool) "in ten" true (bound still left > 9.99 && bound still left <= 10.);
   Alcotest.(check bool) "never" true (bound still (unit 3 Vec.zero) = infinity);
+  let inside a b = Moving_boxes.not_inside_before (table [ a ] ~until:1.) 0 (table [ b ] ~until:1.) 0 in
+  let touching = unit 1 in
+  let never what a b = Alcotest.(check (float 0.)) what infinity (inside a b) in
+  never "touching, and going apart" still (touching (Vec.of_ints 1 0 0));
+  never "touching, side by side" still (touching (Vec.of_ints 0 1 0));
+  never "touching, at rest" still (touching Vec.zero);
+  never "touching in passing" (unit 0 (Vec.of_ints 1 0 0)) (unit 5 (Vec.of_ints 0 (-1) 0));
+  Alcotest.(check (float 0.)) "touching, and going on" 0. (inside still (touching (Vec.of_ints (-1) 0 0)));
+  Alcotest.(check (float 0.)) "touching is meeting" 0. (bound still (touching (Vec.of_ints 1 0 0)));
+  Alcotest.(check bool) "later" true (inside still left > 9.99 && inside still left <= 10.);
   let sweep = sweep_of left ~from:0. ~until:infinity in
   Alcotest.(check bool) "for ever to the left" true (Float_box.low sweep 0 = neg_infinity);
   Alcotest.(check bool) "and nowhere else" true (Float_box.high sweep 0 < 12.1 && Float_box.high sweep 1 < 1.1)
@@ -148,5 +182,5 @@ let () =
   Alcotest.run "moving boxes"
     [
       ("known", [ Alcotest.test_case "what a filter stops" `Quick filters ]);
-      ("properties", Scc_test_support.Property.cases [ rounding; placed; swept; never_misses; corner; bounds ]);
+      ("properties", Scc_test_support.Property.cases [ rounding; placed; swept; never_misses; corner; bounds; bounds_of_interiors ]);
     ]
