@@ -39,6 +39,12 @@ let within quotient catalogue =
 
 let process w number = (Catalogue.body w.catalogue number).process
 
+let iter_present w f (tuple : int array) =
+  for i = 0 to Array.length (Catalogue.model w.catalogue).leaves - 1 do
+    let number = Array.unsafe_get tuple i in
+    if number <> Catalogue.nobody then f number
+  done
+
 let fold_present w f acc (tuple : int array) =
   let rec from i acc =
     if i < 0 then acc else from (i - 1) (if tuple.(i) = Catalogue.nobody then acc else f i tuple.(i) acc)
@@ -70,16 +76,17 @@ let sorted w tuple =
   let symmetry = w.quotient.symmetry in
   if Symmetry.is_none symmetry then tuple
   else
-    match Symmetry.canonical symmetry (processes w tuple) with
+    let each place = iter_present w (fun number -> place (process w number)) tuple in
+    match Symmetry.canonical symmetry each with
     | None -> tuple
     | Some image ->
       let copy = Array.copy tuple in
-      List.iter (fun slot -> copy.(slot) <- Catalogue.nobody) (present w tuple);
-      let put _ number () =
+      Array.fill copy 0 (Array.length (Catalogue.model w.catalogue).leaves) Catalogue.nobody;
+      let put number =
         let slot, number = renamed w image number in
         copy.(slot) <- number
       in
-      fold_present w put () tuple;
+      iter_present w put tuple;
       copy
 
 (* The first leaf comes to the origin. *)

@@ -3,10 +3,10 @@ open Scc_geometry
 open Scc_calculus
 open Scc_property
 
-(* For each leaf its class, or -1; and the leaves of each class, increasing. *)
-type t = { class_of : int array; members : int array array }
+(* The leaves of each class, increasing; and room for where the leaves of a state are. *)
+type t = { members : int array array; places : Vec.t array; present : bool array }
 
-let none = { class_of = [||]; members = [||] }
+let none = { members = [||]; places = [||]; present = [||] }
 let is_none s = Array.length s.members = 0
 let classes s = Array.to_list (Array.map Array.to_list s.members)
 
@@ -58,47 +58,44 @@ let find (m : Model.t) ~(initial : State.t) ~searched ~evaluated =
   let groups = List.fold_left place [] leaves in
   let classes = List.filter (fun g -> List.compare_length_with g 2 >= 0) groups in
   let members = Array.of_list (List.map (fun g -> Array.of_list (List.rev g)) classes) in
-  let class_of = Array.make (Array.length m.leaves) (-1) in
-  Array.iteri (fun c leaves -> Array.iter (fun l -> class_of.(l) <- c) leaves) members;
-  { class_of; members }
+  let count = Array.length m.leaves in
+  { members; places = Array.make count Vec.zero; present = Array.make count false }
 
 (** {2 Canonical form} *)
 
 (* The first of the members, in order of their places, and none of the others. *)
-let in_order places present members =
-  let there i = i < Array.length members && present.(members.(i)) in
-  let rec gone i = i >= Array.length members || ((not (there i)) && gone (i + 1)) in
+let is_in_order s members =
+  let n = Array.length members in
+  let there i = i < n && s.present.(members.(i)) in
+  let rec gone i = i >= n || ((not (there i)) && gone (i + 1)) in
   let rec from i =
     if not (there i) then gone i
-    else (i = 0 || Vec.compare places.(members.(i - 1)) places.(members.(i)) < 0) && from (i + 1)
+    else (i = 0 || Vec.compare s.places.(members.(i - 1)) s.places.(members.(i)) < 0) && from (i + 1)
   in
   from 0
 
+let place s (p : State.process) =
+  for i = 0 to Array.length p.leaves - 1 do
+    let l = p.leaves.(i) in
+    s.places.(l.leaf) <- l.position;
+    s.present.(l.leaf) <- true
+  done
+
 (* Where some of a class are gone (rule Absorb), those that are left take the first names. *)
-let canonical s processes =
+let canonical s each =
   if is_none s then None
   else begin
-    let n = Array.length s.class_of in
-    let places = Array.make n Vec.zero and present = Array.make n false in
-    Array.iter
-      (fun (p : State.process) ->
-         Array.iter
-           (fun (l : State.leaf) ->
-              places.(l.leaf) <- l.position;
-              present.(l.leaf) <- true)
-           p.leaves)
-      processes;
-    if Array.for_all (in_order places present) s.members then None
+    Array.fill s.present 0 (Array.length s.present) false;
+    each (place s);
+    if Array.for_all (is_in_order s) s.members then None
     else begin
-      let here members = Array.of_list (List.filter (fun l -> present.(l)) (Array.to_list members)) in
-      let left = Array.map here s.members in
-      let image = Array.init n Fun.id in
-      let sort members left =
-        let sorted = Array.copy left in
-        Array.sort (fun a b -> Vec.compare places.(a) places.(b)) sorted;
-        Array.iteri (fun i leaf -> image.(leaf) <- members.(i)) sorted
+      let image = Array.init (Array.length s.present) Fun.id in
+      let sort members =
+        let left = Array.of_list (List.filter (fun l -> s.present.(l)) (Array.to_list members)) in
+        Array.sort (fun a b -> Vec.compare s.places.(a) s.places.(b)) left;
+        Array.iteri (fun i leaf -> image.(leaf) <- members.(i)) left
       in
-      Array.iter2 sort s.members left;
+      Array.iter sort s.members;
       Some (fun leaf -> image.(leaf))
     end
   end
