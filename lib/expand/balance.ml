@@ -81,13 +81,19 @@ let hearing b i work =
 
 let waited b = b.here <- Int.min (stretch - 1) (b.here + 1)
 
-let costs_more b seconds =
+(* How many times as much it costs to tell of a state as to find what is told; 0, as long as that is not known. *)
+let cost b seconds =
   let found = if b.find.count >= enough then each b.find else seconds in
-  b.tell.count >= enough && safety *. each b.tell > found
+  if b.tell.count >= enough then safety *. each b.tell /. found else 0.
+
+(* Whether it is clear at once that nothing is to be told. *)
+let clear = 2.
 
 let answered b ~states ~waited ~worked =
   let seconds = Float.max 1e-7 (worked /. float_of_int states) in
-  if costs_more b seconds then b.here <- Int.min stretch (b.here + 1)
+  let cost = cost b seconds in
+  if cost > clear then b.here <- Int.min stretch (1 + (2 * b.here))
+  else if cost > 1. then b.here <- Int.min stretch (b.here + 1)
   else if waited > worked /. 4. then b.here <- Int.max 0 (b.here - 1);
   b.batch <- Int.max 1 (Int.min most_states (int_of_float (batch_seconds /. seconds)));
   b.least <- Int.max 1 (Int.min (b.batch / 4) (int_of_float (message_seconds /. seconds)))

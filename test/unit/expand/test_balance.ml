@@ -17,8 +17,8 @@ let here w = List.length (List.filter (Balance.is_here w.balance) (List.init 64 
 let times n f = for i = 0 to n - 1 do f i done
 
 (* Others answer, and have waited for so long; one of 64 states is found here. *)
-let answers w ~find ~tell ~waited =
-  times 100 (fun _ ->
+let answers ?(count = 100) w ~find ~tell ~waited =
+  times count (fun _ ->
       Balance.telling w.balance (work w (tell *. 32.));
       times 64 (fun i -> Balance.hearing w.balance i (work w (tell /. 2.)));
       Balance.finding w.balance (work w find);
@@ -51,6 +51,17 @@ let what_costs_more () =
   answers w ~find:1e-3 ~tell:1e-6 ~waited:1.;
   check "states that take longer" 0 (here w)
 
+(* Of how little is heard until then: an answer says what it costs to tell of 64 states. *)
+let how_soon () =
+  let after ~tell =
+    let w = world () in
+    answers w ~count:10 ~find:1e-6 ~tell ~waited:0.;
+    here w
+  in
+  check "to tell takes six times as long" 64 (after ~tell:2e-6);
+  check "one and a half times" 9 (after ~tell:0.5e-6);
+  check "less" 0 (after ~tell:0.1e-6)
+
 let how_many () =
   let w = world () in
   let told seconds =
@@ -79,6 +90,7 @@ let () =
         [
           Alcotest.test_case "who waits" `Quick who_waits;
           Alcotest.test_case "what costs more" `Quick what_costs_more;
+          Alcotest.test_case "how soon" `Quick how_soon;
           Alcotest.test_case "how many states" `Quick how_many;
           Alcotest.test_case "whether it pays" `Quick pays;
         ] );
