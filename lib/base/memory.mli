@@ -19,7 +19,8 @@ val spare_tables : unit -> unit
     end. *)
 
 val spare_runs : unit -> unit
-(** Less often: runs keep little of what they make. Large ones take a fifth less time, and a quarter more memory. *)
+(** Less often: runs keep little of what they make. Large ones take a fifth less time, and a quarter more
+    memory. *)
 
 (** {1 Other processes} *)
 

@@ -3,8 +3,8 @@ open Bigarray
 type narrow = (int, int16_signed_elt, c_layout) Array1.t
 type wide = (int32, int32_elt, c_layout) Array1.t
 
-(* Chunks of [span] numbers. One whose numbers are all equal is flat: it has no cells, but stands for its base; in one
-   whose numbers are all near the base, cells have the differences from it. *)
+(* Chunks of [span] numbers. One whose numbers are all equal is flat: it has no cells, but stands for its base; in
+   one whose numbers are all near the base, cells have the differences from it. *)
 type t = {
   mutable flat : Bytes.t;  (** 'y' of a chunk that is *)
   mutable wide : wide array;

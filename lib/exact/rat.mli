@@ -44,8 +44,8 @@ val to_float : t -> float
 (** The nearest float (lossy: for people and for filters, never for a decision). *)
 
 val is_float : t -> bool
-(** Whether {!to_float} is the number itself, as far as that is seen at once: of numbers of at most 2{^53} over a power of
-    two that is an [int]. *)
+(** Whether {!to_float} is the number itself, as far as that is seen at once: of numbers of at most 2{^53} over a
+    power of two that is an [int]. *)
 
 val near_float : t -> float
 (** A float within 3 * 2^-53 of the number, relatively, unless that is too great or too small for a float: faster

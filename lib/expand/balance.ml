@@ -86,13 +86,15 @@ let cost b seconds =
   let found = if b.find.count >= enough then each b.find else seconds in
   if b.tell.count >= enough then safety *. each b.tell /. found else 0.
 
-(* Whether it is clear at once that nothing is to be told. *)
+(* From so many times on it is clear that nothing is to be told, once so many states have been: the first ones
+   bring much with them that others do not have to. *)
 let clear = 2.
+let told_for_sure = 1024
 
 let answered b ~states ~waited ~worked =
   let seconds = Float.max 1e-7 (worked /. float_of_int states) in
   let cost = cost b seconds in
-  if cost > clear then b.here <- Int.min stretch (1 + (2 * b.here))
+  if cost > clear && b.tell.count >= told_for_sure then b.here <- Int.min stretch (1 + (2 * b.here))
   else if cost > 1. then b.here <- Int.min stretch (b.here + 1)
   else if waited > worked /. 4. then b.here <- Int.max 0 (b.here - 1);
   b.batch <- Int.max 1 (Int.min most_states (int_of_float (batch_seconds /. seconds)));

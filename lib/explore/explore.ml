@@ -141,10 +141,8 @@ module Make (L : Lts.S) = struct
     count <= room
     ||
     let fresh = Hashtbl.create 16 in
-    let add (s : Lts.step) =
-      if is_new g s then Hashtbl.replace fresh (Tuples.key g.tuples ~near:g.near s.changes) ()
-    in
-    List.iter add steps;
+    let add (s : Lts.step) = Hashtbl.replace fresh (Tuples.key g.tuples ~near:g.near s.changes) () in
+    List.iter add (List.filter (is_new g) steps);
     Hashtbl.length fresh <= room
 
   (* The target of a transition, which may be new; [known] states were there before it was looked up. *)
@@ -170,9 +168,6 @@ module Make (L : Lts.S) = struct
     in
     if size g > first then Limits.within around (fun () -> show first 0 steps)
 
-  let make_room_for_targets g count =
-    if count > Array.length g.targets then g.targets <- Array.make (2 * count) (-1)
-
   (* An edge to a known state that clearly changes nothing leads deeper by no shorter way, and not earlier. No way
      that goes on from a state leads to it sooner: of all of its edges, its own depth and arrival are the same. *)
   let[@inline] is_plain g ~deeper ~arrival label target =
@@ -196,21 +191,19 @@ module Make (L : Lts.S) = struct
     all_or_some g ~some:(L.reduced g.context tuple) ~all:(fun () -> L.successors g.context tuple)
 
   (* Finds the targets of the steps of a state that has just been loaded, and makes those that are new. *)
-  let look_up g limits i tuple steps count =
-    let changes_nothing (s : Lts.step) = Array.length s.changes = 0 in
+  let look_up g limits i tuple steps count () =
     let rec prepare prepared = function
       | [] -> prepared
-      | s :: rest when changes_nothing s -> prepare prepared rest
+      | { Lts.changes = [||]; _ } :: rest -> prepare prepared rest
       | s :: rest ->
         Tuples.prepare g.tuples ~near:g.near ~lasting:(not (takes_time g s.label)) s.changes prepared;
         prepare (prepared + 1) rest
     in
     Tuples.begin_round g.tuples ~near:g.near count;
     Tuples.fetch g.tuples (prepare 0 steps);
-    make_room_for_targets g count;
     let rec find n k = function
       | [] -> ()
-      | s :: rest when changes_nothing s ->
+      | { Lts.changes = [||]; _ } :: rest ->
         Array.unsafe_set g.targets n i;
         find (n + 1) k rest
       | s :: rest ->
@@ -223,8 +216,7 @@ module Make (L : Lts.S) = struct
   let not_as_noted () = Scc_base.Bug.fail __POS__ "an expansion is not what it was when it was noted"
 
   (* The same of what was noted of them. *)
-  let look_up_noted g limits i tuple arrows count =
-    make_room_for_targets g count;
+  let look_up_noted g limits i tuple arrows () =
     let target = function
       | Known { target; _ } -> if target < size g then target else not_as_noted ()
       | New s ->
@@ -240,21 +232,9 @@ module Make (L : Lts.S) = struct
 
   let labels_of steps = Array.of_list (List.map (fun (s : Lts.step) -> s.label) steps)
 
-  (* Relaxes the edges of a state. *)
-  let relax_all g limits visitor i steps =
-    let deeper = depth g i + 1 and arrival = Distances.arrival_number g.distances i in
-    let rec each n = function
-      | [] -> ()
-      | (s : Lts.step) :: rest ->
-        let target = Array.unsafe_get g.targets n in
-        if not (is_plain g ~deeper ~arrival s.label target) then relax g limits visitor i s.label target;
-        each (n + 1) rest
-    in
-    each 0 steps
-
-  (* The same, and what is told of them. The first one to a state that is new makes it; others from the same state
-     find it there. *)
-  let relax_and_tell g limits visitor i ~first steps told =
+  (* Relaxes the edges of a state; and what is told of them. The first one to a state that is new makes it; others
+     from the same state find it there. *)
+  let relax_all g limits visitor i ~first steps told =
     let deeper = depth g i + 1 and arrival = Distances.arrival_number g.distances i in
     let rec each n next arrows = function
       | [] -> List.rev arrows
@@ -262,10 +242,12 @@ module Make (L : Lts.S) = struct
         let target = Array.unsafe_get g.targets n in
         let matters = not (is_plain g ~deeper ~arrival s.label target) in
         if matters then relax g limits visitor i s.label target;
-        if target = next then each (n + 1) (next + 1) (New s :: arrows) rest
-        else if matters || told.asks s.label then
+        match told with
+        | None -> each (n + 1) next arrows rest
+        | Some _ when target = next -> each (n + 1) (next + 1) (New s :: arrows) rest
+        | Some t when matters || t.asks s.label ->
           each (n + 1) next (Known { label = s.label; target } :: arrows) rest
-        else each (n + 1) next arrows rest
+        | Some _ -> each (n + 1) next arrows rest
     in
     each 0 first [] steps
 
@@ -288,19 +270,14 @@ module Make (L : Lts.S) = struct
       | Some _ | None ->
         mark g i Expanded;
         let first = size g in
-        look_up length;
+        make_room_for_targets g length;
+        look_up ();
         let targets () = Array.sub g.targets 0 length in
         g.transitions <- g.transitions + count;
         Option.iter (fun store -> Edge_store.set store i ~labels:(labels_of steps) ~targets:(targets ())) g.edges;
         introduce g around visitor ~first tuple steps;
         let told = expander.expanded () in
-        let arrows =
-          match told with
-          | None ->
-            relax_all g limits visitor i steps;
-            []
-          | Some told -> relax_and_tell g limits visitor i ~first steps told
-        in
+        let arrows = relax_all g limits visitor i ~first steps told in
         if all_told && List.for_all (fun (s : Lts.step) -> takes_time g s.label) steps then
           Statuses.note_timed g.statuses i
         else if all_told && not reduced then remember_at_once g i steps;
@@ -315,7 +292,7 @@ module Make (L : Lts.S) = struct
       None
     | Ok (Found ({ steps; _ } as found)) ->
       let count = List.length steps in
-      grow found ~look_up:(look_up g limits i tuple steps) ~length:count ~count ~all_told:true
+      grow found ~look_up:(look_up g limits i tuple steps count) ~length:count ~count ~all_told:true
     | Ok (Noted { arrows; count }) ->
       let noted = { steps = List.map without_target arrows; reduced = false } in
       grow noted ~look_up:(look_up_noted g limits i tuple arrows) ~length:(List.length arrows) ~count

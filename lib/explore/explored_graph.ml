@@ -25,6 +25,9 @@ module Make (L : Lts.S) = struct
     timed : Timed_labels.t;
   }
 
+  let make_room_for_targets g count =
+    if count > Array.length g.targets then g.targets <- Array.make (2 * count) (-1)
+
   let context g = g.context
   let size g = Tuples.size g.tuples
   let depth g i = Distances.depth g.distances i

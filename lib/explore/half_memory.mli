@@ -15,4 +15,4 @@ val find : t -> int array -> int
     recognised as the same array. *)
 
 val keep : t -> int array -> int -> unit
-(** Of the changes that {!find} did not know. *)
+(** Of the changes that {!find} did not know; any number but -1. *)

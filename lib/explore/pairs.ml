@@ -75,9 +75,9 @@ let right p i =
   check p i;
   unpack_right (key p i)
 
-(* As many slots as a line of a processor's cache holds. Pairs that are alike but for the lowest bits of what is on the
-   right are looked for in one line, each in another of its slots, as such pairs are often asked for one after the
-   other. *)
+(* As many slots as a line of a processor's cache holds. Pairs that are alike but for the lowest bits of what is on
+   the right are looked for in one line, each in another of its slots, as such pairs are often asked for one after
+   the other. *)
 let line = 16
 
 (* Fibonacci hashing: the upper bits of a product, after the upper half has been mixed into the lower. *)
@@ -87,7 +87,8 @@ let[@inline] hash k =
 
 let[@inline] slot k h bits = ((h lsr (word - bits)) land lnot (line - 1)) lor ((h + k) land (line - 1))
 
-(* From a slot the way leads to the same one of the next line, and after all lines to the next slot of the first. *)
+(* From a slot the way leads to the same one of the next line, and after all lines to the next slot of the
+   first. *)
 let[@inline] next (index : index) i =
   let j = i + line in
   if j < Array1.dim index then j else (i + 1) land (line - 1)

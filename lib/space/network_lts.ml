@@ -125,8 +125,8 @@ let to_representative c tuple (s : Lts.step) =
     let target = Quotient.representative c.quotient (Tuples.apply s.changes tuple) in
     { s with changes = Tuples.difference tuple target }
 
-(* What can happen now but for the passing of time, all the last first; who is there, in the order of slots; and what
-   tells the first time of contact, if nobody collides. *)
+(* What can happen now but for the passing of time, all the last first; who is there, in the order of slots; and
+   what tells the first time of contact, if nobody collides. *)
 type now = {
   sections : unit -> Section.t * Section.t;
   can : Local.move Network.discrete;
@@ -154,7 +154,7 @@ let pass c (tuple : int array) now d =
   in
   let one, other = now.sections () in
   let processes = joined (Section.after c.local d one) (Section.after c.local d other) in
-  let changes = match mark_and_time with [] -> processes | _ :: _ -> joined processes (Array.of_list mark_and_time) in
+  let changes = joined processes (Array.of_list mark_and_time) in
   let step = { Lts.label = Catalogue.time_label (catalogue c) d; changes } in
   let rest = Section.rest one && Section.rest other in
   if Array.length changes = 0 || Quotient.is_none c.quotient || rest then step

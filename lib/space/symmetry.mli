@@ -25,5 +25,6 @@ val classes : t -> int list list
 (** Of two or more leaves. *)
 
 val canonical : t -> ((State.process -> unit) -> unit) -> (int -> int) option
-(** [canonical s each]: how the leaves of a state, whose processes [each] goes through, are to be renamed, so that interchangeable ones are in the order of their places, and
-    those of a class that are gone are its last; [None] when they are in that order already. *)
+(** [canonical s each]: how the leaves of a state, whose processes [each] goes through, are to be renamed, so that
+    interchangeable ones are in the order of their places, and those of a class that are gone are its last; [None]
+    when they are in that order already. *)

@@ -182,5 +182,7 @@ let () =
   Alcotest.run "moving boxes"
     [
       ("known", [ Alcotest.test_case "what a filter stops" `Quick filters ]);
-      ("properties", Scc_test_support.Property.cases [ rounding; placed; swept; never_misses; corner; bounds; bounds_of_interiors ]);
+      ( "properties",
+        Scc_test_support.Property.cases
+          [ rounding; placed; swept; never_misses; corner; bounds; bounds_of_interiors ] );
     ]

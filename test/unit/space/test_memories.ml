@@ -142,7 +142,11 @@ let slots_of name =
   let limits = { Limits.unlimited with states = Some 300 } in
   let g = State_graph.run limits Limits.quiet context in
   let local = Local.create ~events:[] ~time_seen:Scc_property.Time_seen.Always ~memory:1024 semantics in
-  let again i = Catalogue.encode (Local.catalogue local) (Catalogue.decode (Network_lts.catalogue context) (State_graph.tuple g i)) in
+  let again i =
+    State_graph.tuple g i
+    |> Catalogue.decode (Network_lts.catalogue context)
+    |> Catalogue.encode (Local.catalogue local)
+  in
   let tuples = List.init (State_graph.size g) again in
   let held slot = List.sort_uniq Int.compare (List.map (fun tuple -> tuple.(slot)) tuples) in
   (local, Array.init (Array.length (Catalogue.model (Local.catalogue local)).leaves) held)
@@ -164,7 +168,8 @@ let sections name =
       let number (a : Local.alone) = a.body.number in
       let waits = List.filter_map (fun (a : Local.alone) -> a.nature.wait) in
       let least = function [] -> None | w :: rest -> Some (List.fold_left Rat.min w rest) in
-      let velocities those = List.sort_uniq Int.compare (List.map (fun (a : Local.alone) -> a.body.velocity) those) in
+      let velocity (a : Local.alone) = a.body.velocity in
+      let velocities those = List.sort_uniq Int.compare (List.map velocity those) in
       let last_first moves those = List.rev (List.concat_map moves those) in
       let later those =
         let change (a : Local.alone) =
@@ -195,7 +200,7 @@ let sections_remembered () =
   let local, held = slots_of "hexokinase.sc" in
   let n = Array.length held in
   let m = Section.memory local ~first:0 ~beyond:n in
-  let some = Array.map List.hd held and other = Array.map (fun numbers -> List.nth numbers (List.length numbers - 1)) held in
+  let some = Array.map List.hd held and other = Array.map (fun numbers -> List.hd (List.rev numbers)) held in
   let first = Section.look m some in
   let second = Section.look m some in
   ignore (Section.look m other);
@@ -210,6 +215,7 @@ let () =
       ("sums", Scc_test_support.Property.cases [ sums_of_rationals; sums_of_integers ]);
       ("contacts", [ Alcotest.test_case "kept and forgotten" `Quick contacts ]);
       ("sections", Alcotest.test_case "remembered" `Quick sections_remembered
-                   :: Scc_test_support.Property.cases (List.map sections [ "hexokinase.sc"; "gas.sc"; "dimers.sc" ]));
+                   :: Scc_test_support.Property.cases
+                     (List.map sections [ "hexokinase.sc"; "gas.sc"; "dimers.sc" ]));
       ("recent", [ Alcotest.test_case "kept and forgotten" `Quick recent ]);
     ]
