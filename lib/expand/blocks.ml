@@ -5,6 +5,10 @@ type t = {
   begun : float;
   mutable written : float;  (** when, the last block *)
   mutable took : float;  (** seconds, to write it *)
+  mutable looked : float;  (** when, at the clock *)
+  mutable since : int;  (** how many have been added since then *)
+  mutable words : float;  (** that had been allocated by then *)
+  mutable quick : bool;  (** before that they came one soon after the other *)
 }
 
 (* Seconds after which a block is written that is not full: so many that writing takes a thirtieth of the time,
@@ -14,7 +18,8 @@ let patience b now =
 
 let make ?(full = 1 lsl 20) log =
   let now = Unix.gettimeofday () in
-  { log; full; buffer = Buffer.create 65536; begun = now; written = now; took = 0. }
+  let buffer = Buffer.create 65536 in
+  { log; full; buffer; begun = now; written = now; took = 0.; looked = now; since = 0; words = 0.; quick = false }
 
 let is_empty b = Buffer.length b.buffer = 0
 
@@ -28,8 +33,21 @@ let write b =
     b.took <- b.written -. started
   end
 
+(* A look at the clock takes a fiftieth of the time of a quick state: one for so many will do, as long as they are
+   quick. What takes long allocates much. *)
+let one_of = 16
+let soon = 20e-6
+let much = 1e5
+
 let is_time b =
+  b.since <- b.since + 1;
+  (b.since >= one_of || (not b.quick) || Gc.minor_words () -. b.words > much)
+  &&
   let now = Unix.gettimeofday () in
+  b.quick <- now -. b.looked < soon *. float_of_int b.since;
+  b.looked <- now;
+  b.since <- 0;
+  b.words <- Gc.minor_words ();
   now -. b.written > patience b now
 
 let add b put =

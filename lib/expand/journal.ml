@@ -133,7 +133,10 @@ module Make
         j.followed <- false;
         afresh state tuple
     in
-    let told = Some { Graph.asks = asks j; tell = tell j } in
+    (* Asked of each edge: no partial applications. *)
+    let told =
+      Some { Graph.asks = (fun label -> asks j label); tell = (fun i ~count arrows -> tell j i ~count arrows) }
+    in
     (* Others may want to know as well. *)
     let expanded () =
       if j.followed then None
