@@ -162,26 +162,35 @@ let pass c (tuple : int array) now d =
 
 let step c tuple (m : Local.move) = if m.takes_out then to_representative c tuple m.step else m.step
 
-let of_few c tuple =
+(* [meet] tells what comes of collisions, the last first, and the first time of contact. *)
+let by_sections c tuple meet =
   let left = Section.look c.left tuple and right = Section.look c.right tuple in
   let both left right = match left with [] -> right | _ :: _ -> right @ left in
   let urgent = both (Section.urgent left) (Section.urgent right) in
   let weak = both (Section.weak left) (Section.weak right) in
-  let sections () = (left, right) in
+  let collisions, contact = meet c left right in
+  { sections = (fun () -> (left, right)); can = { urgent; weak; collisions }; contact }
+
+let never ~limit:_ = None
+
+let by_pair c left right =
   if Section.in_relative_motion left right then begin
     let found = Encounters.among c.encounters (Array.append (Section.present left) (Section.present right)) in
-    {
-      sections;
-      can = { urgent; weak; collisions = Encounters.collisions found };
-      contact = (fun ~limit:_ -> Encounters.first_contact c.encounters found);
-    }
+    (Encounters.collisions found, fun ~limit:_ -> Encounters.first_contact c.encounters found)
   end
-  else { sections; can = { urgent; weak; collisions = [] }; contact = (fun ~limit:_ -> None) }
+  else ([], never)
+
+let processes present = Array.map (fun (a : Local.alone) -> a.body.process) present
+
+(* Where two do not collide by themselves, but with all others that hang together with them (reading I-32), or meet
+   at rest (reading I-33): all at once. *)
+let at_once c left right =
+  let processes = processes (Array.append (Section.present left) (Section.present right)) in
+  let collisions = List.rev_map (Local.move c.local) (Network.together (Local.afresh c.local) processes) in
+  (collisions, fun ~limit -> Collisions.first_time_of_contact (Local.afresh c.local) processes ~limit)
 
 (* Where few move, who meets whom is told by pairs; else who is near whom in time is seen at once. *)
 let few_movers = 16
-
-let processes present = Array.map (fun (a : Local.alone) -> a.body.process) present
 
 let first_contact_of_many c scene present ~limit =
   if not (Scene.in_relative_motion scene) then None
@@ -194,29 +203,17 @@ let first_contact_of_many c scene present ~limit =
 let of_many c scene tuple =
   Scene.look scene tuple;
   let present = Later.make (fun () -> Scene.present scene) in
+  let sections = Later.make (fun () -> (Section.of_present (Later.force present), Section.nobody)) in
   {
-    sections = (fun () -> (Section.of_present (Later.force present), Section.nobody));
+    sections = (fun () -> Later.force sections);
     can = { urgent = Scene.urgent scene; weak = Scene.weak scene; collisions = Scene.collisions scene };
     contact = (fun ~limit -> first_contact_of_many c scene present ~limit);
-  }
-
-(* Where two do not collide by themselves, but with all others that hang together with them (reading I-32), or meet
-   at rest (reading I-33): all at once. *)
-let at_once c tuple =
-  let left = Section.look c.left tuple and right = Section.look c.right tuple in
-  let all = Section.of_present (Array.append (Section.present left) (Section.present right)) in
-  let processes = processes (Section.present all) in
-  let collisions = List.rev_map (Local.move c.local) (Network.together (Local.afresh c.local) processes) in
-  {
-    sections = (fun () -> (all, Section.nobody));
-    can = { urgent = Section.urgent all; weak = Section.weak all; collisions };
-    contact = (fun ~limit -> Collisions.first_time_of_contact (Local.afresh c.local) processes ~limit);
   }
 
 let now c tuple =
   match c.scene with
   | Some scene -> of_many c scene tuple
-  | None -> (if by_pairs (model c) then of_few else at_once) c tuple
+  | None -> by_sections c tuple (if by_pairs (model c) then by_pair else at_once)
 
 let choices c source =
   let encoded (t : Transition.t) =
