@@ -19,8 +19,7 @@ val spare_tables : unit -> unit
     end. *)
 
 val spare_runs : unit -> unit
-(** Less often: runs keep little of what they make. Large ones take a fifth less time, and a quarter more
-    memory. *)
+(** Less often: runs keep little of what they make, so that it takes hardly more memory. *)
 
 (** {1 Other processes} *)
 

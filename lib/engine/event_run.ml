@@ -37,26 +37,17 @@ type splits = {
   mutable found : (Transition.outcome list * Transition.outcome list) option;  (** strong and weak *)
 }
 
-(* What two may do that collide. *)
-type pair = {
-  sweeps : int * int;
-  one : body;
-  two : body;
-  mutable ages : int * int;  (** when [collision] was found: again when one of them has changed *)
-  mutable collision : Transition.outcome list;
+module Firsts = Map.Make (Int)
+(* What may happen now; collisions by their number, as there may be thousands at one instant, of which each that
+   happens leaves most as they were. *)
+type choices = {
+  urgent : Transition.outcome array;
+  weak : Transition.outcome array;
+  collisions : int;
+  collision : int -> Transition.outcome;
+  passes : Rat.t option;
 }
 
-module Firsts = Map.Make (Int)
-
-module Pairs = Map.Make (struct
-    type t = int * int
-
-    let compare (a, b) (c, d) =
-      let order = Int.compare a c in
-      if order <> 0 then order else Int.compare b d
-  end)
-
-(* What may happen now. *)
 type choice = Happens of Transition.outcome | Passes of Rat.t
 
 type t = {
@@ -67,9 +58,9 @@ type t = {
   start_time : Rat.t option;
   mutable now : Rat.t;  (** since the start *)
   mutable ages : int;
-  mutable colliding : pair Pairs.t;  (** of this instant, by first leaves *)
+  colliding : (body, Transition.outcome) Colliding.t;  (** now, and since they met *)
   mutable splitting : splits Firsts.t;  (** those at a split instant now, or with a strong split *)
-  mutable choices : choice array option;  (** in the order of {!Network.successors} *)
+  mutable choices : choices option;
   mutable room : int;  (** how many events to keep before those out of date are dropped *)
   mutable asked : Rat.t;  (** when {!changes} were asked for last *)
   mutable touched : bool Firsts.t;
@@ -77,7 +68,6 @@ type t = {
       first leaf then *)
 }
 
-let same_numbers (a, b) (c, d) = Int.equal a c && Int.equal b d
 let elapsed t = t.now
 let model t = Semantics.model t.semantics
 let work t = Flights.work t.flights
@@ -110,7 +100,9 @@ let watch t : Flights.watch =
     sweep_end = (fun time flight -> add t (Sweep_end { time; flight; sweep = flight.sweep }));
   }
 
-let renew t f = Flights.renew t.flights ~now:t.now f (watch t)
+let renew t f =
+  Colliding.part t.colliding f.Flights.first;
+  Flights.renew t.flights ~now:t.now f (watch t)
 
 (* {1 Processes that come, age and go} *)
 
@@ -132,6 +124,7 @@ let schedule t b =
   b.since <- t.now;
   b.age <- age;
   cannot_split t b.flight.first;
+  Colliding.changed t.colliding b.flight.first;
   let p = b.process in
   let horizon = Time.horizon (model t) p in
   b.waits <- Option.is_some horizon;
@@ -159,6 +152,7 @@ let velocity t first = (body t first).process.velocity
 let leave t first =
   let b = body t first in
   touch t first;
+  Colliding.part t.colliding first;
   Flights.drop t.flights b.flight;
   b.age <- -1;
   cannot_split t first;
@@ -169,17 +163,9 @@ let present t b = Turn.pass (model t) t.now (aged t b)
 
 (* {1 Now} *)
 
-let collide t (one : Flights.flight) (two : Flights.flight) =
-  let key = (one.first, two.first) and sweeps = (one.sweep, two.sweep) in
-  match Pairs.find_opt key t.colliding with
-  | Some p when same_numbers p.sweeps sweeps -> ()
-  | Some _ | None ->
-    let one = body t one.first and two = body t two.first in
-    t.colliding <- Pairs.add key { sweeps; one; two; ages = (-1, -1); collision = [] } t.colliding
-
 let happen t event =
   match event with
-  | Contact c -> collide t c.one c.two
+  | Contact c -> Colliding.meet t.colliding (body t c.one.first) (body t c.two.first)
   | Sweep_end s -> renew t s.flight
   | Horizon { body; _ } ->
     body.process <- aged t body;
@@ -227,48 +213,30 @@ let splits_now t s =
     s.found <- Some found;
     found
 
-let collision_now t p =
-  let ages = (p.one.age, p.two.age) in
-  if not (same_numbers p.ages ages) then begin
-    p.collision <- Network.together t.semantics [| present t p.one; present t p.two |];
-    p.ages <- ages
-  end;
-  p.collision
-
-let on_course p = same_numbers p.sweeps (p.one.flight.sweep, p.two.flight.sweep)
-
-(* Where collisions are resolved together, all who may collide now are looked at together (reading I-32). *)
-let clusters_now t =
-  let take p involved = Firsts.add p.one.flight.first p.one (Firsts.add p.two.flight.first p.two involved) in
-  let involved = Pairs.fold (fun _ p found -> take p found) t.colliding Firsts.empty in
-  Network.together t.semantics
-    (Array.of_list (List.map (fun (_, b) -> present t b) (Firsts.bindings involved)))
-
+(* How many collisions may happen now, and each by its number. Where they are resolved together, all who may
+   collide are looked at together (reading I-32). *)
 let collisions_now t =
-  let last_first all outcomes = List.rev_append outcomes all in
   match (model t).collisions with
-  | In_turn -> Pairs.fold (fun _ p all -> last_first all (collision_now t p)) t.colliding []
-  | Together -> List.rev (clusters_now t)
+  | In_turn ->
+    Colliding.find t.colliding (fun p q -> Network.together t.semantics [| present t p; present t q |]);
+    (Colliding.count t.colliding, Colliding.nth t.colliding)
+  | Together ->
+    let involved = List.map (present t) (Colliding.bodies t.colliding) in
+    let collisions = Array.of_list (Network.together t.semantics (Array.of_list involved)) in
+    (Array.length collisions, Array.get collisions)
 
 (* Whoever collides or splits now is involved, and rules look at nobody else. *)
 let look t =
   come_up t;
-  t.colliding <- Pairs.filter (fun _ p -> on_course p) t.colliding;
-  let last_first all outcomes = List.rev_append outcomes all in
-  let urgent, weak =
-    Firsts.fold
-      (fun _ s (urgent, weak) ->
-         let more_urgent, more_weak = splits_now t s in
-         (last_first urgent more_urgent, last_first weak more_weak))
-      t.splitting ([], [])
+  let splits = List.map (fun (_, s) -> splits_now t s) (Firsts.bindings t.splitting) in
+  let all kind = Array.of_list (List.concat_map kind splits) in
+  let collisions, collision = collisions_now t in
+  let urgent = all fst in
+  let passes =
+    if Array.length urgent > 0 || collisions > 0 then None
+    else Option.map (fun next -> Rat.sub next t.now) (next_time t)
   in
-  let collisions = collisions_now t in
-  let time () =
-    match next_time t with
-    | None -> []
-    | Some next -> [ Passes (Rat.sub next t.now) ]
-  in
-  Network.in_order (fun o -> Happens o) { urgent; weak; collisions } ~time |> Array.of_list
+  { urgent; weak = all snd; collisions; collision; passes }
 
 let choices t =
   match t.choices with
@@ -278,14 +246,32 @@ let choices t =
     t.choices <- Some choices;
     choices
 
+let discrete c = Array.length c.urgent + Array.length c.weak + c.collisions
+
+let count t =
+  let c = choices t in
+  discrete c + if Option.is_some c.passes then 1 else 0
+
+(* In the order of {!Network.in_order}. *)
+let choice t i =
+  let c = choices t in
+  let urgent = Array.length c.urgent and weak = Array.length c.weak in
+  match c.passes with
+  | Some d when i = discrete c -> Passes d
+  | Some _ | None ->
+    if i < 0 || i >= discrete c then Scc_base.Bug.fail __POS__ "an alternative that is not there"
+    else if i < urgent then Happens c.urgent.(i)
+    else if i < urgent + weak then Happens c.weak.(i - urgent)
+    else Happens (c.collision (i - urgent - weak))
+
+let label t i = match choice t i with Happens o -> o.label | Passes d -> Transition.Time d
+
 let passing t d = { label = Transition.Time d; rules = Network.time_rules t.semantics; rounded = None }
 
-let alternatives t =
-  let alternative = function
-    | Happens o -> { label = o.label; rules = Transition.rules o; rounded = None }
-    | Passes d -> passing t d
-  in
-  Array.to_list (Array.map alternative (choices t))
+let alternative t i =
+  match choice t i with
+  | Happens o -> { label = o.label; rules = Transition.rules o; rounded = None }
+  | Passes d -> passing t d
 
 (* {1 Steps} *)
 
@@ -299,11 +285,10 @@ let pass t d =
 
 (* How long time may pass, at most; [Some None] for ever. *)
 let room t =
-  let weak = function Happens { label = Transition.Weak_split _; _ } -> true | Happens _ | Passes _ -> false in
-  let choices = choices t in
-  match List.find_map (function Passes d -> Some d | Happens _ -> None) (Array.to_list choices) with
+  let c = choices t in
+  match c.passes with
   | Some d -> Some (Some d)
-  | None -> if Array.for_all weak choices && Option.is_none (next_time t) then Some None else None
+  | None -> if Array.length c.urgent = 0 && c.collisions = 0 then Some None else None
 
 let wait t d =
   let may =
@@ -337,10 +322,9 @@ let change t (o : Transition.outcome) =
   List.iter (fun p -> if goes_on p then go_on t p else enter t p) o.come
 
 let take t i =
-  let choices = choices t in
+  let taken = choice t i in
   t.choices <- None;
-  if i < 0 || i >= Array.length choices then Scc_base.Bug.fail __POS__ "an alternative that is not there";
-  match choices.(i) with
+  match taken with
   | Happens o -> change t o
   | Passes d -> pass t d
 
@@ -383,7 +367,8 @@ let start semantics (s : State.t) =
       start_time = s.time;
       now = Rat.zero;
       ages = 0;
-      colliding = Pairs.empty;
+      colliding =
+        Colliding.create (Array.length m.leaves) ~first:(fun b -> b.flight.first) ~age:(fun b -> b.age);
       splitting = Firsts.empty;
       choices = None;
       room = least_room;

@@ -21,11 +21,16 @@ type alternative = {
   rounded : Totals.t Lazy.t option;  (** [None]: nothing is rounded here *)
 }
 
-val alternatives : t -> alternative list
-(** As in {!Network.successors} of the present state. *)
+(** Alternatives are numbered from 0 on, as in {!Network.successors} of the present state: there may be thousands
+    of them at one instant, and none is written down before it is asked for. The numbers hold until the next step.
+    To ask for one that is not there is a bug. *)
+
+val count : t -> int
+val label : t -> int -> Transition.label
+val alternative : t -> int -> alternative
 
 val take : t -> int -> unit
-(** Takes the alternative with a number, from 0 (a bug when there is none). *)
+(** Takes the alternative with a number. *)
 
 val wait : t -> Rat.t -> alternative option
 (** Takes {!Network.wait}. *)

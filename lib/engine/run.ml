@@ -70,16 +70,21 @@ let chances s d =
     Ok chances
   | None, [] -> Scc_base.Bug.fail __POS__ "nobody is left to draw"
 
+type labels = { count : int; label : int -> Transition.label }
+
+let list labels = List.init labels.count labels.label
+
 let labels_ahead s =
   let* ahead = ahead s in
   match ahead with
-  | Events events -> Ok (Array.to_list (Array.map (fun ((a : alternative), _) -> a.label) events))
+  | Events events ->
+    Ok { count = Array.length events; label = (fun i -> let (a : alternative), _ = events.(i) in a.label) }
   | Draws d ->
     let* chances = chances s d in
-    Ok (List.map (Steer.draw_label (List.hd d.left)) (Array.to_list chances))
+    Ok { count = Array.length chances; label = (fun i -> Steer.draw_label (List.hd d.left) chances.(i)) }
 
 let labels = function
-  | Eventwise run -> Ok (List.map (fun (a : alternative) -> a.label) (Event_run.alternatives run))
+  | Eventwise run -> Ok { count = Event_run.count run; label = Event_run.label run }
   | Stepwise s -> labels_ahead s
 
 let go s ((taken : alternative), target) =
@@ -111,9 +116,9 @@ let draw s d i =
 let take t i =
   match t with
   | Eventwise run ->
-    let alternatives = Event_run.alternatives run in
+    let taken = Event_run.alternative run i in
     Event_run.take run i;
-    List.nth alternatives i
+    taken
   | Stepwise s -> (
       match ahead s with
       | Ok (Draws d) -> draw s d i
@@ -137,7 +142,7 @@ let state = function Eventwise run -> Event_run.state run | Stepwise s -> presen
 
 (* Without laws of motion, whatever may ever happen gives time a place to pass to: see {!Time.delay}. *)
 let quiescent = function
-  | Eventwise run -> Event_run.alternatives run = []
+  | Eventwise run -> Event_run.count run = 0
   | Stepwise s -> Network.quiescent s.semantics (present s)
 
 let spinning t = Array.exists Turn.spinning (state t).processes

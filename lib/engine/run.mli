@@ -23,8 +23,14 @@ type alternative = Event_run.alternative = {
   rounded : Totals.t Lazy.t option;  (** what rule Round added to the totals of the network, if it was used *)
 }
 
-val labels : t -> (Transition.label list, Transition.fault) result
+(** What may happen: so many transitions, and the label of each by its number, from 0. It holds until the next
+    step. *)
+type labels = { count : int; label : int -> Transition.label }
+
+val labels : t -> (labels, Transition.fault) result
 (** Those of {!Network.successors} of the present state, in that order. *)
+
+val list : labels -> Transition.label list
 
 val take : t -> int -> alternative
 (** Takes the one with a number, from 0 (a bug when there is none, or a fault), and says what was taken. *)

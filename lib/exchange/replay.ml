@@ -56,17 +56,23 @@ type place = {
 }
 
 let ( let* ) = Result.bind
-let none = function [] -> true | _ :: _ -> false
 
 (* What may happen next, or why nothing can and the run is over. *)
-type ahead = Possible of Transition.label list | Over of given_up
+type ahead = Possible of Run.labels | Over of given_up
 
-let transitions = function Possible list -> list | Over _ -> []
+let nothing : Run.labels =
+  { count = 0; label = (fun _ -> Bug.fail __POS__ "a transition that is not there") }
+
+let transitions = function Possible labels -> labels | Over _ -> nothing
+
+(* The first of those from a number on whose label passes the test, or how many there are. *)
+let rec search (labels : Run.labels) test i =
+  if i = labels.count || test (labels.label i) then i else search labels test (i + 1)
 
 let ahead run place =
   let given_up fault = { fault; steps = place.taken; time = place.time } in
   match Run.labels run with
-  | Ok list -> Ok (Possible list)
+  | Ok labels -> Ok (Possible labels)
   | Error (Transition.Persistent_contact _ as fault) -> Ok (Over (given_up fault))
   | Error ((Bad_law _ | Bad_chance _) as fault) -> Error (Fault (given_up fault))
 
@@ -75,25 +81,20 @@ let possible (model : Model.t) transitions =
     let less = match (model.splits, label) with Any_time, Time _ -> ", or any time before" | _ -> "" in
     Printf.sprintf "%d: %s%s" i (Transition.label_to_string model label) less
   in
-  match transitions with
+  match Run.list transitions with
   | [] -> "nothing was possible there"
-  | _ -> "possible there: " ^ String.concat "; " (List.mapi line transitions)
+  | all -> "possible there: " ^ String.concat "; " (List.mapi line all)
 
 let label_fits model label = function
   | None -> true
   | Some wanted -> String.equal wanted (Transition.label_to_string model label)
 
-let index_of model transitions label =
-  let rec from i = function
-    | [] -> None
-    | l :: rest -> if label_fits model l (Some label) then Some i else from (i + 1) rest
-  in
-  from 0 transitions
+let index_of model (transitions : Run.labels) label =
+  let i = search transitions (fun l -> label_fits model l (Some label)) 0 in
+  if i < transitions.count then Some i else None
 
 (* The number of the passing of time; where time may pass for ever, the one after all others. *)
-let time_index transitions =
-  let rec from i = function [] -> i | label :: rest -> if Transition.is_time label then i else from (i + 1) rest in
-  from 0 transitions
+let time_index transitions = search transitions Transition.is_time 0
 
 (* Time that may be less than the greatest, where bonds may be released at any time (rule Time). *)
 let part_of_time (model : Model.t) transitions (c : Schedule.choice) =
@@ -104,21 +105,19 @@ let part_of_time (model : Model.t) transitions (c : Schedule.choice) =
     if at_place then Transition.time_of_string label else None
 
 (* What is drawn by its chances; all else alike, as nothing tells how likely it is. *)
-let at_random (transitions : Transition.label list) g =
-  match transitions with
-  | first :: _ when Transition.is_drawn first ->
-    Splitmix64.by_chance (List.map Transition.chance transitions) g
-  | _ -> Splitmix64.below (List.length transitions) g
+let at_random (transitions : Run.labels) g =
+  if Transition.is_drawn (transitions.label 0) then
+    Splitmix64.by_chance (List.map Transition.chance (Run.list transitions)) g
+  else Splitmix64.below transitions.count g
 
-let decide model transitions guide =
+let decide model (transitions : Run.labels) guide =
   match guide with
   | Choices [] -> Leave
   | Choices (c :: rest) -> (
       let fits =
         match (c.Schedule.index, c.label) with
         | Some i, label ->
-          let there = List.nth_opt transitions i in
-          Option.bind there (fun t -> if label_fits model t label then Some i else None)
+          if i >= 0 && i < transitions.count && label_fits model (transitions.label i) label then Some i else None
         | None, Some label -> index_of model transitions label
         | None, None -> None
       in
@@ -126,7 +125,7 @@ let decide model transitions guide =
       | Some i, _ -> Take (i, Choices rest)
       | None, Some d -> Wait (d, c, Choices rest)
       | None, None -> Misfit c)
-  | (Always_first | Generator _) when none transitions -> Leave
+  | (Always_first | Generator _) when transitions.count = 0 -> Leave
   | Always_first -> Take (0, guide)
   | Generator g ->
     let i, g = at_random transitions g in
@@ -149,8 +148,8 @@ let ending run limits place ahead =
   match ahead with
   | Over given_up -> Stuck given_up
   | Possible _ when place.still >= limits.instant -> Zeno
-  | Possible (_ :: _) -> Open
-  | Possible [] ->
+  | Possible { count; _ } when count > 0 -> Open
+  | Possible _ ->
     if not (Run.quiescent run) then Bug.fail __POS__ "time cannot pass, and nothing collides (law Progress)";
     Quiescent
 
@@ -159,11 +158,12 @@ let duration = Transition.duration_of
 (* How long time may pass here without an event: [None] when for ever. *)
 let room run ahead =
   let weak : Transition.label -> bool = function Weak_split _ -> true | _ -> false in
-  match ahead with
-  | Possible [] when Run.quiescent run -> None
-  | Possible (_ :: _ as list) when List.for_all weak list -> None
-  | Possible _ | Over _ ->
-    Some (List.fold_left (fun longest t -> Rat.max longest (duration t)) Rat.zero (transitions ahead))
+  let labels = Run.list (transitions ahead) in
+  match (ahead, labels) with
+  | Possible _, [] when Run.quiescent run -> None
+  | Possible _, _ :: _ when List.for_all weak labels -> None
+  | (Possible _ | Over _), _ ->
+    Some (List.fold_left (fun longest t -> Rat.max longest (duration t)) Rat.zero labels)
 
 (* At the last transition, or so much later, if that instant has been told. *)
 let finish ?offset run limits emit place ahead =
@@ -212,7 +212,7 @@ let advance place guide (taken : Run.alternative) =
 let leave semantics run (limits : limits) ~passing emit place ahead (offset : (Rat.t * Span.t) option) =
   match (offset, limits.time, ahead) with
   | Some (d, at), _, _ -> leave_at semantics run limits ~passing emit place ahead d ~at
-  | None, Some t, Possible []
+  | None, Some t, Possible { count = 0; _ }
     when Rat.compare t place.time > 0 && Run.quiescent run && not (Run.spinning run) ->
     leave_at semantics run limits ~passing emit place ahead (Rat.sub t place.time) ~at:Span.none
   | None, _, _ -> finish run limits emit place ahead
@@ -241,18 +241,18 @@ let run ?(passing = not_asked) semantics declared policy limits ~interrupted emi
         | Leave -> leave semantics run limits ~passing emit place ahead offset
         | Misfit c -> Error (misfit model transitions place c)
         | Take (index, guide) ->
-          let d = duration (List.nth transitions index) in
+          let d = duration (transitions.label index) in
           within place ahead d (fun () ->
               passes place d;
               let taken = Run.take run index in
-              go_on place guide index (List.length transitions) taken)
+              go_on place guide index transitions.count taken)
         | Wait (d, choice, guide) ->
           within place ahead d (fun () ->
               passes place d;
               match Run.wait run d with
               | Ok (Some taken) ->
                 let index = time_index transitions in
-                go_on place guide index (Int.max (List.length transitions) (index + 1)) taken
+                go_on place guide index (Int.max transitions.count (index + 1)) taken
               | Ok None -> Error (misfit model transitions place choice)
               | Error fault -> Error (Fault { fault; steps = place.taken; time = place.time }))
   and passes place d = if Rat.sign d > 0 then passing ~start:place.time ~lasts:d state

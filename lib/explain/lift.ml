@@ -16,7 +16,7 @@ let fail () = Scc_base.Bug.fail __POS__ "a run of a slice is no run of the whole
 (* Groups that are left out make so many at most, each of them. *)
 let patience t = 10_000 * Array.length (Semantics.model t.semantics).leaves
 
-let labels t = match Run.labels t.run with Ok found -> found | Error _ -> fail ()
+let labels t = match Run.labels t.run with Ok found -> Run.list found | Error _ -> fail ()
 
 let take t choice =
   let a = Run.take t.run choice in

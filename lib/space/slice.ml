@@ -296,12 +296,13 @@ let lasts s initial g =
   let rec go fuel =
     fuel > 0
     &&
-    let alternatives = Event_run.alternatives run in
-    let rec first k = function
-      | [] -> None
-      | (a : Event_run.alternative) :: rest -> if must a.label then Some (k, a.label) else first (k + 1) rest
+    let rec first k =
+      if k = Event_run.count run then None
+      else
+        let label = Event_run.label run k in
+        if must label then Some (k, label) else first (k + 1)
     in
-    match first 0 alternatives with
+    match first 0 with
     | None -> true
     | Some (k, label) ->
       over (Rat.add (Event_run.elapsed run) (Transition.duration_of label))

@@ -98,15 +98,15 @@ let write_event channel o time (p, q) =
 (* How many events there are. *)
 let simulate o m run log =
   let rec from events =
-    match Event_run.alternatives run with
-    | [] -> events
-    | { label = Time d; _ } :: _ ->
+    match if Event_run.count run = 0 then None else Some (Event_run.label run 0) with
+    | None -> events
+    | Some (Time d) ->
       if Rat.compare (Rat.add (Event_run.elapsed run) d) o.time > 0 then events
       else begin
         Event_run.take run 0;
         from events
       end
-    | { label = Bounce { firsts = [ p; q ]; _ }; _ } :: _ ->
+    | Some (Bounce { firsts = [ p; q ]; _ }) ->
       let both () = (moving m run p, moving m run q) in
       let before = if o.check then Some (both ()) else None in
       Event_run.take run 0;
@@ -115,7 +115,7 @@ let simulate o m run log =
         before;
       Option.iter (fun channel -> write_event channel o (Event_run.elapsed run) (p, q)) log;
       from (events + 1)
-    | _ -> fail "a gas only bounces"
+    | Some _ -> fail "a gas only bounces"
   in
   from 0
 

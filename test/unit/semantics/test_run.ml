@@ -45,7 +45,7 @@ let follow (m : Model.t) declared choices ~looks =
     | [] -> true
     | choice :: choices -> (
         if looks step && not (State.equal s (Run.state run)) then differ step "the state" "one" "another";
-        match (Network.successors plain s, Run.labels run) with
+        match (Network.successors plain s, Result.map Run.list (Run.labels run)) with
         | Error f, Error g -> String.equal (fault f) (fault g) || differ step "a fault" (fault f) (fault g)
         | Error f, Ok labels -> differ step "a fault" (fault f) (texts m labels)
         | Ok transitions, Error g ->

@@ -6,6 +6,7 @@ let () =
       Test_network.suite;
       Test_draw.suite;
       Test_lots.suite;
+      Test_colliding.suite;
       Test_event_run.suite;
       Test_turn.suite;
       Test_round.suite;

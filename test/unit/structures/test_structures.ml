@@ -195,6 +195,21 @@ let queue =
             && Int_queue.length q = Queue.length known)
          rounds)
 
+let counts =
+  QCheck2.Test.make ~count:300 ~name:"Fenwick counts through all boxes"
+    Gen.(pair (int_range 1 70) (list_size (0 -- 60) (pair (int_range 0 1000) (int_range 0 4))))
+    (fun (n, changes) ->
+       let counts = Fenwick.create n and all = Array.make n 0 in
+       List.for_all
+         (fun (box, now) ->
+            let box = box mod n in
+            Fenwick.add counts box (now - all.(box));
+            all.(box) <- now;
+            let things = List.concat (List.init n (fun box -> List.init all.(box) (fun k -> (box, k)))) in
+            Fenwick.total counts = List.length things
+            && List.init (Fenwick.total counts) (Fenwick.find counts) = things)
+         changes)
+
 (* From each number its double and the next one, below n. *)
 let worklist () =
   let n = 1000 in
@@ -228,7 +243,7 @@ let () =
     [
       ( "properties",
         Scc_test_support.Property.cases
-          [ sorted; sorts; bits; joined; components; shortest; vector; queue ] );
+          [ sorted; sorts; bits; joined; components; shortest; vector; queue; counts ] );
       ( "cases",
         [
           Alcotest.test_case "a million nodes" `Quick long_way;

@@ -1,0 +1,102 @@
+open Scc_data
+module Firsts = Map.Make (Int)
+module First_set = Set.Make (Int)
+
+module Pairs = Map.Make (struct
+    type t = int * int
+
+    let compare (a, b) (c, d) =
+      let order = Int.compare a c in
+      if order <> 0 then order else Int.compare b d
+  end)
+
+type ('body, 'outcome) pair = {
+  one : 'body;
+  two : 'body;
+  mutable ages : int * int;  (** when the outcomes were found *)
+  mutable outcomes : 'outcome array;
+}
+
+type ('body, 'outcome) t = {
+  first : 'body -> int;
+  age : 'body -> int;
+  mutable pairs : ('body, 'outcome) pair Pairs.t;  (** by first leaves *)
+  partners : First_set.t array;  (** the first leaves of those in whose pairs a body is the second *)
+  counts : Fenwick.t;  (** of outcomes, by the first leaf of the first *)
+  mutable unasked : ('body, 'outcome) pair Pairs.t;  (** those whose outcomes are to be found *)
+}
+
+let create leaves ~first ~age =
+  {
+    first; age;
+    pairs = Pairs.empty;
+    partners = Array.make leaves First_set.empty;
+    counts = Fenwick.create leaves;
+    unasked = Pairs.empty;
+  }
+
+let key t p = (t.first p.one, t.first p.two)
+
+(* Those in which a body is the first, from some place on; and those in which it is the second. *)
+let rec with_first leaf pairs () =
+  match pairs () with
+  | Seq.Cons (((one, _), p), rest) when one = leaf -> Seq.Cons (p, with_first leaf rest)
+  | Seq.Cons _ | Seq.Nil -> Seq.Nil
+
+let as_first t leaf = with_first leaf (Pairs.to_seq_from (leaf, 0) t.pairs)
+let as_second t leaf = Seq.map (fun one -> Pairs.find (one, leaf) t.pairs) (First_set.to_seq t.partners.(leaf))
+let pairs_of t leaf = Seq.append (as_first t leaf) (as_second t leaf)
+
+let ask t p = t.unasked <- Pairs.add (key t p) p t.unasked
+
+let meet t one two =
+  let p = { one; two; ages = (-1, -1); outcomes = [||] } in
+  let ((_, second) as key) = key t p in
+  if not (Pairs.mem key t.pairs) then begin
+    t.pairs <- Pairs.add key p t.pairs;
+    t.partners.(second) <- First_set.add (fst key) t.partners.(second);
+    ask t p
+  end
+
+let forget t p =
+  let ((one, two) as key) = key t p in
+  Fenwick.add t.counts one (-Array.length p.outcomes);
+  t.partners.(two) <- First_set.remove one t.partners.(two);
+  t.pairs <- Pairs.remove key t.pairs;
+  t.unasked <- Pairs.remove key t.unasked
+
+(* They are listed before the first one goes. *)
+let part t leaf = List.iter (forget t) (List.of_seq (pairs_of t leaf))
+let changed t leaf = Seq.iter (ask t) (pairs_of t leaf)
+
+let find t outcomes =
+  let find (first, _) p =
+    let one, two = (t.age p.one, t.age p.two) in
+    let known = match p.ages with a, b -> a = one && b = two in
+    if not known then begin
+      let found = Array.of_list (outcomes p.one p.two) in
+      Fenwick.add t.counts first (Array.length found - Array.length p.outcomes);
+      p.outcomes <- found;
+      p.ages <- (one, two)
+    end
+  in
+  Pairs.iter find t.unasked;
+  t.unasked <- Pairs.empty
+
+let count t = Fenwick.total t.counts
+
+let nth t k =
+  let leaf, k = Fenwick.find t.counts k in
+  let rec from k pairs =
+    match pairs () with
+    | Seq.Nil -> Scc_base.Bug.fail __POS__ "outcomes are counted of pairs that have none"
+    | Seq.Cons (p, rest) ->
+      let n = Array.length p.outcomes in
+      if k < n then p.outcomes.(k) else from (k - n) rest
+  in
+  from k (as_first t leaf)
+
+let bodies t =
+  let add body all = Firsts.add (t.first body) body all in
+  let all = Pairs.fold (fun _ p all -> add p.one (add p.two all)) t.pairs Firsts.empty in
+  List.map snd (Firsts.bindings all)
