@@ -15,8 +15,8 @@ val heap_words : unit -> int
 (** {1 How often garbage is looked for} *)
 
 val spare_tables : unit -> unit
-(** Not the more often, the more there is in tables outside of OCaml's heap: those of an exploration stay until its
-    end. *)
+(** Less often than OCaml would, and not the more often, the more there is in tables outside of its heap: those of
+    an exploration stay until its end, as most of what is in the heap does. *)
 
 val spare_runs : unit -> unit
 (** Less often: runs keep little of what they make, so that it takes hardly more memory. *)
