@@ -4,7 +4,7 @@
 open Scc_exact
 open Scc_explore
 
-(** A predicate on the instants of runs. *)
+(** A predicate on the instants of runs. The tuples that are asked about are not kept. *)
 type predicate = {
   at : int array -> Truth.t;  (** in a state *)
   along : (int array -> Timeline.extent -> Truth.t Timeline.t) option;

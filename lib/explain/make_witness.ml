@@ -152,7 +152,8 @@ let of_trace context graph predicate (trace : Search.trace) =
     match predicate with
     | None -> no_facts
     | Some p ->
-      let arrived = Network_lts.arrived context (Graph.tuple graph trace.last) in
+      let tuple = Graph.tuple graph trace.last in
+      let arrived event = Network_lts.arrived context event tuple in
       fun state extent offset -> Facts.at ~arrived (Network_lts.semantics context) state extent offset p
   in
   match trace.finish with
@@ -183,7 +184,7 @@ let of_met context p (met : Compact_search.met) =
   let last, reached = targets context met.choices in
   let on from (choice, target) = follow context from choice target in
   let run = List.fold_left on (start context) reached in
-  let arrived = Network_lts.arrived context last in
+  let arrived event = Network_lts.arrived context event last in
   let facts extent offset = Facts.at ~arrived (Network_lts.semantics context) run.last extent offset p in
   match met.during with
   | None -> witness context run At_state (facts Timeline.Instant Algebraic.zero)

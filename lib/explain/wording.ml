@@ -17,7 +17,8 @@ let facts_at context graph temporal (at : Scc_ctl.Positions.position) p =
       | None -> Timeline.Forever
       | Some k -> Lasts (Graph.duration graph (Graph.edges graph at.node).(k))
   in
-  let arrived = Network_lts.arrived context (Graph.tuple graph at.node) in
+  let tuple = Graph.tuple graph at.node in
+  let arrived event = Network_lts.arrived context event tuple in
   let time_seen = Catalogue.time_seen (Network_lts.catalogue context) in
   let later_than = Option.bind state.time (Time_seen.beyond time_seen) in
   let known = Network_lts.keeps context (Graph.tuple graph at.node) in

@@ -100,6 +100,10 @@ module Make (L : Lts.S) : sig
   val context : t -> L.context
   val size : t -> int
   val tuple : t -> int -> int array
+
+  val read_tuple : t -> int -> int array -> unit
+  (** Puts the {!tuple} into an array as long as it, for who asks about many states and keeps none. *)
+
   val status : t -> int -> L.fault status
 
   val edges : t -> int -> edge array

@@ -40,6 +40,10 @@ module Make (L : Lts.S) = struct
     Tuples.load g.tuples g.reader i;
     Tuples.slots g.reader
 
+  let read_tuple g i room =
+    Tuples.load g.tuples g.reader i;
+    Tuples.read_slots g.reader room
+
   (** {2 Statuses} *)
 
   let status g i = Statuses.get g.statuses i

@@ -89,6 +89,12 @@ let size t = Pairs.size t.roots
 let spread t = { count = t.width; node = Array.make ((2 * t.width) - 1) (-1) }
 let slots s = Array.sub s.node 0 s.count
 
+let read_slots s (room : int array) =
+  if Array.length room <> s.count then Scc_base.Bug.fail __POS__ "room for another tuple";
+  for i = 0 to s.count - 1 do
+    Array.unsafe_set room i (Array.unsafe_get s.node i)
+  done
+
 (* What is loaded already, below a node that has the same number, is not loaded again. A node has no number while
    what is below it changes: work may be given up anywhere, and then all of that is loaded again. *)
 let rec load_node t node k v =

@@ -23,6 +23,9 @@ val load : t -> spread -> int -> unit
 val slots : spread -> int array
 (** A fresh array of the tuple's numbers. *)
 
+val read_slots : spread -> int array -> unit
+(** Puts them into an array of as many, without making one. *)
+
 (** What a tuple has in other places than another: places and numbers in [0, 2{^31}) by turns, each place once. *)
 type changes = int array
 

@@ -98,8 +98,12 @@ let events t = t.events
 let events_of t mark = Marks.get t.marks mark
 let mark_of t events = Marks.intern t.marks events
 
-let happened t mark event =
-  List.exists (fun i -> Formula.equal_event (List.nth t.events i) event) (events_of t mark)
+let place t event =
+  let rec from i = function
+    | [] -> None
+    | e :: rest -> if Formula.equal_event e event then Some i else from (i + 1) rest
+  in
+  from 0 t.events
 
 (* What happens to some processes: they leave their slots, and others enter theirs. *)
 let move t (o : Transition.outcome) =

@@ -59,8 +59,8 @@ val events_of : t -> int -> int list
 val mark_of : t -> int list -> int
 (** The number of a set of events, by their places, increasing. *)
 
-val happened : t -> int -> Property.event -> bool
-(** Whether an event is in the set of this number. *)
+val place : t -> Property.event -> int option
+(** Of an event among {!events}. *)
 
 val move : t -> Transition.outcome -> move
 

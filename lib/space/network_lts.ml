@@ -102,14 +102,15 @@ let is_dead_end semantics state =
 let set_mark c tuple mark =
   if Local.has_events c.local then tuple.(Catalogue.mark_slot (catalogue c)) <- mark
 
-let unmarked c tuple =
-  let copy = Array.copy tuple in
-  set_mark c copy 0;
-  copy
-
 let events_of_mark c mark = Local.events_of c.local mark
 let mark_of c events = Local.mark_of c.local events
-let arrived c tuple event = Local.happened c.local tuple.(Catalogue.mark_slot (catalogue c)) event
+
+let arrived c event =
+  let slot = Catalogue.mark_slot (catalogue c) in
+  match Local.place c.local event with
+  | None -> fun _ -> false
+  | Some place -> fun tuple -> List.exists (Int.equal place) (events_of_mark c tuple.(slot))
+
 let events c = Local.events c.local
 
 let happened c tuple =

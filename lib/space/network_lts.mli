@@ -24,8 +24,9 @@ val make :
     only ({!reduced}). [memory], a power of two, bounds how many results are remembered of each kind, and with at
     most [few] basic shapes (32) all pairs are looked at in each state: both change nothing but the speed. *)
 
-val arrived : context -> int array -> Property.event -> bool
-(** Whether the transition that has just led to the state was of the event, one of those of {!make}. *)
+val arrived : context -> Property.event -> int array -> bool
+(** Whether the transition that has just led to the state was of the event, one of those of {!make}. The event, of
+    which there may be many, is looked for once. *)
 
 val events_of_mark : context -> int -> int list
 (** The places of the events that a mark stands for ({!Catalogue.mark_slot}). *)
@@ -58,9 +59,6 @@ val given_up : context -> Transition.fault list
     transitions there. *)
 
 val is_dead_end : Semantics.t -> State.t -> bool
-
-val unmarked : context -> int array -> int array
-(** The same state with no event right before. *)
 
 val representative : context -> int array -> int array
 (** The state that stands for one, and for all that are equal to it modulo the quotient. Events lead from it to

@@ -30,14 +30,14 @@ let home c leaf =
 
 (** A state as a tuple, at its instant. *)
 module Tuple = struct
-  type context = Network_lts.context
+  type context = { lts : Network_lts.context; later : bool  (** what has just happened is past *) }
   type t = int array
 
   (* Or why there is none. *)
   type number = (Rat.t, string) result
   type truth = Truth.t
 
-  let semantics = Network_lts.semantics
+  let semantics c = Network_lts.semantics c.lts
 
   let of_curve (c : Path.curve) : number =
     match c with
@@ -76,7 +76,7 @@ module Tuple = struct
     | Ok n, True -> Ok (Rat.add n Rat.one)
     | Ok _, Undecided reason -> Error reason
 
-  let quantity c (q : Meaning.quantity) : t -> number =
+  let quantity { lts = c; _ } (q : Meaning.quantity) : t -> number =
     let path process = Path.make (Network_lts.model c) process in
     let undefined leaf : number = Error (Meaning.of_the_gone (Network_lts.model c) leaf) in
     match q with
@@ -113,7 +113,7 @@ module Tuple = struct
     let truth = Truth.of_bool b in
     fun _ -> truth
 
-  let fact c (f : Meaning.fact) : t -> truth =
+  let fact { lts = c; later } (f : Meaning.fact) : t -> truth =
     match f with
     | Missing i ->
       let number = home_number c i in
@@ -134,7 +134,10 @@ module Tuple = struct
           | Some p, Some q -> (along Timeline.Instant (path p) (path q)).start
           | None, _ | _, None -> Truth.False)
     | In_network test -> fun t -> Truth.of_bool (test (Catalogue.decode (Network_lts.catalogue c) t))
-    | Arrival e -> fun t -> Truth.of_bool (Network_lts.arrived c t e)
+    | Arrival _ when later -> fun _ -> Truth.False
+    | Arrival e ->
+      let arrived = Network_lts.arrived c e in
+      fun t -> Truth.of_bool (arrived t)
 
   let compare op (a : number) (b : number) : truth =
     match (a, b) with
@@ -156,15 +159,14 @@ let along c p =
   let semantics = Network_lts.semantics c in
   let predicate = Trajectory.predicate semantics p in
   fun tuple extent ->
-    let state = Catalogue.decode (Network_lts.catalogue c) tuple in
-    predicate (Trajectory.make ~arrived:(Network_lts.arrived c tuple) semantics state extent)
+    let state = Catalogue.decode (Network_lts.catalogue c) tuple and kept = Array.copy tuple in
+    predicate (Trajectory.make ~arrived:(fun e -> Network_lts.arrived c e kept) semantics state extent)
 
 let make c p : On_the_fly.predicate =
-  let at = In_state.prop c p in
+  let at = In_state.prop { lts = c; later = false } p in
   if not (Formula.steady ~rigid:(Option.is_some (Network_lts.model c).rigid) p) then
     { at; along = Some (along c p) }
   else if Formula.has_events (State p) then
-    (* What has just happened is past as soon as time passes. *)
-    let later tuple = at (Network_lts.unmarked c tuple) in
+    let later = In_state.prop { lts = c; later = true } p in
     { at; along = Some (fun tuple extent -> Timeline.after_start extent (at tuple) (later tuple)) }
   else { at; along = None }

@@ -56,14 +56,20 @@ let timed_graph context ~rests g : Timed_graph.t =
   { size; known; edges; drawn = drawn context g; flow }
 
 let on asked ~rests graph =
+  (* Formulas are evaluated one after the other, each in all states, and may be as many as bodies. *)
+  let room = Array.copy (Network_lts.initial asked.context) in
+  let read node =
+    Graph.read_tuple graph node room;
+    room
+  in
   let along p node extent =
     match asked.predicates.(p).along with
-    | Some along -> along (Graph.tuple graph node) extent
-    | None -> Timeline.constant extent (asked.predicates.(p).at (Graph.tuple graph node))
+    | Some along -> along (read node) extent
+    | None -> Timeline.constant extent (asked.predicates.(p).at (read node))
   in
   let predicates =
     {
-      Scc_ctl.Eval.at = (fun p node -> asked.predicates.(p).at (Graph.tuple graph node));
+      Scc_ctl.Eval.at = (fun p node -> asked.predicates.(p).at (read node));
       along;
       steady = (fun p -> Option.is_none asked.predicates.(p).along);
     }

@@ -66,7 +66,9 @@ let tuples =
               Hashtbl.add by_number size tuple
             end;
             Tuples.load t reader i;
-            i = (if expected < 0 then size else expected) && Tuples.slots reader = tuple)
+            let room = Array.make width (-1) in
+            Tuples.read_slots reader room;
+            i = (if expected < 0 then size else expected) && Tuples.slots reader = tuple && room = tuple)
          list
        && Tuples.size t = Hashtbl.length known)
 

@@ -117,12 +117,12 @@ let events () =
          let is_bind = match label edge with Bind _ -> true | _ -> false in
          if is_bind then incr seen;
          let target = Graph.tuple g edge.target in
-         Alcotest.(check bool) "bind" is_bind (Network_lts.arrived context target bind);
-         Alcotest.(check bool) "bounce" false (Network_lts.arrived context target bounce))
+         Alcotest.(check bool) "bind" is_bind (Network_lts.arrived context bind target);
+         Alcotest.(check bool) "bounce" false (Network_lts.arrived context bounce target))
       (Graph.edges g i)
   done;
   Alcotest.(check int) "binds" 3 !seen;
-  Alcotest.(check bool) "not at the start" false (Network_lts.arrived context (Graph.tuple g 0) bind)
+  Alcotest.(check bool) "not at the start" false (Network_lts.arrived context bind (Graph.tuple g 0))
 
 let () =
   let models = List.sort String.compare (Array.to_list (Sys.readdir "../../../specs/models")) in
