@@ -38,6 +38,7 @@ type splits = {
 }
 
 module Firsts = Map.Make (Int)
+
 (* What may happen now; collisions by their number, as there may be thousands at one instant, of which each that
    happens leaves most as they were. *)
 type choices = {
