@@ -81,7 +81,8 @@ let labels_ahead s =
     Ok { count = Array.length events; label = (fun i -> let (a : alternative), _ = events.(i) in a.label) }
   | Draws d ->
     let* chances = chances s d in
-    Ok { count = Array.length chances; label = (fun i -> Steer.draw_label (List.hd d.left) chances.(i)) }
+    let drawer = List.hd d.left in
+    Ok { count = Array.length chances; label = (fun i -> Steer.draw_label drawer chances.(i)) }
 
 let labels = function
   | Eventwise run -> Ok { count = Event_run.count run; label = Event_run.label run }

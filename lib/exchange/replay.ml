@@ -249,9 +249,9 @@ let run ?(passing = not_asked) semantics declared policy limits ~interrupted emi
         | Wait (d, choice, guide) ->
           within place ahead d (fun () ->
               passes place d;
+              let index = time_index transitions in
               match Run.wait run d with
               | Ok (Some taken) ->
-                let index = time_index transitions in
                 go_on place guide index (Int.max transitions.count (index + 1)) taken
               | Ok None -> Error (misfit model transitions place choice)
               | Error fault -> Error (Fault { fault; steps = place.taken; time = place.time }))
