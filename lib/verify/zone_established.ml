@@ -38,9 +38,11 @@ let whole = { from = Rat.zero; until = None }
 
 let least a b = match (a, b) with Some a, Some b -> Some (Rat.min a b) | None, t | t, None -> t
 
-(* Whether a predicate is so at all offsets of a window that are in time. *)
+(* Whether a predicate is so at all offsets of a window that are in time, of those before what comes next. *)
 let all_along r k prop ~so ~(bound : Property.bound) window =
-  let since = clock r k in
+  let since = clock r k and timeline = Trajectory.prop (trajectory r k) prop in
+  let lasts = match timeline.extent with Lasts d -> Some d | Instant | Forever -> None in
+  let window = { window with until = least window.until lasts } in
   let low = Rat.max window.from (Rat.sub bound.low since) in
   let high = Option.map (fun h -> Rat.sub h since) bound.high in
   let in_window offset =
@@ -58,7 +60,6 @@ let all_along r k prop ~so ~(bound : Property.bound) window =
     before_end && after_low && is_some
   in
   let is_so = Truth.equal (if so then Truth.True else False) in
-  let timeline = Trajectory.prop (trajectory r k) prop in
   let rec pieces = function
     | [] -> true
     | (piece : Truth.t Timeline.piece) :: rest ->
@@ -72,6 +73,11 @@ let all_along r k prop ~so ~(bound : Property.bound) window =
   (is_so timeline.start || not (in_window start))
   && (timeline.extent = Instant || is_so timeline.first || not (meets start first_cut))
   && pieces timeline.rest
+
+(* Whether the state after so many steps comes within a bound, which counts from the start. *)
+let in_time r (bound : Property.bound) k =
+  let now = clock r k in
+  Rat.compare bound.low now <= 0 && Option.fold ~none:true ~some:(fun h -> Rat.compare now h <= 0) bound.high
 
 let at r (spot : Shown_run.spot) prop ~holds =
   let timeline = Trajectory.prop (trajectory r spot.steps) prop in
@@ -92,7 +98,8 @@ let on_the_way r (from : Shown_run.spot) (goal : Shown_run.spot) finish prop ~so
   | There, None -> true
   | There, Some d -> all_of goal.steps { from = start goal.steps; until = Some d }
   | (Rests | Passes), _ -> all_of goal.steps { whole with from = start goal.steps }
-  | (Repeats _ | Goes_on _), _ -> at r { steps = goal.steps; since = None } prop ~holds:so
+  | (Repeats _ | Goes_on _), _ ->
+    (not (in_time r bound goal.steps)) || at r { steps = goal.steps; since = None } prop ~holds:so
 
 let ends r (goal : Shown_run.spot) finish ~(bound : Property.bound) =
   let here = state r goal.steps in

@@ -18,11 +18,19 @@ let rec given (r : R.t) (c : Shown_run.claim) =
   match (Formula.state_formula c.formula, c.because) with
   | Some prop, _ -> facts_at r c.spot prop
   | None, Parts parts -> List.concat_map (given r) parts
-  | None, Run { along = Some a; goal; _ } -> at_last r a goal
+  | None, Run { along = Some a; goal; finish; _ } -> at_last r finish a goal
   | None, (Given | Everywhere | Run _) -> []
 
-and at_last r (a : Shown_run.along) goal =
-  match Formula.state_formula a.what with Some prop -> facts_at r { goal with since = None } prop | None -> []
+(* In the state where the run ends; or in the middle of the bound of time, if that begins later and time gets there. *)
+and at_last r finish (a : Shown_run.along) goal =
+  let early = Rat.sub a.bound.low (R.clock r goal.steps) in
+  let lasts = match a.bound.high with Some h -> Rat.sub h a.bound.low | None -> Rat.zero in
+  match (Formula.state_formula a.what, (finish : Shown_run.finish)) with
+  | None, _ -> []
+  | Some prop, _ when Rat.sign early <= 0 -> facts_at r { goal with since = None } prop
+  | Some prop, (Rests | Passes) ->
+    facts_at r { goal with since = Some (Rat.add early (Rat.div lasts (Rat.of_int 2))) } prop
+  | Some _, (There | Repeats _ | Goes_on _) -> []
 
 let rec last_run (c : Shown_run.claim) =
   match c.because with
@@ -33,7 +41,7 @@ let rec last_run (c : Shown_run.claim) =
 let facts r (c : Shown_run.claim) =
   match last_run c with
   | Some { because = Run { finish = There; parts; _ }; _ } -> distinct (List.concat_map (given r) parts)
-  | Some { because = Run { along = Some a; goal; _ }; _ } -> at_last r a goal
+  | Some { because = Run { along = Some a; goal; finish; _ }; _ } -> at_last r finish a goal
   | Some _ | None -> []
 
 let right_after (r : R.t) c =
