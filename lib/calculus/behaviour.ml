@@ -115,6 +115,11 @@ let delay t b =
 
 let wait t b = if Linear.is_constant t then delay t.constant b else Wait (t, b)
 
+let written t b =
+  if not (Linear.is_constant t) then Wait (t, b)
+  else if Rat.sign t.constant = 0 then Delay (Rat.zero, b)
+  else delay t.constant b
+
 let rec sum a = function
   | Sum (b, c) -> Sum (sum a b, c)
   | (Nil | Open _ | Weak _ | Strong _ | Delay _ | Wait _ | Call _) as b -> Sum (a, b)
@@ -123,6 +128,33 @@ let call k = Call k
 
 type definition = { name : string; body : t }
 type definitions = definition array
+
+(* The last name that an eps(0) brings up as one unfolds, if any does. *)
+let brought_up (defs : definitions) k =
+  let rec unfold found ~expired = function
+    | Delay (t, rest) when Rat.sign t = 0 -> unfold found ~expired:true rest
+    | Call z -> unfold (if expired then z else found) ~expired:false defs.(z).body
+    | Nil | Open _ | Weak _ | Strong _ | Delay _ | Wait _ | Sum _ -> found
+  in
+  unfold k ~expired:false defs.(k).body
+
+let canonical defs =
+  let names = Array.init (Array.length defs) (fun k -> lazy (brought_up defs k)) in
+  let rec canonical = function
+    | Nil -> Nil
+    | Open (p, c, b) -> Open (p, c, canonical b)
+    | Weak (c, j, b) -> Weak (c, j, canonical b)
+    | Strong (l, j, b) -> Strong (l, j, canonical b)
+    | Delay (t, b) -> delay t (canonical b)
+    | Wait (t, b) -> Wait (t, canonical b)
+    | Sum (a, b) -> sum (canonical a) (canonical b)
+    | Call k -> Call (Lazy.force names.(k))
+  in
+  canonical
+
+let canonical_definitions defs =
+  let canonical = canonical defs in
+  Array.map (fun d -> { d with body = canonical d.body }) defs
 type aged = { origin : int option; term : t }
 
 let aged origin term = { origin; term }
@@ -162,6 +194,7 @@ let some_prefix (defs : definitions) ~behind is b =
 (* The names exposed in a body: those that it may unfold without anything happening. *)
 let rec exposed ~may_be_zero found = function
   | Wait (t, b) when may_be_zero t -> exposed ~may_be_zero found b
+  | Delay (t, b) when Rat.sign t = 0 -> exposed ~may_be_zero found b
   | Nil | Open _ | Weak _ | Strong _ | Delay _ | Wait _ -> found
   | Sum (a, b) -> exposed ~may_be_zero (exposed ~may_be_zero found a) b
   | Call k -> k :: found

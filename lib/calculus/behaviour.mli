@@ -50,9 +50,11 @@ val strong : ?push:Rat.t -> channel list -> t -> t
 val delay : Rat.t -> t -> t
 (** [delay t b] is [b] when t = 0 (rule Eps0, canonical form); t is not negative. *)
 
-
 val wait : Linear.t -> t -> t
 (** [wait t b], t nowhere negative: {!delay} when t is constant. *)
+
+val written : Linear.t -> t -> t
+(** {!wait} as it is written, also with t = 0: for definitions and terms of which {!canonical} is taken. *)
 
 val sum : t -> t -> t
 (** Sums have no brackets: [Sum (a, b)] has no sum for its [b]. *)
@@ -63,6 +65,14 @@ val call : int -> t
 type definition = { name : string; body : t }
 
 type definitions = definition array
+
+val canonical : definitions -> t -> t
+(** [canonical written b] is [b] in canonical form, where [written] and [b] may have an eps(0). Rule Eps0: eps(0). B
+    is B. Reading I-14: a name K that unfolds, outside of any sum, to eps(0) and a name Z is Z at once, so that Z
+    stands for it. The definitions have no unguarded recursion. *)
+
+val canonical_definitions : definitions -> definitions
+(** Definitions as they are written, each body in its {!canonical} form. *)
 
 (** A behaviour in a state, with where it comes from: [origin] is the K whose ageing gave [term], if any (reading
     I-14). It may be another one than the name that [term] is, where that was a summand. *)

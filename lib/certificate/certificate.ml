@@ -46,7 +46,7 @@ let numbers t (location : Invariant.location) (z : Zone.t) ~middle (result : Sta
       let began = (State.leaf_of set leaf).behaviour in
       if Behaviours.delays m.definitions began = [] then zero
       else
-        let known = Behaviour.aged began.origin (Fixed.behaviour values began.term) in
+        let known = Behaviour.aged began.origin (Fixed.behaviour t.model values began.term) in
         let is_now aged =
           let now = (State.leaf_of p leaf).behaviour in
           Behaviour.equal_aged (Cloud.tidied definitions aged) (Cloud.tidied definitions now)
@@ -260,7 +260,7 @@ let starts t (u : Uncertain.t) ~declared =
   let regions = Arrangement.by_signs (all_lengths t zone) [ box ] in
   let initial z point =
     let values = Array.map (fun f -> Linear.eval f point) z.Zone.parameters in
-    match Network.initial (semantics_at t z point) (Fixed.declared u declared values) with
+    match Network.initial (semantics_at t z point) (Fixed.declared t.model u declared values) with
     | Ok s -> s
     | Error _ -> reject "the initial state is not known"
   in

@@ -64,9 +64,9 @@ let tidy definitions (s : State.t) =
 let state (m : Model.t) (z : t) point =
   let at f = Linear.eval f point in
   let values = Array.map at z.parameters in
-  let definitions = (Fixed.model m values).definitions in
+  let definitions = (Fixed.model m values).definitions and fixed = Fixed.behaviour m values in
   let leaf (l : State.leaf) =
-    let known = Behaviour.aged l.behaviour.origin (Fixed.behaviour values l.behaviour.term) in
+    let known = Behaviour.aged l.behaviour.origin (fixed l.behaviour.term) in
     let behaviour = Behaviours.pass definitions (at z.ages.(l.leaf)) known in
     { l with State.position = Place.eval z.places.(l.leaf) point; behaviour }
   in

@@ -234,7 +234,7 @@ let rec elaborate t scope (b : Ast.behaviour) =
     Some (Behaviour.strong ~push cs b)
   | Delay (e, rest) ->
     let* d, b = Typed.both (delay t scope.env e) (elaborate t scope rest) in
-    Some (Behaviour.wait d b)
+    Some (Behaviour.written d b)
   | Sum (first, second) ->
     let* a, b = Typed.both (elaborate t scope first) (elaborate t scope second) in
     Some (Behaviour.sum a b)

@@ -57,7 +57,9 @@ let templates (c : Context.t) (program : Program.t) =
 let is_steered (l : Model.leaf) = not (l.fixed || Law.is_inertial l.law)
 
 (* Everything is in order. *)
-let build (c : Context.t) (program : Program.t) bodies composition joints initial definitions checks premises =
+let build (c : Context.t) (program : Program.t) bodies composition joints initial written checks premises =
+  let definitions = Behaviour.canonical_definitions written in
+  let initial = Array.map (Behaviour.canonical written) initial in
   let leaves = Assembly.leaves bodies composition in
   let rigid = Settings.rigid program.settings c.report ~spinning:(Assembly.spinning bodies composition) leaves in
   let steered = Array.exists is_steered leaves in

@@ -14,7 +14,7 @@ let run (options : Joint_check.options) semantics u ~declared (check : Property.
   if Array.length m.ranges = 0 || Zone_scale.at_any_time m ~declared then None
   else
     let c = Semantics.with_model semantics (Fixed.model m values) in
-    let declared = Fixed.declared u declared values in
+    let declared = Fixed.declared m u declared values in
     let check = { check with formula = Rename.known_temporal values check.formula } in
     let bounds = { Bounds.default with states = Given most_states_of_one_start } in
     match Network.initial c declared with

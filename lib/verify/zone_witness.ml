@@ -110,7 +110,7 @@ let holds c ~arrived state offset prop =
 let make given u ~declared ~sliced (run : Concrete.t) (place : Search_sets.place) : Witness.t =
   let m = Semantics.model given and prop = Scc_property.Rename.known run.values place.prop in
   let c = Semantics.with_model given (Fixed.model m run.values) in
-  let start = initial c (Fixed.declared u declared run.values) in
+  let start = initial c (Fixed.declared m u declared run.values) in
   let reached state taken offset = holds c ~arrived:(arrived start taken) state offset prop in
   let followed =
     match sliced with
@@ -176,7 +176,7 @@ let of_run given u ~declared (w : Shown_run.t) : Witness.t =
   let m = Semantics.model given in
   let values = w.run.values in
   let c = Semantics.with_model given (Fixed.model m values) in
-  let start = initial c (Fixed.declared u declared values) in
+  let start = initial c (Fixed.declared m u declared values) in
   let followed steps = { Zone_established.semantics = c; values; initial = start; steps = Array.of_list steps } in
   let reached _ taken = Zone_established.claim (followed taken) w.claim in
   match follow c ~reached start Rat.zero w.run.steps [] with
