@@ -301,7 +301,7 @@ class Model:
         if kind == "name":
             if written[1] not in self.behaviours:
                 raise Refused("no such behaviour: %s" % written[1])
-            return ("name", written[1])
+            return ("name", self.settled(written[1]))
         if kind == "sum":
             return terms.total([self.term(leaf, t, env) for t in written[1]])
         then = self.term(leaf, written[2], env)
@@ -321,6 +321,19 @@ class Model:
             return ("weak", written[1][1], sites(written[1]), odds, push, then)
         entries = frozenset((c[1], sites(c)) for c in written[1])
         return ("strong", entries, self.push(written[3], env), then)
+
+    def settled(self, name: str) -> str:
+        """Rule Eps0: the last name that an eps(0) brings up as a name unfolds outside of sums."""
+        found, after_delay, rest = name, False, self.behaviours.get(name)
+        while rest is not None and rest[0] in ("name", "wait"):
+            if rest[0] == "wait":
+                if self.number(rest[1], {}) != 0:
+                    break
+                after_delay, rest = True, rest[2]
+            else:
+                found = rest[1] if after_delay else found
+                after_delay, rest = False, self.behaviours.get(rest[1])
+        return found
 
     def push(self, written: Any, env: dict) -> Fraction:
         """Reading I-36: what a split says of the impulse that drives the pieces apart."""

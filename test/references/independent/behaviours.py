@@ -10,22 +10,36 @@ def greatest(sites):
     return frozenset(s for s in sites if not any(s[0] == t[0] and s[1] < t[1] for t in sites))
 
 
-def canonical(b):
-    """eps(0).B is B, sums have no brackets, and no list of features is redundant."""
+def brought_up(name, written):
+    """The last name that an eps(0) brings up as a name unfolds, outside of sums (Eps0)."""
+    found, expired, b = name, False, written[name]
+    while b[0] == 'name' or b[0] == 'eps' and b[1] == 0:
+        if b[0] == 'eps':
+            expired, b = True, b[2]
+        else:
+            found, expired, b = b[1] if expired else found, False, written[b[1]]
+    return found
+
+
+def canonical(b, written=None):
+    """eps(0).B is B, sums have no brackets, and no list of features is redundant; with the definitions as they are
+    written for a term that may have an eps(0)."""
     kind = b[0]
-    if kind in ('nil', 'name'):
+    if kind == 'nil':
         return b
+    if kind == 'name':
+        return ('name', brought_up(b[1], written)) if written else b
     if kind == 'eps':
-        rest = canonical(b[2])
+        rest = canonical(b[2], written)
         return rest if b[1] == 0 else ('eps', b[1], rest)
     if kind == 'sum':
         summands = []
-        for s in map(canonical, b[1]):
+        for s in (canonical(s, written) for s in b[1]):
             summands.extend(s[1] if s[0] == 'sum' else [s])
         return ('sum', tuple(summands))
     if kind == 'strong':
-        return ('strong', frozenset((name, greatest(sites)) for name, sites in b[1]), canonical(b[2]))
-    return b[:-2] + (greatest(b[-2]), canonical(b[-1]))
+        return ('strong', frozenset((name, greatest(sites)) for name, sites in b[1]), canonical(b[2], written))
+    return b[:-2] + (greatest(b[-2]), canonical(b[-1], written))
 
 
 def offers(b, definitions):

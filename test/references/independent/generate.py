@@ -40,7 +40,7 @@ class Model:
         if self.cyclic and self.lively and self.aside.random() < 0.25:
             self.square()
         self.laws()
-        bodies = {n: c.canonical(b) for n, b in self.definitions.items()}
+        bodies = {n: c.canonical(b, self.definitions) for n, b in self.definitions.items()}
         self.calculus = c.Calculus(self.bodies, bodies, self.timestep,
                                    self.split_step or self.timestep, self.together, self.by_contact,
                                    self.cyclic)
@@ -399,7 +399,7 @@ class Model:
             leaves = []
             names = {b.name for b in group}
             for body in group:
-                b = c.canonical(self.behaviours[body.name])
+                b = c.canonical(self.behaviours[body.name], self.definitions)
                 leaves.append(c.Leaf(body.name, self.positions[body.name], b, b[1] if b[0] == 'name' else None))
             bonds = [(n, frozenset([x, y])) for n, x, y in self.bonds if x[0] in names]
             processes.append(self.calculus.process(self.velocities[group[0].name], leaves, bonds))
