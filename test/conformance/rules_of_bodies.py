@@ -80,6 +80,12 @@ def eps0():
             'offers(p, dock) and offers(q, ~dock)', True)
     r.outcomes('And binds.', cubes('eps(0). eps(0). <dock, {right}>. Done', 'Shut', text), [TIME],
                [binds('dock', 'p.right', 'q.left')])
+    named = behaviours(K='eps(0). Z', Far='K', Z='<dock, {right}>. K', Shut='<~dock, {left}>. nil', Other='Z')
+    for note, body in [('A name that it brings up is the origin at once,', 'K'), ('also through another name,', 'Far'),
+                       ('and after one more of them.', 'eps(0). K')]:
+        r.value(note, cubes(body, 'Shut', named), [], 'behaviour(p) = Z and not (behaviour(p) = K or behaviour(p) = Far)', True)
+    r.value('So it is where a prefix goes on to it.', cubes('K', 'Shut', named), [TIME, BIND], 'behaviour(p) = Z', True)
+    r.value('Without it a name for a name is the origin.', cubes('Other', 'Shut', named), [], 'behaviour(p) = Other', True)
     return r
 
 

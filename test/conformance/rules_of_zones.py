@@ -225,6 +225,14 @@ def times(r):
            (HIT, 'violated', part(1, 1, '-d < 0, d <= 1')))
     r.told('Of a range without 0 none has.', 'param d in (0, 1]\n' + meeting(*ready('eps(d).'), y='0', far='2'),
            (BIND, 'violated', NOWHERE), (HIT, 'holds', everywhere(1)))
+    named = 'behaviour K on Cube = eps(%s). Z\nbehaviour Z on Cube = nil\nprocess p = Cube mass 1 [K]\n'
+    r.told('Where an eps has the length 0, the name behind it is the origin at once, as it is later elsewhere.',
+           'param d in [0, 1]\n' + named % 'd', ('eventually behaviour(p) = Z', 'holds', everywhere(1)),
+           ('possibly behaviour(p) = K', 'violated', part(1, 1, '-d < 0, d <= 1')),
+           ('possibly (time = 0 and behaviour(p) = Z)', 'violated', part(0, 0, 'd = 0')))
+    r.told('So it is where two parameters coincide.', 'param d in [1, 2]\nparam e in [0, 1]\n' + named % 'd - e',
+           ('eventually behaviour(p) = Z', 'holds', everywhere(1)),
+           ('always behaviour(p) = Z', 'violated', part(0, 0, 'd = 1, e = 1')))
     r.told('Ready at d + (4 - e), met at 4: iff d <= e.',
            'param d in [0, 4]\nparam e in [0, 4]\n' + meeting(*ready('eps(d). eps(4 - e).'), y='0', far='6'),
            (BIND, 'violated', part(8, F(1, 2), '-d <= 0, e <= 4, d - e <= 0')))

@@ -1,0 +1,110 @@
+Where sets of starts meet their edges.
+
+A delay whose length may be 0 is over at once where it is, and what comes to be for each other length comes to be there:
+
+  $ cat > zero.sc <<'EOF'
+  > shape Cube = box(1,1,1)
+  > param u in [0, 1]
+  > behaviour K on Cube = eps(u). Z
+  > behaviour Z on Cube = nil
+  > process p = Cube mass 1 [K]
+  > check comes : eventually behaviour(p) = Z
+  > check some  : possibly behaviour(p) = Z
+  > check waits : possibly behaviour(p) = K
+  > EOF
+  $ scc check zero.sc --where 2>/dev/null | grep -E '^[a-z]+: [hv]|^    [uv]|everywhere|nowhere'
+  comes: holds (exhaustive, all u in [0, 1])
+    holds everywhere
+  some: holds (exhaustive, all u in [0, 1])
+    holds everywhere
+  waits: violated for u = 0
+      u > 0
+    probability 1, but not everywhere
+  $ for u in 0 1/3 1; do scc check zero.sc -D u=$u 2>/dev/null | grep '^[a-z]*: [hv]'; done
+  comes: holds (exhaustive)
+  some: holds (exhaustive)
+  waits: violated
+  comes: holds (exhaustive)
+  some: holds (exhaustive)
+  waits: holds (exhaustive)
+  comes: holds (exhaustive)
+  some: holds (exhaustive)
+  waits: holds (exhaustive)
+
+Likewise where two parameters coincide:
+
+  $ cat > face.sc <<'EOF'
+  > shape Cube = box(1,1,1)
+  > param u in [1, 2]
+  > param v in [0, 1]
+  > behaviour K on Cube = eps(u - v). Z
+  > behaviour Z on Cube = <a, {right}>. nil
+  > process p = Cube mass 1 [K]
+  > process q = Cube mass 1 velocity (-1,0,0) at translate (1+u, 0, 0) [<~a, {left}>. nil]
+  > check comes : eventually behaviour(p) = Z
+  > check early : possibly (time = 0 and behaviour(p) = Z)
+  > check late  : AG (event bind(a) => time >= u)
+  > check binds : eventually event bind(a)
+  > EOF
+  $ scc check face.sc --where | grep -E '^[a-z]+: [hv]|^    [uv]|everywhere|nowhere'
+  comes: holds (exhaustive, all u in [1, 2], v in [0, 1])
+    holds everywhere
+  early: violated for u = 3/2, v = 1/2
+      u = 1, v = 1 (no area)
+    probability 0, but not nowhere
+  late: holds (exhaustive, all u in [1, 2], v in [0, 1])
+    holds everywhere
+  binds: holds (exhaustive, all u in [1, 2], v in [0, 1])
+    holds everywhere
+  $ scc check face.sc -D u=1 -D v=1 | grep '^[a-z]*: [hv]'
+  comes: holds (exhaustive)
+  early: holds (exhaustive)
+  late: holds (exhaustive)
+  binds: holds (exhaustive)
+  $ scc check face.sc -D u=1 -D v=1/2 | grep '^[a-z]*: [hv]'
+  comes: holds (exhaustive)
+  early: violated
+  late: holds (exhaustive)
+  binds: holds (exhaustive)
+
+A bound of time that begins late: the run is judged, and shown, from then on.
+
+  $ cat > late.sc <<'EOF'
+  > shape Cube = box(1,1,1)
+  > param v in [1, 4]
+  > process p = Cube mass 1 velocity (1,0,0) [nil]
+  > process q = Cube mass 1 at translate (3,0,0) [eps(v). nil]
+  > check moves : EG[3, 5] vx(q) = 1
+  > check after : EG[3, 5] time >= 3
+  > EOF
+  $ scc check late.sc
+  semantics 2
+  
+  moves: holds (exhaustive, all v in [1, 4])
+    EG[3, 5] vx(q) = 1
+    a run that shows it:
+      1. time passes by 2, to time 2
+      2. p and q collide and bounce, at time 2
+      then time passes beyond the bound
+      vx(q) = 1 holds: vx(q) = 1
+      there:
+        p at (2, 0, 0) [nil], velocity (0, 0, 0)
+        q at (3, 0, 0) [nil], velocity (1, 0, 0)
+  
+  after: holds (exhaustive, all v in [1, 4])
+    EG[3, 5] time >= 3
+    a run that shows it:
+      1. time passes by 2, to time 2
+      2. p and q collide and bounce, at time 2
+      then time passes beyond the bound
+      time >= 3 holds: time = 4
+      there:
+        p at (2, 0, 0) [nil], velocity (0, 0, 0)
+        q at (3, 0, 0) [nil], velocity (1, 0, 0)
+  
+  explored: 9 states, 8 transitions, depth 3; complete
+  2 properties: 2 hold
+  $ sed -i 's/param .*/split_step any/; s/eps(v)/eps(2)/' late.sc
+  $ scc check late.sc | grep '^[a-z]*: [hv]'
+  moves: holds (exhaustive)
+  after: holds (exhaustive)
