@@ -213,6 +213,10 @@ LOTS = ('process p = Cube mass 1 [nil]\nmotion p = choose { (2,0,0), (0,0,2) wei
         'fixed a = Cube absorb at translate (4,1,0)\nfixed b = Cube absorb at translate (4,-1,0)\n'
         'fixed top = Cube absorb at translate (0,0,4)\n')
 
+# Lots at 1, 2, … until the bond is released; the behaviour Z comes by itself, without a transition.
+DECAY = ('split_step 1\nbehaviour Z on Cube = nil\nprocess p = Cube mass 1 [omega(a, {right}) chance 1/2. eps(1/2). Z]\n'
+         'process q = Cube mass 1 at translate (2,0,0) [omega(a, {left}). nil]\nbond <a, {p.right, q.left}>\n')
+
 
 def probability():
     r = Rule('Probability')
@@ -254,6 +258,15 @@ def expectation():
     r.verdict('More than 5.', RUIN, 'E >= 5 [ time U gone(p) ]', 'holds')
     r.verdict('Not 6.', RUIN, 'E < 6 [ time U gone(p) ]', 'holds')
     r.measured('What is chosen: which of two it hits.', LOTS, 'E = ? [ event absorb(p, a) U gone(p) ]', least=0, greatest='1/4')
+    r.measured('The transition that leads to g is counted.', DECAY, 'E = ? [ event weak U event weak ]', least=1, greatest=1)
+    r.measured('And so are lots, each, whatever becomes of them.', DECAY, 'E = ? [ not event weak U event weak ]', least=2,
+               greatest=2)
+    r.measured('The passing of time is not, nor what comes after g.', DECAY, 'E = ? [ not event bind U behaviour(p) = Z ]',
+               least=3, greatest=3)
+    r.measured('Nothing is, where g holds from the start.', DECAY, 'E = ? [ not event bind U bound(p, q) ]', least=0, greatest=0)
+    r.measured('Draws are counted.', RUIN, 'E = ? [ not event weak U time > 3/2 ]', least=2, greatest=2)
+    r.measured('Until g begins: x(p) > 1 after 1.', cubes(), 'E = ? [ time U x(p) > 1 ]', least=1, greatest=1)
+    r.measured('After all that happens at that instant.', cubes(), 'E = ? [ vx(p) at 2 ]', least=0, greatest=0)
     return r
 
 

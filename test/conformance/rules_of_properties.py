@@ -10,6 +10,24 @@ SHUTTLE = ('fixed l = Cube at translate (-4,0,0)\nfixed r = Cube at translate (4
            'process p = Cube mass 1 velocity (1,0,0) [nil]\n')
 
 
+def graph():
+    r = Rule('Graph')
+    r.verdict('The end of a trajectory is a state: p is there, and nothing has happened yet.', cubes(),
+              'EF (x(p) = 2 and vx(p) = 1 and EX vx(p) = 0)', 'holds')
+    r.verdict('The state after it is another position of the same instant.', cubes(),
+              'AG (event bounce(p, q) => x(p) = 2 and vx(p) = 0)', 'holds')
+    r.verdict('Inside a trajectory nothing can happen: the bounce is next.', cubes(),
+              'AG (x(p) > 0 and x(p) < 2 => AX event bounce(p, q))', 'holds')
+    r.verdict('What is true in a state need not be so right after it.', cubes(),
+              'EF (event bounce(p, q) and EX true)', 'violated')
+    r.verdict('At the instant of the last state there is no other position after it.', cubes(),
+              'EF (event bounce(p, q) and EF[0, 0] not event bounce(p, q))', 'violated')
+    r.verdict('A position that is no state.', cubes(), 'EF[1, 1] x(p) = 1', 'holds')
+    r.verdict('A trajectory that lasts for ever has all positions of it.', cubes(v='(-1,0,0)'), 'EF[1000, 1000] x(p) = -1000',
+              'holds')
+    return r
+
+
 def state():
     r = Rule('State')
     r.verdict('A run that comes back is recognised.', SHUTTLE, 'AG AF x(p) = 0', 'holds')
@@ -179,6 +197,11 @@ def until():
               cubes(v='(1,0,0)', at='(40,0,0)'), 'A[ x(p) <= 2 U x(p) > 2 ]', 'violated')
     r.verdict('f holds where the interval begins, and a little longer.', cubes(v='(1,0,0)', at='(40,0,0)'),
               'A[ x(p) <= 3 U x(p) > 2 ]', 'holds')
+    r.verdict('It begins in a state, where f holds, and f goes on to hold.', cubes(v='(1,0,0)', at='(40,0,0)'),
+              'E[ x(p) >= 0 U x(p) > 0 ]', 'holds')
+    r.verdict('f holds in that state alone.', cubes(v='(1,0,0)', at='(40,0,0)'), 'E[ x(p) = 0 U x(p) > 0 ]', 'violated')
+    r.verdict('For a run that begins inside, g is enough.', cubes(v='(1,0,0)', at='(40,0,0)'),
+              'AG (x(p) > 0 => A[ false U x(p) > 0 ])', 'holds')
     r.verdict('g never.', dock(), 'E[ true U x(p) > 1000000 and not bound(p, q) ]', 'violated')
     r.verdict('On some run the bond stays.', bonded(RELEASE, 'K', 'L'), 'EG bound(p, q)', 'holds')
     r.verdict('On some it does not.', bonded(RELEASE, 'K', 'L'), 'AG bound(p, q)', 'violated')
@@ -306,6 +329,6 @@ def drift():
 
 
 def suites():
-    return [f() for f in (state, jump, quiescent, instants, verdict, zeno, run, dead_end, event, leads_to, next_, until, intervals,
+    return [f() for f in (graph, state, jump, quiescent, instants, verdict, zeno, run, dead_end, event, leads_to, next_, until, intervals,
                           truncated, symmetry, translation, order, slice_, absolute_time,
                           drift)]
