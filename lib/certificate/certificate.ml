@@ -67,19 +67,23 @@ let numbers t (location : Invariant.location) (z : Zone.t) ~middle (result : Sta
   { z with skeleton = location.skeleton; ages = all age z.ages; clocks = all clock z.clocks;
            places = Array.of_list (List.map place leaves) }
 
-(* The ages may be longer than what they lead to: then they are not those. *)
-let state_at t z point =
-  match Cloud.state t.model z point with s -> Some s | exception Scc_base.Bug.Bug _ -> None
+(* The ages may be longer than what they lead to, and a location may have what is left of a delay that is over at
+   these points: then they are not those. *)
+let if_possible make = match make () with x -> Some x | exception Scc_base.Bug.Bug _ -> None
 
 let is_in t (location, (all : Zone.t)) z points (results : State.t list) =
-  let candidate = numbers t location z ~middle:(List.hd points) (List.hd results) in
-  let same point result =
+  let same candidate point result =
     let tidy = Cloud.tidy (Semantics.model (semantics_at t z point)).definitions in
-    Option.fold ~none:false ~some:(fun s -> State.equal (tidy result) (tidy s)) (state_at t candidate point)
+    match if_possible (fun () -> Cloud.state t.model candidate point) with
+    | Some s -> State.equal (tidy result) (tidy s)
+    | None -> false
   in
-  List.for_all2 same points results
-  && Polyhedron.included z.Zone.set
-    (Polyhedron.preimage all.set ~dimension:(Zone.dimension z) (Zone.coordinates candidate))
+  match if_possible (fun () -> numbers t location z ~middle:(List.hd points) (List.hd results)) with
+  | None -> false
+  | Some candidate ->
+    List.for_all2 (same candidate) points results
+    && Polyhedron.included z.Zone.set
+      (Polyhedron.preimage all.set ~dimension:(Zone.dimension z) (Zone.coordinates candidate))
 
 (* That what becomes of the states of a cloud is in the invariant: it is known at the points of {!Cloud.points}. *)
 let land_in t z ~what ~arrived points results =

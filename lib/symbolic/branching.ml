@@ -91,9 +91,26 @@ let exists_globally m g =
   in
   { at; along = Array.init (Array.length at) along }
 
-(* {1 Formulas} *)
+(* EX f: the first event leads to f, however much time passes before, to the end of a stretch or of several. *)
+let exists_next m f =
+  let step at _ n =
+    let of_stretch u s =
+      let halted = project (halts n s f.at) ~dimension:(Zone.dimension n.it.zone) in
+      union u (union halted (ends n s at))
+    in
+    List.fold_left of_stretch (at_once n f.at) n.stretches
+  in
+  let at = iterate m (none m) step in
+  let along n =
+    let of_stretch s =
+      let bad = Union.empty (Zone.dimension s.zone) in
+      union (reach s ~bad (halts n s f.at)) (extend_over s (ends n s at))
+    in
+    List.map of_stretch n.stretches
+  in
+  { at; along = Array.map along m.nodes }
 
-let everything m = of_prop m (Property.Bool true)
+(* {1 Formulas} *)
 
 (* The states right after which the set is there: on an open interval that begins with them. *)
 let right_before m s =
@@ -124,15 +141,17 @@ let unbounded (b : Property.bound) = Rat.sign b.low = 0 && b.high = None
 
 (* {2 What decides a formula}
 
-   That some run exists: one that comes to a goal, or one that goes on for ever. *)
+   That some run exists: one that comes to a goal, by its next event or by any, or one that goes on for ever. *)
 
 type search =
   | Comes of { before : sets; goal : sets }  (** to the goal, through states of [before] *)
   | Stays of sets  (** for ever in such states *)
+  | Leads of sets  (** to them, by its next event *)
 
 let solve m = function
   | Comes { before; goal } -> exists_until m before goal
   | Stays states -> exists_globally m states
+  | Leads goal -> exists_next m goal
 
 type quantified = { holds_if_any : bool; searches : (search * sets) list }
 
@@ -181,9 +200,10 @@ and compute t ~outermost (f : Property.temporal) =
   | Temporal_or fs ->
     let fails u f = map2 inter u (complement m (eval t ~outermost f)) in
     (complement m (List.fold_left fails (everything m) fs), None)
-  | Finally (Chance _, _, _) | Globally (Chance _, _, _) | Until (Chance _, _, _, _) ->
+  | Next (Chance _, _) | Finally (Chance _, _, _) | Globally (Chance _, _, _) | Until (Chance _, _, _, _) ->
     not_known "a probability, over all starts and instants"
-  | Next _ -> not_known "what is next, where time may halt at any instant"
+  | Next (Exists, f) -> quantified true [ Leads (inner f) ]
+  | Next (All, f) -> quantified false [ Leads (complement m (inner f)) ]
   | Finally (Exists, b, f) -> quantified true [ Comes { before = everything m; goal = within b f } ]
   | Finally (All, b, f) -> quantified false [ Stays (complement m (within b f)) ]
   | Globally (All, b, f) ->

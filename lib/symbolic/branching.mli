@@ -1,6 +1,6 @@
-(** Formulas of timed CTL on a graph of zones: for which values of the parameters they hold (rules Run and
-    Instants). Sets of states are computed backwards over the edges, exactly: what is true strictly between two
-    events is a set of states of the trajectory, over one variable more. *)
+(** Formulas of timed CTL on a graph of zones: for which values of the parameters they hold (rules Run, Instants,
+    Next and Until). Sets of states are computed backwards over the edges, exactly: what is true strictly between
+    two events is a set of states of the trajectory, over one variable more. *)
 
 open Scc_polyhedra
 open Scc_property
@@ -11,7 +11,7 @@ type t
 val holds : Instant.context -> Atoms.context -> Zone_graph.t -> Property.temporal -> (t * Union.t, string) result
 (** Of a graph in which all is known up to the latest bound of the formula ({!Plan.horizon}): the values for which
     it holds at the start. The error says why it is not known: a number that is not linear, a bound of time within
-    another operator, the operator X, or sets that do not come to rest. *)
+    another operator, a probability, or sets that do not come to rest. *)
 
 (** {1 What decides a formula}
 
@@ -28,6 +28,7 @@ type search =
   | Comes of { before : State_sets.sets; goal : State_sets.sets }
   (** that comes to the goal, with states of [before] until then *)
   | Stays of State_sets.sets  (** with such states alone, for ever, or until the horizon *)
+  | Leads of State_sets.sets  (** of which the next event leads to these states, however late it is *)
 
 type quantified = {
   holds_if_any : bool;  (** the operator holds where there is any of these runs; else it does not hold there *)

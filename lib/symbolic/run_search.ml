@@ -74,16 +74,16 @@ let splits rule w =
   in
   List.concat_map of_split (node rule w).splits
 
-let moves rule w =
-  let n = node rule w in
-  let of_walk w =
-    let happens = if w.inside = None then List.filter_map (follow w) n.happens else [] in
-    let passes (_, s, bad, _) =
-      List.concat_map (fun w -> List.filter_map (follow w) n.passes) (to_end w s bad)
-    in
-    happens @ List.concat_map passes (stretches rule w) @ splits rule w
+let happens rule w = if w.inside = None then List.filter_map (follow w) (node rule w).happens else []
+
+let passes rule w =
+  let of_stretch (_, s, bad, _) =
+    List.concat_map (fun w -> List.filter_map (follow w) (node rule w).passes) (to_end w s bad)
   in
-  List.concat_map of_walk (among rule.before w)
+  List.concat_map of_stretch (stretches rule w)
+
+let moves rule w =
+  List.concat_map (fun w -> happens rule w @ passes rule w @ splits rule w) (among rule.before w)
 
 (* {1 Where a run ends} *)
 
@@ -104,6 +104,9 @@ let right_after m states w = onward (rule m states) states w
 
 let comes rule goal w =
   List.map (fun w -> (w, There)) (among goal w @ List.concat_map (onward rule goal) (among rule.before w))
+
+let leads rule goal w =
+  List.map (fun w -> (w, There)) (List.concat_map (among goal) (happens rule w @ splits rule w))
 
 let stays rule ~high w =
   let n = node rule w in
@@ -158,8 +161,8 @@ let closes (w : walk) passed ~takes_time =
 
 let first_of list = match list with [] -> None | x :: _ -> Some x
 
-(* Breadth-first. Runs that come to where others came before are not followed, unless [again]. *)
-let breadth_first rule ~win ~ends ~round ~again from =
+(* Breadth-first, by some moves. Runs that come to where others came before are not followed, unless [again]. *)
+let breadth_first rule ~moves ~win ~ends ~round ~again from =
   let seen = Array.map (fun n -> Union.empty (Zone.dimension n.it.zone)) rule.m.nodes in
   let waiting = Queue.create () and left = ref (if again then most_again else most_walks) in
   let at_one_instant = ref None and goes_on = ref None in
@@ -205,11 +208,17 @@ let some_run m search ~win ~high from =
   match (search : Branching.search) with
   | Comes { before; goal } ->
     let rule = rule m before in
-    let found, _, _ = breadth_first rule ~win ~ends:(comes rule goal) ~round:false ~again:false from in
+    let ends = comes rule goal in
+    let found, _, _ = breadth_first rule ~moves ~win ~ends ~round:false ~again:false from in
+    found
+  | Leads goal ->
+    let rule = rule m (everything m) in
+    let ends = leads rule goal in
+    let found, _, _ = breadth_first rule ~moves:passes ~win ~ends ~round:false ~again:false from in
     found
   | Stays states -> (
       let rule = rule m states in
-      let look again = breadth_first rule ~win ~ends:(stays rule ~high) ~round:true ~again from in
+      let look again = breadth_first rule ~moves ~win ~ends:(stays rule ~high) ~round:true ~again from in
       let first, at_one_instant, goes_on = look false in
       match (first, at_one_instant) with
       | (Some _ as found), _ | None, (Some _ as found) -> found

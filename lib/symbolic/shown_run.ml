@@ -52,8 +52,10 @@ let told (f : Property.temporal) search =
   | Globally (Exists, b, g), _ -> (along b g true, [], b)
   | Until (Exists, _, f, g), _ -> (along always f true, [ (g, true) ], always)
   | Until (All, b, _, g), Stays _ -> (along b g false, [], b)
-  | Until (All, b, f, g), Comes _ -> (along b g false, [ (f, false) ], b)
-  | ( ( State _ | Temporal_not _ | Temporal_and _ | Temporal_or _ | Next _ | Finally (Chance _, _, _)
+  | Until (All, b, f, g), (Comes _ | Leads _) -> (along b g false, [ (f, false) ], b)
+  | Next (Exists, g), _ -> (None, [ (g, true) ], always)
+  | Next (All, g), _ -> (None, [ (g, false) ], always)
+  | ( ( State _ | Temporal_not _ | Temporal_and _ | Temporal_or _ | Next (Chance _, _) | Finally (Chance _, _, _)
       | Globally (Chance _, _, _) | Until (Chance _, _, _, _) ),
       _ ) ->
     Scc_base.Bug.fail __POS__ "no operator that a run decides"
@@ -119,7 +121,7 @@ and by_run b w formula holds (q : Branching.quantified) =
   | Some (search, along, parts, (reached, finish)) ->
     let last, more, parts =
       match search with
-      | Branching.Comes _ -> goal_parts b reached formula parts
+      | Branching.Comes _ | Leads _ -> goal_parts b reached formula parts
       | Stays _ -> (reached, None, [])
     in
     let goal = match parts with first :: _ -> first.spot | [] -> spot reached in

@@ -109,6 +109,8 @@ let of_prop m prop =
   let along n s = look s.zone ~passing:true ~quiescent:(if rests n s then [ s.zone.set ] else []) in
   { at = Array.map at m.nodes; along = Array.map (fun n -> List.map (along n) n.stretches) m.nodes }
 
+let everything m = of_prop m (Scc_property.Property.Bool true)
+
 (* {1 Backwards} *)
 
 (* From where an edge leads into a set of its target. *)

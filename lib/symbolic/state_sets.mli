@@ -40,6 +40,7 @@ val of_graph : Instant.context -> Atoms.context -> Zone_graph.t -> model
 val of_prop : model -> Property.prop -> sets
 (** Where a predicate is true; {!Not_known} where it is undecided somewhere. *)
 
+val everything : model -> sets
 val complement : model -> sets -> sets
 val map2 : (Union.t -> Union.t -> Union.t) -> sets -> sets -> sets
 (** Set by set. *)

@@ -116,6 +116,12 @@ let ends r (goal : Shown_run.spot) finish ~(bound : Property.bound) =
       | Some d, Some h -> Rat.compare (Rat.add (clock r goal.steps) d) h > 0
       | Some _, None -> false)
 
+(* The next event is the last step to the goal. *)
+let is_next r (from : Shown_run.spot) (goal : Shown_run.spot) =
+  let is_event k = not (Transition.is_time r.steps.(k).transition.label) in
+  let events = List.filter is_event (List.init (goal.steps - from.steps) (fun i -> from.steps + i)) in
+  events = [ goal.steps - 1 ] && goal.since = None
+
 let rec claim r (c : Shown_run.claim) =
   match (Formula.state_formula c.formula, c.because) with
   | Some prop, _ -> at r c.spot (Rename.known r.values prop) ~holds:c.holds
@@ -128,4 +134,5 @@ let rec claim r (c : Shown_run.claim) =
       | Some prop -> on_the_way r c.spot until finish (Rename.known r.values prop) ~so:a.so ~bound:a.bound
       | None -> true
     in
-    Option.fold ~none:true ~some:way along && ends r goal finish ~bound && List.for_all (claim r) parts
+    let next = match c.formula with Next _ -> is_next r c.spot goal | _ -> true in
+    next && Option.fold ~none:true ~some:way along && ends r goal finish ~bound && List.for_all (claim r) parts

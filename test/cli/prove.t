@@ -189,3 +189,19 @@ A delay that leads to itself goes on for ever, and a bond may be released at any
   order: holds (proved by an invariant, all instants)
   near: violated
   invariant: 8 kinds of states that no run leaves, checked afresh
+
+A delay that is known for some values only, beside one that may be over before it:
+
+  $ cat > beside.sc <<'E'
+  > param u in (0, 3)
+  > shape Cube = box(1,1,1)
+  > process p = Cube mass 1 [eps(u). eps(1/2). nil + eps(1/2). <a, {top}>. nil]
+  > check stays : always x(p) < 6
+  > E
+  $ scc check beside.sc --prove | sed '/^semantics/,/^$/d'
+  stays: holds (proved by an invariant, all u in (0, 3))
+    always x(p) < 6
+  
+  invariant: 6 kinds of states that no run leaves, checked afresh
+  explored: 1 state, 0 transitions, depth 0; not complete: every property was decided before
+  1 property: 1 holds

@@ -208,6 +208,21 @@ MISTAKES = {
         "union for_ever (union (late n s) (ends n s at))",
         "union for_ever (union (late n s) (ignore at; some s.region))",
     ),
+    "what is next comes before time passes": (
+        "branching.ml",
+        "union u (union halted (ends n s at))",
+        "(ignore at; union u halted)",
+    ),
+    "no bond is released before what is next": (
+        "branching.ml",
+        "union (reach s ~bad (halts n s f.at)) (extend_over s (ends n s at))",
+        "(ignore bad; extend_over s (ends n s at))",
+    ),
+    "what is next may be what comes after it": (
+        "run_search.ml",
+        "breadth_first rule ~moves:passes ~win",
+        "breadth_first rule ~moves ~win",
+    ),
     # Runs that are shown of formulas: they are looked at again before, and by the tests.
     "a run passes by what it must not": (
         "run_search.ml",

@@ -94,6 +94,48 @@ check first : E[(x(ball) < 1/2 or x(ball) > 1 or not bound(p, q)) U event bounce
         ("apart", "violated: right after after 0");
         ("first", "holds: there after 3");
       ];
+    (* the ball is at 2 at the time 2, when it may bounce or the bond be released, and at the beginning at 0 *)
+    case "what is next, at any time"
+      (dimer
+       ^ {|process ball = Cube mass 1 velocity (1,0,0) [nil]
+fixed west = Cube at translate (-4,0,0) [nil]
+fixed east = Cube at translate (4,0,0) [nil]
+let parts = event weak(b, p, q)
+check some_time : EX (parts and x(ball) > 1 and x(ball) < 3/2)
+check at_once   : EX (parts and x(ball) = 0)
+check at_bounce : EX (parts and x(ball) = 2)
+check bounces   : EX event bounce(ball, east)
+check all       : AX event bounce(ball, east)
+check too_late  : EX (parts and x(ball) < 0)
+let there = x(ball) > 1 and vx(ball) > 0 and bound(p, q)
+check late      : AG (there => EX (parts and x(ball) < 3/2))
+check in_time   : AG (there and x(ball) < 3/2 => EX (parts and x(ball) < 3/2))
+|})
+      [
+        ("some_time", "holds: there after 2");
+        ("at_once", "holds: there after 1");
+        ("at_bounce", "holds: there after 2");
+        ("bounces", "holds: there after 2");
+        ("all", "violated: there after 1");
+        ("too_late", "violated: no run");
+        ("late", "violated: during after 0");
+        ("in_time", "holds: no run");
+      ];
+    (* the bond may be released at 0, 1 and 2 as well, and is not *)
+    case "what is next, on a grid"
+      ({|split_step 1
+behaviour L on Cube = omega(b, {right}). nil
+behaviour R on Cube = omega(b, {left}). nil
+process p = Cube mass 1 at translate (0,20,0) [L]
+process q = Cube mass 1 at translate (2,20,0) [R]
+bond <b, {p.right, q.left}>
+process ball = Cube mass 1 velocity (1,0,0) [nil]
+fixed west = Cube at translate (-4,0,0) [nil]
+fixed east = Cube at translate (4,0,0) [nil]
+check bounces : EX event bounce(ball, east)
+check second  : EX (event weak and EX event bounce(ball, east))
+|})
+      [ ("bounces", "holds: there after 3"); ("second", "holds: there after 3") ];
     (* before p and q part, r and s have to *)
     case "two bonds"
       (dimer

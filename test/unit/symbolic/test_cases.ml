@@ -346,6 +346,35 @@ check at_1 : possibly (event weak(b) and time = 1) within 1
       [ holds "at_1" [ [ is_0 [ 1 ] Rat.zero ]; [ is_0 [ 1 ] (int (-1)) ] ] Rat.zero ];
   ]
 
+(* p hits its wall after 2 + g, and r its own after 4: which comes first, or either at g = 2. *)
+let next =
+  [
+    case "what is next"
+      {|param g in [0, 4]
+fixed east = Cube at translate (4 + g,0,0)
+fixed north = Cube at translate (0,26,0)
+process p = Cube mass 1 velocity (1,0,0) at translate (0,0,0) [nil]
+process r = Cube mass 1 velocity (0,1,0) at translate (0,20,0) [nil]
+check some   : EX event bounce(p, east)
+check all    : AX event bounce(p, east)
+check second : EX EX event bounce(p, east)
+check third  : EX EX EX true
+check later  : E[x(p) < 1 U x(p) >= 1 and EX event bounce(p, east)]
+check inside : AG (x(p) > 1 and x(p) < 2 and vx(p) > 0 => AX event bounce(p, east))
+|}
+      [
+        holds "some" [ [ at_least_0 [ -1 ] (int 2) ] ] (q 1 2);
+        holds "all" [ [ positive [ -1 ] (int 2) ] ] (q 1 2);
+        holds "second" [ [ at_least_0 [ 1 ] (int (-2)) ] ] (q 1 2);
+        nowhere "third";
+        holds "later" [ [ at_least_0 [ -1 ] (int 2) ] ] (q 1 2);
+        holds "inside" [ [ positive [ -1 ] (int 2) ] ] (q 1 2);
+      ];
+  ]
+
 let suite =
   ("sets of parameters by hand",
-   [ ("meetings", meetings); ("times", times); ("ties", ties); ("splits", splits); ("runs", Runs_by_hand.cases) ])
+   [
+     ("meetings", meetings); ("times", times); ("ties", ties); ("splits", splits); ("next", next);
+     ("runs", Runs_by_hand.cases);
+   ])
