@@ -12,6 +12,7 @@ import numpy as np
 
 from ._files import BadFile, CannotKeep, Folder
 from ._shard import CHOICES, Expanded, Found, Shard, owner_of
+from ._waiting import ClusterFailed, answers
 from .successors import FilterFailed
 
 #: Paths with more transitions than this may go on for ever within one instant.
@@ -21,14 +22,6 @@ MOST_TRIES = 20
 #: So many seconds may pass before what was found is kept.
 LONG = 1.0
 MANIFEST = "manifest.json"
-
-
-class ClusterFailed(Exception):
-    """The check came to no end. ``code`` is the exit code of ``scc-cluster``."""
-
-    def __init__(self, message: str, code: int):
-        super().__init__(message)
-        self.code = code
 
 
 @dataclass
@@ -132,7 +125,7 @@ class Exploration:
 
     def get(self, futures: Sequence[Any]) -> List[Any]:
         try:
-            return list(self.ray.get(list(futures)))
+            return answers(self.ray, futures)
         except self.ray.exceptions.RayTaskError as e:
             cause = e.cause if isinstance(e.cause, Exception) else e
             if isinstance(cause, (self.ray.exceptions.ObjectLostError, self.ray.exceptions.RayActorError)):

@@ -13,7 +13,8 @@ import subprocess
 from dataclasses import dataclass, replace
 from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence, Set
 from ._files import BadFile, Folder
-from ._levels import MOST_TRIES, ClusterFailed
+from ._levels import MOST_TRIES
+from ._waiting import ClusterFailed, ready
 from .successors import scc_path
 
 #: More parts than anybody has tasks: the first of them is empty, and tells the first line.
@@ -197,7 +198,7 @@ class Spread:
                 disturb(self)
             for turn in range(self.parts):
                 while turn in left:
-                    for future in self.ray.wait(list(futures), num_returns=1)[0]:
+                    for future in ready(self.ray, list(futures)):
                         part = futures.pop(future)
                         done = self.got(part, future)
                         if done is None:

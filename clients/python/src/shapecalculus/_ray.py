@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from typing import Any, Dict, Iterator, List, Optional
 
 from ._files import BadFile, CannotKeep
-from ._levels import ClusterFailed
+from ._waiting import ClusterFailed
 from .successors import FilterFailed
 
 

@@ -11,9 +11,9 @@ from typing import Any, Callable, List, Mapping, Optional, Sequence
 
 from . import numbers
 from ._files import Folder
-from ._levels import ClusterFailed
 from ._parts import Done, PartsProgress, Spread, Work, header, run, without_name
 from ._ray import Gauges, connect, told
+from ._waiting import ClusterFailed
 from .sweeps import Record, sweep_records
 from .successors import scc_path
 
