@@ -2,9 +2,9 @@
 
 The work is done by a process of its own, the *worker*. It hands over what it writes, and at last its verdict, by a
 pipe that nobody else has. The guard alone has the standard output, and alone decides on the exit code. So it does not
-matter how the worker ends, what it or a library prints, or which of its descriptors are closed: without a verdict, and
-all output before it written, there is none. The guard hears SIGINT, SIGTERM and SIGHUP at any time, and ends the worker
-and all processes that it has started. If the guard is lost, they end as well. Knows nothing of shapes, nor of Ray.
+matter how the worker ends, what a library prints, or which of its descriptors are closed: without a verdict, and
+all output before it written, there is none. The guard hears SIGINT, SIGTERM and SIGHUP at any time. Then, and at
+the end, it ends the worker and all processes that it has started. If the guard is lost, they end as well.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ class ReaderGone(Exception):
 def told(e: BaseException, advice: str) -> Tuple[int, str]:
     """The exit code of an exception, and what is said of it."""
     if isinstance(e, Failed):
-        return e.code, str(e)
+        return (FAULT if e.code in VERDICTS else e.code), str(e)
     if isinstance(e, (KeyboardInterrupt, Interrupted)):
         return STOPPED, "interrupted" + advice
     if isinstance(e, ReaderGone):
@@ -126,7 +126,7 @@ class _StandardError(io.RawIOBase):
 
 
 def printed() -> Any:
-    return io.TextIOWrapper(_StandardError(), "utf-8", "backslashreplace", write_through=True)  # type: ignore[type-var]
+    return io.TextIOWrapper(_StandardError(), "utf-8", "backslashreplace", write_through=True)
 
 
 # The worker ---------------------------------------------------------------------------

@@ -12,13 +12,11 @@ import numpy as np
 
 from ._files import BadFile, CannotKeep, Folder
 from ._shard import CHOICES, Expanded, Found, Shard, owner_of
-from ._waiting import ClusterFailed, answers
-from .successors import FilterFailed
+from ._waiting import MOST_TRIES, ClusterFailed, answers
+from .successors import FilterFailed, FilterLost
 
 #: Paths with more transitions than this may go on for ever within one instant.
 MOST_LEVELS = 10_000
-#: Owners that are lost so often in one level are no accident.
-MOST_TRIES = 20
 #: So many seconds may pass before what was found is kept.
 LONG = 1.0
 MANIFEST = "manifest.json"
@@ -128,7 +126,7 @@ class Exploration:
             return answers(self.ray, futures)
         except self.ray.exceptions.RayTaskError as e:
             cause = e.cause if isinstance(e.cause, Exception) else e
-            if isinstance(cause, (self.ray.exceptions.ObjectLostError, self.ray.exceptions.RayActorError)):
+            if isinstance(cause, (self.ray.exceptions.ObjectLostError, self.ray.exceptions.RayActorError, FilterLost)):
                 raise Lost(str(cause)) from None
             if isinstance(cause, (FilterFailed, BadFile)):
                 raise ClusterFailed(str(cause), 3) from None

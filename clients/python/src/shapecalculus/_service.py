@@ -19,6 +19,11 @@ _CHUNK = 1 << 18
 _LONGEST_WAIT = 1_000_000
 
 
+def scc_path(scc: Optional[str]) -> str:
+    """The program: the one that is named, or that of the environment variable SCC, or the one that PATH finds."""
+    return scc or os.environ.get("SCC") or "scc"
+
+
 class Service:
     """One process of ``command``. ``timeout`` (seconds) bounds each wait for an answer; None or infinity: for ever."""
 

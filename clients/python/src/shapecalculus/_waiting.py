@@ -8,6 +8,8 @@ from ._guard import STOPPED, Failed
 
 #: Seconds after which it is asked whether anything is left to wait for.
 LONG = 5.0
+#: What is lost so often, an owner in one level or a task, is no accident.
+MOST_TRIES = 20
 
 
 class ClusterFailed(Failed):

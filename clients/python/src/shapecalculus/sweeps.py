@@ -10,6 +10,7 @@ from fractions import Fraction
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Union
 
 from . import numbers
+from ._service import scc_path
 from .errors import ServiceError
 
 #: One line of a table: the parameters by their names, and ``check``, ``verdict``, ``low``, ``high``, ``least_low``,
@@ -74,7 +75,7 @@ def sweep(
     """Checks the model in a file with each combination of values of its parameters, those of the last one fastest, by
     ``jobs`` processes: see ``sweep_records``. ``options`` go to ``scc sweep`` as they are, such as ``["--states",
     "10000"]``. ServiceError where there is no table, with what scc says."""
-    command = [scc or os.environ.get("SCC") or "scc", "sweep", os.fspath(model), "--format", "jsonl"]
+    command = [scc_path(scc), "sweep", os.fspath(model), "--format", "jsonl"]
     command += ["--jobs", str(numbers.integer(jobs)), *options]
     for name, values in grid.items():
         command += ["-D", "%s=%s" % (name, ",".join(str(numbers.to_json(value)) for value in values))]
