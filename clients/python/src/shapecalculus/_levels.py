@@ -12,7 +12,7 @@ import numpy as np
 
 from ._files import BadFile, CannotKeep, Folder
 from ._shard import CHOICES, Expanded, Found, Shard, owner_of
-from ._waiting import MOST_TRIES, ClusterFailed, answers
+from ._waiting import MOST_TRIES, ClusterFailed, answers, first_line
 from .successors import FilterFailed, FilterLost
 
 #: Paths with more transitions than this may go on for ever within one instant.
@@ -170,7 +170,7 @@ class Exploration:
                 return work()
             except Lost as e:
                 lost = e
-        raise ClusterFailed("owners are lost again and again: %s" % str(lost).strip().splitlines()[0], 4)
+        raise ClusterFailed("owners are lost again and again: %s" % first_line(str(lost)), 4)
 
     def start(self) -> None:
         """All owners with the initial state; nothing is kept yet."""

@@ -17,7 +17,7 @@ from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence, Set
 from ._files import BadFile, Folder
 from ._guard import FAULT, LIMITS, STOPPED, VERDICTS
 from ._service import scc_path
-from ._waiting import MOST_TRIES, ClusterFailed, ready
+from ._waiting import MOST_TRIES, ClusterFailed, first_line, ready
 
 #: More parts than anybody has tasks: the first of them is empty, and tells the first line.
 NO_PART = "1/1000000000000000"
@@ -207,7 +207,7 @@ class Spread:
         self.tries[part] = self.tries.get(part, 0) + 1
         if self.tries[part] >= most:
             raise ClusterFailed(
-                "part %d is lost again and again: %s" % (part + 1, without_name(why).splitlines()[0]), 4
+                "part %d is lost again and again: %s" % (part + 1, first_line(without_name(why))), 4
             )
 
     def run(

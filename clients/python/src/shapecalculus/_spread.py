@@ -14,7 +14,7 @@ from ._parts import Done, PartsProgress, Spread, Work, failed, header, run, unde
 from ._service import scc_path
 from ._ray import Gauges, connect, told
 from ._waiting import ClusterFailed
-from .sweeps import Record, sweep_records
+from .sweeps import Record, lines_of, sweep_records
 
 
 @dataclass
@@ -203,4 +203,4 @@ def sweep(
         "%s=%s" % (name, ",".join(str(numbers.to_json(v)) for v in values)) for name, values in grid.items()
     ]
     swept(model, defines, where, pieces.append, form="jsonl", options=options, scc=scc)
-    return sweep_records(b"".join(pieces).decode().splitlines())
+    return sweep_records(lines_of(b"".join(pieces)))

@@ -16,6 +16,10 @@ class ClusterFailed(Failed):
     """The work came to no end. ``code`` is the exit code of ``scc-cluster``."""
 
 
+def first_line(text: str) -> str:
+    return (text.strip().splitlines() or ["nothing is said of it"])[0]
+
+
 def look(ray: Any) -> None:
     """ClusterFailed where the node that this process works through is lost."""
     mine = ray.get_runtime_context().get_node_id()

@@ -44,7 +44,7 @@ _to_json = json.JSONEncoder(separators=(",", ":"), ensure_ascii=True, allow_nan=
 def _read(line: bytes) -> Any:
     try:
         return json.loads(line)
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise ServiceError("the service says what is no JSON: %r" % line[:200]) from error
 
 
@@ -262,8 +262,12 @@ class Oracle:
             raise
         except Exception:
             # A mistake in what is sent: let the answers that are still to come be nobody's.
-            for _ in on_their_way:
-                service.receive()
+            try:
+                for _ in on_their_way:
+                    service.receive()
+            except BaseException:
+                service.close()
+                raise
             raise
         except BaseException:
             service.close()
