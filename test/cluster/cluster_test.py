@@ -11,6 +11,7 @@ from ray.cluster_utils import Cluster
 from shapecalculus import cluster
 
 import explorations
+import losses
 import spreading
 import standing
 import support
@@ -64,6 +65,8 @@ def main():
     scc = os.path.abspath(sys.argv[1])
     times = 4 if '--quick' in sys.argv else 20
     os.environ['RAY_IGNORE_UNHANDLED_ERRORS'] = '1'
+    # A shell that starts this beside other work lets it ignore Ctrl-C, and so would all that is started here.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
     def here(test, *arguments):
         """With a cluster of this process."""
@@ -84,6 +87,7 @@ def main():
         'addresses': lambda: troubles.addresses(scc),
         'checkpoints': lambda: troubles.checkpoints(scc),
         'interrupted': lambda: troubles.interrupted(scc),
+        'losses': lambda: losses.losses(scc, max(1, times // 10)),
         'standing': lambda: standing.cluster_stands(scc),
         'models': lambda: here(explorations.models),
         'here': lambda: here(alone),

@@ -47,6 +47,10 @@ class Services(unittest.TestCase):
             with self.assertRaises(ServiceError):
                 oracle.describe()
 
+    def test_nesting_without_end(self):
+        with self.assertRaisesRegex(ServiceError, "no JSON"):
+            Oracle([sys.executable, "-c", "print('[' * 10**6)"], timeout=20)
+
     def test_answers_to_something_else(self):
         with fake("wrong-ids") as oracle:
             with self.assertRaises(ServiceError):
@@ -130,6 +134,24 @@ class Refusals(unittest.TestCase):
                 oracle.first_times_of_contact(wrong())
             self.assertEqual(len(oracle.first_times_of_contact(casts(600))), 600)
             oracle.describe()
+
+    def test_an_interruption_after_a_mistake(self):
+        """Answers that nobody has taken would be those to the next requests."""
+
+        def wrong():
+            yield from casts(600)
+            raise ValueError
+
+        def interrupted():
+            raise KeyboardInterrupt
+
+        with fake("well") as oracle:
+            receive, oracle._service.receive = oracle._service.receive, interrupted
+            with self.assertRaises(KeyboardInterrupt):
+                oracle.first_times_of_contact(wrong())
+            oracle._service.receive = receive
+            with self.assertRaisesRegex(ServiceError, "closed"):
+                oracle.first_times_of_contact(casts(2))
 
 
 class Pickles(unittest.TestCase):

@@ -1,9 +1,12 @@
 """The pipes, against small services that behave badly."""
 
+import os
+import signal
 import sys
+import tempfile
 import unittest
 
-from shapecalculus import ServiceError
+from shapecalculus import Oracle, ServiceError
 from shapecalculus._service import Service
 
 ECHO = """
@@ -96,6 +99,52 @@ class Failures(unittest.TestCase):
         s.send(b"x\n")
         with self.assertRaisesRegex(ServiceError, r"no answer within 0\.1 s"):
             s.receive()
+
+
+    def test_what_cannot_be_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            text, empty = os.path.join(folder, "text"), os.path.join(folder, "empty")
+            for path, mode in ((text, 0o644), (empty, 0o755)):
+                with open(path, "w", encoding="utf-8"):
+                    os.chmod(path, mode)
+            for name in (folder, text, empty, "a\0b", os.path.join(text, "below")):
+                with self.subTest(name), self.assertRaisesRegex(ServiceError, "cannot start"):
+                    Service([name])
+
+    def test_half_a_line(self):
+        for end, said in [("sys.exit(0)", "exit code 0"), ("os.kill(os.getpid(), 9)", "signal 9")]:
+            s = service("import os, sys; os.write(1, b'{'); " + end)
+            with self.assertRaisesRegex(ServiceError, r"has ended \(%s\)" % said):
+                s.receive()
+            with self.assertRaises(ServiceError):
+                s.receive()
+
+    def test_it_closes_its_output_and_lives(self):
+        s = service("import os, time; os.write(1, b'half'); os.close(1); time.sleep(600)")
+        with self.assertRaisesRegex(ServiceError, "has ended$"):
+            s.receive()
+        self.assertIsNotNone(s._process.poll())
+
+
+class Interruptions(unittest.TestCase):
+    """Ctrl-C, which a service brings about at a known place."""
+
+    STOP = "os.kill(os.getppid(), signal.SIGINT); time.sleep(600)"
+
+    def setUp(self):
+        # A shell that starts the tests beside other work lets them ignore it.
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+
+    def test_while_an_answer_is_awaited(self):
+        with self.assertRaises(KeyboardInterrupt):
+            Oracle([sys.executable, "-c", "import os, signal, sys, time; sys.stdin.readline(); " + self.STOP])
+
+    def test_while_it_is_closed(self):
+        s = service("import os, signal, sys, time; sys.stdin.read(); " + self.STOP)
+        with self.assertRaises(KeyboardInterrupt):
+            s.close()
+        self.assertEqual(s._process.returncode, -signal.SIGKILL)
 
 
 class Timeouts(unittest.TestCase):

@@ -3,6 +3,8 @@
 import io
 import math
 import os
+import shlex
+import shutil
 import tempfile
 import unittest
 from fractions import Fraction
@@ -72,6 +74,23 @@ class Sweeps(unittest.TestCase):
         frame = pandas.DataFrame(self.sweep({"n": [1, 2]}))
         self.assertEqual(frame[frame["check"] == "ruin"]["low"].tolist(), [Fraction(1, 3), Fraction(1, 2)])
 
+    def script(self, text):
+        path = os.path.join(self.folder.name, "scc")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("#!/bin/sh\n" + text)
+        os.chmod(path, 0o755)
+        return path
+
+    def test_a_table_that_is_not_whole(self):
+        real = shlex.quote(shutil.which(program()) or program())
+        for command, there in [("cat", 3), ("head -n 2", 0), ("head -c 600", 0), ("grep -v zzz", 3)]:
+            scc = self.script("%s \"$@\" | %s" % (real, command))
+            if there:
+                self.assertEqual(len(sweep(self.path, {"p": ["1/2"]}, scc=scc)), there)
+            else:
+                with self.assertRaisesRegex(ServiceError, "no table"):
+                    sweep(self.path, {"p": ["1/4", "1/2"]}, scc=scc)
+
     def test_what_cannot_be(self):
         with self.assertRaisesRegex(ServiceError, "exit code 64"):
             self.sweep({"nothing": [1]})
@@ -79,6 +98,12 @@ class Sweeps(unittest.TestCase):
             sweep(self.path, {"n": [1]}, scc=os.path.join(self.folder.name, "none"))
         with self.assertRaises(ValueError):
             self.sweep({"n": ["many"]})
+        for said in ("", "{", "{}", "[]", "1", '{"grid": [{"values": [1]}]}', "\\377"):
+            with self.subTest(said), self.assertRaises(ServiceError):
+                sweep(self.path, {"n": [1]}, scc=self.script("printf '%s\\n' '" + said + "'"))
+        for ends in ("kill -9 $$", "printf '\\377' >&2; exit 1", "exit 4"):
+            with self.subTest(ends), self.assertRaises(ServiceError):
+                sweep(self.path, {"n": [1]}, scc=self.script(ends))
         with self.assertRaises(ValueError):
             sweep_records(io.StringIO('{"format": "scc-graph"}\n'))
 

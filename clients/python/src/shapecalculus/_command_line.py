@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 from typing import Any, Callable, List
 
+from ._guard import USAGE, Failed
+
 EXITS = """exit codes: 0 all hold, all runs came to their end, or all points are decided; 1 a property is violated; 2
 something is undecided, a run was over early, or a point is invalid; 3 the model is invalid, or a checkpoint is of other
 work or damaged; 4 interrupted, or an owner or a part is lost for good; 64 a wrong command line, or a property that is
@@ -37,7 +39,7 @@ def positive(kind: Callable[[str], Any]) -> Callable[[str], Any]:
 
 class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> Any:
-        self.exit(64, "scc-cluster: %s\n" % message)
+        raise Failed(message, USAGE)
 
 
 def where(p: argparse.ArgumentParser, keeps: str) -> None:

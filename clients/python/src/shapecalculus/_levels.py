@@ -12,23 +12,14 @@ import numpy as np
 
 from ._files import BadFile, CannotKeep, Folder
 from ._shard import CHOICES, Expanded, Found, Shard, owner_of
-from .successors import FilterFailed
+from ._waiting import MOST_TRIES, ClusterFailed, answers, first_line
+from .successors import FilterFailed, FilterLost
 
 #: Paths with more transitions than this may go on for ever within one instant.
 MOST_LEVELS = 10_000
-#: Owners that are lost so often in one level are no accident.
-MOST_TRIES = 20
 #: So many seconds may pass before what was found is kept.
 LONG = 1.0
 MANIFEST = "manifest.json"
-
-
-class ClusterFailed(Exception):
-    """The check came to no end. ``code`` is the exit code of ``scc-cluster``."""
-
-    def __init__(self, message: str, code: int):
-        super().__init__(message)
-        self.code = code
 
 
 @dataclass
@@ -132,10 +123,10 @@ class Exploration:
 
     def get(self, futures: Sequence[Any]) -> List[Any]:
         try:
-            return list(self.ray.get(list(futures)))
+            return answers(self.ray, futures)
         except self.ray.exceptions.RayTaskError as e:
             cause = e.cause if isinstance(e.cause, Exception) else e
-            if isinstance(cause, (self.ray.exceptions.ObjectLostError, self.ray.exceptions.RayActorError)):
+            if isinstance(cause, (self.ray.exceptions.ObjectLostError, self.ray.exceptions.RayActorError, FilterLost)):
                 raise Lost(str(cause)) from None
             if isinstance(cause, (FilterFailed, BadFile)):
                 raise ClusterFailed(str(cause), 3) from None
@@ -179,7 +170,7 @@ class Exploration:
                 return work()
             except Lost as e:
                 lost = e
-        raise ClusterFailed("owners are lost again and again: %s" % str(lost).strip().splitlines()[0], 4)
+        raise ClusterFailed("owners are lost again and again: %s" % first_line(str(lost)), 4)
 
     def start(self) -> None:
         """All owners with the initial state; nothing is kept yet."""

@@ -9,17 +9,22 @@ from __future__ import annotations
 import json
 import os
 import re
+import signal
 import subprocess
 from dataclasses import dataclass, replace
 from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence, Set
+
 from ._files import BadFile, Folder
-from ._levels import MOST_TRIES, ClusterFailed
-from .successors import scc_path
+from ._guard import FAULT, LIMITS, STOPPED, VERDICTS
+from ._service import scc_path
+from ._waiting import MOST_TRIES, ClusterFailed, first_line, ready
 
 #: More parts than anybody has tasks: the first of them is empty, and tells the first line.
 NO_PART = "1/1000000000000000"
 #: A part of which scc itself was ended so often is no accident.
 MOST_DEATHS = 5
+#: The exit code of an invalid model, or of another invalid input.
+INVALID = 3
 #: Parts that work has, as long as there are enough of them: what is lost with a machine is done again.
 PARTS = 64
 
@@ -63,16 +68,42 @@ def run(command: Sequence[str]) -> Done:
     try:
         p = subprocess.run(list(command), stdin=subprocess.DEVNULL, capture_output=True, check=False)
     except OSError as e:
-        return Done(3, "%s cannot be run: %s\n" % (command[0], e.strerror), b"")
-    return Done(p.returncode, p.stderr.decode(errors="replace"), p.stdout)
+        code = STOPPED if e.errno in LIMITS else INVALID
+        return Done(code, "%s cannot be run: %s\n" % (command[0], e.strerror), b"")
+    said = p.stderr.decode(errors="replace")
+    if p.returncode < 0:
+        # Ended by its own fault, or by somebody who wanted the memory.
+        own = -p.returncode in (signal.SIGSEGV, signal.SIGBUS, signal.SIGILL, signal.SIGFPE, signal.SIGABRT)
+        said += "scc was ended by signal %d\n" % -p.returncode
+        return Done(FAULT if own else STOPPED, said, p.stdout)
+    return Done(p.returncode, said, p.stdout)
+
+
+def failed(done: Done, what: str) -> ClusterFailed:
+    """What is told where scc has not done what it was asked. Its own verdicts are none of the whole."""
+    said = without_name(done.said)
+    if done.code in VERDICTS or not said:
+        said = "%s has exit code %d, and is not what scc writes%s" % (what, done.code, said and ": " + said)
+    return ClusterFailed(said, INVALID if done.code in VERDICTS else done.code)
 
 
 def header(work: Work, form: str) -> Done:
     """The first line of all, or ClusterFailed with what is wrong."""
     done = run(work.part(NO_PART, form))
-    if done.code != 0:
-        raise ClusterFailed(without_name(done.said), done.code if done.code > 0 else 70)
+    if done.code != 0 or done.text.count(b"\n") != 1 or not done.text.endswith(b"\n"):
+        raise failed(done, "the first line of the %s" % work.command)
     return done
+
+
+def understood(work: Work, line: bytes) -> Any:
+    """The first line in JSON."""
+    try:
+        document = json.loads(line)
+        if document["format"] == {"simulate": "scc-simulation", "sweep": "scc-sweep"}[work.command]:
+            return document
+    except (ValueError, LookupError, TypeError, RecursionError):
+        pass
+    raise failed(Done(0, "", line), "the first line of the %s" % work.command)
 
 
 def do_part(work: Work, which: str, first: bytes) -> Done:
@@ -121,7 +152,7 @@ class Spread:
             "command": self.work.command,
             "arguments": self.work.arguments,
             "format": self.work.form,
-            "asked": json.loads(self.asked),
+            "asked": understood(self.work, self.asked),
             "count": self.count,
         }
         data = self.folder.get("parts.json")
@@ -163,11 +194,12 @@ class Spread:
         except (lost.WorkerCrashedError, lost.NodeDiedError, lost.ObjectLostError, lost.OutOfMemoryError) as e:
             self.was_lost(part, str(e), MOST_TRIES)
             return None
-        if done.code < 0 or done.code in (4, 70):
-            self.was_lost(part, done.said or "scc was ended by signal %d" % -done.code, MOST_DEATHS)
+        if done.code in (STOPPED, FAULT):
+            self.was_lost(part, done.said or "scc has exit code %d" % done.code, MOST_DEATHS)
             return None
-        if done.code not in (0, 2, 3) or not done.text.startswith(self.first_line):
-            raise ClusterFailed(without_name(done.said) or "a part has another first line", done.code or 3)
+        whole = done.text.startswith(self.first_line) and done.text.endswith(b"\n")
+        if done.code not in (0, 2, INVALID) or not whole:
+            raise failed(done, "part %d" % (part + 1))
         return done
 
     def was_lost(self, part: int, why: str, most: int) -> None:
@@ -175,7 +207,7 @@ class Spread:
         self.tries[part] = self.tries.get(part, 0) + 1
         if self.tries[part] >= most:
             raise ClusterFailed(
-                "part %d is lost again and again: %s" % (part + 1, without_name(why).splitlines()[0]), 4
+                "part %d is lost again and again: %s" % (part + 1, first_line(without_name(why))), 4
             )
 
     def run(
@@ -197,7 +229,7 @@ class Spread:
                 disturb(self)
             for turn in range(self.parts):
                 while turn in left:
-                    for future in self.ray.wait(list(futures), num_returns=1)[0]:
+                    for future in ready(self.ray, list(futures)):
                         part = futures.pop(future)
                         done = self.got(part, future)
                         if done is None:

@@ -10,8 +10,9 @@ from contextlib import contextmanager
 from typing import Any, Dict, Iterator, List, Optional
 
 from ._files import BadFile, CannotKeep
-from ._levels import ClusterFailed
-from .successors import FilterFailed
+from ._guard import STOPPED
+from ._waiting import ClusterFailed
+from .successors import FilterFailed, FilterLost
 
 
 #: What Ray says where machines are too busy to begin in its time; it is asked again then.
@@ -77,6 +78,8 @@ def told() -> Iterator[None]:
     """What goes wrong, as ClusterFailed."""
     try:
         yield
+    except FilterLost as e:
+        raise ClusterFailed("scc was lost: %s" % e, STOPPED) from None
     except (FilterFailed, BadFile) as e:
         raise ClusterFailed(str(e), 3) from None
     except CannotKeep as e:

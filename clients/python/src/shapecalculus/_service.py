@@ -19,6 +19,17 @@ _CHUNK = 1 << 18
 _LONGEST_WAIT = 1_000_000
 
 
+def scc_path(scc: Optional[str]) -> str:
+    """The program: the one that is named, or that of the environment variable SCC, or the one that PATH finds."""
+    return scc or os.environ.get("SCC") or "scc"
+
+
+def how_ended(code: Optional[int], killed: bool) -> str:
+    if code is None or killed:
+        return ""
+    return " (signal %d)" % -code if code < 0 else " (exit code %d)" % code
+
+
 class Service:
     """One process of ``command``. ``timeout`` (seconds) bounds each wait for an answer; None or infinity: for ever."""
 
@@ -32,7 +43,7 @@ class Service:
             self._process = subprocess.Popen(
                 list(command), stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0, close_fds=True
             )
-        except OSError as error:
+        except (OSError, ValueError) as error:  # of a name that no file can have, too
             raise ServiceError("cannot start %s: %s" % (command[0], error)) from error
         assert self._process.stdin is not None and self._process.stdout is not None
         self._stdin, self._stdout = self._process.stdin, self._process.stdout
@@ -48,6 +59,7 @@ class Service:
         self._read: List[bytes] = []  # an unfinished line
         self._lines: List[bytes] = []  # finished ones, the next one last
         self._closed = False
+        self._killed = False  # by this client
 
     @property
     def pid(self) -> int:
@@ -121,9 +133,7 @@ class Service:
     def _lost(self, what: str) -> ServiceError:
         """Ends a service that cannot be used any more, and says why."""
         self._stop(0.2)
-        code = self._process.returncode
-        ended = "" if code is None or code < 0 else " (exit code %d)" % code
-        return ServiceError("the service %s%s" % (what, ended))
+        return ServiceError("the service %s%s" % (what, how_ended(self._process.returncode, self._killed)))
 
     def close(self) -> int:
         """Closes its input, waits until it ends and returns its exit code; again: the same."""
@@ -134,10 +144,15 @@ class Service:
         if self._closed:
             return
         self._closed = True
-        self._stdin.close()
-        self._stdout.close()
         try:
+            self._stdin.close()
+            self._stdout.close()
             self._process.wait(patience)
         except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
+            pass
+        finally:
+            # Also when Ctrl-C comes meanwhile.
+            if self._process.poll() is None:
+                self._killed = True
+                self._process.kill()
+                self._process.wait()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import tempfile
@@ -11,11 +10,11 @@ from typing import Any, Callable, List, Mapping, Optional, Sequence
 
 from . import numbers
 from ._files import Folder
-from ._levels import ClusterFailed
-from ._parts import Done, PartsProgress, Spread, Work, header, run, without_name
+from ._parts import Done, PartsProgress, Spread, Work, failed, header, run, understood
+from ._service import scc_path
 from ._ray import Gauges, connect, told
-from .sweeps import Record, sweep_records
-from .successors import scc_path
+from ._waiting import ClusterFailed
+from .sweeps import Record, lines_of, sweep_records
 
 
 @dataclass
@@ -54,7 +53,8 @@ def spread(work: Work, runs: Optional[int], where: Place, write: Callable[[bytes
     with told():
         asked = header(work, "jsonl")
         first_line = asked.text if work.form == "jsonl" else header(work, "csv").text
-        count = points(asked.text) if runs is None else runs
+        grid = understood(work, asked.text)
+        count = points(grid) if runs is None else runs
         outcome = Outcome(count, warnings=asked.said)
         folder = None if where.checkpoint is None else Folder(where.checkpoint)
         if folder is not None:
@@ -79,9 +79,9 @@ def spread(work: Work, runs: Optional[int], where: Place, write: Callable[[bytes
     return outcome
 
 
-def points(asked: bytes) -> int:
+def points(asked: Any) -> int:
     count = 1
-    for axis in json.loads(asked)["grid"]:
+    for axis in asked["grid"]:
         count *= len(axis["values"])
     return count
 
@@ -96,8 +96,8 @@ def summed_up(
             outcome = spread(work, runs, where, f.write)
         command = [scc_path(work.scc), work.command, work.model, *work.arguments, "--format", form, "--summary"]
         done = run([*command, *options, "--resume", path])
-    if done.code not in (0, 2):
-        raise ClusterFailed(without_name(done.said), done.code if done.code > 0 else 70)
+    if done.code not in (0, 2) or not done.text.endswith(b"\n"):
+        raise failed(done, "the summary")
     write(done.text)
     return outcome
 
@@ -203,4 +203,4 @@ def sweep(
         "%s=%s" % (name, ",".join(str(numbers.to_json(v)) for v in values)) for name, values in grid.items()
     ]
     swept(model, defines, where, pieces.append, form="jsonl", options=options, scc=scc)
-    return sweep_records(b"".join(pieces).decode().splitlines())
+    return sweep_records(lines_of(b"".join(pieces)))

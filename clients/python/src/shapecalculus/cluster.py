@@ -15,10 +15,11 @@ from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence
 
 from ._files import Folder, place
-from ._levels import MOST_LEVELS, ClusterFailed, Exploration, Progress
+from ._levels import MOST_LEVELS, Exploration, Progress
 from ._parts import PartsProgress
 from ._ray import Gauges, connect, told
 from ._spread import simulate, sweep
+from ._waiting import ClusterFailed
 from .successors import Filter
 
 __all__ = [

@@ -5,14 +5,13 @@ from __future__ import annotations
 import functools
 import itertools
 import json
-import os
 from collections import deque
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Callable, Deque, Dict, Generic, Iterable, Iterator, List, Mapping, Optional
 from typing import Sequence, Tuple, Type, TypeVar, Union
 
 from . import _handles, requests
-from ._service import Service
+from ._service import Service, scc_path
 from .errors import RequestError, ServiceError, from_json
 from .geometry import Meeting
 from .models import Description
@@ -45,7 +44,7 @@ _to_json = json.JSONEncoder(separators=(",", ":"), ensure_ascii=True, allow_nan=
 def _read(line: bytes) -> Any:
     try:
         return json.loads(line)
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise ServiceError("the service says what is no JSON: %r" % line[:200]) from error
 
 
@@ -147,9 +146,7 @@ class Oracle:
         memory: Optional[int] = None,
         timeout: Optional[float] = None,
     ) -> None:
-        if scc is None:
-            scc = os.environ.get("SCC") or "scc"
-        command = [scc, "oracle"] if isinstance(scc, str) else list(scc)
+        command = [scc_path(scc), "oracle"] if scc is None or isinstance(scc, str) else list(scc)
         if seconds is not None:
             command += ["--seconds", str(integer(seconds))]
         if memory is not None:
@@ -265,8 +262,12 @@ class Oracle:
             raise
         except Exception:
             # A mistake in what is sent: let the answers that are still to come be nobody's.
-            for _ in on_their_way:
-                service.receive()
+            try:
+                for _ in on_their_way:
+                    service.receive()
+            except BaseException:
+                service.close()
+                raise
             raise
         except BaseException:
             service.close()

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import json
-import os
 import struct
 import subprocess
+import tempfile
 import threading
 from dataclasses import dataclass
 from typing import Any, Iterator, List, Optional, Sequence
 
 import numpy as np
+
+from ._guard import FAULT, LIMITS, STOPPED
+from ._service import scc_path
 
 #: The version of specs/successors.md that this client speaks.
 VERSION = 2
@@ -18,8 +21,16 @@ VERSION = 2
 FOLLOWS = ("moves", "rests", "ends", "stops", "fault", "error")
 
 
+#: Seconds that a filter has to end by itself.
+PATIENCE = 5.0
+
+
 class FilterFailed(Exception):
     """The filter ended, or it does not speak this version. The message is what it said."""
+
+
+class FilterLost(FilterFailed):
+    """The filter was ended by a signal, a limit of resources or a fault: another one may come further."""
 
 
 @dataclass(frozen=True)
@@ -52,10 +63,6 @@ class Told:
     homes: List[News]
 
 
-def scc_path(scc: Optional[str]) -> str:
-    return scc or os.environ.get("SCC") or "scc"
-
-
 def widen(pipe: Any) -> None:
     """Fewer turns between the two ends, where the system can."""
     try:
@@ -73,16 +80,24 @@ class Filter:
         self, model: str, arguments: Sequence[str] = (), *, scc: Optional[str] = None, framing: str = "batches"
     ):
         command = [scc_path(scc), "successors", model, "--framing", framing, *arguments]
+        # A pipe that nobody reads yet would hold up a filter that says much.
+        self.said = tempfile.TemporaryFile()
         try:
             self.process = subprocess.Popen(
-                command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+                command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.said
             )
         except OSError as e:
-            raise FilterFailed("%s cannot be run: %s" % (command[0], e.strerror)) from None
-        for pipe in (self.process.stdin, self.process.stdout):
-            widen(pipe)
-        self.header = self._header()
-        self.goals = len(self.header["goals"])
+            self.said.close()
+            failure = FilterLost if e.errno in LIMITS else FilterFailed
+            raise failure("%s cannot be run: %s" % (command[0], e.strerror)) from None
+        try:
+            for pipe in (self.process.stdin, self.process.stdout):
+                widen(pipe)
+            self.header = self._header()
+            self.goals = len(self.header["goals"])
+        except BaseException:
+            self.close()
+            raise
         self.remembers = False  # something since keep was called last
 
     def _header(self) -> Any:
@@ -90,17 +105,39 @@ class Filter:
         line = self.process.stdout.readline()
         if not line:
             raise self._failure()
-        header = json.loads(line)
+        header = self._read(line)
         if header.get("format") != "scc-successors" or header.get("version") != VERSION:
             raise FilterFailed(
                 "the filter speaks version %s, and %d is understood" % (header.get("version"), VERSION)
             )
         return header
 
+    def _read(self, line: bytes) -> Any:
+        try:
+            document = json.loads(line)
+        except (ValueError, RecursionError):
+            document = None
+        if not isinstance(document, dict):
+            if not line.endswith(b"\n"):
+                raise self._failure()
+            raise FilterFailed("this is no filter of scc: it says %r" % line[:100])
+        return document
+
     def _failure(self) -> FilterFailed:
-        assert self.process.stderr is not None
-        said = self.process.stderr.read().decode(errors="replace").strip()
-        return FilterFailed(said or "the filter ended with exit code %s" % self.process.wait())
+        """Of a filter that does not go on. It is ended, if it has only closed its streams."""
+        self._end()
+        self.said.seek(0)
+        said = self.said.read().decode(errors="replace").strip()
+        code = self.process.returncode
+        how = "the filter was ended by signal %d" % -code if code < 0 else "the filter ended with exit code %d" % code
+        return (FilterLost if code < 0 or code in (STOPPED, FAULT) else FilterFailed)(said or how)
+
+    def _end(self) -> None:
+        try:
+            self.process.wait(PATIENCE)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
 
     def _send(self, *parts: Any) -> None:
         assert self.process.stdin is not None
@@ -197,17 +234,20 @@ class Filter:
         line = self.process.stdout.readline()
         if not line:
             raise self._failure()
-        answer = json.loads(line)
+        answer = self._read(line)
         if "error" in answer:
             raise FilterFailed(answer["error"]["message"])
         return answer
 
     def close(self) -> None:
-        for pipe in (self.process.stdin, self.process.stdout, self.process.stderr):
+        self.process.terminate()
+        for pipe in (self.process.stdin, self.process.stdout):
             if pipe is not None:
                 try:
                     pipe.close()
                 except OSError:
                     pass
-        self.process.terminate()
-        self.process.wait()
+        try:
+            self._end()
+        finally:
+            self.said.close()

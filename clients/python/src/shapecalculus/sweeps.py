@@ -10,6 +10,7 @@ from fractions import Fraction
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Union
 
 from . import numbers
+from ._service import how_ended, scc_path
 from .errors import ServiceError
 
 #: One line of a table: the parameters by their names, and ``check``, ``verdict``, ``low``, ``high``, ``least_low``,
@@ -63,6 +64,11 @@ def sweep_records(lines: Iterable[str]) -> List[Record]:
     return records
 
 
+def lines_of(output: bytes) -> List[str]:
+    """Not by ``str.splitlines``, which ends lines at characters that may stand in them."""
+    return [line.decode() for line in output.splitlines()]
+
+
 def sweep(
     model: Union[str, "os.PathLike[str]"],
     grid: Mapping[str, Sequence[numbers.Number]],
@@ -74,14 +80,22 @@ def sweep(
     """Checks the model in a file with each combination of values of its parameters, those of the last one fastest, by
     ``jobs`` processes: see ``sweep_records``. ``options`` go to ``scc sweep`` as they are, such as ``["--states",
     "10000"]``. ServiceError where there is no table, with what scc says."""
-    command = [scc or os.environ.get("SCC") or "scc", "sweep", os.fspath(model), "--format", "jsonl"]
+    command = [scc_path(scc), "sweep", os.fspath(model), "--format", "jsonl"]
     command += ["--jobs", str(numbers.integer(jobs)), *options]
     for name, values in grid.items():
         command += ["-D", "%s=%s" % (name, ",".join(str(numbers.to_json(value)) for value in values))]
     try:
-        result = subprocess.run(command, capture_output=True, encoding="utf-8", check=False)
-    except OSError as error:
+        result = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, check=False)
+    except (OSError, ValueError) as error:
         raise ServiceError("cannot start %s: %s" % (command[0], error)) from error
+    said = result.stderr.decode("utf-8", "replace").strip()
     if result.returncode not in (0, 2, 3) or not result.stdout:
-        raise ServiceError("scc sweep ended with exit code %d: %s" % (result.returncode, result.stderr.strip()))
-    return sweep_records(result.stdout.splitlines())
+        raise ServiceError("scc sweep ended%s: %s" % (how_ended(result.returncode, False), said))
+    try:
+        lines = lines_of(result.stdout)
+        points = math.prod(len(axis["values"]) for axis in json.loads(lines[0])["grid"])
+        if len(lines) != points + 1:
+            raise ValueError("%d of %d points" % (len(lines) - 1, points))
+        return sweep_records(lines)
+    except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as error:
+        raise ServiceError("what scc sweep says is no table: %s" % error) from error

@@ -1,0 +1,155 @@
+"""What is lost while a command runs: Ray's own processes, the worker of the command, those that do its work, the streams
+that it has; and signals meanwhile. There is the right answer or none, and nothing is left."""
+
+import os
+import random
+import signal
+import subprocess
+import tempfile
+import time
+
+from support import BONDS, awaited, children, in_words, model, report_of, scc_bytes, tell, there, title
+
+CHECK = ['check', BONDS, '-D', 'n=19', '--owners', '2', '--json']
+SIMULATE = ['simulate', model('brownian.sc'), '--runs', '1500', '--observe', 'x(ligand)', '--every', '1', '--until', '40']
+SWEEP = ['sweep', model('hexokinase.sc'), '-D', 'atp_arrives=1..12', '-D', 'glucose_arrives=1..12']
+#: By the title of a process. The work is done by owners and tasks, and by their scc.
+TARGETS = {
+    'raylet': lambda words: words[0].endswith('/raylet'),
+    'gcs': lambda words: words[0].endswith('/gcs_server'),
+    'worker': lambda words: any(w.endswith('/scc-cluster') for w in words[:3]),
+    'owner or task': lambda words: words[0].startswith(('ray::Owner', 'ray::do_part')),
+    'scc': lambda words: 'successors' in words or '--part' in words,
+}
+
+
+class Expected:
+    """What a command writes and its exit code, when nothing is lost."""
+
+    def __init__(self, scc):
+        self.scc, self.known = scc, {}
+
+    def of(self, arguments):
+        name = arguments[0]
+        if name not in self.known:
+            if name == 'check':
+                done = subprocess.run(in_words(self.scc, *arguments), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+                self.known[name] = report_of(done.stdout), done.returncode
+            else:
+                self.known[name] = scc_bytes(self.scc, *arguments)
+        return self.known[name]
+
+    def wrong(self, arguments, code, out):
+        text, finished = self.of(arguments)
+        if code in (0, 1, 2):
+            same = code == finished and (report_of(out) if arguments[0] == 'check' else out) == text
+            return [] if same else ['code %d, with another report' % code]
+        begun = out == b'' if arguments[0] == 'check' else text.startswith(out)
+        return ([] if code == 4 else ['code %d' % code]) + ([] if begun else ['it writes what scc does not'])
+
+
+def started(scc, arguments, at_work):
+    """A command, whose work has begun if that is wanted."""
+    p = subprocess.Popen(in_words(scc, *arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
+    if at_work:
+        begun = ('ray::Owner', 'ray::do_part')
+        awaited(lambda: p.poll() is not None or any(title(k).startswith(begun) for k in children(p.pid)), 120)
+    return p
+
+
+def victim_of(p, target, rand):
+    """None if the command ends before there is any."""
+    while p.poll() is None:
+        found = [k for k in children(p.pid) if TARGETS[target]((title(k) or '-').split())]
+        if found:
+            return rand.choice(sorted(found))
+        time.sleep(0.02)
+    return None
+
+
+def ended(p, all_of_it, begin, within):
+    try:
+        out, said = p.communicate(timeout=within)
+    except subprocess.TimeoutExpired:
+        os.killpg(p.pid, signal.SIGKILL)
+        for pid in there(all_of_it):
+            os.kill(pid, signal.SIGKILL)
+        return b'', '', ['it has not ended within %.0f s' % within]
+    left = [] if awaited(lambda: not there(all_of_it), 20) else ['processes are left']
+    return out, (said.decode(errors='replace').strip().splitlines() or [''])[-1][:100], left
+
+
+def killed(scc, expected, times):
+    rand = random.Random(5)
+    for k in range(times):
+        for target in TARGETS:
+            for arguments in (CHECK, SIMULATE, SWEEP):
+                at_work = rand.random() < 0.8
+                p = started(scc, arguments, at_work)
+                at = rand.uniform(0, 5)
+                time.sleep(at)
+                victim, all_of_it, begin = victim_of(p, target, rand), children(p.pid), time.time()
+                if victim is not None:
+                    os.kill(victim, signal.SIGKILL)
+                out, said, wrong = ended(p, all_of_it, begin, 240)
+                wrong = wrong or expected.wrong(arguments, p.returncode, out)
+                when = '%.1f s after %s' % (at, 'its work began' if at_work else 'its start')
+                what = '%s %d: %s killed %s' % (arguments[0], k, target if victim else 'nothing', when)
+                tell('%s, code %s: %s' % (what, p.returncode, said), wrong)
+
+
+def signalled(scc, expected, times):
+    """Heard soon, at any moment; also when Ray waits for what is lost."""
+    rand = random.Random(6)
+    for k in range(times):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            for arguments in (CHECK, SIMULATE, SWEEP):
+                p = started(scc, arguments, True)
+                lost = rand.random() < 0.5 and victim_of(p, rand.choice(['raylet', 'gcs']), rand)
+                all_of_it = children(p.pid)
+                if lost:
+                    os.kill(lost, signal.SIGKILL)
+                    time.sleep(rand.uniform(0, 10))
+                over = p.poll() is not None
+                begin = time.time()
+                p.send_signal(number)
+                out, said, wrong = ended(p, all_of_it, begin, 60)
+                wrong = wrong or expected.wrong(arguments, p.returncode, out)
+                what = '%s: %s%s' % (arguments[0], signal.Signals(number).name, ' after a loss' if lost else '')
+                tell('%s, code %s%s: %s' % (what, p.returncode, ' before it' if over else '', said), wrong)
+
+
+def streams(scc):
+    """Whatever becomes of them: the exit code of what could be written, or why it could not."""
+    few = ['--runs', '3', '--observe', 'time', '--every', '1', '--until', '2']
+    codes = []
+    with tempfile.TemporaryDirectory() as folder:
+        violated = os.path.join(folder, 'violated.sc')
+        with open(BONDS) as f, open(violated, 'w') as copy:
+            copy.write(f.read() + 'check few : always bonds(link) < 2\n')
+        simulate = ['simulate', model('brownian.sc'), *few]
+        for arguments in (['check', BONDS, '-D', 'n=6'], ['check', violated, '-D', 'n=6'], simulate, ['check', 'no.sc']):
+            codes += all_streams(scc, arguments)
+    tell('exit codes %s' % codes, [] if codes == [0, 1, 0, 3] else ['others'])
+
+
+def all_streams(scc, arguments):
+    """The exit code with all of them."""
+    for out in ('', '>&-', '>/dev/full'):
+        for err in ('', '2>&-', '2>/dev/full'):
+            words = ['sh', '-c', '"$@" %s %s' % (out, err), 'sh', *in_words(scc, *arguments)]
+            done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+            found = done.returncode, done.stdout
+            if not out and not err:
+                code, text = found
+            good = (code, text) if not out or not text else (74, b'')
+            name = ' '.join([arguments[0], os.path.basename(arguments[1]), out, err])
+            tell('%s: code %d' % (name, done.returncode), [] if found == good else ['%r' % (found,)])
+    return [code]
+
+
+def losses(scc, times):
+    expected = Expected(scc)
+    killed(scc, expected, times)
+    signalled(scc, expected, times)
+    streams(scc)
