@@ -22,7 +22,7 @@ let word = function
 
 let places = 6
 let scale = Rat.make (Z.pow (Z.of_int 10) places) Z.one
-let decimal = Scc_drawing.Decimal.fixed ~places
+let decimal = Decimal.fixed ~places
 let down r = decimal (Rat.div (Rat.make (Rat.floor (Rat.mul r scale)) Z.one) scale)
 let up r = decimal (Rat.neg (Rat.div (Rat.make (Rat.floor (Rat.mul (Rat.neg r) scale)) Z.one) scale))
 

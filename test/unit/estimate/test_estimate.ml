@@ -55,7 +55,7 @@ let covers =
 let known () =
   let check n k (low, high) =
     let miss = fraction 1 40 in
-    let text r = Scc_drawing.Decimal.fixed ~places:3 r in
+    let text r = Decimal.fixed ~places:3 r in
     Alcotest.(check (pair string string))
       (Printf.sprintf "%d of %d" k n) (low, high)
       (text (Clopper_pearson.lower ~n ~k ~miss), text (Clopper_pearson.upper ~n ~k ~miss))
