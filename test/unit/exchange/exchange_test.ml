@@ -159,7 +159,7 @@ let short () =
   told "to the nearest" "137174210/109739369 (~1.250000)" (Q.of_ints 137174210 109739369);
   told "a decimal" "123456789001/10000 (12345678.9001)" (Q.of_ints 123456789001 10000);
   told "small" "1e-70 (73 characters)" (Q.inv (power 70));
-  told "negative" "-2e-70 (72 characters)" (Q.neg (Q.div (Q.of_int 2) (power 70)));
+  told "negative" "-2e-70 (73 characters)" (Q.neg (Q.div (Q.of_int 2) (power 70)));
   told "not plain any more" "~1.000000e-3 (119 characters)" (Q.sub (Q.of_ints 1 1000) (Q.inv (power 60)))
 
 let () =
