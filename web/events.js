@@ -75,7 +75,7 @@ const Events = (() => {
   /** @param {Rational} time */
   function short(time) {
     const exact = Exactly.text(time);
-    return exact.length <= 10 ? exact : "≈ " + Exactly.decimal(Rational.toNumber(time));
+    return exact.length <= 10 ? exact : Exactly.told(time);
   }
 
   function move() {

@@ -8,17 +8,16 @@ const Exactly = (() => {
    * Decimal digits of a float, as short as is useful.
    * @param {number} x @param {number} [digits] significant ones
    */
-  function decimal(x, digits) {
-    if (!Number.isFinite(x)) return String(x);
-    if (x === 0) return "0";
-    const size = Math.abs(x);
-    const text =
-      size >= 1e7 || size < 1e-4 ? x.toExponential(digits ? digits - 1 : 4) : x.toPrecision(digits || 6);
-    return text.includes("e")
-      ? text.replace(/\.?0+e/, "e")
-      : text.includes(".")
-        ? text.replace(/\.?0+$/, "")
-        : text;
+  const decimal = (x, digits) =>
+    Number.isFinite(x) ? Rational.decimal(Rational.fromNumber(x), digits).text : String(x);
+
+  /**
+   * Its decimals, and whether they are rounded: "= 0.5", "≈ 0.333333".
+   * @param {Rational} r
+   */
+  function told(r) {
+    const near = Rational.decimal(r);
+    return `${near.exact ? "=" : "≈"} ${near.text}`;
   }
 
   /**
@@ -36,7 +35,7 @@ const Exactly = (() => {
   function both(r) {
     const exact = text(r);
     if (!exact.includes("/")) return exact;
-    return `${exact} ≈ ${decimal(Rational.toNumber(r))}`;
+    return `${exact} ${told(r)}`;
   }
 
   /**
@@ -49,7 +48,7 @@ const Exactly = (() => {
       Dom.make("span", { class: "exact", text: exact, title: exact.length > 24 ? "exact" : null }),
     ];
     if (exact.includes("/"))
-      parts.push(Dom.make("span", { class: "near", text: decimal(Rational.toNumber(r)) }));
+      parts.push(Dom.make("span", { class: "near", text: told(r) }));
     return Dom.make("span", { class: "number" }, parts);
   }
 
@@ -70,5 +69,5 @@ const Exactly = (() => {
     return Rational.of(s);
   }
 
-  return { decimal, text, both, show, grid, read };
+  return { decimal, told, text, both, show, grid, read };
 })();

@@ -301,7 +301,7 @@ const Plots = (() => {
       if (Number.isFinite(near)) dot.setAttribute("transform", `translate(${at} ${y(near).toFixed(2)})`);
       const exact = Exactly.text(now);
       if (Formulas.kind(plot) === "state") Dom.tell(value, said(true, near));
-      else Dom.tell(value, player.playing || exact.length > 28 ? Exactly.decimal(near) : Exactly.both(now));
+      else Dom.tell(value, player.playing || exact.length > 28 ? Rational.decimal(now).text : Exactly.both(now));
     }
   }
 

@@ -122,5 +122,37 @@ const Rational = (() => {
     return power >= 0 ? { n: n << BigInt(power), d: 1n } : make(n, 1n << BigInt(-power));
   }
 
-  return { make, of, zero, one, add, sub, mul, div, neg, sign, cmp, text, ratio, toNumber, fromNumber };
+  /** @param {number} power at least 0 */
+  const ten = (power) => 10n ** BigInt(power);
+
+  /**
+   * A decimal for people, of so many significant digits: the nearest, of two the one farther from zero; and whether it is
+   * the number itself.
+   * @param {Rational} a @param {number} [digits]
+   */
+  function decimal(a, digits = 6) {
+    if (a.n === 0n) return { text: "0", exact: true };
+    const size = a.n < 0n ? -a.n : a.n;
+    // The power of ten of the first digit: the lengths tell it but for 1.
+    let first = String(size).length - String(a.d).length;
+    if (first < 0 ? size * ten(-first) < a.d : size < a.d * ten(first)) first--;
+    /** @param {number} power of ten of the last digit */
+    const rounded = (power) => {
+      const [n, d] = power < 0 ? [size * ten(-power), a.d] : [size, a.d * ten(power)];
+      const digits = (2n * n + d) / (2n * d);
+      return { digits, exact: digits * d === n };
+    };
+    let found = rounded(first - digits + 1);
+    // Rounded up to a power of ten, it has one digit more.
+    if (found.digits >= ten(digits)) found = rounded(++first - digits + 1);
+    const power = first < -5 || first > 8 ? `e${first}` : "";
+    const places = power ? digits - 1 : Math.max(0, digits - 1 - first);
+    const whole = power ? found.digits : found.digits * ten(Math.max(0, first - digits + 1));
+    const all = String(whole).padStart(places + 1, "0");
+    const fraction = all.slice(all.length - places).replace(/0+$/, "");
+    const text = all.slice(0, all.length - places) + (places && fraction ? "." + fraction : "") + power;
+    return { text: a.n < 0n ? "-" + text : text, exact: found.exact };
+  }
+
+  return { make, of, zero, one, add, sub, mul, div, neg, sign, cmp, text, decimal, ratio, toNumber, fromNumber };
 })();

@@ -104,7 +104,7 @@ const Tools = (() => {
     const show = () => {
       const exact = Exactly.text(player.time);
       if (document.activeElement !== time) time.value = player.playing ? Exactly.decimal(player.clock) : exact;
-      Dom.tell(near, !player.playing && exact.includes("/") ? `≈ ${Exactly.decimal(player.clock)}` : "");
+      Dom.tell(near, !player.playing && exact.includes("/") ? Exactly.told(player.time) : "");
       Dom.tell(step, `${player.legs} / ${player.course.legs.length}`);
     };
     const state = () => {

@@ -46,7 +46,7 @@ let most_listed = 40
 (* Cuts through cuts have long numbers. *)
 let short ?(most = 24) q =
   let text = Rat.to_string q in
-  if String.length text <= most then text else "about " ^ Scc_drawing.Decimal.significant ~digits:6 q
+  if String.length text <= most then text else "about " ^ Decimal.significant ~digits:6 q
 
 let text ~name ~mended (t : Parts.t) =
   let b = Buffer.create 1024 in

@@ -80,7 +80,7 @@ let refused (c : Property.check) why =
 (* Everything that can be estimated, if nothing is named; what is named has to be. *)
 let paths (l : Loaded.t) asked ~by_name =
   let one (found, left) (c : Property.check) =
-    match Path.of_check c with
+    match Path.of_check (Scc_semantics.Semantics.model l.semantics) c with
     | Ok path -> Ok (path :: found, left)
     | Error why -> if by_name then Error (refused c why) else Ok (found, (c, why) :: left)
   in
@@ -273,7 +273,7 @@ let confidence =
 let width =
   let doc =
     "Makes runs until the interval of a probability is not wider than $(docv), and that of a mean not wider than \
-     this share of it; of a comparison, until it is decided."
+     this share of it, where it has one; of a comparison, until it is decided."
   in
   Arg.(
     value
@@ -335,8 +335,12 @@ let man =
     `P
       "Intervals of probabilities are those of Clopper and Pearson, with proved bounds, and hold for any number \
        of runs. Without $(b,--runs) they are looked at again and again, with a share of what the confidence \
-       leaves for each look, so that it holds for all of them together. Intervals of means rest on the normal \
-       approximation.";
+       leaves for each look, so that it holds for all of them together.";
+    `P
+      "A mean has such an interval if its number is in a range, whatever the run: counts, numbers of bonds, of \
+       processes and of shapes at a time, and what is made of them. Other means are undecided: a value too rare to \
+       be among the runs may move the mean by any amount. The mean and the standard deviation of the runs are \
+       shown, and nothing follows from them; $(b,--runs) makes more of them.";
     `P
       "The same options give the same answers, however many processes work at it, but for $(b,--seconds) and \
        interruptions, after which there is an answer from the runs that were made.";
@@ -355,7 +359,9 @@ let command =
     [
       (Exit_code.Holds, "if every comparison is estimated to hold, and every number is estimated. No proof.");
       (Exit_code.Violated, "if some comparison is estimated to be violated.");
-      (Exit_code.Undecided, "if some property is undecided, or some number not as narrow as was asked for.");
+      ( Exit_code.Undecided,
+        "if some property is undecided, as is the mean of a number without a range, or some number is not as narrow \
+         as was asked for." );
       (Exit_code.Stopped, "if it was stopped: what is said rests on the runs that were made.");
     ]
   in

@@ -17,7 +17,7 @@ let profile_name = function Relief.Diffused -> "diffused" | Round -> "round"
 let many n what = Printf.sprintf "%d %s%s" n what (if n = 1 then "" else "s")
 
 (* A distance is told rounded up, so that what is said holds. *)
-let short q = Scc_drawing.Decimal.significant ~digits:4 (Rat.short_above q)
+let short q = Decimal.significant ~digits:4 (Rat.short_above q)
 
 let text o (t : Inflated.t) =
   let shape = t.relief.shape and gaps = t.solid.gaps in
@@ -27,9 +27,9 @@ let text o (t : Inflated.t) =
   Printf.bprintf b "%s: %d x %d pixels, of which the shape has %d%s\n" o.path shape.picture.width
     shape.picture.height shape.size holes;
   Printf.bprintf b "inflated: highest %s pixels (%s, radius %s)\n"
-    (Scc_drawing.Decimal.significant ~digits:4 height)
+    (Decimal.significant ~digits:4 height)
     (profile_name o.inflate.profile)
-    (Scc_drawing.Decimal.significant ~digits:4 t.relief.radius);
+    (Decimal.significant ~digits:4 t.relief.radius);
   Printf.bprintf b "  no height is farther than %s pixels from that of the exact solution\n" (short gaps.solution);
   Printf.bprintf b "solid: %s, %s\n"
     (Printf.sprintf "%d vertices" (Array.length t.solid.mesh.ifs_vertices))

@@ -132,7 +132,13 @@ let json =
   in
   Arg.(value & flag & info [ "json" ] ~doc)
 
-let full doc = Arg.(value & flag & info [ "full" ] ~doc)
+let full doc =
+  let doc =
+    doc
+    ^ " Without it long numbers are decimals: after $(b,~) the nearest with so many digits, at most half a unit of \
+       the last one away; without $(b,~) the number itself."
+  in
+  Arg.(value & flag & info [ "full" ] ~doc)
 
 let diagnostics_man =
   [

@@ -26,8 +26,8 @@ let line ~bounds ~elapsed ~heap (p : Limits.progress) =
     | Some s when elapsed >= 1. -> Printf.sprintf ", at most %s left" (duration s)
     | Some _ | None -> ""
   in
-  Printf.sprintf "%d states (%.0f/s), %d to expand, depth %d, model time %.5g, %d MiB%s" p.states rate p.waiting
-    p.depth (Rat.to_float p.model_time) (heap / Memory.mib) estimate
+  Printf.sprintf "%d states (%.0f/s), %d to expand, depth %d, model time %s, %d MiB%s" p.states rate p.waiting
+    p.depth (Decimal.significant ~digits:5 p.model_time) (heap / Memory.mib) estimate
 
 let show ?about console bounds =
   let title = match about with None -> "" | Some name -> name ^ ": " in

@@ -132,7 +132,7 @@ let state ?(full = false) ?(aside = fun _ -> None) m (s : State.t) =
 (* A few digits of what may take thousands: the JSON has them all. *)
 let brief q =
   let exact = Rat.to_string q in
-  if String.length exact <= 12 then exact else Printf.sprintf "%.6g" (Rat.to_float q)
+  if String.length exact <= 12 then exact else Decimal.significant ~digits:6 q
 
 (* Of bounds that are less than 2^-100 apart, the lower one says enough. *)
 let rounded ((t : Scc_engine.Totals.t), _) =

@@ -110,7 +110,7 @@ let snap_text ~gone (tolerance, (s : Snap.snapped)) =
   let moved = Array.fold_left (fun n d -> if Rat.sign d > 0 then n + 1 else n) 0 s.moved in
   let far = ref 0 in
   Array.iteri (fun v d -> if Rat.compare d s.moved.(!far) > 0 then far := v) s.moved;
-  let short q = Printf.sprintf "%.3g" (Rat.to_float q) in
+  let short = Decimal.significant ~digits:3 in
   let over = if s.turned_over then "; all faces were turned over, as they were listed clockwise" else "" in
   let gone = if gone > 0 then Printf.sprintf "; without %s of the hull" (plural gone) else "" in
   if moved = 0 then
@@ -127,7 +127,7 @@ let outer_text (o : Outer.t) =
   else
     Printf.sprintf
       "simplified: %d faces for %d of the hull, which is inside, and beyond it by at most %s\n" faces o.faces
-      (Scc_drawing.Decimal.significant_above ~digits:4 o.beyond)
+      (Decimal.significant_above ~digits:4 o.beyond)
 
 (* What to try with a mesh of another program. *)
 let advice (r : Solid_report.t) =

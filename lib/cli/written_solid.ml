@@ -39,8 +39,9 @@ let rounded console ~round path set =
     | Some (set, 0, _) -> Ok set
     | Some (set, moved, most) ->
       Console.note console
-        (Printf.sprintf "%s: rounded: coordinates changed: %d, by at most %.3g; faces may not be quite flat" path
-           moved (Rat.to_float most));
+        (Printf.sprintf "%s: rounded: coordinates changed: %d, by at most %s; faces may not be quite flat" path
+           moved
+           (Decimal.significant_above ~digits:3 most));
       Ok set
 
 let convex console ~round ((path, _) as output) set =

@@ -1,7 +1,6 @@
 open Scc_exact
 open Scc_exchange
 
-let short = Report.short
 let line = Report.source_line
 
 let event (i : Recorded.item) =
@@ -9,7 +8,7 @@ let event (i : Recorded.item) =
 
 let number told off =
   match (off, Rat.of_literal told) with
-  | Some _, Ok q -> short q
+  | Some _, Ok q -> Number.short q
   | _ -> told
 
 let set l = "{" ^ String.concat ", " l ^ "}"
@@ -26,7 +25,7 @@ let lines (a : Recorded.t) (b : Recorded.t) : Difference.t -> string list = func
       match what with
       | Label -> "is another"
       | Time off ->
-        Printf.sprintf "is %s %s in the second" (short (Rat.abs off))
+        Printf.sprintf "is %s %s in the second" (Number.short (Rat.abs off))
           (if Rat.sign off > 0 then "later" else "earlier")
       | Choice (m, n) -> Printf.sprintf "is another choice: %d, and %d in the second" m n
       | Rules (r, s) -> Printf.sprintf "is by other rules: %s, and %s in the second" (set r) (set s)
@@ -51,7 +50,7 @@ let lines (a : Recorded.t) (b : Recorded.t) : Difference.t -> string list = func
          | 1 -> "after 1 event"
          | n -> Printf.sprintf "after %d events" n)
         quantity body
-        (match off with Some q -> Printf.sprintf ", by %s" (short (Rat.abs q)) | None -> "");
+        (match off with Some q -> Printf.sprintf ", by %s" (Number.short (Rat.abs q)) | None -> "");
       Printf.sprintf "  %s, %s: %s" a.name (line first) (number one off);
       Printf.sprintf "  %s, %s: %s" b.name (line second) (number two off);
     ]
@@ -59,7 +58,7 @@ let lines (a : Recorded.t) (b : Recorded.t) : Difference.t -> string list = func
     [
       (match off with
        | Some q ->
-         Printf.sprintf "the traces differ in the %s at which they end, by %s" quantity (short (Rat.abs q))
+         Printf.sprintf "the traces differ in the %s at which they end, by %s" quantity (Number.short (Rat.abs q))
        | None -> "the traces differ in how they say that they end");
       Printf.sprintf "  %s, line %d: %s" a.name first.line (number one off);
       Printf.sprintf "  %s, line %d: %s" b.name second.line (number two off);

@@ -88,9 +88,6 @@ let kind_rules : Recorded.kind -> string list = function
 
 let text against (o : Prospect.t) = Transition.label_to_string (Against.model against) o.taken.label
 
-let approximately q =
-  if Rat.is_integer q || Rat.bits q <= 24 then Rat.to_string q else Printf.sprintf "%.9g" (Rat.to_float q)
-
 type found = { kind : kind; rules : string list; why : string; closest : Prospect.t option }
 
 let distance (item : Recorded.item) (o : Prospect.t) = Rat.abs (Rat.sub o.time item.time)
@@ -202,14 +199,14 @@ let other_time against trace index (item : Recorded.item) e options =
       in
       if met_later then None
       else
-        let off = approximately (distance item o) in
+        let off = Number.short (distance item o) in
         let early = Rat.compare item.time o.time < 0 in
         Some
           {
             kind = Wrong_time; rules = when_rules against o.Prospect.taken.label; closest = Some o;
             why =
               Printf.sprintf "%s is allowed at time %s: the trace is %s too %s" (text against o)
-                (approximately o.time) off
+                (Number.short o.time) off
                 (if early then "early" else "late");
           })
 
@@ -221,7 +218,7 @@ let left_out against item options =
         kind = Missing_event; rules; closest = Some o;
         why =
           Printf.sprintf "%s has to happen at time %s, and was not recorded: %s" (text against o)
-            (approximately o.time) reason;
+            (Number.short o.time) reason;
       })
 
 let extra item (e : Recorded.event) options =
@@ -290,11 +287,11 @@ let rules_of_state against (h : Search.hypothesis) (item : Recorded.item) kind =
   | _, None -> [ "Def-5.2" ]
 
 let difference_text (d : Against.difference) =
-  let number text = match Rat.of_literal text with Ok q -> approximately q | Error _ -> text in
+  let number text = match Rat.of_literal text with Ok q -> Number.short q | Error _ -> text in
   let told = if d.off = None then d.told else number d.told in
   let held = if d.off = None then d.held else number d.held in
   let off =
-    match d.off with Some q -> Printf.sprintf ", off by %s" (approximately q) | None -> ""
+    match d.off with Some q -> Printf.sprintf ", off by %s" (Number.short q) | None -> ""
   in
   Printf.sprintf "%s%s is %s in the trace, and %s%s"
     (if d.body = "" then "" else "of " ^ d.body ^ ", ")

@@ -10,9 +10,7 @@ type t = {
   answer : Verdict.answer;
 }
 
-let decimal q = Printf.sprintf "%.9g" (Rat.to_float q)
-let short q = if Rat.is_integer q || Rat.bits q <= 24 then Rat.to_string q else decimal q
-let source_line (i : Recorded.item) = Printf.sprintf "line %d, time %s" i.line (short i.time)
+let source_line (i : Recorded.item) = Printf.sprintf "line %d, time %s" i.line (Number.short i.time)
 
 let reason m : Search.reason -> string = function
   | Too_many_states -> "more states than the limit would have to be looked at (--states)"
@@ -34,7 +32,7 @@ let happened (i : Recorded.item) =
 let allowed_text t (a : Divergence.allowed) =
   Printf.sprintf "%s at time %s   {%s}"
     (Transition.label_to_string t.loaded.model a.label)
-    (short a.time)
+    (Number.short a.time)
     (String.concat ", " (List.map Rule.id a.rules))
 
 let most_shown = 6
@@ -47,7 +45,7 @@ let some_of lines =
     @ [ Printf.sprintf "… %s" (plural (n - most_shown) "more" "more") ]
 
 let difference_text (d : Against.difference) =
-  let number text = match Rat.of_literal text with Ok q -> short q | Error _ -> text in
+  let number text = match Rat.of_literal text with Ok q -> Number.short q | Error _ -> text in
   let shown text = if Option.is_some d.off then number text else text in
   Printf.sprintf "%s%s: %s in the trace, %s expected"
     (if d.body = "" then "" else d.body ^ ": ")
@@ -78,13 +76,14 @@ let text t =
         else
           [
             Printf.sprintf "  off by at most %s in time, %s in position, %s in velocity (tolerance %s)"
-              (short deviation.time) (short deviation.position) (short deviation.velocity) (short t.tolerance);
+              (Number.short deviation.time) (Number.short deviation.position)
+              (Number.short deviation.velocity) (Number.short t.tolerance);
           ]
       in
       [
         Printf.sprintf "%s: conforms: %s, a run of %s up to time %s" t.trace.name met
           (plural (List.length choices) "transition" "transitions")
-          (short ended);
+          (Number.short ended);
       ]
       @ off
       @ if widest > 1 then [ Printf.sprintf "  it could be in %d states at once" widest ] else []
@@ -103,7 +102,7 @@ let text t =
 let texts l = `List (List.map Json.text l)
 
 (* Decimals are texts, too: a reader that wants floats makes its own. *)
-let about q = `Assoc [ ("exact", Json.rat q); ("about", `String (decimal q)) ]
+let about q = `Assoc [ ("exact", Json.rat q); ("about", `String (Number.decimal q)) ]
 
 let event_json (e : Recorded.event) =
   `Assoc

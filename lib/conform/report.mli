@@ -23,7 +23,4 @@ val event_json : Recorded.event -> Json.t
 val source_line : Recorded.item -> string
 (** ["line 5, time 2.1"]. *)
 
-val short : Rat.t -> string
-(** A number for people: exact if that is short, else to nine digits. *)
-
 val reason : Model.t -> Search.reason -> string

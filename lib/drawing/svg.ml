@@ -11,7 +11,7 @@ let escape text =
   String.iter add text;
   Buffer.contents buffer
 
-let number = Decimal.fixed ~places:2
+let number = Scc_exact.Decimal.fixed ~places:2
 
 let opened name attributes =
   String.concat "" (("<" ^ name) :: List.map (fun (k, v) -> " " ^ k ^ "=\"" ^ escape v ^ "\"") attributes)

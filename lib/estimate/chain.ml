@@ -127,7 +127,7 @@ let answers q t =
   let eval = Eval.create (Timed_graph.index (graph t)) (predicates q t) in
   let answer (path : Path.t) formula =
     match path.question with
-    | Amounts m -> mean eval t formula m
+    | Amounts (m, _) -> mean eval t formula m
     | Does -> (
         match Eval.truth eval formula (Positions.start 0) with
         | Some truth -> Truth truth

@@ -22,9 +22,11 @@ let word = function
 
 let places = 6
 let scale = Rat.make (Z.pow (Z.of_int 10) places) Z.one
-let decimal = Scc_drawing.Decimal.fixed ~places
+let decimal = Decimal.fixed ~places
 let down r = decimal (Rat.div (Rat.make (Rat.floor (Rat.mul r scale)) Z.one) scale)
 let up r = decimal (Rat.neg (Rat.div (Rat.make (Rat.floor (Rat.mul (Rat.neg r) scale)) Z.one) scale))
+
+let mean_text = function Some mean -> decimal mean ^ ", " | None -> ""
 
 (* The share of the runs that do, where it is known of each. *)
 let share (t : Tally.t) =
@@ -37,8 +39,14 @@ let line (a : answer) ~confidence =
   | Probability (low, high) ->
     Printf.sprintf "%sfrom %s to %s %s, %s" (share a.tally) (down low) (up high) sure runs
   | Mean { mean; low; high } ->
-    Printf.sprintf "%s, from %s to %s %s by the normal approximation, %s" (decimal mean) (down low) (up high) sure
-      runs
+    Printf.sprintf "%sfrom %s to %s %s, %s" (mean_text mean) (down low) (up high) sure runs
+  | Sample { mean; deviation } ->
+    let spread =
+      match deviation with
+      | Some d -> Printf.sprintf ", with the standard deviation %s" (decimal d)
+      | None -> ""
+    in
+    Printf.sprintf "the mean of these runs alone is %s%s, %s" (decimal mean) spread runs
   | Infinite -> Printf.sprintf "infinite: %d of %s never come to it" a.tally.never runs
   | Unknown -> "not known, " ^ runs
 
@@ -51,7 +59,15 @@ let value : value -> Json.t = function
     `Assoc [ ("kind", `String "probability"); ("low", Json.rat low); ("high", Json.rat high) ]
   | Mean { mean; low; high } ->
     `Assoc
-      [ ("kind", `String "mean"); ("mean", Json.rat mean); ("low", Json.rat low); ("high", Json.rat high) ]
+      [
+        ("kind", `String "mean");
+        ("mean", Json.option Json.rat mean);
+        ("low", Json.rat low);
+        ("high", Json.rat high);
+      ]
+  | Sample { mean; deviation } ->
+    `Assoc
+      [ ("kind", `String "sample"); ("mean", Json.rat mean); ("deviation", Json.option Json.rat deviation) ]
 
 let verdict = function
   | Estimated -> "estimated"
@@ -70,7 +86,7 @@ let answer (a : answer) : Json.t =
       ("runs", `Int t.runs);
       ("yes", `Int t.yes);
       ("no", `Int t.no);
-      ("numbers", `Int (Tally.numbers t));
+      ("numbers", `Int (t.numbers));
       ("never", `Int t.never);
       ("free", `Int t.free);
       ("too_long", `Int t.too_long);
@@ -85,7 +101,7 @@ let json t ~exit : Json.t =
   `Assoc
     ([
       ("format", `String "scc-estimate");
-      ("version", `Int 1);
+      ("version", `Int 2);
       ("semantics", `String Scc_calculus.Parameters.version);
     ]
       @ Origin_json.members t.origin

@@ -7,7 +7,8 @@ type aim = { confidence : Rat.t; width : Rat.t; size : size; free : Sample.free 
 
 type value =
   | Probability of Rat.t * Rat.t
-  | Mean of { mean : Rat.t; low : Rat.t; high : Rat.t }
+  | Mean of { mean : Rat.t option; low : Rat.t; high : Rat.t }
+  | Sample of { mean : Rat.t; deviation : Rat.t option }
   | Infinite
   | Unknown
 
@@ -70,50 +71,59 @@ let value q miss =
   | Does ->
     let low, high = Tally.likelihood q.tally ~miss in
     Probability (low, high)
-  | Amounts _ -> (
-      if q.tally.never > 0 then Infinite
-      else
-        match Tally.mean q.tally ~z:(Normal.two_sided (Rat.sub Rat.one miss)) with
-        | Some (mean, low, high) -> Mean { mean; low; high }
-        | None -> Unknown)
+  | Amounts _ when q.tally.never > 0 -> Infinite
+  | Amounts _ when q.tally.no_value > 0 -> Unknown
+  | Amounts (_, Some range) ->
+    let low, high = Tally.mean q.tally range ~miss in
+    let mean = if Tally.open_ended q.tally > 0 then None else Option.map fst (Tally.spread q.tally) in
+    Mean { mean; low; high }
+  | Amounts (_, None) when Tally.open_ended q.tally > 0 -> Unknown
+  | Amounts (_, None) -> (
+      match Tally.spread q.tally with
+      | Some (mean, deviation) -> Sample { mean; deviation }
+      | None -> Unknown)
+
+let range q =
+  match q.asked.question with
+  | Amounts (_, range) -> range
+  | Does -> Some { low = Rat.zero; high = Rat.one; ends_only = true }
 
 (* What is known of what the test is about. Where choices have been taken evenly the least is not more than what
    was found, and the greatest not less. *)
 let known t q (side : Property.side) value : Answer.t option =
-  let no_open = Tally.open_ended q.tally = 0 in
-  let within ~least ~greatest low high : Answer.t option =
-    match (t.chosen, side) with
-    | false, _ -> Some (Within (low, high))
-    | true, Least -> Option.map (fun least -> Answer.Within (least, high)) least
-    | true, Greatest -> (
-        match greatest with
-        | Some greatest -> Some (Within (low, greatest))
-        | None -> Some (At_least low))
-  in
   match value with
-  | Probability (low, high) -> within ~least:(Some Rat.zero) ~greatest:(Some Rat.one) low high
-  | Mean { low; high; _ } when no_open -> within ~least:None ~greatest:None low high
+  | Probability (low, high) | Mean { low; high; _ } -> (
+      match (t.chosen, side, range q) with
+      | true, Least, Some range -> Some (Within (range.low, high))
+      | true, Greatest, Some range -> Some (Within (low, range.high))
+      | _, _, _ -> Some (Within (low, high)))
   | Infinite when (not t.chosen) || side = Greatest -> Some Infinite
-  | Mean _ | Infinite | Unknown -> None
+  | Infinite | Sample _ | Unknown -> None
 
-let is_narrow t q value =
+(* How wide the interval may be. *)
+let allowed t value =
   match value with
-  | Probability (low, high) -> Rat.compare (Rat.sub high low) t.aim.width <= 0
   | Mean { mean; low; high } ->
-    Tally.open_ended q.tally = 0
-    && Rat.compare (Rat.sub high low) (Rat.mul t.aim.width (Rat.abs mean)) <= 0
-  | Infinite -> true
-  | Unknown -> false
+    let about = match mean with Some mean -> Rat.abs mean | None -> Rat.max (Rat.abs low) (Rat.abs high) in
+    Rat.mul t.aim.width about
+  | Probability _ | Sample _ | Infinite | Unknown -> t.aim.width
 
-(* What stays open, however many runs there are, is already too much. *)
+let is_narrow t value =
+  match value with
+  | Probability (low, high) | Mean { low; high; _ } -> Rat.compare (Rat.sub high low) (allowed t value) <= 0
+  | Infinite -> true
+  | Sample _ | Unknown -> false
+
+(* However many runs there are, they do not tell it: no range is known, or what stays open is already too much. *)
 let is_hopeless t q ~miss value =
   let n = q.tally.runs and k = Tally.open_ended q.tally in
-  k > 0
-  &&
-  match value with
-  | Probability _ ->
-    Rat.compare (Clopper_pearson.lower ~n ~k ~miss:(Rat.div miss (Rat.of_int 2))) t.aim.width > 0
-  | Mean _ | Infinite | Unknown -> true
+  match (value, range q) with
+  | (Probability _ | Mean _), Some range when k > 0 ->
+    let share = Clopper_pearson.lower ~n ~k ~miss:(Rat.div miss (Rat.of_int 2)) in
+    Rat.compare (Rat.mul share (Rat.sub range.high range.low)) (allowed t value) > 0
+  | (Probability _ | Mean _), _ -> false
+  | Infinite, _ -> k > 0
+  | (Sample _ | Unknown), _ -> true
 
 let of_runs (tally : Tally.t) k = Printf.sprintf "%d of %d runs" k tally.runs
 
@@ -134,7 +144,10 @@ let open_reasons (tally : Tally.t) =
 
 let asked_for t value =
   match (value, t.aim.size) with
-  | Unknown, _ -> "there are too few numbers"
+  | Sample _, _ ->
+    "no range of this number is known, and so no interval: a value too rare to be among the runs may move the \
+     mean by any amount. `scc check` tells the mean where it gets to the end"
+  | Unknown, _ -> "no run was made"
   | _, Exactly _ -> "more runs would tell more"
   | _, At_most n when t.runs >= n -> Printf.sprintf "more than %d runs are needed: --most" n
   | _, At_most _ -> "more runs would tell more"
@@ -144,16 +157,24 @@ let answer t q value verdict ~reasons =
 
 let look t q ~miss ~last =
   let value = value q miss in
-  let narrow = is_narrow t q value and hopeless = is_hopeless t q ~miss value in
-  let wide () = if narrow then [] else open_reasons q.tally @ if hopeless then [] else [ asked_for t value ] in
+  let narrow = is_narrow t value and hopeless = is_hopeless t q ~miss value in
+  let wide () =
+    let still_open = open_reasons q.tally in
+    match value with
+    | _ when narrow -> []
+    | Unknown when still_open <> [] -> still_open
+    | Probability _ | Mean _ | Infinite when hopeless -> still_open
+    | Probability _ | Mean _ | Infinite | Sample _ | Unknown -> still_open @ [ asked_for t value ]
+  in
   let settle verdict ~reasons = q.answer <- Some (answer t q value verdict ~reasons) in
   match test q.asked with
   | None ->
     let fixed = match t.aim.size with Exactly _ -> true | At_most _ -> false in
-    let unknown = value = Unknown || (hopeless && match q.asked.question with Amounts _ -> true | Does -> false) in
-    if narrow || hopeless || last then
-      if unknown then settle Undecided ~reasons:(wide ())
-      else settle Estimated ~reasons:(if fixed && not hopeless then open_reasons q.tally else wide ())
+    if narrow || hopeless || last then (
+      match value with
+      | Sample _ | Unknown -> settle Undecided ~reasons:(wide ())
+      | Probability _ | Mean _ | Infinite ->
+        settle Estimated ~reasons:(if fixed && not hopeless then open_reasons q.tally else wide ()))
   | Some (side, test) -> (
       match Option.bind (known t q side value) (fun known -> Answer.holds known test) with
       | Some holds -> settle (if holds then Holds else Violated) ~reasons:[]

@@ -15,7 +15,10 @@ type aim = {
 
 type value =
   | Probability of Rat.t * Rat.t
-  | Mean of { mean : Rat.t; low : Rat.t; high : Rat.t }  (** by the normal approximation *)
+  | Mean of { mean : Rat.t option; low : Rat.t; high : Rat.t }
+  (** of a number that is always in some range; the mean over the runs, if each has come to a number *)
+  | Sample of { mean : Rat.t; deviation : Rat.t option }
+  (** of a number of which no range is known: what the runs came to, from which nothing follows *)
   | Infinite  (** runs never come to where the number would be known *)
   | Unknown
 

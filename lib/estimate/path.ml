@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_property
 
-type question = Does | Amounts of Property.mean
+type question = Does | Amounts of Property.mean * Range.t option
 
 type t = {
   check : Property.check;
@@ -29,7 +29,12 @@ let is_likelihood : Property.temporal -> bool = function
 
 let nested = "what is in its brackets is about other runs: single ones do not tell"
 
-let of_check (check : Property.check) =
+(* How long something takes, and how often it happens, has no bound that is known. *)
+let range model : Property.mean -> Range.t option = function
+  | Value_at (n, time) -> Range.of_number model ~time n
+  | Time_until _ | Events_until _ -> None
+
+let of_check model (check : Property.check) =
   let made question =
     match of_run check.formula with
     | Some (formula, horizon) -> Ok { check; question; formula; horizon }
@@ -39,4 +44,4 @@ let of_check (check : Property.check) =
   | How_likely _ -> made Does
   | Whether when is_likelihood check.formula -> made Does
   | Whether -> Error "no probability or mean is asked for: `scc check` decides it"
-  | Expected (_, mean, _) -> made (Amounts mean)
+  | Expected (_, mean, _) -> made (Amounts (mean, range model mean))

@@ -2,11 +2,13 @@
     run. *)
 
 open Scc_exact
+open Scc_calculus
 open Scc_property
 
 type question =
   | Does  (** whether a run does as the formula says *)
-  | Amounts of Property.mean  (** what the run comes to *)
+  | Amounts of Property.mean * Range.t option
+  (** what the run comes to, and where that always is, if this is known beforehand *)
 
 type t = {
   check : Property.check;
@@ -15,6 +17,6 @@ type t = {
   horizon : Rat.t option;  (** model time after which it is decided; [None]: it may never be *)
 }
 
-val of_check : Property.check -> (t, string) result
-(** Of [P ... \[f U g\]] and its like, and of [E ...], where what is inside is about states. Otherwise why it
-    cannot be judged on single runs. *)
+val of_check : Model.t -> Property.check -> (t, string) result
+(** Of a check of the model: of [P ... \[f U g\]] and its like, and of [E ...], where what is inside is about states.
+    Otherwise why it cannot be judged on single runs. *)

@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 
 type t = {
@@ -9,14 +10,15 @@ type t = {
   never : int;
   no_value : int;
   why : string option;
+  numbers : int;
   sum : Rat.t;
   squares : Rat.t;
 }
 
 let empty =
   {
-    runs = 0; yes = 0; no = 0; free = 0; too_long = 0; never = 0; no_value = 0; why = None; sum = Rat.zero;
-    squares = Rat.zero;
+    runs = 0; yes = 0; no = 0; free = 0; too_long = 0; never = 0; no_value = 0; why = None; numbers = 0;
+    sum = Rat.zero; squares = Rat.zero;
   }
 
 let add t (o : Sample.outcome) =
@@ -28,32 +30,41 @@ let add t (o : Sample.outcome) =
   | Too_long -> { t with too_long = t.too_long + 1 }
   | Never -> { t with never = t.never + 1 }
   | No_value why -> { t with no_value = t.no_value + 1; why = (if t.why = None then Some why else t.why) }
-  | Number x -> { t with sum = Rat.add t.sum x; squares = Rat.add t.squares (Rat.mul x x) }
+  | Number x ->
+    { t with numbers = t.numbers + 1; sum = Rat.add t.sum x; squares = Rat.add t.squares (Rat.mul x x) }
 
 let open_ended t = t.free + t.too_long + t.no_value
-let numbers t = t.runs - t.yes - t.no - t.never - open_ended t
 
 let likelihood t ~miss =
   let miss = Rat.div miss (Rat.of_int 2) in
   ( Clopper_pearson.lower ~n:t.runs ~k:t.yes ~miss,
     Clopper_pearson.upper ~n:t.runs ~k:(t.yes + open_ended t) ~miss )
 
-(* The root of a number, rounded up to a multiple of 2^-64 of itself or so. *)
-let root_above (r : Rat.t) =
-  let shift = 64 + Int.max 0 (Z.numbits r.den) in
-  let scaled = Z.cdiv (Z.shift_left r.num (2 * shift)) r.den in
-  Rat.make (Z.succ (Z.sqrt scaled)) (Z.shift_left Z.one shift)
+(* More than e. *)
+let e_above = Rat.make (Z.of_int 271_829) (Z.of_int 100_000)
 
-(* A rule of thumb for sums to be as good as normal. *)
-let enough = 30
+let mean t (range : Range.t) ~miss =
+  let width = Rat.sub range.high range.low in
+  if Rat.sign width = 0 then (range.low, range.low)
+  else begin
+    let miss = Rat.div miss (if range.ends_only then Rat.of_int 2 else Rat.mul (Rat.of_int 2) e_above) in
+    let least = Rat.div (Rat.sub t.sum (Rat.mul (Rat.of_int t.numbers) range.low)) width in
+    let most = Rat.add least (Rat.of_int (open_ended t)) in
+    if Rat.sign least < 0 || Rat.compare most (Rat.of_int t.runs) > 0 then
+      Bug.fail __POS__ "a number beyond its range";
+    (* Whole numbers, of which the bound is proved: fewer below, more above. *)
+    let below = Z.to_int (Rat.floor least) and above = Z.to_int (Z.neg (Rat.floor (Rat.neg most))) in
+    let at share = Rat.add range.low (Rat.mul share width) in
+    ( at (Clopper_pearson.lower ~n:t.runs ~k:below ~miss),
+      at (Clopper_pearson.upper ~n:t.runs ~k:above ~miss) )
+  end
 
-let mean t ~z =
-  let n = numbers t in
-  if n < enough then None
+let spread t =
+  if t.numbers = 0 then None
   else
-    let count = Rat.of_int n in
-    let mean = Rat.div t.sum count in
+    let mean = Rat.div t.sum (Rat.of_int t.numbers) in
     let around = Rat.sub t.squares (Rat.mul t.sum mean) in
-    let variance = Rat.div around (Rat.of_int (n - 1)) in
-    let off = if Rat.sign variance = 0 then Rat.zero else Rat.mul z (root_above (Rat.div variance count)) in
-    Some (mean, Rat.sub mean off, Rat.add mean off)
+    let deviation =
+      if t.numbers = 1 then None else Some (Rat.root (Rat.div around (Rat.of_int (t.numbers - 1))))
+    in
+    Some (mean, deviation)

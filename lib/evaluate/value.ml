@@ -115,7 +115,7 @@ let near n d offset =
     let v = Rat.div (Polynomial.eval n r) bottom in
     let c = simplest (Rat.sub v (tiny 12)) (Rat.add v (tiny 12)) in
     if Algebraic.sign_at (Polynomial.sub n (Polynomial.scale c d)) offset = 0 then Rat.to_string c
-    else "about " ^ Algebraic.to_decimal (Algebraic.of_rat v)
+    else "about " ^ Decimal.padded ~places:6 v
 
 let at value offset =
   match (value, Algebraic.to_rat offset) with

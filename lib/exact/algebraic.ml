@@ -106,21 +106,10 @@ let add_rat r = function
 
 let ten_to n = Rat.make (Z.pow (Z.of_int 10) n) Z.one
 
-let decimal ~digits x =
-  let unit = ten_to digits in
-  let n = Rat.floor (Rat.add (Rat.mul (Rat.abs x) unit) (Rat.make Z.one (Z.of_int 2))) in
-  let whole, rest = Z.div_rem n (Q.num unit) in
-  let minus = if Rat.sign x < 0 && Z.sign n > 0 then "-" else "" in
-  if digits = 0 then minus ^ Z.to_string whole
-  else
-    let fraction = Z.to_string rest in
-    Printf.sprintf "%s%s.%s%s" minus (Z.to_string whole)
-      (String.make (digits - String.length fraction) '0')
-      fraction
-
-let to_decimal ?(digits = 6) a =
-  let low, high = enclose a ~width:(Rat.div Rat.one (ten_to (digits + 1))) in
-  decimal ~digits (middle low high)
+(* An irrational number is nowhere between two decimals: near enough, both ends round to the same. *)
+let rec to_decimal ?(digits = 6) a =
+  let low = Decimal.padded ~places:digits (low_end a) and high = Decimal.padded ~places:digits (high_end a) in
+  if String.equal low high then low else to_decimal ~digits (halve a)
 
 (* The interval shown is the coarsest of neighbouring multiples of 10^-k, k >= 1, that isolates the root,
    so that the text does not depend on how far the number happens to be refined. *)

@@ -40,7 +40,7 @@ val add_rat : Rat.t -> t -> t
 (** The sum with a rational. *)
 
 val to_decimal : ?digits:int -> t -> string
-(** A decimal fraction within 10^-digits of the number (6 by default; for people). *)
+(** The nearest decimal fraction of so many places (6 by default): {!Decimal.padded}. *)
 
 val to_string : t -> string
 (** ["5/4"], or e.g. ["root of 2t^2 - 3 in (6/5, 13/10), about 1.224745"]. *)

@@ -42,6 +42,6 @@ let to_string a =
 
 let in_short a =
   let text = to_string a in
-  let about q = Printf.sprintf "%.6g" (Rat.to_float q) in
+  let about = Decimal.significant ~digits:6 in
   if String.length text <= 120 then text
   else Printf.sprintf "about (%s, %s, %s)" (about a.x) (about a.y) (about a.z)

@@ -69,7 +69,7 @@ let geometry (r : Solid_report.t) =
 let warning (d : Diag.t) = `Assoc [ ("code", `String d.code); ("message", Json.text d.message) ]
 
 let snapped (tolerance, (s : Scc_snap.Snap.snapped)) =
-  let short q = Json.text (Printf.sprintf "%.3g" (Rat.to_float q)) in
+  let short q = Json.text (Decimal.significant ~digits:3 q) in
   let all = List.mapi (fun v by -> (v, by)) (Array.to_list s.moved) in
   let moved = List.filter (fun (_, by) -> Rat.sign by > 0) all in
   let vertex (v, by) = `Assoc [ ("vertex", Json.text (fst s.set.ifs_vertices.(v))); ("by", short by) ] in

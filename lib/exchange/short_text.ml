@@ -5,35 +5,19 @@ let greatest = 24
 
 let rat q =
   let text = Rat.to_string q in
-  if String.length text <= greatest then text else "~" ^ Algebraic.to_decimal (Algebraic.of_rat q)
+  if String.length text <= greatest then text else Decimal.marked q
 
 (* What nobody would read to the end. *)
 let endless = 60
 
-(* Seven digits, cut off, and a power of ten: those of q 10^k, for a k with which it is great enough. *)
-let scientific q =
-  let size = Rat.abs q in
-  let zeros = String.length (Z.to_string (Z.fdiv (Q.den size) (Q.num size))) + 8 in
-  let digits = Z.to_string (Rat.floor (Rat.mul size (Q.of_bigint (Z.pow (Z.of_int 10) zeros)))) in
-  let sign = if Rat.sign q < 0 then "-" else "" in
-  Printf.sprintf "%s%c.%se%d" sign digits.[0] (String.sub digits 1 6) (String.length digits - 1 - zeros)
-
-let least = Rat.make Z.one (Z.of_int 1000)
-let greatest_plain = Rat.of_int 1_000_000_000
-
 (* A fraction of which one does not see how great it is. *)
 let plain_fraction = 15
-
-let about q =
-  let size = Rat.abs q in
-  let plain = Rat.compare least size <= 0 && Rat.compare size greatest_plain < 0 in
-  if plain then Algebraic.to_decimal (Algebraic.of_rat q) else scientific q
 
 let exact q =
   let text = Rat.to_string q in
   let length = String.length text in
-  if length > endless then Printf.sprintf "~%s (%d characters)" (about q) length
-  else if length > plain_fraction && not (Rat.is_integer q) then Printf.sprintf "%s (~%s)" text (about q)
+  if length > endless then Printf.sprintf "%s (%d characters)" (Decimal.marked q) length
+  else if length > plain_fraction && not (Rat.is_integer q) then Printf.sprintf "%s (%s)" text (Decimal.marked q)
   else text
 
 let is_digit c = c >= '0' && c <= '9'
@@ -73,7 +57,7 @@ let quaternion ~full (q : Quaternion.t) =
   if full || String.length text <= 2 * greatest then text
   else
     let size = List.fold_left (fun s z -> Z.add s (Z.abs z)) Z.zero [ q.w; q.x; q.y; q.z ] in
-    let share z = Algebraic.to_decimal (Algebraic.of_rat (Rat.make z size)) in
+    let share z = Decimal.padded ~places:6 (Rat.make z size) in
     Printf.sprintf "~(%s, %s, %s, %s)" (share q.w) (share q.x) (share q.y) (share q.z)
 
 let position ?(full = false) m (l : State.leaf) =

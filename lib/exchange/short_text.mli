@@ -4,12 +4,11 @@ open Scc_exact
 open Scc_calculus
 
 val rat : Rat.t -> string
-(** Exact up to 24 characters, else ["~"] and six decimal places. *)
+(** Exact up to 24 characters, else {!Decimal.marked}. *)
 
 val exact : Rat.t -> string
-(** Exact up to 60 characters, and fractions of more than 15 with a decimal beside: ["1234567890/987654321
-    (~1.249999)"]. Else ["~"], six decimal places or seven digits and a power of ten, and how many characters it
-    would take. *)
+(** Exact up to 60 characters, and fractions of more than 15 with a decimal beside: ["137174210/109739369
+    (~1.250000)"], by {!Decimal.marked}. Else that alone, and how many characters it would take. *)
 
 val within : string -> string
 (** A text in which each number is written so. *)

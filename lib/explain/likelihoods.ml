@@ -5,13 +5,7 @@ open Scc_chance
 let digits = 6
 
 let scale = Rat.make (Z.pow (Z.of_int 10) digits) Z.one
-let trimmed text =
-  if not (String.contains text '.') then text
-  else
-    let rec last i = if text.[i] = '0' then last (i - 1) else if text.[i] = '.' then i - 1 else i in
-    String.sub text 0 (last (String.length text - 1) + 1)
-
-let decimal n = trimmed (Algebraic.to_decimal ~digits (Algebraic.of_rat (Rat.div (Rat.make n Z.one) scale)))
+let decimal n = Decimal.fixed ~places:digits (Rat.div (Rat.make n Z.one) scale)
 let below x = decimal (Rat.floor (Rat.mul x scale))
 let above x = decimal (Z.neg (Rat.floor (Rat.neg (Rat.mul x scale))))
 
@@ -19,9 +13,9 @@ let longest = 24
 
 (* What is hardly more than 0 is not said to be 0, nor what is hardly less than 1 to be 1. *)
 let rounded x =
-  let plain () = "about " ^ Algebraic.to_decimal ~digits (Algebraic.of_rat x) in
+  let plain () = "about " ^ Decimal.padded ~places:digits x in
   let near a b = Rat.compare (Rat.mul (Rat.abs (Rat.sub a b)) scale) Rat.one < 0 in
-  if near x Rat.zero then "about " ^ Scc_drawing.Decimal.significant ~digits:4 x
+  if near x Rat.zero then "about " ^ Decimal.significant ~digits:4 x
   else if near x Rat.one then if Rat.compare x Rat.one < 0 then "more than " ^ below x else plain ()
   else plain ()
 

@@ -24,9 +24,9 @@ let on_grid quantum (set : Polyhedron.ifs) =
   let told =
     if !moved = 0 then "on the grid: nothing moved"
     else
-      Printf.sprintf "on the grid: %s moved, %s the farthest, by %.3g" (vertices !moved)
+      Printf.sprintf "on the grid: %s moved, %s the farthest, by %s" (vertices !moved)
         (fst set.ifs_vertices.(!far))
-        (sqrt (Rat.to_float !farthest))
+        (Decimal.significant ~digits:3 (Rat.root !farthest))
   in
   ({ set with ifs_vertices = there }, told)
 

@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_geometry
 
-let number q = Option.value ~default:(Rat.to_string q) (Decimal.exact q)
+let number q = Option.value ~default:(Rat.to_string q) (Digits.exact q)
 
 let vertices b prefix (set : Polyhedron.ifs) =
   let one (_, (v : Vec.t)) = Printf.bprintf b "%s%s %s %s\n" prefix (number v.x) (number v.y) (number v.z) in
@@ -70,7 +70,7 @@ let stl (set : Polyhedron.ifs) =
 let rounded (set : Polyhedron.ifs) =
   let moved = ref 0 and most = ref Rat.zero and beyond = ref None in
   let round q =
-    match Decimal.rounded q with
+    match Digits.rounded q with
     | Some near ->
       let d = Rat.abs (Rat.sub q near) in
       if Rat.sign d > 0 then incr moved;
@@ -129,7 +129,7 @@ let formats =
 let endings = List.map (fun f -> f.ending) formats
 
 let without_decimal (set : Polyhedron.ifs) =
-  let lacks q = Option.is_none (Decimal.exact q) in
+  let lacks q = Option.is_none (Digits.exact q) in
   let bad (_, (v : Vec.t)) = lacks v.x || lacks v.y || lacks v.z in
   Option.map fst (List.find_opt bad (Array.to_list set.ifs_vertices))
 

@@ -119,7 +119,8 @@ let cast store a b offset velocity =
 
 let turning = [ "turned_"; "spin_"; "since_"; "arm_" ]
 let of_side side = List.map (fun name -> name ^ side) turning
-let rigid_members = "span" :: "resolution" :: "grid" :: (of_side "a" @ of_side "b")
+let spans = [ "span"; "until" ]
+let rigid_members = spans @ [ "resolution"; "grid"; "phase" ] @ of_side "a" @ of_side "b"
 
 (* [reference] is where the reference point is now; the turn has taken the arm with it. *)
 let motion p side (solid : Solid.t) reference velocity : Motion.t =
@@ -132,20 +133,40 @@ let motion p side (solid : Solid.t) reference velocity : Motion.t =
   let still = { Motion.solid; turned; arm; centre = Vec.zero; velocity; spin; since } in
   { still with centre = Vec.sub reference (Motion.reference still Rat.zero) }
 
+(* Rule Cast: the grid counts from the start of the last turn of those that go on. *)
+let turn_phase (a : Motion.t) (b : Motion.t) =
+  match (Vec.is_zero a.spin, Vec.is_zero b.spin) with
+  | false, false -> Rat.min a.since b.since
+  | false, true -> a.since
+  | true, false -> b.since
+  | true, true -> Rat.zero
+
+let phase a b p place : Wire.t -> Rat.t = function
+  | Text "turn" -> turn_phase a b
+  | value -> Read.not_negative p place value
+
 let rigid store p a b offset velocity =
-  let span = Read.required p "span" Read.not_negative in
   let motion_a = motion p "a" a Vec.zero Vec.zero and motion_b = motion p "b" b offset velocity in
   let grid =
     match (Read.optional p "grid" Read.natural, Read.optional p "resolution" Read.positive) with
     | Some k, None -> k
     | None, Some resolution -> Cast.grid motion_a motion_b ~resolution
-    | None, None -> Fault.invalid (Member "resolution") "either `resolution` or `grid` is needed with `span`"
+    | None, None ->
+      Fault.invalid (Member "resolution") "either `resolution` or `grid` is needed with `span` or `until`"
     | Some _, Some _ -> Fault.invalid (Member "grid") "it does not go with `resolution`"
   in
   let most = (Read.quotas p).grid in
   if grid > most then Fault.refuse (Limit ("grid", most));
+  let phase = Option.value (Read.optional p "phase" (phase motion_a motion_b)) ~default:Rat.zero in
+  let span =
+    match (Read.optional p "span" Read.not_negative, Read.optional p "until" Read.not_negative) with
+    | Some span, None -> span
+    | None, Some limit -> Cast.next_instant ~grid ~phase limit
+    | None, None -> Fault.invalid (Member "span") "a number is missing"
+    | Some _, Some _ -> Fault.invalid (Member "until") "it does not go with `span`"
+  in
   let obstacle = Shapes.obstacle store a b in
-  let outcome = Cast.first_time_of_contact ~obstacle motion_a motion_b ~span ~grid in
+  let outcome = Cast.first_time_of_contact ~obstacle ~phase motion_a motion_b ~span ~grid in
   Shapes.tidy store obstacle;
   let answer =
     match outcome with
@@ -161,12 +182,12 @@ let first_time_of_contact store p =
   let a = Read.required p "a" (Shapes.shape store) and b = Read.required p "b" (Shapes.shape store) in
   let offset = Read.required p "offset" Read.vector in
   let velocity = Read.required p "velocity" Read.vector in
-  if Read.has p "span" then begin
+  if List.exists (Read.has p) spans then begin
     Read.only p (rigid_members @ plain_members);
     Reply.Value (`Assoc (rigid store p a b offset velocity))
   end
   else begin
-    let without name = if Read.has p name then Fault.invalid (Member name) "it goes with `span` only" in
+    let without name = if Read.has p name then Fault.invalid (Member name) "it goes with `span` or `until` only" in
     List.iter without rigid_members;
     Read.only p plain_members;
     Reply.Value (`Assoc (cast store a b offset velocity))

@@ -1,5 +1,4 @@
 open Scc_exact
-open Scc_drawing
 
 type t = { width : int; height : int; unit_length : Rat.t; place : Ivec.t -> Rat.t * Rat.t }
 

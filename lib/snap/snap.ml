@@ -196,7 +196,7 @@ let snap ~tolerance (set : Polyhedron.ifs) =
 
 (* {1 In words} *)
 
-let decimal q = Printf.sprintf "%.3g" (Rat.to_float q)
+let decimal = Decimal.significant ~digits:3
 
 let explain (set : Polyhedron.ifs) ~tolerance refusal =
   let vertex i = fst set.ifs_vertices.(i) and face i = fst set.ifs_faces.(i) in

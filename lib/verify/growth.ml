@@ -314,7 +314,7 @@ let to_string (m : Model.t) cause =
   | Numbers { leaf; quantity; bits } ->
     say "the numbers of %s grow: %s %s" (name leaf) (of_each quantity) (told bits)
   | Leaves { leaves; from; until } ->
-    let distance d2 = say "%.6g" (sqrt (Rat.to_float d2)) in
+    let distance d2 = Decimal.significant ~digits:6 (Rat.root d2) in
     say
       "%s leaves all others, while these come back to where they were: at the end of the deepest run it is %s \
        from the nearest, and was %s not long before"

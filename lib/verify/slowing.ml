@@ -45,7 +45,7 @@ let find graph =
   Option.bind (deepest graph) (fun i -> of_instants (instants i))
 
 let to_string s =
-  let stretch x = Printf.sprintf "%d instants took %.3g" x.instants (Rat.to_float x.took) in
-  Printf.sprintf "event times grow ever slower: %s, up to time %.6g"
+  let stretch x = Printf.sprintf "%d instants took %s" x.instants (Decimal.significant ~digits:3 x.took) in
+  Printf.sprintf "event times grow ever slower: %s, up to time %s"
     (String.concat ", the next " (List.map stretch s.stretches))
-    (Rat.to_float s.until)
+    (Decimal.significant ~digits:6 s.until)

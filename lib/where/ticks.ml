@@ -1,5 +1,4 @@
 open Scc_exact
-open Scc_drawing
 open Scc_calculus
 
 type mark = { at : Rat.t; label : string; exact : string }

@@ -1,5 +1,4 @@
 open Scc_exact
-open Scc_drawing
 open Scc_polyhedra
 open Scc_calculus
 

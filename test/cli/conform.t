@@ -31,21 +31,21 @@ CSV, exact and with floats.
   $ scc conform $M/latch.sc floats.csv --tolerance 1e-9
   floats.csv: diverges at line 2, time 2.0000001: wrong-time
     the trace: bind(dock, p.right, q.left)
-    bind(dock, p.right, q.left) is allowed at time 2: the trace is 1e-07 too late
+    bind(dock, p.right, q.left) is allowed at time 2: the trace is 1e-7 too late
     rules: Ftoc, Collision
     allowed there:
       bind(dock, p.right, q.left) at time 2   {Bind, Pre, Def}
   [1]
   $ scc conform $M/latch.sc floats.csv --tolerance 1e-6
   floats.csv: conforms: 2 events, a run of 4 transitions up to time 3
-    off by at most 1e-07 in time, 0 in position, 0 in velocity (tolerance 1/1000000)
+    off by at most 1e-7 in time, 0 in position, 0 in velocity (tolerance 1/1000000)
   $ scc diff exact.csv own.jsonl
   the traces differ: event 2 is 1 earlier in the second
     exact.csv, line 3, time 3: weak(dock, p.right, q.left)
     own.jsonl, line 5, time 2: weak(dock, p.right, q.left)
   [1]
   $ scc diff exact.csv floats.csv --tolerance 0
-  the traces differ: event 1 is 1e-07 later in the second
+  the traces differ: event 1 is 1e-7 later in the second
     exact.csv, line 2, time 2: bind(dock, p.right, q.left)
     floats.csv, line 2, time 2.0000001: bind(dock, p.right, q.left)
   [1]

@@ -5,10 +5,55 @@ Probabilities and means from many runs.
   how_often: estimated: 0.8, from 0.750133 to 0.844019 with confidence 99/100, 500 runs
   
   by_four: estimated: 0.614, from 0.55603 to 0.669758 with confidence 99/100, 500 runs
-  $ scc estimate $M/ruin.sc --check drift --check how_long --runs 500 --seed 7
-  drift: estimated: -0.254, from -0.378921 to -0.129079 with confidence 99/100 by the normal approximation, 500 runs
+
+A mean has an interval where its number is in a range. Of others nothing is known, however little the sample varies.
+
+  $ scc estimate $M/crosslink.sc --check at_6 --free evenly --runs 500
+  at_6: estimated: 0.058, from 0.03439 to 0.090387 with confidence 99/100, 500 runs
+    choices that nothing draws were taken evenly
+  $ scc estimate $M/association.sc --check mean_at_3 --runs 500
+  mean_at_3: estimated: from 0.715323 to 2.172252 with confidence 99/100, 500 runs
+    184 of 500 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+  [2]
+  $ scc estimate $M/association.sc --property 'E >= 1/2 [ bonds() at 3 ]' --property 'E > 2 [ count(i in 1..n: bound(m[i], s[i])) at 3 ]'
+  property1: undecided: from 0.445495 to 3.411565 with confidence 99/100, 128 runs
+    46 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
   
-  how_long: estimated: 5.372, from 4.905603 to 5.838397 with confidence 99/100 by the normal approximation, 500 runs
+  property2: undecided: from 0.561501 to 2.379321 with confidence 99/100, 128 runs
+    46 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+  [2]
+  $ scc estimate $M/ruin.sc --check drift --check how_long --runs 500 --seed 7
+  drift: undecided: the mean of these runs alone is -0.254, with the standard deviation 1.08436, 500 runs
+    no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+  
+  how_long: undecided: the mean of these runs alone is 5.372, with the standard deviation 4.048506, 500 runs
+    no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+  [2]
+  $ cat > rare.sc <<'END'
+  > // The mean is 1 (1000 with 1/1000): a sample without the rare draw has variance 0.
+  > timestep 1 steady
+  > process p = box(1/4, 1/4, 1/4) mass 1 [nil]
+  > motion p = choose { (1000, 0, 0) weight 1, (0, 0, 0) weight 999 }
+  > check mean : E = ? [ x(p) at 1 ]
+  > check below : E <= 1/2 [ x(p) at 1 ]
+  > check often : E <= 1/2 [ if x(p) > 0 then 1 else 0 at 1 ]
+  > check never : E <= 1/100000 [ if x(p) > 0 then 1 else 0 at 1 ]
+  > END
+  $ scc estimate rare.sc
+  mean: undecided: the mean of these runs alone is 0, with the standard deviation 0, 128 runs
+    no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+  
+  below: undecided: the mean of these runs alone is 0, with the standard deviation 0, 128 runs
+    no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+  
+  often: estimated to hold: 0, from 0 to 0.04573 with confidence 99/100, 128 runs
+  
+  never: estimated to be violated: 0.001524, from 0.000119 to 0.006186 with confidence 99/100, 3280 runs
+  [1]
+  $ scc estimate rare.sc --check below --runs 1
+  below: undecided: the mean of these runs alone is 0, 1 runs
+    no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+  [2]
 
 The same, however many processes work at it; the exact numbers are 171/211 and 373/625, about 0.810427 and 0.5968.
 
@@ -26,7 +71,8 @@ Comparisons end as soon as they are decided.
   
   property2: estimated to be violated: 0.75, from 0.629163 to 0.848442 with confidence 99/100, 128 runs
   
-  property3: estimated to hold: 5.4375, from 4.31721 to 6.55779 with confidence 99/100 by the normal approximation, 128 runs
+  property3: undecided: the mean of these runs alone is 5.4375, with the standard deviation 4.513758, 128 runs
+    no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
   [1]
   $ scc estimate $M/ruin.sc --check surely --most 200
   surely: undecided: 1, from 0.95427 to 1 with confidence 99/100, 128 runs
@@ -43,7 +89,7 @@ What nobody draws is left open, or taken evenly, and then it is said.
   property2: undecided: from 0 to 1 with confidence 99/100, 128 runs
     128 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
   
-  property3: undecided: not known, 128 runs
+  property3: estimated: from 0 to 3 with confidence 99/100, 128 runs
     128 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
   [2]
   $ ask --free evenly --runs 200
@@ -53,7 +99,7 @@ What nobody draws is left open, or taken evenly, and then it is said.
   property2: estimated to be violated: 0, from 0 to 0.026144 with confidence 99/100, 200 runs
     choices that nothing draws were taken evenly
   
-  property3: estimated: 0.105, from 0.04902 to 0.16098 with confidence 99/100 by the normal approximation, 200 runs
+  property3: estimated: 0.105, from 0.025689 to 0.272412 with confidence 99/100, 200 runs
     choices that nothing draws were taken evenly
   [1]
 

@@ -91,5 +91,5 @@ Numbers that nobody would read are told as decimals in text; the JSON has all of
 
   $ sed 's/always x(p) >= 0/possibly x(p) > 1e60/' grow.sc > far.sc
   $ scc check far.sc | sed -n '/^explored/p; /p at/p' | cut -c 1-150
-        p at (~5.789604e76 (77 characters), 0, 0) [nil], velocity (~6.703903e153 (154 characters), 0, 0)
+        p at (~5.789604e76 (77 characters), 0, 0) [nil], velocity (~6.703904e153 (154 characters), 0, 0)
   explored: 9 states, 8 transitions, depth 8, model time 8; not complete: every property was decided before

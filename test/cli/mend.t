@@ -99,7 +99,7 @@ Rounded, it may be one no more: here a face is not flat then.
   slant.ply: error[SC0103]: the coordinates of v1 are no decimals, and files of this format have no fractions
     hint: with --round they are rounded to 64-bit numbers; .off and .obj keep fractions
   vertices: 12, edges: 18, faces: 8
-  slant.ply: rounded: coordinates changed: 24, by at most 1.48e-16; faces may not be quite flat
+  slant.ply: rounded: coordinates changed: 24, by at most 1.49e-16; faces may not be quite flat
   slant.ply: not a convex polyhedron, and rounded no solid that can be cut
   vertices: 12, edges: 18, faces: 8
 
@@ -171,7 +171,7 @@ What has no decimals goes into formats with fractions, or is rounded.
   $ scc shape --orient third.off -o third.obj > /dev/null && sed -n 2p third.obj
   v 1/3 0 0
   $ scc shape --orient third.off -o third.ply --round > /dev/null && sed -n 11p third.ply
-  third.ply: rounded: coordinates changed: 1, by at most 1.85e-17; faces may not be quite flat
+  third.ply: rounded: coordinates changed: 1, by at most 1.86e-17; faces may not be quite flat
   0.333333333333333314829616256247390992939472198486328125 0 0
   $ scc shape third.off --round
   scc: --round tells how -o writes

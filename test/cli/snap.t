@@ -90,7 +90,7 @@ Solids whose decimals are rounded: a triangular prism, turned.
 How far is told where that is too far, and what else is in the way.
 
   $ scc shape --snap 1e-6 prism.off
-  error[SC0322]: this cannot be snapped: there is no convex solid within 1e-06, as far as is known: the nearest has v1 0.000176 away
+  error[SC0322]: this cannot be snapped: there is no convex solid within 1e-6, as far as is known: the nearest has v1 0.000176 away
     hint: a distance somewhat above 0.000176 might do
   [3]
   $ sed 's/^3 3 4 5$/3 3 5 4/' prism.off > turned.off
@@ -153,12 +153,12 @@ In a model.
   [3]
   $ sed 's|1/1000$|1/1000000|' model.sc > near.sc
   $ scc check near.sc
-  near.sc:2:16: error[SC0322]: the mesh `prism.off` cannot be snapped: there is no convex solid within 1e-06, as far as is known: the nearest has v1 0.000176 away
+  near.sc:2:16: error[SC0322]: the mesh `prism.off` cannot be snapped: there is no convex solid within 1e-6, as far as is known: the nearest has v1 0.000176 away
      |
    2 | shape P = mesh "prism.off" snap fine scaled (2, 1, 1)
      |                ^^^^^^^^^^^
     hint: a distance somewhat above 0.000176 might do
-  near.sc:4:18: error[SC0322]: the mesh `prism.off` cannot be snapped: there is no convex solid within 1e-06, as far as is known: the nearest has v1 0.000176 away
+  near.sc:4:18: error[SC0322]: the mesh `prism.off` cannot be snapped: there is no convex solid within 1e-6, as far as is known: the nearest has v1 0.000176 away
      |
    4 | process q = mesh "prism.off" snap fine/2*2 mass 1 at translate (5, 0, 0) [nil]
      |                  ^^^^^^^^^^^
@@ -313,7 +313,7 @@ Of rounded points faces are bent: the hull of a dodecahedron in five decimals ha
   $ scc shape --hull points.obj | sed -n 2p
   vertices: 20, edges: 54, faces: 36
   $ scc shape --hull --snap 1e-5 points.obj -o dodecahedron.sc | sed -n '1,2p;5p'
-  snapped within 1e-05: 20 vertices moved, v13 the farthest, by 7.09e-06; coordinates of at most 106 bits
+  snapped within 0.00001: 20 vertices moved, v13 the farthest, by 7.09e-6; coordinates of at most 106 bits
   points.obj
   names of vertices: v0, v1, v2, v3, v4, v5, v6, v7, v8, v9, v10, v11, v12, v13, v14, v15, v16, v17, v18, v19
   $ grep -c ' f[0-9]* \[\([^,]*,\)\{4\}[^,]*\]' dodecahedron.sc
@@ -324,7 +324,7 @@ Of rounded points faces are bent: the hull of a dodecahedron in five decimals ha
   snapped within 2: nothing moved, it is exact as it is; without 12 vertices of the hull
   $ printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n' > corner.obj
   $ scc shape --hull --snap 1e-5 corner.obj | head -1
-  snapped within 1e-05: nothing moved, it is exact as it is
+  snapped within 0.00001: nothing moved, it is exact as it is
   $ scc shape --hull --snap 1 corner.obj
   error[SC0322]: the hull cannot be snapped: the faces that are flat within that distance bound no solid
     hint: without --snap the hull is exact as it is, with more faces; a smaller distance merges fewer of them

@@ -6,7 +6,7 @@ from cases import TURNING, Suite, define, feature, mat, num, nums, pair, result,
 from geometry import ZERO, add, cross, dot, highest, mass_properties, region, relation, scale, separating, sub, touching
 from make_geometry import cast_result
 from near import Unknown, near
-from turning import Body, Undecided, cast, grid_of, impact, mass_of, speed_bound
+from turning import Body, Undecided, apply, cast, cayley, grid_of, impact, mass_of, speed_bound, turn_phase
 import solids as s
 
 
@@ -55,7 +55,49 @@ def cast_suite():
         expect['result']['grid'] = grid
         suite.add('%d: %s and %s' % (made, m, n), ['Cast', 'Turn', 'I-21'], 'first_time_of_contact', params, expect)
         made += 1
+    in_mid_turn(suite, shapes)
     return suite
+
+
+def in_mid_turn(suite, shapes):
+    """Asked when turns have begun already: the grid counts from now, from the last of their beginnings, or from any time."""
+    rng = s.seeded('rigid casts in mid-turn')
+    names, made = sorted(shapes), 0
+    while made < 30:
+        m, n = rng.choice(names), rng.choice(names)
+        spins = [ZERO if made % 5 == i else scale(F(1, 2), small(rng, 1)) for i in range(2)]
+        since = [F(rng.randint(0, 20), rng.choice([16, 24, 100])) for _ in range(2)]
+        turns = [cayley(scale(t / 2, w)) for t, w in zip(since, spins)]
+        a, b = (shapes[x].image(lambda p, turn=turn: apply(turn, p)) for x, turn in zip((m, n), turns))
+        offset = scale(F(rng.randint(5, 8), 2), rng.choice([(1, 0, 0), (0, 1, 0), (0, 0, -1), (-1, 1, 0), (0, 1, 1)]))
+        velocity = add(scale(F(-1, 2), offset), small(rng, 1))
+        one, other = Body(a, ZERO, spins[0], None, since[0]), Body(b.moved(offset), velocity, spins[1], None, since[1])
+        grid = rng.choice([2, 4, 7])
+        given = rng.choice([None, 'turn', 'turn', F(rng.randint(0, 40), 64)])
+        phase = turn_phase(one, other) if given == 'turn' else given or F(0)
+        span = F(rng.choice([1, 2]))
+        upto = made % 3 == 2
+        if upto:
+            cell = F(1, 2 ** grid)
+            until, span = span, ((span + phase) // cell + 1) * cell - phase
+        try:
+            found = cast(one, other, span, grid, phase=phase)
+        except Undecided:
+            continue
+        if isinstance(found, str) and made % 6:
+            continue
+        params = {'a': suite.give(m, define(shapes[m])), 'b': suite.give(n, define(shapes[n])), 'offset': vec(offset),
+                  'velocity': vec(velocity), 'grid': grid}
+        params.update({'until': text(until)} if upto else {'span': text(span)})
+        params.update({'spin_' + k: vec(w) for k, w in zip('ab', spins) if w != ZERO})
+        params.update({'since_' + k: text(t) for k, t in zip('ab', since)})
+        if given is not None:
+            params['phase'] = given if given == 'turn' else text(given)
+        expect = cast_result(found)
+        expect['result']['grid'] = grid
+        suite.add('in mid-turn %d: %s and %s' % (made, m, n), ['Cast', 'Turn', 'I-21'], 'first_time_of_contact', params,
+                  expect)
+        made += 1
 
 
 def moving(mass, motion):

@@ -10,7 +10,8 @@ from geometry import (Solid, ZERO, accepted, add, approaching, bounce, box_direc
                       highest, mass_properties, primitive, printed_conditions, region, relation, scale, separating, sub,
                       touching)
 from near import Unknown, near
-from turning import Body, Mass, Undecided, apply, cast, grid_of, impact, rotation, speed_bound
+from turning import (Body, Mass, Undecided, apply, cast, cayley, grid_of, impact, rotation, speed_bound,
+                     turn_phase)
 
 NOT_DONE, BAD_PARAMS, NO_HANDLE, NO_SHAPE = -32601, -32602, -32001, -32002
 NOT_IN_CONTACT = -32008
@@ -146,17 +147,29 @@ class Second:
     def first_time_of_contact(self, params):
         a, b = self.shape(params, 'a', 'turned_a'), self.shape(params, 'b', 'turned_b')
         offset, velocity = vector(params['offset']), vector(params['velocity'])
-        if 'span' not in params:
+        if not {'span', 'until'} & set(params):
             return self.outcome(first_time_of_contact(a, b, offset, velocity))
-        if {'since_a', 'since_b', 'arm_a', 'arm_b'} & set(params):
+        if {'arm_a', 'arm_b'} & set(params):
             raise Fault(NOT_DONE)
-        one = Body(a, ZERO, vector(params.get('spin_a', ZERO)))
-        other = Body(b.moved(offset), velocity, vector(params.get('spin_b', ZERO)))
+        one = self.turning_body(a, ZERO, params, 'a')
+        other = self.turning_body(b, velocity, params, 'b')
+        other = Body(other.solid.moved(offset), velocity, other.spin, None, other.since)
         grid = params['grid'] if 'grid' in params else grid_of(speed_bound(one, other), number(params['resolution']))
+        phase = params.get('phase', 0)
+        phase = turn_phase(one, other) if phase == 'turn' else number(phase)
+        cell = F(1, 2 ** grid)
+        span = number(params['span']) if 'span' in params else ((number(params['until']) + phase) // cell + 1) * cell - phase
         try:
-            return {**self.outcome(cast(one, other, number(params['span']), grid)), 'grid': grid}
+            return {**self.outcome(cast(one, other, span, grid, phase=phase)), 'grid': grid}
         except Undecided:
             raise Fault(NOT_DONE) from None
+
+    @staticmethod
+    def turning_body(solid, velocity, params, side):
+        """As it is now: it has turned about its reference point, and went where that is."""
+        spin, since = vector(params.get('spin_' + side, ZERO)), number(params.get('since_' + side, 0))
+        turn = cayley(scale(since / 2, spin))
+        return Body(solid.image(lambda p: apply(turn, p)), velocity, spin, None, since)
 
     @staticmethod
     def outcome(found):

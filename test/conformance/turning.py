@@ -35,18 +35,20 @@ def rotation(q):
 
 
 class Body:
-    """A solid in the world, its velocity, its spin, and the point that it turns about."""
+    """A solid in the world as it is now, its velocity, its spin, the point that it turns about, and how long ago its turn
+    began."""
 
-    def __init__(self, solid, velocity=ZERO, spin=ZERO, centre=None):
-        self.solid, self.velocity, self.spin = solid, velocity, spin
+    def __init__(self, solid, velocity=ZERO, spin=ZERO, centre=None, since=F(0)):
+        self.solid, self.velocity, self.spin, self.since = solid, velocity, spin, since
         self.centre = mass_properties(solid)[1] if centre is None else centre
 
     def at(self, t):
         if self.spin == ZERO:
             return self.solid.moved(scale(t, self.velocity))
-        turn = cayley(scale(t / 2, self.spin))
+        back = cayley(scale(-self.since / 2, self.spin))
+        turn = cayley(scale((self.since + t) / 2, self.spin))
         there = add(self.centre, scale(t, self.velocity))
-        return self.solid.image(lambda p: add(there, apply(turn, sub(p, self.centre))))
+        return self.solid.image(lambda p: add(there, apply(turn, apply(back, sub(p, self.centre)))))
 
     def speed(self):
         """No point is faster, about the centre: spin times reach."""
@@ -88,8 +90,14 @@ class Undecided(Exception):
     pass
 
 
-def cast(a, b, span, grid, limit=600):
-    """'never', 'inside', or the last instant of the grid before they first interpenetrate."""
+def turn_phase(a, b):
+    """Of the grid of rule Cast: since the last of their turns began."""
+    return min((o.since for o in (a, b) if o.spin != ZERO), default=F(0))
+
+
+def cast(a, b, span, grid, limit=600, phase=F(0)):
+    """'never', 'inside', or the last instant of the grid before they first interpenetrate; now, if that was before. The
+    grid began to count so long ago."""
     cell, bound, t = F(1, 2 ** grid), speed_bound(a, b), F(0)
     for _ in range(limit):
         room = gap(a.at(t), b.at(t))
@@ -101,10 +109,11 @@ def cast(a, b, span, grid, limit=600):
         after = t + step
         if after > span:
             return 'never'
-        end = min((t // cell + 1) * cell, span)
+        begun = (t + phase) // cell * cell - phase
+        end = min(begun + cell, span)
         if after < end:
             if gap(a.at(end), b.at(end)) < 0:
-                return t // cell * cell
+                return max(begun, F(0))
             if step < cell / 2 ** 20:
                 raise Undecided('too close')
         t = F(int(after * 2 ** (grid + 24)), 2 ** (grid + 24))

@@ -19,6 +19,10 @@ const answers = {
   binary: (op, a, b) => Rational.text(Rational[op](Rational.of(a), Rational.of(b))),
   cmp: (a, b) => Rational.cmp(Rational.of(a), Rational.of(b)),
   float: (a) => bits(Rational.toNumber(Rational.of(a))),
+  decimal: (a, digits) => {
+    const { text, exact } = Rational.decimal(Rational.of(a), digits);
+    return [text, exact];
+  },
   back: (a) => Rational.text(Rational.fromNumber(Rational.toNumber(Rational.of(a)))),
   // Where a course has its bodies at a time: exact positions, matrices, and floats relative to a target.
   course: (data, run, questions) => {

@@ -12,6 +12,10 @@ import sys
 from fractions import Fraction
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "unit/exact"))
+import decimals
+import decimals_test
+
 draw = random.Random(16)
 
 
@@ -238,6 +242,10 @@ def cases(count):
         if abs(finite) != float("inf"):
             exact = Fraction(finite)
             yield ["back", text(a)], equals(str(exact))
+    for _ in range(3 * count):
+        x, digits = decimals_test.number(), draw.randrange(1, 13)
+        shown = decimals.significant(x, digits)
+        yield ["decimal", text(x), digits], equals([shown, decimals.is_it(x, shown)])
     for _ in range(count):
         yield course_case()
 

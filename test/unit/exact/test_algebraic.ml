@@ -173,6 +173,21 @@ let wilkinson () =
   let moved = Polynomial.sub p (Polynomial.constant (rational 1 1024)) in
   Alcotest.(check int) "moved" 20 (List.length (Algebraic.roots moved ~low:Rat.zero ~high:None))
 
+(* The decimal nearest to a root of whole numbers, by roots of whole numbers; also where it is close to a tie. *)
+let nearest_decimals =
+  QCheck2.Test.make ~name:"decimals of roots are the nearest" ~count:300
+    ~print:QCheck2.Print.(pair Z.to_string int)
+    Gen.(pair (map (fun (n, odd) -> if odd then Z.succ (Z.mul (Z.of_int n) (Z.of_int n)) else Z.of_int n)
+                 (pair (int_range 1 1_000_000) bool)) (int_bound 9))
+    (fun (n, digits) ->
+       let p = Polynomial.of_coefficients [ Q.of_bigint (Z.neg n); Rat.zero; Rat.one ] in
+       let root = List.hd (Algebraic.roots p ~low:Rat.zero ~high:None) in
+       let whole = Z.sqrt (Z.mul n (Z.pow (Z.of_int 10) (2 * digits))) in
+       let half = Z.add (Z.shift_left whole 1) Z.one in
+       let is_above = Z.leq (Z.mul half half) (Z.mul (Z.of_int 4) (Z.mul n (Z.pow (Z.of_int 10) (2 * digits)))) in
+       let nearest = Rat.make (if is_above then Z.succ whole else whole) (Z.pow (Z.of_int 10) digits) in
+       String.equal (Algebraic.to_decimal ~digits root) (Decimal.padded ~places:digits nearest))
+
 (* Mignotte's polynomials have two roots extremely close together. *)
 let mignotte () =
   let square = Polynomial.mul (polynomial [ -1; 100 ]) (polynomial [ -1; 100 ]) in
@@ -191,7 +206,8 @@ let () =
     [
       ( "random",
         Scc_test_support.Property.cases
-          [ roots_are_found; rational_roots_are_rational; signs_at_roots; order; range; division ] );
+          [ roots_are_found; rational_roots_are_rational; signs_at_roots; order; range; division;
+            nearest_decimals ] );
       ( "cases",
         [
           quick "texts" texts;

@@ -154,10 +154,13 @@ let short () =
   told "exact" "-22/7" (Q.of_ints (-22) 7);
   told "up to 60 characters" (Q.to_string (power 59)) (power 59);
   told "a fraction" "~1.000000 (103 characters)" long;
-  told "great" "~1.000000e60 (61 characters)" (power 60);
-  told "small" "~1.000000e-70 (73 characters)" (Q.inv (power 70));
-  told "negative" "~-2.000000e-70 (73 characters)" (Q.neg (Q.div (Q.of_int 2) (power 70)));
-  told "not plain any more" "~9.999999e-4 (119 characters)" (Q.sub (Q.of_ints 1 1000) (Q.inv (power 60)))
+  told "great" "1e60 (61 characters)" (power 60);
+  told "great, rounded" "~1.000000e60 (61 characters)" (Q.add (power 60) Q.one);
+  told "to the nearest" "137174210/109739369 (~1.250000)" (Q.of_ints 137174210 109739369);
+  told "a decimal" "123456789001/10000 (12345678.9001)" (Q.of_ints 123456789001 10000);
+  told "small" "1e-70 (73 characters)" (Q.inv (power 70));
+  told "negative" "-2e-70 (73 characters)" (Q.neg (Q.div (Q.of_int 2) (power 70)));
+  told "not plain any more" "~1.000000e-3 (119 characters)" (Q.sub (Q.of_ints 1 1000) (Q.inv (power 60)))
 
 let () =
   Alcotest.run "exchange"

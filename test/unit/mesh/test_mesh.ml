@@ -203,9 +203,9 @@ let decimals =
   in
   QCheck2.Test.make ~name:"decimals are exact" ~count:500 ~print:Rat.to_string number (fun q ->
       let third = Rat.div (Rat.add (Rat.mul (Rat.of_int 3) q) Rat.one) (Rat.of_int 3) in
-      Option.is_none (Decimal.exact third)
+      Option.is_none (Digits.exact third)
       &&
-      match Decimal.exact q with
+      match Digits.exact q with
       | Some text -> Rat.equal q (first_x "t.off" ("OFF\n1 0 0\n" ^ text ^ " 0 0\n"))
       | None -> false)
 

@@ -7,7 +7,7 @@ documented here. The names of what is asked, and what it means, are those of spe
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, Generic, Iterable, List, Mapping, Optional, Sequence, Tuple, TypeVar, Union
+from typing import Any, Callable, Dict, Generic, Iterable, List, Literal, Mapping, Optional, Sequence, Tuple, TypeVar, Union
 
 from .geometry import Contact, MassProperties, Meeting, Response, Shape, ShapeReport
 from .models import Description, Evaluation, Model, Replay, Step, Successors
@@ -210,8 +210,10 @@ def first_time_of_contact(
     velocity: VectorLike,
     *,
     span: Optional[Number] = None,
+    until: Optional[Number] = None,
     resolution: Optional[Number] = None,
     grid: Optional[int] = None,
+    phase: Union[Number, Literal["turn"], None] = None,
     turned_a: Optional[QuaternionLike] = None,
     turned_b: Optional[QuaternionLike] = None,
     spin_a: Optional[VectorLike] = None,
@@ -224,7 +226,9 @@ def first_time_of_contact(
 ) -> Request[Meeting]:
     """When B, at ``offset`` from A and with ``velocity`` (less that of A), first collides with A.
 
-    With ``span`` and either ``resolution`` or ``grid`` for bodies that turn: within that time, on a grid of instants.
+    With ``span`` or ``until`` and either ``resolution`` or ``grid`` for bodies that turn: within that time, on a grid of
+    instants. It counts from now, or since ``phase``. To stop where ``scc trace`` does, ask with ``until`` and with
+    ``phase="turn"``, that is from the start of the last turn that one of the two began.
     """
     params: Params = {
         "a": _shape(a),
@@ -232,7 +236,8 @@ def first_time_of_contact(
         "offset": vector_to_json(offset),
         "velocity": vector_to_json(velocity),
     }
-    _set(params, to_json, span=span, resolution=resolution, since_a=since_a, since_b=since_b)
+    _set(params, to_json, span=span, until=until, resolution=resolution, since_a=since_a, since_b=since_b)
+    _set(params, lambda p: p if p == "turn" else to_json(p), phase=phase)
     _set(params, integer, grid=grid)
     _set(params, quaternion_to_json, turned_a=turned_a, turned_b=turned_b)
     _set(params, vector_to_json, spin_a=spin_a, spin_b=spin_b, arm_a=arm_a, arm_b=arm_b)
