@@ -166,28 +166,53 @@ def interruptions(scc, names, chance, folder, tally):
         shutil.rmtree(store)
 
 
-def workers(scc, names, chance, tally):
-    """Processes that work for it are killed."""
-    for name in names:
-        args = EXPLORATIONS[name]
+def with_workers_killed(cmd, chance, most, longest, hows):
+    """Runs a command, and kills processes that work for it, with seconds between that vary. What it gave, and how many."""
+    process = subprocess.Popen(cmd, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    hit = 0
+    while process.poll() is None and hit < most:
+        time.sleep(chance.uniform(0.0005, longest))
+        try:
+            with open(f"/proc/{process.pid}/task/{process.pid}/children") as file:
+                children = file.read().split()
+            if children:
+                os.kill(int(chance.choice(children)), chance.choice(hows))
+                hit += 1
+        except OSError:
+            pass
+    out, err = process.communicate(timeout=600)
+    return (process.returncode, out, err), hit
+
+
+# Their work takes long enough to be hit.
+KILLED = {
+    "by one": ["estimate", MODELS + "ruin.sc", "--runs", "1500", "--jobs", "1"],
+    "runs, observed": ["simulate", MODELS + "ruin.sc", "--runs", "1500", "--observe", "x(walker)", "--every", "1", "--until", "40"],
+    "points": ["sweep", BENCH + "checker/hexokinase.sc", "-D", "n=1..4", "--jobs", "3"],
+}
+
+
+def workers(scc, names, trials, chance, tally):
+    """Processes that work for it are killed: the same report. Those that are killed for ever end it, with a word."""
+    cases = {name: EXPLORATIONS[name] + ["--jobs", "2"] for name in names} | KILLED
+    for name, args in cases.items():
         expected = run(command(scc, args))
-        process = subprocess.Popen(
-            command(scc, args + ["--jobs", "2"]), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-        )
         hit = 0
-        while process.poll() is None and hit < 5:
-            time.sleep(chance.uniform(0.01, 0.1))
-            try:
-                with open(f"/proc/{process.pid}/task/{process.pid}/children") as file:
-                    children = file.read().split()
-                if children:
-                    os.kill(int(chance.choice(children)), signal.SIGKILL)
-                    hit += 1
-            except (OSError, ProcessLookupError):
-                pass
-        out, err = process.communicate(timeout=600)
-        tally.check((process.returncode, out, err) == expected, f"{name}, {hit} workers killed: another report")
+        for _ in range(trials):
+            # Less often than those who have one task give up.
+            got, killed = with_workers_killed(
+                command(scc, args), chance, 9, 0.05, [signal.SIGKILL, signal.SIGTERM, signal.SIGSEGV, signal.SIGABRT]
+            )
+            hit += killed
+            tally.check(got == expected, f"{name}, {killed} workers killed: another report\n{got}\n{expected}")
         print(f"{name}: {hit} workers killed", flush=True)
+    # One task that takes longer than ten processes live.
+    longer = ["sweep", LONG[0], "-D", "n=6", "--states", "10000000"]
+    (code, _, err), _ = with_workers_killed(command(scc, longer), chance, 1000, 0.01, [signal.SIGKILL])
+    tally.check(
+        code == 4 and "point 0 is lost: 10 processes in a row" in err and "was killed, as when memory runs out" in err,
+        f"a task whose processes are killed for ever: exit code {code}\n{err}",
+    )
 
 
 def full_disks(scc, names, chance, folder, tally):
@@ -387,7 +412,7 @@ def main():
         kills(scc, names, instants, chance, folder, tally)
         most = QUICK if options.few else some
         interruptions(scc, most, chance, folder, tally)
-        workers(scc, some[:3], chance, tally)
+        workers(scc, (OTHERS + some)[: 5 if options.few else 9], 1 if options.few else 10, chance, tally)
         full_disks(scc, most, chance, folder, tally)
         damage(scc, some[:3] if not options.few else some[1:3], damages, chance, folder, tally)
     print(f"{tally.passed} passed, {tally.failed} failed")
