@@ -100,7 +100,7 @@ let paths (l : Loaded.t) asked ~by_name =
 
 (* {1 The runs} *)
 
-type ending = Whole | Interrupted | Lost of string
+type ending = Whole | Interrupted | Lost of { why : string; fault : bool }
 
 let sample console o runs (plan : Sample.plan) estimation ~stopped =
   let work = Sample.run plan ~seed:o.seed in
@@ -119,9 +119,9 @@ let sample console o runs (plan : Sample.plan) estimation ~stopped =
         | Error Pool.Interrupted ->
           Estimation.judge estimation ~last:true;
           Interrupted
-        | Error (Lost { task; how }) ->
+        | Error (Lost { task; how; fault }) ->
           Estimation.judge estimation ~last:true;
-          Lost (Printf.sprintf "the process that made run %d came to an end (%s)" task how))
+          Lost { why = Printf.sprintf "run %d is lost: %s" task how; fault })
   in
   let ending = go 0 in
   Console.progress_done console;
@@ -178,7 +178,7 @@ let exit_code (answers : Estimation.answer list) ending : Exit_code.t =
   match ending with
   | Whole -> Exit_code.worst (List.map code answers)
   | Interrupted -> Stopped
-  | Lost _ -> Bug
+  | Lost { fault; _ } -> Kept_runs.loss ~fault
 
 let estimate console o watch =
   let* model = Input.model console ~overrides:o.given ~narrowed:[] o.path in
@@ -230,7 +230,7 @@ let estimate console o watch =
   (match ending with
    | Whole -> ()
    | Interrupted -> Console.note console "scc: stopped; what is said rests on the runs that were made"
-   | Lost why -> Console.note console ("scc: " ^ why ^ "; what is said rests on the runs that were made"));
+   | Lost { why; _ } -> Console.note console ("scc: " ^ why ^ "; what is said rests on the runs that were made"));
   Ok exit
 
 let run color json o =

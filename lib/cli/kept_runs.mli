@@ -23,5 +23,8 @@ val run :
 (** As {!Scc_workers.Pool.run}; what was kept is not worked on again. Called again, it goes on: [first] is where it
     ended. *)
 
+val loss : fault:bool -> Scc_session.Exit_code.t
+(** Of a run that is lost ({!Scc_workers.Pool.stop}). *)
+
 val close : 'a t -> Diag.t list
 (** What went wrong with the store. *)

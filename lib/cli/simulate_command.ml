@@ -88,11 +88,10 @@ let conclude console ~runs ~finished ~ended_early = function
     Console.note console
       (Printf.sprintf "scc: interrupted after %d of %d runs, which are written" finished runs);
     Ok Exit_code.Stopped
-  | Error (Lost { task; how }) ->
+  | Error (Lost { task; how; fault }) ->
     Console.note console
-      (Printf.sprintf "scc: the process that made run %d came to an end (%s); %d of %d runs are written" task how
-         finished runs);
-    Ok Exit_code.Bug
+      (Printf.sprintf "scc: run %d is lost: %s; %d of %d runs are written" task how finished runs);
+    Ok (Kept_runs.loss ~fault)
 
 let in_all o = o.summary || Option.is_some o.plot
 

@@ -83,11 +83,10 @@ let conclude console seen ~count = function
     Console.note console
       (Printf.sprintf "scc: interrupted after %d of %d points, which are written" seen.written count);
     Ok Exit_code.Stopped
-  | Error (Lost { task; how }) ->
+  | Error (Lost { task; how; fault }) ->
     Console.note console
-      (Printf.sprintf "scc: the process that worked on point %d came to an end (%s); %d of %d points are written"
-         task how seen.written count);
-    Ok Exit_code.Bug
+      (Printf.sprintf "scc: point %d is lost: %s; %d of %d points are written" task how seen.written count);
+    Ok (Kept_runs.loss ~fault)
 
 (* A point depends on these and its number alone. *)
 let store console o ~digest folder =

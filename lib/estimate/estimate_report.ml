@@ -28,9 +28,9 @@ let up r = decimal (Rat.neg (Rat.div (Rat.make (Rat.floor (Rat.mul (Rat.neg r) s
 
 let mean_text = function Some mean -> decimal mean ^ ", " | None -> ""
 
-(* The share of the runs that do, where it is known of each. *)
+(* The share of the runs that do, where there are some and it is known of each. *)
 let share (t : Tally.t) =
-  if Tally.open_ended t > 0 then "" else decimal (Rat.make (Z.of_int t.yes) (Z.of_int t.runs)) ^ ", "
+  if t.runs = 0 || Tally.open_ended t > 0 then "" else decimal (Rat.make (Z.of_int t.yes) (Z.of_int t.runs)) ^ ", "
 
 let line (a : answer) ~confidence =
   let sure = "with confidence " ^ Rat.to_string confidence in

@@ -62,20 +62,37 @@ let child fd work =
     prerr_endline (Printexc.to_string e);
     Unix._exit 70
 
-let fork work =
-  let ours, theirs = Unix.socketpair ~cloexec:true PF_UNIX SOCK_STREAM 0 in
+let fork_with (ours, theirs) work =
   let signals = [ Sys.sigint; Sys.sigterm; Sys.sigalrm ] in
   let before = Unix.sigprocmask SIG_BLOCK signals in
+  let restore () = ignore (Unix.sigprocmask SIG_SETMASK before) in
   match Unix.fork () with
   | 0 ->
     Unix.close ours;
     List.iter (fun s -> Sys.set_signal s Sys.Signal_ignore) signals;
-    ignore (Unix.sigprocmask SIG_SETMASK before);
+    restore ();
     child theirs work
   | pid ->
-    ignore (Unix.sigprocmask SIG_SETMASK before);
-    Unix.close theirs;
+    restore ();
     { fd = ours; pid; head = Bytes.create 4 }
+  | exception e ->
+    restore ();
+    raise e
+
+let fork work =
+  match Unix.socketpair ~cloexec:true PF_UNIX SOCK_STREAM 0 with
+  | exception Unix.Unix_error _ -> None
+  | (ours, theirs) as pair -> (
+      match
+        ignore (again (fun () -> Unix.select [ ours ] [] [] 0.));
+        fork_with pair work
+      with
+      | c ->
+        Unix.close theirs;
+        Some c
+      | exception Unix.Unix_error _ ->
+        List.iter Unix.close [ ours; theirs ];
+        None)
 
 let close c =
   (match Unix.kill c.pid Sys.sigkill with () | (exception Unix.Unix_error _) -> ());

@@ -2,9 +2,10 @@
 
 type t
 
-val fork : (t -> unit) -> t
+val fork : (t -> unit) -> t option
 (** Another process, which has the other end, does this with it and ends without what this one would do at its end.
-    It does not answer interruptions, which are this one's to answer. *)
+    It does not answer interruptions, which are this one's to answer. None where the system gives no process, or no
+    descriptor that can be waited for. *)
 
 val put : t -> Buffer.t -> unit
 (** Sends the whole. Raises {!Closed}. *)

@@ -78,14 +78,16 @@ module Make
   let width c = L.width (Graph.context c.graph)
   let told c = Memory.set_beside (List.fold_left (fun n w -> n + Memory.bytes_of_words w.words) 0 c.workers)
 
-  let new_worker c =
+  let add_worker c channel =
     let context = Graph.context c.graph in
-    let channel = Channel.fork (Served.serve context) in
     let there = Wire.make context and back = Wire.make context in
     let under_way = Queue.create () and replies = Queue.create () in
     let number = c.made and words = 0 and owing = 0 and place = 0 and room = 0 in
     c.workers <- { number; channel; there; back; under_way; replies; words; owing; place; room } :: c.workers;
     c.made <- c.made + 1
+
+  (* Where the system gives no process there are fewer. *)
+  let new_worker c = Option.iter (add_worker c) (Channel.fork (Served.serve (Graph.context c.graph)))
 
   (* What it was to find is found by others, or here. *)
   let bury c w =

@@ -1,7 +1,16 @@
-type stop = Interrupted | Lost of { task : int; how : string }
+type stop = Interrupted | Lost of { task : int; how : string; fault : bool }
 
 type worker = { pid : int; from : Unix.file_descr; channel : in_channel; mutable status : Unix.process_status
                     option }
+
+type 'a answer = Found of 'a | Raised of string | No_memory
+
+(* A worker, or nobody where the system gives no process: then the tasks are worked on here. *)
+type crew = { start : int -> worker list -> worker option; places : worker option array }
+
+let most_deaths = 10
+
+(* {1 There} *)
 
 (* An interruption of the whole group of processes is the parent's to answer; without a parent a child ends when it
    tells of its next task. *)
@@ -10,38 +19,69 @@ let of_child () =
   Sys.set_signal Sys.sigterm Sys.Signal_default;
   Sys.set_signal Sys.sigpipe Sys.Signal_default
 
+let told answer = Marshal.to_string answer []
+
+(* What to tell of a task, and whether there may be more. *)
+let answer work k =
+  match told (Found (work k)) with
+  | text -> (text, true)
+  | exception Out_of_memory -> (told No_memory, false)
+  | exception e -> (told (Raised (Printexc.to_string e)), false)
+
 (* What is left to the child: its tasks, one after the other. *)
-let labour ~jobs ~number ~first ~count ~work out =
-  let channel = Unix.out_channel_of_descr out in
-  let rec go k =
-    if k < count then begin
-      Marshal.to_channel channel (work k) [];
-      flush channel;
-      go (k + jobs)
-    end
-  in
-  go (first + number)
+let rec labour ~jobs ~count ~work channel k =
+  if k < count then begin
+    let text, more = answer work k in
+    output_string channel text;
+    flush channel;
+    if more then labour ~jobs ~count ~work channel (k + jobs)
+  end
+
+(* {1 Here} *)
 
 (* No handler of the parent's is ever called in the child, which leaves without what the parent would do at its
    end. *)
-let fork ~jobs ~number ~first ~count ~work others =
-  let from, out = Unix.pipe ~cloexec:true () in
+let fork_with (from, out) others labour =
   let before = Unix.sigprocmask SIG_BLOCK [ Sys.sigint; Sys.sigterm ] in
+  let restore () = ignore (Unix.sigprocmask SIG_SETMASK before) in
   match Unix.fork () with
   | 0 ->
     of_child ();
-    ignore (Unix.sigprocmask SIG_SETMASK before);
+    restore ();
     Unix.close from;
     List.iter (fun w -> Unix.close w.from) others;
-    (match labour ~jobs ~number ~first ~count ~work out with
+    (match labour (Unix.out_channel_of_descr out) with
      | () -> Unix._exit 0
      | exception e ->
        prerr_endline (Printexc.to_string e);
        Unix._exit 70)
   | pid ->
-    ignore (Unix.sigprocmask SIG_SETMASK before);
-    Unix.close out;
+    restore ();
     { pid; from; channel = Unix.in_channel_of_descr from; status = None }
+  | exception e ->
+    restore ();
+    raise e
+
+let selected from seconds =
+  match Unix.select [ from ] [] [] seconds with
+  | found, _, _ -> found <> []
+  | exception Unix.Unix_error (EINTR, _, _) -> false
+
+(* None where there is no descriptor left, or none that [select] takes, or no process. *)
+let fork others labour =
+  match Unix.pipe ~cloexec:true () with
+  | exception Unix.Unix_error _ -> None
+  | (from, out) as pipe -> (
+      match
+        ignore (selected from 0.);
+        fork_with pipe others labour
+      with
+      | worker ->
+        Unix.close out;
+        Some worker
+      | exception Unix.Unix_error _ ->
+        List.iter Unix.close [ from; out ];
+        None)
 
 let rec waited w =
   match w.status with
@@ -53,52 +93,94 @@ let rec waited w =
         status
       | exception Unix.Unix_error (EINTR, _, _) -> waited w)
 
-let how : Unix.process_status -> string = function
-  | WEXITED n -> Printf.sprintf "exit code %d" n
-  | WSIGNALED n when n = Sys.sigkill -> "it was killed, as when memory runs out"
-  | WSIGNALED n | WSTOPPED n -> Printf.sprintf "signal %d" n
+(* How it ended, and whether that is a fault of the program: long numbers abort where there is no memory. *)
+let how : Unix.process_status -> string * bool = function
+  | WEXITED n -> (Printf.sprintf "ended with exit code %d" n, true)
+  | WSIGNALED n when n = Sys.sigkill -> ("was killed, as when memory runs out", false)
+  | WSIGNALED n when n = Sys.sigabrt -> ("was aborted, as when memory runs out", false)
+  | WSIGNALED n when n = Sys.sigsegv || n = Sys.sigbus -> ("ended with a wrong access to memory", true)
+  | WSIGNALED n when List.mem n [ Sys.sigill; Sys.sigfpe; Sys.sigtrap; Sys.sigsys ] ->
+    ("ended with a wrong instruction", true)
+  | WSIGNALED _ | WSTOPPED _ -> ("was ended by a signal", false)
+
+let lost task ~deaths (what, fault) =
+  let how =
+    if deaths = 1 then "the process that worked on it " ^ what
+    else Printf.sprintf "%d processes in a row that worked on it came to an end; the last one %s" deaths what
+  in
+  Error (Lost { task; how; fault })
+
+let failed task e =
+  let how = "the work on it failed: " ^ e in
+  Error (Lost { task; how; fault = true })
 
 (* An interruption is looked for a few times a second. *)
-let rec ready w interrupted =
-  if interrupted () then false
-  else
-    match Unix.select [ w.from ] [] [] 0.2 with
-    | [], _, _ -> ready w interrupted
-    | _ :: _, _, _ -> true
-    | exception Unix.Unix_error (EINTR, _, _) -> ready w interrupted
+let rec ready w interrupted = (not (interrupted ())) && (selected w.from 0.2 || ready w interrupted)
 
-let collect workers ~jobs ~first ~count ~interrupted ~each =
+let finish w =
+  if Option.is_none w.status then Unix.kill w.pid Sys.sigkill;
+  close_in_noerr w.channel;
+  ignore (waited w)
+
+let present crew = List.filter_map Fun.id (Array.to_list crew.places)
+let dismiss crew = List.iter finish (present crew)
+
+let read w : _ answer option =
+  match Marshal.from_channel w.channel with
+  | answer -> Some answer
+  | exception (End_of_file | Failure _) -> None
+
+let alone work k =
+  match work k with
+  | found -> Ok found
+  | exception Out_of_memory -> Error (Lost { task = k; how = "there was no memory left for it"; fault = false })
+  | exception e -> failed k (Printexc.to_string e)
+
+(* What comes of a task, by those that are started for it one after the other. What has ended a process is not
+   tried here. *)
+let rec heard crew place ~interrupted ~work ~deaths k =
+  if Option.is_none crew.places.(place) then crew.places.(place) <- crew.start k (present crew);
+  match (crew.places.(place), deaths) with
+  | None, [] -> if interrupted () then Error Interrupted else alone work k
+  | None, last :: _ -> lost k ~deaths:(List.length deaths) last
+  | Some w, _ when not (ready w interrupted) -> Error Interrupted
+  | Some w, _ -> (
+      match read w with
+      | Some (Found found) -> Ok found
+      | Some (Raised e) -> failed k e
+      | (Some No_memory | None) as answer ->
+        let ended = if Option.is_none answer then how (waited w) else ("had no memory left", false) in
+        let deaths = ended :: deaths in
+        finish w;
+        crew.places.(place) <- None;
+        if interrupted () then Error Interrupted
+        else if List.length deaths >= most_deaths then lost k ~deaths:most_deaths ended
+        else heard crew place ~interrupted ~work ~deaths k)
+
+(* As many as the system gives; a place for one at least. *)
+let rec gathered ~jobs ~first ~count ~work =
+  let start k others = fork others (fun channel -> labour ~jobs ~count ~work channel k) in
+  let rec go number found =
+    if number >= jobs then List.rev found
+    else match start (first + number) found with None -> List.rev found | Some w -> go (number + 1) (w :: found)
+  in
+  match go 0 [] with
+  | found when List.length found < jobs && jobs > 1 ->
+    List.iter finish found;
+    gathered ~jobs:(Int.max 1 (List.length found)) ~first ~count ~work
+  | [] -> { start; places = [| None |] }
+  | found -> { start; places = Array.of_list (List.map Option.some found) }
+
+let run ~jobs ~first ~count ~work ~interrupted ~each =
+  let crew = gathered ~jobs:(Int.min jobs (count - first)) ~first ~count ~work in
   let rec go k =
     if k >= count then Ok ()
     else
-      let w = workers.((k - first) mod jobs) in
-      if not (ready w interrupted) then Error Interrupted
-      else
-        match Marshal.from_channel w.channel with
-        | found ->
-          each k found;
-          go (k + 1)
-        | exception (End_of_file | Failure _) ->
-          let how = how (waited w) in
-          Error (if interrupted () then Interrupted else Lost { task = k; how })
+      let place = (k - first) mod Array.length crew.places in
+      match heard crew place ~interrupted ~work ~deaths:[] k with
+      | Ok found ->
+        each k found;
+        go (k + 1)
+      | Error _ as stop -> stop
   in
-  go first
-
-let finish workers =
-  Array.iter
-    (fun w ->
-       if Option.is_none w.status then Unix.kill w.pid Sys.sigkill;
-       close_in_noerr w.channel;
-       ignore (waited w))
-    workers
-
-let run ~jobs ~first ~count ~work ~interrupted ~each =
-  let jobs = Int.min jobs (count - first) in
-  let rec start number found =
-    if number >= jobs then List.rev found
-    else start (number + 1) (fork ~jobs ~number ~first ~count ~work found :: found)
-  in
-  let workers = Array.of_list (start 0 []) in
-  Fun.protect
-    ~finally:(fun () -> finish workers)
-    (fun () -> collect workers ~jobs ~first ~count ~interrupted ~each)
+  Fun.protect ~finally:(fun () -> dismiss crew) (fun () -> go first)

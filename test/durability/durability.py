@@ -8,12 +8,14 @@ the byte, or refuses the store with a code. --few is a part of it that takes som
 'N passed, N failed'.
 """
 import argparse
+import contextlib
 import glob
 import os
 import random
 import resource
 import shutil
 import signal
+import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -166,28 +168,53 @@ def interruptions(scc, names, chance, folder, tally):
         shutil.rmtree(store)
 
 
-def workers(scc, names, chance, tally):
-    """Processes that work for it are killed."""
-    for name in names:
-        args = EXPLORATIONS[name]
+def with_workers_killed(cmd, chance, most, longest, hows):
+    """Runs a command, and kills processes that work for it, with seconds between that vary. What it gave, and how many."""
+    process = subprocess.Popen(cmd, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    hit = 0
+    while process.poll() is None and hit < most:
+        time.sleep(chance.uniform(0.0005, longest))
+        try:
+            with open(f"/proc/{process.pid}/task/{process.pid}/children") as file:
+                children = file.read().split()
+            if children:
+                os.kill(int(chance.choice(children)), chance.choice(hows))
+                hit += 1
+        except OSError:
+            pass
+    out, err = process.communicate(timeout=600)
+    return (process.returncode, out, err), hit
+
+
+# Their work takes long enough to be hit.
+KILLED = {
+    "by one": ["estimate", MODELS + "ruin.sc", "--runs", "1500", "--jobs", "1"],
+    "runs, observed": ["simulate", MODELS + "ruin.sc", "--runs", "1500", "--observe", "x(walker)", "--every", "1", "--until", "40"],
+    "points": ["sweep", BENCH + "checker/hexokinase.sc", "-D", "n=1..4", "--jobs", "3"],
+}
+
+
+def workers(scc, names, trials, chance, tally):
+    """Processes that work for it are killed: the same report. Those that are killed for ever end it, with a word."""
+    cases = {name: EXPLORATIONS[name] + ["--jobs", "2"] for name in names} | KILLED
+    for name, args in cases.items():
         expected = run(command(scc, args))
-        process = subprocess.Popen(
-            command(scc, args + ["--jobs", "2"]), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-        )
         hit = 0
-        while process.poll() is None and hit < 5:
-            time.sleep(chance.uniform(0.01, 0.1))
-            try:
-                with open(f"/proc/{process.pid}/task/{process.pid}/children") as file:
-                    children = file.read().split()
-                if children:
-                    os.kill(int(chance.choice(children)), signal.SIGKILL)
-                    hit += 1
-            except (OSError, ProcessLookupError):
-                pass
-        out, err = process.communicate(timeout=600)
-        tally.check((process.returncode, out, err) == expected, f"{name}, {hit} workers killed: another report")
+        for _ in range(trials):
+            # Less often than those who have one task give up.
+            got, killed = with_workers_killed(
+                command(scc, args), chance, 9, 0.05, [signal.SIGKILL, signal.SIGTERM, signal.SIGSEGV, signal.SIGABRT]
+            )
+            hit += killed
+            tally.check(got == expected, f"{name}, {killed} workers killed: another report\n{got}\n{expected}")
         print(f"{name}: {hit} workers killed", flush=True)
+    # One task that takes longer than ten processes live.
+    longer = ["sweep", LONG[0], "-D", "n=6", "--states", "10000000"]
+    (code, _, err), _ = with_workers_killed(command(scc, longer), chance, 1000, 0.01, [signal.SIGKILL])
+    tally.check(
+        code == 4 and "point 0 is lost: 10 processes in a row" in err and "was killed, as when memory runs out" in err,
+        f"a task whose processes are killed for ever: exit code {code}\n{err}",
+    )
 
 
 def full_disks(scc, names, chance, folder, tally):
@@ -237,41 +264,135 @@ def warned_at_once(scc, store, tally):
     shutil.rmtree(store)
 
 
+PAGE = 16384
+
+
+def changed(bytes_, chance):
+    """A file with a fault in it: what, and the bytes."""
+    new = bytearray(bytes_)
+    pages = len(bytes_) // PAGE
+    page = chance.randrange(pages) * PAGE
+    kind = chance.choice(["cut", "cut to pages", "bit", "bit", "header", "head of a page", "zeros", "another page", "longer"])
+    if kind == "cut":
+        at = chance.randrange(len(bytes_))
+        return f"cut to {at}", new[:at]
+    if kind == "cut to pages":
+        return f"cut to {page}", new[:page]
+    if kind == "longer":
+        return "longer", new + bytes(PAGE)
+    if kind in ("zeros", "another page"):
+        other = chance.randrange(pages) * PAGE
+        new[page : page + PAGE] = bytes(PAGE) if kind == "zeros" else bytes_[other : other + PAGE]
+        return f"page at {page}: {kind}", new
+    most = {"bit": len(bytes_), "header": 100, "head of a page": 24}[kind]
+    at, bit = (page if kind == "head of a page" else 0) + chance.randrange(most), chance.randrange(8)
+    new[at] ^= 1 << bit
+    return f"bit {bit} of byte {at}", new
+
+
+def shorten(file, chance):
+    """A store as if the process had been killed: the first blocks of each exploration, and not all."""
+    with contextlib.closing(sqlite3.connect(file)) as database:
+        keep = chance.randrange(1 + database.execute("SELECT max(number) FROM blocks").fetchone()[0])
+        database.execute("DELETE FROM blocks WHERE number >= ?", (keep,))
+        database.commit()
+        database.execute("VACUUM")
+
+
+def stores(scc, args, folder, chance):
+    """A store that has all, and one that has a part."""
+    whole, part = os.path.join(folder, "whole"), os.path.join(folder, "part")
+    run(command(scc, args, whole))
+    shutil.copytree(whole, part)
+    shorten(os.path.join(part, "explorations.sqlite"), chance)
+    return whole, part
+
+
 def damage(scc, names, trials, chance, folder, tally):
-    """A file that was cut or changed: refused, or of no matter; never another report."""
-    refused = 0
+    """A file that was cut or changed: refused as damaged, or of no matter; never another report, and never an output
+    that cannot be written. Only what the number of its version tells may be something else."""
+    refused = count = 0
     for name in names:
         args = EXPLORATIONS[name]
         expected = run(command(scc, args))
-        good = os.path.join(folder, "good")
-        run(command(scc, args, good))
-        file = os.path.join(good, "explorations.sqlite")
-        with open(file, "rb") as stream:
-            bytes_ = stream.read()
-        for k in range(trials):
-            changed = bytearray(bytes_)
-            if chance.random() < 0.4:
-                what = f"cut to {(n := chance.randrange(len(bytes_)))}"
-                changed = changed[:n]
-            else:
-                at, bit = chance.randrange(len(bytes_)), chance.randrange(8)
-                what = f"bit {bit} of byte {at}"
-                changed[at] ^= 1 << bit
-            store = os.path.join(folder, "damaged")
-            os.mkdir(store)
-            with open(os.path.join(store, "explorations.sqlite"), "wb") as stream:
-                stream.write(changed)
-            code, out, err = run(command(scc, args, store))
-            told = code_of(err) or next((c for c in ["SC0910", "SC0911", "SC0912"] if c in out), None)
-            is_refused = code == 3 and told in ("SC0910", "SC0911", "SC0912")
-            refused += is_refused
-            tally.check(
-                is_refused or (code, out, err) == expected,
-                f"{name}, {what} of {len(bytes_)}: exit code {code}\n{out}\n{err}",
-            )
-            shutil.rmtree(store)
-        shutil.rmtree(good)
-    print(f"{refused} damaged stores refused", flush=True)
+        for good in stores(scc, args, folder, chance):
+            with open(os.path.join(good, "explorations.sqlite"), "rb") as stream:
+                bytes_ = stream.read()
+            for k in range(trials):
+                what, new = changed(bytes_, chance)
+                store = os.path.join(folder, "damaged")
+                os.mkdir(store)
+                with open(os.path.join(store, "explorations.sqlite"), "wb") as stream:
+                    stream.write(new)
+                if chance.random() < 0.2:
+                    beside = chance.choice(["-wal", "-journal", "-shm"])
+                    with open(os.path.join(store, "explorations.sqlite" + beside), "wb") as stream:
+                        stream.write(chance.randbytes(chance.choice([0, 40, 5000])))
+                    what += f", and a file {beside}"
+                code, out, err = run(command(scc, args, store))
+                told = code_of(err) or next((c for c in ["SC0910", "SC0911", "SC0912"] if c in out), None)
+                version = new[60:64] != bytes_[60:64]
+                is_refused = code == 3 and (told == "SC0912" or (told == "SC0911" and version))
+                count += 1
+                refused += is_refused
+                tally.check(
+                    is_refused or (code, out, err) == expected,
+                    f"{name}, {what} of {len(bytes_)}: exit code {code}\n{out}\n{err}",
+                )
+                shutil.rmtree(store)
+            shutil.rmtree(good)
+    print(f"{refused} of {count} damaged stores refused", flush=True)
+
+
+def content(store):
+    return {name: open(os.path.join(store, name), "rb").read() for name in sorted(os.listdir(store))}
+
+
+def read_only_ways(store):
+    """How a folder is kept from being written to, as far as this system lets it: a name, a prefix of commands, what to do
+    before, and after."""
+    file = os.path.join(store, "explorations.sqlite")
+
+    def modes(folder, inside):
+        os.chmod(file, inside)
+        os.chmod(store, folder)
+
+    other = ["setpriv", "--reuid", "65534", "--clear-groups"] if os.geteuid() == 0 else []
+    nothing = lambda: None
+    for what, folder, inside in [("folder", 0o555, 0o644), ("file", 0o777, 0o444), ("folder and file", 0o555, 0o444)]:
+        yield f"the modes of {what}", other, lambda f=folder, i=inside: modes(f, i), lambda: modes(0o777, 0o644)
+    if os.geteuid() == 0:
+        attribute = lambda sign: subprocess.run(["chattr", sign + "i", file, store], capture_output=True)
+        attribute("+").returncode == 0 and attribute("-")
+        yield "attributes", [], lambda: attribute("+"), lambda: attribute("-")
+        mount = 'mount --bind "$0" "$0" && mount -o remount,bind,ro "$0" && exec "$@"'
+        yield "a mount", ["unshare", "-m", "sh", "-c", mount, store], nothing, nothing
+
+
+def read_only(scc, names, chance, folder, tally):
+    """A store that nobody can write to is read; what it has not is found, and a word tells that it is not kept."""
+    os.chmod(folder, 0o755)
+    ways = set()
+    for name in names:
+        args = EXPLORATIONS[name]
+        expected = run(command(scc, args))
+        for good, is_whole in zip(stores(scc, args, folder, chance), [True, False]):
+            for way, prefix, before, after in read_only_ways(good):
+                if prefix and run(prefix + ["true"])[0] != 0:
+                    continue
+                kept = content(good)
+                before()
+                try:
+                    code, out, err = run(prefix + command(scc, args, good))
+                finally:
+                    after()
+                same = (code, out, err) == expected
+                told = code == 74 and "SC0103" in err and "not kept" in err and (out == expected[1] or out.startswith("{"))
+                tally.check(same if is_whole else told, f"{name}, {way}: exit code {code}\n{out}\n{err}")
+                tally.check(content(good) == kept, f"{name}, {way}: it was written to")
+                ways.add(way)
+            shutil.rmtree(good)
+    print(f"read-only by {', '.join(sorted(ways))}", flush=True)
 
 
 def refusals(scc, folder, tally):
@@ -321,11 +442,13 @@ def refusals(scc, folder, tally):
         "cannot be made", **how,
     )
     expect("an empty folder, the same", command(scc, model, locked), 3, "SC0910", "cannot be written to", **how)
-    os.chmod(os.path.join(store, "explorations.sqlite"), 0o444)
-    os.chmod(store, 0o555)
-    expect("a store that is read-only", command(scc, model, store), 3, "SC0910", "cannot be written to", **how)
-    os.chmod(store, 0o755)
-    expect("a database that is read-only", command(scc, model, store), 3, "SC0910", "cannot be written to", **how)
+    killed = os.path.join(folder, "killed")
+    shutil.copytree(store, killed)
+    with open(os.path.join(killed, "explorations.sqlite-wal"), "wb") as file:
+        file.write(bytes(100))
+    os.chmod(killed, 0o555)
+    expect("read-only, and not ended", command(scc, model, killed), 3, "SC0910", "was killed: copy it", **how)
+    os.chmod(killed, 0o755)
 
     busy = os.path.join(folder, "busy")
     first = subprocess.Popen(command(scc, LONG, busy), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -387,9 +510,10 @@ def main():
         kills(scc, names, instants, chance, folder, tally)
         most = QUICK if options.few else some
         interruptions(scc, most, chance, folder, tally)
-        workers(scc, some[:3], chance, tally)
+        workers(scc, (OTHERS + some)[: 5 if options.few else 9], 1 if options.few else 10, chance, tally)
         full_disks(scc, most, chance, folder, tally)
-        damage(scc, some[:3] if not options.few else some[1:3], damages, chance, folder, tally)
+        damage(scc, (OTHERS + some)[:6] if not options.few else ["estimate", "by time"], damages, chance, folder, tally)
+        read_only(scc, (OTHERS + some)[:6] if not options.few else ["estimate", "by time"], chance, folder, tally)
     print(f"{tally.passed} passed, {tally.failed} failed")
     return 1 if tally.failed else 0
 

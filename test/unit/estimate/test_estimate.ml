@@ -150,6 +150,23 @@ let decided () =
        Alcotest.(check bool) (bound ^ ": most are decided") true (2 * found > count))
     [ ("1/2", fraction 3 5, Estimation.Holds); ("1/2", fraction 2 5, Violated); ("9/10", fraction 39 40, Holds) ]
 
+(* Stopped before the first run has come to its end. *)
+let no_runs () =
+  let check text line =
+    List.iter
+      (fun size ->
+         let confidence = fraction 19 20 in
+         let t = Estimation.start { Estimation.confidence; width = fraction 1 20; size; free = Apart } [ path text ] in
+         Estimation.judge t ~last:true;
+         let told = List.map (Estimate_report.line ~confidence) (Estimation.answers t) in
+         Alcotest.(check (list string)) text [ line ] told)
+      [ Estimation.Exactly 15; At_most 2000 ]
+  in
+  check "P = ? [ eventually x(a) >= 1 ]" "from 0 to 1 with confidence 19/20, 0 runs";
+  check "P >= 1 [ eventually x(a) >= 1 ]" "from 0 to 1 with confidence 19/20, 0 runs";
+  check "E = ? [ time U x(a) >= 1 ]" "not known, 0 runs";
+  check "E <= 1 [ x(a) at 1 ]" "not known, 0 runs"
+
 (* {1 Runs} *)
 
 let folder = "../../../specs/models/"
@@ -236,7 +253,7 @@ let () =
         [
           case "10 000 intervals of 60 throws" (intervals ~count:10_000 60 (fraction 171 211));
           case "500 intervals in looks" (counted "looks" ~count:500 (At_most 1_000) (fraction 1 3));
-          case "comparisons" decided;
+          case "comparisons" decided; case "no runs" no_runs;
         ] );
       ("single runs", [ case "by hand" hand ]);
       ( "beside the model checker",
