@@ -9,7 +9,7 @@ let after_start extent a b = { extent; start = a; first = b; rest = [] }
 
 let map f t =
   let piece p = { cut = p.cut; at = f p.at; after = f p.after } in
-  { extent = t.extent; start = f t.start; first = f t.first; rest = List.rev (List.rev_map piece t.rest) }
+  { extent = t.extent; start = f t.start; first = f t.first; rest = List.map piece t.rest }
 
 (* [x] and [y] are the values on the open pieces before the cuts still to come. *)
 let rec merge f x y a b acc =

@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_geometry
 
 let renumbered (set : Polyhedron.ifs) =
@@ -34,7 +33,7 @@ let in_order (set : Polyhedron.ifs) =
   let faces = Array.map (fun (name, f) -> (name, from_least f)) set.ifs_faces in
   let faces = Array.map (fun (name, f) -> (first_triangle f, (name, f))) faces in
   let faces = List.sort (fun (a, _) (b, _) -> compare_lists a b) (Array.to_list faces) in
-  { set with ifs_faces = Array.of_list (Long_list.map snd faces) }
+  { set with ifs_faces = Array.of_list (List.map snd faces) }
 
 let hull (set : Polyhedron.ifs) =
   match Hull.triangles (Array.map snd set.ifs_vertices) with
