@@ -60,14 +60,16 @@ let refine ~roots ~at ~inside t =
       match t.extent with Instant -> [] | _ -> List.filter (strictly_between low limit) (roots v)
     in
     let value from until = inside (inner t.extent from until) v in
-    let rec go from = function
-      | [] -> (value from next, [])
-      | c :: later ->
-        let here = value from (Some c) in
-        let after, pieces = go c later in
-        (here, { cut = c; at = at c v; after } :: pieces)
+    (* From the last cut to the first. *)
+    let rec go after pieces = function
+      | [] -> (after, pieces)
+      | c :: before ->
+        let from = match before with d :: _ -> d | [] -> low in
+        go (value from (Some c)) ({ cut = c; at = at c v; after } :: pieces) before
     in
-    go low cuts
+    match List.rev cuts with
+    | [] -> (value low next, [])
+    | last :: _ as cuts -> go (value last next) [] cuts
   in
   let rec pieces acc = function
     | [] -> List.rev acc
