@@ -210,7 +210,7 @@ let rec element r consumed depth (tag : Xmlm.tag) =
   end;
   {
     tag = local (String.sub r.text (start + 1) (named - start - 1)); at; whole = span r start r.cursor; close;
-    attributes = Long_list.map value (List.filter own attributes); children; text;
+    attributes = List.map value (List.filter own attributes); children; text;
   }
 
 (* Up to the end of the element: whether it has none in it, those that are kept, and where text stands that is

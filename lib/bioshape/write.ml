@@ -5,7 +5,6 @@ open Layout
 
 let start (span : Span.t) = if Span.is_none span then -1 else span.start
 let last_byte (span : Span.t) = if Span.is_none span then -1 else span.stop - 1
-let map = Long_list.map
 
 (* {1 Elements} *)
 
@@ -45,7 +44,7 @@ let long ~at tag attributes = function
 
 let optional key f = function None -> [] | Some v -> [ (key, f v) ]
 let flag key holds = if holds then [ (key, "true") ] else []
-let names key = function [] -> [] | ns -> [ (key, String.concat " " (map (fun (n : name) -> n.it) ns)) ]
+let names key = function [] -> [] | ns -> [ (key, String.concat " " (List.map (fun (n : name) -> n.it) ns)) ]
 
 (* {1 Features and behaviours} *)
 
@@ -55,7 +54,7 @@ let member m =
   empty ~at:(start m.feature.at) "feature" (("name", Text.feature m.feature) :: flag "only" m.only)
 
 let channel ?(more = []) tag (c : channel) =
-  short ~at:(start c.span) tag ((("channel", c.channel.it) :: flag "co" c.co) @ more) (map member c.features)
+  short ~at:(start c.span) tag ((("channel", c.channel.it) :: flag "co" c.co) @ more) (List.map member c.features)
 
 let prefix (b : behaviour) =
   match b.it with
@@ -64,7 +63,7 @@ let prefix (b : behaviour) =
     let odds = match odds with None -> [] | Some o -> [ ("odds", o.odds.it); ("value", Text.expr o.value) ] in
     Some (channel "weakSplit" ~more:(optional "push" Text.expr push @ odds) c, next)
   | Strong (cs, push, next) ->
-    let bonds = map (channel "channel") cs in
+    let bonds = List.map (channel "channel") cs in
     Some (long ~at:(start b.at) "strongSplit" (optional "push" Text.expr push) bonds, next)
   | Delay (t, next) -> Some (empty ~at:(start b.at) "delay" [ ("time", Text.expr t) ], next)
   | Nil | Name _ | Sum _ -> None
@@ -78,7 +77,7 @@ let rec behaviour (b : behaviour) =
     match (prefix b, b.it) with
     | Some (element, next), _ -> go (element :: acc) next
     | None, Name r -> List.rev (empty ~at:(start b.at) "call" [ ("name", Text.reference r) ] :: acc)
-    | None, Sum _ -> List.rev (long ~at:(start b.at) "choice" [] (map branch (summands b)) :: acc)
+    | None, Sum _ -> List.rev (long ~at:(start b.at) "choice" [] (List.map branch (summands b)) :: acc)
     | None, _ -> List.rev (empty ~at:(start b.at) "nil" [] :: acc)
   in
   go [] b
@@ -102,8 +101,8 @@ let solid s =
     | Scaled (s, v) -> go (empty ~at:(start v.at) "scaled" [ ("by", Text.expr v) ] :: acc) s
     | Template r -> empty ~at "template" [ ("name", Text.reference r) ] :: acc
     | Mesh (file, snap) -> empty ~at "mesh" (("file", file.it) :: optional "snap" Text.expr snap) :: acc
-    | Faces (vs, fs) -> long ~at "indexedFaceSet" [] (Long_list.append (map vertex vs) (map face fs)) :: acc
-    | Hull vs -> long ~at "hull" [] (map vertex vs) :: acc
+    | Faces (vs, fs) -> long ~at "indexedFaceSet" [] (List.append (List.map vertex vs) (List.map face fs)) :: acc
+    | Hull vs -> long ~at "hull" [] (List.map vertex vs) :: acc
   in
   go [] s
 
@@ -121,7 +120,7 @@ let transform (t : transform) =
       text ~at:(-1)
         (opening "row" [ ("a", Text.expr a); ("b", Text.expr b); ("c", Text.expr c); ("d", Text.expr d) ] ^ "/>")
     in
-    long ~at:(start t.at) "matrix" [] (map row rows)
+    long ~at:(start t.at) "matrix" [] (List.map row rows)
 
 let attribute (a : attribute) =
   let value tag e = empty ~at:(start a.at) tag [ ("value", Text.expr e) ] in
@@ -130,7 +129,7 @@ let attribute (a : attribute) =
   | Velocity v -> value "velocity" v
   | Spin v -> value "spin" v
   | Absorb -> empty ~at:(start a.at) "absorb" []
-  | At ts -> short ~at:(start a.at) "at" [] (map transform ts)
+  | At ts -> short ~at:(start a.at) "at" [] (List.map transform ts)
 
 (* {1 Processes} *)
 
@@ -138,7 +137,7 @@ let leaf (l : leaf) =
   let box (b : behaviour) = long ~at:(start b.at) "behaviour" [] (behaviour b) in
   long ~at:(start l.leaf_span) "leaf"
     (optional "label" Text.segment l.label)
-    (List.concat [ solid l.solid; map attribute l.attributes; map box (Option.to_list l.behaviour) ])
+    (List.concat [ solid l.solid; List.map attribute l.attributes; List.map box (Option.to_list l.behaviour) ])
 
 let bond b =
   short ~at:(start b.bond_span) "bond" [ ("channel", b.bond.it) ] [ feature b.first; feature b.second ]
@@ -147,7 +146,7 @@ let chain span tag name first rest =
   let link (b, l) = [ bond b; leaf l ] in
   lines ~at:(start span) ~close:(last_byte span) line tag
     [ ("name", Text.segment name) ]
-    (leaf first :: Long_list.concat (map link rest))
+    (leaf first :: List.concat (List.map link rest))
 
 (* {1 Declarations} *)
 
@@ -164,9 +163,9 @@ let law at (l : law) =
     let kick (k : kick) =
       short ~at:(start k.velocity.at) "kick"
         (("velocity", Text.expr k.velocity) :: optional "weight" Text.expr k.weight)
-        (map range k.over)
+        (List.map range k.over)
     in
-    long ~at "choose" [] (map kick kicks)
+    long ~at "choose" [] (List.map kick kicks)
 
 let definition ((n : name), e) = empty ~at:(start n.at) "where" [ ("name", n.it); ("value", Text.expr e) ]
 
@@ -177,12 +176,12 @@ let import ~at (i : import) =
   let from = ((if i.library then "library" else "file"), i.from.it) in
   match i.names with
   | Qualified q -> empty ~at "import" (from :: optional "as" (fun (q : name) -> q.it) q)
-  | Chosen ns -> short ~at "import" [ from ] (map used ns)
+  | Chosen ns -> short ~at "import" [ from ] (List.map used ns)
 
 let part p =
   long ~at:(start p.part_span) "part"
     [ ("name", p.part.it) ]
-    (solid p.part_solid @ map attribute p.part_attributes)
+    (solid p.part_solid @ List.map attribute p.part_attributes)
 
 let glue g = short ~at:(start g.glue_span) "glue" [] [ feature g.glue_first; feature g.glue_second ]
 
@@ -212,22 +211,24 @@ let rec item (i : item) =
   | Bonds n -> value "bonds" n.it
   | Resolution e -> value "resolution" (Text.expr e)
   | Round (n, e) -> empty ~at "round" [ ("of", n.it); ("to", Text.expr e) ]
-  | Shape (h, s, ds) -> block "shape" (declared h) (solid s @ map definition ds)
+  | Shape (h, s, ds) -> block "shape" (declared h) (solid s @ List.map definition ds)
   | Compound (h, parts, glues, ds) ->
-    long ~at "compound" (declared h) (Long_list.concat [ map part parts; map glue glues; map definition ds ])
+    long ~at "compound" (declared h)
+      (List.concat [ List.map part parts; List.map glue glues; List.map definition ds ])
   | Decomposed (h, s, attributes, ds) ->
-    block "decomposed" (declared h) (List.concat [ solid s; map attribute attributes; map definition ds ])
+    block "decomposed" (declared h)
+      (List.concat [ solid s; List.map attribute attributes; List.map definition ds ])
   | Behaviour (h, on, b, ds) ->
     block "behaviour" (declared h @ optional "on" Text.reference on)
-      (Long_list.append (behaviour b) (map definition ds))
+      (List.append (behaviour b) (List.map definition ds))
   | Process (n, l, rest) -> chain i.at "process" n l rest
   | Fixed (n, l, rest) -> chain i.at "fixed" n l rest
   | Bond b -> bond b
   | For (over, body) ->
-    lines ~at ~close:(last_byte i.at) paragraph "for" [] (Long_list.append (map range over) (map item body))
+    lines ~at ~close:(last_byte i.at) paragraph "for" [] (List.append (List.map range over) (List.map item body))
   | Network ps ->
     let member (p : path) = empty ~at:(start p.at) "member" [ ("name", Text.path p) ] in
-    long ~at "network" [] (map member ps)
+    long ~at "network" [] (List.map member ps)
   | Motion (p, l) -> short ~at "motion" (optional "of" Text.path p) [ law (start l.at) l ]
   | Let (n, e) -> empty ~at "let" [ ("name", n.it); ("value", Text.expr e) ]
   | Check (n, e) -> filled ~at "check" [ ("name", n.it) ] (Text.expr e)
@@ -240,7 +241,7 @@ let rec unwritable (i : item) =
     let rec file (s : solid) = match s.it with Scaled (s, _) -> file s | Mesh (f, _) -> [ f ] | _ -> [] in
     file s
   in
-  let leaves l rest = l :: map snd rest in
+  let leaves l rest = l :: List.map snd rest in
   match i.it with
   | Import { from; _ } -> [ from ]
   | Shape (_, s, _) -> of_solid s
@@ -262,7 +263,7 @@ let model ?(trivia = []) items =
     let body =
       cat
         [ text ~at:(-1) "<?xml version=\"1.0\" encoding=\"UTF-8\"?>"; line; text ~at:(-1) root;
-          nest 2 (cat (paragraph :: separated paragraph (map item items))); line;
+          nest 2 (cat (paragraph :: separated paragraph (List.map item items))); line;
           closing ~at:max_int "</bioshape>" ]
     in
-    Ok (render (List.rev (List.rev_map Comment.written trivia)) body)
+    Ok (render (List.map Comment.written trivia) body)

@@ -40,10 +40,6 @@ let compare_pair (i, j) (k, l) =
   let c = Int.compare i k in
   if c <> 0 then c else Int.compare j l
 
-let rec take n = function
-  | x :: rest when n > 0 -> x :: take (n - 1) rest
-  | _ -> []
-
 let all_pairs cache placed =
   let distinct, coinciding = coincident placed in
   let near = Boxes.pairs (Array.map (fun i -> box placed.(i)) distinct) in
@@ -61,7 +57,7 @@ let first_chunk = 64
 let rec limited limit cache placed n =
   let whole = n >= Array.length placed in
   let found = all_pairs cache (if whole then placed else Array.sub placed 0 n) in
-  if whole || List.compare_length_with found limit >= 0 then take limit found
+  if whole || List.compare_length_with found limit >= 0 then Scc_data.Lists.take limit found
   else limited limit cache placed (2 * n)
 
 let pairs ?limit cache placed =

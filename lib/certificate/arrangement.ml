@@ -42,8 +42,6 @@ let parts c (z : Zone.t) =
   let of_process (p : State.process) = List.concat_map (of_leaf p) (Array.to_list p.leaves) in
   List.concat_map of_process (Array.to_list z.skeleton.processes)
 
-let rec two_of = function [] -> [] | x :: rest -> List.map (fun y -> (x, y)) rest @ two_of rest
-
 let rooms c (a, b) =
   let x, y, z = Place.sub b.place a.place in
   let w = Vec.sub b.velocity a.velocity in
@@ -70,7 +68,7 @@ let well_formed c (z : Zone.t) =
       let interior = inside (rooms c (a, b)) in
       List.concat_map (fun region -> where_not region interior) regions
   in
-  List.fold_left cut [ z.set ] (two_of (parts c z))
+  List.fold_left cut [ z.set ] (Scc_data.Lists.pairs (parts c z))
 
 let bonds_touch c (z : Zone.t) =
   let parts = parts c z in
@@ -132,4 +130,4 @@ let cells c (z : Zone.t) =
       in
       List.concat_map of_region regions
   in
-  List.fold_left cut [ z.set ] (two_of (parts c z))
+  List.fold_left cut [ z.set ] (Scc_data.Lists.pairs (parts c z))

@@ -26,8 +26,6 @@ type part = {
 
 val parts : context -> Zone.t -> part list
 
-val two_of : 'a list -> ('a * 'a) list
-
 val rooms : context -> part * part -> (Linear.t * Scc_exact.Rat.t) list
 (** For each plane of the obstacle of two parts: how far inside of it the second one is, and how fast that falls:
     negative where it enters. *)

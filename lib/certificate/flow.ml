@@ -44,7 +44,7 @@ let delays c z = List.concat_map (delays_of c z) (leaves z)
 
 let moving c z =
   let apart (a, b) = a.process <> b.process && not (Vec.is_zero (Vec.sub b.velocity a.velocity)) in
-  List.filter apart (two_of (parts c z)) |> List.map (rooms c)
+  List.filter apart (Scc_data.Lists.pairs (parts c z)) |> List.map (rooms c)
 
 (* The conditions of which one holds iff two parts do not collide before the end: over the start, where the time
    that passes is the last variable. Room falls at its speed. *)

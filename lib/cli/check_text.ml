@@ -55,7 +55,7 @@ let step_lines ?(most = shown_steps) ~full m (w : Witness.t) =
   let shown = if cut then List.filteri (fun i _ -> i < half || i >= n - half) entries else entries in
   let width = List.fold_left (fun w e -> Int.max w (String.length (entry_number e))) 0 shown in
   let line e = Printf.sprintf "%*s. %s" width (entry_number e) (entry_text ~full m e) in
-  let lines = Scc_base.Long_list.map line shown in
+  let lines = List.map line shown in
   if not cut then lines
   else
     let left_out = List.filteri (fun i _ -> i >= half && i < n - half) entries in
@@ -114,12 +114,12 @@ let ending ~full m w =
 let witness ~full ~about c w =
   let c = Witness.semantics c w in
   let m = Semantics.model c in
-  Scc_base.Long_list.append (step_lines ~full m w) (ending ~full m w @ state_lines ~full ~about c w)
+  List.append (step_lines ~full m w) (ending ~full m w @ state_lines ~full ~about c w)
 
 (* Where more was to be explored: the way there in short. *)
-let way ~full m w = Scc_base.Long_list.append (step_lines ~most:12 ~full m w) (ending ~full m w)
+let way ~full m w = List.append (step_lines ~most:12 ~full m w) (ending ~full m w)
 
-let indented depth lines = Scc_base.Long_list.map (fun l -> String.make depth ' ' ^ l ^ "\n") lines
+let indented depth lines = List.map (fun l -> String.make depth ' ' ^ l ^ "\n") lines
 
 (* What a run that is shown is to a probability, and how likely it is once all is chosen as it is there. *)
 let counted (check : Scc_property.Property.check) (w : Witness.t) =

@@ -87,7 +87,7 @@ let side_text t first =
 let indented lines = String.concat "" (List.map (fun l -> "    " ^ l ^ "\n") lines)
 
 let numbered labels =
-  let lines = Scc_base.Long_list.mapi (fun i l -> Printf.sprintf "%d. %s" (i + 1) l) labels in
+  let lines = List.mapi (fun i l -> Printf.sprintf "%d. %s" (i + 1) l) labels in
   let n = List.length lines in
   if n <= shown_steps then lines
   else
@@ -164,7 +164,7 @@ let side_json (c : Compared.t) (s : Compare.side) =
 let which first = `String (if first then "first" else "second")
 
 let trace_json (labels, first) =
-  `Assoc [ ("of", which first); ("labels", `List (Scc_base.Long_list.map Json.text labels)) ]
+  `Assoc [ ("of", which first); ("labels", `List (List.map Json.text labels)) ]
 
 let formula_json t f =
   let text = if Formula.size f <= most_written then Json.text (t.report.show f) else `Null in

@@ -138,7 +138,7 @@ let steps ~full (x : Omission.t) =
       let last = if full || matters i then i else last_beside i in
       go (last + 1) ((if last = i then line i else [ beside x of_step legs i last ]) :: acc)
   in
-  Scc_base.Long_list.concat (go 0 [])
+  List.concat (go 0 [])
 
 (* How many of the transitions other than passings of time matter. *)
 let counted (x : Omission.t) =

@@ -12,11 +12,11 @@ let bond m (b : State.bond) =
   Printf.sprintf "<%s, {%s, %s}>" b.name (site b.one) (site b.two)
 
 (* "p and q", "p, q and r". *)
-let rec listed = function
+let listed names =
+  match List.rev names with
   | [] -> ""
-  | [ last ] -> last
-  | [ one; last ] -> one ^ " and " ^ last
-  | one :: rest -> one ^ ", " ^ listed rest
+  | [ only ] -> only
+  | last :: before -> String.concat ", " (List.rev before) ^ " and " ^ last
 
 (* Who touches, rather than the first of each process; of bodies of several parts the part. *)
 let who (m : Model.t) firsts hits =

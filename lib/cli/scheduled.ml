@@ -45,5 +45,5 @@ let of_witness (l : Loaded.t) path (check : Scc_property.Property.check) (w : Sc
   let values = Option.fold ~none:[] ~some:(fun (f : Scc_explain.Witness.fixed) -> f.values) w.fixed in
   let origin = { l.origin with parameters = l.origin.parameters @ values } in
   Schedule.to_string ?model:path ~check:check.name origin
-    (Scc_base.Long_list.map choice w.steps)
+    (List.map choice w.steps)
     ~offset:(Scc_explain.Witness.offset w)

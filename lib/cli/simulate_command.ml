@@ -102,14 +102,14 @@ let before o report =
   | None -> Ok (0, Report.header report, [])
   | Some path ->
     let* n, text = Resume.lines ~path ~header:(Report.header exact) ~member:"run" ~what:"simulation" in
-    let rec read k = function
+    let rec read k found = function
       | line :: rest when k < min n o.runs -> (
           match Report.read line with
-          | Some r -> Result.map (List.cons r) (read (k + 1) rest)
+          | Some r -> read (k + 1) (r :: found) rest
           | None -> Resume.bad path "line %d is no run" (k + 2))
-      | _ -> Ok []
+      | _ -> Ok (List.rev found)
     in
-    let* runs = if in_all o then read 0 (List.tl (String.split_on_char '\n' text)) else Ok [] in
+    let* runs = if in_all o then read 0 [] (List.tl (String.split_on_char '\n' text)) else Ok [] in
     Ok (n, text, runs)
 
 let simulate console o ~interrupted =

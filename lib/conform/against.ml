@@ -77,7 +77,7 @@ let names t (trace : Recorded.t) =
     match i.what with
     | Event e -> List.concat_map (body i.at) e.bodies @ List.concat_map (feature i.at) e.features
     | State (bodies, _) ->
-      Long_list.concat (Long_list.map (fun (b : Recorded.body) -> body i.at b.name) bodies)
+      List.concat (List.map (fun (b : Recorded.body) -> body i.at b.name) bodies)
     | Watched | Quiescent | Stuck -> []
   in
   let add faults i = if List.length faults >= most_faults then faults else faults @ of_item i in

@@ -150,8 +150,8 @@ let state c json =
   let* processes = required c json "processes" (all c "processes" process) in
   let* gone = optional json "gone" (texts c "gone") in
   let* step = optional json "step" (step c) in
-  let missing = Long_list.map (fun name -> { (unknown name) with gone = true }) (Option.value gone ~default:[]) in
-  Ok (State (Long_list.append (Long_list.concat processes) missing, step))
+  let missing = List.map (fun name -> { (unknown name) with gone = true }) (Option.value gone ~default:[]) in
+  Ok (State (List.append (List.concat processes) missing, step))
 
 (* {1 Lines} *)
 

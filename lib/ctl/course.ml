@@ -38,11 +38,11 @@ let inside e formulas ~step ~clock node ~after ~before =
   let cuts = List.sort_uniq Algebraic.compare (List.filter is_on (List.fold_left (cuts e node) [] formulas)) in
   let place offset low high = { step; position = { node; offset }; low; high; clock } in
   let interval low high = place (Algebraic.of_rat (Pieces.inside low high)) low high in
-  let rec go low = function
-    | [] -> [ interval low before ]
-    | c :: later -> interval low (Some c) :: place c c (Some c) :: go c later
+  let rec go found low = function
+    | [] -> List.rev (interval low before :: found)
+    | c :: later -> go (place c c (Some c) :: interval low (Some c) :: found) c later
   in
-  go after cuts
+  go [] after cuts
 
 (* The end of the interval of a flow in which an offset lies. *)
 let end_of_interval e formulas graph node offset =
@@ -144,7 +144,6 @@ let unrolled t n =
 
 let rec drop n l = match l with _ :: rest when n > 0 -> drop (n - 1) rest | _ -> l
 let take n l = List.filteri (fun i _ -> i < n) l
-let append = Scc_base.Long_list.append
 
 let cycle t = match t.run.finish with Repeats k -> drop k t.run.steps | _ -> []
 
@@ -159,9 +158,9 @@ let steps_between t i n =
     let k = match t.again with Some k -> k | None -> size in
     let whole = (n - size) / (size - k) in
     let round = cycle t in
-    let rec rounds m = if m = 0 then [] else append round (rounds (m - 1)) in
-    let more = append (rounds whole) (take (t.places.(j).step - t.places.(k).step) round) in
-    append (drop from t.run.steps) more
+    let rounds = List.concat (List.init whole (fun _ -> round)) in
+    let more = List.append rounds (take (t.places.(j).step - t.places.(k).step) round) in
+    List.append (drop from t.run.steps) more
 
 let run_to t spot n (position : Positions.position) finish : Run.t =
   { start = spot.at; steps = steps_between t spot.index n; last = position.node; finish }
@@ -175,7 +174,7 @@ let run_on t spot : Run.t option =
   | Rests | Stops -> Some (run rest t.run.finish)
   | Repeats k when from < k || (from = k && not (Positions.is_inside spot.at)) ->
     Some (run rest (Repeats (k - from)))
-  | Repeats _ -> Some (run (append rest (cycle t)) (Repeats (List.length rest)))
+  | Repeats _ -> Some (run (List.append rest (cycle t)) (Repeats (List.length rest)))
   | At_state | During _ | Passes -> None
 
 (* Some rounds show what a run that repeats itself leads to; what needs more of them is left to a search. *)

@@ -45,7 +45,7 @@ let on_the_way e formula holds bound run explain =
       let spot = { Course.course; index; at = place.position } in
       { place; why = lazy (explain (Some spot) formula place.position) }
     in
-    let stretches = Long_list.map stretch (List.filter is_so (Course.within course bound)) in
+    let stretches = List.map stretch (List.filter is_so (Course.within course bound)) in
     Some { claim = formula; claimed = holds; course; stretches }
 
 let always = { Formula.low = Rat.zero; high = None }

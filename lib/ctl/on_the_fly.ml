@@ -289,10 +289,10 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
            match Shortest_path.find ~successors ~from:j ~goal:(Int.equal i) with
            | None -> Bug.fail __POS__ "a component is not connected"
            | Some back ->
-             let steps = Long_list.map (fun (source, choice) -> { Graph.source; choice }) in
+             let steps = List.map (fun (source, choice) -> { Graph.source; choice }) in
              let stem = Graph.shortest_path g i in
              {
-               steps = Long_list.append stem ({ Graph.source = i; choice } :: steps back);
+               steps = List.append stem ({ Graph.source = i; choice } :: steps back);
                last = i;
                finish = Repeats (List.length stem);
              })

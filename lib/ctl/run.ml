@@ -198,7 +198,7 @@ let lasso region ~prefer =
     let home = route size ~ways:staying ~from:j ~goal:i in
     let stem = back region i [] in
     let finish = Repeats (List.length stem) in
-    let steps = List.rev_append (List.rev stem) (Scc_base.Long_list.map step ((i, move) :: home)) in
+    let steps = List.rev_append (List.rev stem) (List.map step ((i, move) :: home)) in
     { start = region.origin; steps; last = Growable.get region.nodes i; finish }
   in
   let rec first good i =

@@ -9,7 +9,7 @@ let after_start extent a b = { extent; start = a; first = b; rest = [] }
 
 let map f t =
   let piece p = { cut = p.cut; at = f p.at; after = f p.after } in
-  { extent = t.extent; start = f t.start; first = f t.first; rest = List.rev (List.rev_map piece t.rest) }
+  { extent = t.extent; start = f t.start; first = f t.first; rest = List.map piece t.rest }
 
 (* [x] and [y] are the values on the open pieces before the cuts still to come. *)
 let rec merge f x y a b acc =
@@ -60,14 +60,16 @@ let refine ~roots ~at ~inside t =
       match t.extent with Instant -> [] | _ -> List.filter (strictly_between low limit) (roots v)
     in
     let value from until = inside (inner t.extent from until) v in
-    let rec go from = function
-      | [] -> (value from next, [])
-      | c :: later ->
-        let here = value from (Some c) in
-        let after, pieces = go c later in
-        (here, { cut = c; at = at c v; after } :: pieces)
+    (* From the last cut to the first. *)
+    let rec go after pieces = function
+      | [] -> (after, pieces)
+      | c :: before ->
+        let from = match before with d :: _ -> d | [] -> low in
+        go (value from (Some c)) ({ cut = c; at = at c v; after } :: pieces) before
     in
-    go low cuts
+    match List.rev cuts with
+    | [] -> (value low next, [])
+    | last :: _ as cuts -> go (value last next) [] cuts
   in
   let rec pieces acc = function
     | [] -> List.rev acc

@@ -104,12 +104,12 @@ let features owner (s : Ast.solid) =
     make Vertex n (text "vertex `%s` of `%s`, at %s" n.it owner (Printer.expr v))
   in
   let face ((n : Ast.name), (corners : Ast.name list)) =
-    let corners = String.concat ", " (Long_list.map (fun (c : Ast.name) -> c.it) corners) in
+    let corners = String.concat ", " (List.map (fun (c : Ast.name) -> c.it) corners) in
     make Face n (text "face `%s` of `%s`, with the corners %s" n.it owner corners)
   in
   match s.it with
-  | Faces (vertices, faces) -> Long_list.append (Long_list.map vertex vertices) (Long_list.map face faces)
-  | Hull points -> Long_list.map vertex points
+  | Faces (vertices, faces) -> List.append (List.map vertex vertices) (List.map face faces)
+  | Hull points -> List.map vertex points
   | Template _ | Scaled _ | Mesh _ -> []
 
 let part owner (p : Ast.part) =
@@ -149,7 +149,7 @@ let leaf owner (l : Ast.leaf) =
   Option.map one l.label
 
 let bodies kind word shown (s : Ast.segment) (first : Ast.leaf) rest =
-  let leaves = first :: Long_list.map snd rest in
+  let leaves = first :: List.map snd rest in
   let path = { s.name with it = [ s ] } in
   let called = Printer.expr { s.name with it = Ast.Path path } in
   let labelled = List.filter_map (leaf called) leaves in
@@ -190,7 +190,7 @@ let item (i : Ast.item) =
     let name = head.declared in
     let made_of = count parts "part" "parts" ^ ", " ^ count glues "glue" "glues" in
     let what = text "compound `%s`: %s" (Printer.head head) made_of in
-    [ make Compound name ~shown ~inner:(Long_list.map (part name.it) parts) what ]
+    [ make Compound name ~shown ~inner:(List.map (part name.it) parts) what ]
   | Decomposed (head, s, attributes, _) ->
     let name = head.declared in
     let what = text "compound `%s`: %s in convex parts" (Printer.head head) (body s attributes None) in

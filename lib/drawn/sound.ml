@@ -101,8 +101,8 @@ let stray set f g =
       let last = List.nth points (List.length points - 1) in
       let on_line = List.filter (fun x -> on_segment x (first, last)) corners in
       let stops = List.sort_uniq Vec.compare (points @ on_line) in
-      let rec middles = function a :: (b :: _ as rest) -> mean [ a; b ] :: middles rest | [ _ ] | [] -> [] in
-      List.find_opt (fun x -> not (allowed x)) (mean points :: (stops @ middles stops))
+      let middles = List.map (fun (a, b) -> mean [ a; b ]) (Scc_data.Lists.neighbours stops) in
+      List.find_opt (fun x -> not (allowed x)) (mean points :: (stops @ middles))
   in
   List.find_map (fun one -> List.find_map (of_pieces one) g.pieces) f.pieces
 

@@ -9,7 +9,7 @@ let reported_overlaps = 10
 (* The bodies of the network, by index in the model; those with faults are left out. *)
 let included (bodies : Bodies.t) (composition : Composition.t) =
   Array.to_list bodies.leaves
-  |> Long_list.mapi (fun i leaf -> (i, leaf))
+  |> List.mapi (fun i leaf -> (i, leaf))
   |> List.filter (fun (i, _) -> composition.included.(i))
   |> List.filter_map snd
 
@@ -21,8 +21,8 @@ let check_overlaps (c : Context.t) bodies composition =
   let known (p : Model.part) = Option.is_none p.open_offset in
   let stands (l : Bodies.leaf) = Option.is_some (Form.fixed l.place) && Array.for_all known l.parts in
   let leaves = Array.of_list (List.filter stands (included bodies composition)) in
-  let parts = Long_list.mapi (fun body l -> placed l body) (Array.to_list leaves) in
-  let parts = Array.of_list (Long_list.concat parts) in
+  let parts = List.mapi (fun body l -> placed l body) (Array.to_list leaves) in
+  let parts = Array.of_list (List.concat parts) in
   let report (i, j) =
     let p = leaves.(parts.(i).body) and q = leaves.(parts.(j).body) in
     let where =
@@ -41,7 +41,7 @@ let sound = function
 
 let numbered (bodies : Bodies.t) (composition : Composition.t) =
   List.filter (fun i -> composition.included.(i)) (List.init (Array.length bodies.leaves) Fun.id)
-  |> Long_list.map (fun i -> (i, sound bodies.leaves.(i)))
+  |> List.map (fun i -> (i, sound bodies.leaves.(i)))
 
 let leaves bodies (composition : Composition.t) =
   let leaf (i, (l : Bodies.leaf)) =
@@ -57,7 +57,7 @@ let leaves bodies (composition : Composition.t) =
       law_at;
     }
   in
-  Array.of_list (Long_list.map leaf (numbered bodies composition))
+  Array.of_list (List.map leaf (numbered bodies composition))
 
 let uncertain bodies composition ranges : Uncertain.t option =
   let n = Array.length ranges in
@@ -67,14 +67,14 @@ let uncertain bodies composition ranges : Uncertain.t option =
     match l.shape with
     | Basic _ -> []
     | Compound compound ->
-      Long_list.map (fun (g : Shape.glue) -> { Uncertain.leaf = i; one = g.one; two = g.two }) compound.open_glues
+      List.map (fun (g : Shape.glue) -> { Uncertain.leaf = i; one = g.one; two = g.two }) compound.open_glues
   in
   if n = 0 then None
   else
     Some
       {
-        places = Array.of_list (Long_list.map (fun (l : Bodies.leaf) -> forms l.place) members);
-        glues = Long_list.concat (Long_list.mapi glues members);
+        places = Array.of_list (List.map (fun (l : Bodies.leaf) -> forms l.place) members);
+        glues = List.concat (List.mapi glues members);
       }
 
 let bond (composition : Composition.t) (j : Joints.t) =
@@ -92,7 +92,7 @@ let state bodies (composition : Composition.t) joints behaviours (model : Model.
   let members = Array.of_list (numbered bodies composition) in
   let n = Array.length members in
   let joined = Union_find.create n in
-  let bonds = Long_list.map (bond composition) joints in
+  let bonds = List.map (bond composition) joints in
   List.iter (fun (b : State.bond) -> ignore (Union_find.union joined b.one.at b.two.at)) bonds;
   let leaves_of = Array.make n [] and bonds_of = Array.make n [] in
   let put table root x = table.(root) <- x :: table.(root) in

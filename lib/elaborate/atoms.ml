@@ -43,9 +43,9 @@ let constants : (string * (Property.num, Property.prop) Typed.value) list =
   ]
 
 let functions =
-  [ "bonds"; "offers"; "behaviour" ] @ Long_list.map fst one_leaf @ Long_list.map fst two_leaves
+  [ "bonds"; "offers"; "behaviour" ] @ List.map fst one_leaf @ List.map fst two_leaves
 
-let words = functions @ Long_list.map fst constants @ [ "momentum"; "angular" ]
+let words = functions @ List.map fst constants @ [ "momentum"; "angular" ]
 
 let value : (Property.num, Property.prop) Typed.value -> (Property.num, Property.temporal) Typed.value =
   function
@@ -85,7 +85,7 @@ let changes : (string * Property.change) list =
     ("bind", Made); ("weak", Released_weakly); ("strong", Released_strongly); ("split", Released);
   ]
 
-let transitions = "absorb" :: "bounce" :: "hit" :: Long_list.map fst changes
+let transitions = "absorb" :: "bounce" :: "hit" :: List.map fst changes
 
 let ends t env arguments : Property.ends option =
   match arguments with
@@ -150,7 +150,7 @@ let variable t env (path : Ast.path) =
       | Some v -> Some (value v)
       | None ->
         error t Code.unknown_name path.at "unknown name `%s` in a formula" name.it
-          ~near:(name.it, fun () -> Long_list.map fst constants @ Env.names env);
+          ~near:(name.it, fun () -> List.map fst constants @ Env.names env);
         None)
   | [ { name = { it = ("momentum" | "angular") as of_what; _ }; indices = [] }; { name; indices = [] } ] -> (
       match (of_what, List.assoc_opt name.it axes) with

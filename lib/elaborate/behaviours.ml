@@ -165,7 +165,7 @@ let channel t scope (ch : Ast.channel) =
     check_pieces t scope m meaning;
     Some (m.only, meaning)
   in
-  let members = Long_list.map read ch.features in
+  let members = List.map read ch.features in
   if List.length ch.features = 0 then begin
     Report.error t.c.report Code.empty_channel ch.span "the channel `%s` has no features" ch.channel.it;
     None
@@ -179,7 +179,7 @@ let channel t scope (ch : Ast.channel) =
   else None
 
 let channels_of t scope at list =
-  let read = Long_list.map (channel t scope) list in
+  let read = List.map (channel t scope) list in
   match read with
   | [] ->
     Report.error t.c.report Code.empty_channel at "a strong split needs at least one channel";

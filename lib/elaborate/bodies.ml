@@ -185,9 +185,9 @@ let read_body r (body : Program.body) =
   let labelled = Option.is_some body.first.label in
   let label (l : Ast.leaf) = Option.value ~default:body.name l.label in
   let read l = read_leaf r body (label l) l in
-  let members = List.filter_map read (body.first :: Long_list.map snd body.rest) in
+  let members = List.filter_map read (body.first :: List.map snd body.rest) in
   if labelled then Registry.add r.names body.name name (Registry.Process members);
-  let bonds = Long_list.map (fun (bond, _) -> (body.env, bond)) body.rest in
+  let bonds = List.map (fun (bond, _) -> (body.env, bond)) body.rest in
   r.groups <- { name; labelled; members; bonds; span = body.name.name.at } :: r.groups;
   r.group_count <- r.group_count + 1;
   Some ()

@@ -48,7 +48,7 @@ let check_names (c : Context.t) (parts : Ast.part list) =
         ~notes:[ (first, "the first is here") ];
       false
   in
-  List.for_all Fun.id (Long_list.map fresh parts)
+  List.for_all Fun.id (List.map fresh parts)
 
 let centroid d = Vec.add d.part.placement.translation d.part.solid.centroid
 
@@ -180,7 +180,7 @@ let build (c : Context.t) env (name : Ast.name) drafts glues =
   let joined = Union_find.create (Array.length parts) in
   let rigid = check_motion c name drafts in
   let disjoint = check_overlaps c name parts in
-  let read = Long_list.map (read_glue c env compound joined) glues in
+  let read = List.map (read_glue c env compound joined) glues in
   if List.for_all Option.is_some read then check_connected c name parts joined;
   let open_glues = List.filter (is_open compound) (List.filter_map Fun.id read) in
   if rigid && disjoint then Some (Shape.Compound { compound with open_glues }) else None
@@ -200,7 +200,7 @@ let check_parts (c : Context.t) env (name : Ast.name) (parts : Ast.part list) (g
 let make (c : Context.t) (at : Span.t) parts glues env label =
   let name = { Ast.it = label; at } in
   let distinct = check_names c parts in
-  let drafts = Long_list.map (read_part c env) parts in
+  let drafts = List.map (read_part c env) parts in
   if distinct && List.for_all Option.is_some drafts then
     match List.filter_map Fun.id drafts with
     | [] ->

@@ -26,9 +26,9 @@ let behaviour behaviours (l : Bodies.leaf) =
 
 let behaviours_of table (bodies : Bodies.t) keep =
   Array.to_list bodies.leaves
-  |> Long_list.mapi (fun i leaf -> (i, leaf))
+  |> List.mapi (fun i leaf -> (i, leaf))
   |> List.filter (fun (i, _) -> keep i)
-  |> Long_list.map (fun (_, leaf) -> Option.fold ~none:Behaviour.nil ~some:(behaviour table) leaf)
+  |> List.map (fun (_, leaf) -> Option.fold ~none:Behaviour.nil ~some:(behaviour table) leaf)
 
 let warn_unused (c : Context.t) (program : Program.t) =
   let warn what name at = Report.warning c.report Code.unused at "the %s `%s` is not used" what name in

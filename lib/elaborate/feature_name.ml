@@ -49,7 +49,7 @@ let vertices report env (paths : Ast.path list) =
   | (prefix, _) :: _ ->
     let stray = List.find_opt (fun (p, _) -> not (same_names p prefix)) all in
     (match stray with
-     | None -> Some (prefix, Long_list.map snd all)
+     | None -> Some (prefix, List.map snd all)
      | Some (_, (name, at)) ->
        Report.error report Code.unknown_feature at
          "the vertex `%s` is of another shape than the first of the tuple"
@@ -84,8 +84,8 @@ let vertex report label (p : Polyhedron.t) (name, at) =
   | None -> unknown report label p at name
 
 let cycle report label (p : Polyhedron.t) span corners =
-  let found = Long_list.map (vertex report label p) corners in
-  let names = String.concat "," (Long_list.map fst corners) in
+  let found = List.map (vertex report label p) corners in
+  let names = String.concat "," (List.map fst corners) in
   if not (List.for_all Option.is_some found) then None
   else
     match List.filter_map Fun.id found with
@@ -140,7 +140,7 @@ let bare report (c : Shape.compound) f =
 type meaning = { listed : Site.t list; inside : Site.t list; closed : Site.t list }
 
 let part_closure (p : Polyhedron.t) part features =
-  Long_list.map (fun feature -> { Site.part; feature }) (Polyhedron.closure p features)
+  List.map (fun feature -> { Site.part; feature }) (Polyhedron.closure p features)
 
 let of_part p (site : Site.t) =
   { listed = [ site ]; inside = [ site ]; closed = part_closure p site.part [ site.feature ] }
@@ -153,10 +153,10 @@ let same_part part (s : Site.t) = Int.equal s.part part
 
 (* The closures that features have in their own parts. *)
 let closures polyhedra sites =
-  let parts = List.sort_uniq Int.compare (Long_list.map (fun (s : Site.t) -> s.part) sites) in
+  let parts = List.sort_uniq Int.compare (List.map (fun (s : Site.t) -> s.part) sites) in
   let of_part part =
     part_closure polyhedra.(part) part
-      (Long_list.map (fun (s : Site.t) -> s.feature) (List.filter (same_part part) sites))
+      (List.map (fun (s : Site.t) -> s.feature) (List.filter (same_part part) sites))
   in
   List.concat_map of_part parts
 
@@ -171,7 +171,7 @@ let largest polyhedra sites =
   List.sort Site.compare (fst (List.fold_left keep ([], []) larger))
 
 let of_drawn shape (d : Scc_drawn.Parts.t) feature =
-  let sites list = Long_list.map (fun (part, feature) -> { Site.part; feature }) list in
+  let sites list = List.map (fun (part, feature) -> { Site.part; feature }) list in
   let closed = sites (Scc_drawn.Parts.closed d feature) in
   { listed = largest (Shape.polyhedra shape) closed; inside = sites (Scc_drawn.Parts.inside d feature); closed }
 
@@ -212,8 +212,8 @@ let on_drawn report (c : Shape.compound) (d : Scc_drawn.Parts.t) f =
       | Some v -> Some v
       | None -> unknown_drawn report c.clabel d at name
     in
-    let found = Long_list.map vertex corners in
-    let text = Printf.sprintf "[%s]" (String.concat "," (Long_list.map fst corners)) in
+    let found = List.map vertex corners in
+    let text = Printf.sprintf "[%s]" (String.concat "," (List.map fst corners)) in
     if List.for_all Option.is_some found then
       found_drawn report c d f.span text (Scc_drawn.Parts.tuple d (List.filter_map Fun.id found))
     else None

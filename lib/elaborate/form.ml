@@ -12,15 +12,17 @@ let map f { constant; terms } = { constant = f constant; terms = List.map (fun (
 let neg = map Rat.neg
 let scale k f = if Rat.sign k = 0 then const Rat.zero else map (Rat.mul k) f
 
-let rec sum a b =
+let rec sum_onto found a b =
   match (a, b) with
-  | [], rest | rest, [] -> rest
+  | [], rest | rest, [] -> List.rev_append found rest
   | ((v, c) as first) :: a', ((w, d) as second) :: b' ->
-    if v.index < w.index then first :: sum a' b
-    else if w.index < v.index then second :: sum a b'
+    if v.index < w.index then sum_onto (first :: found) a' b
+    else if w.index < v.index then sum_onto (second :: found) a b'
     else
       let e = Rat.add c d in
-      if Rat.sign e = 0 then sum a' b' else (v, e) :: sum a' b'
+      sum_onto (if Rat.sign e = 0 then found else (v, e) :: found) a' b'
+
+let sum a b = sum_onto [] a b
 
 let add a b =
   match (a.terms, b.terms) with

@@ -17,7 +17,7 @@ let state_of t at ~hint = function
 let all options = if List.for_all Option.is_some options then Some (List.filter_map Fun.id options) else None
 
 let states formulas =
-  all (Long_list.map (function Property.State p -> Some p | _ -> None) formulas)
+  all (List.map (function Property.State p -> Some p | _ -> None) formulas)
 
 let conjunction formulas =
   match states formulas with
@@ -46,13 +46,13 @@ let quantified t eval env (q : Ast.quantifier) (v : Ast.name) over (body : Ast.e
       None
     | None -> None
   in
-  let* formulas = all (Long_list.map instance values) in
+  let* formulas = all (List.map instance values) in
   match q with
   | Forall -> Some (Typed.Cond (conjunction formulas))
   | Exists -> Some (Typed.Cond (disjunction formulas))
   | Count ->
     let hint = "what is counted holds or not at an instant" in
-    let* ps = all (Long_list.map (state_of t body.at ~hint) formulas) in
+    let* ps = all (List.map (state_of t body.at ~hint) formulas) in
     Some (Typed.Num (Property.Count ps))
 
 let duration t env (e : Ast.expr) =

@@ -201,4 +201,4 @@ let read (c : Context.t) (program : Program.t) (bodies : Bodies.t) composition =
   let inner = List.concat_map of_process (Array.to_list bodies.processes) in
   let admits = check_included c composition bodies in
   let outer = List.filter_map (read_bond c bodies joined ~admits) program.bonds in
-  List.filter (included composition) (Long_list.append inner outer)
+  List.filter (included composition) (List.append inner outer)

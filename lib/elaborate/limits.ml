@@ -14,7 +14,7 @@ type node =
 
 let expr e = Expr e
 let vector v = [ Expr v ]
-let path (p : Ast.path) = List.concat_map (fun (s : Ast.segment) -> Long_list.map expr s.indices) p.it
+let path (p : Ast.path) = List.concat_map (fun (s : Ast.segment) -> List.map expr s.indices) p.it
 
 let feature (f : Ast.feature) =
   match f.it with
@@ -31,8 +31,8 @@ let bound = function
 let transform (t : Ast.transform) =
   match t.it with
   | Translate v | Scale v -> vector v
-  | Rotate (a, b, c, d) -> Long_list.map expr [ a; b; c; d ]
-  | Matrix rows -> List.concat_map (fun (a, b, c, d) -> Long_list.map expr [ a; b; c; d ]) rows
+  | Rotate (a, b, c, d) -> List.map expr [ a; b; c; d ]
+  | Matrix rows -> List.concat_map (fun (a, b, c, d) -> List.map expr [ a; b; c; d ]) rows
 
 let attribute (a : Ast.attribute) =
   match a.it with
@@ -43,19 +43,19 @@ let attribute (a : Ast.attribute) =
 
 let leaf (l : Ast.leaf) =
   (Solid l.solid :: List.concat_map attribute l.attributes)
-  @ Long_list.map (fun b -> Behaviour b) (Option.to_list l.behaviour)
+  @ List.map (fun b -> Behaviour b) (Option.to_list l.behaviour)
 
 let bond (b : Ast.bond) = feature b.first @ feature b.second
 
-let bounds (r : Ast.bounds) = Expr r.low :: Expr r.high :: Long_list.map expr (Option.to_list r.filter)
+let bounds (r : Ast.bounds) = Expr r.low :: Expr r.high :: List.map expr (Option.to_list r.filter)
 
 let ranged = function
   | Ast.Bodies e -> [ Expr e ]
   | Ast.Numbers r -> bounds r
 
-let reference (r : Ast.reference) = Long_list.map expr (r.indices @ r.arguments)
-let head (h : Ast.head) = Long_list.map expr h.places
-let definitions ds = Long_list.map (fun (_, e) -> Expr e) ds
+let reference (r : Ast.reference) = List.map expr (r.indices @ r.arguments)
+let head (h : Ast.head) = List.map expr h.places
+let definitions ds = List.map (fun (_, e) -> Expr e) ds
 
 let outcome = function
   | Ast.Does e -> [ Expr e ]
@@ -66,9 +66,9 @@ let expr_children (e : Ast.expr) =
   match e.it with
   | Number _ | True | False | Co _ -> []
   | Path p -> path p
-  | Apply_in (p, _, es) -> path p @ Long_list.map expr es
+  | Apply_in (p, _, es) -> path p @ List.map expr es
   | Component (a, _) -> [ Expr a ]
-  | Apply (_, es) | Event (_, es) -> Long_list.map expr es
+  | Apply (_, es) | Event (_, es) -> List.map expr es
   | Neg a | Not a -> [ Expr a ]
   | Quantified (_, _, over, a) -> Expr a :: ranged over
   | Vector (a, b, c) -> [ Expr a; Expr b; Expr c ]
@@ -108,7 +108,7 @@ let law (l : Ast.law) =
   | Expression v -> vector v
   | Choose kicks ->
     let kick (k : Ast.kick) =
-      List.concat_map range k.over @ vector k.velocity @ Long_list.map expr (Option.to_list k.weight)
+      List.concat_map range k.over @ vector k.velocity @ List.map expr (Option.to_list k.weight)
     in
     List.concat_map kick kicks
 
@@ -123,18 +123,18 @@ let item_children (i : Ast.item) =
   | Param_in (_, low, high) -> [ Expr low.value; Expr high.value ]
   | Shape (h, s, ds) -> (Solid s :: head h) @ definitions ds
   | Compound (h, parts, glues, ds) ->
-    Long_list.append (List.concat_map part parts) (List.concat_map glue glues) @ head h @ definitions ds
+    List.append (List.concat_map part parts) (List.concat_map glue glues) @ head h @ definitions ds
   | Decomposed (h, s, attributes, ds) ->
     (Solid s :: List.concat_map attribute attributes) @ head h @ definitions ds
   | Behaviour (h, on, b, ds) ->
     (Behaviour b :: head h) @ List.concat_map reference (Option.to_list on) @ definitions ds
   | Process (s, l, rest) | Fixed (s, l, rest) ->
-    Long_list.map expr s.indices @ leaf l @ List.concat_map (fun (b, l) -> bond b @ leaf l) rest
+    List.map expr s.indices @ leaf l @ List.concat_map (fun (b, l) -> bond b @ leaf l) rest
   | Bond b -> bond b
   | For (ranges, items) ->
-    Long_list.append
+    List.append
       (List.concat_map range ranges)
-      (Long_list.map (fun i -> Item i) items)
+      (List.map (fun i -> Item i) items)
   | Network ps -> List.concat_map path ps
   | Motion (p, l) -> List.concat_map path (Option.to_list p) @ law l
 

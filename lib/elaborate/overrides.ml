@@ -9,7 +9,7 @@ type t = { given : (string * given) list; mutable known : string list list }
 
 let create ~narrowed values =
   let value (name, q) = (name, Value q) and within (name, (low, high)) = (name, Within (low, high)) in
-  { given = Long_list.append (Long_list.map value values) (Long_list.map within narrowed); known = [] }
+  { given = List.append (List.map value values) (List.map within narrowed); known = [] }
 
 let same_bound (a : Ranges.bound) (b : Ranges.bound) =
   Rat.equal a.value b.value && Bool.equal a.included b.included

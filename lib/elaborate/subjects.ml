@@ -160,7 +160,7 @@ let body_members t env (e : Ast.expr) =
   match found with
   | Leaf i -> Some [ t.composition.index.(i) ]
   | Process list | Family list ->
-    Some (Long_list.map (fun i -> t.composition.index.(i)) (List.sort Int.compare list))
+    Some (List.map (fun i -> t.composition.index.(i)) (List.sort Int.compare list))
 
 let range t env (e : Ast.expr) =
   match (template_members t env (template_of e), body_members t env e) with

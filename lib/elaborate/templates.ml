@@ -79,8 +79,8 @@ let check_names (c : Context.t) vertices faces =
         ~notes:[ (first, "the first is here") ];
       false
   in
-  let vertices = Long_list.map (fun (n, _) -> fresh n) vertices in
-  let faces = Long_list.map (fun (n, _) -> fresh n) faces in
+  let vertices = List.map (fun (n, _) -> fresh n) vertices in
+  let faces = List.map (fun (n, _) -> fresh n) faces in
   List.for_all Fun.id vertices && List.for_all Fun.id faces
 
 (* Sets of faces that are made, and not written. *)
@@ -89,7 +89,7 @@ let made (c : Context.t) ~label at ifs = accept c { whole = at; vertices = [||];
 let hull (c : Context.t) env ~label at points =
   let distinct = check_names c points [] in
   let place ((n : Ast.name), v) = Option.map (fun p -> (n.it, p)) (Constant.corner c.report env v) in
-  let places = Long_list.map place points in
+  let places = List.map place points in
   if distinct && List.for_all Option.is_some places then
     Option.bind (Solids.hull c.report at (List.filter_map Fun.id places)) (made c ~label at)
   else None
@@ -177,7 +177,7 @@ let resolve_corners (c : Context.t) index (face : Ast.name) corners =
         ~near:(n.it, names);
       None
   in
-  let found = Long_list.map resolve corners in
+  let found = List.map resolve corners in
   if List.for_all Option.is_some found then Some (Array.of_list (List.filter_map Fun.id found)) else None
 
 let listed_set (c : Context.t) env vertices faces =
@@ -186,14 +186,14 @@ let listed_set (c : Context.t) env vertices faces =
   List.iteri (fun i ((n : Ast.name), _) -> Hashtbl.replace index n.it i) vertices;
   let place ((n : Ast.name), v) = Option.map (fun p -> (n.it, p)) (Constant.corner c.report env v) in
   let corners ((n : Ast.name), vs) = Option.map (fun a -> (n.it, a)) (resolve_corners c index n vs) in
-  let places_of = Long_list.map place vertices and faces_of = Long_list.map corners faces in
+  let places_of = List.map place vertices and faces_of = List.map corners faces in
   if distinct && List.for_all Option.is_some places_of && List.for_all Option.is_some faces_of then
     let array l = Array.of_list (List.filter_map Fun.id l) in
     Some { Polyhedron.ifs_vertices = array places_of; ifs_faces = array faces_of }
   else None
 
 let places_of at vertices faces =
-  let spans l = Array.of_list (Long_list.map (fun ((n : Ast.name), _) -> n.at) l) in
+  let spans l = Array.of_list (List.map (fun ((n : Ast.name), _) -> n.at) l) in
   { whole = at; vertices = spans vertices; faces = spans faces }
 
 let listed (c : Context.t) env ~label at vertices faces =

@@ -111,7 +111,7 @@ module Make (A : ALGEBRA) = struct
       done
 
   and apply ctx depth env at name es =
-    let values = Long_list.map (at_depth ctx (depth + 1) env) es in
+    let values = List.map (at_depth ctx (depth + 1) env) es in
     if List.exists Option.is_none values then check_arity ctx at name (List.length values);
     let* values = all values in
     if not (List.for_all is_constant values) then

@@ -75,7 +75,7 @@ let merge_times steps =
 
 let texts t steps =
   let labels = (System.graph t.whole).labels in
-  Long_list.map
+  List.map
     (function
       | Traces.Action a -> labels.(a)
       | Time d -> Label.of_passing (For d))

@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_exact
 
 type view = Every_action | Observable
@@ -49,7 +48,7 @@ let set t ~exact positions =
   in
   count t (List.length members);
   let exact = exact && List.for_all (System.known t.m) members in
-  let key = String.concat "," (string_of_bool exact :: Long_list.map string_of_int members) in
+  let key = String.concat "," (string_of_bool exact :: List.map string_of_int members) in
   match Hashtbl.find_opt t.sets key with
   | Some s -> s
   | None ->

@@ -42,12 +42,10 @@ let every trajectory model offset p =
   let known _ = true in
   List.map (fun atom -> fact ~known trajectory model offset atom) (Show.atoms p)
 
-let rec take n = function x :: rest when n > 0 -> x :: take (n - 1) rest | _ -> []
-
 let at ?arrived ?later_than ?(known = fun _ -> true) semantics state extent offset p =
   let model = Semantics.model semantics in
   let trajectory = Trajectory.make ?arrived semantics state extent in
   let atoms = Show.atoms p in
-  let shown = List.map (fact ?later_than ~known trajectory model offset) (take most atoms) in
+  let shown = List.map (fact ?later_than ~known trajectory model offset) (Scc_data.Lists.take most atoms) in
   let more = List.length atoms - most in
   if more > 0 then shown @ [ Printf.sprintf "and %d more atoms" more ] else shown

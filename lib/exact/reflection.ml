@@ -3,12 +3,15 @@ type row = (int * Vec.t * Vec.t) list
 let speed q row = List.fold_left (fun sum (slot, j, _) -> Rat.add sum (Vec.dot j q.(slot))) Rat.zero row
 
 (* J_k M^-1 J_l^T: what an impulse along the row l changes of J_k q. *)
-let rec product (k : row) (l : row) =
-  match (k, l) with
-  | [], _ | _, [] -> Rat.zero
-  | (i, _, _) :: k', (j, _, _) :: _ when i < j -> product k' l
-  | (i, _, _) :: _, (j, _, _) :: l' when j < i -> product k l'
-  | (_, row, _) :: k', (_, _, change) :: l' -> Rat.add (Vec.dot row change) (product k' l')
+let product (k : row) (l : row) =
+  let rec go sum (k : row) (l : row) =
+    match (k, l) with
+    | [], _ | _, [] -> sum
+    | (i, _, _) :: k', (j, _, _) :: _ when i < j -> go sum k' l
+    | (i, _, _) :: _, (j, _, _) :: l' when j < i -> go sum k l'
+    | (_, row, _) :: k', (_, _, change) :: l' -> go (Rat.add sum (Vec.dot row change)) k' l'
+  in
+  go Rat.zero k l
 
 let gram rows =
   let lower = Array.mapi (fun k row -> Array.init (k + 1) (fun l -> product row rows.(l))) rows in

@@ -117,7 +117,7 @@ let witness ?(full = true) given (w : Witness.t) =
   `Assoc
     ([
       ("initial", State_json.state m w.initial);
-      ("steps", `List (Long_list.map (step m) steps));
+      ("steps", `List (List.map (step m) steps));
     ]
       @ omitted @ [
         ("finish", `String (finish w));

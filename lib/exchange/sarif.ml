@@ -86,7 +86,7 @@ let flow ~source m (check : Property.check) (w : Witness.t) =
     let location = `Assoc [ place ~source check.span; ("message", message text) ] in
     `Assoc [ ("location", location); ("executionOrder", `Int (i + 1)) ]
   in
-  let steps = Long_list.mapi step (Witness.lines m w) in
+  let steps = List.mapi step (Witness.lines m w) in
   match steps with
   | [] -> []
   | _ :: _ ->

@@ -138,7 +138,7 @@ let of_schedule source json =
       (Span.make ~file ~start ~stop:(start + 1))
       ~index:(Json.member "choice" json) ~label:(Json.member "label" json)
   in
-  let* choices = collect (Long_list.mapi (fun i json -> (i, json)) items) one in
+  let* choices = collect (List.mapi (fun i json -> (i, json)) items) one in
   let* offset =
     match Json.member "offset" json with
     | None -> Ok None

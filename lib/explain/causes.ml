@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
@@ -220,7 +219,7 @@ let bonds t wanted =
       (Array.to_list p.bonds)
   in
   {
-    reasons = Long_list.(concat (mapi of_event (Array.to_list t.events)));
+    reasons = List.(concat (mapi of_event (Array.to_list t.events)));
     leaves = List.concat_map of_process (Array.to_list (Course.initial t.run.course).processes);
   }
 
@@ -237,7 +236,7 @@ let nothing = { reasons = []; leaves = [] }
 
 let discrete_events t =
   let discrete (_, (e : event)) = match e.happening with Discrete _ -> true | Expiry _ -> false in
-  List.filter discrete (Long_list.mapi (fun i e -> (i, e)) (Array.to_list t.events))
+  List.filter discrete (List.mapi (fun i e -> (i, e)) (Array.to_list t.events))
 
 let last_event t =
   match List.rev (discrete_events t) with

@@ -88,7 +88,7 @@ let follow_lasso context graph steps cycle =
 
 (* A weak split that is enabled somewhere on a cycle and never made on it. *)
 let puts_off semantics (cycle : Witness.step list) ~from =
-  let made = Long_list.map (fun (s : Witness.step) -> s.transition.label) cycle in
+  let made = List.map (fun (s : Witness.step) -> s.transition.label) cycle in
   let is_put_off (t : Transition.t) =
     match t.label with
     | Weak_split _ when not (List.exists (Transition.equal_label t.label) made) -> Some t.label
@@ -99,7 +99,7 @@ let puts_off semantics (cycle : Witness.step list) ~from =
     | Ok transitions -> List.find_map is_put_off transitions
     | Error _ -> None
   in
-  List.find_map at (from :: Long_list.map (fun (s : Witness.step) -> s.transition.target) cycle)
+  List.find_map at (from :: List.map (fun (s : Witness.step) -> s.transition.target) cycle)
 
 let repeats context (run, moved) cycle : Witness.finish =
   let steps = List.rev run.steps in
@@ -196,7 +196,7 @@ let of_path context graph i =
 
 (** {2 Explanations} *)
 
-let steps_of temporal (run : Scc_ctl.Run.t) = Long_list.map (Temporal.choice temporal) run.steps
+let steps_of temporal (run : Scc_ctl.Run.t) = List.map (Temporal.choice temporal) run.steps
 
 let of_run context graph temporal (run : Scc_ctl.Run.t) =
   let steps = steps_of temporal run in

@@ -1,5 +1,4 @@
 open Scc_ctl
-open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
@@ -142,7 +141,7 @@ let expected_events story roles absent =
       [ { label; at = e.time; needed = is_relevant roles.(i) } ]
     | Discrete _ | Expiry _ -> []
   in
-  Long_list.(concat (mapi expect (Array.to_list (Causes.events story))))
+  List.(concat (mapi expect (Array.to_list (Causes.events story))))
 
 let try_without story roles w bodies =
   let absent = Ints.of_list (List.concat bodies) in

@@ -48,7 +48,7 @@ let semantics given w = match w.fixed with Some f -> f.semantics | None -> given
 (* Model time when the step of this index begins. *)
 let time_before w k = if k = 0 then Rat.zero else (List.nth w.steps (k - 1)).time
 
-let choices w = Scc_base.Long_list.map (fun s -> s.choice) w.steps
+let choices w = List.map (fun s -> s.choice) w.steps
 
 let time w =
   match List.rev w.steps with [] -> Rat.zero | last :: _ -> last.time
@@ -154,4 +154,4 @@ let ending model w =
   @ match w.argument with None -> [] | Some a -> "why:" :: argument_lines 1 a
 
 let lines model w =
-  Scc_base.Long_list.(append (mapi (step_line model) w.steps) (ending model w))
+  List.(append (mapi (step_line model) w.steps) (ending model w))

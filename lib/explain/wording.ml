@@ -100,7 +100,7 @@ let event context graph (s : Graph.step) =
 
 (* What happens on a run, seen from where it starts. *)
 let story context graph temporal (run : Scc_ctl.Run.t) =
-  let steps = Scc_base.Long_list.map (Temporal.choice temporal) run.steps in
+  let steps = List.map (Temporal.choice temporal) run.steps in
   let start = Algebraic.to_rat run.start.offset in
   let clock, events =
     List.fold_left

@@ -161,7 +161,7 @@ let faults points faces surface =
   let s = { points; faces; normals = Array.map (Face_check.normal points) faces } in
   let corner g i = faces.(g).(i mod Array.length faces.(g)) in
   match Surface.pieces surface with
-  | a :: (_ :: _ as others) -> List.rev (List.rev_map (fun b -> Polyhedron_fault.Separate_solids (a, b)) others)
+  | a :: (_ :: _ as others) -> List.map (fun b -> Polyhedron_fault.Separate_solids (a, b)) others
   | [] | [ _ ] ->
     if is_flat s then [ Polyhedron_fault.Flat 0 ]
     else if Z.sign (volume6 s) < 0 then

@@ -16,13 +16,7 @@ let left_of a b = through (Z.sub a.y b.y) (Z.sub b.x a.x) a
 (* Positive where the segment from a to b has not begun: on the side of b of the normal at a. *)
 let beyond a b = through (Z.sub b.x a.x) (Z.sub b.y a.y) a
 
-let sides ps =
-  let rec go first = function
-    | [ last ] -> [ left_of last first ]
-    | a :: (b :: _ as rest) -> left_of a b :: go first rest
-    | [] -> []
-  in
-  go (List.hd ps) ps
+let sides ps = List.map (fun (a, b) -> left_of a b) (Scc_data.Lists.ring ps)
 
 (* The forms that vanish on the relative interior of a shape, and those that are positive there: together
    they describe it. *)
@@ -107,27 +101,17 @@ let at p q t = Vec.axpy (Rat.make t.num t.den) (Vec.sub q p) p
    inner part of the polygon, so that no corner is doubled. *)
 let clip polygon form =
   let valued = List.map (fun p -> (p, form p)) polygon in
-  let step (p, s) (q, t) =
+  let step ((p, s), (q, t)) =
     let crosses = Rat.sign s * Rat.sign t < 0 in
     let crossing = if crosses then [ Vec.axpy (Rat.div s (Rat.sub s t)) (Vec.sub q p) p ] else [] in
     if Rat.sign s >= 0 then p :: crossing else crossing
   in
-  let rec go first = function
-    | [ last ] -> step last first
-    | p :: (q :: _ as rest) -> step p q @ go first rest
-    | [] -> []
-  in
-  go (List.hd valued) valued
+  List.concat_map step (Scc_data.Lists.ring valued)
 
 (* The intersection of two polygons of one plane, counter-clockwise about n, whose inner parts intersect. *)
 let common n p q =
   let side a b x = Vec.dot n (Vec.cross (Vec.sub b a) (Vec.sub x a)) in
-  let rec go first p = function
-    | [ last ] -> clip p (side last first)
-    | a :: (b :: _ as rest) -> go first (clip p (side a b)) rest
-    | [] -> p
-  in
-  go (List.hd q) p q
+  List.fold_left (fun p (a, b) -> clip p (side a b)) p (Scc_data.Lists.ring q)
 
 let region ~normal (s, ends_s) (t, ends_t) =
   match (s, ends_s, t, ends_t) with

@@ -56,7 +56,7 @@ let off_plane_faults count faces blamed =
     | [] -> Bug.fail __POS__ "a face that is not planar without a corner to blame"
     | v :: others -> Polyhedron_fault.Off_plane (f, List.fold_left better v others)
   in
-  List.rev (List.rev_map fault blamed)
+  List.map fault blamed
 
 let face_faults points faces =
   let sort (blamed, others) f corners =

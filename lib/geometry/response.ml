@@ -56,13 +56,8 @@ let samples n normals =
   | [] ->
     [ Ivec.cross n (off_axis n) ]
   | [ d; _ ] -> [ Ivec.cross n d; Ivec.cross d n ]
-  | first :: _ as sorted ->
-    let rec sums = function
-      | [ last ] -> [ Ivec.add last first ]
-      | d :: (e :: _ as rest) -> Ivec.add d e :: sums rest
-      | [] -> []
-    in
-    sums sorted
+  | sorted ->
+    List.map (fun (d, e) -> Ivec.add d e) (Scc_data.Lists.ring sorted)
 
 (* [own] are the tight directions of the pair that [n] belongs to, [others] those of each other pair. *)
 let covered own others n =
@@ -74,11 +69,11 @@ let approaches w tight = List.for_all (fun n -> Z.sign (Ivec.dot n w) < 0) tight
 
 (* Each element with all the others. *)
 let with_others xs =
-  let rec go before = function
-    | [] -> []
-    | x :: after -> (x, List.rev_append before after) :: go (x :: before) after
+  let rec go found before = function
+    | [] -> List.rev found
+    | x :: after -> go ((x, List.rev_append before after) :: found) (x :: before) after
   in
-  go [] xs
+  go [] [] xs
 
 let exposed own others = List.filter (fun n -> not (covered own others n)) own
 

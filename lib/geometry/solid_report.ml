@@ -38,7 +38,7 @@ let fault_diagnostic r fault =
 
 let faults r =
   match (r.verdict, off_centre r) with
-  | Rejected faults, _ -> List.rev (List.rev_map (fault_diagnostic r) faults)
+  | Rejected faults, _ -> List.map (fault_diagnostic r) faults
   | Accepted _, None -> []
   | Accepted _, Some centroid ->
     [

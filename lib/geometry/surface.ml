@@ -127,7 +127,7 @@ let edge_faults s =
   in
   let turned_faces = match repeated with [] -> None | _ :: _ -> turned s in
   match turned_faces with
-  | Some (_ :: _ as faces) -> List.rev (List.rev_map (fun f -> Polyhedron_fault.Turned_face f) faces)
+  | Some (_ :: _ as faces) -> List.map (fun f -> Polyhedron_fault.Turned_face f) faces
   | Some [] | None -> List.rev_append (List.rev repeated) (open_edges s)
 
 let pieces s =

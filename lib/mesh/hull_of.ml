@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_geometry
 
 let renumbered (set : Polyhedron.ifs) =
@@ -34,7 +33,7 @@ let in_order (set : Polyhedron.ifs) =
   let faces = Array.map (fun (name, f) -> (name, from_least f)) set.ifs_faces in
   let faces = Array.map (fun (name, f) -> (first_triangle f, (name, f))) faces in
   let faces = List.sort (fun (a, _) (b, _) -> compare_lists a b) (Array.to_list faces) in
-  { set with ifs_faces = Array.of_list (Long_list.map snd faces) }
+  { set with ifs_faces = Array.of_list (List.map snd faces) }
 
 let hull (set : Polyhedron.ifs) =
   match Hull.triangles (Array.map snd set.ifs_vertices) with
@@ -51,13 +50,13 @@ let flattened ~within (hull : Polyhedron.ifs) =
 (* Names for that many faces: f1, f2, …, without those of points. *)
 let face_names points count =
   let taken name = List.exists (fun (n, _) -> String.equal n name) points in
-  let rec from i left =
+  let rec from names i left =
     let name = Printf.sprintf "f%d" i in
-    if left = 0 then []
-    else if taken name then from (i + 1) left
-    else name :: from (i + 1) (left - 1)
+    if left = 0 then List.rev names
+    else if taken name then from names (i + 1) left
+    else from (name :: names) (i + 1) (left - 1)
   in
-  from 1 count
+  from [] 1 count
 
 (* Two faces have at most two corners in common. *)
 let compare_corners f g =

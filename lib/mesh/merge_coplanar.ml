@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_data
 open Scc_exact
 open Scc_geometry
@@ -151,7 +150,7 @@ let real_corners lines vertices =
   let degree = Array.make vertices 0 in
   List.iter (fun (_, corners) -> Array.iter (fun v -> degree.(v) <- degree.(v) + 1) corners) lines;
   let keep v = degree.(v) >= 3 in
-  Long_list.map (fun (f, corners) -> (f, Array.of_list (List.filter keep (Array.to_list corners)))) lines
+  List.map (fun (f, corners) -> (f, Array.of_list (List.filter keep (Array.to_list corners)))) lines
 
 let unite (ifs : Polyhedron.ifs) group =
   let faces = Array.map snd ifs.ifs_faces in

@@ -136,4 +136,4 @@ let labelled vertices faces =
     ifs_faces = Array.map2 (fun name (_, f) -> (name, f)) names faces;
   }
 
-let ifs vertices faces = labelled vertices (List.rev (List.rev_map (fun f -> (None, f)) faces))
+let ifs vertices faces = labelled vertices (List.map (fun f -> (None, f)) faces)

@@ -97,7 +97,7 @@ let check (c : Scc_property.Property.check) =
 
 let describe given handle l =
   let m = l.model in
-  let list encode items = `List (Long_list.map encode items) in
+  let list encode items = `List (List.map encode items) in
   `Assoc
     [
       ("model", `String handle);
@@ -167,7 +167,7 @@ let start p at : Wire.t -> Sample.how = function
 let at_start given how =
   match of_tree given given.tree with
   | Error diagnostics -> refuse given diagnostics
-  | Ok l -> { given with overrides = Long_list.append given.overrides (Sample.values how l.model.ranges) }
+  | Ok l -> { given with overrides = List.append given.overrides (Sample.values how l.model.ranges) }
 
 let load store p =
   Handles.check_room store.models;
@@ -205,7 +205,7 @@ let with_formula store ~handle ~formula form =
   | None ->
     let given = (kept_of store handle).given in
     let* e = Scc_syntax.Parse.expression (Source.make ~name:formula_name formula) in
-    let* answer = make given (Long_list.append given.tree [ Question.item form e ]) in
+    let* answer = make given (List.append given.tree [ Question.item form e ]) in
     let older = List.filteri (fun i _ -> i < most_lately - 1) store.lately in
     store.lately <- { handle; formula; form = name; answer } :: older;
     Ok answer

@@ -126,7 +126,7 @@ let quaternion p at : Wire.t -> Quaternion.t = function
   | _ -> Fault.invalid at "an array of four numbers is expected"
 
 let list (read : 'a reader) p at : Wire.t -> 'a list = function
-  | List items -> Scc_base.Long_list.mapi (fun i v -> read p (Fault.Item (at, i)) v) items
+  | List items -> List.mapi (fun i v -> read p (Fault.Item (at, i)) v) items
   | _ -> Fault.invalid at "an array is expected"
 
 let short_list (read : 'a reader) ~limit ~most p at : Wire.t -> 'a list = function
@@ -139,5 +139,5 @@ let fields p at : Wire.t -> params = function
 
 let entries (read : 'a reader) p at : Wire.t -> (string * 'a) list = function
   | Object members ->
-    Scc_base.Long_list.map (fun (name, v) -> (name, read p (Fault.Within (at, name)) v)) members
+    List.map (fun (name, v) -> (name, read p (Fault.Within (at, name)) v)) members
   | _ -> Fault.invalid at "an object is expected"

@@ -51,7 +51,7 @@ let successors store p =
          ("path", path_json place.path);
          ("time", Json.rat place.time);
          ("state", here);
-         ("transitions", `List (Long_list.mapi (transition m states) next));
+         ("transitions", `List (List.mapi (transition m states) next));
          ("ending", ending);
        ])
 

@@ -24,20 +24,20 @@ let regions (head : Ast.head) vertices faces =
     | Some v -> v
     | None -> raise (Fault (Diag.error Code.unknown_feature n.at "there is no vertex `%s`" n.it))
   in
-  let face ((n : Ast.name), corners) = region n (apply n.at "polygon" (Long_list.map corner corners)) in
-  Long_list.append (Long_list.map point vertices) (Long_list.map face faces)
+  let face ((n : Ast.name), corners) = region n (apply n.at "polygon" (List.map corner corners)) in
+  List.append (List.map point vertices) (List.map face faces)
 
 let rec item (i : Ast.item) =
   match i.it with
   | Shape (head, { it = Faces (vertices, faces); at }, definitions) ->
     let target = Tree.at at "polyhedron" in
-    let arguments = Long_list.map snd vertices in
+    let arguments = List.map snd vertices in
     let solid = Tree.at at (Ast.Template { qualifier = None; target; indices = []; arguments }) in
     { i with it = Ast.Shape (head, solid, definitions) } :: regions head vertices faces
-  | For (ranges, body) -> [ { i with it = Ast.For (ranges, Long_list.concat (Long_list.map item body)) } ]
+  | For (ranges, body) -> [ { i with it = Ast.For (ranges, List.concat (List.map item body)) } ]
   | _ -> [ Walk.item { Walk.same with channel; feature } i ]
 
 let model items =
-  match Long_list.concat (Long_list.map item items) with
+  match List.concat (List.map item items) with
   | items -> Ok items
   | exception Fault d -> Error [ d ]

@@ -100,7 +100,7 @@ let is_simple corners =
 let same_point (ax, ay) (bx, by) = Rat.equal ax bx && Rat.equal ay by
 
 let polygon s at corners =
-  let points = Long_list.map (vector s) corners in
+  let points = List.map (vector s) corners in
   let face = on_one_face s at points in
   let flats = Array.of_list (List.map (flat (plane s face)) points) in
   let n = Array.length flats in

@@ -21,7 +21,7 @@ let read source =
     { Trivia.kind = Line; text = "// " ^ text; start = at.start - 1; stop = at.start - 1; own_line = true }
   in
   let before (a : Trivia.t) (b : Trivia.t) = Int.compare a.start b.start in
-  Ok (items, List.stable_sort before (Long_list.append trivia (Long_list.map note notes)))
+  Ok (items, List.stable_sort before (List.append trivia (List.map note notes)))
 
 let write (items, trivia) =
   let* items = Abstract.model items in

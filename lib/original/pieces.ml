@@ -41,11 +41,7 @@ let clip plane s corners =
 let seam plane faces =
   let on x = side plane x = 0 in
   let along (_, corners) =
-    let rec pairs = function
-      | a :: (b :: _ as rest) -> if on a && on b then (b, a) :: pairs rest else pairs rest
-      | [ _ ] | [] -> []
-    in
-    match corners with [] -> [] | first :: _ -> pairs (List.append corners [ first ])
+    List.filter_map (fun (a, b) -> if on a && on b then Some (b, a) else None) (Scc_data.Lists.ring corners)
   in
   match List.concat_map along faces with
   | [] -> Bug.fail __POS__ "a plane that cuts no face"

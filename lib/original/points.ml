@@ -67,13 +67,13 @@ let hull at points =
     (Array.map (fun (n, _) -> int_of_string n) h.ifs_vertices, faces)
 
 let fresh prefix taken at count =
-  let rec from i left =
+  let rec from names i left =
     let name = Printf.sprintf "%s%d" prefix i in
-    if left = 0 then []
-    else if Hashtbl.mem taken name then from (i + 1) left
-    else Tree.at at name :: from (i + 1) (left - 1)
+    if left = 0 then List.rev names
+    else if Hashtbl.mem taken name then from names (i + 1) left
+    else from (Tree.at at name :: names) (i + 1) (left - 1)
   in
-  from 1 count
+  from [] 1 count
 
 let key corners =
   let sorted = Array.copy corners in

@@ -192,7 +192,7 @@ let on_of t (on : Ast.reference option) =
 
 let rec item t (i : Ast.item) : Ast.item list =
   let bonds = { Walk.same with feature = feature t } in
-  let chain ~fixed rest = Long_list.map (fun (b, l) -> (Walk.bond bonds b, leaf t ~fixed l)) rest in
+  let chain ~fixed rest = List.map (fun (b, l) -> (Walk.bond bonds b, leaf t ~fixed l)) rest in
   let made it : Ast.item list = [ { i with it } ] in
   match (i.it, Tree.declared i) with
   | _, Some _ -> []
@@ -207,7 +207,7 @@ let rec item t (i : Ast.item) : Ast.item list =
       | None -> made (Shape (head, solid t s, ds)))
   | Compound (h, parts, glues, ds), _ ->
     let part (p : Ast.part) = { p with part_solid = whole t p.part_solid } in
-    let glued = Walk.item bonds { i with it = Compound (h, Long_list.map part parts, glues, ds) } in
+    let glued = Walk.item bonds { i with it = Compound (h, List.map part parts, glues, ds) } in
     [ glued ]
   | Behaviour (h, on, b, ds), _ ->
     let shape = on_of t on in
@@ -215,7 +215,7 @@ let rec item t (i : Ast.item) : Ast.item list =
     made (Behaviour (h, on, Walk.behaviour { Walk.same with channel = channel t shape } b, ds))
   | Process (s, first, rest), _ -> made (Process (s, leaf t ~fixed:false first, chain ~fixed:false rest))
   | Fixed (s, first, rest), _ -> made (Fixed (s, leaf t ~fixed:true first, chain ~fixed:true rest))
-  | For (ranges, body), _ -> made (For (ranges, Long_list.concat (Long_list.map (item t) body)))
+  | For (ranges, body), _ -> made (For (ranges, List.concat (List.map (item t) body)))
   | _ -> [ Walk.item bonds i ]
 
 (* {1 What is declared} *)
@@ -372,7 +372,7 @@ let notes t items =
         | Some _ | None -> [])
     | _ -> []
   in
-  Long_list.concat (Long_list.map of_item items)
+  List.concat (List.map of_item items)
 
 let model items =
   let faults = ref [] in
@@ -382,7 +382,7 @@ let model items =
   let t = { plain; setting; balls = Hashtbl.create 4; declared = shapes faults plain all items; faults } in
   find_inline t items;
   Names.iter (fun _ s -> cut t s) t.declared;
-  let refined = Long_list.concat (Long_list.map (item t) items) in
+  let refined = List.concat (List.map (item t) items) in
   match List.sort_uniq Diag.compare !faults with
-  | [] -> Ok (Long_list.append (balls t) refined, notes t items)
+  | [] -> Ok (List.append (balls t) refined, notes t items)
   | faults -> Error (List.filteri (fun i _ -> i < Parse.max_errors) faults)

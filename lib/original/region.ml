@@ -49,7 +49,7 @@ let rec of_expr (e : Ast.expr) =
 
 and applied at (f : Ast.name) arguments =
   match (f.it, arguments) with
-  | "hull", (_ :: _ as corners) -> Hull (Long_list.map path_of corners)
+  | "hull", (_ :: _ as corners) -> Hull (List.map path_of corners)
   | "interior", [ x ] -> Interior (of_expr x)
   | "polygon", (_ :: _ :: _ :: _ as corners) -> Polygon corners
   | "segment", [ p; q ] -> Segment (p, q)
@@ -80,7 +80,7 @@ let members x =
     | Interior y -> member true y
     | Union (y, z) -> (
         match (go y, go z) with
-        | Some a, Some b -> Some (Long_list.append a b)
+        | Some a, Some b -> Some (List.append a b)
         | _ -> None)
     | _ -> member false x
   in
@@ -104,9 +104,9 @@ let written (f : Ast.feature) =
     let whole (p : Ast.path) =
       match prefix with
       | None -> of_path p
-      | Some (q : Ast.path) -> of_path (Tree.at p.at (Long_list.append q.it p.it))
+      | Some (q : Ast.path) -> of_path (Tree.at p.at (List.append q.it p.it))
     in
-    apply f.at "hull" (Long_list.map whole corners)
+    apply f.at "hull" (List.map whole corners)
 
 let of_feature f = match written f with x -> Ok x | exception Fault d -> Error d
 
@@ -115,7 +115,7 @@ let of_member (m : Ast.member) =
   if m.only then apply m.feature.at "interior" [ x ] else x
 
 let of_members span members =
-  match Long_list.map of_member members with
+  match List.map of_member members with
   | [] -> Ok (apply span "empty" [])
   | first :: rest ->
     let join (x : Ast.expr) (y : Ast.expr) = Tree.at (Span.merge x.at y.at) (Ast.Binary (Add, x, y)) in

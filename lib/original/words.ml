@@ -61,10 +61,13 @@ let is_comma = function COMMA -> true | _ -> false
 let is_closing = function RPAREN -> true | _ -> false
 
 (* The commas, or other tokens, between [i] and [j] outside of brackets, in order. *)
-let rec all s i j holds =
-  match find s i holds with
-  | Some k when k < j -> k :: all s (k + 1) j holds
-  | Some _ | None -> []
+let all s i j holds =
+  let rec go found i =
+    match find s i holds with
+    | Some k when k < j -> go (k :: found) (k + 1)
+    | Some _ | None -> List.rev found
+  in
+  go [] i
 
 let hold_region s i j =
   add s i (NAME Tree.surface);

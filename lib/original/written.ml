@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_syntax
 
 (* The printer of the language writes the tree, in which the text of each region is a name between marks; these are
@@ -67,14 +66,14 @@ let glue (g : Ast.glue) =
   { g with glue_first; glue_second }
 
 let rec item (i : Ast.item) : Ast.item =
-  let chain rest = Long_list.map (fun (b, l) -> (bond b, leaf l)) rest in
+  let chain rest = List.map (fun (b, l) -> (bond b, leaf l)) rest in
   let it : Ast.item_kind =
     match i.it with
     | Process (s, first, rest) -> Process (s, leaf first, chain rest)
     | Fixed (s, first, rest) -> Fixed (s, leaf first, chain rest)
     | Bond b -> Bond (bond b)
-    | Compound (h, parts, glues, ds) -> Compound (h, Long_list.map part parts, Long_list.map glue glues, ds)
-    | For (ranges, body) -> For (ranges, Long_list.map item body)
+    | Compound (h, parts, glues, ds) -> Compound (h, List.map part parts, List.map glue glues, ds)
+    | For (ranges, body) -> For (ranges, List.map item body)
     | other -> other
   in
   { i with it }
@@ -117,5 +116,5 @@ let setting (i : Ast.item) : Ast.item =
 
 let model ~trivia items =
   let channels = { Walk.same with channel } in
-  let shown = Long_list.map (fun i -> item (Walk.item channels (setting i))) items in
+  let shown = List.map (fun i -> item (Walk.item channels (setting i))) items in
   unmarked (Printer.model ~trivia shown)

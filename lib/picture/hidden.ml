@@ -152,12 +152,12 @@ let beside t (e : View.edge) ~left (f : View.face) : range list =
 
 (* What is in one of two lists of ranges. *)
 let join some others =
-  let rec merge = function
-    | (a, b) :: (c, d) :: rest when Rat.compare c b <= 0 -> merge ((a, Rat.max b d) :: rest)
-    | range :: rest -> range :: merge rest
-    | [] -> []
+  let rec merge found = function
+    | (a, b) :: (c, d) :: rest when Rat.compare c b <= 0 -> merge found ((a, Rat.max b d) :: rest)
+    | range :: rest -> merge (range :: found) rest
+    | [] -> List.rev found
   in
-  merge (List.merge (fun (a, _) (b, _) -> Rat.compare a b) some others)
+  merge [] (List.merge (fun (a, _) (b, _) -> Rat.compare a b) some others)
 
 let along ((p : Ivec.t), (q : Ivec.t)) at =
   (* Of p/w and q/w' the point that is [at] from the first to the second. *)

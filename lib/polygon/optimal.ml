@@ -108,10 +108,7 @@ let pieces (c : Cycle.t) =
       let last = chains t i ~upto:k in
       if last < 0 then Scc_base.Bug.fail __POS__ "a polygon without a partition";
       let positions = chain t ends last in
-      let rec inner = function
-        | a :: (b :: _ as more) -> if b = a + 1 then inner more else (a, b) :: inner more
-        | [ _ ] | [] -> []
-      in
-      cut (Array.of_list (List.map (fun p -> c.at.(p)) positions) :: found) (inner positions @ rest)
+      let inner = List.filter (fun (a, b) -> b <> a + 1) (Scc_data.Lists.neighbours positions) in
+      cut (Array.of_list (List.map (fun p -> c.at.(p)) positions) :: found) (inner @ rest)
   in
   cut [] [ (0, n - 1) ]

@@ -30,10 +30,8 @@ let without_face whole piece =
     let add sum d = Linear.add sum (Constraint.to_form d) in
     Some (Constraint.of_form (List.fold_left add (Constraint.to_form c) others) Less)
 
-let rec all_some = function
-  | [] -> Some []
-  | None :: _ -> None
-  | Some x :: rest -> Option.map (fun others -> x :: others) (all_some rest)
+let all_some options =
+  if List.exists Option.is_none options then None else Some (List.filter_map Fun.id options)
 
 (* A convex union of two has a point of one on the border of the other. *)
 let apart p q = Polyhedron.disjoint (Polyhedron.closure p) q && Polyhedron.disjoint p (Polyhedron.closure q)

@@ -13,10 +13,11 @@ let implicit simplex constraints =
   else List.filter (fun c -> Simplex.add simplex (Constraint.strict c) = None) candidates
 
 (* Of those with one normal, which stand together, the first, which is the tightest. *)
-let rec first_of_each = function
-  | c :: d :: rest when Constraint.same_normal c d -> first_of_each (c :: rest)
-  | c :: rest -> c :: first_of_each rest
-  | [] -> []
+let first_of_each constraints =
+  let add found c =
+    match found with last :: _ when Constraint.same_normal last c -> found | _ -> c :: found
+  in
+  List.rev (List.fold_left add [] constraints)
 
 let sound what = function
   | Some x -> x

@@ -61,14 +61,12 @@ let join = function
       in
       (Array.map number t.basic, Array.map number t.cobasic, Array.map row t.rows)
     in
-    let rec all systems first first_slack first_column =
+    let rec all placed systems first first_slack first_column =
       match (systems, first, first_slack, first_column) with
-      | t :: ts, f :: fs, s :: ss, c :: cs ->
-        let placed = place t f s c in
-        placed :: all ts fs ss cs
-      | _ -> []
+      | t :: ts, f :: fs, s :: ss, c :: cs -> all (place t f s c :: placed) ts fs ss cs
+      | _ -> List.rev placed
     in
-    let placed = all systems first first_slack first_column in
+    let placed = all [] systems first first_slack first_column in
     {
       dimension;
       kinds;

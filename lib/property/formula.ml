@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_calculus
 open Property
 
@@ -21,8 +20,8 @@ let rec negate = function
   | Bool b -> Bool (not b)
   | Compare (c, a, b) -> Compare (complement c, a, b)
   | Not p -> p
-  | And ps -> Or (Long_list.map negate ps)
-  | Or ps -> And (Long_list.map negate ps)
+  | And ps -> Or (List.map negate ps)
+  | Or ps -> And (List.map negate ps)
   | Fact _ as p -> Not p
 
 let dual = Scc_ctl.Formula.dual
@@ -30,8 +29,8 @@ let dual = Scc_ctl.Formula.dual
 let rec negation_normal_form = function
   | State p -> State p
   | Temporal_not f -> refuse f
-  | Temporal_and fs -> Temporal_and (Long_list.map negation_normal_form fs)
-  | Temporal_or fs -> Temporal_or (Long_list.map negation_normal_form fs)
+  | Temporal_and fs -> Temporal_and (List.map negation_normal_form fs)
+  | Temporal_or fs -> Temporal_or (List.map negation_normal_form fs)
   | Next (q, f) -> Next (q, negation_normal_form f)
   | Finally (q, b, f) -> Finally (q, b, negation_normal_form f)
   | Globally (q, b, f) -> Globally (q, b, negation_normal_form f)
@@ -41,8 +40,8 @@ let rec negation_normal_form = function
 and refuse = function
   | State p -> State (negate p)
   | Temporal_not f -> negation_normal_form f
-  | Temporal_and fs -> Temporal_or (Long_list.map refuse fs)
-  | Temporal_or fs -> Temporal_and (Long_list.map refuse fs)
+  | Temporal_and fs -> Temporal_or (List.map refuse fs)
+  | Temporal_or fs -> Temporal_and (List.map refuse fs)
   | Next (q, f) -> Next (dual q, refuse f)
   | Finally (q, b, f) -> Globally (dual q, b, refuse f)
   | Globally (q, b, f) -> Finally (dual q, b, refuse f)

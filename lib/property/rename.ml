@@ -4,7 +4,7 @@ open Property
 let rec num f = function
   | Const _ as n -> n
   | Quantity q -> Quantity (Atom.renamed_quantity f q)
-  | Count ps -> Count (Long_list.map (prop f) ps)
+  | Count ps -> Count (List.map (prop f) ps)
   | Neg a -> Neg (num f a)
   | Add (a, b) -> Add (num f a, num f b)
   | Sub (a, b) -> Sub (num f a, num f b)
@@ -17,15 +17,15 @@ and prop f = function
   | Compare (c, a, b) -> Compare (c, num f a, num f b)
   | Fact x -> Fact (Atom.renamed_fact f x)
   | Not p -> Not (prop f p)
-  | And ps -> And (Long_list.map (prop f) ps)
-  | Or ps -> Or (Long_list.map (prop f) ps)
+  | And ps -> And (List.map (prop f) ps)
+  | Or ps -> Or (List.map (prop f) ps)
 
 (* A temporal formula with its predicates mapped. *)
 let rec states f = function
   | State p -> State (f p)
   | Temporal_not g -> Temporal_not (states f g)
-  | Temporal_and gs -> Temporal_and (Long_list.map (states f) gs)
-  | Temporal_or gs -> Temporal_or (Long_list.map (states f) gs)
+  | Temporal_and gs -> Temporal_and (List.map (states f) gs)
+  | Temporal_or gs -> Temporal_or (List.map (states f) gs)
   | Next (q, g) -> Next (q, states f g)
   | Finally (q, b, g) -> Finally (q, b, states f g)
   | Globally (q, b, g) -> Globally (q, b, states f g)
@@ -53,7 +53,7 @@ let rec known_num values n =
   match n with
   | Quantity (Parameter i) -> Const values.(i)
   | Const _ | Quantity _ -> n
-  | Count ps -> Count (Long_list.map (known values) ps)
+  | Count ps -> Count (List.map (known values) ps)
   | Neg a -> Neg (num a)
   | Add (a, b) -> Add (num a, num b)
   | Sub (a, b) -> Sub (num a, num b)
@@ -65,8 +65,8 @@ and known values = function
   | (Bool _ | Fact _) as p -> p
   | Compare (c, a, b) -> Compare (c, known_num values a, known_num values b)
   | Not p -> Not (known values p)
-  | And ps -> And (Long_list.map (known values) ps)
-  | Or ps -> Or (Long_list.map (known values) ps)
+  | And ps -> And (List.map (known values) ps)
+  | Or ps -> Or (List.map (known values) ps)
 
 let known_temporal values = states (known values)
 
@@ -112,8 +112,8 @@ let rec ordered_num n =
   | Div (a, b) -> Div (ordered_num a, ordered_num b)
   | If (p, a, b) -> If (ordered_prop p, ordered_num a, ordered_num b)
 
-and sorted_nums ns = List.sort Order.num (Long_list.map ordered_num ns)
-and sorted_props ps = List.sort Order.prop (Long_list.map ordered_prop ps)
+and sorted_nums ns = List.sort Order.num (List.map ordered_num ns)
+and sorted_props ps = List.sort Order.prop (List.map ordered_prop ps)
 
 and ordered_prop p =
   match p with
@@ -140,4 +140,4 @@ let rec ordered f =
   | Globally (q, b, f) -> Globally (q, b, ordered f)
   | Until (q, b, f, g) -> Until (q, b, ordered f, ordered g)
 
-and sorted fs = List.sort Order.temporal (Long_list.map ordered fs)
+and sorted fs = List.sort Order.temporal (List.map ordered fs)

@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_exact
 open Scc_calculus
 open Property
@@ -42,7 +41,7 @@ let rec num m = function
   | Const q -> Rat.to_string q
   | Quantity (Parameter i) -> Ranges.name m.Model.ranges i
   | Quantity q -> atom m (Atom.quantity q)
-  | Count ps -> call "count" (Long_list.map (prop m) ps)
+  | Count ps -> call "count" (List.map (prop m) ps)
   | Neg a -> "-" ^ num m a
   | Add (a, b) -> infix m "+" a b
   | Sub (a, b) -> infix m "-" a b
@@ -62,7 +61,7 @@ and prop m = function
 
 and connective m word neutral = function
   | [] -> neutral
-  | ps -> String.concat (" " ^ word ^ " ") (Long_list.map (bracket m) ps)
+  | ps -> String.concat (" " ^ word ^ " ") (List.map (bracket m) ps)
 
 and bracket m p =
   match p with
@@ -81,7 +80,7 @@ let bound b =
   | _, Some t -> Printf.sprintf "[%s, %s]" (Rat.to_string b.low) (Rat.to_string t)
   | _, None -> Printf.sprintf "[>= %s]" (Rat.to_string b.low)
 
-let states ps = Long_list.map (fun p -> State p) ps
+let states ps = List.map (fun p -> State p) ps
 
 (* Of what a formula is the negation. *)
 let negated = function
@@ -93,7 +92,7 @@ let negated = function
 let rec levelled m f =
   let prefix word f = (3, Printf.sprintf "%s %s" word (at 3 m f)) in
   let joined level word f fs =
-    (level, String.concat (" " ^ word ^ " ") (Long_list.map (at (level + 1) m) (f :: fs)))
+    (level, String.concat (" " ^ word ^ " ") (List.map (at (level + 1) m) (f :: fs)))
   in
   match f with
   | State (And ps) -> levelled m (Temporal_and (states ps))

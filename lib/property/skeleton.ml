@@ -30,8 +30,8 @@ let rec to_temporal prop (f : Scc_ctl.Formula.t) : Property.temporal =
   match f with
   | Predicate k -> State (prop k)
   | Not f -> Temporal_not (go f)
-  | And fs -> Temporal_and (Scc_base.Long_list.map go fs)
-  | Or fs -> Temporal_or (Scc_base.Long_list.map go fs)
+  | And fs -> Temporal_and (List.map go fs)
+  | Or fs -> Temporal_or (List.map go fs)
   | Next (q, f) -> Next (q, go f)
   | Finally (q, b, f) -> Finally (q, b, go f)
   | Globally (q, b, f) -> Globally (q, b, go f)

@@ -28,11 +28,12 @@ let by_chance = function
 
 (* Equal summands are one, that may stand in several definitions; but what is left to chance counts as often as
    it is written (rule Lot). *)
-let rec add ((offer, derived) as offered) = function
-  | [] -> [ offered ]
-  | (other, kept) :: rest when equal kept.summand derived.summand && not (by_chance offer) ->
-    (other, { kept with within = kept.within @ derived.within }) :: rest
-  | other :: rest -> other :: add offered rest
+let add ((offer, derived) as offered) found =
+  let joined (other, kept) =
+    if equal kept.summand derived.summand then Some (other, { kept with within = kept.within @ derived.within })
+    else None
+  in
+  if by_chance offer then found @ [ offered ] else Scc_data.Lists.put joined offered found
 
 let derivations defs (b : aged) =
   let whole = { summand = b.term; within = [ b.origin ]; by_sum = false; by_def = false } in

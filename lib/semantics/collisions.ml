@@ -171,13 +171,16 @@ let merged x y =
   { members = List.sort_uniq Int.compare (x.members @ y.members); meetings = x.meetings @ y.meetings }
 
 (* The clusters keep the order of their first meetings. *)
-let rec add linked found x =
-  match found with
-  | [] -> [ x ]
-  | y :: rest when linked x y ->
-    let apart, more = List.partition (fun z -> not (linked x z)) rest in
-    List.fold_left merged y more |> fun whole -> merged whole x :: apart
-  | y :: rest -> y :: add linked rest x
+let add linked found x =
+  let rec go before = function
+    | [] -> List.rev (x :: before)
+    | y :: rest when linked x y ->
+      let apart, more = List.partition (fun z -> not (linked x z)) rest in
+      let whole = List.fold_left merged y more in
+      List.rev_append before (merged whole x :: apart)
+    | y :: rest -> go (y :: before) rest
+  in
+  go [] found
 
 let clusters (c : Semantics.t) processes =
   let single = List.map of_meeting (meetings c processes) in

@@ -9,10 +9,9 @@ let step (m : Model.t) =
   | Any_time -> Scc_base.Bug.fail __POS__ "chances without split instants"
 
 (* Each summand once, with all of its chance. *)
-let rec add (summand, q) = function
-  | [] -> [ (summand, q) ]
-  | (other, r) :: rest when Behaviour.equal summand other -> (other, Rat.add q r) :: rest
-  | other :: rest -> other :: add (summand, q) rest
+let add (summand, q) =
+  let joined (other, r) = if Behaviour.equal summand other then Some (other, Rat.add q r) else None in
+  Scc_data.Lists.put joined (summand, q)
 
 (* What never happens is not offered. *)
 let side m p name (finish : State.finish) =

@@ -118,10 +118,8 @@ let renamed image label =
 let same (a : outcome) (b : outcome) =
   equal_label a.label b.label && List.equal State.equal_process a.come b.come
 
-let rec add (o : outcome) = function
-  | [] -> [ o ]
-  | kept :: rest when same kept o -> { kept with fired = kept.fired @ o.fired } :: rest
-  | other :: rest -> other :: add o rest
+let add (o : outcome) =
+  Scc_data.Lists.put (fun kept -> if same kept o then Some { kept with fired = kept.fired @ o.fired } else None) o
 
 let distinct outcomes = List.fold_left (fun kept o -> add o kept) [] outcomes
 

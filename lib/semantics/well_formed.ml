@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_exact
 open Scc_geometry
 open Scc_calculus
@@ -137,7 +136,7 @@ let check_process (c : Semantics.t) i (p : State.process) =
       (not (K.turns_rightly c.setting p), Bad_turn i);
     ]
   in
-  Long_list.append bonds @@ List.filter_map (fun (holds, fault) -> if holds then Some fault else None) faults
+  List.append bonds @@ List.filter_map (fun (holds, fault) -> if holds then Some fault else None) faults
 
 (* The laws of all leaves are asked at once; only what has just been bound remembers several times. *)
 let own_step_is_right (m : Model.t) (p : State.process) =
@@ -217,8 +216,8 @@ let time_is_right (m : Model.t) (s : State.t) =
 
 let check (c : Semantics.t) (s : State.t) =
   let m = c.setting.model in
-  let processes = Long_list.concat (Long_list.mapi (check_process c) (Array.to_list s.processes)) in
-  Long_list.concat
+  let processes = List.concat (List.mapi (check_process c) (Array.to_list s.processes)) in
+  List.concat
     [
       check_leaves m s;
       check_overlaps c s;

@@ -36,7 +36,7 @@ let rec of_tree ~read_file ~overrides ?narrowed source tree =
   let settings = Scc_calculus.Parameters.listed model declared in
   let origin = { Origin.name = e.name; digest; parameters = e.parameters; settings } in
   let again items values =
-    of_tree ~read_file ~overrides:(overrides @ values) ?narrowed source (Long_list.append tree items)
+    of_tree ~read_file ~overrides:(overrides @ values) ?narrowed source (List.append tree items)
   in
   Ok
     {

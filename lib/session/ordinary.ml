@@ -20,7 +20,7 @@ let at_point ?otherwise (l : Loaded.t) =
   | [] -> Ok ()
   | ranges ->
     let named = List.filteri (fun i _ -> i < most_named) ranges in
-    let names = Long_list.map (fun (r : Ranges.range) -> Printf.sprintf "`%s`" r.name) named in
+    let names = List.map (fun (r : Ranges.range) -> Printf.sprintf "`%s`" r.name) named in
     let more = if List.length ranges > most_named then ", …" else "" in
     let example = (List.hd ranges).name in
     let otherwise = match otherwise with None -> "" | Some words -> "; " ^ words in

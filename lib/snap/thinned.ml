@@ -86,12 +86,12 @@ let without t f =
   let in_front (n, e) = Z.compare (Ivec.dot n t.dual.(f)) e > 0 in
   let faces =
     match Hull_of.hull (by_names t.dual list) with
-    | Some hull -> Long_list.map (fun planes -> (planes, through t.dual planes)) (faces_of hull)
+    | Some hull -> List.map (fun planes -> (planes, through t.dual planes)) (faces_of hull)
     | None -> Option.to_list (Option.map (fun plane -> (list, plane)) (flat_face t.dual list))
   in
   let fresh = List.filter (fun (_, plane) -> in_front plane) faces in
   if fresh <> [] && List.for_all (fun (_, (_, e)) -> Z.sign e > 0) fresh then
-    Some (Long_list.map (fun (planes, (n, e)) -> corner t planes n e) fresh)
+    Some (List.map (fun (planes, (n, e)) -> corner t planes n e) fresh)
   else None
 
 (* {1 One after the other} *)

@@ -48,10 +48,7 @@ let find (m : Model.t) ~(initial : State.t) ~searched ~evaluated =
     | [] -> false
     | j :: _ -> alike m.leaves.(i) m.leaves.(j) && ((not (named.(i) || named.(j))) || invariant searched i j)
   in
-  let rec join i = function
-    | [] -> [ [ i ] ]
-    | group :: rest -> if fits i group then (i :: group) :: rest else group :: join i rest
-  in
+  let join i = Scc_data.Lists.put (fun group -> if fits i group then Some (i :: group) else None) [ i ] in
   let place groups i = if apart.(i) || m.leaves.(i).fixed then groups else join i groups in
   let is_there i = Option.is_some (State.home initial i) in
   let leaves = List.filter is_there (List.init (Array.length m.leaves) Fun.id) in

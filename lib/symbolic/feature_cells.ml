@@ -28,10 +28,6 @@ let beyond n ~first (normal : Vec.t) a =
     ~constant:(Rat.neg (Vec.dot normal a))
     [ (first, normal.x); (first + 1, normal.y); (first + 2, normal.z) ]
 
-let rec around = function
-  | a :: (b :: _ as rest) -> (a, b) :: around rest
-  | [ _ ] | [] -> []
-
 (* Two directions that, together with [d], span space, and are orthogonal to it. *)
 let across (d : Vec.t) =
   let off = if Rat.sign d.x = 0 && Rat.sign d.y = 0 then Vec.of_ints 1 0 0 else Vec.of_ints 0 0 1 in
@@ -51,7 +47,7 @@ let interior n ~first side =
     let u, v = across d in
     [ equal u a; equal v a; inside d a; inside (Vec.neg d) b ]
   | a :: _ as polygon ->
-    let sides = around (polygon @ [ a ]) in
+    let sides = Scc_data.Lists.ring polygon in
     let normal = List.fold_left (fun sum (p, q) -> Vec.add sum (Vec.cross p q)) Vec.zero sides in
     equal normal a :: List.map (fun (p, q) -> inside (Vec.cross normal (Vec.sub q p)) p) sides
 

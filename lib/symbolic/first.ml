@@ -30,15 +30,15 @@ let on comes event cells =
 
 let merged same cells =
   let alike a b = Option.equal Linear.equal a.time b.time && List.equal same a.due b.due in
-  let rec go = function
-    | [] -> []
+  let rec go found = function
+    | [] -> List.concat (List.rev found)
     | cell :: rest -> (
         match List.partition (alike cell) rest with
-        | [], rest -> cell :: go rest
+        | [], rest -> go ([ cell ] :: found) rest
         | more, rest ->
           let regions = List.map (fun c -> c.region) (cell :: more) in
           let union = Union.of_polyhedra (Polyhedron.dimension cell.region) regions in
           let one region = { cell with region } in
-          List.map one (Union.pieces (Union.merged union)) @ go rest)
+          go (List.map one (Union.pieces (Union.merged union)) :: found) rest)
   in
-  go cells
+  go [] cells

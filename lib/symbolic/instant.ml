@@ -35,11 +35,9 @@ let parts (m : Model.t) z (process : State.process) =
   in
   List.concat_map of_leaf (Array.to_list process.leaves)
 
-let rec two_of_different = function
-  | [] -> []
-  | ps :: rest ->
-    let with_others p = List.concat_map (List.map (fun q -> (p, q))) rest in
-    List.concat_map with_others ps @ two_of_different rest
+let two_of_different lists =
+  let with_each (ps, qs) = List.concat_map (fun p -> List.map (fun q -> (p, q)) qs) ps in
+  List.concat_map with_each (Scc_data.Lists.pairs lists)
 
 let pairs m (z : Zone.t) = two_of_different (List.map (parts m z) (Array.to_list z.skeleton.processes))
 let offset a b = Place.sub b.place a.place
@@ -168,8 +166,6 @@ let of_contacts c all region =
 
 (* {1 Within one process} *)
 
-let rec two_of = function [] -> [] | x :: rest -> List.map (fun y -> (x, y)) rest @ two_of rest
-
 let of_closings c z regions (p : State.process) =
   let m = Semantics.model c.semantics in
   if Array.length p.leaves < 3 || not (Model.closes_rings m) then regions
@@ -182,7 +178,7 @@ let of_closings c z regions (p : State.process) =
       && (not (Array.exists joins p.bonds))
       && Collisions.fitting c.semantics (p, a.leaf) (p, b.leaf) <> []
     in
-    List.fold_left (apart_by_touching c) regions (List.filter free (two_of (parts m z p)))
+    List.fold_left (apart_by_touching c) regions (List.filter free (Scc_data.Lists.pairs (parts m z p)))
 
 (* A push goes along the only normal of the contact, or else by where exactly the parts are, which is affine in
    nothing that is not known. *)

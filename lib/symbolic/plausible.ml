@@ -4,8 +4,6 @@ open Scc_calculus
 open Scc_semantics
 open Instant
 
-let rec two_of = function [] -> [] | x :: rest -> List.map (fun y -> (x, y)) rest @ two_of rest
-
 (* {1 What is convex} *)
 
 let in_ranges c (z : Zone.t) =
@@ -42,7 +40,7 @@ let apart c (z : Zone.t) =
       let interior = Polyhedron.of_constraints (Zone.dimension z) (List.map inside facets) in
       List.concat_map (fun region -> Difference.pieces region interior) regions
   in
-  List.fold_left cut [ z.set ] (two_of all)
+  List.fold_left cut [ z.set ] (Scc_data.Lists.pairs all)
 
 (* Whether it is an instant of the grid is all that the discrete rules ask of clocks. *)
 let by_clocks (z : Zone.t) region =

@@ -95,19 +95,20 @@ let rec explain b ~outermost w (formula : Property.temporal) holds =
       | Some _ | None -> (w, None, claim w All_runs))
 
 (* All of them are so: the run is that of the first that has one. *)
-and all b ~outermost w = function
-  | [] -> (w, None, [])
-  | (f, holds) :: rest -> (
-      let next, finish, first = explain b ~outermost w f holds in
-      match finish with
-      | None ->
-        let last, finish, others = all b ~outermost w rest in
-        (last, finish, first :: others)
-      | Some _ ->
-        let stated (f, holds) =
-          { formula = f; holds; spot = spot w; why = (if is_state f then Known else All_runs) }
-        in
-        (next, finish, first :: List.map stated rest))
+and all b ~outermost w claims =
+  let rec go w found = function
+    | [] -> (w, None, List.rev found)
+    | (f, holds) :: rest -> (
+        let next, finish, first = explain b ~outermost w f holds in
+        match finish with
+        | None -> go w (first :: found) rest
+        | Some _ ->
+          let stated (f, holds) =
+            { formula = f; holds; spot = spot w; why = (if is_state f then Known else All_runs) }
+          in
+          (next, finish, List.rev_append found (first :: List.map stated rest)))
+  in
+  go w [] claims
 
 and by_run b w formula holds (q : Branching.quantified) =
   let m = Branching.model b in

@@ -14,8 +14,6 @@ let values (m : Model.t) set =
   let point = match Polyhedron.interior_point set with Some p -> p | None -> [||] in
   Array.to_list (Array.mapi (fun i (r : Ranges.range) -> (r.name, point.(i))) m.ranges)
 
-let rec two_of = function [] -> [] | x :: rest -> List.map (fun y -> (x, y)) rest @ two_of rest
-
 (* Between which numbers the coordinates of a part are, wherever it may be; where there is no such number, None. *)
 let extent (z : Zone.t) (part : part) =
   let value = function Some (Polyhedron.Bound { value; _ }) -> Some value | Some Unbounded | None -> None in
@@ -46,7 +44,7 @@ let overlap c (z : Zone.t) =
       |> List.find_map inside
       |> Option.map (fun p -> { at = values m p; reason = Interpenetrate ((a.leaf, a.index), (b.leaf, b.index)) })
   in
-  List.find_map of_pair (two_of all)
+  List.find_map of_pair (Scc_data.Lists.pairs all)
 
 (* What is bound, and what is glued where that depends on the values. *)
 let joints (u : Uncertain.t) (z : Zone.t) =

@@ -20,10 +20,7 @@ let around (a : Zone.t) (b : Zone.t) =
 let directions (m : Model.t) (z : Zone.t) =
   let leaves = Array.length m.leaves in
   let along axis = List.init leaves (fun leaf -> List.nth (Place.coordinates z.places.(leaf)) axis) in
-  let rec between = function
-    | [] -> []
-    | f :: rest -> List.map (Linear.sub f) rest @ between rest
-  in
+  let between forms = List.map (fun (f, g) -> Linear.sub f g) (Scc_data.Lists.pairs forms) in
   Array.to_list (Zone.coordinates z)
   @ List.concat_map between [ Array.to_list z.ages; along 0; along 1; along 2 ]
   |> List.filter (fun f -> not (Linear.is_constant f))

@@ -170,9 +170,7 @@ let all_failures t source start =
   in
   loop 0 [] 0
 
-let rec take n = function x :: xs when n > 0 -> x :: take (n - 1) xs | _ -> []
-
-let finish errors = Error (take max_errors (List.sort_uniq Diag.compare errors))
+let finish errors = Error (Scc_data.Lists.take max_errors (List.sort_uniq Diag.compare errors))
 
 let of_tokens (t : Tokens.t) source start =
   if Tokens.hopeless t || List.length t.faults >= Tokens.max_faults then finish t.faults

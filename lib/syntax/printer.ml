@@ -9,9 +9,6 @@ let at loc = start loc.at
 (* [separated sep ds]: with [sep] between two. *)
 let separated sep = function [] -> [] | d :: ds -> d :: List.concat_map (fun d -> [ sep; d ]) ds
 
-(* [List.map] without recursion: a model may have any number of declarations, vertices and leaves. *)
-let map f xs = List.rev (List.rev_map f xs)
-
 (* {1 Formulas}
 
    One that is too long is broken at its outermost connective. *)
@@ -109,7 +106,7 @@ let column_of word = function
 let template close head vs fs =
   let vertex (((n : name), _) as v) = (at n, Text.vertex v) in
   let face ((n : name), ws) = (at n, Text.face n ws) in
-  let lines = [ column_of "vertices" (map vertex vs); column_of "faces" (map face fs) ] in
+  let lines = [ column_of "vertices" (List.map vertex vs); column_of "faces" (List.map face fs) ] in
   cat [ head; nest 2 (cat (line :: separated line lines)); line; closing ~at:close "}" ]
 
 (* The offset of the brace that closes a declaration, or one after it. *)
@@ -160,7 +157,7 @@ let motion span subject law =
   | Choose kicks ->
     let n = List.length kicks in
     let entry i (at, s) = text ~at (if i < n - 1 then s ^ "," else s) in
-    let entries = List.mapi entry (map kick kicks) in
+    let entries = List.mapi entry (List.map kick kicks) in
     group
       (cat
          [ text ~at:(start span) (head ^ " choose {"); nest 2 (cat (space :: separated space entries));
@@ -171,7 +168,7 @@ let network span = function
   | first :: rest ->
     let pieces =
       text ~at:(start span) ("network " ^ Text.path first)
-      :: map (fun p -> text ~at:(at p) ("|| " ^ Text.path p)) rest
+      :: List.map (fun p -> text ~at:(at p) ("|| " ^ Text.path p)) rest
     in
     nest 2 (cat (separated (fill " ") pieces))
 
@@ -186,7 +183,7 @@ let with_definitions doc definitions =
   match definitions with
   | [] -> doc
   | _ :: _ ->
-    cat [ doc; nest 2 (cat (line :: separated line (List.mapi piece (map one definitions)))) ]
+    cat [ doc; nest 2 (cat (line :: separated line (List.mapi piece (List.map one definitions)))) ]
 
 let import span (i : import) =
   let from = if i.library then "<" ^ i.from.it ^ ">" else Text.quoted i.from.it in
@@ -197,7 +194,7 @@ let import span (i : import) =
     match i.names with
     | Qualified None -> ""
     | Qualified (Some n) -> " as " ^ n.it
-    | Chosen ns -> " (" ^ String.concat ", " (map chosen ns) ^ ")"
+    | Chosen ns -> " (" ^ String.concat ", " (List.map chosen ns) ^ ")"
   in
   text ~at:(start span) ("import " ^ from ^ names)
 
@@ -214,7 +211,7 @@ let rec item i =
       (if high.included then "]" else ")")
   | Timestep (e, kind) ->
     let word = match kind with Shared -> [] | Local -> [ " local" ] | Steady -> [ " steady" ] in
-    definition (head "timestep") (cat (formula e :: map (text ~at:(last_byte span)) word))
+    definition (head "timestep") (cat (formula e :: List.map (text ~at:(last_byte span)) word))
   | Split_step e -> definition (head "split_step") (formula e)
   | Dynamics n -> head "dynamics %s" n.it
   | Collisions n -> head "collisions %s" n.it
@@ -230,7 +227,7 @@ let rec item i =
   | Compound (h, parts, glues, ds) ->
     with_definitions
       (block (brace span ds) (head "compound %s {" (Text.head h))
-         (List.concat [ map part_doc parts; map glue_doc glues ]))
+         (List.concat [ List.map part_doc parts; List.map glue_doc glues ]))
       ds
   | Decomposed (h, s, attributes, ds) ->
     with_definitions (decomposition (head "compound %s = decompose" (Text.head h)) s attributes) ds
@@ -247,12 +244,12 @@ let rec item i =
   | Check (n, e) -> definition (head "check %s :" n.it) (formula e)
 
 and loop span head body =
-  match map item body with
+  match List.map item body with
   | [ one ] ->
     group (cat [ head; nest 2 (cat [ space; one ]); space; closing ~at:(last_byte span) "}" ])
   | lines -> block (last_byte span) head lines
 
-let model ?(trivia = []) items = render trivia (cat (separated paragraph (map item items)))
+let model ?(trivia = []) items = render trivia (cat (separated paragraph (List.map item items)))
 let expr = Text.expr
 let head = Text.head
 let behaviour = Text.behaviour

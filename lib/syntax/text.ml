@@ -342,7 +342,7 @@ let quoted s =
   Buffer.contents b
 
 let face (n : name) vs =
-  Printf.sprintf "%s [%s]" n.it (String.concat ", " (Scc_base.Long_list.map (fun (v : name) -> v.it) vs))
+  Printf.sprintf "%s [%s]" n.it (String.concat ", " (List.map (fun (v : name) -> v.it) vs))
 
 let vertex ((n : name), v) = n.it ^ " " ^ closed_vector v
 
@@ -353,9 +353,9 @@ let rec solid s =
     "mesh " ^ quoted file.it ^ Option.fold ~none:"" ~some:(fun e -> " snap " ^ arithmetic e) snap
   | Scaled (s, v) -> solid s ^ " scaled " ^ vector v
   | Faces (vs, fs) ->
-    Printf.sprintf "{ vertices %s faces %s }" (String.concat " " (Scc_base.Long_list.map vertex vs))
-      (String.concat " " (Scc_base.Long_list.map (fun (n, vs) -> face n vs) fs))
-  | Hull points -> "hull { " ^ String.concat "  " (Scc_base.Long_list.map vertex points) ^ " }"
+    Printf.sprintf "{ vertices %s faces %s }" (String.concat " " (List.map vertex vs))
+      (String.concat " " (List.map (fun (n, vs) -> face n vs) fs))
+  | Hull points -> "hull { " ^ String.concat "  " (List.map vertex points) ^ " }"
 
 let rec decomposed s =
   match s.it with

@@ -93,10 +93,9 @@ let groups options semantics ~initial checks =
       far = Reduction.sees_far options.reductions model initial [ c ];
     }
   in
-  let rec join needs member = function
-    | [] -> [ { needs; members = [ member ] } ]
-    | g :: rest when equal_needs g.needs needs -> { g with members = member :: g.members } :: rest
-    | g :: rest -> g :: join needs member rest
+  let join needs member =
+    let joined g = if equal_needs g.needs needs then Some { g with members = member :: g.members } else None in
+    Scc_data.Lists.put joined { needs; members = [ member ] }
   in
   match checks with
   | [] -> [ { needs = { part = None; compact = None; time_seen = Never; far = false }; members = [] } ]

@@ -31,10 +31,11 @@ let with_premises premises groups =
 
 (* Each slice is explored apart. *)
 let make ~bounded ~part ~premises checks =
-  let rec put part member = function
-    | [] -> [ (part, [ member ]) ]
-    | (same, members) :: rest when Option.equal State.equal same part -> (same, member :: members) :: rest
-    | other :: rest -> other :: put part member rest
+  let put part member =
+    let joined (same, members) =
+      if Option.equal State.equal same part then Some (same, member :: members) else None
+    in
+    Scc_data.Lists.put joined (part, [ member ])
   in
   let add (i, groups) c = (i + 1, put (part c) (i, c) groups) in
   match checks with

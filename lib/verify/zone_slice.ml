@@ -163,17 +163,20 @@ let patience = 200
 let has_cycle graph =
   let n = Zone_graph.size graph in
   let entered = Array.make n false and left = Array.make n false in
-  let rec from i =
-    (entered.(i) && not left.(i))
-    || (not entered.(i))
-       && begin
-         entered.(i) <- true;
-         let found = List.exists (fun (e : Zone_graph.edge) -> from e.target) (Zone_graph.node graph i).edges in
-         left.(i) <- true;
-         found
-       end
+  (* The zones that were entered and not left, with what is still to be looked at of each. *)
+  let rec go = function
+    | [] -> false
+    | (i, []) :: above ->
+      left.(i) <- true;
+      go above
+    | (i, (e : Zone_graph.edge) :: edges) :: above ->
+      let above = (i, edges) :: above in
+      if not entered.(e.target) then enter e.target above else (not left.(e.target)) || go above
+  and enter i above =
+    entered.(i) <- true;
+    go ((i, (Zone_graph.node graph i).edges) :: above)
   in
-  List.exists from (List.init n Fun.id)
+  List.exists (fun i -> (not entered.(i)) && enter i []) (List.init n Fun.id)
 
 (* Whether all runs of a group get to the horizon: all of its zones up to there are known, and none comes again, so
    that no run has more transitions than there are zones. *)

@@ -44,17 +44,21 @@ let candidates c state (step : Concrete.step) =
 
 (* Two summands may do something of one label, with different outcomes: the first way to go on is taken that leads
    where it should. *)
-let rec follow c ~reached state time (steps : Concrete.step list) taken =
-  match steps with
-  | [] ->
-    let taken = List.rev taken in
-    if reached state taken then Some (state, taken) else None
-  | step :: rest ->
-    let go (choice, (t : Transition.t)) =
-      let time = Rat.add time (Transition.duration t) in
-      follow c ~reached t.target time rest ({ Witness.choice; transition = t; time } :: taken)
-    in
-    List.find_map go (candidates c state step)
+let follow c ~reached start (steps : Concrete.step list) =
+  (* The ways that are still to be tried, that which goes on first. *)
+  let rec try_ = function
+    | [] -> None
+    | (state, _, [], taken) :: others ->
+      let taken = List.rev taken in
+      if reached state taken then Some (state, taken) else try_ others
+    | (state, time, step :: rest, taken) :: others ->
+      let way (choice, (t : Transition.t)) =
+        let time = Rat.add time (Transition.duration t) in
+        (t.target, time, rest, { Witness.choice; transition = t; time } :: taken)
+      in
+      try_ (List.map way (candidates c state step) @ others)
+  in
+  try_ [ (start, Rat.zero, steps, []) ]
 
 (* {1 Runs of a slice}
 
@@ -72,24 +76,36 @@ let instants (run : Concrete.t) =
   (List.rev found, Rat.add time run.offset)
 
 (* With how much time passes after the last step, until the run ends. *)
-let rec interleave c ~reached state time happens ~until taken =
-  let next = match happens with (t, _) :: _ -> t | [] -> until in
-  let wait = Rat.sub next time in
-  let go rest (choice, (t : Transition.t)) =
-    let time = Rat.add time (Transition.duration t) in
-    interleave c ~reached t.target time rest ~until ({ Witness.choice; transition = t; time } :: taken)
+let interleave c ~reached start happens ~until =
+  let rec try_ = function
+    | [] -> None
+    | (state, time, happens, taken) :: others -> (
+        let next = match happens with (t, _) :: _ -> t | [] -> until in
+        let wait = Rat.sub next time in
+        let ends () =
+          if reached state taken wait then Some (state, List.rev taken, wait) else try_ others
+        in
+        let go rest ways =
+          let way (choice, (t : Transition.t)) =
+            let time = Rat.add time (Transition.duration t) in
+            (t.target, time, rest, { Witness.choice; transition = t; time } :: taken)
+          in
+          try_ (List.map way ways @ others)
+        in
+        match happens with
+        | (_, label) :: rest when Rat.sign wait = 0 -> go rest (candidates c state (Happens label))
+        | [] when Rat.sign wait = 0 -> ends ()
+        | _ -> (
+            let successors = match Network.successors c state with Ok list -> numbered list | Error _ -> [] in
+            let those test = List.find_opt (fun (_, (t : Transition.t)) -> test t.label) successors in
+            match (those Transition.is_urgent, those Transition.is_time, happens) with
+            | Some urgent, _, _ -> go happens [ urgent ]
+            | None, Some ((_, t) as passes), _ when Rat.compare (Transition.duration t) wait <= 0 ->
+              go happens [ passes ]
+            | None, _, _ :: _ -> go happens (candidates c state (Passes_some wait))
+            | None, _, [] -> ends ()))
   in
-  match happens with
-  | (_, label) :: rest when Rat.sign wait = 0 -> List.find_map (go rest) (candidates c state (Happens label))
-  | [] when Rat.sign wait = 0 -> if reached state taken wait then Some (state, List.rev taken, wait) else None
-  | _ -> (
-      let successors = match Network.successors c state with Ok list -> numbered list | Error _ -> [] in
-      let those test = List.find_opt (fun (_, (t : Transition.t)) -> test t.label) successors in
-      match (those Transition.is_urgent, those Transition.is_time, happens) with
-      | Some urgent, _, _ -> go happens urgent
-      | None, Some ((_, t) as passes), _ when Rat.compare (Transition.duration t) wait <= 0 -> go happens passes
-      | None, _, _ :: _ -> List.find_map (go happens) (candidates c state (Passes_some wait))
-      | None, _, [] -> if reached state taken wait then Some (state, List.rev taken, wait) else None)
+  try_ [ (start, Rat.zero, happens, []) ]
 
 let arrived start (taken : Witness.step list) event =
   match taken with
@@ -116,11 +132,11 @@ let make given u ~declared ~sliced (run : Concrete.t) (place : Search_sets.place
     match sliced with
     | false ->
       let reached state taken = reached state (List.rev taken) run.offset in
-      follow c ~reached start Rat.zero run.steps []
+      follow c ~reached start run.steps
       |> Option.map (fun (last, steps) -> (last, steps, run.offset))
     | true ->
       let happens, until = instants run in
-      interleave c ~reached start Rat.zero happens ~until []
+      interleave c ~reached start happens ~until
   in
   match followed with
   | None -> Bug.fail __POS__ "a run over zones does not replay"
@@ -179,7 +195,7 @@ let of_run given u ~declared (w : Shown_run.t) : Witness.t =
   let start = initial c (Fixed.declared m u declared values) in
   let followed steps = { Zone_established.semantics = c; values; initial = start; steps = Array.of_list steps } in
   let reached _ taken = Zone_established.claim (followed taken) w.claim in
-  match follow c ~reached start Rat.zero w.run.steps [] with
+  match follow c ~reached start w.run.steps with
   | None -> Bug.fail __POS__ "a run over zones does not show what it is to show"
   | Some (last, steps) ->
     let r = followed steps in

@@ -1,5 +1,6 @@
 open Scc_exact
 open Scc_polyhedra
+open Scc_data
 
 type border = { ends : Planar.point * Planar.point; belongs : bool }
 
@@ -14,16 +15,7 @@ type t = {
 let parts pieces segment =
   let cuts = List.concat_map (fun p -> Planar.meets_at p segment) pieces in
   let all = List.sort_uniq Rat.compare (Rat.zero :: Rat.one :: cuts) in
-  let points = List.map (Planar.along segment) all in
-  let rec between = function
-    | a :: (b :: _ as rest) -> (a, b) :: between rest
-    | [ _ ] | [] -> []
-  in
-  between points
-
-let sides = function
-  | [] -> []
-  | first :: _ as corners -> List.combine corners (List.tl corners @ [ first ])
+  Lists.neighbours (List.map (Planar.along segment) all)
 
 let outwards ((a, b) : Planar.point * Planar.point) = (Rat.sub b.y a.y, Rat.sub a.x b.x)
 
@@ -37,7 +29,7 @@ let borders_of u polygons p =
     in
     List.filter_map outer (parts (Union.pieces u) segment)
   in
-  List.concat_map side (sides (Planar.corners p))
+  List.concat_map side (Lists.ring (Planar.corners p))
 
 (* Of two of which one ends where the other begins. *)
 let straight a b =
@@ -45,18 +37,18 @@ let straight a b =
   Rat.sign (Rat.sub (Rat.mul x y') (Rat.mul x' y)) = 0
 
 (* Puts together what goes on in one line, from either end. *)
-let rec joined = function
-  | [] -> []
+let rec joined found = function
+  | [] -> List.rev found
   | b :: rest -> (
       let same p q = Planar.compare p q = 0 in
       let goes_on c =
         c.belongs = b.belongs && straight b c && (same (snd b.ends) (fst c.ends) || same (snd c.ends) (fst b.ends))
       in
       match List.partition goes_on rest with
-      | [], _ -> b :: joined rest
+      | [], _ -> joined (b :: found) rest
       | c :: others, rest ->
         let ends = if same (snd b.ends) (fst c.ends) then (fst b.ends, snd c.ends) else (fst c.ends, snd b.ends) in
-        joined ({ b with ends } :: (others @ rest)))
+        joined found ({ b with ends } :: (others @ rest)))
 
 let ends p =
   match Planar.corners p with
@@ -73,7 +65,7 @@ let make u =
   let points = List.concat_map Planar.corners (of_dimension 0) in
   {
     polygons;
-    borders = joined (List.concat_map (borders_of u polygons) polygons);
+    borders = joined [] (List.concat_map (borders_of u polygons) polygons);
     lines = List.concat_map line segments;
     points = List.filter (apart_from (polygons @ segments)) points;
   }

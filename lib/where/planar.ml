@@ -53,11 +53,7 @@ let center points =
 
 let corners p =
   let constraints = Polyhedron.constraints p in
-  let rec crossings = function
-    | [] -> []
-    | c :: rest -> List.filter_map (crossing c) rest @ crossings rest
-  in
-  let found = List.sort_uniq compare (List.filter (in_closure p) (crossings constraints)) in
+  let found = List.sort_uniq compare (List.filter (in_closure p) (List.filter_map (fun (c, d) -> crossing c d) (Scc_data.Lists.pairs constraints))) in
   if List.compare_length_with found 2 <= 0 then found else around (center found) found
 
 let along (a, b) t =

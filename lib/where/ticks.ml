@@ -17,8 +17,9 @@ let step width =
   let few s = Rat.compare (Rat.div width s) most <= 0 in
   List.find few (List.concat_map steps [ magnitude - 1; magnitude; magnitude + 1 ])
 
-let rec multiples step high x =
-  if Rat.compare x high > 0 then [] else x :: multiples step high (Rat.add x step)
+let multiples step high first =
+  let rec go found x = if Rat.compare x high > 0 then List.rev found else go (x :: found) (Rat.add x step) in
+  go [] first
 
 let marks (r : Ranges.range) =
   let low = r.low.value and high = r.high.value in

@@ -54,9 +54,9 @@ let between ~name low high =
   String.concat ""
     [ Rat.to_string low.bound; relation low; Text.form ~name low.form; relation high; Rat.to_string high.bound ]
 
-let rec texts ~name = function
-  | [] -> []
-  | (c : Constraint.t) :: rest when c.relation = Equal -> Text.constraint_ ~name c :: texts ~name rest
+let rec texts ~name told = function
+  | [] -> List.rev told
+  | (c : Constraint.t) :: rest when c.relation = Equal -> texts ~name (Text.constraint_ ~name c :: told) rest
   | c :: rest -> (
       let s = side c in
       let opposite (d : Constraint.t) =
@@ -69,8 +69,8 @@ let rec texts ~name = function
       | [ d ], others ->
         let t = side d in
         let low, high = if s.above then (t, s) else (s, t) in
-        between ~name low high :: texts ~name others
-      | _ -> Text.constraint_ ~name c :: texts ~name rest)
+        texts ~name (between ~name low high :: told) others
+      | _ -> texts ~name (Text.constraint_ ~name c :: told) rest)
 
 (* Equalities, then what speaks of one variable, then of more. *)
 let simplest_first constraints =
@@ -83,7 +83,7 @@ let simplest_first constraints =
 let piece ranges p =
   match simplest_first (beyond (Ranges.box ranges) (Polyhedron.constraints p)) with
   | [] -> "everywhere"
-  | constraints -> String.concat ", " (texts ~name:(Ranges.name ranges) constraints)
+  | constraints -> String.concat ", " (texts ~name:(Ranges.name ranges) [] constraints)
 
 let without_extent = function
   | 1 -> "no length"

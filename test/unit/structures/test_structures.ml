@@ -250,4 +250,5 @@ let () =
           Alcotest.test_case "a worklist" `Quick worklist;
           Alcotest.test_case "long arrays" `Quick long;
         ] );
+      ("long lists", Long_lists.cases);
     ]

@@ -1,0 +1,32 @@
+let pairs list =
+  let rec go found = function
+    | [] -> List.rev found
+    | x :: rest -> go (List.fold_left (fun found y -> (x, y) :: found) found rest) rest
+  in
+  go [] list
+
+let neighbours list =
+  let rec go found = function
+    | a :: (b :: _ as rest) -> go ((a, b) :: found) rest
+    | [ _ ] | [] -> List.rev found
+  in
+  go [] list
+
+let ring = function [] -> [] | first :: _ as list -> neighbours (list @ [ first ])
+
+let take n list =
+  let rec go taken n = function
+    | x :: rest when n > 0 -> go (x :: taken) (n - 1) rest
+    | _ -> List.rev taken
+  in
+  go [] n list
+
+let put joined x list =
+  let rec go before = function
+    | [] -> List.rev (x :: before)
+    | y :: rest -> (
+        match joined y with
+        | Some z -> List.rev_append before (z :: rest)
+        | None -> go (y :: before) rest)
+  in
+  go [] list
