@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_system
 open Scc_explore
 
 (* Seconds from one look to the next; heaps grow by some ten megabytes in the meantime. *)
@@ -80,8 +81,7 @@ let beyond t ~passed ~bytes ~more ~share : Limits.stop option =
 (* Nothing is flushed: what was printed so far may be half of a report. *)
 let abandon t =
   let why = if t.signalled then "interrupted" else "the limit of seconds has passed" in
-  prerr_endline ("scc: " ^ why ^ ", and the step that was under way did not end");
-  flush stderr;
+  Standard.complain ("scc: " ^ why ^ ", and the step that was under way did not end\n");
   Unix._exit (Scc_session.Exit_code.to_int Stopped)
 
 let over t (stage : Limits.stage) =
@@ -96,6 +96,9 @@ let look t =
   t.over <- beyond t ~passed ~bytes ~more:0. ~share:(1. -. left_to_conclusions);
   t.late <- beyond t ~passed ~bytes ~more:grace ~share:1.;
   t.last <- beyond t ~passed ~bytes ~more:(1.5 *. grace) ~share:1.1;
+  (match t.over with
+   | Some Seconds -> Interruption.expire "the limit of seconds has passed before the input was read"
+   | Some (Memory | Interrupted) | None -> ());
   match (t.stage, t.last) with
   | Some stage, _ ->
     let give_up stop = if not (Critical.active ()) then raise (Given_up stop) in
@@ -103,15 +106,6 @@ let look t =
   | None, _ -> if passed > patience then abandon t
 
 let timer seconds = ignore (Unix.setitimer ITIMER_REAL { it_interval = seconds; it_value = seconds })
-
-let on_signals behaviour = List.iter (fun s -> Sys.set_signal s behaviour) [ Sys.sigint; Sys.sigterm ]
-
-(* Seconds in which one wish to stop may arrive twice, sent to the program and to its group of processes. *)
-let again = 0.5
-
-let end_by signal =
-  Sys.set_signal signal Sys.Signal_default;
-  Unix.kill (Unix.getpid ()) signal
 
 let start ?(signals = true) ?seconds ?memory () =
   let t =
@@ -129,16 +123,11 @@ let start ?(signals = true) ?seconds ?memory () =
       stage = None;
     }
   in
-  let first = ref infinity in
-  let arrived signal =
-    if not t.signalled then begin
-      t.signalled <- true;
-      first := Unix.gettimeofday ();
-      timer interval
-    end
-    else if Unix.gettimeofday () -. !first > again then end_by signal
+  let arrived () =
+    t.signalled <- true;
+    timer interval
   in
-  if signals then on_signals (Signal_handle arrived);
+  if signals then Interruption.answered arrived;
   Sys.set_signal Sys.sigalrm (Sys.Signal_handle (fun _ -> look t));
   if Option.is_some seconds || Option.is_some memory then timer interval;
   t
@@ -155,14 +144,11 @@ let half t () : unit -> Limits.stop option =
 
 let interrupted t () = t.signalled
 
-(* A wish to stop that comes as the report is written would keep it from whoever waits for it. *)
+(* A wish to stop that comes as the report is begun would keep it from whoever waits for it. *)
 let finish t =
   timer 0.;
   t.stage <- None;
-  if t.signals && not t.signalled then begin
-    let since = Unix.gettimeofday () in
-    on_signals (Signal_handle (fun signal -> if Unix.gettimeofday () -. since > again then end_by signal))
-  end
+  if t.signals then Interruption.unanswered ~patience:0.5
 
 (* What was given up for its memory has left it behind as garbage. *)
 let compacted t stage =

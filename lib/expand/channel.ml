@@ -1,3 +1,5 @@
+open Scc_system
+
 exception Closed
 
 type t = { fd : Unix.file_descr; pid : int;  (** of the other process; 0 there *) head : Bytes.t }
@@ -54,28 +56,26 @@ let has_message c = match readable 0. [ c ] with [] -> false | _ :: _ -> true
 let child fd work =
   (* The files of tables are those of the other process as well. *)
   Scc_data.Spill.nowhere ();
-  List.iter (fun s -> Sys.set_signal s Sys.Signal_ignore) [ Sys.sigint; Sys.sigpipe ];
-  List.iter (fun s -> Sys.set_signal s Sys.Signal_default) [ Sys.sigterm; Sys.sigalrm ];
+  Sys.set_signal Sys.sigpipe Sys.Signal_ignore;
   match work { fd; pid = 0; head = Bytes.create 4 } with
   | () | (exception Closed) -> Unix._exit 0
   | exception e ->
-    prerr_endline (Printexc.to_string e);
+    Standard.complain (Printexc.to_string e ^ "\n");
     Unix._exit 70
 
 let fork work =
   let ours, theirs = Unix.socketpair ~cloexec:true PF_UNIX SOCK_STREAM 0 in
-  let signals = [ Sys.sigint; Sys.sigterm; Sys.sigalrm ] in
-  let before = Unix.sigprocmask SIG_BLOCK signals in
-  match Unix.fork () with
-  | 0 ->
+  let work () =
     Unix.close ours;
-    List.iter (fun s -> Sys.set_signal s Sys.Signal_ignore) signals;
-    ignore (Unix.sigprocmask SIG_SETMASK before);
     child theirs work
+  in
+  match Interruption.fork work with
   | pid ->
-    ignore (Unix.sigprocmask SIG_SETMASK before);
     Unix.close theirs;
     { fd = ours; pid; head = Bytes.create 4 }
+  | exception e ->
+    List.iter Unix.close [ ours; theirs ];
+    raise e
 
 let close c =
   (match Unix.kill c.pid Sys.sigkill with () | (exception Unix.Unix_error _) -> ());

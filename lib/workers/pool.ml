@@ -1,14 +1,9 @@
+open Scc_system
+
 type stop = Interrupted | Lost of { task : int; how : string }
 
 type worker = { pid : int; from : Unix.file_descr; channel : in_channel; mutable status : Unix.process_status
                     option }
-
-(* An interruption of the whole group of processes is the parent's to answer; without a parent a child ends when it
-   tells of its next task. *)
-let of_child () =
-  Sys.set_signal Sys.sigint Sys.Signal_ignore;
-  Sys.set_signal Sys.sigterm Sys.Signal_default;
-  Sys.set_signal Sys.sigpipe Sys.Signal_default
 
 (* What is left to the child: its tasks, one after the other. *)
 let labour ~jobs ~number ~first ~count ~work out =
@@ -22,26 +17,27 @@ let labour ~jobs ~number ~first ~count ~work out =
   in
   go (first + number)
 
-(* No handler of the parent's is ever called in the child, which leaves without what the parent would do at its
+(* Without a parent a child ends when it tells of its next task; it leaves without what the parent would do at its
    end. *)
 let fork ~jobs ~number ~first ~count ~work others =
   let from, out = Unix.pipe ~cloexec:true () in
-  let before = Unix.sigprocmask SIG_BLOCK [ Sys.sigint; Sys.sigterm ] in
-  match Unix.fork () with
-  | 0 ->
-    of_child ();
-    ignore (Unix.sigprocmask SIG_SETMASK before);
+  let child () =
+    Sys.set_signal Sys.sigpipe Sys.Signal_default;
     Unix.close from;
     List.iter (fun w -> Unix.close w.from) others;
-    (match labour ~jobs ~number ~first ~count ~work out with
-     | () -> Unix._exit 0
-     | exception e ->
-       prerr_endline (Printexc.to_string e);
-       Unix._exit 70)
+    match labour ~jobs ~number ~first ~count ~work out with
+    | () -> Unix._exit 0
+    | exception e ->
+      Standard.complain (Printexc.to_string e ^ "\n");
+      Unix._exit 70
+  in
+  match Interruption.fork child with
   | pid ->
-    ignore (Unix.sigprocmask SIG_SETMASK before);
     Unix.close out;
     { pid; from; channel = Unix.in_channel_of_descr from; status = None }
+  | exception e ->
+    List.iter Unix.close [ from; out ];
+    raise e
 
 let rec waited w =
   match w.status with
