@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_system
 open Scc_session
 
@@ -9,7 +10,7 @@ let enough = 65536
 (* An answer that is being written is written to its end. *)
 let send c =
   if Buffer.length c.out > 0 then begin
-    Interruption.unbroken (fun () -> Standard.print_buffer c.out);
+    Critical.run (fun () -> Standard.print_buffer c.out);
     if Buffer.length c.out > 64 * enough then Buffer.reset c.out else Buffer.clear c.out
   end
 

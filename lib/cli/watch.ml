@@ -16,15 +16,15 @@ let left_to_conclusions = 0.25
 exception Given_up of Limits.stop
 
 type t = {
-  signals : bool;
   mutable deadline : float;
-  memory : float;  (** in bytes *)
+  mutable memory : float;  (** in bytes *)
   mutable signalled : bool;
   mutable since : float option;  (** the processor's seconds when the time was over, or a signal came *)
   mutable over : Limits.stop option;  (** for what explores *)
   mutable late : Limits.stop option;  (** for what concludes *)
   mutable last : Limits.stop option;  (** for what reports *)
   mutable stage : Limits.stage option;  (** of the attempt that is being made *)
+  mutable finished : float option;  (** the seconds that the rest has after a signal, once the work has stopped *)
 }
 
 let page = 4096.
@@ -103,14 +103,16 @@ let look t =
   | Some stage, _ ->
     let give_up stop = if not (Critical.active ()) then raise (Given_up stop) in
     Option.iter give_up (over t stage)
-  | None, _ -> if passed > patience then abandon t
+  | None, _ -> (
+      match t.finished with
+      | Some grace -> if passed > grace then Interruption.break_off ()
+      | None -> if passed > patience then abandon t)
 
 let timer seconds = ignore (Unix.setitimer ITIMER_REAL { it_interval = seconds; it_value = seconds })
 
 let start ?(signals = true) ?seconds ?memory () =
   let t =
     {
-      signals;
       deadline = Option.fold ~none:infinity ~some:(fun s -> Unix.gettimeofday () +. s) seconds;
       memory =
         Option.fold ~none:infinity memory ~some:(fun w ->
@@ -121,6 +123,7 @@ let start ?(signals = true) ?seconds ?memory () =
       late = None;
       last = None;
       stage = None;
+      finished = None;
     }
   in
   let arrived () =
@@ -144,11 +147,25 @@ let half t () : unit -> Limits.stop option =
 
 let interrupted t () = t.signalled
 
-(* A wish to stop that comes as the report is begun would keep it from whoever waits for it. *)
-let finish t =
+let reason : Limits.stop -> string = function
+  | Interrupted -> "interrupted"
+  | Seconds -> "the limit of seconds has passed"
+  | Memory -> "the limit of memory was met"
+
+(* What has been explored may take as long to be written as it takes; but who wishes to stop, before or meanwhile,
+   waits no longer than for conclusions. *)
+let finish ?(grace = grace) t =
   timer 0.;
   t.stage <- None;
-  if t.signals then Interruption.unanswered ~patience:0.5
+  t.finished <- Some grace;
+  t.deadline <- infinity;
+  t.memory <- infinity;
+  t.since <- None;
+  if t.signalled then timer interval
+
+let dismiss t =
+  finish t;
+  timer 0.
 
 (* What was given up for its memory has left it behind as garbage. *)
 let compacted t stage =

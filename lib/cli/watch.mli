@@ -20,6 +20,9 @@ val more : t -> float -> unit
 val stop : t -> unit -> Limits.stop option
 (** What ends an exploration now. *)
 
+val reason : Limits.stop -> string
+(** In words. *)
+
 val half : t -> unit -> unit -> Limits.stop option
 (** What ends work that is begun now and may take half of the seconds that are left. *)
 
@@ -28,7 +31,10 @@ val attempt : t -> Limits.attempt
 val interrupted : t -> unit -> bool
 (** For work that is stopped by signals alone. *)
 
-val finish : t -> unit
-(** The work has stopped: what is left to do, such as writing what is known, takes as long as it takes. The first
-    interruption then raises {!Scc_system.Interruption.Interrupted}, but for one within the first half of a
-    second. *)
+val finish : ?grace:float -> t -> unit
+(** The work has stopped: what is left to do, such as writing what is known, takes as long as it takes. After an
+    interruption, before or meanwhile, it has so many more seconds of the processor, 1 if nothing is said; then
+    {!Scc_system.Interruption.Interrupted} is raised. *)
+
+val dismiss : t -> unit
+(** The work has stopped, and what follows is not the watch's. *)

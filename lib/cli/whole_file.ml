@@ -169,7 +169,7 @@ let write files =
   let written = ref [] in
   match
     List.iter (fun (path, f) -> written := fst (write_one path f) :: !written) files;
-    List.iter settle (List.rev !written)
+    Critical.run (fun () -> List.iter settle (List.rev !written))
   with
   | () -> Ok ()
   | exception Failed d ->

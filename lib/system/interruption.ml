@@ -1,18 +1,14 @@
+open Scc_base
+
 exception Interrupted of string
 
 let signals = [ Sys.sigint; Sys.sigterm; Sys.sighup; Sys.sigxcpu ]
 let interrupted = Interrupted "interrupted"
 
-type answer =
-  | Nobody
-  | Somebody of (unit -> unit)
-  | Nobody_since of { time : float; patience : float }
-
 (* Signals are those of a process, and so is what is known of them. *)
-let answer = ref Nobody
+let answer = ref None
 let first = ref infinity
 let waiting = ref 0
-let held = ref 0
 let due = ref false
 
 (* Seconds in which one wish to stop may arrive twice, sent to the program and to its group of processes. *)
@@ -24,19 +20,26 @@ let end_by signal =
   Sys.set_signal signal Sys.Signal_default;
   Unix.kill (Unix.getpid ()) signal
 
-let raise_unless_held () = if !held > 0 then due := true else raise interrupted
+let check () = if !due then raise interrupted
+
+(* Seconds of work from one try to the next. *)
+let retry = 0.001
+
+let rec break_off () =
+  due := true;
+  if Critical.active () then begin
+    Sys.set_signal Sys.sigvtalrm (Signal_handle (fun _ -> break_off ()));
+    ignore (Unix.setitimer ITIMER_VIRTUAL { it_interval = 0.; it_value = retry })
+  end
+  else check ()
 
 let arrived signal =
   let now = Unix.gettimeofday () in
   if heard () then (if now -. !first > again && signal <> Sys.sigxcpu then end_by signal)
   else begin
-    let is_late = match !answer with Nobody_since { time; patience } -> now -. time > patience | _ -> true in
     first := now;
-    match !answer with
-    | Somebody react ->
-      react ();
-      if !waiting > 0 then raise_unless_held ()
-    | Nobody | Nobody_since _ -> if is_late || !waiting > 0 then raise_unless_held ()
+    Option.iter (fun react -> react ()) !answer;
+    if Option.is_none !answer || !waiting > 0 then break_off ()
   end
 
 let listening = ref false
@@ -55,31 +58,24 @@ let listen () =
 
 let answered react =
   listen ();
-  answer := Somebody react
-
-let unanswered ~patience = answer := Nobody_since { time = Unix.gettimeofday (); patience }
-
-let within count f =
-  incr count;
-  Fun.protect f ~finally:(fun () -> decr count)
+  answer := Some react
 
 let at_once f =
-  within waiting (fun () ->
-      if heard () then raise interrupted;
-      f ())
+  incr waiting;
+  Fun.protect
+    ~finally:(fun () -> decr waiting)
+    (fun () ->
+       if heard () then raise interrupted;
+       f ())
 
-let expire why = if !waiting > 0 && !held = 0 then raise (Interrupted why)
-
-let unbroken f =
-  let x = within held f in
-  if !due && !held = 0 then raise interrupted;
-  x
+let expire why = if !waiting > 0 && not (Critical.active ()) then raise (Interrupted why)
 
 let set behaviour = List.iter (fun s -> Sys.set_signal s behaviour)
 let ignored () = if not Sys.win32 then set Sys.Signal_ignore signals
 
 let leave_to_parent () =
-  answer := Somebody ignore;
+  answer := Some ignore;
+  due := false;
   waiting := 0;
   set Sys.Signal_ignore [ Sys.sigint; Sys.sighup ];
   set Sys.Signal_default [ Sys.sigterm; Sys.sigxcpu ]

@@ -20,17 +20,17 @@ val heard : unit -> bool
 val answered : (unit -> unit) -> unit
 (** From now on the function is called at the first one, instead of an exception. *)
 
-val unanswered : patience:float -> unit
-(** From now on it raises again; but nothing if it comes within so many seconds. *)
+val break_off : unit -> unit
+(** Raises {!Interrupted}, now or once no section is {!Scc_base.Critical} any more. *)
+
+val check : unit -> unit
+(** Raises {!Interrupted} if that is still to be done. *)
 
 val at_once : (unit -> 'a) -> 'a
 (** Waits for others: whoever answers is not waited for. Raises {!Interrupted}. *)
 
 val expire : string -> unit
 (** Raises {!Interrupted} for this reason within {!at_once}, and does nothing elsewhere. *)
-
-val unbroken : (unit -> 'a) -> 'a
-(** Holds {!Interrupted} back until the function has ended. It has to be short, or to wait by {!Standard}. *)
 
 val ignored : unit -> unit
 (** From now on none is heard: the program ends. *)
