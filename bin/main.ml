@@ -1,1 +1,1 @@
-let () = exit (Scc_cli.main ())
+let () = Scc_system.Ending.run Scc_cli.main

@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 open Scc_equivalence
 open Scc_session
@@ -59,11 +60,20 @@ let compare console o =
   in
   let* first = load ~first:true o.first o.left in
   let* second = load ~first:false o.second o.right in
-  let prepared ~first (c : Compared.t) = Compare.prepare o.relation (labelled o ~first c.graph) in
-  let one = prepared ~first:true first and two = prepared ~first:false second in
-  let* () = write_graphs o one two in
-  let effort = Effort.make ~stop:(fun () -> Option.is_some (Watch.stop watch ())) in
-  let report = Compare.run effort o.relation one two in
+  let work () =
+    let prepared ~first (c : Compared.t) =
+      Compare.prepare o.relation (labelled o ~first (Later.force c.graph))
+    in
+    let one = prepared ~first:true first and two = prepared ~first:false second in
+    let* () = write_graphs o one two in
+    let effort = Effort.make ~stop:(fun () -> Option.is_some (Watch.stop watch ())) in
+    Ok (Compare.run effort o.relation one two)
+  in
+  (* After an interruption nothing would come of it that is not begun. *)
+  let stage : Scc_explore.Limits.stage = if Watch.interrupted watch () then Exploring else Concluding in
+  let* report =
+    match (Watch.attempt watch).run stage work with Ok found -> found | Error _ -> Ok Compare.given_up
+  in
   Watch.finish watch;
   let code = exit_code first second report in
   let told = { Compare_report.relation = o.relation; first; second; report; exit = code } in

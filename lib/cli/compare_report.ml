@@ -51,7 +51,7 @@ let title t first =
   else "the second " ^ own
 
 let limits (c : Compared.t) =
-  if Graph.complete c.graph then "complete"
+  if c.complete then "complete"
   else
     match Verdict.distinct (Compared.stopped_by c) with
     | [] -> "not complete"
@@ -153,7 +153,7 @@ let side_json (c : Compared.t) (s : Compare.side) =
      @ [
        ("states", `Int states);
        ("transitions", `Int transitions);
-       ("complete", `Bool (Graph.complete c.graph));
+       ("complete", `Bool c.complete);
        ("stopped_by", `List (List.map Check_json.truncation (Compared.stopped_by c)));
        ("faults", `List (List.map (fun (f : Scc_base.Diag.t) -> Json.text f.message) faults));
        ("compared_states", `Int s.states);

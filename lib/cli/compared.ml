@@ -7,7 +7,7 @@ open Scc_equivalence
 let ( let* ) = Result.bind
 
 type source = Model of { model : Scc_session.Loaded.t; space : Explored.t } | File
-type t = { path : string; source : source; graph : Graph.t }
+type t = { path : string; source : source; graph : Graph.t Later.t; complete : bool }
 
 let is_graph_file path = Filename.check_suffix path ".aut"
 
@@ -49,15 +49,17 @@ let graph_of_space ?(renamed = Fun.id) (space : Explored.t) =
   done;
   Graph.finish b ~size:space.size ~initial:0 ~unknown:(fun s -> not (space.expanded s))
 
-let load_graph console path =
+let load_graph console (attempt : Scc_explore.Limits.attempt) path =
   match Input.read ~max_bytes:max_graph_bytes path with
   | Error d -> Error [ d ]
   | Ok source -> (
-      match Aut.read ~file:path (Source.text source) with
-      | Ok graph -> Ok { path; source = File; graph }
-      | Error d ->
+      match attempt.run Exploring (fun () -> Aut.read ~file:path (Source.text source)) with
+      | Ok (Ok graph) ->
+        Ok { path; source = File; graph = Later.make (fun () -> graph); complete = Graph.complete graph }
+      | Ok (Error d) ->
         Console.add_source console source;
-        Error [ d ])
+        Error [ d ]
+      | Error stop -> raise (Scc_system.Interruption.Interrupted (Watch.reason stop ^ "; a graph was not read")))
 
 let load_model console options ?renamed ~overrides path =
   let* model = Input.model console ~overrides path in
@@ -67,11 +69,13 @@ let load_model console options ?renamed ~overrides path =
   let space = Explored.explore options model.semantics ~initial in
   Console.progress_done console;
   Console.report console (space.faults @ space.dead_ends);
-  Ok { path; source = Model { model; space }; graph = graph_of_space ?renamed space }
+  let rec known s = s = space.size || (space.expanded s && known (s + 1)) in
+  let graph = Later.make (fun () -> graph_of_space ?renamed space) in
+  Ok { path; source = Model { model; space }; graph; complete = known 0 }
 
 let load console options ?renamed ~overrides path =
   if is_graph_file path then
-    if overrides = [] then load_graph console path
+    if overrides = [] then load_graph console options.Check.surroundings.attempt path
     else
       Error
         [
@@ -84,5 +88,7 @@ let stopped_by t = match t.source with Model { space; _ } -> space.stopped_by | 
 
 let size t =
   match t.source with
-  | File -> (t.graph.size, Graph.edges t.graph)
+  | File ->
+    let graph = Later.force t.graph in
+    (graph.size, Graph.edges graph)
   | Model { space; _ } -> (space.size, Explored.transitions space)

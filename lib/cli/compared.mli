@@ -12,7 +12,8 @@ type source =
 type t = {
   path : string;
   source : source;
-  graph : Graph.t;  (** with the labels of the model; where it is quiescent, time passes for ever *)
+  graph : Graph.t Later.t;  (** with the labels of the model; where it is quiescent, time passes for ever *)
+  complete : bool;  (** no state is unknown *)
 }
 
 val is_graph_file : string -> bool

@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_system
 
 type color = Always | Never | Auto
 
@@ -45,29 +46,15 @@ let output_failed name message =
   Output_failed
     (Diag.error Code.cannot_write (Span.make ~file:name ~start:0 ~stop:0) "cannot write: %s" message)
 
-(* What could not be written is given up, or the end of the program would try again. *)
-let abandon_stdout () =
-  match Unix.openfile "/dev/null" [ Unix.O_WRONLY ] 0 with
-  | null ->
-    Unix.dup2 null Unix.stdout;
-    Stdlib.flush stdout
-  | exception Unix.Unix_error _ -> ()
-
 (* A closed pipe is the reader's choice, everything else is a failure. *)
 let to_stdout f =
-  try f ()
-  with Sys_error message ->
-    abandon_stdout ();
-    raise
-      (if String.equal message (Unix.error_message EPIPE) then Output_closed
-       else output_failed "standard output" message)
+  match f () with
+  | () -> ()
+  | exception Standard.Closed -> raise Output_closed
+  | exception Standard.Failed message -> raise (output_failed "standard output" message)
 
-let print _ s = to_stdout (fun () -> print_string s)
-(* Manuals are written by [Format]. *)
-let flush _ =
-  to_stdout (fun () ->
-      Format.print_flush ();
-      Stdlib.flush stdout)
+let print _ s = to_stdout (fun () -> Standard.print s)
+let flush _ = to_stdout Standard.flush
 
 type style = Good | Bad | Doubtful | Strong | Faint
 
@@ -106,8 +93,7 @@ let rendered c d =
 let progress_done c =
   if c.progressing then begin
     c.progressing <- false;
-    prerr_string "\r\027[K";
-    Stdlib.flush stderr
+    Standard.complain "\r\027[K"
   end
 
 let progress c line =
@@ -116,28 +102,24 @@ let progress c line =
   | None when c.terminal && not c.json ->
     c.progressing <- true;
     (* Without the switch, a line that is too long for the terminal would go on in the next. *)
-    prerr_string ("\r\027[K\027[?7l" ^ line ^ "\027[?7h");
-    Stdlib.flush stderr
+    Standard.complain ("\r\027[K\027[?7l" ^ line ^ "\027[?7h")
   | None -> ()
 
-let report c diagnostics =
+(* What was printed before comes before; where it cannot be written, the lines are there all the same. *)
+let complain c lines =
   progress_done c;
+  if not c.json then
+    Fun.protect
+      (fun () -> flush c)
+      ~finally:(fun () -> Standard.complain (String.concat "" lines))
+
+let report c diagnostics =
   c.kept <- List.rev_append diagnostics c.kept;
-  if not c.json then begin
-    (* What was printed before comes before. *)
-    flush c;
-    List.iter (fun d -> prerr_string (rendered c d)) diagnostics;
-    Stdlib.flush stderr
-  end
+  complain c (List.map (rendered c) diagnostics)
 
 let kept c = List.rev c.kept
 
-let note c line =
-  progress_done c;
-  if not c.json then begin
-    flush c;
-    prerr_endline line
-  end
+let note c line = complain c [ line ^ "\n" ]
 
 let with_output ?(pieces = false) c ~path f =
   match path with

@@ -19,6 +19,8 @@ val make : ?progress:(string -> unit) -> color:color -> json:bool -> unit -> t
 (** With [json], diagnostics are kept for the JSON report instead of being shown. [progress] takes the lines of
     {!progress} instead of the terminal. *)
 
+val is_terminal : Unix.file_descr -> bool
+
 val is_json : t -> bool
 
 val add_source : t -> Source.t -> unit

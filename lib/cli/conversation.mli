@@ -2,14 +2,12 @@
 
 open Scc_session
 
-exception Interrupted
-
 type t
 
 val hold : (t -> Exit_code.t) -> Exit_code.t
-(** All that was said is sent off at the end. {!Exit_code.Stopped} where nobody reads it any more, or an
-    interruption ([SIGINT], [SIGTERM]) ends it: that raises {!Interrupted} in the function, but never while
-    something is written. {!Console.Output_failed} where it cannot be written. *)
+(** All that was said is sent off at the end. {!Exit_code.Stopped} where nobody reads it any more. An interruption
+    raises {!Scc_system.Interruption.Interrupted}, but never while something is written.
+    {!Console.Output_failed} where it cannot be written. *)
 
 val say : t -> string -> unit
 (** A line, given without its end. What is said waits until {!send}, or there is much of it. *)

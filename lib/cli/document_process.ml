@@ -112,7 +112,7 @@ let make console (shown : Viewed.options) text =
   let watch = Check_options.watch shown.budget in
   let document = interruptible (fun () -> Viewed.document console shown watch) in
   let interrupted = Watch.interrupted watch () in
-  Watch.finish watch;
+  Watch.dismiss watch;
   Sys.set_signal Sys.sigint Sys.Signal_ignore;
   Gc.compact ();
   Result.map (fun d -> (d, interrupted)) document

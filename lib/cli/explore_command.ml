@@ -22,8 +22,6 @@ type options = {
   positions : bool;
 }
 
-exception Interrupted
-
 let formats = [ ("aut", Aut); ("dot", Dot); ("json", Json); ("tra", Tra); ("drn", Drn) ]
 let by_extension = ("gv", Dot) :: formats
 
@@ -90,26 +88,18 @@ let files o format (e : Exported.t) =
       @ choices,
       Exported.label_notes l )
 
-(* An interruption ends the writing, unless it has ended the exploration: then what is known is written. *)
-let unless_interrupted interrupted write put =
-  if interrupted () then write put
-  else
-    write (fun s ->
-        if interrupted () then raise Interrupted;
-        put s)
-
-let write_all console o interrupted files =
+let write_all console o files =
   if String.equal o.output "-" then begin
-    List.iter (fun (_, write) -> unless_interrupted interrupted write (Console.print console)) files;
+    List.iter (fun (_, write) -> write (Console.print console)) files;
     Console.flush console;
     Ok ()
   end
-  else
-    Result.map_error (fun d -> [ d ])
-      (Whole_file.write
-         (List.map (fun (path, write) -> (path, unless_interrupted interrupted write)) files))
+  else Result.map_error (fun d -> [ d ]) (Whole_file.write files)
 
 (** {2 The command} *)
+
+(* Of the processor, after an interruption: a graph is no report that somebody waits for. *)
+let seconds_to_write = 0.5
 
 let exit_code (space : Explored.t) =
   Exit_code.of_exploration ~complete:(Explored.complete space) ~faults:space.faults ~stopped_by:space.stopped_by
@@ -132,11 +122,11 @@ let over_zones console o watch (loaded : Loaded.t) format =
     Zone_space.explore options loaded.semantics uncertain ~declared:loaded.declared
     |> Result.map_error (Ill_formed.diagnostics loaded)
   in
-  Watch.finish watch;
+  Watch.finish ~grace:seconds_to_write watch;
   Console.progress_done console;
   Console.report console space.faults;
   let exported = { Zone_exported.loaded; space } in
-  let* () = write_all console o (Watch.interrupted watch) (zone_files o format exported) in
+  let* () = write_all console o (zone_files o format exported) in
   List.iter (fun line -> Console.note console ("scc: " ^ line)) (List.tl (Zone_exported.summary exported));
   let complete = Zone_space.complete space in
   Ok (Exit_code.of_exploration ~complete ~faults:space.faults ~stopped_by:space.stopped_by)
@@ -145,12 +135,12 @@ let ordinarily console o watch (loaded : Loaded.t) format =
   let* initial = Loaded.initial loaded in
   let options = Check_options.starting console watch o.budget in
   let space = Explored.explore options loaded.semantics ~initial in
-  Watch.finish watch;
+  Watch.finish ~grace:seconds_to_write watch;
   Console.progress_done console;
   Console.report console (space.faults @ space.dead_ends);
   let exported = { Exported.loaded; space } in
   let files, notes = files o format exported in
-  let* () = write_all console o (Watch.interrupted watch) files in
+  let* () = write_all console o files in
   tell console exported notes;
   Ok (exit_code space)
 
@@ -165,6 +155,11 @@ let explore console o format =
   Console.report console loaded.warnings;
   (if Verdicts.over_zones loaded then over_zones else ordinarily) console o watch loaded format
 
+(* A bound of what is explored leaves the writing as long as it takes; an interruption does not. *)
+let broken_off console o why =
+  let kept = if String.equal o.output "-" then "the graph is not whole" else "nothing was written" in
+  Guard.stopped console (Printf.sprintf "%s; %s (what --seconds or --states end is written to its end)" why kept)
+
 let run color o =
   let console = Console.make ~color ~json:false () in
   Guard.run console (fun () ->
@@ -173,9 +168,7 @@ let run color o =
       | Ok format -> (
           match explore console o format with
           | result -> result
-          | exception Interrupted ->
-            Console.note console "scc: interrupted; nothing was written";
-            Ok Exit_code.Stopped))
+          | exception Scc_system.Interruption.Interrupted why -> Ok (broken_off console o why)))
 
 (** {2 The command line} *)
 

@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_system
 open Scc_session
 
 let document console code =
@@ -27,7 +28,7 @@ let stopped console why =
   Console.note console ("scc: " ^ why);
   ended console Exit_code.Stopped
 
-let complain lines = List.iter prerr_endline lines
+let complain lines = Standard.complain (String.concat "" (List.map (fun line -> line ^ "\n") lines))
 
 let usage message =
   complain [ "scc: " ^ message ];
@@ -50,6 +51,29 @@ let bug what =
     ];
   Exit_code.Bug
 
+(* Half of a report has no end. *)
+let broken_off console why = if Standard.withdraw () then stopped console why else begin
+    complain [ "scc: " ^ why ];
+    Exit_code.Stopped
+  end
+
+let rec failed console = function
+  | Fun.Finally_raised e -> failed console e
+  | Console.Output_closed -> Exit_code.Stopped
+  | Console.Output_failed d ->
+    complain [ String.trim (Diag.render ~source:(Console.source console) d) ];
+    Exit_code.Unwritten
+  | Interruption.Interrupted why ->
+    Console.progress_done console;
+    broken_off console why
+  | Stack_overflow -> bug "stack overflow"
+  | e -> (
+      match Resources.refused e with
+      | Some what ->
+        complain [ "scc: " ^ what ];
+        Exit_code.Stopped
+      | None -> bug (Printexc.to_string e))
+
 let run console command =
   match
     match command () with
@@ -59,15 +83,7 @@ let run console command =
   | code ->
     Console.progress_done console;
     code
-  | exception Console.Output_closed -> Exit_code.Stopped
-  | exception Console.Output_failed d ->
-    complain [ String.trim (Diag.render ~source:(Console.source console) d) ];
-    Exit_code.Unwritten
-  | exception Out_of_memory ->
-    complain [ "scc: no memory left" ];
-    Exit_code.Stopped
-  | exception Stack_overflow -> bug "stack overflow"
-  | exception e -> bug (Printexc.to_string e)
+  | exception e -> failed console e
 
 let run_on_two console first second command =
   if String.equal first "-" && String.equal second "-" then

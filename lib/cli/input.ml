@@ -1,13 +1,14 @@
 open Scc_base
+open Scc_system
 
 let max_bytes = 64 * Memory.mib
 
 (* Devices and pipes do not tell their size, so the size is counted while reading. *)
-let slurp ~max_bytes channel =
+let slurp ~max_bytes file =
   let b = Buffer.create 65536 in
   let chunk = Bytes.create 65536 in
   let rec more () =
-    match input channel chunk 0 (Bytes.length chunk) with
+    match Reading.some file chunk 0 (Bytes.length chunk) with
     | 0 -> Ok (Buffer.contents b)
     | n ->
       Buffer.add_subbytes b chunk 0 n;
@@ -15,24 +16,22 @@ let slurp ~max_bytes channel =
         Error (Printf.sprintf "it is larger than %d MiB" (max_bytes / Memory.mib))
       else more ()
   in
-  match more () with
-  | result -> result
-  | exception Sys_error message -> Error message
+  more ()
 
+(* Who waits for what others write has nothing to tell before. *)
 let bytes ?(max_bytes = max_bytes) path =
-  if String.equal path "-" then begin
-    set_binary_mode_in stdin true;
-    slurp ~max_bytes stdin
-  end
-  else if (try Sys.is_directory path with Sys_error _ -> false) then
-    Error "it is a directory"
-  else
-    match open_in_bin path with
-    | exception Sys_error message -> Error (Os_error.reason path message)
-    | channel ->
-      let result = slurp ~max_bytes channel in
-      close_in_noerr channel;
-      result
+  Interruption.at_once (fun () ->
+      match
+        if String.equal path "-" then slurp ~max_bytes Unix.stdin
+        else if (try Sys.is_directory path with Sys_error _ -> false) then Error "it is a directory"
+        else
+          let file = Reading.open_file path in
+          Fun.protect (fun () -> slurp ~max_bytes file) ~finally:(fun () -> Unix.close file)
+      with
+      | result -> result
+      (* It says nothing of the file that the system has no more to give. *)
+      | exception (Unix.Unix_error (e, _, _) as failure) when Option.is_none (Resources.refused failure) ->
+        Error (Unix.error_message e))
 
 let read ?max_bytes path =
   let name = if String.equal path "-" then "<standard input>" else path in

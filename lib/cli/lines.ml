@@ -25,13 +25,12 @@ let make input ~most =
     skipping = false;
   }
 
-let rec fill t =
-  match Unix.read t.input t.chunk 0 size with
+let fill t =
+  match Scc_system.Reading.some t.input t.chunk 0 size with
   | 0 -> t.over <- true
   | n ->
     t.at <- 0;
     t.stop <- n
-  | exception Unix.Unix_error (EINTR, _, _) -> fill t
 
 let keep t from stop =
   if not t.skipping then

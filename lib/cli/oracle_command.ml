@@ -10,7 +10,7 @@ let serve (quotas : Quotas.t) =
     {
       Session.now = Unix.gettimeofday;
       bounded = (fun ~seconds f -> Time_slices.bounded slices ~seconds f);
-      passes = (function Conversation.Interrupted -> true | _ -> false);
+      passes = (function Scc_system.Interruption.Interrupted _ -> true | _ -> false);
       read_file = Models.no_files;
     }
   in

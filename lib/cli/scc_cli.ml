@@ -31,37 +31,37 @@ let commands =
     Translate_command.command;
   ]
 
-(* A manual that nobody reads to its end, or that cannot be written: what is left of it is not tried again at the
-   exit, where it would be an exception. What went wrong is told when standard output is flushed. *)
-let drop_manual () =
-  let nothing _ = () in
-  Format.set_formatter_out_functions
-    {
-      out_string = (fun _ _ _ -> ());
-      out_flush = nothing;
-      out_newline = nothing;
-      out_spaces = nothing;
-      out_indent = nothing;
-    }
+let console = Console.make ~color:Never ~json:false ()
 
-let main () =
-  Scc_base.Memory.spare_tables ();
+(* Manuals and versions are standard output, complaints about the command line standard error. *)
+let help = Format.make_formatter (fun text from n -> Console.print console (String.sub text from n)) ignore
+
+let complaints =
+  Format.make_formatter (fun text from n -> Scc_system.Standard.complain (String.sub text from n)) ignore
+
+(* A pager is for terminals. Elsewhere nobody would hear that it could not write. *)
+let without_pager () =
+  let asks word = String.length word >= 6 && String.equal (String.sub word 0 6) "--help" in
+  if Array.exists asks Sys.argv && not (Console.is_terminal Unix.stdout) then Unix.putenv "TERM" "dumb"
+
+let evaluate () : Exit_code.t =
   let info =
     Cmd.info "scc" ~version:Version.told ~doc:"interpreter and model checker for the Shape Calculus" ~man
       ~exits:(Exits.man ())
   in
-  (* Writing to a closed pipe is an error to be handled, and not the end. *)
-  if not Sys.win32 then Sys.set_signal Sys.sigpipe Sys.Signal_ignore;
-  let code =
-    match Cmd.eval_value ~catch:false (Cmd.group info commands) with
-    | Ok (`Ok code) -> code
-    | Ok (`Version | `Help) -> Holds
-    | Error (`Parse | `Term) -> Usage
-    | Error `Exn -> Bug
-    | exception Sys_error _ -> Holds
+  match Cmd.eval_value ~help ~err:complaints ~catch:false (Cmd.group info commands) with
+  | Ok (`Ok code) -> code
+  | Ok (`Version | `Help) -> Holds
+  | Error (`Parse | `Term) -> Usage
+  | Error `Exn -> Bug
+
+let main () =
+  Scc_base.Memory.spare_tables ();
+  without_pager ();
+  let code = Guard.run console (fun () -> Ok (evaluate ())) in
+  let finish () =
+    Format.pp_print_flush help ();
+    Console.flush console;
+    Ok Exit_code.Holds
   in
-  (* The manual may still wait in the buffer. *)
-  let console = Console.make ~color:Never ~json:false () in
-  let flushed = Guard.run console (fun () -> Console.flush console; Ok Holds) in
-  drop_manual ();
-  Exit_code.to_int (Exit_code.worst [ code; flushed ])
+  Exit_code.to_int (Exit_code.worst [ code; Guard.run console finish ])

@@ -85,10 +85,9 @@ let lost fmt = Printf.ksprintf (fun text -> raise (Lost (Diag.error Code.lost_fr
 let rec read bytes from stop =
   if from = stop then from
   else
-    match Unix.read Unix.stdin bytes from (stop - from) with
+    match Scc_system.Reading.some Unix.stdin bytes from (stop - from) with
     | 0 -> from
     | n -> read bytes (from + n) stop
-    | exception Unix.Unix_error (EINTR, _, _) -> read bytes from stop
 
 (* [None] where the input ends between two frames. *)
 let next_frame () =

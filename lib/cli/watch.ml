@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_system
 open Scc_explore
 
 (* Seconds from one look to the next; heaps grow by some ten megabytes in the meantime. *)
@@ -15,15 +16,15 @@ let left_to_conclusions = 0.25
 exception Given_up of Limits.stop
 
 type t = {
-  signals : bool;
   mutable deadline : float;
-  memory : float;  (** in bytes *)
+  mutable memory : float;  (** in bytes *)
   mutable signalled : bool;
   mutable since : float option;  (** the processor's seconds when the time was over, or a signal came *)
   mutable over : Limits.stop option;  (** for what explores *)
   mutable late : Limits.stop option;  (** for what concludes *)
   mutable last : Limits.stop option;  (** for what reports *)
   mutable stage : Limits.stage option;  (** of the attempt that is being made *)
+  mutable finished : float option;  (** the seconds that the rest has after a signal, once the work has stopped *)
 }
 
 let page = 4096.
@@ -80,8 +81,7 @@ let beyond t ~passed ~bytes ~more ~share : Limits.stop option =
 (* Nothing is flushed: what was printed so far may be half of a report. *)
 let abandon t =
   let why = if t.signalled then "interrupted" else "the limit of seconds has passed" in
-  prerr_endline ("scc: " ^ why ^ ", and the step that was under way did not end");
-  flush stderr;
+  Standard.complain ("scc: " ^ why ^ ", and the step that was under way did not end\n");
   Unix._exit (Scc_session.Exit_code.to_int Stopped)
 
 let over t (stage : Limits.stage) =
@@ -96,27 +96,23 @@ let look t =
   t.over <- beyond t ~passed ~bytes ~more:0. ~share:(1. -. left_to_conclusions);
   t.late <- beyond t ~passed ~bytes ~more:grace ~share:1.;
   t.last <- beyond t ~passed ~bytes ~more:(1.5 *. grace) ~share:1.1;
+  (match t.over with
+   | Some Seconds -> Interruption.expire "the limit of seconds has passed before the input was read"
+   | Some (Memory | Interrupted) | None -> ());
   match (t.stage, t.last) with
   | Some stage, _ ->
     let give_up stop = if not (Critical.active ()) then raise (Given_up stop) in
     Option.iter give_up (over t stage)
-  | None, _ -> if passed > patience then abandon t
+  | None, _ -> (
+      match t.finished with
+      | Some grace -> if passed > grace then Interruption.break_off ()
+      | None -> if passed > patience then abandon t)
 
 let timer seconds = ignore (Unix.setitimer ITIMER_REAL { it_interval = seconds; it_value = seconds })
-
-let on_signals behaviour = List.iter (fun s -> Sys.set_signal s behaviour) [ Sys.sigint; Sys.sigterm ]
-
-(* Seconds in which one wish to stop may arrive twice, sent to the program and to its group of processes. *)
-let again = 0.5
-
-let end_by signal =
-  Sys.set_signal signal Sys.Signal_default;
-  Unix.kill (Unix.getpid ()) signal
 
 let start ?(signals = true) ?seconds ?memory () =
   let t =
     {
-      signals;
       deadline = Option.fold ~none:infinity ~some:(fun s -> Unix.gettimeofday () +. s) seconds;
       memory =
         Option.fold ~none:infinity memory ~some:(fun w ->
@@ -127,18 +123,14 @@ let start ?(signals = true) ?seconds ?memory () =
       late = None;
       last = None;
       stage = None;
+      finished = None;
     }
   in
-  let first = ref infinity in
-  let arrived signal =
-    if not t.signalled then begin
-      t.signalled <- true;
-      first := Unix.gettimeofday ();
-      timer interval
-    end
-    else if Unix.gettimeofday () -. !first > again then end_by signal
+  let arrived () =
+    t.signalled <- true;
+    timer interval
   in
-  if signals then on_signals (Signal_handle arrived);
+  if signals then Interruption.answered arrived;
   Sys.set_signal Sys.sigalrm (Sys.Signal_handle (fun _ -> look t));
   if Option.is_some seconds || Option.is_some memory then timer interval;
   t
@@ -155,14 +147,25 @@ let half t () : unit -> Limits.stop option =
 
 let interrupted t () = t.signalled
 
-(* A wish to stop that comes as the report is written would keep it from whoever waits for it. *)
-let finish t =
+let reason : Limits.stop -> string = function
+  | Interrupted -> "interrupted"
+  | Seconds -> "the limit of seconds has passed"
+  | Memory -> "the limit of memory was met"
+
+(* What has been explored may take as long to be written as it takes; but who wishes to stop, before or meanwhile,
+   waits no longer than for conclusions. *)
+let finish ?(grace = grace) t =
   timer 0.;
   t.stage <- None;
-  if t.signals && not t.signalled then begin
-    let since = Unix.gettimeofday () in
-    on_signals (Signal_handle (fun signal -> if Unix.gettimeofday () -. since > again then end_by signal))
-  end
+  t.finished <- Some grace;
+  t.deadline <- infinity;
+  t.memory <- infinity;
+  t.since <- None;
+  if t.signalled then timer interval
+
+let dismiss t =
+  finish t;
+  timer 0.
 
 (* What was given up for its memory has left it behind as garbage. *)
 let compacted t stage =

@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_system
 
 exception Failed of Diag.t
 
@@ -32,13 +33,13 @@ let rec target ?(links = 0) path =
 let rec make_temporary ?(attempt = 0) target ~mode =
   let folder = Filename.dirname target and name = Filename.basename target in
   let temporary = Filename.concat folder (Printf.sprintf ".%s.%d-%d.part" name (Unix.getpid ()) attempt) in
-  match Unix.openfile temporary [ O_WRONLY; O_CREAT; O_EXCL; O_CLOEXEC ] mode with
+  match Reading.create_file temporary [ O_WRONLY; O_CREAT; O_EXCL ] mode with
   | file -> (temporary, file)
   | exception Unix.Unix_error (EEXIST, _, _) when attempt < 100 ->
     make_temporary ~attempt:(attempt + 1) target ~mode
 
 let directly path =
-  let file = Unix.openfile path [ O_WRONLY; O_CREAT; O_TRUNC; O_CLOEXEC ] 0o666 in
+  let file = Reading.create_file path [ O_WRONLY; O_CREAT; O_TRUNC ] 0o666 in
   (Directly path, file)
 
 (* Who may read and write it stays as it was, as far as that is for us to say. *)
@@ -96,7 +97,7 @@ let contents path =
 
 let copy_into target temporary =
   let bytes = contents temporary in
-  let file = Unix.openfile target [ O_WRONLY; O_TRUNC; O_CLOEXEC ] 0o666 in
+  let file = Reading.create_file target [ O_WRONLY; O_TRUNC ] 0o666 in
   let out = Unix.out_channel_of_descr file in
   set_binary_mode_out out true;
   Fun.protect ~finally:(fun () -> close_out_noerr out) (fun () ->
@@ -168,7 +169,7 @@ let write files =
   let written = ref [] in
   match
     List.iter (fun (path, f) -> written := fst (write_one path f) :: !written) files;
-    List.iter settle (List.rev !written)
+    Critical.run (fun () -> List.iter settle (List.rev !written))
   with
   | () -> Ok ()
   | exception Failed d ->

@@ -48,3 +48,6 @@ val prepare : relation -> Graph.t -> Graph.t
 
 val run : Effort.t -> relation -> Graph.t -> Graph.t -> report
 (** Compares the initial states of two graphs that {!prepare} has made. *)
+
+val given_up : report
+(** Of work that was broken off from outside: as if {!Effort} were spent before anything was compared. *)

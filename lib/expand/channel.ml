@@ -1,3 +1,5 @@
+open Scc_system
+
 exception Closed
 
 type t = { fd : Unix.file_descr; pid : int;  (** of the other process; 0 there *) head : Bytes.t }
@@ -54,30 +56,19 @@ let has_message c = match readable 0. [ c ] with [] -> false | _ :: _ -> true
 let child fd work =
   (* The files of tables are those of the other process as well. *)
   Scc_data.Spill.nowhere ();
-  List.iter (fun s -> Sys.set_signal s Sys.Signal_ignore) [ Sys.sigint; Sys.sigpipe ];
-  List.iter (fun s -> Sys.set_signal s Sys.Signal_default) [ Sys.sigterm; Sys.sigalrm ];
+  Sys.set_signal Sys.sigpipe Sys.Signal_ignore;
   match work { fd; pid = 0; head = Bytes.create 4 } with
   | () | (exception Closed) -> Unix._exit 0
   | exception e ->
-    prerr_endline (Printexc.to_string e);
+    Standard.complain (Printexc.to_string e ^ "\n");
     Unix._exit 70
 
 let fork_with (ours, theirs) work =
-  let signals = [ Sys.sigint; Sys.sigterm; Sys.sigalrm ] in
-  let before = Unix.sigprocmask SIG_BLOCK signals in
-  let restore () = ignore (Unix.sigprocmask SIG_SETMASK before) in
-  match Unix.fork () with
-  | 0 ->
+  let work () =
     Unix.close ours;
-    List.iter (fun s -> Sys.set_signal s Sys.Signal_ignore) signals;
-    restore ();
     child theirs work
-  | pid ->
-    restore ();
-    { fd = ours; pid; head = Bytes.create 4 }
-  | exception e ->
-    restore ();
-    raise e
+  in
+  { fd = ours; pid = Interruption.fork work; head = Bytes.create 4 }
 
 let fork work =
   match Unix.socketpair ~cloexec:true PF_UNIX SOCK_STREAM 0 with

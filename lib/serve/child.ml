@@ -33,10 +33,19 @@ let create arguments input output =
     ~finally:(fun () -> ignore (Unix.sigprocmask SIG_SETMASK before))
     (fun () -> Unix.create_process Sys.executable_name arguments input output Unix.stderr)
 
+(* All or none of what a process needs, where the system has not enough of it. *)
+let or_else_close fds f =
+  match f () with
+  | x -> x
+  | exception e ->
+    List.iter Unix.close fds;
+    raise e
+
 let start arguments =
   let their_input, input = Unix.pipe ~cloexec:true () in
-  let output, their_output = Unix.pipe ~cloexec:true () in
-  let pid = create arguments their_input their_output in
+  let output, their_output = or_else_close [ their_input; input ] (fun () -> Unix.pipe ~cloexec:true ()) in
+  let all = [ their_input; input; output; their_output ] in
+  let pid = or_else_close all (fun () -> create arguments their_input their_output) in
   Unix.close their_input;
   Unix.close their_output;
   let channel mode fd = Lwt_io.of_fd ~mode (Lwt_unix.of_unix_file_descr fd) in

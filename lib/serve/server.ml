@@ -222,7 +222,10 @@ let callback t (connection, _) request body =
   let* a =
     Lwt.catch
       (fun () -> answer t request body)
-      (fun e -> now (refused `Internal_server_error ("a fault of scc: " ^ Printexc.to_string e)))
+      (fun e ->
+         match Scc_system.Resources.refused e with
+         | Some what -> now (refused `Service_unavailable what)
+         | None -> now (refused `Internal_server_error ("a fault of scc: " ^ Printexc.to_string e)))
   in
   let* () = in_time ~late:() (fun () -> Cohttp_lwt.Body.drain_body body) in
   Connections.hear_no_more connection;
@@ -231,11 +234,11 @@ let callback t (connection, _) request body =
 (* {1 Listening} *)
 
 let listen port =
-  let socket = Lwt_unix.socket ~cloexec:true PF_INET SOCK_STREAM 0 in
-  Lwt_unix.setsockopt socket SO_REUSEADDR true;
   let address = Unix.ADDR_INET (Unix.inet_addr_loopback, Option.value port ~default:0) in
   Lwt.catch
     (fun () ->
+       let socket = Lwt_unix.socket ~cloexec:true PF_INET SOCK_STREAM 0 in
+       Lwt_unix.setsockopt socket SO_REUSEADDR true;
        let* () = Lwt_unix.bind socket address in
        Lwt_unix.listen socket 1024;
        Lwt.return_ok socket)
@@ -248,7 +251,7 @@ let port_of socket = match Lwt_unix.getsockname socket with ADDR_INET (_, port) 
 let until_signalled () =
   let stop, wake = Lwt.wait () in
   let once _ = if Lwt.is_sleeping stop then Lwt.wakeup_later wake () in
-  List.iter (fun s -> ignore (Lwt_unix.on_signal s once)) [ Sys.sigint; Sys.sigterm ];
+  List.iter (fun s -> ignore (Lwt_unix.on_signal s once)) Scc_system.Interruption.signals;
   stop
 
 let serve how socket =

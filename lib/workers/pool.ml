@@ -1,3 +1,5 @@
+open Scc_system
+
 type stop = Interrupted | Lost of { task : int; how : string; fault : bool }
 
 type worker = { pid : int; from : Unix.file_descr; channel : in_channel; mutable status : Unix.process_status
@@ -11,13 +13,6 @@ type crew = { start : int -> worker list -> worker option; places : worker optio
 let most_deaths = 10
 
 (* {1 There} *)
-
-(* An interruption of the whole group of processes is the parent's to answer; without a parent a child ends when it
-   tells of its next task. *)
-let of_child () =
-  Sys.set_signal Sys.sigint Sys.Signal_ignore;
-  Sys.set_signal Sys.sigterm Sys.Signal_default;
-  Sys.set_signal Sys.sigpipe Sys.Signal_default
 
 let told answer = Marshal.to_string answer []
 
@@ -39,28 +34,21 @@ let rec labour ~jobs ~count ~work channel k =
 
 (* {1 Here} *)
 
-(* No handler of the parent's is ever called in the child, which leaves without what the parent would do at its
+(* Without a parent a child ends when it tells of its next task; it leaves without what the parent would do at its
    end. *)
 let fork_with (from, out) others labour =
-  let before = Unix.sigprocmask SIG_BLOCK [ Sys.sigint; Sys.sigterm ] in
-  let restore () = ignore (Unix.sigprocmask SIG_SETMASK before) in
-  match Unix.fork () with
-  | 0 ->
-    of_child ();
-    restore ();
+  let child () =
+    Sys.set_signal Sys.sigpipe Sys.Signal_default;
     Unix.close from;
     List.iter (fun w -> Unix.close w.from) others;
-    (match labour (Unix.out_channel_of_descr out) with
-     | () -> Unix._exit 0
-     | exception e ->
-       prerr_endline (Printexc.to_string e);
-       Unix._exit 70)
-  | pid ->
-    restore ();
-    { pid; from; channel = Unix.in_channel_of_descr from; status = None }
-  | exception e ->
-    restore ();
-    raise e
+    match labour (Unix.out_channel_of_descr out) with
+    | () -> Unix._exit 0
+    | exception e ->
+      Standard.complain (Printexc.to_string e ^ "\n");
+      Unix._exit 70
+  in
+  let pid = Interruption.fork child in
+  { pid; from; channel = Unix.in_channel_of_descr from; status = None }
 
 let selected from seconds =
   match Unix.select [ from ] [] [] seconds with
