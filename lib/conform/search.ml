@@ -168,8 +168,8 @@ let rec each_of_them passed f = function
 
 let tell_one t layer ~before labels target =
   let one label rest =
-    if List.exists t.observed rest then meet t layer before label { target with untold = Some { before; labels = rest } }
-    else meet t layer before label { target with untold = None }
+    let untold = if List.exists t.observed rest then Some { before; labels = rest } else None in
+    meet t layer before label { target with untold }
   in
   each_of_them [] one labels
 

@@ -112,7 +112,7 @@ let in_order m (p : State.process) =
   let by_place (b, _) (c, _) = List.compare (compare_ends m p) (ends b) (ends c) in
   match p.lots with None -> [] | Some { pending; _ } -> List.stable_sort by_place pending
 
-(* Those that hang together by leaves, each time in order, and the sets of them in the order of their first ones. *)
+(* Those that hang together by leaves: each such set in order, and the sets in the order of their first ones. *)
 let rec clusters = function
   | [] -> []
   | (first, _) :: _ as all ->
