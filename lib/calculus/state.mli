@@ -32,7 +32,8 @@ type draw =
   | Drawn of Vec.t  (** the velocity that it will have when all have drawn *)
 
 (** The summands by which leaves release a bond, [omega(a, Phi) chance q. B] each, in order of the leaves: of
-    those of its two leaves that have a chance for it. The others are free to choose among their own. *)
+    those of its two leaves that have a chance for it. The others are free to choose among their own, and are here,
+    too, once they have chosen. *)
 type drawn = (int * Behaviour.t) list
 
 (** What has been decided of a bond at a split instant of the network (rule Lot). *)
@@ -101,6 +102,9 @@ val with_draw : draw option -> process -> process
 val with_lots : lots option -> process -> process
 val with_bond : bond -> process -> process
 (** One more, between two of its leaves. *)
+
+val compare_first : process -> process -> int
+(** By their first leaves. *)
 
 val make : processes:process list -> step:step option -> time:Rat.t option -> t
 

@@ -39,7 +39,7 @@ let label ?(full = false) m : Transition.label -> string = function
     Printf.sprintf "%s and %s, of one process, bind by %s" (name m b.one.at) (name m b.two.at) (bond m b)
   | Bounce { firsts; hits } -> Printf.sprintf "%s collide and bounce" (listed (who m firsts hits))
   | Absorb { first; absorber } -> Printf.sprintf "%s hits %s and is gone" (name m first) (name m absorber)
-  | Weak_split ({ bond = b; _ } as r) ->
+  | Weak_split [ ({ bond = b; _ } as r) ] ->
     Printf.sprintf "%s and %s release %s" (name m b.one.at) (name m b.two.at) (release ~full m r)
   | Strong_split [ ({ bond = b; _ } as r) ] ->
     Printf.sprintf "%s and %s react and release %s" (name m b.one.at) (name m b.two.at) (release ~full m r)
@@ -47,12 +47,19 @@ let label ?(full = false) m : Transition.label -> string = function
     let each (x, y, z) = String.concat ", " (List.map (number ~full) [ x; y; z ]) in
     Printf.sprintf "%s draws the velocity (%s), with probability %s" (name m first)
       (each (velocity.x, velocity.y, velocity.z)) (number ~full chance)
+  | Lot { bond = b; decision = Chosen; _ } ->
+    Printf.sprintf "%s and %s choose how to release %s" (name m b.one.at) (name m b.two.at) (bond m b)
   | Lot { bond = b; decision; chance } ->
     let what =
-      match decision with Kept -> "are to keep" | Let_go -> "are to release" | First -> "are first to release"
+      match decision with
+      | Kept -> "are to keep"
+      | First -> "are first to release"
+      | Let_go | Chosen -> "are to release"
     in
     Printf.sprintf "%s and %s %s %s, with probability %s" (name m b.one.at) (name m b.two.at) what (bond m b)
       (number ~full chance)
+  | Weak_split releases ->
+    Printf.sprintf "released at once: %s" (String.concat ", " (List.map (release ~full m) releases))
   | Strong_split releases ->
     Printf.sprintf "a reaction releases %s" (String.concat ", " (List.map (release ~full m) releases))
 

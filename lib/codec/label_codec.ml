@@ -22,7 +22,7 @@ let put_hit buffer (h : Transition.hit) =
   put_place buffer h.one;
   put_place buffer h.two
 
-let decision (d : Transition.decision) = match d with Kept -> 0 | Let_go -> 1 | First -> 2
+let decision (d : Transition.decision) = match d with Kept -> 0 | Let_go -> 1 | First -> 2 | Chosen -> 3
 
 let put codec b (l : Transition.label) =
   match l with
@@ -43,9 +43,9 @@ let put codec b (l : Transition.label) =
     Packed.put_nat b absorb;
     Packed.put_nat b first;
     Packed.put_nat b absorber
-  | Weak_split r ->
+  | Weak_split releases ->
     Packed.put_nat b weak_split;
-    put_release codec b r
+    Packed.put_list b (put_release codec) releases
   | Strong_split releases ->
     Packed.put_nat b strong_split;
     Packed.put_list b (put_release codec) releases
@@ -83,7 +83,7 @@ let read codec s : Transition.label =
   else if kind = absorb then
     let first = Packed.nat s in
     Absorb { first; absorber = Packed.nat s }
-  else if kind = weak_split then Weak_split (release codec s)
+  else if kind = weak_split then Weak_split (Packed.list s (release codec))
   else if kind = strong_split then Strong_split (Packed.list s (release codec))
   else if kind = draw then
     let first = Packed.nat s in
@@ -92,6 +92,10 @@ let read codec s : Transition.label =
   else
     let bond = State_codec.bond codec s in
     let decision : Transition.decision =
-      match Packed.below 3 ~what:"the decision" s with 0 -> Kept | 1 -> Let_go | _ -> First
+      match Packed.below 4 ~what:"the decision" s with
+      | 0 -> Kept
+      | 1 -> Let_go
+      | 2 -> First
+      | _ -> Chosen
     in
     Lot { bond; decision; chance = Packed.rational s }

@@ -15,7 +15,10 @@ type hypothesis = {
   last : (Transition.label * Rule.t list * Rat.t) option;
   deviation : Against.deviation;
   transitions : (Transition.t list, Transition.fault) result Lazy.t;
+  untold : untold option;
 }
+
+and untold = { before : hypothesis; labels : Transition.label list }
 
 type possible = { from : hypothesis; index : int; taken : Transition.t }
 type misfit = { of_ : hypothesis; differences : Against.difference list }
@@ -44,10 +47,14 @@ type outcome =
 module Place = struct
   type t = hypothesis
 
+  let same_untold a b =
+    List.equal Transition.equal_label a.labels b.labels && State.equal a.before.state b.before.state
+
   let equal a b =
     a.next = b.next && Rat.equal a.time b.time
     && List.equal Burst.equal a.ahead b.ahead
     && State.equal a.state b.state
+    && Option.equal same_untold a.untold b.untold
 
   let hash h = (((State.hash h.state * 31) + Rat.hash h.time) * 31) + h.next
 end
@@ -137,15 +144,41 @@ let after t h index (taken : Transition.t) =
 let off_time h (item : Recorded.item) =
   { Against.no_deviation with time = Rat.abs (Rat.sub h.time item.time) }
 
-let event t layer h index (taken : Transition.t) =
-  layer.found <- { layer.found with possible = { from = h; index; taken } :: layer.found.possible };
-  let target = after t h index taken in
+(* By each item that an event of [h] with this label can be. *)
+let meet t layer h label target =
   List.iter
     (fun (item, firsts) ->
        let deviation = Against.later h.deviation (off_time h t.items.(item)) in
        push layer.onward layer.onward_known (met h ~firsts { target with deviation } item))
-    (fitting t h taken.label);
-  if not (t.observed taken.label) then push layer.queue layer.known target
+    (fitting t h label)
+
+(* Bonds that are released at once (rule Lot) may be told one by one, in any order. *)
+let one_by_one : Transition.label -> Transition.label list = function
+  | Weak_split (_ :: _ :: _ as releases) -> List.map (fun r -> Transition.Weak_split [ r ]) releases
+  | Weak_split _ | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Strong_split _ | Draw _ | Lot _ -> []
+
+let is_observed t label =
+  match one_by_one label with [] -> t.observed label | labels -> List.exists t.observed labels
+
+let rec each_of_them passed f = function
+  | [] -> ()
+  | label :: later ->
+    f label (List.rev_append passed later);
+    each_of_them (label :: passed) f later
+
+let tell_one t layer ~before labels target =
+  let one label rest =
+    let untold = if List.exists t.observed rest then Some { before; labels = rest } else None in
+    meet t layer before label { target with untold }
+  in
+  each_of_them [] one labels
+
+let event t layer h index (taken : Transition.t) =
+  layer.found <- { layer.found with possible = { from = h; index; taken } :: layer.found.possible };
+  let target = after t h index taken in
+  meet t layer h taken.label target;
+  tell_one t layer ~before:h (one_by_one taken.label) target;
+  if not (is_observed t taken.label) then push layer.queue layer.known target
 
 (* {2 Time} *)
 
@@ -236,9 +269,12 @@ let claim t layer h transitions =
 
 let expand t layer h =
   layer.found <- { layer.found with reached = h :: layer.found.reached };
-  match Lazy.force h.transitions with
-  | Error fault -> layer.fault <- Some fault
-  | Ok transitions ->
+  match (h.untold, Lazy.force h.transitions) with
+  | Some { before; labels }, _ ->
+    let before = { before with next = h.next; ahead = h.ahead; deviation = h.deviation } in
+    tell_one t layer ~before labels h
+  | None, Error fault -> layer.fault <- Some fault
+  | None, Ok transitions ->
     claim t layer h transitions;
     List.iteri
       (fun index (taken : Transition.t) ->
@@ -289,7 +325,7 @@ let run against (trace : Recorded.t) declared ~observed limits =
   let start state =
     {
       state; time = Rat.zero; next = 0; ahead = []; choices = []; last = None; deviation = Against.no_deviation;
-      transitions = lazy (successors against state);
+      untold = None; transitions = lazy (successors against state);
     }
   in
   let rec layers queue items ~missed widest =

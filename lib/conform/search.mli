@@ -27,7 +27,11 @@ type hypothesis = {
   last : (Transition.label * Rule.t list * Rat.t) option;  (** the latest transition, and when *)
   deviation : Against.deviation;
   transitions : (Transition.t list, Transition.fault) result Lazy.t;  (** of the state *)
+  untold : untold option;  (** what the latest transition did beside what has been met, if it is told one by one *)
 }
+
+(** Bonds that were released at once, and where. *)
+and untold = { before : hypothesis; labels : Transition.label list }
 
 (** A transition that is possible in a hypothesis. *)
 type possible = { from : hypothesis; index : int; taken : Transition.t }

@@ -51,14 +51,14 @@ let released_strongly : Property.change -> bool = function
   | Released_strongly | Released -> true
   | Made | Released_weakly -> false
 
+let fits_some name ends releases =
+  List.exists (fun ({ bond = b; _ } : Transition.release) -> fits_name name b && fits_ends ends b) releases
+
 let matches ~source (label : Transition.label) (event : Property.event) =
   match (event, label) with
   | Bond (change, name, ends), (Bind b | Close b) -> made change && fits_name name b && fits_ends ends b
-  | Bond (change, name, ends), Weak_split { bond = b; _ } ->
-    released_weakly change && fits_name name b && fits_ends ends b
-  | Bond (change, name, ends), Strong_split releases ->
-    let fits ({ bond = b; _ } : Transition.release) = fits_name name b && fits_ends ends b in
-    released_strongly change && List.exists fits releases
+  | Bond (change, name, ends), Weak_split releases -> released_weakly change && fits_some name ends releases
+  | Bond (change, name, ends), Strong_split releases -> released_strongly change && fits_some name ends releases
   | Bounce ends, Bounce { firsts; _ } -> fits_processes source firsts ends
   | Hit (p, q), Bounce { hits; _ } -> List.exists (fits_hit p q) hits
   | Absorbed ends, Absorb { first; absorber } -> fits_absorbed source ~first ~absorber ends

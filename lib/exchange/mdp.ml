@@ -58,8 +58,8 @@ let of_state m i =
       let model = Explored.model space in
       match edges.(0).label with
       | Draw { first; _ } -> [ draw m (Printf.sprintf "draw(%s)" model.leaves.(first).name) edges ]
-      | Lot { bond; decision; _ } ->
-        let what = match decision with First -> "first" | Kept | Let_go -> "lot" in
+      | Lot { bond; decision = (Kept | Let_go | First) as decision; _ } ->
+        let what = match decision with First -> "first" | Kept | Let_go | Chosen -> "lot" in
         [ draw m (Printf.sprintf "%s(%s)" what (Transition.bond_to_string model bond)) edges ]
       | _ -> List.map choice (Array.to_list edges))
 

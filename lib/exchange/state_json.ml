@@ -28,19 +28,20 @@ let label m (l : Transition.label) =
     match l with
     | Time d -> [ ("duration", Json.rat d) ]
     | Bind b | Close b -> bond m b
-    | Weak_split r -> release m r
+    | Weak_split [ r ] -> release m r
     | Bounce { firsts; hits } ->
       [
         ("between", `List (List.map (leaf_name m) firsts));
         ("touching", `List (List.map (fun (h : Transition.hit) -> `List [ part m h.one; part m h.two ]) hits));
       ]
     | Absorb { first; absorber } -> [ ("between", `List [ leaf_name m first; leaf_name m absorber ]) ]
-    | Strong_split releases -> [ ("bonds", `List (List.map (fun r -> `Assoc (release m r)) releases)) ]
+    | Weak_split releases | Strong_split releases ->
+      [ ("bonds", `List (List.map (fun r -> `Assoc (release m r)) releases)) ]
     | Draw { first; velocity; chance } ->
       [ ("process", leaf_name m first); ("velocity", Json.vec velocity); ("chance", Json.rat chance) ]
     | Lot { bond = b; decision; chance } ->
-      bond m b
-      @ [ ("decision", `String (Transition.decision_to_string decision)); ("chance", Json.rat chance) ]
+      let chance = if Transition.is_drawn l then [ ("chance", Json.rat chance) ] else [] in
+      bond m b @ (("decision", `String (Transition.decision_to_string decision)) :: chance)
   in
   `Assoc
     (("kind", `String (kind l)) :: ("text", Json.text (Transition.label_to_string m l)) :: parts)

@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 open Scc_calculus
 
@@ -6,7 +7,7 @@ type side = { finish : State.finish; drawn : (Behaviour.t * Rat.t) list }
 let step (m : Model.t) =
   match m.splits with
   | Every step -> step
-  | Any_time -> Scc_base.Bug.fail __POS__ "chances without split instants"
+  | Any_time -> Bug.fail __POS__ "chances without split instants"
 
 (* Each summand once, with all of its chance. *)
 let add (summand, q) =
@@ -51,38 +52,47 @@ let pass m d (p : State.process) =
     let pending = if Rat.sign since = 0 then List.filter_map undecided (Array.to_list p.bonds) else [] in
     State.with_lots (Some { since; pending }) p
 
-(* {1 After a release} *)
+(* {1 How a bond is released} *)
+
+(* Free summands of which the same comes are one way; of those by chance the equal ones are. *)
+let alike (r : Process.released) (s : Process.released) =
+  match (r.odds, s.odds) with
+  | None, None -> Rat.equal r.push s.push && Behaviour.equal r.rest s.rest
+  | Some _, Some _ -> Behaviour.equal r.how.summand s.how.summand
+  | None, Some _ | Some _, None -> false
+
+let rec ways = function
+  | [] -> []
+  | r :: rest ->
+    let same, others = List.partition (alike r) rest in
+    (r :: same) :: ways others
+
+let followed m p (b : State.bond) drawn (f : State.finish) =
+  let is_free (r : Process.released) = Option.is_none r.odds in
+  let is summand (r : Process.released) = Behaviour.equal summand r.how.summand in
+  let follows = match List.assoc_opt f.at drawn with Some summand -> is summand | None -> is_free in
+  List.filter (List.exists follows) (ways (Process.releases m p b.name f))
 
 let would_follow m p (b : State.bond) drawn =
-  let would (f : State.finish) =
-    let fits (r : Process.released) =
-      match List.assoc_opt f.at drawn with
-      | Some summand -> Behaviour.equal summand r.how.summand
-      | None -> Option.is_none r.odds
-    in
-    List.exists fits (Process.releases m p b.name f)
-  in
-  would b.one && would b.two
+  List.for_all (fun f -> followed m p b drawn f <> []) [ b.one; b.two ]
 
 let piece m ~(whole : State.process) (piece : State.process) =
   let stays (b, (lot : State.lot)) =
     Array.exists (State.equal_bond b) piece.bonds
     &&
     match lot with
-    | Undecided -> has_lot m piece b
-    | Let_go drawn | Next drawn -> would_follow m piece b drawn
+    | Let_go drawn -> would_follow m piece b drawn
+    | Undecided | Next _ -> Bug.fail __POS__ "a bond is released before all lots are drawn"
   in
   let left (lots : State.lots) = { lots with pending = List.filter stays lots.pending } in
   State.with_lots (Option.map left whole.lots) piece
 
-(* {1 Whose turn it is} *)
+(* {1 What is due} *)
 
 let is_pending (p : State.process) =
   match p.lots with Some { pending = _ :: _; _ } -> true | Some { pending = []; _ } | None -> false
 
 let pending (s : State.t) = Array.exists is_pending s.processes
-
-let next m (s : State.t) = Process.first_by_place m (List.filter is_pending (Array.to_list s.processes))
 
 (* By their places alone, so that names change nothing. *)
 let compare_ends (m : Model.t) p (f : State.finish) (g : State.finish) =
@@ -100,3 +110,71 @@ let in_order m (p : State.process) =
   let ends (b : State.bond) = List.sort (compare_ends m p) [ b.one; b.two ] in
   let by_place (b, _) (c, _) = List.compare (compare_ends m p) (ends b) (ends c) in
   match p.lots with None -> [] | Some { pending; _ } -> List.stable_sort by_place pending
+
+(* Those that hang together by leaves: each such set in order, and the sets in the order of their first ones. *)
+let rec clusters = function
+  | [] -> []
+  | (first, _) :: _ as all ->
+    let share (b : State.bond) (c : State.bond) =
+      List.exists (fun leaf -> leaf = c.one.at || leaf = c.two.at) [ b.one.at; b.two.at ]
+    in
+    let rec grow found left =
+      match List.partition (fun b -> List.exists (share b) found) left with
+      | [], others -> others
+      | more, left -> grow (more @ found) left
+    in
+    let others = grow [ first ] (List.map fst all) in
+    let is_other (b, _) = List.exists (State.equal_bond b) others in
+    List.filter (fun b -> not (is_other b)) all :: clusters (List.filter is_other all)
+
+type to_release = { bond : State.bond; drawn : State.drawn }
+
+type due =
+  | To_draw of State.process * State.bond
+  | To_be_first of State.process * State.bond list
+  | To_choose of State.process * to_release
+  | To_release of (State.process * to_release list) list
+
+let is_undecided = function _, State.Undecided -> true | _, (State.Let_go _ | Next _) -> false
+let is_first = function _, State.Next _ -> true | _, (State.Undecided | Let_go _) -> false
+let some_undecided (p : State.process) =
+  match p.lots with Some { pending; _ } -> List.exists is_undecided pending | None -> false
+
+(* Those of which none has been drawn to be first. *)
+let contested cluster = List.compare_length_with cluster 1 > 0 && not (List.exists is_first cluster)
+
+let some_contested (p : State.process) =
+  match p.lots with Some { pending; _ } -> List.exists contested (clusters pending) | None -> false
+
+(* Of each cluster the only one, or the one that is first. *)
+let released_now m p =
+  let of_cluster cluster =
+    match List.find_opt is_first cluster with Some first -> first | None -> List.hd cluster
+  in
+  let to_release = function
+    | bond, (State.Let_go drawn | Next drawn) -> { bond; drawn }
+    | _, Undecided -> Bug.fail __POS__ "a bond is released before all lots are drawn"
+  in
+  Long_list.map (fun cluster -> to_release (of_cluster cluster)) (clusters (in_order m p))
+
+let is_open m p { bond; drawn } =
+  let several f = List.compare_length_with (followed m p bond drawn f) 1 > 0 in
+  several bond.one || several bond.two
+
+let bonds = Long_list.map fst
+
+let due m (s : State.t) =
+  let waiting = List.filter is_pending (Array.to_list s.processes) in
+  let first test = Process.first_by_place m (List.filter test waiting) in
+  match (waiting, first some_undecided) with
+  | [], _ -> None
+  | _, Some p -> Some (To_draw (p, fst (List.find is_undecided (in_order m p))))
+  | _, None -> (
+      match first some_contested with
+      | Some p -> Some (To_be_first (p, bonds (List.find contested (clusters (in_order m p)))))
+      | None -> (
+          let now = Long_list.map (fun p -> (p, released_now m p)) (Process.by_place m waiting) in
+          let choices (p, all) = Long_list.map (fun r -> (p, r)) (List.filter (is_open m p) all) in
+          match Long_list.concat (Long_list.map choices now) with
+          | (p, first) :: _ :: _ -> Some (To_choose (p, first))
+          | [ _ ] | [] -> Some (To_release now)))

@@ -33,8 +33,30 @@ val is_pending : State.process -> bool
 val pending : State.t -> bool
 (** Whether something is to be drawn or released now, of one process or of any. *)
 
-val next : Model.t -> State.t -> State.process option
-(** Whose lots are next: of all that are pending, the process that comes first by {!Process.first_by_place}. *)
+(** {1 What is due} *)
 
-val in_order : Model.t -> State.process -> (State.bond * State.lot) list
-(** What is pending, by the places of the two ends. *)
+val followed : Model.t -> State.process -> State.bond -> State.drawn -> State.finish -> Process.released list list
+(** The ways in which an end of a bond may let go: by what it has drawn or chosen, or, where it is free, by any of
+    its summands without a chance. Summands of which the same comes are one way. *)
+
+(** A bond that is released now, and what its ends have drawn or chosen. *)
+type to_release = { bond : State.bond; drawn : State.drawn }
+
+(** What comes next while lots are pending. Each of the first three is of one process and one bond at a time, by
+    their places, and none comes before those above it have come for the whole network. *)
+type due =
+  | To_draw of State.process * State.bond  (** the lot of this bond is drawn *)
+  | To_be_first of State.process * State.bond list
+  (** one of these, which hang together by leaves that they share, is drawn to be released before the others *)
+  | To_choose of State.process * to_release  (** this bond may be released in several ways, and so may others *)
+  | To_release of (State.process * to_release list) list
+  (** all of these are released at once; one of them at most may be in several ways *)
+
+val due : Model.t -> State.t -> due option
+(** [None] where no lots are pending. *)
+
+val some_undecided : State.process -> bool
+(** Whether a bond of it is still to draw. *)
+
+val clusters : (State.bond * State.lot) list -> (State.bond * State.lot) list list
+(** Those that hang together by leaves that they share. *)

@@ -97,8 +97,8 @@ let draws c s p =
   let* chances = Steer.chances c s p in
   all_ok [] (List.map (drawn c s ~before:(fun _ -> None) p) chances)
 
-let lots c (s : State.t) p =
-  let* outcomes = Splits.lots c p in
+let lots c (s : State.t) due =
+  let* outcomes = Splits.lots c due in
   all_ok [] (List.map (happens c s ~step:s.step) outcomes)
 
 let events_and_time c s =
@@ -107,8 +107,8 @@ let events_and_time c s =
   |> all_ok []
 
 let successors c s =
-  match (Lots.next (Semantics.model c) s, Steer.next_to_draw c s) with
-  | Some p, _ -> lots c s p
+  match (Lots.due (Semantics.model c) s, Steer.next_to_draw c s) with
+  | Some due, _ -> lots c s due
   | None, Some p -> draws c s p
   | None, None -> events_and_time c s
 

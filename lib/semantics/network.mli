@@ -6,8 +6,8 @@ val initial : Semantics.t -> State.t -> (State.t, Transition.fault) result
 (** The initial state from the declared one: split clocks set, the first steer done. *)
 
 val successors : Semantics.t -> State.t -> (Transition.t list, Transition.fault) result
-(** Every transition of a state, in a fixed order: what comes of the lots of who is next, while some are pending
-    (rule Lot), the draws of who draws next, while somebody waits to draw (rule Draw), and else strong splits and
+(** Every transition of a state, in a fixed order: what comes of the lots, while some are pending (rule
+    Lot), the draws of who draws next, while somebody waits to draw (rule Draw), and else strong splits and
     closings, weak splits, each collision of the instant by itself (reading I-8), and time. A steer that falls
     due is part of the transition (reading I-15). *)
 

@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 open Scc_rigid
 open Scc_calculus
@@ -17,7 +18,7 @@ let line_of_push (c : Semantics.t) p (b : State.bond) =
   let (module K) = c.kinematics in
   let one = part c p b.one and two = part c p b.two in
   match K.near c.setting one two with
-  | None -> Scc_base.Bug.fail __POS__ "a bond of parts that are apart"
+  | None -> Bug.fail __POS__ "a bond of parts that are apart"
   | Some { normals; corners; _ } ->
     let along =
       match normals with
@@ -56,44 +57,71 @@ let fall_apart (c : Semantics.t) (p : State.process) releases continuations =
       |> Lots.piece c.setting.model ~whole:p)
   |> pushed_apart c p releases
 
-let released c p (b : State.bond) ((one : Process.released), (two : Process.released)) =
-  let release = { Transition.bond = b; push = Rat.add one.push two.push } in
+(* A bond and the summands by which its two ends let go: of each several of which the same comes. *)
+type way = { bond : State.bond; one : Process.released list; two : Process.released list }
+
+let continuations { bond; one; two } =
+  [ (bond.one.at, (List.hd one).Process.rest); (bond.two.at, (List.hd two).rest) ]
+
+let release { bond; one; two } =
+  { Transition.bond; push = Rat.add (List.hd one).Process.push (List.hd two).push }
+
+let summands { one; two; _ } =
+  let both (r : Process.released) = List.map (fun (s : Process.released) -> [ r.how; s.how ]) two in
+  List.concat_map both one
+
+(* Who takes part in each way to do all: the first of each, the second of each, and so on, so that all come up. *)
+let rec side_by_side all =
+  let left = function [ last ] -> [ last ] | list -> List.tl list in
+  let now = List.concat_map List.hd all in
+  if List.for_all (fun ways -> List.compare_length_with ways 1 = 0) all then [ now ]
+  else now :: side_by_side (Long_list.map left all)
+
+(* Of several processes at once. *)
+let released c all =
+  let pieces (p, ways) = fall_apart c p (Long_list.map release ways) (List.concat_map continuations ways) in
+  let ways = List.concat_map snd all in
+  let by_bond (r : Transition.release) (s : Transition.release) = State.compare_bond r.bond s.bond in
   {
     Transition.rule = Rule.Weak_split;
-    label = Weak_split release;
-    fired = [ [ one.how; two.how ] ];
-    gone = [ p ];
-    come = fall_apart c p [ release ] [ (b.one.at, one.rest); (b.two.at, two.rest) ];
+    label = Weak_split (List.sort by_bond (Long_list.map release ways));
+    fired = side_by_side (Long_list.map summands ways);
+    gone = Long_list.map fst all;
+    come = List.sort State.compare_first (List.concat_map pieces all);
   }
 
 let weak (c : Semantics.t) (p : State.process) =
-  let release b = List.map (released c p b) (Process.weak_offers c.setting.model p b) in
+  let one_way bond (one, two) = released c [ (p, [ { bond; one = [ one ]; two = [ two ] } ]) ] in
+  let release b = List.map (one_way b) (Process.weak_offers c.setting.model p b) in
   if Process.at_split_instant p then List.concat_map release (Array.to_list p.bonds) else []
 
 (* {1 Rule Lot} *)
 
-let decided p lots (b : State.bond) decision chance pending =
+(* What becomes of the lot of a bond; [None] where it is not pending any more. *)
+let decided (p : State.process) (b : State.bond) decision chance become =
+  let decide (c, lot) =
+    if State.equal_bond b c then Option.map (fun lot -> (c, lot)) (become lot) else Some (c, lot)
+  in
+  let after (lots : State.lots) = { lots with pending = List.filter_map decide lots.pending } in
   {
     Transition.rule = Rule.Lot;
     label = Lot { bond = b; decision; chance };
     fired = [];
     gone = [ p ];
-    come = [ State.with_lots (Some { lots with State.pending }) p ];
+    come = [ State.with_lots (Option.map after p.lots) p ];
   }
 
 let total drawn = List.fold_left (fun sum (_, q) -> Rat.add sum q) Rat.zero drawn
 
 (* Each of the two ends draws by itself, if it has a chance; where both let go, the bond is to be released. *)
-let decide m (p : State.process) (lots : State.lots) b =
+let draw m p b =
   let choices (side : Lots.side) =
     match side.drawn with
     | [] -> [ ([], Rat.one) ]
     | drawn -> List.map (fun (summand, q) -> ([ (side.finish.at, summand) ], q)) drawn
   in
-  let with_lot lot = List.map (fun (c, l) -> if State.equal_bond b c then (c, lot) else (c, l)) lots.pending in
-  let without = List.filter (fun (c, _) -> not (State.equal_bond b c)) lots.pending in
   match Lots.sides m p b with
-  | None -> Scc_base.Bug.fail __POS__ "lots are pending for what has no chance"
+  | None -> Bug.fail __POS__ "lots are pending for what has no chance"
   | Some (one, two) -> (
       let too_much (side : Lots.side) = Rat.compare (total side.drawn) Rat.one > 0 in
       match List.find_opt too_much [ one; two ] with
@@ -101,65 +129,54 @@ let decide m (p : State.process) (lots : State.lots) b =
       | None ->
         let both (s, q) = List.map (fun (t, r) -> (s @ t, Rat.mul q r)) (choices two) in
         let ways = List.concat_map both (choices one) in
-        let let_go (drawn, q) = decided p lots b Let_go q (with_lot (Let_go drawn)) in
+        let let_go (drawn, q) = decided p b Let_go q (fun _ -> Some (State.Let_go drawn)) in
         let rest = Rat.sub Rat.one (total ways) in
-        let kept = if Rat.sign rest > 0 then [ decided p lots b Kept rest without ] else [] in
+        let kept = if Rat.sign rest > 0 then [ decided p b Kept rest (fun _ -> None) ] else [] in
         Ok (List.map let_go ways @ kept))
 
-(* The bonds of a list that hang together with one of them by leaves that they share, in the order of the list. *)
-let together (b : State.bond) bonds =
-  let touch (b : State.bond) (c : State.bond) =
-    List.exists (fun leaf -> leaf = c.one.at || leaf = c.two.at) [ b.one.at; b.two.at ]
+let first p bonds =
+  let chance = Rat.div Rat.one (Rat.of_int (List.length bonds)) in
+  let become : State.lot -> State.lot option = function
+    | Let_go drawn -> Some (Next drawn)
+    | (Undecided | Next _) as lot -> Some lot
   in
-  let rec grow found left =
-    match List.partition (fun c -> List.exists (touch c) found) left with
-    | [], _ -> found
-    | more, left -> grow (found @ more) left
-  in
-  let found = grow [ b ] (List.filter (fun c -> not (State.equal_bond b c)) bonds) in
-  List.filter (fun c -> List.exists (State.equal_bond c) found) bonds
+  List.map (fun b -> decided p b First chance become) bonds
 
-(* What an end that is free chooses is left open: there is an outcome for each. *)
-let release (c : Semantics.t) (p : State.process) (b : State.bond) drawn =
-  let by_lot (f : State.finish) =
-    let follows (r : Process.released) =
-      match List.assoc_opt f.at drawn with
-      | Some summand -> Behaviour.equal summand r.how.summand
-      | None -> Option.is_none r.odds
+(* The ways to release a bond: what an end that is free chooses is left open. *)
+let ways m p ({ bond; drawn } : Lots.to_release) =
+  let followed = Lots.followed m p bond drawn in
+  List.concat_map (fun one -> List.map (fun two -> { bond; one; two }) (followed bond.two)) (followed bond.one)
+
+let choose m p (r : Lots.to_release) =
+  let by { bond; one; two } =
+    let summand (offers : Process.released list) = (List.hd offers).how.summand in
+    let drawn = [ (bond.one.at, summand one); (bond.two.at, summand two) ] in
+    let become : State.lot -> State.lot option = function
+      | Let_go _ -> Some (Let_go drawn)
+      | Next _ -> Some (Next drawn)
+      | Undecided -> Some Undecided
     in
-    List.filter follows (Process.releases c.setting.model p b.name f)
+    decided p bond Chosen Rat.one become
   in
-  List.concat_map (fun one -> List.map (fun two -> released c p b (one, two)) (by_lot b.two)) (by_lot b.one)
-  |> Transition.distinct
+  List.map by (ways m p r)
 
-let carry_out c (p : State.process) (lots : State.lots) in_order =
-  let drawn_first = function b, State.Next drawn -> Some (b, drawn) | _, (Undecided | Let_go _) -> None in
-  let let_go = function b, State.Let_go drawn -> Some (b, drawn) | _, (Undecided | Next _) -> None in
-  match (List.find_map drawn_first in_order, List.filter_map let_go in_order) with
-  | Some (b, drawn), _ -> release c p b drawn
-  | None, [] -> Scc_base.Bug.fail __POS__ "no lots are pending"
-  | None, ((b, drawn) :: _ as all) -> (
-      match together b (List.map fst all) with
-      | [ _ ] -> release c p b drawn
-      | several ->
-        let chance = Rat.div Rat.one (Rat.of_int (List.length several)) in
-        let first b =
-          let next (c, (lot : State.lot)) =
-            match lot with
-            | Let_go drawn when State.equal_bond b c -> (c, State.Next drawn)
-            | Undecided | Let_go _ | Next _ -> (c, lot)
-          in
-          decided p lots b First chance (List.map next lots.pending)
-        in
-        List.map first several)
+(* One bond at most may be released in several ways: there is an outcome for each. *)
+let release_all c all =
+  let m = Semantics.model c in
+  let with_each found ways =
+    List.concat_map (fun others -> List.map (fun way -> way :: others) ways) found
+  in
+  let every all = List.map List.rev (List.fold_left with_each [ [] ] all) in
+  let of_process (p, bonds) = List.map (fun ways -> (p, ways)) (every (Long_list.map (ways m p) bonds)) in
+  List.map (released c) (every (Long_list.map of_process all))
 
-let lots (c : Semantics.t) (p : State.process) =
-  let undecided = function b, State.Undecided -> Some b | _, (Let_go _ | Next _) -> None in
-  let in_order = Lots.in_order c.setting.model p in
-  match (p.lots, List.find_map undecided in_order) with
-  | None, _ -> Ok []
-  | Some lots, Some b -> decide c.setting.model p lots b
-  | Some lots, None -> Ok (carry_out c p lots in_order)
+let lots (c : Semantics.t) (due : Lots.due) =
+  let m = Semantics.model c in
+  match due with
+  | To_draw (p, b) -> draw m p b
+  | To_be_first (p, bonds) -> Ok (first p bonds)
+  | To_choose (p, r) -> Ok (choose m p r)
+  | To_release all -> Ok (release_all c all)
 
 (* Rule StrongSplit. A reaction is grown from its least bond: whoever is at an end of a bond of X must choose
    a summand rho(L) whose entries match exactly the bonds of X at that leaf, which may bring in more bonds,

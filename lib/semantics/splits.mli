@@ -7,9 +7,9 @@ val weak : Semantics.t -> State.process -> Transition.outcome list
 (** Rule WeakSplit: every release of one bond that may happen at this instant, that is when the split clock
     is at a multiple of the split step, or at any instant ({!Model.Any_time}; readings I-6, I-9). *)
 
-val lots : Semantics.t -> State.process -> (Transition.outcome list, Transition.fault) result
-(** Rule Lot, of a process of which lots are pending: what may be decided of its next bond, with the
-    probabilities; or how a bond is released of which that is decided. Nothing else may happen. *)
+val lots : Semantics.t -> Lots.due -> (Transition.outcome list, Transition.fault) result
+(** Rule Lot, while lots are pending: what may be decided of the next bond, with the probabilities, or how the bonds
+    are released of which that is decided. Nothing else may happen. *)
 
 val strong : Semantics.t -> State.process -> Transition.outcome list
 (** Rule StrongSplit: every reaction of a connected set of bonds (reading I-7). Urgent. *)

@@ -5,7 +5,7 @@ type hit = { one : int * int; two : int * int }
 
 type release = { bond : State.bond; push : Rat.t }
 
-type decision = Kept | Let_go | First
+type decision = Kept | Let_go | First | Chosen
 
 type label =
   | Time of Rat.t
@@ -13,7 +13,7 @@ type label =
   | Close of State.bond
   | Bounce of { firsts : int list; hits : hit list }
   | Absorb of { first : int; absorber : int }
-  | Weak_split of release
+  | Weak_split of release list
   | Strong_split of release list
   | Draw of { first : int; velocity : Vec.t; chance : Rat.t }
   | Lot of { bond : State.bond; decision : decision; chance : Rat.t }
@@ -45,8 +45,7 @@ type fault =
 let bonds = function
   | Time _ | Bounce _ | Absorb _ | Draw _ | Lot _ -> []
   | Bind b | Close b -> [ b ]
-  | Weak_split r -> [ r.bond ]
-  | Strong_split releases -> List.map (fun r -> r.bond) releases
+  | Weak_split releases | Strong_split releases -> List.map (fun r -> r.bond) releases
 
 let duration_of = function
   | Time d -> d
@@ -57,7 +56,8 @@ let is_time = function
   | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> false
 
 let is_drawn = function
-  | Draw _ | Lot _ -> true
+  | Draw _ | Lot { decision = Kept | Let_go | First; _ } -> true
+  | Lot { decision = Chosen; _ }
   | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> false
 
 let is_urgent = function
@@ -86,11 +86,10 @@ let equal_label a b =
   match (a, b) with
   | Time s, Time t -> Rat.equal s t
   | Bind x, Bind y | Close x, Close y -> State.equal_bond x y
-  | Weak_split x, Weak_split y -> equal_release x y
   | Bounce x, Bounce y ->
     List.equal Int.equal x.firsts y.firsts && List.equal (fun a b -> compare_hit a b = 0) x.hits y.hits
   | Absorb x, Absorb y -> Int.equal x.first y.first && Int.equal x.absorber y.absorber
-  | Strong_split x, Strong_split y -> List.equal equal_release x y
+  | Weak_split x, Weak_split y | Strong_split x, Strong_split y -> List.equal equal_release x y
   | Draw x, Draw y -> Int.equal x.first y.first && Vec.equal x.velocity y.velocity && Rat.equal x.chance y.chance
   | Lot x, Lot y -> State.equal_bond x.bond y.bond && x.decision = y.decision && Rat.equal x.chance y.chance
   | (Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _), _ -> false
@@ -100,6 +99,8 @@ let renamed image label =
   let bond (b : State.bond) = State.bond b.name (finish b.one) (finish b.two) in
   let release r = { r with bond = bond r.bond } in
   let named (leaf, part) = (image leaf, part) in
+  let by_bond r s = State.compare_bond r.bond s.bond in
+  let all releases = List.sort by_bond (List.map release releases) in
   match label with
   | Time _ -> label
   | Bind b -> Bind (bond b)
@@ -108,10 +109,8 @@ let renamed image label =
     let hits = List.map (fun h -> hit (named h.one) (named h.two)) hits in
     Bounce { firsts = List.sort Int.compare (List.map image firsts); hits = List.sort compare_hit hits }
   | Absorb { first; absorber } -> Absorb { first = image first; absorber = image absorber }
-  | Weak_split r -> Weak_split (release r)
-  | Strong_split releases ->
-    let by_bond r s = State.compare_bond r.bond s.bond in
-    Strong_split (List.sort by_bond (List.map release releases))
+  | Weak_split releases -> Weak_split (all releases)
+  | Strong_split releases -> Strong_split (all releases)
   | Draw d -> Draw { d with first = image d.first }
   | Lot l -> Lot { l with bond = bond l.bond }
 
@@ -137,7 +136,11 @@ let time_of_string text =
     match Rat.of_literal (String.sub text 5 (n - 6)) with Ok d -> Some d | Error _ -> None
   else None
 
-let decision_to_string = function Kept -> "keep" | Let_go -> "release" | First -> "first"
+let decision_to_string = function Kept -> "keep" | Let_go -> "release" | First -> "first" | Chosen -> "choose"
+
+let set_to_string m releases =
+  let one ({ bond = b; _ } as r) = Printf.sprintf "<%s, {%s}>%s" b.name (ends m b) (pushed r) in
+  Printf.sprintf "({%s})" (String.concat ", " (List.map one releases))
 
 let label_to_string (m : Model.t) = function
   | Time d -> Printf.sprintf "time(%s)" (Rat.to_string d)
@@ -146,15 +149,14 @@ let label_to_string (m : Model.t) = function
   | Bounce { firsts; _ } -> Printf.sprintf "bounce(%s)" (String.concat ", " (names m firsts))
   | Absorb { first; absorber } ->
     Printf.sprintf "absorb(%s)" (String.concat ", " (names m [ first; absorber ]))
-  | Weak_split ({ bond = b; _ } as r) -> Printf.sprintf "weak(%s, %s)%s" b.name (ends m b) (pushed r)
-  | Strong_split releases ->
-    List.map (fun ({ bond = b; _ } as r) -> Printf.sprintf "<%s, {%s}>%s" b.name (ends m b) (pushed r)) releases
-    |> String.concat ", "
-    |> Printf.sprintf "strong({%s})"
+  | Weak_split [ r ] -> Printf.sprintf "weak(%s)%s" (bond_to_string m r.bond) (pushed r)
+  | Weak_split releases -> "weak" ^ set_to_string m releases
+  | Strong_split releases -> "strong" ^ set_to_string m releases
   | Draw { first; velocity; chance } ->
     Printf.sprintf "draw(%s, %s) chance(%s)" m.leaves.(first).name (Vec.to_string velocity) (Rat.to_string chance)
+  | Lot { bond = b; decision = Chosen; _ } -> Printf.sprintf "choose(%s)" (bond_to_string m b)
   | Lot { bond = b; decision; chance } ->
-    Printf.sprintf "%s(%s, %s) chance(%s)" (decision_to_string decision) b.name (ends m b) (Rat.to_string chance)
+    Printf.sprintf "%s(%s) chance(%s)" (decision_to_string decision) (bond_to_string m b) (Rat.to_string chance)
 
 let diagnostic (m : Model.t) fault =
   match fault with

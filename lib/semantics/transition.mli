@@ -9,11 +9,12 @@ type hit = { one : int * int; two : int * int }
 (** A bond that a split releases, and the impulse by which the two leaves that it joined part (reading I-36). *)
 type release = { bond : State.bond; push : Rat.t }
 
-(** What chance may decide of a bond at a split instant (rule Lot). *)
+(** What may be decided of a bond at a split instant (rule Lot): by chance, but for the last. *)
 type decision =
   | Kept  (** it stays *)
   | Let_go  (** it is to be released *)
   | First  (** it is to be released before others that end at one of its leaves *)
+  | Chosen  (** in which of several ways it is to be released, which is a free choice *)
 
 type label =
   | Time of Rat.t
@@ -23,12 +24,13 @@ type label =
   (** the first leaves of the processes, two or more, in order; and where they touch, in order *)
   | Absorb of { first : int; absorber : int }
   (** the first leaf of the process that is gone, and the leaf that took it *)
-  | Weak_split of release
+  | Weak_split of release list
+  (** sorted by their bonds; several only where they are left to chance (rule Lot): all of an instant at once *)
   | Strong_split of release list  (** sorted by their bonds *)
   | Draw of { first : int; velocity : Vec.t; chance : Rat.t }
   (** the first leaf of the process, the velocity that it draws, and the probability of it: more than 0 *)
   | Lot of { bond : State.bond; decision : decision; chance : Rat.t }
-  (** with the probability of the decision: more than 0 *)
+  (** with the probability of the decision: more than 0; of what is chosen 1 *)
 
 (** What happens to some processes, whatever the others do. *)
 type outcome = {
@@ -95,7 +97,7 @@ val renamed : (int -> int) -> label -> label
     which need not be the first ones of these then. *)
 
 val decision_to_string : decision -> string
-(** [keep], [release] or [first]. *)
+(** [keep], [release], [first] or [choose]. *)
 
 val time_of_string : string -> Rat.t option
 (** Of a label [Time], as {!label_to_string} writes it. *)
@@ -105,8 +107,9 @@ val bond_to_string : Model.t -> State.bond -> string
 
 val label_to_string : Model.t -> label -> string
 (** [time(1/2)], [bind(a, p.right, q.left)], [close(a, p.right, q.left)], [bounce(p, q)], [absorb(p, drain)],
-    [weak(a, p.right, q.left)], [strong({<a, {p.right, q.left}>, …})], [draw(p, (1, 0, 0)) chance(1/2)],
-    [release(a, p.right, q.left) chance(1/2)], likewise [keep] and [first]. *)
+    [weak(a, p.right, q.left)], of several [weak({<a, {p.right, q.left}>, …})], [strong({<a, {p.right, q.left}>, …})], [draw(p, (1, 0, 0)) chance(1/2)],
+    [release(a, p.right, q.left) chance(1/2)], likewise [keep] and [first], and
+    [choose(a, p.right, q.left)]. *)
 
 val diagnostic : Model.t -> fault -> Scc_base.Diag.t
 (** SC0601, SC0602 or SC0603. *)

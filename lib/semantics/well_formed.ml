@@ -182,8 +182,11 @@ let draw_is_right (m : Model.t) (s : State.t) =
   if Array.exists waits s.processes then Array.for_all right s.processes
   else Array.for_all (fun (p : State.process) -> Option.is_none p.draw) s.processes
 
-(* Split instants are those of the network, and lots are pending at them alone, for bonds that are there. *)
+(* Split instants are those of the network, and lots are pending at them alone, for bonds that are there. All are
+   drawn before one bond is released before others. *)
 let lots_are_right (m : Model.t) (s : State.t) =
+  let is_first (_, (lot : State.lot)) = match lot with Next _ -> true | Undecided | Let_go _ -> false in
+  let one_first cluster = List.compare_length_with (List.filter is_first cluster) 1 <= 0 in
   let right (since : Rat.t) (p : State.process) =
     match p.lots with
     | None -> false
@@ -192,12 +195,15 @@ let lots_are_right (m : Model.t) (s : State.t) =
         Array.exists (State.equal_bond b) p.bonds
         && match lot with Undecided -> Option.is_some (Lots.sides m p b) | Let_go _ | Next _ -> true
       in
-      let next (_, lot) = match lot with State.Next _ -> true | Undecided | Let_go _ -> false in
       Rat.equal lots.since since
       && (lots.pending = [] || Rat.sign since = 0)
       && List.for_all of_bond lots.pending
-      && List.length (List.filter next lots.pending) <= 1
+      && List.for_all one_first (Lots.clusters lots.pending)
   in
+  let has_first (p : State.process) =
+    match p.lots with Some { pending; _ } -> List.exists is_first pending | None -> false
+  in
+  let drawn = not (Array.exists Lots.some_undecided s.processes) in
   let lots (p : State.process) = Option.is_some p.lots in
   match (m.lots, m.splits) with
   | true, Any_time -> false
@@ -206,7 +212,9 @@ let lots_are_right (m : Model.t) (s : State.t) =
       match Array.to_list s.processes with
       | [] -> true
       | { lots = Some { since; _ }; _ } :: _ ->
-        Rat.sign since >= 0 && Rat.compare since step < 0 && Array.for_all (right since) s.processes
+        Rat.sign since >= 0 && Rat.compare since step < 0
+        && Array.for_all (right since) s.processes
+        && (drawn || not (Array.exists has_first s.processes))
       | { lots = None; _ } :: _ -> false)
 
 let time_is_right (m : Model.t) (s : State.t) =

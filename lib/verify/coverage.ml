@@ -175,16 +175,17 @@ let fire t ways =
   let most c = List.fold_left (fun n way -> Int.max n (List.length (List.filter (( == ) c) way))) 0 ways in
   List.iter (fun c -> c.times <- c.times + most c) once
 
+let note_all t releases one_more =
+  List.iter (fun (r : Transition.release) -> note t r.bond.name one_more) releases
+
 let transition t (tr : Transition.t) =
   fire t tr.fired;
   count_rules t tr.rules;
   match tr.label with
   | Time _ | Bounce _ | Absorb _ | Draw _ | Lot _ -> ()
   | Bind b | Close b -> note t b.name (fun u -> u.mades <- u.mades + 1)
-  | Weak_split { bond = b; _ } -> note t b.name (fun u -> u.weaks <- u.weaks + 1)
-  | Strong_split releases ->
-    let released (r : Transition.release) = note t r.bond.name (fun u -> u.strongs <- u.strongs + 1) in
-    List.iter released releases
+  | Weak_split releases -> note_all t releases (fun u -> u.weaks <- u.weaks + 1)
+  | Strong_split releases -> note_all t releases (fun u -> u.strongs <- u.strongs + 1)
 
 (* All at once, or not at all, if the time is over while it looks. *)
 let expanded t semantics here =

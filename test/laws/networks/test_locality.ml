@@ -37,15 +37,15 @@ let beside from (a : State.t) (b : State.t) =
 let relabelled from : Transition.label -> Transition.label =
   let finish (f : State.finish) = { f with at = f.at + from } in
   let bond (b : State.bond) = State.bond b.name (finish b.one) (finish b.two) in
+  let all = List.map (fun (r : Transition.release) -> { r with bond = bond r.bond }) in
   function
   | Time d -> Time d
   | Bind b -> Bind (bond b)
   | Close b -> Close (bond b)
   | Lot l -> Lot { l with bond = bond l.bond }
   | Draw d -> Draw { d with first = d.first + from }
-  | Weak_split r -> Weak_split { r with bond = bond r.bond }
-  | Strong_split releases ->
-    Strong_split (List.map (fun (r : Transition.release) -> { r with bond = bond r.bond }) releases)
+  | Weak_split releases -> Weak_split (all releases)
+  | Strong_split releases -> Strong_split (all releases)
   | Absorb { first; absorber } -> Absorb { first = first + from; absorber = absorber + from }
   | Bounce { firsts; hits } ->
     let later leaf = leaf + from in

@@ -56,8 +56,7 @@ let involved (label : Transition.label) =
 let pushes (label : Transition.label) =
   let by (r : Transition.release) = Rat.sign r.push > 0 in
   match label with
-  | Weak_split r -> by r
-  | Strong_split releases -> List.exists by releases
+  | Weak_split releases | Strong_split releases -> List.exists by releases
   | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Draw _ | Lot _ -> false
 
 (* Whether a push surely moves pieces apart: not where all that it drives apart goes on as one, nor where the
@@ -67,8 +66,7 @@ let drives_apart (m : Model.t) (t : Transition.t) =
   let apart (b : State.bond) = home b.one.at <> home b.two.at in
   let pushing (r : Transition.release) = Rat.sign r.push > 0 && apart r.bond in
   match t.label with
-  | Weak_split r -> pushing r
-  | Strong_split releases -> (
+  | Weak_split releases | Strong_split releases -> (
       match List.filter pushing releases with
       | [] -> false
       | [ _ ] -> true

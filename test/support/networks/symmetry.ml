@@ -221,15 +221,17 @@ let first_leaf symmetry (s : State.t) leaf =
 let map_release symmetry ({ bond; push } : Transition.release) : Transition.release =
   { bond = symmetry.bond bond; push = symmetry.impulse push }
 
+let map_releases symmetry releases =
+  let in_order (r : Transition.release) (s : Transition.release) = State.compare_bond r.bond s.bond in
+  List.sort in_order (List.map (map_release symmetry) releases)
+
 let map_label symmetry s : Transition.label -> Transition.label = function
   | Time d -> Time (symmetry.duration d)
   | Bind b -> Bind (symmetry.bond b)
   | Close b -> Close (symmetry.bond b)
-  | Weak_split r -> Weak_split (map_release symmetry r)
+  | Weak_split releases -> Weak_split (map_releases symmetry releases)
+  | Strong_split releases -> Strong_split (map_releases symmetry releases)
   | Lot l -> Lot { l with bond = symmetry.bond l.bond }
-  | Strong_split releases ->
-    let in_order (r : Transition.release) (s : Transition.release) = State.compare_bond r.bond s.bond in
-    Strong_split (List.sort in_order (List.map (map_release symmetry) releases))
   | Draw { first; velocity; chance } ->
     Draw { first = first_leaf symmetry s first; velocity = symmetry.velocity velocity; chance }
   | Absorb { first; absorber } ->

@@ -144,6 +144,150 @@ let all_of_them () =
   Alcotest.(check int) "three processes" 3 (Array.length s.processes);
   check_labels "and nothing is to come" [] m s
 
+(* {1 Bonds of several processes} *)
+
+(* Processes of bodies that bonds [a] join, each leaf to the one that is declared next. *)
+let rows ?definitions rows =
+  let bodies = List.concat rows in
+  let leaves = List.mapi leaf bodies in
+  let bond i : State.bond =
+    State.bond "a" { at = i; site = site "right" } { at = Int.add i 1; site = site "left" }
+  in
+  let rec processes first = function
+    | [] -> []
+    | row :: rest ->
+      let n = List.length row in
+      let is_mine (l : State.leaf) = l.leaf >= first && l.leaf < Int.add first n in
+      let bonds = List.init (Int.sub n 1) (fun i -> bond (Int.add first i)) in
+      State.process ~leaves:(List.filter is_mine leaves) ~bonds ~velocity:Vec.zero ~clock:None ()
+      :: processes (Int.add first n) rest
+  in
+  let m = { (model ?definitions bodies) with lots = true } in
+  (m, start m (State.make ~processes:(processes 0 rows) ~step:None ~time:None))
+
+let dimer p q x behaviour other = [ body p (x, 0, 0) ~behaviour; body q (Int.add x 2, 0, 0) ~behaviour:other ]
+
+let two_pairs () =
+  let lets_go = chance half "a" [ "right" ] nil and free = weak "a" [ "left" ] nil in
+  let m, s = rows [ dimer "p" "q" 0 lets_go free; dimer "u" "v" (-20) lets_go free ] in
+  let s = List.fold_left (take m) s [ "time(1)"; "release(a, u.right, v.left) chance(1/2)" ] in
+  check_labels "the other draws before anything is released"
+    [ "release(a, p.right, q.left) chance(1/2)"; "keep(a, p.right, q.left) chance(1/2)" ]
+    m s;
+  well_formed "half drawn" m s;
+  check_labels "one is kept" [ "weak(a, u.right, v.left)" ] m (take m s "keep(a, p.right, q.left) chance(1/2)");
+  let s = take m s "release(a, p.right, q.left) chance(1/2)" in
+  let both = "weak({<a, {p.right, q.left}>, <a, {u.right, v.left}>})" in
+  check_labels "both go at once" [ both ] m s;
+  let s = take m s both in
+  Alcotest.(check int) "four processes" 4 (Array.length s.processes);
+  check_labels "and nothing is to come" [] m s
+
+(* Two rows of three whose middle ones let go on both sides, and do so again. *)
+let rounds () =
+  let definitions : Behaviour.definitions =
+    [| { name = "Again"; body = chance Rat.one "a" [ "left"; "right" ] (Behaviour.call 0) } |]
+  in
+  let row names x =
+    let free = weak "a" [ "left"; "right" ] nil in
+    List.mapi
+      (fun i name ->
+         body name (Int.add x (Int.mul 2 i), 0, 0) ~behaviour:(if i = 1 then Behaviour.call 0 else free))
+      names
+  in
+  let m, s = rows ~definitions [ row [ "p"; "q"; "r" ] 0; row [ "u"; "v"; "w" ] (-20) ] in
+  let go = List.fold_left (take m) in
+  let s =
+    go s
+      [
+        "time(1)"; "release(a, u.right, v.left) chance(1)"; "release(a, v.right, w.left) chance(1)";
+        "release(a, p.right, q.left) chance(1)"; "release(a, q.right, r.left) chance(1)";
+      ]
+  in
+  check_labels "when all have drawn, who is first"
+    [ "first(a, u.right, v.left) chance(1/2)"; "first(a, v.right, w.left) chance(1/2)" ]
+    m s;
+  let s = take m s "first(a, v.right, w.left) chance(1/2)" in
+  well_formed "one first" m s;
+  check_labels "of the others, too, before one is released"
+    [ "first(a, p.right, q.left) chance(1/2)"; "first(a, q.right, r.left) chance(1/2)" ]
+    m s;
+  let s = take m s "first(a, p.right, q.left) chance(1/2)" in
+  well_formed "two first" m s;
+  check_labels "the first ones at once" [ "weak({<a, {p.right, q.left}>, <a, {v.right, w.left}>})" ] m s;
+  let s = take m s "weak({<a, {p.right, q.left}>, <a, {v.right, w.left}>})" in
+  well_formed "after them" m s;
+  check_labels "and then the others" [ "weak({<a, {q.right, r.left}>, <a, {u.right, v.left}>})" ] m s
+
+let who_chooses () =
+  let definitions : Behaviour.definitions =
+    [| { name = "One"; body = nil }; { name = "Two"; body = nil } |]
+  in
+  let lets_go = chance Rat.one "a" [ "right" ] nil in
+  let either = weak "a" [ "left" ] (Behaviour.call 0) + weak "a" [ "left"; "top" ] (Behaviour.call 1) in
+  let m, s = rows ~definitions [ dimer "p" "q" 0 lets_go either; dimer "u" "v" (-20) lets_go either ] in
+  let drawn = [ "time(1)"; "release(a, u.right, v.left) chance(1)"; "release(a, p.right, q.left) chance(1)" ] in
+  let s = List.fold_left (take m) s drawn in
+  let choose = "choose(a, u.right, v.left)" and both = "weak({<a, {p.right, q.left}>, <a, {u.right, v.left}>})" in
+  check_labels "after all lots" [ choose; choose ] m s;
+  let behaviours (t : Transition.t) =
+    List.map (fun i -> (State.leaf_of (Option.get (State.home t.target i)) i).behaviour.origin) [ 1; 3 ]
+  in
+  let ends (t : Transition.t) =
+    well_formed "chosen" m t.target;
+    check_labels "the last one chooses as it goes" [ both; both ] m t.target;
+    List.map behaviours (successors m t.target)
+  in
+  Alcotest.(check (list (list (option int)))) "each with each"
+    [ [ Some 0; Some 0 ]; [ Some 1; Some 0 ]; [ Some 0; Some 1 ]; [ Some 1; Some 1 ] ]
+    (List.concat_map ends (successors m s));
+  let is_free (t : Transition.t) = not (Transition.is_drawn t.label) in
+  Alcotest.(check bool) "a free choice" true (List.for_all is_free (successors m s));
+  let same = weak "a" [ "left" ] nil + weak "a" [ "left"; "top" ] nil in
+  let m, s = rows [ dimer "p" "q" 0 lets_go same; dimer "u" "v" (-20) lets_go same ] in
+  check_labels "nothing to choose where the same comes of both" [ both ] m (List.fold_left (take m) s drawn)
+
+(* One after the other, the first push would move what the second one has not left yet. *)
+let pushes_at_once () =
+  let pushes face = Behaviour.weak ~odds:(Chance Rat.one) ~push:Rat.one (channel "a" [ face ]) nil in
+  let free face = weak "a" [ face ] nil in
+  let bodies =
+    List.mapi
+      (fun i behaviour -> body (Printf.sprintf "b%d" i) (Int.mul 2 i, 0, 0) ~behaviour)
+      [ pushes "right"; free "left"; free "right"; pushes "left" ]
+  in
+  let m, s = rows [ bodies ] in
+  let release b c = Printf.sprintf "release(a, %s.right, %s.left) chance(1)" b c in
+  let s = List.fold_left (take m) s [ "time(1)"; release "b0" "b1"; release "b2" "b3" ] in
+  let s = take m s "weak({<a, {b0.right, b1.left}> push(1), <a, {b2.right, b3.left}> push(1)})" in
+  Alcotest.(check (list string)) "alike to both sides" [ "(-1, 0, 0)"; "(0, 0, 0)"; "(0, 0, 0)"; "(1, 0, 0)" ]
+    (List.map (velocity s) [ 0; 1; 2; 3 ])
+
+(* Rates compete among themselves, and a chance is what it says. *)
+let beside_rates () =
+  let rate r = Odds.Rate { rate = r; alone = Odds.within ~step:Rat.one r } in
+  let ends odds =
+    let summand odds = Behaviour.weak ~odds (channel "a" [ "right" ]) nil in
+    List.fold_left ( + ) (summand (List.hd odds)) (List.map summand (List.tl odds))
+  in
+  let quarter = ratio 1 4 in
+  let dimer odds = rows [ dimer "p" "q" 0 (ends odds) (weak "a" [ "left" ] nil) ] in
+  let m, s = dimer [ rate quarter; Chance quarter; rate half ] in
+  let together = Odds.within ~step:Rat.one (ratio 3 4) in
+  let third = Rat.div together (q 3) in
+  let release c = Printf.sprintf "release(a, p.right, q.left) chance(%s)" (Rat.to_string c) in
+  let keep = Rat.sub (ratio 3 4) together in
+  check_labels "each its own"
+    [
+      release third; release quarter; release (Rat.add third third);
+      Printf.sprintf "keep(a, p.right, q.left) chance(%s)" (Rat.to_string keep);
+    ]
+    m (take m s "time(1)");
+  let m, s = dimer [ Chance half; rate Rat.one ] in
+  match Network.successors (standard m) (take m s "time(1)") with
+  | Error (Transition.Bad_chance _) -> ()
+  | Error _ | Ok _ -> Alcotest.fail "1/2 and 1 - 1/e are more than 1"
+
 let beside_free behaviour =
   [ body "p" (0, 0, 0) ~behaviour; body "q" (2, 0, 0) ~behaviour:(weak "a" [ "left" ] nil) ]
 
@@ -224,6 +368,11 @@ let suite =
          case "Lot: several ways" several_ways;
          case "Lot: who is first" who_is_first;
          case "Lot: all of them" all_of_them;
+         case "Lot: two pairs at once" two_pairs;
+         case "Lot: rounds" rounds;
+         case "Lot: who chooses" who_chooses;
+         case "Lot: pushes at once" pushes_at_once;
+         case "Lot: chances beside rates" beside_rates;
          case "Lot: chances that sum to more than 1" sum_beyond_one;
          case "Lot: what is repeated counts twice" repeated;
          case "Lot: before laws are asked" before_laws;

@@ -290,6 +290,29 @@ let absorb_beside () =
   let m = { m with Model.collisions = Together } in
   check_labels "together, who may be taken never bounces" [ "absorb(p, drain)"; "absorb(q, drain)" ] m s
 
+(* p runs into two drains and into q, which rests; what q and p offer each other may bind them instead. *)
+let absorb_in_cluster () =
+  let all behaviour other =
+    let bodies =
+      [
+        body "p" (0, 0, 0) ~velocity:(1, 1, 1) ~behaviour; body "q" (2, 1, 0) ~behaviour:other;
+        body "drain" (0, 2, 0) ~fixed:true ~absorbs:true; body "sink" (0, 0, 2) ~fixed:true ~absorbs:true;
+      ]
+    in
+    let m, s = network bodies in
+    ({ m with Model.collisions = Together }, s)
+  in
+  let m, s = all nil nil in
+  check_labels "in turn" [ "bounce(p, q)"; "absorb(p, drain)"; "absorb(p, sink)" ]
+    { m with Model.collisions = In_turn } s;
+  check_labels "no bounce of the cluster" [ "absorb(p, drain)"; "absorb(p, sink)" ] m s;
+  check_names "q stays as it is" [ "q"; "drain"; "sink" ] m (take m s "absorb(p, drain)");
+  check_velocity "at rest" "(0, 0, 0)" (take m s "absorb(p, drain)") 1;
+  let m, s = all (open_ "a" [ "right" ] nil) (co_open "a" [ "left" ] nil) in
+  let bind = "bind(a, p.right, q.left)" in
+  check_labels "a binding is possible as well" [ bind; "absorb(p, drain)"; "absorb(p, sink)" ] m s;
+  check_labels "and what is bound is looked at afresh" [ "absorb(p, drain)"; "absorb(p, sink)" ] m (take m s bind)
+
 let suite =
   let case name f = Alcotest.test_case name `Quick f in
   ("network",
@@ -303,6 +326,7 @@ let suite =
          case "Bounce: a fixed body" wall;
          case "Absorb: what hits it is gone" absorb;
          case "Absorb: beside other collisions" absorb_beside;
+         case "Absorb: in a cluster (I-32)" absorb_in_cluster;
          case "Bind: a compatible collision" bind;
          case "Bind: what is not compatible bounces" incompatible;
          case "Bind: the touching pairs of the highest dimension (I-12)" lower_dimension;
