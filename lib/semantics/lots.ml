@@ -83,7 +83,7 @@ let is_pending (p : State.process) =
 
 let pending (s : State.t) = Array.exists is_pending s.processes
 
-let next m (s : State.t) = Process.first_by_place m (List.filter is_pending (Array.to_list s.processes))
+let next m (s : State.t) = Process.first_by_velocity m (List.filter is_pending (Array.to_list s.processes))
 
 (* By their places alone, so that names change nothing. *)
 let compare_ends (m : Model.t) p (f : State.finish) (g : State.finish) =

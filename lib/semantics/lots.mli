@@ -34,7 +34,7 @@ val pending : State.t -> bool
 (** Whether something is to be drawn or released now, of one process or of any. *)
 
 val next : Model.t -> State.t -> State.process option
-(** Whose lots are next: of all that are pending, the process that comes first by {!Process.first_by_place}. *)
+(** Whose lots are next: of all that are pending, the process that comes first by {!Process.first_by_velocity}. *)
 
 val in_order : Model.t -> State.process -> (State.bond * State.lot) list
 (** What is pending, by the places of the two ends. *)
