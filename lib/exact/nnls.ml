@@ -102,3 +102,14 @@ let project_cone vectors point =
   let sum = ref Vec.zero in
   Array.iteri (fun i a -> if Rat.sign x.(i) <> 0 then sum := Vec.axpy x.(i) a !sum) v;
   !sum
+
+(* Of those that are known, none is farther than the projection is along what is left: so each that is added is a new
+   one. *)
+let nearest_in_cone ~most point =
+  let rec beside known =
+    let x = project_cone known point in
+    let rest = Vec.sub point x in
+    let next = most rest in
+    if Rat.sign (Vec.dot rest next) > 0 then beside (next :: known) else x
+  in
+  beside []

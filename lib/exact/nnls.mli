@@ -7,3 +7,7 @@ val solve : gram:Rat.t array array -> target:Rat.t array -> Rat.t array
 
 val project_cone : Vec.t list -> Vec.t -> Vec.t
 (** The point of the cone spanned by the vectors that is nearest to a point. *)
+
+val nearest_in_cone : most:(Vec.t -> Vec.t) -> Vec.t -> Vec.t
+(** The same, of a cone that is spanned by finitely many vectors of which nobody needs a list: [most v] is one of them
+    that is farthest along v. *)

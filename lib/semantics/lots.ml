@@ -155,17 +155,17 @@ let released_now m p =
     | bond, (State.Let_go drawn | Next drawn) -> { bond; drawn }
     | _, Undecided -> Bug.fail __POS__ "a bond is released before all lots are drawn"
   in
-  Long_list.map (fun cluster -> to_release (of_cluster cluster)) (clusters (in_order m p))
+  List.map (fun cluster -> to_release (of_cluster cluster)) (clusters (in_order m p))
 
 let is_open m p { bond; drawn } =
   let several f = List.compare_length_with (followed m p bond drawn f) 1 > 0 in
   several bond.one || several bond.two
 
-let bonds = Long_list.map fst
+let bonds = List.map fst
 
 let due m (s : State.t) =
   let waiting = List.filter is_pending (Array.to_list s.processes) in
-  let first test = Process.first_by_place m (List.filter test waiting) in
+  let first test = Process.first_by_velocity m (List.filter test waiting) in
   match (waiting, first some_undecided) with
   | [], _ -> None
   | _, Some p -> Some (To_draw (p, fst (List.find is_undecided (in_order m p))))
@@ -173,8 +173,8 @@ let due m (s : State.t) =
       match first some_contested with
       | Some p -> Some (To_be_first (p, bonds (List.find contested (clusters (in_order m p)))))
       | None -> (
-          let now = Long_list.map (fun p -> (p, released_now m p)) (Process.by_place m waiting) in
-          let choices (p, all) = Long_list.map (fun r -> (p, r)) (List.filter (is_open m p) all) in
-          match Long_list.concat (Long_list.map choices now) with
+          let now = List.map (fun p -> (p, released_now m p)) (Process.by_place m waiting) in
+          let choices (p, all) = List.map (fun r -> (p, r)) (List.filter (is_open m p) all) in
+          match List.concat (List.map choices now) with
           | (p, first) :: _ :: _ -> Some (To_choose (p, first))
           | [ _ ] | [] -> Some (To_release now)))

@@ -87,8 +87,15 @@ let placed (m : Model.t) (p : State.process) =
 let compare_placed (a, _) (b, _) = List.compare compare_place a b
 let by_place m processes = List.map snd (List.stable_sort compare_placed (List.map (placed m) processes))
 
-let first_by_place m processes =
-  let earlier first p = if compare_placed first p <= 0 then first else p in
+let first compare m processes =
+  let earlier first p = if compare first p <= 0 then first else p in
   match List.map (placed m) processes with
   | [] -> None
   | p :: rest -> Some (snd (List.fold_left earlier p rest))
+
+let first_by_place m processes = first compare_placed m processes
+
+let compare_moving ((_, p) as one) ((_, q) as two) =
+  match Scc_exact.Vec.compare p.State.velocity q.State.velocity with 0 -> compare_placed one two | c -> c
+
+let first_by_velocity m processes = first compare_moving m processes

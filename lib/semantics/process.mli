@@ -64,3 +64,6 @@ val by_place : Model.t -> State.process list -> State.process list
 
 val first_by_place : Model.t -> State.process list -> State.process option
 (** The first one of them. *)
+
+val first_by_velocity : Model.t -> State.process list -> State.process option
+(** The one with the least velocity, and of those with one velocity the first by place (rule Lot). *)

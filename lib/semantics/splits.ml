@@ -75,18 +75,18 @@ let rec side_by_side all =
   let left = function [ last ] -> [ last ] | list -> List.tl list in
   let now = List.concat_map List.hd all in
   if List.for_all (fun ways -> List.compare_length_with ways 1 = 0) all then [ now ]
-  else now :: side_by_side (Long_list.map left all)
+  else now :: side_by_side (List.map left all)
 
 (* Of several processes at once. *)
 let released c all =
-  let pieces (p, ways) = fall_apart c p (Long_list.map release ways) (List.concat_map continuations ways) in
+  let pieces (p, ways) = fall_apart c p (List.map release ways) (List.concat_map continuations ways) in
   let ways = List.concat_map snd all in
   let by_bond (r : Transition.release) (s : Transition.release) = State.compare_bond r.bond s.bond in
   {
     Transition.rule = Rule.Weak_split;
-    label = Weak_split (List.sort by_bond (Long_list.map release ways));
-    fired = side_by_side (Long_list.map summands ways);
-    gone = Long_list.map fst all;
+    label = Weak_split (List.sort by_bond (List.map release ways));
+    fired = side_by_side (List.map summands ways);
+    gone = List.map fst all;
     come = List.sort State.compare_first (List.concat_map pieces all);
   }
 
@@ -167,8 +167,8 @@ let release_all c all =
     List.concat_map (fun others -> List.map (fun way -> way :: others) ways) found
   in
   let every all = List.map List.rev (List.fold_left with_each [ [] ] all) in
-  let of_process (p, bonds) = List.map (fun ways -> (p, ways)) (every (Long_list.map (ways m p) bonds)) in
-  List.map (released c) (every (Long_list.map of_process all))
+  let of_process (p, bonds) = List.map (fun ways -> (p, ways)) (every (List.map (ways m p) bonds)) in
+  List.map (released c) (every (List.map of_process all))
 
 let lots (c : Semantics.t) (due : Lots.due) =
   let m = Semantics.model c in

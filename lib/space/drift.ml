@@ -5,13 +5,12 @@ open Scc_property
 
 type t = {
   model : Model.t;
-  axes : Vec.axis list;  (** along which groups may be apart *)
   may_push : Behaviour.t -> bool;  (** what it releases, now or later *)
   coordinates : (Vec.axis * int * Places_seen.limits) list;
   distances : (int, Places_seen.limits) Hashtbl.t array;  (** by a leaf, and by the other one *)
-  extents : (Vec.t * Vec.t) Lazy.t array;  (** of a leaf, about its reference point: the least box around it *)
+  corners : Vec.t array Lazy.t array;  (** of a leaf, about its reference point *)
   fence : (Vec.t * Vec.t) option;
-  (** the least box around all that is fixed: whoever is in it is not apart from that *)
+  (** the least box around all that is fixed: who is in it is left alone until it comes out, which saves looking *)
 }
 
 (** {1 Where it is used} *)
@@ -30,29 +29,31 @@ let least_and_greatest a b =
   let each f (v : Vec.t) (w : Vec.t) = Vec.make (f v.x w.x) (f v.y w.y) (f v.z w.z) in
   (each Rat.min (fst a) (fst b), each Rat.max (snd a) (snd b))
 
-(* The reference point is in it: who is first is told by those (rule Lot). *)
-let extent (leaf : Model.leaf) =
-  let corners (p : Model.part) =
+let corners (leaf : Model.leaf) =
+  let of_part (p : Model.part) =
     List.init (Array.length p.solid.Solid.vertices) (fun i -> Vec.add p.offset (Solid.vertex p.solid i))
   in
-  let points = Vec.zero :: List.concat_map corners (Array.to_list leaf.parts) in
-  List.fold_left (fun box v -> least_and_greatest box (v, v)) (Vec.zero, Vec.zero) points
+  Array.of_list (List.concat_map of_part (Array.to_list leaf.parts))
 
-let box extent (p : State.process) =
-  let of_leaf (l : State.leaf) =
-    let low, high = extent l.leaf in
-    (Vec.add l.position low, Vec.add l.position high)
+let box corners (p : State.process) =
+  let around box (l : State.leaf) =
+    Array.fold_left
+      (fun box v ->
+         let v = Vec.add l.position v in
+         least_and_greatest box (v, v))
+      box (corners l.leaf)
   in
-  Array.fold_left (fun box l -> least_and_greatest box (of_leaf l)) (of_leaf p.leaves.(0)) p.leaves
+  let place = p.leaves.(0).position in
+  Array.fold_left around (place, place) p.leaves
 
 let is_fixed (m : Model.t) (p : State.process) =
   Array.exists (fun (l : State.leaf) -> m.leaves.(l.leaf).fixed) p.leaves
 
-let fence m extent (s : State.t) =
+let fence m corners (s : State.t) =
   let around known p =
     if not (is_fixed m p) then known
     else
-      let box = box extent p in
+      let box = box corners p in
       Some (Option.fold ~none:box ~some:(least_and_greatest box) known)
   in
   Array.fold_left around None s.processes
@@ -91,23 +92,20 @@ let make (m : Model.t) (initial : State.t) checks =
   let seen = Places_seen.checks m checks in
   if m.steered || Model.has_turns m || (not on_a_grid) || Places_seen.everything seen then None
   else
-    let extents = Array.map (fun leaf -> lazy (extent leaf)) m.leaves in
-    let fence = fence m (fun leaf -> Lazy.force extents.(leaf)) initial in
+    let corners = Array.map (fun leaf -> lazy (corners leaf)) m.leaves in
+    let fence = fence m (fun leaf -> Lazy.force corners.(leaf)) initial in
     (* Nobody collides for ever without something fixed. *)
-    let somebody_is_out = Option.is_some fence && not (all_inside m fence initial.processes) in
-    if not (has_prefix m initial goes_on || somebody_is_out) then None
+    if not (has_prefix m initial goes_on || Option.is_some fence) then None
     else
       let may_push = has_prefix m initial pushing in
       Some
         {
           model = m;
-          (* who draws first is told by x *)
-          axes = (if m.lots then [ Vec.X ] else [ X; Y; Z ]);
           may_push =
             (fun term -> may_push && Behaviour.some_prefix m.definitions ~behind:(fun _ -> true) pushing term);
           coordinates = Places_seen.coordinates seen;
           distances = by_leaf m (Places_seen.distances seen);
-          extents; fence;
+          corners; fence;
         }
 
 (** {1 Groups} *)
@@ -126,8 +124,7 @@ type group = {
   anchored : bool;  (** it is not moved: something in it is fixed, or where it is can be seen *)
   pushes : bool;
   sums : sums;
-  low : Vec.t;
-  high : Vec.t;
+  points : (Vec.t * Vec.t array) list;  (** {!Recession.t} *)
   velocity : Vec.t;  (** of its centre of mass; 0 if anchored: it takes momentum from what is fixed *)
   spread2 : Rat.t option;
   (** none of its leaves ever moves faster against that velocity than the root of this; [None]: nothing is known *)
@@ -163,7 +160,6 @@ let with_motion g =
   { g with velocity; spread2 }
 
 let single d i (p : State.process) =
-  let low, high = box (fun leaf -> Lazy.force d.extents.(leaf)) p in
   let of_leaf (l : State.leaf) =
     let leaf = d.model.leaves.(l.leaf) in
     if leaf.fixed then nothing
@@ -184,13 +180,12 @@ let single d i (p : State.process) =
       anchored = is_fixed d.model p;
       pushes = List.exists (fun (l : State.leaf) -> d.may_push l.behaviour.term) leaves;
       sums = List.fold_left (fun sums l -> add sums (of_leaf l)) nothing leaves;
-      low; high;
+      points = List.map (fun (l : State.leaf) -> (l.position, Lazy.force d.corners.(l.leaf))) leaves;
       velocity = Vec.zero;
       spread2 = None;
     }
 
 let join g h =
-  let low, high = least_and_greatest (g.low, g.high) (h.low, h.high) in
   with_motion
     {
       g with
@@ -199,15 +194,8 @@ let join g h =
       anchored = g.anchored || h.anchored;
       pushes = g.pushes || h.pushes;
       sums = add g.sums h.sums;
-      low; high;
+      points = List.rev_append g.points h.points;
     }
-
-(* Whether d > sqrt a + sqrt b, for a, b >= 0. *)
-let exceeds d a b =
-  Rat.sign d > 0
-  &&
-  let rest = Rat.sub (Rat.mul d d) (Rat.add a b) in
-  Rat.sign rest > 0 && Rat.compare (Rat.mul rest rest) (Rat.mul (Rat.of_int 4) (Rat.mul a b)) > 0
 
 (** {1 Apart for ever} *)
 
@@ -228,37 +216,36 @@ let limit d g h =
   in
   List.fold_left to_others (Some Rat.zero) g.leaves
 
-(* Along an axis, whoever is ahead stays ahead, and gets farther. *)
-let apart_along axis ~limit g h a b =
-  let at = Vec.component axis in
-  let ahead g h =
-    let gap = Rat.sub (at h.low) (at g.high) in
-    Rat.sign gap > 0
-    && Rat.compare (Rat.mul gap gap) limit > 0
-    && exceeds (Rat.sub (at h.velocity) (at g.velocity)) a b
-  in
-  ahead g h || ahead h g
+let unit : Vec.axis -> Vec.t = function
+  | X -> Vec.of_ints 1 0 0
+  | Y -> Vec.of_ints 0 1 0
+  | Z -> Vec.of_ints 0 0 1
 
 let apart d g h =
   (not (g.anchored && h.anchored))
   &&
   match (g.spread2, h.spread2) with
   | Some a, Some b -> (
-      let along limit = List.exists (fun axis -> apart_along axis ~limit g h a b) d.axes in
+      let one = { Recession.points = g.points; velocity = g.velocity; spread2 = a } in
+      let two = { Recession.points = h.points; velocity = h.velocity; spread2 = b } in
+      let by margin = Recession.for_ever ~margin one two in
       (* Which distances are asked about takes longer to see. *)
-      along Rat.zero && match limit d g h with Some limit -> along limit | None -> false)
+      by Rat.zero
+      &&
+      match limit d g h with
+      | Some limit -> Rat.sign limit = 0 || by (Rat.root limit)
+      | None -> false)
   | None, _ | _, None -> false
 
 (* All of its coordinates that are compared with constants are beyond these, and stay so. *)
 let settled d g =
   let is_settled (axis, leaf, (limits : Places_seen.limits)) =
-    let at = Vec.component axis in
     match (limits, g.spread2) with
     | _, _ when not (has g leaf) -> true
     | Between (low, high), Some s ->
-      let v = at g.velocity in
-      (Rat.compare (at g.low) high > 0 && exceeds v s Rat.zero)
-      || (Rat.compare (at g.high) low < 0 && exceeds (Rat.neg v) s Rat.zero)
+      let v = Vec.component axis g.velocity and first, last = Recession.range g.points (unit axis) in
+      Recession.exceeds (Rat.mul v v) s Rat.zero
+      && if Rat.sign v > 0 then Rat.compare first high > 0 else Rat.compare last low < 0
     | All, _ | _, None -> false
   in
   List.for_all is_settled d.coordinates
@@ -284,18 +271,20 @@ let sees_far m (initial : State.t) checks =
   &&
   match make m initial [] with
   | None -> false
-  | Some d -> (not (all_inside m d.fence initial.processes)) && List.length (groups d initial.processes) > 1
+  | Some d -> List.compare_length_with (groups d initial.processes) 1 > 0
 
 (** {1 Where they are placed} *)
 
-let moved by g = { g with low = Vec.add g.low by; high = Vec.add g.high by }
+let moved by g = { g with points = List.map (fun (place, around) -> (Vec.add place by, around)) g.points }
 
 let rec all_apart d = function
   | [] -> true
   | g :: rest -> List.for_all (apart d g) rest && all_apart d rest
 
-(* Where it comes to at a time, if its least corner is in the origin at 0. *)
-let shift time g = Vec.sub (Vec.scale time g.velocity) g.low
+(* Where it comes to at a time, if its first leaf is in the origin at 0. *)
+let shift time g =
+  let first least (place, _) = if Vec.compare place least < 0 then place else least in
+  Vec.sub (Vec.scale time g.velocity) (List.fold_left first (fst (List.hd g.points)) g.points)
 
 (* Bits. Where velocities are longer, they grow, so that states do not recur; and each comparison takes long.
    States of which one stands for the other have the same velocities. *)

@@ -1,12 +1,12 @@
 (** Bodies that never meet again (rule Drift): how far apart groups of processes are is not told apart when, along
-    an axis, they are apart and get farther for ever, whatever happens within them.
+    some direction, they are apart and get farther for ever, whatever happens within them.
 
     {1 Which groups}
 
     Each group has a velocity: that of its centre of mass, or 0 when something in it is fixed. Binds, bounces and
     splits never add kinetic energy, so that no leaf of it is ever faster against that velocity than its energy in
-    this frame allows. Two groups are apart when, along an axis, the least box around the one begins above where
-    that around the other ends, and the difference of the velocities is more than both may spread. The groups of a
+    this frame allows. Two groups are apart when they recede from each other for ever
+    ({!Recession.for_ever}). The groups of a
     state are the finest partition of its processes of which each two are apart: whatever happens next, groups of
     what comes of them are as fine at least, so that the groups of two states that differ by translations of groups
     go on to be those of two such states.

@@ -87,6 +87,10 @@ class Lots:
 
     # Who is first.
 
+    def goes_first(self, process: Process) -> Any:
+        """By which processes are compared: by their velocities, then as in Draw."""
+        return process.velocity, self.place(process)  # type: ignore[attr-defined]
+
     def place_of(self, process: Process, end: End) -> Any:
         """By which ends are compared: by their leaves as in Draw, then by their features."""
         name, (part, feature) = end
@@ -110,7 +114,7 @@ class Lots:
         waiting = [p for p in state.processes if p.lots]
         if not waiting:
             return []
-        process = min(waiting, key=self.place)  # type: ignore[attr-defined]
+        process = min(waiting, key=self.goes_first)
         lots = self.in_order(process, process.lots)
         undecided = [lot for lot in lots if lot.decided == UNDECIDED]
         if undecided:

@@ -3,7 +3,6 @@ open Scc_exact
 open Scc_polyhedra
 open Scc_calculus
 open Scc_where
-open Scc_drawing
 open Where_samples.Samples
 module G = QCheck2.Gen
 
