@@ -49,12 +49,13 @@ class Expected:
 
 
 def started(scc, arguments, at_work):
-    """A command, whose work has begun if that is wanted."""
-    p = subprocess.Popen(in_words(scc, *arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
+    """A command, whose work has begun if that is wanted. What it writes is in a file: a pipe would hold it up."""
+    out = tempfile.TemporaryFile()
+    p = subprocess.Popen(in_words(scc, *arguments), stdout=out, stderr=subprocess.PIPE, start_new_session=True)
     if at_work:
         begun = ('ray::Owner', 'ray::do_part')
         awaited(lambda: p.poll() is not None or any(title(k).startswith(begun) for k in children(p.pid)), 120)
-    return p
+    return p, out
 
 
 def victim_of(p, target, rand):
@@ -67,14 +68,18 @@ def victim_of(p, target, rand):
     return None
 
 
-def ended(p, all_of_it, begin, within):
+def ended(p, written, all_of_it, within):
+    """What it has written, the last that it says, and what is wrong with its end."""
     try:
-        out, said = p.communicate(timeout=within)
+        said = p.communicate(timeout=within)[1]
     except subprocess.TimeoutExpired:
         os.killpg(p.pid, signal.SIGKILL)
         for pid in there(all_of_it):
             os.kill(pid, signal.SIGKILL)
         return b'', '', ['it has not ended within %.0f s' % within]
+    written.seek(0)
+    out = written.read()
+    written.close()
     left = [] if awaited(lambda: not there(all_of_it), 20) else ['processes are left']
     return out, (said.decode(errors='replace').strip().splitlines() or [''])[-1][:100], left
 
@@ -85,13 +90,13 @@ def killed(scc, expected, times):
         for target in TARGETS:
             for arguments in (CHECK, SIMULATE, SWEEP):
                 at_work = rand.random() < 0.8
-                p = started(scc, arguments, at_work)
+                p, written = started(scc, arguments, at_work)
                 at = rand.uniform(0, 5)
                 time.sleep(at)
-                victim, all_of_it, begin = victim_of(p, target, rand), children(p.pid), time.time()
+                victim, all_of_it = victim_of(p, target, rand), children(p.pid)
                 if victim is not None:
                     os.kill(victim, signal.SIGKILL)
-                out, said, wrong = ended(p, all_of_it, begin, 240)
+                out, said, wrong = ended(p, written, all_of_it, 240)
                 wrong = wrong or expected.wrong(arguments, p.returncode, out)
                 when = '%.1f s after %s' % (at, 'its work began' if at_work else 'its start')
                 what = '%s %d: %s killed %s' % (arguments[0], k, target if victim else 'nothing', when)
@@ -104,16 +109,15 @@ def signalled(scc, expected, times):
     for k in range(times):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             for arguments in (CHECK, SIMULATE, SWEEP):
-                p = started(scc, arguments, True)
+                p, written = started(scc, arguments, True)
                 lost = rand.random() < 0.5 and victim_of(p, rand.choice(['raylet', 'gcs']), rand)
                 all_of_it = children(p.pid)
                 if lost:
                     os.kill(lost, signal.SIGKILL)
                     time.sleep(rand.uniform(0, 10))
                 over = p.poll() is not None
-                begin = time.time()
                 p.send_signal(number)
-                out, said, wrong = ended(p, all_of_it, begin, 60)
+                out, said, wrong = ended(p, written, all_of_it, 60)
                 wrong = wrong or expected.wrong(arguments, p.returncode, out)
                 what = '%s: %s%s' % (arguments[0], signal.Signals(number).name, ' after a loss' if lost else '')
                 tell('%s, code %s%s: %s' % (what, p.returncode, ' before it' if over else '', said), wrong)
