@@ -19,7 +19,8 @@ def native_notices():
     os.write(1, b"notice\n")
     os.write(2, b"notice\n")
     sys.stderr.write("notice\n")
-    subprocess.run([sys.executable, "-c", "import os; os.write(1, b'notice'); os.write(2, b'notice')"], check=False)
+    program = "import os; os.write(1, b'notice'); os.write(2, b'notice')"
+    subprocess.run([sys.executable, "-c", program], check=False)
 
 
 def deaf():
