@@ -1,12 +1,17 @@
 """A program within the guard whose worker does what it is told: ``python guarded.py WAY [CODE]``."""
 
+import importlib.util
 import os
 import signal
 import subprocess
 import sys
 import time
 
-from shapecalculus import _guard
+# Without the rest of the package, as this is started very often.
+SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "src", "shapecalculus", "_guard.py")
+spec = importlib.util.spec_from_file_location("_guard", SOURCE)
+_guard = sys.modules["_guard"] = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(_guard)
 
 REPORT = b"report\n"
 SLEEP = [sys.executable, "-c", "import time; time.sleep(600)"]
