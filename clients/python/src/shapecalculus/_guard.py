@@ -260,7 +260,7 @@ class Guard:
 
     def say(self, text: str, end: Optional[float] = None) -> None:
         """On standard error. What cannot be written is given up: the exit code tells it as well."""
-        if text and 2 not in self.closed:
+        if text:
             clear = "\r\033[K" if os.isatty(2) else ""
             words = "%s%s: %s\n" % (clear, self.program.name, text)
             try:

@@ -15,11 +15,12 @@ from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 from ._files import Folder, place
+from ._guard import USAGE
 from ._levels import MOST_LEVELS, Exploration, Progress
 from ._parts import PartsProgress
 from ._ray import Gauges, connect, told
 from ._spread import simulate, sweep
-from ._waiting import ClusterFailed
+from ._waiting import MANY, ClusterFailed
 from .successors import Filter, FilterFailed, FilterLost
 
 __all__ = [
@@ -169,6 +170,8 @@ def check(
     Without it, and without an address, they are kept in a folder that is removed in the end. ``searches``: properties
     that are more than a search are left undecided, and not refused. ``options`` go to ``scc successors``; ``disturb``
     is called with each exploration once its owners are there (for tests)."""
+    if model == "-":
+        raise ClusterFailed(MANY, USAGE)
     given = arguments_of(defines or {}, checks, options)
     report = Report()
     with told(), tempfile.TemporaryDirectory() as scratch:
