@@ -40,13 +40,14 @@ class Expected:
                 self.known[name] = scc_bytes(self.scc, *arguments)
         return self.known[name]
 
-    def wrong(self, arguments, code, out):
+    def wrong(self, arguments, code, out, begun=True):
+        """Of a command that has begun to work, or that may have been hit while Ray started."""
         text, finished = self.of(arguments)
         if code in (0, 1, 2):
             same = code == finished and (report_of(out) if arguments[0] == 'check' else out) == text
             return [] if same else ['code %d, with another report' % code]
-        begun = out == b'' if arguments[0] == 'check' else text.startswith(out)
-        return ([] if code == 4 else ['code %d' % code]) + ([] if begun else ['it writes what scc does not'])
+        prefix = out == b'' if arguments[0] == 'check' else text.startswith(out)
+        return ([] if code == 4 or code == 69 and not begun else ['code %d' % code]) + ([] if prefix else ['it writes what scc does not'])
 
 
 def started(scc, arguments, at_work):
@@ -98,7 +99,7 @@ def killed(scc, expected, times):
                 if victim is not None:
                     os.kill(victim, signal.SIGKILL)
                 out, said, wrong = ended(p, written, all_of_it, 240)
-                wrong = wrong or expected.wrong(arguments, p.returncode, out)
+                wrong = wrong or expected.wrong(arguments, p.returncode, out, at_work)
                 when = '%.1f s after %s' % (at, 'its work began' if at_work else 'its start')
                 what = '%s %d: %s killed %s' % (arguments[0], k, target if victim else 'nothing', when)
                 tell('%s, code %s: %s' % (what, p.returncode, said), wrong)

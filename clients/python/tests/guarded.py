@@ -67,8 +67,8 @@ def main(way, *numbers):
             out(REPORT)
         WAYS[way](*([] if way in ("verdict", "slow-ending") else map(int, numbers)))
         out(REPORT)
-        for _ in range(400 if way == "many" else 0):
-            out(b"x" * 999 + b"\n")
+        for _ in range(4 if way == "many" else 0):
+            out(b"x" * 99_999 + b"\n")  # more than a pipe holds
         return int(numbers[0]) if way in ("verdict", "slow-ending") else 0
 
     def ending():
