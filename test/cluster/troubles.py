@@ -14,6 +14,7 @@ def commands(scc):
     for what, expected, arguments in [
             ('no model', 3, ['no.sc']),
             ('no property', 3, [BONDS, '--check', 'none']),
+            ('a model that is read once', 64, ['-']),
             ('no owners', 64, [BONDS, '--owners', '0']),
             ('no deadline', 64, [BONDS, '--deadline', 'inf']),
             ('more than a search', 64, [model('chain.sc')]),

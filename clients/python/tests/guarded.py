@@ -1,12 +1,17 @@
 """A program within the guard whose worker does what it is told: ``python guarded.py WAY [CODE]``."""
 
+import importlib.util
 import os
 import signal
 import subprocess
 import sys
 import time
 
-from shapecalculus import _guard
+# Without the rest of the package, as this is started very often.
+SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "src", "shapecalculus", "_guard.py")
+spec = importlib.util.spec_from_file_location("_guard", SOURCE)
+_guard = sys.modules["_guard"] = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(_guard)
 
 REPORT = b"report\n"
 SLEEP = [sys.executable, "-c", "import time; time.sleep(600)"]
@@ -19,7 +24,8 @@ def native_notices():
     os.write(1, b"notice\n")
     os.write(2, b"notice\n")
     sys.stderr.write("notice\n")
-    subprocess.run([sys.executable, "-c", "import os; os.write(1, b'notice'); os.write(2, b'notice')"], check=False)
+    program = "import os; os.write(1, b'notice'); os.write(2, b'notice')"
+    subprocess.run([sys.executable, "-c", program], check=False)
 
 
 def deaf():
@@ -61,8 +67,8 @@ def main(way, *numbers):
             out(REPORT)
         WAYS[way](*([] if way in ("verdict", "slow-ending") else map(int, numbers)))
         out(REPORT)
-        for _ in range(400 if way == "many" else 0):
-            out(b"x" * 999 + b"\n")
+        for _ in range(4 if way == "many" else 0):
+            out(b"x" * 99_999 + b"\n")  # more than a pipe holds
         return int(numbers[0]) if way in ("verdict", "slow-ending") else 0
 
     def ending():

@@ -6,7 +6,7 @@ import types
 import unittest
 
 from shapecalculus._parts import NO_PART, Done, Spread, Work, header, run, understood
-from shapecalculus._waiting import ClusterFailed
+from shapecalculus._waiting import ClusterFailed, answers, ready
 
 from .support import program
 
@@ -145,6 +145,49 @@ class Parts(unittest.TestCase):
         texts = [done.text.decode() for done in self.all_of(does)]
         self.assertEqual(texts, [FIRST + "%d/3\n" % k for k in (1, 2, 3)])
         self.assertEqual(len(tried), 9)
+
+
+class Slow(Exception):
+    pass
+
+
+class Nodes:
+    """A Ray that answers at the third time it is asked, and one of whose nodes is that of this process."""
+
+    exceptions = types.SimpleNamespace(GetTimeoutError=Slow)
+
+    def __init__(self, *alive):
+        self.alive, self.asked = alive, 0
+
+    def nodes(self):
+        return [{"NodeID": str(k), "Alive": alive} for k, alive in enumerate(self.alive)]
+
+    def get_runtime_context(self):
+        return types.SimpleNamespace(get_node_id=lambda: "1")
+
+    def get(self, futures, timeout):
+        self.asked += 1
+        if self.asked < 3:
+            raise Slow
+        return futures
+
+    def wait(self, futures, num_returns, timeout):
+        self.asked += 1
+        return (futures[:1], futures[1:]) if self.asked == 3 else ([], futures)
+
+
+class Waiting(unittest.TestCase):
+    def test_as_long_as_there_is_a_node(self):
+        self.assertEqual(answers(Nodes(False, True), ["a", "b"]), ["a", "b"])
+        self.assertEqual(ready(Nodes(True, True), ["a", "b"]), ["a"])
+
+    def test_not_for_what_is_lost(self):
+        """Ray would wait for ever."""
+        for alive in ((), (True, False), (False,)):
+            for wait in (answers, ready):
+                with self.subTest((alive, wait)), self.assertRaisesRegex(ClusterFailed, "is lost") as caught:
+                    wait(Nodes(*alive), ["a"])
+                self.assertEqual(caught.exception.code, 4)
 
 
 if __name__ == "__main__":

@@ -9,8 +9,9 @@ from ._guard import USAGE, Failed
 
 EXITS = """exit codes: 0 all hold, all runs came to their end, or all points are decided; 1 a property is violated; 2
 something is undecided, a run was over early, or a point is invalid; 3 the model is invalid, or a checkpoint is of other
-work or damaged; 4 interrupted, or an owner or a part is lost for good; 64 a wrong command line, or a property that is
-not served; 69 the cluster does not answer; 70 a fault of the program; 74 something cannot be written"""
+work or damaged; 4 interrupted, a limit of resources, or an owner, a part or the cluster is lost for good, or nobody
+reads the output; 64 a wrong command line, or a property that is not served; 69 the cluster does not answer; 70 a fault
+of the program; 74 something cannot be written"""
 
 LIKE = (
     "What it writes is what `scc %s' does, on however many processors; see `scc %s --help' for what is asked for."

@@ -10,6 +10,7 @@ import time
 from typing import Any, Callable, List, Optional
 
 from . import cluster
+from ._guard import FAULT, STOPPED, UNWRITTEN, Failed
 from ._spread import Outcome, Place, simulated, swept
 
 #: What writes to standard output.
@@ -79,6 +80,9 @@ def write(report: cluster.Report, folder: str) -> None:
 
 def code_of(report: cluster.Report) -> int:
     kinds = {v.kind for v in report.properties}
+    for prefix, code in ((cluster.REFUSED, FAULT), (cluster.LOST, STOPPED)):
+        if any(reason.startswith(prefix) for v in report.properties for reason in v.reasons):
+            return code
     if "violated" in kinds:
         return 1
     return 2 if "undecided" in kinds or (not report.properties and not report.complete) else 0
@@ -100,10 +104,16 @@ def check(given: Any, out: Write) -> int:
         progress=shown(time.time()),
     )
     clear()
-    if given.witness:
-        write(report, given.witness)
+    unwritten: Optional[OSError] = None
+    try:
+        if given.witness:
+            write(report, given.witness)
+    except OSError as e:
+        unwritten = e  # The report is told all the same.
     text = as_json(report) if given.json else as_text(report)
     out(text.encode("utf-8", "backslashreplace"))
+    if unwritten is not None:
+        raise unwritten
     return code_of(report)
 
 
@@ -118,11 +128,14 @@ class File:
         self.file: Optional[io.FileIO] = None
 
     def write(self, data: bytes) -> None:
-        if self.file is None:
-            self.file = open(self.path, "wb", buffering=0)
-        left = memoryview(data)
-        while left:
-            left = left[self.file.write(left) :]
+        try:
+            if self.file is None:
+                self.file = open(self.path, "wb", buffering=0)
+            left = memoryview(data)
+            while left:
+                left = left[self.file.write(left) :]
+        except OSError as e:
+            raise Failed("cannot write: %s: %s" % (self.path, e.strerror or e), UNWRITTEN) from None
 
 
 def counted() -> Optional[Callable[[cluster.PartsProgress], None]]:

@@ -1,10 +1,11 @@
 """The outermost guard of a program: the exit codes 0, 1 and 2 come from finished verdicts only.
 
 The work is done by a process of its own, the *worker*. It hands over what it writes, and at last its verdict, by a
-pipe that nobody else has. The guard alone has the standard output, and alone decides on the exit code. So it does not
-matter how the worker ends, what a library prints, or which of its descriptors are closed: without a verdict, and
-all output before it written, there is none. The guard hears SIGINT, SIGTERM and SIGHUP at any time. Then, and at
-the end, it ends the worker and all processes that it has started. If the guard is lost, they end as well.
+pipe that nobody else has. The guard alone has the standard output, and alone decides on the exit code. It gives the
+code of a verdict only when it has a verdict, and has written all output before it. So it does not matter how the
+worker ends, what a library prints, or which descriptors the worker closes. The guard hears SIGINT, SIGTERM and
+SIGHUP at any time. Then, and at the end, it ends the worker and all processes of the worker's session. If the guard
+is lost, they end as well.
 """
 
 from __future__ import annotations
@@ -88,7 +89,7 @@ def told(e: BaseException, advice: str) -> Tuple[int, str]:
 
 
 def reserve() -> List[int]:
-    """Standard streams that are closed, and are opened as nothing here, or other files would take their numbers."""
+    """The standard streams that are closed. They are opened as nothing, or other files would take their numbers."""
     closed = []
     for fd in (0, 1, 2):
         try:
@@ -146,8 +147,8 @@ def _work(program: Program, channel: int, guard: int, scratch: Optional[str]) ->
     def stop(number: int, frame: Any) -> None:
         raise KeyboardInterrupt
 
-    # A terminal tells the guard alone, as this is another session. The guard tells by SIGINT: of SIGTERM Ray makes an
-    # account of a crash.
+    # A terminal tells the guard alone, as this is another session. The guard tells by SIGINT: at SIGTERM Ray writes
+    # the account of a crash.
     for name in HEARD:
         signal.signal(getattr(signal, name), stop if name == "SIGINT" else signal.SIG_IGN)
     nothing = os.open(os.devnull, os.O_RDONLY)
@@ -259,7 +260,7 @@ class Guard:
 
     def say(self, text: str, end: Optional[float] = None) -> None:
         """On standard error. What cannot be written is given up: the exit code tells it as well."""
-        if text and 2 not in self.closed:
+        if text:
             clear = "\r\033[K" if os.isatty(2) else ""
             words = "%s%s: %s\n" % (clear, self.program.name, text)
             try:

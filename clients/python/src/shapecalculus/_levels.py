@@ -126,7 +126,8 @@ class Exploration:
             return answers(self.ray, futures)
         except self.ray.exceptions.RayTaskError as e:
             cause = e.cause if isinstance(e.cause, Exception) else e
-            if isinstance(cause, (self.ray.exceptions.ObjectLostError, self.ray.exceptions.RayActorError, FilterLost)):
+            lost = self.ray.exceptions
+            if isinstance(cause, (lost.ObjectLostError, lost.RayActorError, FilterLost)):
                 raise Lost(str(cause)) from None
             if isinstance(cause, (FilterFailed, BadFile)):
                 raise ClusterFailed(str(cause), 3) from None

@@ -10,10 +10,11 @@ from typing import Any, Callable, List, Mapping, Optional, Sequence
 
 from . import numbers
 from ._files import Folder
+from ._guard import USAGE
 from ._parts import Done, PartsProgress, Spread, Work, failed, header, run, understood
 from ._service import scc_path
 from ._ray import Gauges, connect, told
-from ._waiting import ClusterFailed
+from ._waiting import MANY, ClusterFailed
 from .sweeps import Record, lines_of, sweep_records
 
 
@@ -49,7 +50,7 @@ def spread(work: Work, runs: Optional[int], where: Place, write: Callable[[bytes
     """Writes what ``scc`` would, from the first line on, as soon as all before it is there. ``runs`` of a simulation;
     a sweep has as many points as its grid."""
     if work.model == "-":
-        raise ClusterFailed("the model is read by many: it has to be a file", 64)
+        raise ClusterFailed(MANY, USAGE)
     with told():
         asked = header(work, "jsonl")
         first_line = asked.text if work.form == "jsonl" else header(work, "csv").text

@@ -10,6 +10,8 @@ from ._guard import STOPPED, Failed
 LONG = 5.0
 #: What is lost so often, an owner in one level or a task, is no accident.
 MOST_TRIES = 20
+#: Why a model on standard input is refused.
+MANY = "the model is read by many: it has to be a file"
 
 
 class ClusterFailed(Failed):

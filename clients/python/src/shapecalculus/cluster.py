@@ -12,15 +12,16 @@ from __future__ import annotations
 import os
 import tempfile
 from dataclasses import dataclass, field
-from typing import Any, Callable, Dict, List, Optional, Sequence
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 from ._files import Folder, place
+from ._guard import USAGE
 from ._levels import MOST_LEVELS, Exploration, Progress
 from ._parts import PartsProgress
 from ._ray import Gauges, connect, told
 from ._spread import simulate, sweep
-from ._waiting import ClusterFailed
-from .successors import Filter
+from ._waiting import MANY, ClusterFailed
+from .successors import Filter, FilterFailed, FilterLost
 
 __all__ = [
     "ClusterFailed",
@@ -34,6 +35,11 @@ __all__ = [
     "simulate",
     "sweep",
 ]
+
+
+#: Reasons why a verdict that a run would show has none. What follows is what scc says.
+REFUSED = "its run could not be rebuilt: this is a fault of scc: "
+LOST = "its run could not be rebuilt, as scc was lost: "
 
 
 class NotServed(ClusterFailed):
@@ -164,6 +170,8 @@ def check(
     Without it, and without an address, they are kept in a folder that is removed in the end. ``searches``: properties
     that are more than a search are left undecided, and not refused. ``options`` go to ``scc successors``; ``disturb``
     is called with each exploration once its owners are there (for tests)."""
+    if model == "-":
+        raise ClusterFailed(MANY, USAGE)
     given = arguments_of(defines or {}, checks, options)
     report = Report()
     with told(), tempfile.TemporaryDirectory() as scratch:
@@ -207,10 +215,10 @@ def explored(
     report: Report,
 ) -> None:
     lines = Filter(model, given, scc=scc, framing="lines")
+    lines.close()  # until there are runs to be shown
+    header = lines.header
     count = owners or max(1, int(ray.cluster_resources().get("CPU", 1)))
-    e = Exploration(
-        ray, os.path.abspath(model), given, scc, lines.header, count, folder, states, metrics(ray, progress)
-    )
+    e = Exploration(ray, os.path.abspath(model), given, scc, header, count, folder, states, metrics(ray, progress))
     try:
         p = e.run(disturb)
         report.states += p.states
@@ -219,21 +227,39 @@ def explored(
         report.complete = report.complete and p.complete
         report.dead_ends = sorted(set(report.dead_ends) | set(p.ends))
         report.faults = sorted(set(report.faults) | set(p.faults))
-        report.properties += [shown(c, p, states, lines, e) for c in lines.header["checks"] if not c["premise"]]
+        for c in header["checks"]:
+            if not c["premise"]:
+                goal = goal_shown(c["plan"], p)
+                choices = None if goal is None else e.choices(*p.met[goal])
+                schedule, why = (None, []) if choices is None else replayed(model, given, scc, goal, choices)
+                report.properties.append(shown(c, p, states, schedule, why))
         report.recovered += e.recovered
     finally:
         e.close()
-        lines.close()
 
 
-def shown(c: Any, p: Progress, states: int, lines: Filter, e: Exploration) -> Verdict:
+def replayed(
+    model: str, given: List[str], scc: Optional[str], goal: Any, choices: List[int]
+) -> Tuple[Optional[Any], List[str]]:
+    """The schedule of a run, or why there is none. The verdict does not depend on it."""
+    try:
+        lines = Filter(model, given, scc=scc, framing="lines")
+        try:
+            return lines.run(goal, choices)["schedule"], []
+        finally:
+            lines.close()
+    except FilterLost as e:
+        return None, [LOST + str(e)]
+    except FilterFailed as e:
+        return None, [REFUSED + str(e)]
+
+
+def shown(c: Any, p: Progress, states: int, schedule: Optional[Any], why: List[str]) -> Verdict:
     if c["plan"] is None:
         return Verdict(c["name"], c["formula"], "undecided", ["it is more than a search"], None)
-    goal = goal_shown(c["plan"], p)
-    schedule = None if goal is None else lines.run(goal, e.choices(*p.met[goal]))["schedule"]
     kind = verdict(c["plan"], p)
     reasons = reasons_of(p, states) if kind in ("undecided", "holds-up-to-bound") else []
-    return Verdict(c["name"], c["formula"], kind, reasons, schedule)
+    return Verdict(c["name"], c["formula"], kind, reasons + why, schedule)
 
 
 def metrics(ray: Any, progress: Optional[Callable[[Progress], None]]) -> Callable[[Progress], None]:

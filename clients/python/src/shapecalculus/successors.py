@@ -129,8 +129,9 @@ class Filter:
         self.said.seek(0)
         said = self.said.read().decode(errors="replace").strip()
         code = self.process.returncode
-        how = "the filter was ended by signal %d" % -code if code < 0 else "the filter ended with exit code %d" % code
-        return (FilterLost if code < 0 or code in (STOPPED, FAULT) else FilterFailed)(said or how)
+        how = "was ended by signal %d" % -code if code < 0 else "ended with exit code %d" % code
+        failure = FilterLost if code < 0 or code in (STOPPED, FAULT) else FilterFailed
+        return failure(said or "the filter " + how)
 
     def _end(self) -> None:
         try:
