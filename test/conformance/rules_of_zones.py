@@ -278,6 +278,16 @@ def ties(r):
            POCKET, (BIND, 'violated', part(4, F(1, 9), '-s <= 0, t <= 6, 2s - t <= -2')),
            ('always not bound(p, r)', 'violated', part(4, F(1, 9), '-s <= 0, t <= 6, 2s - t < -2')),
            ('(possibly bound(p, q)) and (possibly bound(p, r))', 'violated', part(0, 0)))
+    walls = (ranges(g=(0, 4)) + 'fixed east = Cube at translate (4 + g,0,0)\nfixed north = Cube at translate (0,26,0)\n'
+             'process p = Cube mass 1 velocity (1,0,0) [nil]\n'
+             'process r = Cube mass 1 velocity (0,1,0) at translate (0,20,0) [nil]\n')
+    east = 'event bounce(p, east)'
+    r.told('p is at its wall after 2 + g, and r at its own after 4: either may be next at g = 2.', walls,
+           ('EX ' + east, 'violated', part(2, F(1, 2), '-g <= 0, g <= 2')),
+           ('AX ' + east, 'violated', part(2, F(1, 2), '-g <= 0, g < 2')),
+           ('EX EX ' + east, 'violated', part(2, F(1, 2), '-g <= -2, g <= 4')),
+           ('E[ x(p) < 1 U x(p) >= 1 and EX %s ]' % east, 'violated', part(2, F(1, 2), '-g <= 0, g <= 2')),
+           ('EX EX EX true', 'violated', NOWHERE))
     r.told('Who comes first drives m away, who comes second drives it back to 0; at once, in turn, they undo each other.',
            LINE, ('possibly x(m) > 0', 'violated', part(2, F(1, 2), '-s <= -1, t <= 3, s - t < 0')),
            ('possibly x(m) < 0', 'violated', part(2, F(1, 2), '-t <= -1, s <= 3, -s + t < 0')),
@@ -314,6 +324,8 @@ def splits(r):
     r.told('Splits come at any instant, and may be put off for ever.', dimer(*FREE),
            ('possibly (event split(b) and time = 1/3)', 'holds'), ('possibly (event split(b) and time = 0)', 'holds'),
            ('eventually not bound(p, q)', 'violated'), ('EG bound(p, q)', 'holds'), ('AG EF not bound(p, q)', 'holds'))
+    r.told('What is next may come at any instant.', dimer(*FREE), ('EX (event split(b) and time = 1/3)', 'holds'),
+           ('AX time > 1/3', 'violated'), ('AX event split(b)', 'holds'), ('EX EX true', 'violated'))
     r.told('But not on the grid.', dimer(*FREE, step='1'), ('possibly (event split(b) and time = 1/3)', 'violated'))
     r.fault('Other requests look at the instants of a grid.', 'model.load', dimer(*FREE), 'SC0902')
     r.told('s is there at g: p is struck while released, and not open, by a split in (g - 1/2, g]; open by one up to g - 1/2. '

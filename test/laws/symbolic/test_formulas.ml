@@ -92,13 +92,6 @@ let next = ref 0
 
 let is_search f = Plan.is_search (Plan.of_formula f)
 
-let rec asks_what_is_next : Property.temporal -> bool = function
-  | State _ -> false
-  | Next _ -> true
-  | Temporal_not f | Finally (_, _, f) | Globally (_, _, f) -> asks_what_is_next f
-  | Temporal_and fs | Temporal_or fs -> List.exists asks_what_is_next fs
-  | Until (_, _, f, g) -> asks_what_is_next f || asks_what_is_next g
-
 let grid (s : Scene.t) : Model.splits =
   match s.splits with Grid -> Every Rat.one | Any -> Every (Rat.make Z.one (Z.of_int 2))
 
@@ -132,7 +125,7 @@ let at_point case standard report values =
       incr compared;
       if a then incr holding;
       if not (is_search o.check.formula) then incr branching;
-      if asks_what_is_next o.check.formula then incr next;
+      if Formula.mentions_next o.check.formula then incr next;
       if a <> b then fail values o (if a then "holds" else "is violated")
     | _ -> incr undecided
   in
