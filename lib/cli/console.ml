@@ -136,7 +136,7 @@ let note c line =
   progress_done c;
   if not c.json then begin
     flush c;
-    prerr_endline line
+    prerr_endline (Bidirectional.visible line)
   end
 
 let with_output ?(pieces = false) c ~path f =
@@ -148,5 +148,5 @@ let with_output ?(pieces = false) c ~path f =
     Ok result
 
 let answer c ~json ~text =
-  print c (if c.json then Scc_exchange.Json.pretty (json ()) else text ());
+  print c (if c.json then Scc_exchange.Json.pretty (json ()) else Bidirectional.visible (text ()));
   flush c
