@@ -10,6 +10,7 @@ let zero_denominator = "SC0107"
 let syntax = "SC0110"
 let too_deep = "SC0111"
 let empty_model = "SC0112"
+let direction = "SC0113"
 let unknown_name = "SC0201"
 let duplicate_name = "SC0202"
 let unknown_feature = "SC0203"
@@ -116,6 +117,7 @@ let all =
     (syntax, "text that does not fit the grammar");
     (too_deep, "nesting or repetition beyond the stated limit");
     (empty_model, "a model that declares nothing");
+    (direction, "a character that changes the direction in which a text is shown");
     (unknown_name, "a name that is not declared");
     (duplicate_name, "a name declared twice");
     (unknown_feature, "a feature that the shape does not have");

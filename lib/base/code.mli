@@ -37,6 +37,9 @@ val too_deep : t
 val empty_model : t
 (** SC0112: a model that declares nothing. *)
 
+val direction : t
+(** SC0113: a character that changes the direction in which a text is shown (a warning): see {!Direction}. *)
+
 
 (** {1 Names and values} *)
 

@@ -119,7 +119,7 @@ let report c diagnostics =
 
 let kept c = List.rev c.kept
 
-let note c line = complain c [ line ^ "\n" ]
+let note c line = complain c [ Bidirectional.visible line ^ "\n" ]
 
 let with_output ?(pieces = false) c ~path f =
   match path with
@@ -130,5 +130,5 @@ let with_output ?(pieces = false) c ~path f =
     Ok result
 
 let answer c ~json ~text =
-  print c (if c.json then Scc_exchange.Json.pretty (json ()) else text ());
+  print c (if c.json then Scc_exchange.Json.pretty (json ()) else Bidirectional.visible (text ()));
   flush c

@@ -109,7 +109,7 @@ let stopped ~seconds (stop : Scc_explore.Limits.stop) =
 
 (* The mesh, what was done to it, and its parts. *)
 let work console ~mend path =
-  let* source = Input.text console path in
+  let* source = Input.warned console path in
   let* set = Result.map_error (fun d -> [ d ]) (Scc_mesh.Mesh.read ~path (Source.text source)) in
   let* set, mended = Mend_options.apply mend set in
   let* t = Result.map_error (diagnostics set) (Decomposed.make ~progress:(show console) set) in

@@ -7,7 +7,7 @@ let ( let* ) = Result.bind
 type mode = Print | Check | In_place
 
 let formatted console path =
-  let* source = Input.text console path in
+  let* source = Input.warned console path in
   let* after = Scc_notation.Notation.canonical source in
   Ok (Source.text source, after)
 

@@ -47,6 +47,11 @@ let text console path =
   Console.add_source console source;
   Ok source
 
+let warned console path =
+  let* source = text console path in
+  Console.report console (Direction.warnings source);
+  Ok source
+
 let mesh_reader console model name =
   let file =
     if Filename.is_relative name then Filename.concat (Filename.dirname model) name else name

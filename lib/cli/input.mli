@@ -16,6 +16,9 @@ val mesh_reader : Console.t -> string -> Scc_session.Loaded.reader
 val text : Console.t -> string -> (Source.t, Diag.t list) result
 (** The same, and the text becomes known to the console. *)
 
+val warned : Console.t -> string -> (Source.t, Diag.t list) result
+(** The same, and what {!Direction.warnings} finds is reported: for commands that read a text and load no model. *)
+
 val check_overrides : string list -> (unit, Diag.t list) result
 (** Of the names of the parameters that are given values: no two for one (SC0212). *)
 

@@ -15,17 +15,17 @@ let split argument =
   | _ -> (argument, None)
 
 let template console ~overrides path name =
-  let* source = Input.text console path in
+  let* source = Input.warned console path in
   let* tree = Scc_notation.Notation.model source in
   let read_file = Input.mesh_reader console path in
   Scc_elaborate.Template_set.find ~read_file ~overrides ~asked_at:Span.command_line tree name
 
 let mesh console path =
-  let* source = Input.text console path in
+  let* source = Input.warned console path in
   Result.map_error (fun d -> [ d ]) (Scc_mesh.Mesh.read ~path (Source.text source))
 
 let templates_of console path =
-  let* source = Input.text console path in
+  let* source = Input.warned console path in
   let* tree = Scc_notation.Notation.model source in
   let names = Scc_elaborate.Template_set.names tree in
   let hint = Printf.sprintf "name one of them: %s:%s" path (match names with n :: _ -> n | [] -> "NAME") in

@@ -103,7 +103,7 @@ let store console o ~digest folder =
 let told result = Result.map_error (fun d -> [ d ]) result
 
 let sweep console o ~interrupted =
-  let* source = Input.text console o.path in
+  let* source = Input.warned console o.path in
   let* first = first_point console source o in
   let name, digest =
     match first with

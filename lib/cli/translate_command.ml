@@ -18,7 +18,7 @@ let check_readable console (notation : Notation.t) text =
   Result.map ignore (notation.read source)
 
 let translate console notation output path =
-  let* source = Input.text console path in
+  let* source = Input.warned console path in
   let from = Notation.of_source source in
   let* read = from.read source in
   let* text = (notation : Notation.t).write read in

@@ -43,7 +43,7 @@ let option encode = function None -> `Null | Some x -> encode x
 
 (* The writer is our own, so that the bytes do not depend on the version of a library. *)
 let add_string b s =
-  let escape = function
+  let add = function
     | '"' -> Buffer.add_string b "\\\""
     | '\\' -> Buffer.add_string b "\\\\"
     | '\n' -> Buffer.add_string b "\\n"
@@ -51,8 +51,18 @@ let add_string b s =
     | ('\x00' .. '\x1f' | '\x7f') as c -> Printf.bprintf b "\\u%04x" (Char.code c)
     | c -> Buffer.add_char b c
   in
+  let rec from i =
+    if i < String.length s then
+      match Bidirectional.at s i with
+      | Some code ->
+        Printf.bprintf b "\\u%04x" code;
+        from (i + Bidirectional.size)
+      | None ->
+        add s.[i];
+        from (i + 1)
+  in
   Buffer.add_char b '"';
-  String.iter escape s;
+  from 0;
   Buffer.add_char b '"'
 
 let between b separator write items =

@@ -10,7 +10,7 @@ let quantity q =
 
 let nullable = Json.option
 
-let is_plain c = c >= ' ' && c <> '"' && c <> '\\' && c <> '\x7f'
+let is_plain s i c = c >= ' ' && c <> '"' && c <> '\\' && c <> '\x7f' && Option.is_none (Bidirectional.at s i)
 
 let add_string b s =
   let n = String.length s in
@@ -18,7 +18,7 @@ let add_string b s =
     if i = n then Buffer.add_substring b s from (n - from)
     else
       let c = String.unsafe_get s i in
-      if is_plain c then go from (i + 1)
+      if is_plain s i c then go from (i + 1)
       else begin
         Buffer.add_substring b s from (i - from);
         (match c with
@@ -26,8 +26,9 @@ let add_string b s =
          | '\\' -> Buffer.add_string b "\\\\"
          | '\n' -> Buffer.add_string b "\\n"
          | '\t' -> Buffer.add_string b "\\t"
-         | c -> Printf.bprintf b "\\u%04x" (Char.code c));
-        go (i + 1) (i + 1)
+         | c -> Printf.bprintf b "\\u%04x" (Option.value (Bidirectional.at s i) ~default:(Char.code c)));
+        let next = i + if Option.is_some (Bidirectional.at s i) then Bidirectional.size else 1 in
+        go next next
       end
   in
   Buffer.add_char b '"';

@@ -30,9 +30,17 @@ let rec of_tree ~read_file ~overrides ?narrowed source tree =
     (match result with Ok text when not known -> files := (name, text) :: !files | Ok _ | Error _ -> ());
     result
   in
-  let* (e : Scc_elaborate.Elaborate.t) = Scc_elaborate.Elaborate.elaborate ~read_file ~overrides ?narrowed tree in
+  let misleading () =
+    let text (name, text) = Direction.warnings (Source.make ~name text) in
+    Direction.warnings source @ List.concat_map text (List.rev !files)
+  in
+  let* (e : Scc_elaborate.Elaborate.t) =
+    Scc_elaborate.Elaborate.elaborate ~read_file ~overrides ?narrowed tree
+    |> Result.map_error (fun errors -> errors @ misleading ())
+  in
   let digest = Origin.digest ~text:(Source.text source) ~files:(List.rev !files) in
   let { Scc_elaborate.Elaborate.model; declared; uncertain; checks; premises; warnings; _ } = e in
+  let warnings = misleading () @ warnings in
   let settings = Scc_calculus.Parameters.listed model declared in
   let origin = { Origin.name = e.name; digest; parameters = e.parameters; settings } in
   let again items values =
@@ -48,7 +56,9 @@ let at l values = l.again [] values
 let with_items l items = l.again items []
 
 let load ~read_file ~overrides ?narrowed source =
-  let* tree = Scc_notation.Notation.model source in
+  let* tree =
+    Result.map_error (fun errors -> errors @ Direction.warnings source) (Scc_notation.Notation.model source)
+  in
   of_tree ~read_file ~overrides ?narrowed source tree
 
 let initial l =

@@ -164,6 +164,21 @@ class Casts(WithOracle):
         self.assertEqual((meeting.outcome, meeting.grid), ("at", 20))
         self.assertEqual((meeting.time * 2**20).denominator, 1)
         self.assertTrue(0 < meeting.time < 1)
+        turn = dict(spin_b=(0, 0, 1), grid=4)
+        for keywords, time in [
+            (dict(since_b="1/10", span=4), Fraction(3, 16)),  # the grid counts from now
+            (dict(since_b="1/10", span=4, phase=0), Fraction(3, 16)),
+            (dict(since_b="1/10", span=4, phase="turn"), Fraction(1, 4) - Fraction(1, 10)),
+            (dict(since_b="1/10", span=4, phase=Fraction(1, 10)), Fraction(1, 4) - Fraction(1, 10)),
+            (dict(since_b="1/10", until="3/20", phase="turn"), Fraction(3, 20)),
+            (dict(until="1/4"), Fraction(1, 4)),
+            (dict(until="249/1000"), None),
+        ]:
+            with self.subTest(**keywords):
+                meeting = self.oracle.first_time_of_contact(
+                    self.cube, self.cube, ("9/4", 0, 0), (0, 0, 0), **turn, **keywords
+                )
+                self.assertEqual(meeting.time, time)
         still = self.oracle.first_time_of_contact(
             self.cube, self.cube, (4, 0, 0), (-1, 0, 0), span=3, resolution="1/1024", since_a=1, arm_b=(1, 0, 0)
         )

@@ -3,12 +3,14 @@
 
     stepping.py --scc SCC --client CLIENTS/PYTHON/SRC [--count N] [--seed N]
 
-Random rigid models of two and more bodies with the dynamics constant_spin, where nothing binds. What the rules of turns
-say is written here; every number of a trace, its times and states, must come out. The last line is `N passed, N failed`.
+Random rigid models of two and more bodies with the dynamics constant_spin, where nothing binds, and a body far away whose
+behaviour stops time again and again in mid-turn. What the rules of turns say is written here; every number of a trace, its
+times and states, must come out. The last line is `N passed, N failed`.
 """
 
 import argparse
 import json
+from fractions import Fraction as F
 import os
 import subprocess
 import sys
@@ -25,12 +27,29 @@ def require(condition, text, *details):
         raise Difference(text % details)
 
 
+TICKS = 40
+
+
+class Model(rigid_models.Model):
+    def __init__(self, seed):
+        super().__init__(seed)
+        self.free, self.orientation, self.velocity = False, None, None
+        self.resolution = self.rng.choice([F(1, 8), F(1, 64), F(1, 1000)])
+        self.tick = F(1, self.rng.randint(3, 13))
+        self.bodies['clock'] = r.Body({None: self.solid('Cube', (1, 1, 1), s.ZERO, F(1))}, False)
+        self.lines.append('process clock = Cube mass 1 at translate (1000, 0, 0) [%snil]\n' % (
+            ('eps(%s). ' % self.tick) * TICKS))
+
+    def suits(self):
+        return not self.lively and not any(word in self.text() for word in ('rho', 'omega'))
+
+
 class Engine:
     def __init__(self, oracle, requests, model, state):
         self.oracle, self.requests, self.model = oracle, requests, model
         self.resolution = model.the_resolution()
         self.shapes, self.starts, self.seen = {}, {}, {}
-        self.processes = state.processes
+        self.processes, self.now = state.processes, F(0)
         for p in self.processes:
             self.begun(p)
 
@@ -85,7 +104,7 @@ class Engine:
                 if ps[i].velocity != ps[j].velocity or ps[i].spin != s.ZERO or ps[j].spin != s.ZERO]
 
     def colliding(self):
-        return [(i, j) for i, j in self.moving_pairs() if self.time(self.processes[i], self.processes[j], r.F(0)) == 0]
+        return [(i, j) for i, j in self.moving_pairs() if self.time(self.processes[i], self.processes[j], F(0)) == 0]
 
     def responded(self, p, q):
         touching = []
@@ -103,7 +122,7 @@ class Engine:
             return self.requests.Body(o.mass(), o.velocity, o.centre(), o.inertia(), o.spin)
         after = self.oracle.response(touching, body(p), body(q), resolution=self.resolution)
         require(after.outcome == 'bounced', 'a bounce that is none')
-        return [o.moved(o.leaves, m.velocity, m.spin, r.F(0)).lasting(None) if not o.fixed else o.lasting(None)
+        return [o.moved(o.leaves, m.velocity, m.spin, F(0)).lasting(None) if not o.fixed else o.lasting(None)
                 for o, m in ((p, after.first), (q, after.second))]
 
     # Transitions
@@ -121,14 +140,19 @@ class Engine:
         else:
             require(label['kind'] == 'time', 'nothing collides')
             d = self.least_time()
-            require(d == r.F(label['duration']), 'time stops after %s', d)
+            require(d == F(label['duration']), 'time stops after %s', d)
+            self.now += d
             self.processes = [p.passed(d) for p in self.processes]
             self.end(i for i, p in enumerate(self.processes) if p.spin != s.ZERO and p.since == p.lasts)
         self.found(label['kind'])
         self.settle()
 
     def least_time(self):
-        d = min((p.lasts - p.since for p in self.processes if p.spin != s.ZERO), default=None)
+        ends = [p.lasts - p.since for p in self.processes if p.spin != s.ZERO]
+        ticks = self.now // self.model.tick
+        if ticks < TICKS:
+            ends.append((ticks + 1) * self.model.tick - self.now)
+        d = min(ends, default=None)
         for i, j in self.moving_pairs():
             t = self.time(self.processes[i], self.processes[j], d)
             d = d if t is None else t
@@ -157,11 +181,6 @@ class Engine:
         for p in state.processes:
             mine = next(o for o in self.processes if o.names == p.names)
             require(mine.same(p), '%s', p.difference(mine))
-
-
-def suits(model):
-    text = model.text()
-    return not (model.free or model.orientation or any(word in text for word in ('<', 'rho', 'omega')))
 
 
 def run(options, oracle, requests, model, path, seen):
@@ -205,8 +224,8 @@ def main():
     passed, failed, seen, seed = 0, 0, {}, options.seed
     with tempfile.TemporaryDirectory() as folder, Oracle(options.scc) as oracle:
         while passed + failed < options.count:
-            model = rigid_models.Model(seed)
-            if suits(model):
+            model = Model(seed)
+            if model.suits():
                 try:
                     run(options, oracle, requests, model, os.path.join(folder, 'model.sc'), seen)
                     passed += 1

@@ -41,6 +41,7 @@ let text () =
   check "a stray byte" "\"a\xef\xbf\xbdb\"" "a\xffb";
   check "an overlong form" "\"\xef\xbf\xbd\xef\xbf\xbd\"" "\xc0\x80";
   check "a surrogate" "\"\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd\"" "\xed\xa0\x80";
+  check "a change of direction" "\"a\\u202eb\\u2066\xe2\x80\xa9\"" "a\xe2\x80\xaeb\xe2\x81\xa6\xe2\x80\xa9";
   check "quotes and controls" "\"\\\"\\n\\u0001\"" "\"\n\001"
 
 let numbers () =

@@ -3,4 +3,5 @@ let () =
     [ Parse_test.suite;
       Error_test.suite;
       Property_test.suite;
-      Reference_test.suite ]
+      Reference_test.suite;
+      Direction_test.suite ]
