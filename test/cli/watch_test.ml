@@ -83,7 +83,9 @@ let signal_and_report report () =
 
 let stubborn () =
   ignore (Watch.start ~seconds:0.1 ());
-  let rec again () = match for_ever () with () -> 0 | exception Scc_system.Interruption.Interrupted _ -> again () in
+  let rec again () =
+    match for_ever () with () -> 0 | exception Scc_system.Interruption.Interrupted _ -> again ()
+  in
   again ()
 
 let cases =

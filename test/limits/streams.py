@@ -337,6 +337,18 @@ class Sweep:
         if b"did not end" in done.err:
             self.expect("%s: a step that does not end" % " ".join(words), done, set())
 
+    def serving(self, number):
+        running = self.started(["serve"], stdin=subprocess.DEVNULL)
+        told = running.stdout.readline()
+        running.send_signal(number)
+        done = self.ended(running)
+        self.expect("serve, %s" % number.name, done._replace(out=told), {0}, told)
+
+    def unserved(self, pick):
+        """A service whose address nobody can learn has no use."""
+        for name, change in pick(OUTPUTS):
+            self.expect("serve, " + name, self.run(["serve"], change), {4 if name == "1 gone" else 74})
+
     def without_hangup(self):
         """What nohup has started goes on when the terminal is closed."""
         def begin():
@@ -413,6 +425,10 @@ def main():
                 for _, number in pick({n.name: n for n in SIGNALS}):
                     for steps in (0, 10, 1000, 10000, 50000) if args.all else (0, draw.choice((300, 3000))):
                         sweep.at_work(words, number, codes, steps)
+        if args.only in "serve":
+            for _, number in pick({n.name: n for n in SIGNALS}):
+                sweep.serving(number)
+            sweep.unserved(pick)
         if args.only in "nohup":
             sweep.without_hangup()
         print("%d runs, %d faults" % (sweep.count, len(sweep.faults)))
