@@ -45,7 +45,7 @@ let answer console (slices, session) ~more ~other lines =
   in
   loop ()
 
-let lines () = Lines.make Unix.stdin ~most:quotas.line_bytes
+let lines () = Lines.make ~most:quotas.line_bytes
 
 let desk ~path =
   let console = Console.make ~color:Never ~json:false () in

@@ -50,16 +50,14 @@ let over check (ending : Replay.ending) =
     Some firsts
   | Open | Quiescent | Stuck _ | Zeno -> None
 
-type failure = Diagnosed of Diag.t list | Stopped of string
-
 (* The run, and how it stands where the schedule leaves it. *)
-let follow (l : Loaded.t) schedule check ~interrupted =
+let follow (l : Loaded.t) schedule check =
   let limits = { Replay.steps = None; time = None; instant = Replay.default_instant } in
-  match Chosen_run.follow l (Scheduled schedule) limits ~interrupted with
+  match Chosen_run.follow l (Scheduled schedule) limits ~interrupted:(fun () -> false) with
   | Ok (course, ending) -> Ok ({ Causes.declared = l.declared; course; over = over check ending }, ending)
-  | Error Interrupted -> Error (Stopped "scc: interrupted")
-  | Error (Refused d) -> Error (Diagnosed [ d ])
-  | Error (Fault f) -> Error (Diagnosed [ Replay.diagnostic l.model f ])
+  | Error Interrupted -> Bug.fail __POS__ "a run that nobody interrupts"
+  | Error (Refused d) -> Error [ d ]
+  | Error (Fault f) -> Error [ Replay.diagnostic l.model f ]
 
 let explanation run (check : Property.check option) =
   let story = Causes.tell run in
@@ -91,15 +89,13 @@ let print console ~full (model : Loaded.t) check ending explanation =
           })
 
 let explain console o =
-  let interrupted = Watch.interrupted (Watch.start ()) in
-  let diagnosed r = Result.map_error (fun list -> Diagnosed list) r in
-  let* schedule = diagnosed (Scheduled.read console o.witness) in
-  let* path = diagnosed (model_path o schedule) in
-  let* model = diagnosed (Scheduled.model console schedule ~given:o.given path) in
-  let* () = diagnosed (Ordinary.at_point model) in
+  let* schedule = Scheduled.read console o.witness in
+  let* path = model_path o schedule in
+  let* model = Scheduled.model console schedule ~given:o.given path in
+  let* () = Ordinary.at_point model in
   Console.report console model.warnings;
-  let* check = diagnosed (check_of o schedule model.checks) in
-  let* run, ending = follow model schedule check ~interrupted in
+  let* check = check_of o schedule model.checks in
+  let* run, ending = follow model schedule check in
   (match ending with
    | Stuck s -> Console.report console [ Scc_verify.Bounds.dead_end (Replay.diagnostic model.model s) ]
    | Open | Quiescent | Zeno -> ());
@@ -108,13 +104,7 @@ let explain console o =
 
 let run color json o =
   let console = Console.make ~color ~json () in
-  Guard.run console (fun () ->
-      match explain console o with
-      | Ok () -> Ok Exit_code.Holds
-      | Error (Diagnosed list) -> Error list
-      | Error (Stopped message) ->
-        Console.note console message;
-        Ok Exit_code.Stopped)
+  Guard.run console (fun () -> Result.map (fun () -> Exit_code.Holds) (explain console o))
 
 let witness =
   let doc =

@@ -55,6 +55,9 @@ let text =
     `P "Runs are written for Apalache by $(b,scc trace --itf).";
     `S "BOUNDS";
     `P "Without bounds the exploration ends when nothing is left to explore, and at the default bounds.";
+    `P
+      "After an interruption (Ctrl-C) what is known is written, if that takes no more than half a second of the \
+       processor; else nothing is. After $(b,--seconds) and other bounds it is written to its end.";
   ]
   @ Options.diagnostics_man
   @ [

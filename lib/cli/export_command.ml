@@ -92,11 +92,14 @@ let too_great o =
 
 (* {1 The command} *)
 
+(* Nothing is written of a run that is not done: an interruption ends the command where it is. *)
+let never () = false
+
 (* A table asks for whole states, one after the other unless it is of given times; all else for what changes,
    where a run tells it. *)
-let follow o (l : Loaded.t) policy limits ~interrupted =
+let follow o (l : Loaded.t) policy limits =
   if o.format = Csv || not (Scc_engine.Event_run.can_run l.model) then
-    let* course, ending = Chosen_run.follow l policy limits ~interrupted in
+    let* course, ending = Chosen_run.follow l policy limits ~interrupted:never in
     Ok (Film.States course, ending)
   else
     let ways = ref None in
@@ -106,24 +109,24 @@ let follow o (l : Loaded.t) policy limits ~interrupted =
       | _, Some w -> Ways.step w event
       | _, None -> Bug.fail __POS__ "a run without a start"
     in
-    let* ending = Replay.run l.semantics l.declared policy limits ~interrupted note in
+    let* ending = Replay.run l.semantics l.declared policy limits ~interrupted:never note in
     match !ways with
     | Some w -> Ok (Film.Changes w, ending)
     | None -> Bug.fail __POS__ "a run without a start"
 
-let table console o (l : Loaded.t) observables policy limits ~interrupted =
+let table console o (l : Loaded.t) observables policy limits =
   let lines = ref None in
   let start s = lines := Some (Table.start l.semantics observables s) in
   let leg g = Option.iter (fun t -> Table.leg t g) !lines in
-  match (Chosen_run.each l policy limits ~interrupted ~start ~leg, !lines) with
+  match (Chosen_run.each l policy limits ~interrupted:never ~start ~leg, !lines) with
   | Ok (rest, ending), Some t ->
     let* () = alone console o (Table.finish t ~rest) in
     Ok (Chosen_run.finish console l (Ok ending))
   | Error failure, _ -> Ok (Chosen_run.finish console l (Error failure))
   | Ok _, None -> Bug.fail __POS__ "a run without a start"
 
-let film console o (chosen : Chosen_run.t) loaded observables ~interrupted =
-  match follow o loaded chosen.policy chosen.limits ~interrupted with
+let film console o (chosen : Chosen_run.t) loaded observables =
+  match follow o loaded chosen.policy chosen.limits with
   | Error failure -> Ok (Chosen_run.finish console loaded (Error failure))
   | Ok (run, ending) ->
     let film = { Film.title = Filename.basename o.path; origin = chosen.loaded.origin; run } in
@@ -134,19 +137,18 @@ let film console o (chosen : Chosen_run.t) loaded observables ~interrupted =
     in
     Ok (Chosen_run.finish console loaded (Ok ending))
 
-let export console o ~interrupted =
+let export console o =
   let* chosen = Chosen_run.prepare console o.choices ~given:o.given o.path in
   if chosen.sampled <> [] then Console.note console ("scc: for " ^ Sample.to_string chosen.sampled);
   let* loaded, observables = Observed.all console chosen.loaded o.observed in
   match (o.format, o.every) with
-  | Csv, None -> table console o loaded observables chosen.policy chosen.limits ~interrupted
-  | _ -> film console o chosen loaded observables ~interrupted
+  | Csv, None -> table console o loaded observables chosen.policy chosen.limits
+  | _ -> film console o chosen loaded observables
 
 let run color o =
   let console = Console.make ~color ~json:false () in
-  let interrupted = Watch.interrupted (Watch.start ()) in
   Memory.spare_runs ();
-  Guard.run console (fun () -> export console o ~interrupted)
+  Guard.run console (fun () -> export console o)
 
 (* {1 The command line} *)
 

@@ -66,6 +66,8 @@ let rec failed console = function
   | Interruption.Interrupted why ->
     Console.progress_done console;
     broken_off console why
+  | Reading.Failed why ->
+    invalid console [ Input.cannot_read Input.standard_input why ]
   | Stack_overflow -> bug "stack overflow"
   | e -> (
       match Resources.refused e with
@@ -73,6 +75,9 @@ let rec failed console = function
         complain [ "scc: " ^ what ];
         Exit_code.Stopped
       | None -> bug (Printexc.to_string e))
+
+(* What cannot be told may fail again, but for the same reason only once. *)
+let rec told console e = match failed console e with code -> code | exception e -> told console e
 
 let run console command =
   match
@@ -83,7 +88,7 @@ let run console command =
   | code ->
     Console.progress_done console;
     code
-  | exception e -> failed console e
+  | exception e -> told console e
 
 let run_on_two console first second command =
   if String.equal first "-" && String.equal second "-" then

@@ -7,8 +7,6 @@ open Cmdliner
 let ( let* ) = Result.bind
 let plain r = Result.map_error (fun d -> [ d ]) r
 
-exception Interrupted
-
 type options = { path : string; resolution : int option; output : string option; inflate : Inflated.options }
 
 (* {1 Report} *)
@@ -68,17 +66,13 @@ let json o (t : Inflated.t) code =
 (* {1 Work} *)
 
 let inflate console o write =
-  let interrupted = Watch.interrupted (Watch.start ()) in
   let* source = plain (Input.read o.path) in
   if Scc_icon.Icon.is_text (Source.text source) then Console.add_source console source;
   let* picture = plain (Scc_icon.Icon.read ?resolution:o.resolution ~path:o.path (Source.text source)) in
   let progress what share =
-    if interrupted () then raise Interrupted;
     Console.progress console (Printf.sprintf "%s: %.0f %%" what (100. *. Float.min 1. share))
   in
   match Inflated.make ~progress ~path:o.path o.inflate picture with
-  | exception Interrupted ->
-    Ok (Guard.stopped console "interrupted: nothing was written")
   | Error d -> Error [ d ]
   | Ok found ->
     let* () =

@@ -33,12 +33,16 @@ let bytes ?(max_bytes = max_bytes) path =
       | exception (Unix.Unix_error (e, _, _) as failure) when Option.is_none (Resources.refused failure) ->
         Error (Unix.error_message e))
 
+let standard_input = "<standard input>"
+
+let cannot_read name reason =
+  Diag.error Code.cannot_read (Span.make ~file:name ~start:0 ~stop:0) "cannot read: %s" reason
+
 let read ?max_bytes path =
-  let name = if String.equal path "-" then "<standard input>" else path in
+  let name = if String.equal path "-" then standard_input else path in
   match bytes ?max_bytes path with
   | Ok text -> Ok (Source.make ~name text)
-  | Error reason ->
-    Error (Diag.error Code.cannot_read (Span.make ~file:name ~start:0 ~stop:0) "cannot read: %s" reason)
+  | Error reason -> Error (cannot_read name reason)
 
 let ( let* ) = Result.bind
 

@@ -10,6 +10,12 @@ val read : ?max_bytes:int -> string -> (Source.t, Diag.t) result
 (** The bytes of a file; ["-"] is standard input. SC0101 when it cannot be read. Not more than {!max_bytes},
     unless told otherwise. *)
 
+val standard_input : string
+(** How it is called. *)
+
+val cannot_read : string -> string -> Diag.t
+(** [cannot_read name reason]: SC0101. *)
+
 val mesh_reader : Console.t -> string -> Scc_session.Loaded.reader
 (** [mesh_reader c model path] reads a mesh file that a model names, relative to the model's place. *)
 

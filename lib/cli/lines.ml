@@ -1,5 +1,4 @@
 type t = {
-  input : Unix.file_descr;
   most : int;
   chunk : Bytes.t;
   mutable at : int;  (** what is left of the chunk *)
@@ -13,9 +12,8 @@ type line = Line of string | Too_long | End
 
 let size = 65536
 
-let make input ~most =
+let make ~most =
   {
-    input;
     most;
     chunk = Bytes.create size;
     at = 0;
@@ -26,7 +24,7 @@ let make input ~most =
   }
 
 let fill t =
-  match Scc_system.Reading.some t.input t.chunk 0 size with
+  match Scc_system.Reading.input t.chunk 0 size with
   | 0 -> t.over <- true
   | n ->
     t.at <- 0;

@@ -1,8 +1,8 @@
-(** Lines from a pipe, of a bounded length, and how to know that the next one would have to be waited for. *)
+(** Lines from standard input, of a bounded length, and how to know that the next one would have to be waited for. *)
 
 type t
 
-val make : Unix.file_descr -> most:int -> t
+val make : most:int -> t
 
 type line =
   | Line of string  (** without its end *)
@@ -11,4 +11,4 @@ type line =
 
 val next : t -> wait:(unit -> unit) -> line
 (** [wait] is called before each reading that may have to wait for more. What comes after the last end of a line is
-    a line, too, unless it is empty. *)
+    a line, too, unless it is empty. {!Scc_system.Reading.Failed}. *)

@@ -16,7 +16,7 @@ let serve (quotas : Quotas.t) =
   in
   let session = Session.create ~quotas ~surroundings ~version:Version.current () in
   Conversation.hold (fun c ->
-      let lines = Lines.make Unix.stdin ~most:quotas.line_bytes in
+      let lines = Lines.make ~most:quotas.line_bytes in
       let wait () = Conversation.send c in
       let rec loop () =
         match Lines.next lines ~wait with
@@ -71,10 +71,11 @@ let man =
 
 let command =
   let exits =
-    Exits.man () ~never:[ Violated; Undecided; Invalid ]
+    Exits.man () ~never:[ Violated; Undecided ]
       ~told:
         [
           (Holds, "at the end of the input.");
+          (Invalid, "if standard input cannot be read.");
           (Stopped, "if an interruption ended the service, or nobody reads its answers any more.");
         ]
   in

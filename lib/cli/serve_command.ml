@@ -192,7 +192,7 @@ let man =
 let command =
   let told =
     [
-      (Exit_code.Holds, "if Ctrl-C or a signal to terminate has ended the service.");
+      (Exit_code.Holds, "if Ctrl-C, or another interruption, has ended the service.");
       (Stopped, "if nobody reads the address that it prints.");
       (Unwritten, "if it cannot listen on the port, or the address could not be printed.");
     ]

@@ -61,7 +61,7 @@ let answer path f line =
   Result.fold ~ok:Fun.id ~error:Told.refused (if is_run then run path f line else state f line)
 
 let talk_in_lines path f c =
-  let lines = Lines.make Unix.stdin ~most:most_line in
+  let lines = Lines.make ~most:most_line in
   let wait () = Conversation.send c in
   let rec loop f =
     match Lines.next lines ~wait with
@@ -85,7 +85,7 @@ let lost fmt = Printf.ksprintf (fun text -> raise (Lost (Diag.error Code.lost_fr
 let rec read bytes from stop =
   if from = stop then from
   else
-    match Scc_system.Reading.some Unix.stdin bytes from (stop - from) with
+    match Scc_system.Reading.input bytes from (stop - from) with
     | 0 -> from
     | n -> read bytes (from + n) stop
 

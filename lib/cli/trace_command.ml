@@ -17,9 +17,12 @@ type options = {
 
 let ( let* ) = Result.bind
 
-let write_run o (chosen : Chosen_run.t) ~interrupted write =
+let write_run o (chosen : Chosen_run.t) watch write =
   let l = chosen.loaded in
-  let run emit = Replay.run l.semantics l.declared chosen.policy chosen.limits ~interrupted emit in
+  let run emit =
+    Replay.run ~attempt:(Watch.attempt watch) l.semantics l.declared chosen.policy chosen.limits
+      ~interrupted:(Watch.interrupted watch) emit
+  in
   match o.form with
   | Human ->
     if chosen.sampled <> [] then write (Printf.sprintf "for %s\n" (Sample.to_string chosen.sampled));
@@ -36,11 +39,11 @@ let write_run o (chosen : Chosen_run.t) ~interrupted write =
 
 let run color o =
   let console = Console.make ~color ~json:false () in
-  let interrupted = Watch.interrupted (Watch.start ()) in
+  let watch = Watch.start () in
   Scc_base.Memory.spare_runs ();
   Guard.run console (fun () ->
       let* chosen = Chosen_run.prepare console o.choices ~given:o.given o.path in
-      let write = write_run o chosen ~interrupted in
+      let write = write_run o chosen watch in
       match Console.with_output console ~path:o.output write with
       | Ok result -> Ok (Chosen_run.finish console chosen.loaded result)
       | Error d -> Error [ d ])

@@ -6,7 +6,7 @@ open Scc_explore
 let interval = 0.01
 
 (* Seconds of the processor that conclusions have, and half as many that the report has after them; and those
-   after which the program ends without one. *)
+   after which the work is broken off without one. *)
 let grace = 1.
 let patience = 3.
 
@@ -24,6 +24,7 @@ type t = {
   mutable late : Limits.stop option;  (** for what concludes *)
   mutable last : Limits.stop option;  (** for what reports *)
   mutable stage : Limits.stage option;  (** of the attempt that is being made *)
+  mutable abandoned : bool;  (** it was tried *)
   mutable finished : float option;  (** the seconds that the rest has after a signal, once the work has stopped *)
 }
 
@@ -78,11 +79,19 @@ let beyond t ~passed ~bytes ~more ~share : Limits.stop option =
   else if bytes > share *. t.memory then Some Memory
   else None
 
-(* Nothing is flushed: what was printed so far may be half of a report. *)
-let abandon t =
+(* What nobody attempts is broken off once; if that does not end it, the program ends. Nothing is flushed: what was
+   printed so far may be half of a report. *)
+let abandon t ~passed =
   let why = if t.signalled then "interrupted" else "the limit of seconds has passed" in
-  Standard.complain ("scc: " ^ why ^ ", and the step that was under way did not end\n");
-  Unix._exit (Scc_session.Exit_code.to_int Stopped)
+  let why = why ^ ", and the step that was under way did not end" in
+  if passed > 2. *. patience then begin
+    Standard.complain ("scc: " ^ why ^ "\n");
+    Unix._exit (Scc_session.Exit_code.to_int Stopped)
+  end
+  else if not (t.abandoned || Critical.active ()) then begin
+    t.abandoned <- true;
+    raise (Interruption.Interrupted why)
+  end
 
 let over t (stage : Limits.stage) =
   match stage with
@@ -106,7 +115,7 @@ let look t =
   | None, _ -> (
       match t.finished with
       | Some grace -> if passed > grace then Interruption.break_off ()
-      | None -> if passed > patience then abandon t)
+      | None -> if passed > patience then abandon t ~passed)
 
 let timer seconds = ignore (Unix.setitimer ITIMER_REAL { it_interval = seconds; it_value = seconds })
 
@@ -123,6 +132,7 @@ let start ?(signals = true) ?seconds ?memory () =
       late = None;
       last = None;
       stage = None;
+      abandoned = false;
       finished = None;
     }
   in

@@ -219,7 +219,11 @@ let leave semantics run (limits : limits) ~passing emit place ahead (offset : (R
 
 let not_asked ~start:_ ~lasts:_ _ = ()
 
-let run ?(passing = not_asked) semantics declared policy limits ~interrupted emit =
+let unbounded : Scc_explore.Limits.attempt = { run = (fun _ f -> Ok (f ())) }
+
+let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy limits ~interrupted emit =
+  (* A step may take long, as its numbers do. *)
+  let step f = Result.map_error (fun _ -> Interrupted) (attempt.run Exploring f) in
   let model = Semantics.model semantics in
   let guide, offset =
     match policy with
@@ -228,12 +232,13 @@ let run ?(passing = not_asked) semantics declared policy limits ~interrupted emi
     | Scheduled s -> (Choices s.choices, Option.map (fun d -> (d, s.offset_at)) s.offset)
   in
   let not_started fault = Fault { fault; steps = 0; time = Rat.zero } in
-  let* run = Result.map_error not_started (Run.start semantics declared) in
+  let* started = step (fun () -> Run.start semantics declared) in
+  let* run = Result.map_error not_started started in
   let state () = Run.state run and changes () = Run.changes run in
   let rec from place =
     if interrupted () then Error Interrupted
     else
-      let* ahead = ahead run place in
+      let* ahead = Result.join (step (fun () -> ahead run place)) in
       if out_of_steps limits place || place.still >= limits.instant then finish run limits emit place ahead
       else
         let transitions = transitions ahead in
@@ -244,13 +249,14 @@ let run ?(passing = not_asked) semantics declared policy limits ~interrupted emi
           let d = duration (transitions.label index) in
           within place ahead d (fun () ->
               passes place d;
-              let taken = Run.take run index in
+              let* taken = step (fun () -> Run.take run index) in
               go_on place guide index transitions.count taken)
         | Wait (d, choice, guide) ->
           within place ahead d (fun () ->
               passes place d;
               let index = time_index transitions in
-              match Run.wait run d with
+              let* waited = step (fun () -> Run.wait run d) in
+              match waited with
               | Ok (Some taken) ->
                 go_on place guide index (Int.max transitions.count (index + 1)) taken
               | Ok None -> Error (misfit model transitions place choice)

@@ -70,6 +70,7 @@ type failure =
 
 val run :
   ?passing:(start:Rat.t -> lasts:Rat.t -> (unit -> State.t) -> unit) ->
+  ?attempt:Scc_explore.Limits.attempt ->
   Semantics.t ->
   State.t ->
   policy ->
@@ -81,4 +82,4 @@ val run :
     depend on the model and the choices alone, not on where the choices came from. When the limit of time
     falls within a passing of time, the run ends with an [Instant] at the limit. [passing] is told of each stretch
     of time before it passes: when it begins, how long it lasts, and the state there, which may only be asked for
-    then. A dead end is an end, and no failure. *)
+    then. A step that [attempt] gives up is an interruption. A dead end is an end, and no failure. *)

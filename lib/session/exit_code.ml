@@ -22,7 +22,8 @@ let meaning = function
   | Violated -> "if some property is violated."
   | Undecided -> "if something is undecided, or holds only up to a default bound that cut the run short."
   | Invalid -> "if the model or another input is invalid."
-  | Stopped -> "if a limit of time or memory, or an interruption, stopped the run."
+  | Stopped ->
+    "if a limit of time, of memory or of the system (open files, processes), or an interruption, stopped the run."
   | Usage -> "if the command line is wrong."
   | Unwritten -> "if an output could not be written; what else was asked for has been."
   | Bug -> "if scc itself is at fault: the message says what to send."

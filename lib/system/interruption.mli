@@ -1,5 +1,5 @@
-(** Wishes that the program ends: the signals of Ctrl-C, of [kill], of a terminal that is closed and of a limit of the
-    system on processor time ([ulimit -t]), all alike.
+(** Wishes that the program ends: the signals of Ctrl-C, of [kill], of a terminal that is closed and of a limit of
+    the system on processor time ([ulimit -t]), all alike.
 
     The first one raises {!Interrupted} wherever the program is, unless somebody answers, who then sees to it that
     there is a report of what is known. While the program waits for others it raises in any case. A later one, as

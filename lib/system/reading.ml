@@ -16,3 +16,10 @@ let rec some file bytes from most =
   | exception Unix.Unix_error ((EAGAIN | EWOULDBLOCK), _, _) ->
     (match Unix.select [ file ] [] [] (-1.) with _ -> () | exception Unix.Unix_error (EINTR, _, _) -> ());
     some file bytes from most
+
+exception Failed of string
+
+let input bytes from most =
+  match some Unix.stdin bytes from most with
+  | n -> n
+  | exception Unix.Unix_error (e, _, _) -> raise (Failed (Unix.error_message e))

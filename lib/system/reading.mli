@@ -10,3 +10,9 @@ val create_file : string -> Unix.open_flag list -> int -> Unix.file_descr
 val some : Unix.file_descr -> bytes -> int -> int -> int
 (** [some file bytes from most] reads at most so many bytes to this place, at least one, or 0 at the end. It waits
     for them even where a file would rather tell that there are none. [Unix.Unix_error]. *)
+
+exception Failed of string
+(** Standard input cannot be read, for this reason. *)
+
+val input : bytes -> int -> int -> int
+(** {!some} of standard input. {!Failed}. *)

@@ -11,13 +11,15 @@ let processor_seconds s =
 
 let for_ever () = processor_seconds infinity
 
+let until_interrupted work = match work () with code -> code | exception Scc_system.Interruption.Interrupted _ -> 4
+
 (* The exit code tells what came of the work. *)
 let started work =
   flush_all ();
   match Unix.fork () with
   | 0 ->
     Unix.dup2 (Unix.openfile "/dev/null" [ O_WRONLY ] 0) Unix.stderr;
-    Unix._exit (work ())
+    Unix._exit (until_interrupted work)
   | pid -> pid
 
 let ended pid = match Unix.waitpid [] pid with _, WEXITED code -> code | _, (WSIGNALED _ | WSTOPPED _) -> -1
@@ -72,13 +74,19 @@ let without_end () =
   let watch = Watch.start () in
   match Watch.half watch () () with None -> 0 | Some _ -> 1
 
-(* So many seconds after the work has ended by itself. *)
-let signal_after seconds () =
+(* A signal after the work has ended by itself, and what is reported then. *)
+let signal_and_report report () =
   Watch.finish (Watch.start ());
-  Unix.sleepf seconds;
-  match signal (); processor_seconds 0.05 with
-  | () -> 0
-  | exception Scc_system.Interruption.Interrupted _ -> 4
+  signal ();
+  report ();
+  0
+
+let stubborn () =
+  ignore (Watch.start ~seconds:0.1 ());
+  let rec again () =
+    match for_ever () with () -> 0 | exception Scc_system.Interruption.Interrupted _ -> again ()
+  in
+  again ()
 
 let cases =
   [
@@ -89,6 +97,7 @@ let cases =
     ("the report", 10, attempt ~seconds:0.1 Reporting for_ever);
     ("an exploration within a report", 0, inner_and_outer);
     ("what is no attempt", 4, fun () -> ignore (Watch.start ~seconds:0.1 ()); for_ever (); 0);
+    ("what is no attempt and lets nothing through", 4, stubborn);
     ("work that has half of it", 12, half);
     ("work that has half of no limit", 0, without_end);
     ("an exploration after a signal", 12, attempt ~before:signal Exploring for_ever);
@@ -96,8 +105,8 @@ let cases =
     ("nothing, once it is finished", 0, fun () ->
         let watch = Watch.start ~seconds:0.1 () in
         Watch.finish watch; processor_seconds 0.5; 0);
-    ("nobody who reports, right after the work", 0, signal_after 0.);
-    ("who still reports, later", 4, signal_after 0.8);
+    ("nobody who reports", 0, signal_and_report (fun () -> processor_seconds 0.6));
+    ("who reports for ever", 4, signal_and_report for_ever);
     ( "not what must not be left half done", 0,
       attempt ~seconds:0.1 Exploring (fun () -> Scc_base.Critical.run (fun () -> processor_seconds 0.5)) );
   ]
