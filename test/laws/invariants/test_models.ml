@@ -102,9 +102,9 @@ let proves file () =
   | Ok l -> (
       let u = match l.uncertain with Some u -> u | None -> Start.known l.model l.declared in
       let all = Union.of_polyhedron (Ranges.box l.model.ranges) in
-      match Zone_proof.attempt Check.default l.semantics u ~declared:l.declared l.checks with
+      match Zone_proof.attempt Check.default Unasked l.semantics u ~declared:l.declared l.checks with
       | Error _ -> Alcotest.fail "the declared state is not well-formed"
-      | Ok (None_found reason) -> print_endline reason
+      | Ok (None_found reason | Given_up reason) -> print_endline reason
       | Ok (Proved { invariant; proofs }) ->
         List.iter2 (compare_one all (Ranges.point l.model.ranges)) (ordinary l) proofs;
         if List.length invariant.locations <= few && not (List.mem file many_parts) then rejects l u invariant)
@@ -136,7 +136,7 @@ let explored_after () =
           | Ok report ->
             Alcotest.(check bool) "half of the time" true (!asked > 0);
             Alcotest.(check bool) "zones" true (report.stats.states > 20);
-            let no_time = function Zone_proof.None_found reason -> reason | Proved _ -> "proved" in
+            let no_time = function Zone_proof.None_found reason | Given_up reason -> reason | Proved _ -> "proved" in
             let reasons = List.sort_uniq String.compare (List.map no_time report.invariants) in
             Alcotest.(check (list string)) "invariants" [ "there was too little time to look for one" ] reasons)
       | Error _ -> Alcotest.fail "no initial state")
