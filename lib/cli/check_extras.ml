@@ -127,9 +127,9 @@ let slice =
 
 let prove =
   let doc =
-    "Looks for an invariant before anything is explored: a set of states that no run leaves, which may prove that \
-     something never happens where exploring comes to no end. What it does not decide is explored, for which half \
-     of the $(b,--seconds) are kept. See PROOFS."
+    "Looks for an invariant: a set of states that no run leaves, which may prove that something never happens \
+     where exploring comes to no end. It looks briefly, then explores what that does not decide, and looks longer \
+     where a bound ended this, all within the bounds. See PROOFS."
   in
   Arg.(value & flag & info [ "prove" ] ~doc)
 

@@ -217,7 +217,7 @@ let invariants ~asked (report : Check.report) =
     | Zone_proof.Proved { invariant; _ } ->
       Printf.sprintf "invariant: %s that no run leaves, checked afresh\n"
         (plural (List.length invariant.locations) "kind of states" "kinds of states")
-    | None_found reason -> if asked then Printf.sprintf "no invariant: %s\n" reason else ""
+    | None_found reason | Given_up reason -> if asked then Printf.sprintf "no invariant: %s\n" reason else ""
   in
   String.concat "" (List.map text report.invariants)
 

@@ -32,6 +32,6 @@ let location (m : Model.t) events (l : Invariant.location) =
     ]
 
 let found m : Scc_verify.Zone_proof.end_ -> Json.t = function
-  | None_found reason -> `Assoc [ ("reason", Json.text reason) ]
+  | None_found reason | Given_up reason -> `Assoc [ ("reason", Json.text reason) ]
   | Proved { invariant; _ } ->
     `Assoc [ ("kinds", `List (List.map (location m invariant.events) invariant.locations)) ]

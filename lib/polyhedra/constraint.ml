@@ -29,6 +29,7 @@ let normalised normal relation right =
 let make normal relation right = normalised (Array.copy normal) relation right
 
 let of_form (f : Linear.t) relation =
+  Effort.spend (Linear.dimension f);
   let common = Array.fold_left (fun d a -> Z.lcm d (Q.den a)) (Q.den f.constant) f.coefficients in
   let scaled a = Z.mul (Q.num a) (Z.divexact common (Q.den a)) in
   normalised (Array.map scaled f.coefficients) relation (Z.neg (scaled f.constant))

@@ -3,9 +3,13 @@ open Scc_exact
 type t = { constant : Rat.t; coefficients : Rat.t array }
 
 let make ~constant coefficients = { constant; coefficients = Array.copy coefficients }
-let constant n c = { constant = c; coefficients = Array.make n Rat.zero }
+
+let constant n c =
+  Effort.spend n;
+  { constant = c; coefficients = Array.make n Rat.zero }
 
 let of_terms n ~constant terms =
+  Effort.spend n;
   let coefficients = Array.make n Rat.zero in
   let add (i, a) =
     if i < 0 || i >= n then Scc_base.Bug.fail __POS__ "no such variable";
@@ -24,11 +28,16 @@ let same_dimension f g =
 
 let combine op f g =
   same_dimension f g;
+  Effort.spend (dimension f);
   { constant = op f.constant g.constant; coefficients = Array.map2 op f.coefficients g.coefficients }
 
 let add = combine Rat.add
 let sub = combine Rat.sub
-let map f form = { constant = f form.constant; coefficients = Array.map f form.coefficients }
+
+let map f form =
+  Effort.spend (dimension form);
+  { constant = f form.constant; coefficients = Array.map f form.coefficients }
+
 let neg = map Rat.neg
 let scale k = map (Rat.mul k)
 

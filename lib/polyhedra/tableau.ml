@@ -102,6 +102,7 @@ let other_row row pivot c ~positive ~size ~denominator =
 
 (* The basic variable of row r and the cobasic one of column c change places. *)
 let pivot t r c =
+  Effort.spend (Array.length t.rows * (columns + Array.length t.cobasic));
   let row = t.rows.(r) in
   let p = row.(columns + c) in
   let positive = Z.sign p > 0 and size = Z.abs p and denominator = t.denominator in
@@ -149,6 +150,7 @@ let rec restore t =
 
 (* The row of right - normal.x - strict * delta *)
 let row_of t normal ~right ~strict =
+  Effort.spend (Array.length t.rows * (columns + Array.length t.cobasic));
   let row = Array.make (columns + Array.length t.cobasic) Z.zero in
   row.(0) <- Z.mul t.denominator right;
   if strict then row.(1) <- Z.neg t.denominator;

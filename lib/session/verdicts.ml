@@ -5,11 +5,27 @@ let over_zones (l : Loaded.t) = Zone_check.is_for l.model ~declared:l.declared
 let uncertain (l : Loaded.t) =
   match l.uncertain with Some uncertain -> uncertain | None -> Scc_symbolic.Start.known l.model l.declared
 
+(* A short search for an invariant; what it leaves open is explored; and what that leaves open, a longer search may
+   decide, if it was not the model that ended the short one. *)
+let with_invariants options (l : Loaded.t) ~initial checks =
+  let decide effort = Zone_proof.decide options effort l.semantics (uncertain l) ~declared:l.declared in
+  let decided, first = decide Briefly checks in
+  let exploring = Zone_proof.leaving_time options (Some first) in
+  let report = Check.run_without exploring l.semantics ~initial checks ~decided in
+  let open_ =
+    List.filter_map
+      (fun (o : Verdict.outcome) -> if Verdict.is_open o.verdict then Some o.check else None)
+      report.outcomes
+  in
+  match first with
+  | Given_up _ when open_ <> [] ->
+    let decided, second = decide Longer open_ in
+    let outcome (o : Verdict.outcome) = if List.memq o.check open_ then Option.value (decided o.check) ~default:o else o in
+    { report with outcomes = List.map outcome report.outcomes; invariants = [ second ] }
+  | Proved _ | None_found _ | Given_up _ -> { report with invariants = [ first ] }
+
 let ordinarily (options : Check.options) (l : Loaded.t) ~initial checks =
-  if options.prove then
-    let decided, end_ = Zone_proof.prove options l.semantics (uncertain l) ~declared:l.declared checks in
-    { (Check.run_without options l.semantics ~initial checks ~decided) with invariants = [ end_ ] }
-  else Check.run options l.semantics ~initial checks
+  (if options.prove then with_invariants options l else Check.run options l.semantics) ~initial checks
 
 let refused (l : Loaded.t) ~prove =
   let because = if over_zones l then Some Zone_check.Zones else if prove then Some Invariants else None in

@@ -1,6 +1,5 @@
 open Scc_property
 
-type limits = { locations : int; steps : int }
 type visitor = { stop : unit -> bool; looked_at : locations:int -> waiting:int -> unit }
 type end_ = Found of Invariant.t | No_end of string | Stopped
 
@@ -87,7 +86,7 @@ let invariant s =
   in
   { Invariant.events = s.events; locations = List.filter_map location (all s) }
 
-let find context ~events ~limits ~visitor starts =
+let find context ~events ~most ~visitor starts =
   let s =
     {
       context;
@@ -98,7 +97,7 @@ let find context ~events ~limits ~visitor starts =
     }
   in
   let size () = Scc_data.Growable.length s.by_number in
-  let rec go steps =
+  let rec go () =
     match Queue.take_opt s.waiting with
     | None ->
       for _ = 1 to rounds do
@@ -106,19 +105,16 @@ let find context ~events ~limits ~visitor starts =
       done;
       Found (invariant s)
     | Some _ when visitor.stop () -> Stopped
-    | Some _ when size () > limits.locations ->
-      No_end (Printf.sprintf "there are more than %d kinds of states" limits.locations)
-    | Some _ when steps >= limits.steps ->
-      No_end (Printf.sprintf "no set has come to rest in %d steps" limits.steps)
+    | Some _ when size () > most -> No_end (Printf.sprintf "there are more than %d kinds of states" most)
     | Some k ->
       visitor.looked_at ~locations:(size ()) ~waiting:(Queue.length s.waiting);
       k.queued <- false;
       List.iter (grow s) (after s k);
-      go (steps + 1)
+      go ()
   in
   match
     List.iter (grow s) starts;
-    go 0
+    go ()
   with
   | end_ -> end_
   | exception Instant.Not_affine reason -> No_end reason

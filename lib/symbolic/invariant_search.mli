@@ -5,11 +5,6 @@
 
 open Scc_property
 
-type limits = {
-  locations : int;  (** at most so many *)
-  steps : int;  (** at most so many locations are looked at, each time that they have grown *)
-}
-
 type visitor = { stop : unit -> bool; looked_at : locations:int -> waiting:int -> unit }
 
 type end_ =
@@ -18,5 +13,6 @@ type end_ =
   | Stopped
 
 val find :
-  Instant.context -> events:Property.event array -> limits:limits -> visitor:visitor -> Zone.t list -> end_
-(** From zones that do not keep time. *)
+  Instant.context -> events:Property.event array -> most:int -> visitor:visitor -> Zone.t list -> end_
+(** From zones that do not keep time, with at most so many locations. How long it takes is bounded by
+    {!Scc_polyhedra.Effort}. *)

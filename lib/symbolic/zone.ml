@@ -137,8 +137,9 @@ let inverse n rows free =
   List.iter solve (List.rev rows);
   let known i = values.(i) <> None || not (Linear.equal free.(i) (Linear.variable n i)) in
   if List.for_all known (List.init n Fun.id) then
-    let value i = Option.value values.(i) ~default:(Linear.constant n Rat.zero) in
-    Some (Array.map (fun f -> Linear.compose f ~dimension:n (Array.init n value)) free)
+    let zero = Linear.constant n Rat.zero in
+    let values = Array.map (fun v -> Option.value v ~default:zero) values in
+    Some (Array.map (fun f -> Linear.compose f ~dimension:n values) free)
   else None
 
 (* [given] has a form for each coordinate, in the order of {!coordinates}. *)

@@ -89,6 +89,9 @@ val by_invariant : outcome -> bool
 val over_zones : outcome -> bool
 (** Of all starts, or all instants of splits, at once. *)
 
+val is_open : t -> bool
+(** Undecided, or holds up to a bound. *)
+
 val exhaustive : t -> bool
 (** Holds, as a proof. *)
 

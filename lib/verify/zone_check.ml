@@ -83,7 +83,7 @@ let distinct events =
 
 let proofs_of answers = function
   | Some (Zone_proof.Proved { proofs; _ }) -> List.map Option.some proofs
-  | Some (None_found _) | None -> List.map (fun _ -> None) answers
+  | Some (None_found _ | Given_up _) | None -> List.map (fun _ -> None) answers
 
 (* With what is proved. *)
 let sets answer (proof : Proof.t option) =
@@ -249,12 +249,14 @@ let rests_on_proof answer (where : Where.t) (verdict : Verdict.t) =
   | Violated _ -> Union.is_empty fails
   | Holds _ | Measured _ | Undecided _ -> false
 
-(* A bound on its size has ended the exploration, and something is not known. *)
-let is_open ~exactly (e : explored) =
+(* A bound on its size has ended the exploration, or the seconds that it had of those who asked for an invariant,
+   and something is not known. *)
+let is_open ~asked ~exactly (e : explored) =
   let of_size (t : Verdict.truncation) =
     match t.limit with
     | Depth _ | States _ | Time _ -> true
-    | Instant _ | Bits _ | Seconds _ | Memory _ | Interrupted | Omission _ -> false
+    | Seconds _ -> asked
+    | Instant _ | Bits _ | Memory _ | Interrupted | Omission _ -> false
   in
   let unknown answer = not (Answers.is_known ~exactly answer) in
   e.stopped_by <> [] && List.for_all of_size e.stopped_by && List.exists unknown e.answers
@@ -327,16 +329,25 @@ let run (options : Joint_check.options) semantics u ~declared ~exactly ~premises
   let initial = Zone_proof.initial semantics declared in
   let slicing = List.exists (Reduction.equal Slice) options.reductions && Array.length initial.processes > 1 in
   let bounded = Option.is_some (Zone_bounds.given options.bounds.time) in
-  let attempt (group : Zone_groups.t) =
+  let attempt effort (group : Zone_groups.t) =
     let declared = Option.value group.part ~default:declared in
-    Result.to_option (Zone_proof.attempt options semantics u ~declared (List.map snd group.members))
+    Result.to_option (Zone_proof.attempt options effort semantics u ~declared (List.map snd group.members))
   in
   let of_group group =
     let some_check = group.members <> [] in
-    let before = if options.prove && some_check then attempt group else None in
+    let before = if options.prove && some_check then attempt Briefly group else None in
+    let later : Zone_proof.effort option =
+      match before with
+      | None -> if some_check then Some Unasked else None
+      | Some (Given_up _) -> Some Longer
+      | Some (Proved _ | None_found _) -> None
+    in
     let of_zones zones =
+      let options = Zone_proof.leaving_time options before in
       let e = explore options context group ~initial zones ~ranges:m.ranges ~exactly ~proof:before in
-      if some_check && before = None && is_open ~exactly e then { e with proof = attempt group } else e
+      match later with
+      | Some effort when is_open ~asked:options.prove ~exactly e -> { e with proof = attempt effort group }
+      | Some _ | None -> e
     in
     let initial = Option.value group.part ~default:initial in
     Result.map of_zones (Start.zones context u ~initial ~keeps_time:group.keeps_time)

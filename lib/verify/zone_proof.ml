@@ -6,29 +6,54 @@ open Scc_property
 open Scc_symbolic
 
 type t = { invariant : Invariant.t; proofs : Proof.t list }
-type end_ = Proved of t | None_found of string
+type end_ = Proved of t | None_found of string | Given_up of string
+type effort = Briefly | Longer | Unasked
 
-(* Who did not ask for it waits less long. *)
-let limits (options : Joint_check.options) =
-  if options.prove then { Invariant_search.locations = 2_000; steps = 50_000 }
-  else { locations = 200; steps = 1_000 }
+let least_states = 200_000
 
-let no_time = None_found "there was too little time to look for one"
+let states (options : Joint_check.options) =
+  match options.bounds.states with
+  | Given n | Default n -> Int.max least_states n
+  | Unbounded -> least_states
+
+let work options effort =
+  states options * match effort with Briefly -> 50 | Longer -> 1000 | Unasked -> 250
+
+(* A kind has the work of a hundred states. *)
+let most_kinds options = function Briefly | Longer -> states options / 100 | Unasked -> 200
+
+let no_time = Given_up "there was too little time to look for one"
+
+let too_much options effort =
+  let millions = work options effort / 1_000_000 in
+  Given_up
+    (Printf.sprintf "the search for one was given up after %d million steps of arithmetic%s" millions
+       (match effort with Unasked -> "; --prove looks longer" | Briefly | Longer -> "; more --states allow more"))
+
+let leaving_time (options : Joint_check.options) before =
+  match before with
+  | Some (Given_up _) ->
+    { options with surroundings = { options.surroundings with stop = options.surroundings.half () } }
+  | Some (Proved _ | None_found _) | None -> options
 
 let distinct events =
   let add kept e = if List.exists (Formula.equal_event e) kept then kept else e :: kept in
   List.rev (List.fold_left add [] events)
 
-let search (options : Joint_check.options) semantics u ~declared ~parameters zones formulas =
+let search (options : Joint_check.options) effort semantics u ~declared ~parameters zones formulas =
   let context = Instant.context semantics in
   let events = Array.of_list (distinct (List.concat_map Formula.events formulas)) in
-  let over = if options.prove then options.surroundings.half () else options.surroundings.stop in
+  let over =
+    match effort with
+    | Briefly -> options.surroundings.half ()
+    | Longer | Unasked -> options.surroundings.stop
+  in
   let stop () = Option.is_some (over ()) in
   let looked_at ~locations ~waiting =
     options.surroundings.progress
       { states = locations; transitions = 0; waiting; depth = 0; model_time = Rat.zero }
   in
-  match Invariant_search.find context ~events ~limits:(limits options) ~visitor:{ stop; looked_at } zones with
+  match Invariant_search.find context ~events ~most:(most_kinds options effort) ~visitor:{ stop; looked_at } zones with
   | Stopped -> no_time
   | No_end reason -> None_found reason
   | Found invariant -> (
@@ -49,7 +74,7 @@ let initial semantics declared =
   | Ok s -> s
   | Error _ -> Scc_base.Bug.fail __POS__ "a law of motion in a model with ranges"
 
-let attempt options semantics u ~declared (checks : Property.check list) =
+let attempt options effort semantics u ~declared (checks : Property.check list) =
   match Scc_certificate.Certificate.not_for (Semantics.model semantics) with
   | Some reason -> Ok (None_found reason)
   | None ->
@@ -58,8 +83,12 @@ let attempt options semantics u ~declared (checks : Property.check list) =
     let parameters = Ranges.box (Semantics.model semantics).ranges in
     Start.zones (Instant.context semantics) u ~initial ~keeps_time:false
     |> Result.map (fun zones ->
-        let run () = search options semantics u ~declared ~parameters zones formulas in
-        Result.value (options.surroundings.attempt.run Concluding run) ~default:no_time)
+        let search () = search options effort semantics u ~declared ~parameters zones formulas in
+        let within () = Effort.within ~most:(work options effort) search in
+        match options.surroundings.attempt.run Concluding within with
+        | Ok (Some end_) -> end_
+        | Ok None -> too_much options effort
+        | Error _ -> no_time)
 
 let decided semantics ~declared (check : Property.check) (proof : Proof.t) =
   let outcome verdict =
@@ -70,10 +99,10 @@ let decided semantics ~declared (check : Property.check) (proof : Proof.t) =
   else if not (Union.is_empty proof.sets.fails) then outcome (Violated { witness = None })
   else None
 
-let prove options semantics u ~declared checks =
-  match attempt options semantics u ~declared checks with
+let decide options effort semantics u ~declared checks =
+  match attempt options effort semantics u ~declared checks with
   | Error _ -> ((fun _ -> None), None_found "the declared state is not well-formed")
-  | Ok (None_found _ as end_) -> ((fun _ -> None), end_)
+  | Ok ((None_found _ | Given_up _) as end_) -> ((fun _ -> None), end_)
   | Ok (Proved { proofs; _ } as end_) ->
     let all = List.combine checks (List.map2 (decided semantics ~declared) checks proofs) in
     ((fun check -> Option.join (List.assq_opt check all)), end_)

@@ -205,3 +205,15 @@ A delay that is known for some values only, beside one that may be over before i
   invariant: 6 kinds of states that no run leaves, checked afresh
   explored: 1 state, 0 transitions, depth 0; not complete: every property was decided before
   1 property: 1 holds
+
+Where the search takes long, exploring comes first; how far it goes is counted, and is the same on every machine.
+
+  $ scc check ../bench/checker/hexokinase.sc -D n=4 --prove
+  semantics 2: split step 1
+  
+  together: holds (exhaustive), at split step 1
+    always bonds(atp) <= 1 and bonds(glc) <= 1
+  
+  no invariant: the search for one was given up after 10 million steps of arithmetic; more --states allow more
+  explored: 23044 states, 34625 transitions, depth 2388, model time 1368; complete
+  1 property: 1 holds

@@ -21,7 +21,10 @@ let generate =
   let+ props = flatten_l [ one 0; one 0; one 1; one 1 ] and+ seed = 0 -- 1_000_000 in
   { scene; props; seed }
 
-let limits = { Invariant_search.locations = 40; steps = 150 }
+let most = 40
+
+(* As a hundred and fifty locations of such models take, or more. *)
+let work = 20_000_000
 let visitor = { Invariant_search.stop = (fun () -> false); looked_at = (fun ~locations:_ ~waiting:_ -> ()) }
 
 let found = ref 0
@@ -94,6 +97,10 @@ let look case (m : Model.t) standard (invariant : Invariant.t) claims values =
     in
     List.iter never claims
 
+let searched context ~events zones =
+  let find () = Invariant_search.find context ~events ~most ~visitor zones in
+  match Effort.within ~most:work find with Some end_ -> end_ | None -> No_end "too much work"
+
 let agrees case =
   let s = { case.scene with timed = false; contact = false } in
   let case = { case with scene = s } in
@@ -109,7 +116,7 @@ let agrees case =
       | Error _ -> true
       | Ok zones -> (
           let events = distinct (List.concat_map (fun p -> Formula.events (State p)) case.props) in
-          match Invariant_search.find context ~events ~limits ~visitor zones with
+          match searched context ~events zones with
           | Stopped -> failwith "nobody stops it"
           | No_end _ -> incr none; true
           | Found invariant ->
