@@ -6,3 +6,7 @@ exception Bug of (string * int * int * int) * string
 
 val fail : string * int * int * int -> string -> 'a
 (** [fail __POS__ what] raises {!Bug}. *)
+
+val broken : exn -> string option
+(** What was broken, where the exception tells of a fault of the program: {!Bug}, or what the language and its
+    library raise when they are asked for what cannot be. [None] of all others: limits, interruptions, no memory. *)

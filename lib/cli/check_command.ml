@@ -9,11 +9,14 @@ let ( let* ) = Result.bind
 
 (* A model without properties is explored all the same. *)
 let exit_code (report : Check.report) verdicts =
-  match verdicts with
-  | [] ->
-    let s = report.stats in
-    Exit_code.of_exploration ~complete:s.complete ~faults:s.faults ~stopped_by:s.stopped_by
-  | _ -> Exit_code.worst (List.map (fun (o : Verdict.outcome) -> Exit_code.of_verdict o.verdict) verdicts)
+  let of_report =
+    match verdicts with
+    | [] ->
+      let s = report.stats in
+      Exit_code.of_exploration ~complete:s.complete ~faults:s.faults ~stopped_by:s.stopped_by
+    | _ -> Exit_code.worst (List.map (fun (o : Verdict.outcome) -> Exit_code.of_verdict o.verdict) verdicts)
+  in
+  match Check.faults report with [] -> of_report | _ :: _ -> Exit_code.worst [ of_report; Bug ]
 
 let make_folder path =
   let fail message =
@@ -95,7 +98,7 @@ let write_sarif console path code properties =
   in
   let json =
     Sarif.document ~source:(Console.source console) ~version:Version.current ~exit:(Exit_code.to_int code) ~ok
-      ~diagnostics:(Console.kept console) ~properties
+      ~faults:(Console.faults console) ~diagnostics:(Console.kept console) ~properties
   in
   write_file path (Json.pretty json)
 
@@ -182,6 +185,7 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   in
   Watch.finish watch;
   Console.progress_done console;
+  List.iter (Console.fault console) (Check.faults report);
   let verdicts, answers = split_at (List.length l.checks) report.outcomes in
   Console.report console
     (report.stats.faults @ report.stats.dead_ends @ Vacuity.warnings report ~verdicts ~answers);

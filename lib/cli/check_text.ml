@@ -137,7 +137,7 @@ let counted (check : Scc_property.Property.check) (w : Witness.t) =
   if Rat.equal chance Rat.one then counts
   else Printf.sprintf "%s, of probability %s" counts (Likelihoods.number chance)
 
-let property console ~full ?where c ({ check; verdict = v; _ } as o : Verdict.outcome) =
+let property console ~full ?where c ({ check; verdict = v; lost; _ } as o : Verdict.outcome) =
   let verdict = Console.styled console (style v) (Verdict.outcome_to_string o) in
   let head = Printf.sprintf "%s: %s\n  %s\n" (Console.styled console Strong check.name) verdict check.text in
   let witness = witness ~full ~about:(about check.formula) c in
@@ -160,6 +160,9 @@ let property console ~full ?where c ({ check; verdict = v; _ } as o : Verdict.ou
   in
   let none =
     match v with
+    | _ when lost <> [] ->
+      let fault what = Printf.sprintf "  what failed: %s\n" what in
+      List.map fault lost
     | Violated { witness = None } when Verdict.over_zones o ->
       let search = Scc_property.Plan.is_search (Scc_property.Plan.of_formula check.formula) in
       let no_run =

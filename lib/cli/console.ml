@@ -10,6 +10,7 @@ type t = {
   json : bool;
   mutable sources : Source.t list;
   mutable kept : Diag.t list;  (** newest first *)
+  mutable faults : string list;  (** likewise *)
   mutable progressing : bool;
   sink : (string -> unit) option;  (** what takes the lines of progress, if they go elsewhere *)
 }
@@ -34,11 +35,14 @@ let make ?progress ~color ~json () =
     json;
     sources = [];
     kept = [];
+    faults = [];
     progressing = false;
     sink = progress;
   }
 
 let is_json c = c.json
+let fault c what = if not (List.mem what c.faults) then c.faults <- what :: c.faults
+let faults c = List.rev c.faults
 let add_source c s = c.sources <- s :: c.sources
 let source c name = List.find_opt (fun s -> String.equal (Source.name s) name) c.sources
 

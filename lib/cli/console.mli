@@ -40,6 +40,12 @@ val report : t -> Diag.t list -> unit
 val kept : t -> Diag.t list
 (** What [report] was given, in order. *)
 
+val fault : t -> string -> unit
+(** Keeps a fault of scc by which something is missing, while all else is told: see {!Guard.run}. *)
+
+val faults : t -> string list
+(** Those that were kept, in order. *)
+
 val note : t -> string -> unit
 (** A line to standard error (not in [json] mode). *)
 

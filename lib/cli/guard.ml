@@ -85,9 +85,11 @@ let run console command =
     | Ok code -> code
     | Error diagnostics -> invalid console diagnostics
   with
-  | code ->
-    Console.progress_done console;
-    code
+  | code -> (
+      Console.progress_done console;
+      match Console.faults console with
+      | [] -> code
+      | faults -> Exit_code.worst [ code; bug (String.concat "; " faults) ])
   | exception e -> told console e
 
 let run_on_two console first second command =

@@ -29,7 +29,7 @@ val by_ending :
 val run : Console.t -> (unit -> (Exit_code.t, Diag.t list) result) -> Exit_code.t
 (** Runs a command; diagnostics are {!invalid}. Turns exceptions into exit codes: an output that failed (74), an
     output that nobody reads any more (4, silently), no memory left (4), our own bugs and everything unforeseen
-    (70). *)
+    (70). So does a fault that was kept ({!Console.fault}), once the command has told all else. *)
 
 val run_on_two :
   Console.t -> string -> string -> (unit -> (Exit_code.t, Diag.t list) result) -> Exit_code.t

@@ -129,6 +129,7 @@ let sweep console o ~interrupted =
     (match (outcome : Outcome.t) with
      | Refused _ -> seen.refused <- seen.refused + 1
      | Checked _ -> if not (Outcome.is_known outcome) then seen.open_ <- seen.open_ + 1);
+    List.iter (Console.fault console) (Outcome.faults outcome);
     if Option.is_some o.plot then seen.all <- outcome :: seen.all
   in
   let write put =

@@ -159,6 +159,7 @@ let report console o (l : Loaded.t) checks watch =
       | Error stop -> Ok (Check.unexplored options checks stop)
     in
     Console.progress_done console;
+    List.iter (Console.fault console) (Check.faults report);
     Ok (report.outcomes, report.where)
 
 (* The model at one start, for what is about one. *)

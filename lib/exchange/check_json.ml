@@ -191,7 +191,10 @@ let measured (side, (m : Scc_ctl.Eval.measured)) =
       ("high", end_ Scc_chance.Answer.upper m.most);
     ]
 
-let property ?(full = false) ?where c ({ check; verdict = v; scale; rests; converges } as o : Verdict.outcome) =
+let lost_members = function [] -> [] | faults -> [ ("lost", `List (List.map Json.text faults)) ]
+
+let property ?(full = false) ?where c (o : Verdict.outcome) =
+  let { Verdict.check; verdict = v; scale; rests; converges; lost } = o in
   let bounds, reasons, run =
     match v with
     | Holds { bounds; witness } -> (bounds, [], witness)
@@ -216,6 +219,7 @@ let property ?(full = false) ?where c ({ check; verdict = v; scale; rests; conve
       @ List.map convergence (Option.to_list converges)
       @ List.map (fun s -> ("split_step", Json.rat s)) (Option.to_list scale.split_step)
       @ List.map over (List.filter spoken_of (Option.to_list scale.over))
+      @ lost_members lost
       @ (if Verdict.by_invariant o then [ ("by_invariant", `Bool true) ] else [])
       @ List.map (fun w -> ("where", Where_json.where w)) (Option.to_list where))
 
@@ -283,6 +287,9 @@ let document ~source r =
         ("explored", explored model r.report.stats);
         ("slices", `List (List.map (slice model) r.report.slices));
         ("zeno", Json.option (witness r.loaded.semantics) r.report.zeno);
+      ]
+      @ lost_members r.report.lost
+      @ [
         ("diagnostics", `List (List.map (Diag_json.diagnostic ~source) r.diagnostics));
       ]
       @ invariants model r.report

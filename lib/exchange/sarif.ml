@@ -95,10 +95,11 @@ let flow ~source m (check : Property.check) (w : Witness.t) =
 let witness_of_reason : Verdict.reason -> Witness.t option = function
   | Truncated _ | Unexplored _ | Undefined _ | Fault _ -> None
 
-let property ~source m ({ check; verdict = v; scale } : Verdict.outcome) =
+let property ~source m ({ check; verdict = v; scale; lost; _ } : Verdict.outcome) =
   (* The resolution is the model's own, and the same for all of them. *)
   let meant = Verdict.scale_to_string { scale with resolution = None } in
-  let said what = Printf.sprintf "`%s` is %s%s: %s" check.name what meant check.text in
+  let lost = Verdict.lost_to_string lost in
+  let said what = Printf.sprintf "`%s` is %s%s: %s%s" check.name what meant check.text lost in
   let run w = Option.fold ~none:[] ~some:(flow ~source m check) w in
   match v with
   | Holds _ -> None
@@ -110,11 +111,16 @@ let property ~source m ({ check; verdict = v; scale } : Verdict.outcome) =
     let more = run (List.find_map witness_of_reason reasons) in
     Some (result ~source ~id:undecided ~kind:"open" ~level:"none" ~text ~more check.span)
 
-let document ~source ~version ~exit ~ok ~diagnostics ~properties =
+let document ~source ~version ~exit ~ok ~faults ~diagnostics ~properties =
   let of_properties =
     match properties with
     | None -> []
     | Some (m, verdicts) -> List.filter_map (property ~source m) verdicts
+  in
+  let notifications =
+    match List.map (fun text -> `Assoc [ ("level", `String "error"); ("message", message text) ]) faults with
+    | [] -> []
+    | notes -> [ ("toolExecutionNotifications", `List notes) ]
   in
   let driver =
     `Assoc
@@ -129,7 +135,7 @@ let document ~source ~version ~exit ~ok ~diagnostics ~properties =
       [
         ("tool", `Assoc [ ("driver", driver) ]);
         ( "invocations",
-          `List [ `Assoc [ ("executionSuccessful", `Bool ok); ("exitCode", `Int exit) ] ] );
+          `List [ `Assoc ([ ("executionSuccessful", `Bool ok); ("exitCode", `Int exit) ] @ notifications) ] );
         ("columnKind", `String "unicodeCodePoints");
         ("results", `List (List.map (diagnostic ~source) diagnostics @ of_properties));
       ]

@@ -4,7 +4,14 @@ open Scc_chance
 open Scc_verify
 
 type number = { over : string; low : Rat.t option; high : Rat.t option; infinite : bool }
-type check = { name : string; verdict : string; numbers : number list; reasons : string list }
+type check = {
+  name : string;
+  verdict : string;
+  numbers : number list;
+  reasons : string list;
+  faults : string list;
+}
+
 type t = Checked of check list | Refused of { code : string; message : string }
 
 let number (side, (m : Scc_ctl.Eval.measured)) =
@@ -24,6 +31,7 @@ let check (o : Verdict.outcome) =
     verdict = Scc_exchange.Check_json.kind o.verdict;
     numbers;
     reasons = List.map Verdict.reason_to_string (reasons o.verdict);
+    faults = o.lost;
   }
 
 let of_outcomes list = Checked (List.map check list)
@@ -31,6 +39,8 @@ let of_outcomes list = Checked (List.map check list)
 let of_diagnostics = function
   | [] -> Bug.fail __POS__ "refused without a diagnostic"
   | (d : Diag.t) :: _ -> Refused { code = d.code; message = d.message }
+
+let faults = function Refused _ -> [] | Checked checks -> List.concat_map (fun c -> c.faults) checks
 
 let is_known = function
   | Refused _ -> false

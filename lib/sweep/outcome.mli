@@ -14,6 +14,7 @@ type check = {
   verdict : string;  (** as in [scc check --json] *)
   numbers : number list;
   reasons : string list;  (** why it is not known, or not better *)
+  faults : string list;  (** of scc, as {!Scc_verify.Verdict.outcome} *)
 }
 
 type t =
@@ -22,6 +23,9 @@ type t =
 
 val of_outcomes : Scc_verify.Verdict.outcome list -> t
 val of_diagnostics : Scc_base.Diag.t list -> t
+
+val faults : t -> string list
+(** Of all checks. *)
 
 val is_known : t -> bool
 (** All is decided, without a default bound that cut it short. *)

@@ -46,6 +46,7 @@ type report = {
   uneventful : bool;
   slices : slice list;
   zeno : Witness.t option;
+  lost : string list;
   stores : (string * int) list;
   where : Scc_where.Where.t list;
   invariants : Zone_proof.end_ list;
@@ -208,14 +209,17 @@ let explored options semantics ~initial group =
     | Some capacity -> Compact_check.check options ~capacity
   in
   let result = check semantics ~initial:part (List.map snd members) in
-  let lift = lift_in_time semantics ~initial (Joint_check.horizon (List.map snd members)) in
-  let lifted v = if whole then v else lift_verdict lift v in
-  let outcome (i, check) (_, v) =
+  let lost = Lost.make () and horizon = Joint_check.horizon (List.map snd members) in
+  let lift w = Lost.run lost semantics (fun () -> lift_in_time semantics ~initial horizon w) in
+  let outcome (i, check) (_, v, of_part) =
+    let verdict = if whole then v else lift_verdict lift v in
+    let lost = of_part @ Lost.taken lost in
     let split_step = match v with Verdict.Undecided _ -> None | Holds _ | Violated _ | Measured _ ->
       result.stats.split_step in
     let resolution = Model.resolution (Semantics.model semantics) in
-    let rests = rests semantics result check v and converges = converges result v in
-    (i, { Verdict.check; verdict = lifted v; scale = { resolution; split_step; over = None }; rests; converges })
+    (* It may be that of one run that decides. *)
+    let rests = if lost = [] then rests semantics result check v else [] and converges = converges result v in
+    (i, { Verdict.check; verdict; scale = { resolution; split_step; over = None }; rests; converges; lost })
   in
   let outcomes = List.map2 outcome members result.outcomes in
   let slice part =
@@ -226,7 +230,7 @@ let explored options semantics ~initial group =
     }
   in
   let zeno = if whole then result.zeno else Option.bind result.zeno lift in
-  (outcomes, Option.map slice group.needs.part, { result with zeno })
+  (outcomes, Option.map slice group.needs.part, { result with zeno; lost = result.lost @ Lost.taken lost })
 
 let merge parts ~events_elsewhere =
   let outcomes = List.concat_map (fun (outcomes, _, _) -> outcomes) parts in
@@ -251,6 +255,7 @@ let merge parts ~events_elsewhere =
       uneventful = List.exists knows parts || together_know ();
       slices;
       zeno = List.find_map (fun (r : Joint_check.result) -> r.zeno) results;
+      lost = List.concat_map (fun (r : Joint_check.result) -> r.lost) results;
       stores;
       where = [];
       invariants = [];
@@ -327,6 +332,7 @@ let unexplored_report outcomes stats =
     uneventful = false;
     slices = [];
     zeno = None;
+    lost = [];
     stores = [];
     where = [];
     invariants = [];
@@ -337,10 +343,14 @@ let unexplored options (checks : Property.check list) stop =
   let stopped = Bounds.stopped options.bounds stop in
   let outcome check =
     let scale = { Verdict.resolution = None; split_step = None; over = None } in
-    { Verdict.check; verdict = Undecided [ Truncated stopped ]; scale; rests = []; converges = None }
+    { Verdict.check; verdict = Undecided [ Truncated stopped ]; scale; rests = []; converges = None; lost = [] }
   in
   unexplored_report (List.map outcome checks)
     { empty_stats with decided_early = false; stopped_by = [ stopped ] }
+
+let faults report =
+  List.concat_map (fun (o : Verdict.outcome) -> o.lost) report.outcomes @ report.lost
+  |> List.sort_uniq String.compare
 
 let run_without options semantics ~initial checks ~decided =
   let rest = List.filter (fun c -> decided c = None) checks in

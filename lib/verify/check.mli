@@ -55,12 +55,17 @@ type report = {
   slices : slice list;  (** of all the explorations, those that left something out *)
   zeno : Witness.t option;
   (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)
+  lost : string list;  (** faults of scc, by which that could not be rebuilt (as {!Verdict.outcome}) *)
   stores : (string * int) list;  (** what the explored graphs take, by name, in bytes *)
   where : Scc_where.Where.t list;
   (** of an exploration over zones: for which values of the parameters each property holds, as far as was asked *)
   invariants : Zone_proof.end_ list;  (** likewise, what was looked for to prove them (rule Invariants) *)
   numbers : unit -> (string * int) list;  (** how far numbers have grown: {!Catalogue.longest} *)
 }
+
+val faults : report -> string list
+(** All faults of scc that are told in it, each once. A report with any has all but the runs that they are about,
+    and is to end with exit code 70. *)
 
 val run : options -> Semantics.t -> initial:State.t -> Property.check list -> report
 (** One exploration serves all properties that need the same: those that do with a part of the network (rule

@@ -38,28 +38,30 @@ let is_guard (t : Verdict.truncation) =
   | Instant _ -> true
   | Depth _ | Time _ | States _ | Bits _ | Seconds _ | Memory _ | Interrupted | Omission _ -> false
 
-let search context met ~always p (answer : Compact_search.answer) : Verdict.t =
+let search context lost met ~always p (answer : Compact_search.answer) : Verdict.t =
   match answer with
   | Met m ->
-    let witness = Some (Make_witness.of_met context p m) in
+    let witness =
+      Lost.run lost (Network_lts.semantics context) (fun () -> Some (Make_witness.of_met context p m))
+    in
     if always then Violated { witness } else Holds { bounds = []; witness }
   | Unmet undefined ->
     let bounds, faults = met in
     let only_bounds = Option.is_none undefined && faults = [] && not (List.exists is_guard bounds) in
     if always && only_bounds then Holds { bounds; witness = None } else Undecided (doubts met undefined)
 
-let rec verdict context met (plan : Plan.t) answers =
+let rec verdict context lost met (plan : Plan.t) answers =
   let both combine plans =
     let step (found, answers) plan =
-      let v, answers = verdict context met plan answers in
+      let v, answers = verdict context lost met plan answers in
       (v :: found, answers)
     in
     let found, answers = List.fold_left step ([], answers) plans in
     (combine (List.rev found), answers)
   in
   match (plan, answers) with
-  | Possibly (_, p), a :: rest -> (search context met ~always:false p a, rest)
-  | Always (_, p), a :: rest -> (search context met ~always:true p a, rest)
+  | Possibly (_, p), a :: rest -> (search context lost met ~always:false p a, rest)
+  | Always (_, p), a :: rest -> (search context lost met ~always:true p a, rest)
   | All plans, _ -> both Verdict.conjunction plans
   | Any plans, _ -> both Verdict.disjunction plans
   | (Possibly _ | Always _ | Now _ | Formula _), _ ->
@@ -74,9 +76,10 @@ let check (options : Joint_check.options) ~capacity semantics ~initial checks : 
   let expanding = options.compacting ~about:(Joint_check.about checks) in
   let r = Compact_search.search ~expanding limits options.surroundings context ~capacity ~rests goals in
   let ((bounds, faults) as met) = limits_met options (Semantics.model semantics) r in
+  let lost = Lost.make () in
   let step (outcomes, answers) (check, plan) =
-    let v, answers = verdict context met plan answers in
-    ((check, v) :: outcomes, answers)
+    let v, answers = verdict context lost met plan answers in
+    ((check, v, Lost.taken lost) :: outcomes, answers)
   in
   let outcomes, _ = List.fold_left step ([], r.answers) (List.combine checks plans) in
   {
@@ -102,6 +105,7 @@ let check (options : Joint_check.options) ~capacity semantics ~initial checks : 
         causes = [];
       };
     zeno = None;
+    lost = [];
     stores = [ ("states", r.bytes); ("labels", 0); ("edges", 0) ];
     numbers = (fun () -> Catalogue.longest (Network_lts.catalogue context));
   }

@@ -52,9 +52,10 @@ type stats = {
 }
 
 type result = {
-  outcomes : (Property.check * Verdict.t) list;
+  outcomes : (Property.check * Verdict.t * string list) list;
   stats : stats;
   zeno : Witness.t option;
+  lost : string list;
   stores : (string * int) list;
   numbers : unit -> (string * int) list;
 }
@@ -67,7 +68,9 @@ let formula_doubts r temporal i =
 
 (** {2 Verdicts} *)
 
-let trace (r : Unsettled.t) p trace = Make_witness.of_trace r.context r.graph (Some p) trace
+let trace (r : Unsettled.t) p trace =
+  Unsettled.run r (fun () -> Some (Make_witness.of_trace r.context r.graph (Some p) trace))
+
 let holds = Verdict.Holds { bounds = []; witness = None }
 
 (* Success up to a bound is one kind of verdict; what was not decided for another reason is not success. *)
@@ -87,15 +90,16 @@ let up_to_bound r (doubts : Search.doubts) =
 
 let now (r : Unsettled.t) p =
   match Trajectory.holds (Network_lts.semantics r.context) (Network_lts.start r.context) p with
-  | True -> Verdict.Holds { bounds = []; witness = Some (trace r p { steps = []; last = 0; finish = At_state }) }
-  | False -> Violated { witness = Some (trace r p { steps = []; last = 0; finish = At_state }) }
+  | True -> Verdict.Holds { bounds = []; witness = trace r p { steps = []; last = 0; finish = At_state } }
+  | False -> Violated { witness = trace r p { steps = []; last = 0; finish = At_state } }
   | Undecided text -> Undecided [ Undefined text ]
 
 let evaluated (r : Unsettled.t) temporal i =
   match Temporal.truth temporal i with
   | None -> Verdict.Undecided (formula_doubts r temporal i)
   | Some truth -> (
-      match (truth, Make_witness.of_explanation r.context r.graph temporal (Temporal.explain temporal i)) with
+      let explained () = Make_witness.of_explanation r.context r.graph temporal (Temporal.explain temporal i) in
+      match (truth, Unsettled.run r explained) with
       | true, witness -> Holds { bounds = []; witness }
       | false, witness -> Violated { witness })
 
@@ -115,12 +119,12 @@ let rec verdict r (plan : Plan.t) answers =
   | Now p, _ -> (now r p, answers)
   | Possibly (_, p), a :: searches ->
     ((match a with
-        | Met t -> Verdict.Holds { bounds = []; witness = Some (trace r p t) }
+        | Met t -> Verdict.Holds { bounds = []; witness = trace r p t }
         | Never -> Violated { witness = None }
         | Open doubts -> Undecided (Unsettled.search_doubts r doubts)), { answers with searches })
   | Always (_, p), a :: searches ->
     ((match a with
-        | Met t -> Verdict.Violated { witness = Some (trace r p t) }
+        | Met t -> Verdict.Violated { witness = trace r p t }
         | Never -> holds
         | Open doubts -> up_to_bound r doubts), { answers with searches })
   | Formula _, _ -> (
@@ -231,8 +235,10 @@ let stats (r : Unsettled.t) : stats =
 (* A cycle without duration, or else a run that met the guard. *)
 let zeno (r : Unsettled.t) (result : Search.result) =
   match result.zeno with
-  | Some t -> Some (Make_witness.of_trace r.context r.graph None t)
-  | None -> Option.map (Make_witness.of_path r.context r.graph) (Unsettled.first r Instant)
+  | Some t -> Unsettled.run r (fun () -> Some (Make_witness.of_trace r.context r.graph None t))
+  | None ->
+    let path i = Unsettled.run r (fun () -> Some (Make_witness.of_path r.context r.graph i)) in
+    Option.bind (Unsettled.first r Instant) path
 
 (* Without edges a state takes a quarter of the memory. They are needed to look back from states to those before,
    and worth keeping where earlier times may have to be passed on. *)
@@ -279,6 +285,7 @@ let unsettled options context graph ~horizon : Unsettled.t =
     context;
     graph;
     horizon;
+    lost = Lost.make ();
   }
 
 (* The name alone would not do: it is also that of what has to come true for the check to say anything. *)
@@ -324,14 +331,16 @@ let check options semantics ~initial (checks : Property.check list) =
   in
   let step (outcomes, answers) (check, plan) =
     let v, answers = outcome r (check, plan) answers in
-    ((check, v) :: outcomes, answers)
+    ((check, v, Lost.taken r.lost) :: outcomes, answers)
   in
   let answers = { searches = result.answers; next_formula = 0; temporal } in
   let outcomes, _ = List.fold_left step ([], answers) (List.combine checks plans) in
+  let zeno = zeno r result in
   {
     outcomes = List.rev outcomes;
     stats = stats r;
-    zeno = zeno r result;
+    zeno;
+    lost = Lost.taken r.lost;
     stores = stores r;
     numbers = (fun () -> Catalogue.longest (Network_lts.catalogue r.context));
   }

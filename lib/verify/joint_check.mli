@@ -49,10 +49,12 @@ type stats = {
 }
 
 type result = {
-  outcomes : (Property.check * Verdict.t) list;  (** in the order given *)
+  outcomes : (Property.check * Verdict.t * string list) list;
+  (** in the order given, with faults of scc, by which a run could not be rebuilt (as {!Verdict.outcome}) *)
   stats : stats;
   zeno : Witness.t option;
   (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)
+  lost : string list;  (** faults of scc, by which that could not be rebuilt *)
   stores : (string * int) list;  (** what the explored graph takes: states, labels and edges, in bytes *)
   numbers : unit -> (string * int) list;  (** how far numbers have grown: {!Catalogue.longest} *)
 }

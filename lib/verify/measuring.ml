@@ -7,8 +7,8 @@ let intervals temporal i = List.map (told "probability") (Temporal.probabilities
 
 (* Without the reasons for a claim that nobody has made. *)
 let witness (r : Unsettled.t) temporal i =
-  let explained = Make_witness.of_explanation r.context r.graph temporal (Temporal.explain temporal i) in
-  Option.map (fun w -> { w with Witness.argument = None }) explained
+  Unsettled.run r (fun () -> Make_witness.of_explanation r.context r.graph temporal (Temporal.explain temporal i))
+  |> Option.map (fun w -> { w with Witness.argument = None })
 
 let probability (r : Unsettled.t) temporal i sides =
   let values = List.map (fun side -> (side, Temporal.probability temporal i side)) sides in

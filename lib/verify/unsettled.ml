@@ -12,7 +12,10 @@ type t = {
   context : Network_lts.context;
   graph : Graph.t;
   horizon : Rat.t option;
+  lost : Lost.t;
 }
+
+let run r make = Lost.run r.lost (Network_lts.semantics r.context) make
 
 let cause r reason = Bounds.cause r.bounds r.model ~horizon:r.horizon reason
 
@@ -72,8 +75,8 @@ let causes r states : Verdict.reason list =
 let unexplored r states =
   let matter () =
     let count, nearest = counted r states in
-    let told i = Verdict.Unexplored { count; nearest = Make_witness.of_path r.context r.graph i } in
-    Option.map told nearest
+    let path i = run r (fun () -> Some (Make_witness.of_path r.context r.graph i)) in
+    Option.bind nearest path |> Option.map (fun nearest -> Verdict.Unexplored { count; nearest })
   in
   let matter = Result.value (r.surroundings.attempt.run Concluding matter) ~default:None in
   causes r states @ Option.to_list matter

@@ -13,7 +13,11 @@ type t = {
   context : Network_lts.context;
   graph : State_graph.t;
   horizon : Rat.t option;  (** the time beyond which nothing is asked *)
+  lost : Lost.t;
 }
+
+val run : t -> (unit -> Scc_explain.Witness.t option) -> Scc_explain.Witness.t option
+(** A run that is shown, unless it is lost ({!Lost.run}). *)
 
 val cause : t -> Transition.fault Explore.reason -> Bounds.cause
 

@@ -40,6 +40,7 @@ type outcome = {
   scale : scale;
   rests : rest list;
   converges : convergence option;
+  lost : string list;
 }
 
 let by_invariant o = match o.scale.over with Some over -> over.by_invariant | None -> false
@@ -201,6 +202,10 @@ let for_values o =
   in
   match values with [] -> "" | _ :: _ -> " for " ^ values_to_string values
 
+let lost_to_string = function
+  | [] -> ""
+  | _ :: _ -> "; its run could not be rebuilt: this is a fault of scc"
+
 let outcome_to_string o =
   let everywhere = Option.fold ~none:"" ~some:over_to_string o.scale.over in
   let verdict =
@@ -219,7 +224,7 @@ let outcome_to_string o =
       to_string o.verdict ^ String.concat "" (List.map rest_to_string o.rests) ^ scale_to_string o.scale
   in
   let told = function Named s -> Slowing.to_string s | Proved q -> Quickening.to_string q in
-  verdict ^ Option.fold ~none:"" ~some:(fun c -> "; " ^ told c) o.converges
+  verdict ^ Option.fold ~none:"" ~some:(fun c -> "; " ^ told c) o.converges ^ lost_to_string o.lost
 
 let shown = function
   | Holds { witness; _ } | Violated { witness } | Measured { witness; _ } -> witness

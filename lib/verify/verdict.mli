@@ -76,6 +76,8 @@ type outcome = {
   scale : scale;
   rests : rest list;
   converges : convergence option;  (** where a bound kept it from being decided *)
+  lost : string list;
+  (** faults of scc, by which a run that belongs to the verdict could not be rebuilt, and is not shown *)
 }
 
 val distinct : truncation list -> truncation list
@@ -121,6 +123,9 @@ val scale_to_string : scale -> string
 
 val values_to_string : (string * Rat.t) list -> string
 (** ["x = 3, y = 1/2"]. *)
+
+val lost_to_string : string list -> string
+(** ["; its run could not be rebuilt: this is a fault of scc"], or nothing. *)
 
 val rest_to_string : rest -> string
 (** [" by a run that goes round within one instant"], [", of runs some of which end in a dead end"]. *)

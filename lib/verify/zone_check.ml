@@ -201,13 +201,17 @@ let explore (options : Joint_check.options) context (group : group) ~initial zon
 
 (* {1 Verdicts} *)
 
-let verdict options semantics u ~declared (e : explored) check answer (where : Where.t) : Verdict.t =
+let verdict options lost semantics u ~declared (e : explored) check answer (where : Where.t) : Verdict.t =
+  let rebuilt make = Lost.run lost semantics make in
   let witness (place : Search_sets.place) =
     let sliced = Option.is_some e.group.part in
     Zone_witness.make semantics u ~declared ~sliced (Concrete.run e.graph place) place
   in
-  let shown ~holds = Option.map witness (Answers.shown_by answer ~holds) in
-  let run ~holds = Option.map (Zone_witness.of_run semantics u ~declared) (Answers.run answer e.graph ~holds) in
+  let shown ~holds = rebuilt (fun () -> Option.map witness (Answers.shown_by answer ~holds)) in
+  let run ~holds =
+    rebuilt (fun () ->
+        Option.map (Zone_witness.of_run semantics u ~declared) (Answers.run answer e.graph ~holds))
+  in
   let first_some a b = match a with Some _ -> a | None -> b () in
   let bounded = List.map (fun t -> Verdict.Truncated t) e.stopped_by in
   let reasons =
@@ -220,7 +224,8 @@ let verdict options semantics u ~declared (e : explored) check answer (where : W
       match (shown ~holds:false, Union.point where.fails) with
       | (Some _ as w), _ -> w
       | None, Some values when not (Plan.is_search (Plan.of_formula check.Property.formula)) ->
-        first_some (Zone_single.run options semantics u ~declared check values) (fun () -> run ~holds:false)
+        let of_start () = Zone_single.run options semantics u ~declared check values in
+        first_some (rebuilt of_start) (fun () -> run ~holds:false)
       | None, _ -> None
     in
     Violated { witness }
@@ -233,7 +238,7 @@ let verdict options semantics u ~declared (e : explored) check answer (where : W
       if e.stopped_by = [] then None
       else
         let sliced = Option.is_some e.group.part in
-        Zone_nearest.reason options semantics u ~declared ~sliced e.graph ~unknown:where.unknown
+        Zone_nearest.reason options lost semantics u ~declared ~sliced e.graph ~unknown:where.unknown
     in
     Undecided (reasons @ Option.to_list nearest)
 
@@ -297,9 +302,10 @@ let slice m ~initial (e : explored) : Check.slice option =
 
 let outcomes options semantics u ~declared (e : explored) =
   let m = Semantics.model semantics in
+  let lost = Lost.make () in
   let one (i, check) (answer, proof) =
     let where = where m.ranges answer proof in
-    let verdict = verdict options semantics u ~declared e check answer where in
+    let verdict = verdict options lost semantics u ~declared e check answer where in
     let example =
       match (verdict, Union.point where.fails) with
       | Violated { witness = None }, Some values ->
@@ -308,7 +314,8 @@ let outcomes options semantics u ~declared (e : explored) =
     in
     let by_invariant = rests_on_proof answer where verdict in
     let scale = Zone_scale.make semantics ~declared ~example ~by_invariant in
-    (i, ({ check; verdict; scale; rests = []; converges = None } : Verdict.outcome), where)
+    let lost = Lost.taken lost in
+    (i, ({ check; verdict; scale; rests = []; converges = None; lost } : Verdict.outcome), where)
   in
   List.map2 one e.group.members (List.combine e.answers (proofs_of e.answers e.proof))
 
@@ -319,7 +326,7 @@ let premises (m : Model.t) (e : explored) =
     let never = Union.covers (Answers.sets answer).fails all in
     let verdict : Verdict.t = if never then Violated { witness = None } else Undecided [] in
     let scale = { Verdict.resolution = None; split_step = None; over = None } in
-    (i, { Verdict.check; verdict; scale; rests = []; converges = None })
+    (i, { Verdict.check; verdict; scale; rests = []; converges = None; lost = [] })
   in
   List.map2 one e.group.premises e.met
 
@@ -384,6 +391,7 @@ let run (options : Joint_check.options) semantics u ~declared ~exactly ~premises
         uneventful = List.exists (fun e -> e.uneventful) explored;
         slices = List.filter_map (slice m ~initial) explored;
         zeno = None;
+        lost = [];
         stores = [];
         where = List.map (fun (_, _, w) -> w) sorted;
         invariants = List.filter_map (fun e -> e.proof) explored;

@@ -20,7 +20,7 @@ let matters unknown (node : Zone_graph.node) =
 let place (node : Zone_graph.node) =
   { Search_sets.node; states = node.zone.set; passing = false; prop = And [] }
 
-let reason (options : Joint_check.options) semantics u ~declared ~sliced graph ~unknown =
+let reason (options : Joint_check.options) lost semantics u ~declared ~sliced graph ~unknown =
   let find () =
     let all = unexpanded graph in
     if Union.dimension unknown > 0 && List.compare_length_with all most > 0 then None
@@ -30,7 +30,8 @@ let reason (options : Joint_check.options) semantics u ~declared ~sliced graph ~
       | first :: _ as left ->
         let run values = Concrete.run_within graph (place first) values in
         let shown run = Zone_witness.make semantics u ~declared ~sliced run (place first) in
-        let of_run run = Verdict.Unexplored { count = List.length left; nearest = shown run } in
-        Option.map of_run (List.find_map run (Union.pieces unknown))
+        let nearest () = Option.map shown (List.find_map run (Union.pieces unknown)) in
+        Lost.run lost semantics nearest
+        |> Option.map (fun nearest -> Verdict.Unexplored { count = List.length left; nearest })
   in
   match options.surroundings.attempt.run Concluding find with Ok found -> found | Error _ -> None

@@ -93,7 +93,7 @@ let attempt options effort semantics u ~declared (checks : Property.check list) 
 let decided semantics ~declared (check : Property.check) (proof : Proof.t) =
   let outcome verdict =
     let scale = Zone_scale.make semantics ~declared ~example:[] ~by_invariant:true in
-    Some { Verdict.check; verdict; scale; rests = []; converges = None }
+    Some { Verdict.check; verdict; scale; rests = []; converges = None; lost = [] }
   in
   if not (Union.is_empty proof.sets.holds) then outcome (Holds { bounds = []; witness = None })
   else if not (Union.is_empty proof.sets.fails) then outcome (Violated { witness = None })

@@ -25,6 +25,7 @@ let run (options : Joint_check.options) semantics u ~declared (check : Property.
         let fixed = { Scc_explain.Witness.values = named m values; semantics = c } in
         let of_start (w : Scc_explain.Witness.t) = { w with fixed = Some fixed } in
         match report.outcomes with
+        | [ { lost = what :: _; _ } ] -> Bug.fail __POS__ what
         | [ { verdict = Violated { witness }; _ } ] -> Option.map of_start witness
         | [ { verdict = Holds { bounds = []; _ }; _ } ] ->
           Bug.fail __POS__ "a check that is violated over zones holds for a start of them"

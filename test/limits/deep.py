@@ -66,7 +66,6 @@ timestep 1
 process p = C mass 1 velocity (1,0,0) [K]
 check never : always x(p) < {d}
 check ever : possibly x(p) > {d - 1}
-check branching : EG x(p) < {d}
 '''
 
 
@@ -124,7 +123,7 @@ class Cases:
         self.add('conform', 'conform', model, trace, '--states', 10 * d)
         self.add('conform --json', 'conform', '--json', model, trace, '--states', 10 * d, '--run', self.out('same.json'))
         self.add('export csv', 'export', model, '--steps', d, '--format', 'csv', '--observe', 'x(p)', '-o', csv)
-        theirs = self.file('theirs.csv', 'time,process,x,y,z\n' + ''.join(
+        theirs = self.file('theirs.csv', 'time,body,x,y,z\n' + ''.join(
             f'{i},p,{i},{i * (i - 1) // 2},0\n' for i in range(d)))
         self.add('conform csv', 'conform', model, theirs, '--states', 10 * d, codes=(0, 1, 2))
         self.add('diff csv', 'diff', trace, theirs, codes=(0, 1))

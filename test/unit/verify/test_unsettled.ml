@@ -30,7 +30,10 @@ let unsettled path limits : Unsettled.t =
   in
   let context = Network_lts.make semantics initial in
   let graph = Graph.run limits Limits.quiet context in
-  { bounds = Bounds.default; surroundings = Limits.quiet; model = e.model; context; graph; horizon = None }
+  {
+    bounds = Bounds.default; surroundings = Limits.quiet; model = e.model; context; graph; horizon = None;
+    lost = Lost.make ();
+  }
 
 (* Faults are told of as often as they come up, other reasons once. *)
 let naive (r : Unsettled.t) states =

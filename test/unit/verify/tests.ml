@@ -5,4 +5,5 @@ let () =
       Test_slowing.suite;
       Test_together.suite;
       Test_growth.suite;
-      Test_unsettled.suite ]
+      Test_unsettled.suite;
+      Test_lost.suite ]

@@ -1,0 +1,86 @@
+(* A run that could not be rebuilt, in the reports: the verdict says so, and the command ends as a fault of scc,
+   when it has told all else. *)
+
+open Scc_verify
+module Console = Scc_cli__Console
+module Guard = Scc_cli__Guard
+module Check_text = Scc_cli__Check_text
+module Json = Scc_exchange.Json
+
+let text =
+  "shape C = box(1,1,1)\nprocess p = C mass 1 [nil]\ncheck a : possibly x(p) > 1\ncheck b : always x(p) < 1\n"
+
+let source = Scc_base.Source.make ~name:"m.sc" text
+
+let loaded =
+  match Scc_session.Loaded.load ~read_file:(fun _ -> Error "none") ~overrides:[] source with
+  | Ok l -> l
+  | Error _ -> failwith "the model"
+
+let lost = [ "Bug at here:1: broken" ]
+
+let outcome lost verdict check : Verdict.outcome =
+  let scale = { Verdict.resolution = None; split_step = None; over = None } in
+  { check; verdict; scale; rests = []; converges = None; lost }
+
+let outcomes =
+  List.map2 (fun verdict check -> outcome lost verdict check)
+    [ Verdict.Violated { witness = None }; Holds { bounds = []; witness = None } ]
+    loaded.checks
+
+let console () = Console.make ~color:Console.Never ~json:false ()
+
+let in_words () =
+  Alcotest.(check (list string)) "text"
+    [
+      "a: violated; its run could not be rebuilt: this is a fault of scc\n  possibly x(p) > 1\n\
+      \  what failed: Bug at here:1: broken\n";
+      "b: holds (exhaustive); its run could not be rebuilt: this is a fault of scc\n  always x(p) < 1\n\
+      \  what failed: Bug at here:1: broken\n";
+    ]
+    (List.map (Check_text.property (console ()) ~full:false loaded.semantics) outcomes)
+
+let in_json () =
+  let member o =
+    match Json.member "lost" (Scc_exchange.Check_json.property loaded.semantics o) with
+    | Some (`List [ `String what ]) -> Some what
+    | Some _ -> Some "something else"
+    | None -> None
+  in
+  Alcotest.(check (list (option string))) "what failed"
+    (List.map (fun _ -> Some (List.hd lost)) outcomes)
+    (List.map member outcomes);
+  let sound = outcome [] (Verdict.Holds { bounds = []; witness = None }) (List.hd loaded.checks) in
+  Alcotest.(check bool) "nothing" true (member sound = None)
+
+let in_sarif () =
+  let document =
+    Scc_exchange.Sarif.document
+      ~source:(fun _ -> Some source)
+      ~version:"0" ~exit:70 ~ok:false ~faults:lost ~diagnostics:[]
+      ~properties:(Some (loaded.model, outcomes))
+  in
+  let has part text =
+    match Str.search_forward (Str.regexp_string part) text 0 with _ -> true | exception Not_found -> false
+  in
+  let told = Json.pretty document in
+  Alcotest.(check (list bool)) "result and notification" [ true; true; true ]
+    (List.map (fun part -> has part told)
+       [ "possibly x(p) > 1; its run could not be rebuilt"; "toolExecutionNotifications"; List.hd lost ])
+
+let exits () =
+  let ends work = Scc_session.Exit_code.to_int (Guard.run (console ()) work) in
+  let with_fault code =
+    let c = console () in
+    Scc_session.Exit_code.to_int
+      (Guard.run c (fun () ->
+           List.iter (Console.fault c) lost;
+           Ok code))
+  in
+  Alcotest.(check (list int)) "codes" [ 0; 70; 70; 70 ]
+    [ ends (fun () -> Ok Holds); with_fault Holds; with_fault Violated; with_fault Unwritten ]
+
+let () =
+  let case name f = Alcotest.test_case name `Quick f in
+  Alcotest.run "lost runs"
+    [ ("reports", [ case "text" in_words; case "JSON" in_json; case "SARIF" in_sarif; case "exit codes" exits ]) ]
