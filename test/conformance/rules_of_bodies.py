@@ -288,8 +288,8 @@ def absorb():
     r.outcomes('A whole process goes, by its first leaf.', bonded('', 'nil', 'nil', v='(1,0,0)') + drain, [TIME],
                [absorbs('p', 'drain')])
     r.outcomes('Another collision at that instant is possible as well.', ABSORBED_BESIDE, [], [absorbs('p', 'drain'), bounces('p', 'wall')])
-    r.outcomes('Resolved together, nothing of the cluster bounces while one may be absorbed.', 'collisions together\n' + ABSORBED_BESIDE, [],
-               [absorbs('p', 'drain')])
+    r.outcomes('Resolved together, nothing of the cluster bounces while one may be absorbed.',
+               'collisions together\n' + ABSORBED_BESIDE, [], [absorbs('p', 'drain')])
     r.outcomes('In turn, two that rest beside it may be hit first.', ABSORBED_OR, [],
                [bounces('p', 'q'), absorbs('p', 'drain'), absorbs('p', 'sink')])
     r.outcomes('Together it is absorbed, by one or the other.', 'collisions together\n' + ABSORBED_OR, [],

@@ -169,15 +169,18 @@ def lots():
     uv = ('dock', 'u.right', 'v.left')
     r.outcomes('If it is several bonds, they are released at once.', pairs, [TIME, RELEASE, RELEASE], [at_once(('dock', *PQ), uv)])
     r.outcomes('Nothing is bound then.', pairs, [TIME, RELEASE, RELEASE, WEAK], [], 'quiescent')
-    r.verdict('Nobody sees which of the two was first.', pairs, 'EF (bound(p, q) and not bound(u, v)) and EF (bound(u, v) and not bound(p, q))', 'holds')
+    r.verdict('Nobody sees which of the two was first.', pairs,
+              'EF (bound(p, q) and not bound(u, v)) and EF (bound(u, v) and not bound(p, q))', 'holds')
     sure = bonded('', by_chance('chance 1'), FREE, PAIRS.replace('1/4', '1'))
-    r.verdict('Where both surely go, they go together.', sure, 'AG (bound(p, q) <=> bound(u, v))', 'holds')
+    r.verdict('Where both surely go, they go together.', sure,
+              'AG (bound(p, q) and bound(u, v) or not bound(p, q) and not bound(u, v))', 'holds')
     r.outcomes('Two in a row of four, with pushes: as the one goes, so does the other.', PUSHED, [TIME, RELEASE, RELEASE],
                [at_once(('dock', 'p.right', 'q.left', 1), ('dock', 's.right', 't.left', 1))])
     r.value('What is between them is pushed from both sides.', PUSHED, [TIME, RELEASE, RELEASE, WEAK],
             'vx(p) = -1 and vx(q) = 0 and vx(s) = 0 and vx(t) = 1', True)
     chooses = bonded('behaviour One on Cube = nil\nbehaviour Two on Cube = nil\n', by_chance('chance 1'), EITHER, CHOOSERS)
-    choice, drawn = {'kind': 'lot', 'name': 'dock', 'ends': unordered(['u.right', 'v.left']), 'decision': 'choose'}, [TIME, RELEASE, RELEASE]
+    choice = {'kind': 'lot', 'name': 'dock', 'ends': unordered(['u.right', 'v.left']), 'decision': 'choose'}
+    drawn = [TIME, RELEASE, RELEASE]
     r.outcomes('Two may go in two ways: the first one chooses, when all lots are drawn.', chooses, drawn, [choice] * 2)
     r.outcomes('The last one chooses as it goes.', chooses, [*drawn, lot('choose')], [at_once(('dock', *PQ), uv)] * 2)
     for side, far in (('On the right', 10), ('On the left', -10)):
