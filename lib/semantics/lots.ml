@@ -173,8 +173,8 @@ let due m (s : State.t) =
       match first some_contested with
       | Some p -> Some (To_be_first (p, bonds (List.find contested (clusters (in_order m p)))))
       | None -> (
-          let now = List.map (fun p -> (p, released_now m p)) (Process.by_place m waiting) in
-          let choices (p, all) = List.map (fun r -> (p, r)) (List.filter (is_open m p) all) in
-          match List.concat (List.map choices now) with
-          | (p, first) :: _ :: _ -> Some (To_choose (p, first))
-          | [ _ ] | [] -> Some (To_release now)))
+          let several p = List.filter (is_open m p) (released_now m p) in
+          let some p = match several p with [] -> false | _ :: _ -> true in
+          match (List.concat_map several waiting, first some) with
+          | _ :: _ :: _, Some p -> Some (To_choose (p, List.hd (several p)))
+          | _, _ -> Some (To_release (List.map (fun p -> (p, released_now m p)) waiting))))

@@ -43,7 +43,8 @@ val followed : Model.t -> State.process -> State.bond -> State.drawn -> State.fi
 type to_release = { bond : State.bond; drawn : State.drawn }
 
 (** What comes next while lots are pending. Each of the first three is of one process and one bond at a time, in
-    the order of {!Process.first_by_velocity} and of places, and none comes before those above it have come for the whole network. *)
+    the order of {!Process.first_by_velocity} and of places, and none comes before those above it have come for the
+    whole network. *)
 type due =
   | To_draw of State.process * State.bond  (** the lot of this bond is drawn *)
   | To_be_first of State.process * State.bond list

@@ -29,6 +29,15 @@ def releases(name, one, other):
     return {'kind': 'weak', 'name': name, 'ends': unordered([one, other])}
 
 
+def at_once(*bonds):
+    """By lot; each with its push, if it has one."""
+    def told(name, one, other, push=None):
+        bond = {'name': name, 'ends': unordered([one, other])}
+        return bond if push is None else {**bond, 'push': num(push)}
+
+    return {'kind': 'weak', 'bonds': unordered([told(*b) for b in bonds])}
+
+
 def reacts(*bonds):
     return {'kind': 'strong', 'bonds': unordered([{'name': n, 'ends': unordered([x, y])} for n, x, y in bonds])}
 

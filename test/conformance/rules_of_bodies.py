@@ -288,6 +288,18 @@ def absorb():
     r.outcomes('A whole process goes, by its first leaf.', bonded('', 'nil', 'nil', v='(1,0,0)') + drain, [TIME],
                [absorbs('p', 'drain')])
     r.outcomes('Another collision at that instant is possible as well.', ABSORBED_BESIDE, [], [absorbs('p', 'drain'), bounces('p', 'wall')])
+    r.outcomes('Resolved together, nothing of the cluster bounces while one may be absorbed.',
+               'collisions together\n' + ABSORBED_BESIDE, [], [absorbs('p', 'drain')])
+    r.outcomes('In turn, two that rest beside it may be hit first.', ABSORBED_OR, [],
+               [bounces('p', 'q'), absorbs('p', 'drain'), absorbs('p', 'sink')])
+    r.outcomes('Together it is absorbed, by one or the other.', 'collisions together\n' + ABSORBED_OR, [],
+               [absorbs('p', 'drain'), absorbs('p', 'sink')])
+    r.state('And what it hit besides stays as it is.', 'collisions together\n' + ABSORBED_OR, [ABSORB],
+            [{'velocity': nums((0, 0, 0)), **leaf('q')}, leaf('drain'), leaf('sink')])
+    binds_too = 'collisions together\n' + ABSORBED_OR.replace('[nil]', '[<a, {right}>. nil]', 1).replace('[nil]', '[<~a, {left}>. nil]', 1)
+    r.outcomes('Or it binds, and then the whole is absorbed.', binds_too, [],
+               [binds('a', 'p.right', 'q.left'), absorbs('p', 'drain'), absorbs('p', 'sink')])
+    r.outcomes('Looked at afresh.', binds_too, [BIND], [absorbs('p', 'drain'), absorbs('p', 'sink')])
     r.refused('What moves does not absorb.', 'process p = Cube mass 1 absorb [nil]\n', 'SC0409')
     r.refused('What absorbs does nothing.', 'fixed p = Cube absorb [eps(1). nil]\n', 'SC0409')
     r.named(text, [TIME], ABSORB, 'Absorb')
@@ -297,6 +309,12 @@ def absorb():
 ABSORBED_BESIDE = """process p = Cube mass 1 velocity (1,0,0) [nil]
 fixed drain = Cube absorb at translate (2,1,0)
 fixed wall = Cube at translate (2,-1,0)
+"""
+
+ABSORBED_OR = """process p = Cube mass 1 velocity (1,1,1) [nil]
+process q = Cube mass 1 at translate (2,1,0) [nil]
+fixed drain = Cube absorb at translate (0,2,0)
+fixed sink = Cube absorb at translate (0,0,2)
 """
 
 GRAVITY = 'process p = Cube mass 2 at translate (0,0,10) [nil]\nmotion p = (vx, vy, vz - 2*dt)\n'

@@ -1,6 +1,6 @@
 """By hand: what is left to chance, velocities by laws, and weak splits."""
 
-from make_rules import BIND, BOUNCE, DOCK, TIME, WEAK, Rule, bonded, bounces, cubes, leaf, passes, releases
+from make_rules import at_once, BIND, BOUNCE, DOCK, TIME, WEAK, Rule, bonded, bounces, cubes, leaf, passes, releases
 from cases import num, nums, unordered
 
 
@@ -104,6 +104,21 @@ STAR = ('behaviour Lets on Cube = omega(dock, {left, right, top}) chance 1/2. Le
 PAIRS = ('process u = Cube mass 1 at translate (-12,0,0) [omega(dock, {right}) chance 1/4. nil]\n'
          'process v = Cube mass 1 at translate (-10,0,0) [omega(dock, {left}). nil]\nbond <dock, {u.right, v.left}>\n')
 
+# Two that choose what becomes of them; and four in a row, of which the outer ones go.
+EITHER = 'omega(dock, {left}). One + omega(dock, {left}). Two'
+CHOOSERS = PAIRS.replace('1/4', '1').replace('[omega(dock, {left}). nil]', '[%s]' % EITHER)
+PUSHED = bonded('', 'omega(dock, {right}) push(1) chance 1. nil', FREE,
+                'process s = Cube mass 1 at translate (4,0,0) [omega(dock, {right}). nil]\n'
+                'process t = Cube mass 1 at translate (6,0,0) [omega(dock, {left}) push(1) chance 1. nil]\n'
+                'bond <other, {q.right, s.left}>\nbond <dock, {s.right, t.left}>\n')
+# One dimer goes in one of two ways, by chance; an end of the other one chooses between two, here or there.
+DRAWN_ELSEWHERE = bonded('behaviour R on Cube = nil\nbehaviour S on Cube = nil\nbehaviour K on Cube = nil\n',
+                         'omega(dock, {right}) chance 1/2. R + omega(dock, {right}) chance 1/2. S', FREE,
+                         'process u = Cube mass 1 at translate (%d,0,0) [omega(dock, {right}) chance 1. nil]\n'
+                         'process v = Cube mass 1 at translate (%d,0,0) [omega(dock, {left}). K + omega(dock, {left}). nil]\n'
+                         'bond <dock, {u.right, v.left}>\n')
+KNOWS = 'Pmax = ? [ eventually not bound(p, q) and (behaviour(p) = R and behaviour(v) = K or behaviour(p) = S and not behaviour(v) = K) ]'
+
 
 def lots():
     r = Rule('Lot')
@@ -149,9 +164,27 @@ def lots():
     pairs = bonded('', by_chance('chance 1/3'), FREE, PAIRS)
     left = drawn_lot('release', 'u.right', 'v.left', '1/4')
     r.outcomes('The process on the left goes first.', pairs, [TIME], [left, drawn_lot('keep', 'u.right', 'v.left', '3/4')])
-    r.outcomes('All its bonds draw and are released, before the other draws.', pairs, [TIME, RELEASE],
-               [releases('dock', 'u.right', 'v.left')])
-    r.outcomes('Then the other.', pairs, [TIME, RELEASE, WEAK], both)
+    r.outcomes('Then the other, before anything is released.', pairs, [TIME, RELEASE], both)
+    r.outcomes('What is to be released is, when all have drawn.', pairs, [TIME, RELEASE, KEEP], [releases('dock', 'u.right', 'v.left')])
+    uv = ('dock', 'u.right', 'v.left')
+    r.outcomes('If it is several bonds, they are released at once.', pairs, [TIME, RELEASE, RELEASE], [at_once(('dock', *PQ), uv)])
+    r.outcomes('Nothing is bound then.', pairs, [TIME, RELEASE, RELEASE, WEAK], [], 'quiescent')
+    r.verdict('Nobody sees which of the two was first.', pairs,
+              'EF (bound(p, q) and not bound(u, v)) and EF (bound(u, v) and not bound(p, q))', 'holds')
+    sure = bonded('', by_chance('chance 1'), FREE, PAIRS.replace('1/4', '1'))
+    r.verdict('Where both surely go, they go together.', sure,
+              'AG (bound(p, q) and bound(u, v) or not bound(p, q) and not bound(u, v))', 'holds')
+    r.outcomes('Two in a row of four, with pushes: as the one goes, so does the other.', PUSHED, [TIME, RELEASE, RELEASE],
+               [at_once(('dock', 'p.right', 'q.left', 1), ('dock', 's.right', 't.left', 1))])
+    r.value('What is between them is pushed from both sides.', PUSHED, [TIME, RELEASE, RELEASE, WEAK],
+            'vx(p) = -1 and vx(q) = 0 and vx(s) = 0 and vx(t) = 1', True)
+    chooses = bonded('behaviour One on Cube = nil\nbehaviour Two on Cube = nil\n', by_chance('chance 1'), EITHER, CHOOSERS)
+    choice = {'kind': 'lot', 'name': 'dock', 'ends': unordered(['u.right', 'v.left']), 'decision': 'choose'}
+    drawn = [TIME, RELEASE, RELEASE]
+    r.outcomes('Two may go in two ways: the first one chooses, when all lots are drawn.', chooses, drawn, [choice] * 2)
+    r.outcomes('The last one chooses as it goes.', chooses, [*drawn, lot('choose')], [at_once(('dock', *PQ), uv)] * 2)
+    for side, far in (('On the right', 10), ('On the left', -10)):
+        r.measured('%s: who chooses knows what has been drawn.' % side, DRAWN_ELSEWHERE % (far, far + 2), KNOWS, greatest=1)
     faster = bonded('', by_chance('chance 1/3'), FREE, 'motion (vx + 1, vy, vz)\n')
     r.value('No law is asked while lots are pending.', faster, [TIME], 'vx(p)', 1)
     r.value('Then they are.', faster, [TIME, KEEP], 'vx(p)', 2)
@@ -163,14 +196,22 @@ def lots():
                [drawn_lot('release', *PQ, '487202/1238221'), drawn_lot('keep', *PQ, '751019/1238221')])
     ways = 'behaviour One on Cube = nil\nbehaviour Two on Cube = nil\n'
     rates = bonded(ways, 'omega(dock, {right}) rate 2. One + omega(dock, {right}) rate 1. Two', FREE)
+    beside = 'split_step 1/2\n' + bonded('', by_chance('chance 1/4', 'rate 1'), FREE)
+    r.outcomes('A chance beside a rate: each is what it says.', beside, [TIME],
+               [drawn_lot('release', *PQ, '1/4'), drawn_lot('release', *PQ, '487202/1238221'), drawn_lot('keep', *PQ, '1765855/4952884')])
+    between = 'split_step 1/2\n' + bonded('', by_chance('rate 1/3', 'chance 1/4', 'rate 2/3'), FREE)
+    r.outcomes('Rates compete with rates alone.', between, [TIME],
+               [drawn_lot('release', *PQ, '487202/3714663'), drawn_lot('release', *PQ, '1/4'),
+                drawn_lot('release', *PQ, '974404/3714663'), drawn_lot('keep', *PQ, '1765855/4952884')])
     r.measured('Rates compete.', rates, 'P = ? [ eventually behaviour(p) = One ]', least='2/3', greatest='2/3')
     r.measured('By the second instant: 1 - (2/3)^2.', third, 'P = ? [ eventually not bound(p, q) within 2 ]', least='5/9', greatest='5/9')
     r.measured('It lasts three steps on average.', third, 'E = ? [ time U not bound(p, q) ]', least=3, greatest=3)
     r.named(third, [TIME], both[0], 'Lot')
     r.refused('No probability.', bonded('', by_chance('chance 3/2'), FREE), 'SC0208')
     r.refused('No instants to draw at.', 'split_step any\n' + third, 'SC0505')
-    r.add_next('More than 1.', 'successors', {'model': r.model(bonded('', by_chance('chance 2/3', 'chance 1/2'), FREE))},
-               {'error': {'code': -32006, 'data': {'diagnostics': {'some': [{'code': 'SC0603', 'severity': 'error'}]}}}}, [TIME])
+    for note, chances in (('More than 1.', ('chance 2/3', 'chance 1/2')), ('Also with a rate.', ('chance 1/2', 'rate 1'))):
+        r.add_next(note, 'successors', {'model': r.model(bonded('', by_chance(*chances), FREE))},
+                   {'error': {'code': -32006, 'data': {'diagnostics': {'some': [{'code': 'SC0603', 'severity': 'error'}]}}}}, [TIME])
     return r
 
 

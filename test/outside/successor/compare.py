@@ -31,6 +31,7 @@ from syntax import Refused
 from turning import Turning
 
 HERE = Path(__file__).resolve().parent
+SPLITS = ("weak", "weaks", "strong")
 
 
 class Tally:
@@ -97,9 +98,9 @@ def compare_state(rules: Rules, answer: dict, state: State, tally: Tally) -> Opt
         tally.kinds[label[0]] += 1
         if label[0] == "strong" and len(label[1]) > 1:
             tally.kinds["strong of several"] += 1
-        if label[0] in ("weak", "strong") and of_a_ring(state, label, t["state"]):
+        if label[0] in SPLITS and of_a_ring(state, label, t["state"]):
             tally.kinds["split of a ring"] += 1
-        if label[0] in ("weak", "strong") and pushes(label):
+        if label[0] in SPLITS and pushes(label):
             tally.kinds["split with a push"] += 1
         if label[0] == "bounce" and len(label[1]) > 2:
             tally.kinds["bounce of several"] += 1
@@ -117,8 +118,9 @@ def compare_state(rules: Rules, answer: dict, state: State, tally: Tally) -> Opt
             if not written_as(t["label"]):
                 return "a label is written %s" % t["label"]["text"]
             count_lot(rules, state, label, tally)
-        elif label[0] == "weak" and lots_wait(state):
-            count_release(state, state_of(model, t["state"], str(after_time)), tally)
+        elif label[0] in SPLITS and lots_wait(state):
+            after = state_of(model, t["state"], str(after_time))
+            count_release(state, label, after, tally)
     tally.counts["transitions"] += sum(told.values())
     tally.counts["states"] += 1
     if not told and answer["ending"] == "quiescent" and model.rigid:
@@ -146,8 +148,10 @@ def count_draw(rules: Rules, state: State, label: Any, after: State, tally: Tall
 
 def written_as(told: dict) -> bool:
     """Whether the text of a lot says what it says."""
-    name, ends, chance = told["name"], ", ".join(told["ends"]), Fraction(told["chance"])
-    return told["text"] == "%s(%s, %s) chance(%s)" % (told["decision"], name, ends, chance)
+    text = "%s(%s, %s)" % (told["decision"], told["name"], ", ".join(told["ends"]))
+    if told["decision"] != "choose":
+        text += " chance(%s)" % Fraction(told["chance"])
+    return told["text"] == text
 
 
 def count_lot(rules: Rules, state: State, label: Any, tally: Tally) -> None:
@@ -163,12 +167,16 @@ def count_lot(rules: Rules, state: State, label: Any, tally: Tally) -> None:
     )
 
 
-def count_release(before: State, after: State, tally: Tally) -> None:
-    """What becomes of the other bonds of a process that are to be released."""
+def count_release(before: State, label: Any, after: State, tally: Tally) -> None:
+    """What is special about a release, and what becomes of the other bonds that are to be released."""
     tally.kinds["released by lot"] += 1
+    if label[0] == "weaks":
+        processes = [p for p in before.processes if p.lots]
+        tally.kinds["released at once, of one process"] += len(processes) == 1
+        tally.kinds["released at once, of several"] += len(processes) > 1
     old, new = (sum(len(p.lots) for p in state.processes) for state in (before, after))
     tally.kinds["others stay to be released"] += new > 0
-    tally.kinds["others are kept then"] += new < old - 1
+    tally.kinds["others are kept then"] += new < old - bonds_of(label)
 
 
 def process_of(state: State, leaf: str) -> Process:
@@ -177,14 +185,18 @@ def process_of(state: State, leaf: str) -> Process:
 
 def pushes(label: Any) -> bool:
     """Whether a split drives apart what it releases (I-36)."""
-    released = label[1] if label[0] == "strong" else [label]
+    released = [label] if label[0] == "weak" else label[1]
     return any(bond[-1] is not None for bond in released)
 
 
 def of_a_ring(state: State, label: Any, after: dict) -> bool:
     """Whether a split takes bonds of a ring: it makes fewer pieces than bonds go (I-37)."""
-    released = len(label[1]) if label[0] == "strong" else 1
-    return len(after["processes"]) - len(state.processes) < released
+    return len(after["processes"]) - len(state.processes) < bonds_of(label)
+
+
+def bonds_of(label: Any) -> int:
+    """How many bonds a split releases."""
+    return 1 if label[0] == "weak" else len(label[1])
 
 
 def collide(rules: Rules, state: State, label: Any) -> bool:

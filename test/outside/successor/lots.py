@@ -107,27 +107,110 @@ class Lots:
 
         return sorted(lots, key=ends)
 
-    # What is drawn.
+    # What comes next.
 
     def drawings_of_lots(self, state: State) -> List[Tuple[Any, State]]:
-        """What comes of the lots of who goes first; none if no lots are pending."""
-        waiting = [p for p in state.processes if p.lots]
+        """The first that is left to do in the network: to draw, to be first, to choose, to release;
+        none if no lots are pending."""
+        waiting = sorted((p for p in state.processes if p.lots), key=self.goes_first)
         if not waiting:
             return []
-        process = min(waiting, key=self.goes_first)
-        lots = self.in_order(process, process.lots)
-        undecided = [lot for lot in lots if lot.decided == UNDECIDED]
-        if undecided:
-            return list(self.decisions(state, process, undecided[0]))
-        first = [lot for lot in lots if lot.decided == FIRST]
-        together = self.together(lots)
-        if first or len(together) == 1:
-            return list(self.released_lot(state, process, (first or lots)[0]))
-        share = Fraction(1, len(together))
-        return [
-            (self.lot_label(lot, FIRST, share), self.decided(state, process, lot, FIRST, lot.by))
-            for lot in together
+        return (
+            self.to_draw_lots(state, waiting)
+            or self.to_be_first(state, waiting)
+            or self.to_choose(state, waiting)
+            or self.to_release(state, waiting)
+        )
+
+    def to_draw_lots(self, state: State, waiting: List[Process]) -> List[Tuple[Any, State]]:
+        for process in waiting:
+            for lot in self.in_order(process, process.lots):
+                if lot.decided == UNDECIDED:
+                    return list(self.decisions(state, process, lot))
+        return []
+
+    def to_be_first(self, state: State, waiting: List[Process]) -> List[Tuple[Any, State]]:
+        for process in waiting:
+            for lots in self.clusters_of(process):
+                if len(lots) > 1 and not any(lot.decided == FIRST for lot in lots):
+                    share = Fraction(1, len(lots))
+                    return [
+                        (self.lot_label(lot, FIRST, share),
+                         self.decided(state, process, lot, FIRST, lot.by))
+                        for lot in lots
+                    ]  # fmt: skip
+        return []
+
+    def to_choose(self, state: State, waiting: List[Process]) -> List[Tuple[Any, State]]:
+        several = [
+            (process, lot)
+            for process in waiting
+            for lot in self.released_now(process)
+            if len(self.ways_to_go(process, lot)) > 1
         ]
+        if len(several) < 2:
+            return []
+        process, lot = several[0]
+        return [
+            (("lot", "choose", *lot.bond, None),
+             self.decided(state, process, lot, lot.decided, frozenset(way.items())))
+            for way in self.ways_to_go(process, lot)
+        ]  # fmt: skip
+
+    def to_release(self, state: State, waiting: List[Process]) -> List[Tuple[Any, State]]:
+        """All that are released now, at once: one transition for each way."""
+        now = [self.released_now(process) for process in waiting]
+        ways = [
+            [self.ways_to_go(process, lot) for lot in lots]
+            for process, lots in zip(waiting, now)
+        ]  # fmt: skip
+        found = []
+        for chosen in product(*(product(*of_process) for of_process in ways)):
+            released, pieces = {}, []
+            for process, lots, taken in zip(waiting, now, chosen):
+                summands = {leaf: s for way in taken for leaf, s in way.items()}
+                bonds = [lot.bond for lot in lots]
+                pushes, new = self.outcome(process, bonds, summands)  # type: ignore
+                released.update(pushes)
+                others = process.lots - set(lots)
+                for piece in self.fall_apart(process, pushes, new):  # type: ignore
+                    left = self.left_to_release(piece, others)
+                    pieces.append(replace(piece, lots=left))
+            told = [(*bond, push or None) for bond, push in released.items()]
+            label = ("weak", *told[0]) if len(told) == 1 else ("weaks", frozenset(told))
+            found.append((label, state.having(waiting, pieces)))
+        return found
+
+    def clusters_of(self, process: Process) -> List[List[Lot]]:
+        """Bonds that are to be released, with those that they hang together with."""
+        found, left = [], self.in_order(process, process.lots)
+        while left:
+            found.append(self.together(left))
+            left = [lot for lot in left if lot not in found[-1]]
+        return found
+
+    def released_now(self, process: Process) -> List[Lot]:
+        """Of those that hang together the only one, or the first."""
+        clusters = self.clusters_of(process)
+        return [next((lot for lot in lots if lot.decided == FIRST), lots[0]) for lots in clusters]
+
+    def ways_to_go(self, process: Process, lot: Lot) -> List[Dict[str, terms.Term]]:
+        """By which summands its ends may let go. Of those with the same push and continuation the
+        one that is written first tells the way."""
+        name, ends = lot.bond
+        drawn = dict(lot.by)
+        choices = []
+        for end in ends:
+            if end[0] in drawn:
+                choices.append([(end[0], drawn[end[0]])])
+                continue
+            found: Dict[Any, terms.Term] = {}
+            for s in self.free_ways(process, name, end):
+                found.setdefault(s[-2:], s)
+            choices.append([(end[0], s) for s in found.values()])
+        return [dict(way) for way in product(*choices)]
+
+    # What is drawn.
 
     def lot_label(self, lot: Lot, decision: str, chance: Fraction) -> Any:
         return ("lot", decision, *lot.bond, chance)
@@ -183,26 +266,7 @@ class Lots:
             found, grown = found + more, bool(more)
         return found
 
-    # To release.
-
-    def released_lot(
-        self, state: State, process: Process, lot: Lot
-    ) -> Iterator[Tuple[Any, State]]:
-        """A weak split, by what has been drawn; a free end chooses."""
-        name, ends = lot.bond
-        drawn = dict(lot.by)
-        choices = [
-            [(end[0], s) for s in ([drawn[end[0]]] if end[0] in drawn else
-                                   self.free_ways(process, name, end))]
-            for end in ends
-        ]  # fmt: skip
-        for chosen in product(*choices):
-            pushes, new = self.outcome(process, [lot.bond], dict(chosen))  # type: ignore
-            pieces = self.fall_apart(process, pushes, new)  # type: ignore[attr-defined]
-            others = process.lots - {lot}
-            pieces = [replace(p, lots=self.left_to_release(p, others)) for p in pieces]
-            push = pushes[lot.bond] or None
-            yield ("weak", *lot.bond, push), state.having([process], pieces)
+    # After a release.
 
     def left_to_release(self, piece: Process, others: Any) -> FrozenSet[Lot]:
         """Those of a piece whose ends still offer what they have drawn."""

@@ -172,11 +172,13 @@ def label_of(model: Model, told: dict) -> Any:
     if kind == "draw":
         return (kind, told["process"], vector(told["velocity"]), Fraction(told["chance"]))
     if kind == "lot":
-        return (kind, told["decision"], *bond_of(model, told), Fraction(told["chance"]))
+        chance = Fraction(told["chance"]) if "chance" in told else None
+        return (kind, told["decision"], *bond_of(model, told), chance)
     if kind == "absorb":
         return (kind,) + tuple(told["between"])
-    if kind == "strong":
-        return ("strong", frozenset(bond_of(model, b) + (push_of(b),) for b in told["bonds"]))
+    if "bonds" in told:
+        released = frozenset(bond_of(model, b) + (push_of(b),) for b in told["bonds"])
+        return ("weaks" if kind == "weak" else kind, released)
     if kind == "weak":
         return ("weak",) + bond_of(model, told) + (push_of(told),)
     return (kind,) + bond_of(model, told)

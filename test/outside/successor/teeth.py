@@ -198,6 +198,19 @@ def also_new(self: Rules, piece: Any, others: Any) -> Any:
     return _left_to_release(self, piece, others) | new
 
 
+def process_by_process(self: Rules, state: Any) -> Any:
+    """One process draws and releases before the next one."""
+    waiting = sorted((p for p in state.processes if p.lots), key=self.goes_first)[:1]
+    if not waiting:
+        return []
+    return (
+        self.to_draw_lots(state, waiting)
+        or self.to_be_first(state, waiting)
+        or self.to_choose(state, waiting)
+        or self.to_release(state, waiting)
+    )
+
+
 def set_anew(self: Rules, state: Any, process: Any, lot: Any, decision: str, by: Any) -> Any:
     """A lot sets the split clock of its process."""
     after = _decided(self, state, process, lot, decision, by)
@@ -231,7 +244,7 @@ def each_rate_alone(self: Rules, process: Any, name: str, end: Any) -> Any:
 
 _initial, _place_of, _left_to_release = Rules.initial, Rules.place_of, Rules.left_to_release
 _decided, _end_chances, _in_order = Rules.decided, Rules.end_chances, Rules.in_order
-_free_ways = Rules.free_ways
+_free_ways, _to_release = Rules.free_ways, Rules.to_release
 _waits = straight.waits
 _after_drawing, _drawings = Rules.after_drawing, Rules.drawings
 
@@ -321,6 +334,11 @@ MISTAKES: Dict[str, Mistake] = {
     "Lot: turns begin when all lots are drawn": replaced(
         straight, "waits", lambda state: _waits(state) or lots_wait(state)
     ),
+    "Lot: one process after the other": replaced(Rules, "drawings_of_lots", process_by_process),
+    "Lot: one process releases after the other": replaced(
+        Rules, "to_release", lambda self, state, waiting: _to_release(self, state, waiting[:1])
+    ),
+    "Lot: nobody chooses before": replaced(Rules, "to_choose", lambda self, state, waiting: []),
     "Lot: the first of them is first": replaced(Rules, "together", lambda self, lots: lots[:1]),
     "Lot: whoever is left is first": replaced(Rules, "together", lambda self, lots: lots),
     "Lot: nothing left of the offer, and released": replaced(

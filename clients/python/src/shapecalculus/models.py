@@ -178,7 +178,8 @@ class Label:
 
     ``text`` says who takes part; ``touching``, of a bounce, which bodies (or parts of them) touch, in pairs. Of a
     draw, ``process`` is the first body of who draws, ``velocity`` what it draws and ``chance`` its probability. Of a
-    lot, ``decision`` says of the bond ``name``, ``ends`` whether it is to "keep", to "release" or "first" to release.
+    lot, ``decision`` says of the bond ``name``, ``ends`` whether it is to "keep", to "release" or "first" to release,
+    or to "choose" its way, which has no ``chance``. ``bonds`` are those of a strong split, and of a weak one of several.
     """
 
     kind: str
