@@ -6,7 +6,7 @@ open Scc_property
 type t = {
   model : Model.t;
   may_push : Behaviour.t -> bool;  (** what it releases, now or later *)
-  coordinates : (Vec.axis * int * Places_seen.limits) list;
+  coordinates : (Vec.t * int * Places_seen.limits) list;  (** along a direction *)
   distances : (int, Places_seen.limits) Hashtbl.t array;  (** by a leaf, and by the other one *)
   corners : Vec.t array Lazy.t array;  (** of a leaf, about its reference point *)
   fence : (Vec.t * Vec.t) option;
@@ -216,11 +216,6 @@ let limit d g h =
   in
   List.fold_left to_others (Some Rat.zero) g.leaves
 
-let unit : Vec.axis -> Vec.t = function
-  | X -> Vec.of_ints 1 0 0
-  | Y -> Vec.of_ints 0 1 0
-  | Z -> Vec.of_ints 0 0 1
-
 let apart d g h =
   (not (g.anchored && h.anchored))
   &&
@@ -239,12 +234,12 @@ let apart d g h =
 
 (* All of its coordinates that are compared with constants are beyond these, and stay so. *)
 let settled d g =
-  let is_settled (axis, leaf, (limits : Places_seen.limits)) =
+  let is_settled (n, leaf, (limits : Places_seen.limits)) =
     match (limits, g.spread2) with
     | _, _ when not (has g leaf) -> true
     | Between (low, high), Some s ->
-      let v = Vec.component axis g.velocity and first, last = Recession.range g.points (unit axis) in
-      Recession.exceeds (Rat.mul v v) s Rat.zero
+      let v = Vec.dot n g.velocity and first, last = Recession.range g.points n in
+      Recession.exceeds (Rat.mul v v) (Rat.mul s (Vec.norm2 n)) Rat.zero
       && if Rat.sign v > 0 then Rat.compare first high > 0 else Rat.compare last low < 0
     | All, _ | _, None -> false
   in
