@@ -173,7 +173,7 @@ let due m (s : State.t) =
       match first some_contested with
       | Some p -> Some (To_be_first (p, bonds (List.find contested (clusters (in_order m p)))))
       | None -> (
-          let now = List.map (fun p -> (p, released_now m p)) (Process.by_place m waiting) in
+          let now = List.map (fun p -> (p, released_now m p)) (Process.by_velocity m waiting) in
           let choices (p, all) = List.map (fun r -> (p, r)) (List.filter (is_open m p) all) in
           match List.concat (List.map choices now) with
           | (p, first) :: _ :: _ -> Some (To_choose (p, first))
