@@ -9,8 +9,8 @@ type t = {
   coordinates : (Vec.t * int * Places_seen.limits) list;  (** along a direction *)
   distances : (int, Places_seen.limits) Hashtbl.t array;  (** by a leaf, and by the other one *)
   bodies : Recession.body Lazy.t array;  (** of a leaf, about its reference point *)
-  fence : (Vec.t * Vec.t) option;
-  (** the least box around all that is fixed: who is in it is left alone until it comes out, which saves looking *)
+  fence : (Vec.t * Rat.t) list option;
+  (** the convex hull of all that is fixed, as n.p <= h: who is in it is not apart from that *)
 }
 
 (** {1 Where it is used} *)
@@ -25,50 +25,40 @@ let goes_on : Behaviour.t -> bool = function
   | Weak _ | Delay _ | Wait _ -> true
   | Nil | Open _ | Strong _ | Sum _ | Call _ -> false
 
-let least_and_greatest a b =
-  let each f (v : Vec.t) (w : Vec.t) = Vec.make (f v.x w.x) (f v.y w.y) (f v.z w.z) in
-  (each Rat.min (fst a) (fst b), each Rat.max (snd a) (snd b))
-
 let body (leaf : Model.leaf) =
   let corners (p : Model.part) =
     List.init (Array.length p.solid.Solid.vertices) (fun i -> Vec.add p.offset (Solid.vertex p.solid i))
   in
   Recession.body (Array.of_list (List.concat_map corners (Array.to_list leaf.parts)))
 
-let box body (p : State.process) =
-  let of_leaf (l : State.leaf) =
-    let { Recession.low; high; _ } = body l.leaf in
-    (Vec.add l.position low, Vec.add l.position high)
-  in
-  Array.fold_left (fun box l -> least_and_greatest box (of_leaf l)) (of_leaf p.leaves.(0)) p.leaves
-
 let is_fixed (m : Model.t) (p : State.process) =
   Array.exists (fun (l : State.leaf) -> m.leaves.(l.leaf).fixed) p.leaves
 
-let fence m body (s : State.t) =
-  let around known p =
-    if not (is_fixed m p) then known
-    else
-      let box = box body p in
-      Some (Option.fold ~none:box ~some:(least_and_greatest box) known)
-  in
-  Array.fold_left around None s.processes
+let bodies_of known (p : State.process) =
+  List.map (fun (l : State.leaf) -> (l.position, Lazy.force known.(l.leaf))) (Array.to_list p.leaves)
 
-(* A point of it is within the box. *)
-let is_inside (low, high) (p : State.process) =
-  let place = p.leaves.(0).position in
-  let within axis =
-    let at = Vec.component axis in
-    Rat.compare (at low) (at place) <= 0 && Rat.compare (at place) (at high) <= 0
-  in
-  within Vec.X && within Y && within Z
+let corners (place, (body : Recession.body)) = List.map (Vec.add place) (Array.to_list body.corners)
 
-let is_held (m : Model.t) fence (p : State.process) =
-  match fence with
+let fence m known (s : State.t) =
+  let fixed = List.filter (is_fixed m) (Array.to_list s.processes) in
+  let points = Array.of_list (List.concat_map corners (List.concat_map (bodies_of known) fixed)) in
+  let plane corners =
+    let at i = points.(corners.(i)) in
+    let n = Vec.cross (Vec.sub (at 1) (at 0)) (Vec.sub (at 2) (at 0)) in
+    (n, Vec.dot n (at 0))
+  in
+  Option.map (List.map plane) (Hull.triangles points)
+
+(* A corner of it is within. *)
+let is_inside known planes (p : State.process) =
+  let l = p.leaves.(0) in
+  let corner = Vec.add l.position (Lazy.force known.(l.leaf)).Recession.corners.(0) in
+  List.for_all (fun (n, h) -> Rat.compare (Vec.dot n corner) h <= 0) planes
+
+let is_held d (p : State.process) =
+  match d.fence with
   | None -> false
-  | Some box -> m.leaves.(p.leaves.(0).leaf).fixed || is_inside box p
-
-let all_inside m fence processes = Option.is_some fence && Array.for_all (is_held m fence) processes
+  | Some planes -> d.model.leaves.(p.leaves.(0).leaf).fixed || is_inside d.bodies planes p
 
 let pushing : Behaviour.t -> bool = function
   | Weak (_, { push; _ }, _) | Strong (_, push, _) -> Rat.sign push > 0
@@ -89,7 +79,7 @@ let make (m : Model.t) (initial : State.t) checks =
   if m.steered || Model.has_turns m || (not on_a_grid) || Places_seen.everything seen then None
   else
     let bodies = Array.map (fun leaf -> lazy (body leaf)) m.leaves in
-    let fence = fence m (fun leaf -> Lazy.force bodies.(leaf)) initial in
+    let fence = fence m bodies initial in
     (* Nobody collides for ever without something fixed. *)
     if not (has_prefix m initial goes_on || Option.is_some fence) then None
     else
@@ -176,7 +166,7 @@ let single d i (p : State.process) =
       anchored = is_fixed d.model p;
       pushes = List.exists (fun (l : State.leaf) -> d.may_push l.behaviour.term) leaves;
       sums = List.fold_left (fun sums l -> add sums (of_leaf l)) nothing leaves;
-      bodies = List.map (fun (l : State.leaf) -> (l.position, Lazy.force d.bodies.(l.leaf))) leaves;
+      bodies = bodies_of d.bodies p;
       velocity = Vec.zero;
       spread2 = None;
     }
@@ -281,11 +271,9 @@ let shift time g =
    States of which one stands for the other have the same velocities. *)
 let long = 128
 
-let is_inside d p = is_held d.model d.fence p
-
 let place d processes =
   let is_long (p : State.process) = Vec.bits p.velocity > long in
-  let left_alone = all_inside d.model d.fence processes || Array.exists is_long processes in
+  let left_alone = Array.for_all (is_held d) processes || Array.exists is_long processes in
   let groups = if left_alone then [] else partition d processes in
   let anchored, free = List.partition (fun g -> g.anchored) groups in
   let rec at time =

@@ -5,6 +5,8 @@ open Scc_calculus
 open Scc_property
 open Scc_test_networks
 
+module Linear = Scc_polyhedra.Linear
+
 type model = {
   model : Model.t;
   declared : State.t;
@@ -43,7 +45,7 @@ let combination a k n =
 
 let plus a n c = if Rat.sign c = 0 then n else a.add n (a.const c)
 
-(* A component of what was a vector, in terms of those of its image: [by] is added to the image, if it is a place. *)
+(* A component of what was a vector, in terms of those of its image: [by] is added to the image of a place. *)
 let component a v ~by ~scale axis image =
   let k j = Rat.mul scale (entry v.turn j axis) in
   let shift = List.fold_left (fun s j -> Rat.sub s (Rat.mul (k j) (Vec.component j by))) Rat.zero axes in
@@ -198,10 +200,10 @@ let law v : Law.t -> Law.t = function
 (** {1 All of it} *)
 
 let form_of_place v ((x, y, z) : Uncertain.place) : Uncertain.place =
-  let form : Vec.axis -> Scc_polyhedra.Linear.t = function X -> x | Y -> y | Z -> z in
+  let form : Vec.axis -> Linear.t = function X -> x | Y -> y | Z -> z in
   let image j =
-    let term axis = Scc_polyhedra.Linear.scale (Rat.mul v.length (entry v.turn j axis)) (form axis) in
-    List.fold_left Scc_polyhedra.Linear.add (Scc_polyhedra.Linear.constant (Scc_polyhedra.Linear.dimension x) (Vec.component j v.by)) (List.map term axes)
+    let term axis = Linear.scale (Rat.mul v.length (entry v.turn j axis)) (form axis) in
+    List.fold_left Linear.add (Linear.constant (Linear.dimension x) (Vec.component j v.by)) (List.map term axes)
   in
   (image X, image Y, image Z)
 
@@ -210,7 +212,8 @@ let uncertain v (u : Uncertain.t) = { u with Uncertain.places = Array.map (form_
 let seen name ~right v (symmetry : Symmetry.t) =
   let of_model m =
     let m = symmetry.model m in
-    let part (p : Model.part) = { p with open_offset = Option.map (form_of_place { v with by = Vec.zero }) p.open_offset } in
+    let offset = Option.map (form_of_place { v with by = Vec.zero }) in
+    let part (p : Model.part) = { p with open_offset = offset p.open_offset } in
     let leaf (l : Model.leaf) = { l with parts = Array.map part l.parts; law = law v l.law } in
     { m with leaves = Array.map leaf m.leaves }
   in
@@ -244,7 +247,7 @@ let units ~length ~time ~mass =
   let symmetry = Symmetry.scaling ~length ~time ~mass in
   seen symmetry.name ~right:true { plain with length; time; mass } symmetry
 
-(* The template is seen in the mirror as well, its faces turned over, so that what is done to it keeps its sense. *)
+(* The template is seen in the mirror as well, its faces turned over; what is done to it keeps its sense. *)
 let mirror =
   let turn = Mat.diagonal (Vec.of_ints (-1) 1 1) in
   let reflected = Mat.apply turn in
@@ -274,3 +277,29 @@ let mirror =
     State.make ~processes:(List.map process (Array.to_list s.processes)) ~step:s.step ~time:s.time
   in
   seen "a mirror" ~right:true { plain with turn } (Symmetry.make "a mirror" ~model ~velocity:reflected state)
+
+(** {1 At random} *)
+
+module Gen = QCheck2.Gen
+
+let turned =
+  let open Gen in
+  let digit = map Z.of_int (int_range (-3) 3) in
+  let+ w = map Z.of_int (int_range 1 4) and+ x = digit and+ y = digit and+ z = digit in
+  rotation (Quaternion.make w x y z)
+
+let moved =
+  let open Gen in
+  let+ x = int_range (-20) 20 and+ y = int_range (-9) 9 and+ z = int_range (-9) 9 in
+  displacement (Vec.of_ints x y z)
+
+let in_other_units =
+  let open Gen in
+  let half = Rat.make Z.one (Z.of_int 2) in
+  let power = oneofl [ Rat.mul half half; half; Rat.one; Rat.of_int 2; Rat.of_int 8 ] in
+  let+ length = power and+ time = power and+ mass = power in
+  units ~length ~time ~mass
+
+let any =
+  Gen.frequency
+    [ (4, turned); (3, Gen.oneofl rotations); (1, moved); (1, in_other_units); (1, Gen.return mirror) ]

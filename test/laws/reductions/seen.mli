@@ -1,5 +1,6 @@
-(** A model with its checks as it is seen from elsewhere: turned, moved, in other units, in a mirror. Each check asks
-    of the image what it asks of the model: coordinates, velocities and momenta are written as those of the image. *)
+(** A model with its checks as it is seen from elsewhere: turned, moved, in other units, in a mirror. Each check
+    asks of the image what it asks of the model: coordinates, velocities and momenta are written as those of the
+    image. *)
 
 open Scc_exact
 open Scc_calculus
@@ -30,3 +31,6 @@ val units : length:Rat.t -> time:Rat.t -> mass:Rat.t -> t
 
 val mirror : t
 (** x becomes -x: for translational models. *)
+
+val any : t QCheck2.Gen.t
+(** At random, also by rotations by any angle. *)
