@@ -10,6 +10,12 @@ let component axis v =
 let make x y z = { x; y; z }
 let zero = make Rat.zero Rat.zero Rat.zero
 let of_ints x y z = make (Rat.of_int x) (Rat.of_int y) (Rat.of_int z)
+
+let unit = function
+  | X -> of_ints 1 0 0
+  | Y -> of_ints 0 1 0
+  | Z -> of_ints 0 0 1
+
 let add a b = make (Q.add a.x b.x) (Q.add a.y b.y) (Q.add a.z b.z)
 let sub a b = make (Q.sub a.x b.x) (Q.sub a.y b.y) (Q.sub a.z b.z)
 let neg a = make (Q.neg a.x) (Q.neg a.y) (Q.neg a.z)

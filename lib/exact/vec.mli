@@ -5,6 +5,7 @@ type t = { x : Rat.t; y : Rat.t; z : Rat.t }
 type axis = X | Y | Z
 
 val component : axis -> t -> Rat.t
+val unit : axis -> t
 val zero : t
 val make : Rat.t -> Rat.t -> Rat.t -> t
 val of_ints : int -> int -> int -> t

@@ -2,25 +2,25 @@ open Scc_exact
 open Scc_calculus
 open Property
 
-type case = { rate : Rat.t; least : Rat.t; greatest : Rat.t }
+type case = { rate : Vec.t; least : Rat.t; greatest : Rat.t }
 
 (* More cases than this are not told apart. *)
 let most_cases = 64
 
-let constant b = { rate = Rat.zero; least = b; greatest = b }
-let ranges greatest = Some [ { rate = Rat.zero; least = Rat.zero; greatest = Rat.of_int greatest } ]
+let constant b = { rate = Vec.zero; least = b; greatest = b }
+let ranges greatest = Some [ { rate = Vec.zero; least = Rat.zero; greatest = Rat.of_int greatest } ]
 
 let scaled k c =
   let ends = (Rat.mul k c.least, Rat.mul k c.greatest) in
   let least, greatest = if Rat.sign k < 0 then (snd ends, fst ends) else ends in
-  { rate = Rat.mul k c.rate; least; greatest }
+  { rate = Vec.scale k c.rate; least; greatest }
 
 let sum c d =
-  { rate = Rat.add c.rate d.rate; least = Rat.add c.least d.least; greatest = Rat.add c.greatest d.greatest }
+  { rate = Vec.add c.rate d.rate; least = Rat.add c.least d.least; greatest = Rat.add c.greatest d.greatest }
 
 (* The one number that it is in all cases, if so. *)
 let single = function
-  | [ c ] when Rat.sign c.rate = 0 && Rat.equal c.least c.greatest -> Some c.least
+  | [ c ] when Vec.is_zero c.rate && Rat.equal c.least c.greatest -> Some c.least
   | _ -> None
 
 let few cases = if List.compare_length_with cases most_cases > 0 then None else Some cases
@@ -39,8 +39,10 @@ let bounded (m : Model.t) (q : quantity) =
 
 let rec cases m ~variable = function
   | Const b -> Some [ constant b ]
-  | Quantity q when variable q -> Some [ { (constant Rat.zero) with rate = Rat.one } ]
-  | Quantity q -> bounded m q
+  | Quantity q -> (
+      match variable q with
+      | Some rate -> Some [ { (constant Rat.zero) with rate } ]
+      | None -> bounded m q)
   | Count ps -> ranges (List.length ps)
   | Neg n -> Option.map (List.map (scaled (Rat.neg Rat.one))) (cases m ~variable n)
   | Add (a, b) -> both m ~variable (fun xs ys -> few (List.concat_map (fun x -> List.map (sum x) ys) xs)) a b
@@ -67,12 +69,15 @@ and both m ~variable f a b =
   | Some xs, Some ys -> f xs ys
   | None, _ | _, None -> None
 
+let first_of (v : Vec.t) = List.find (fun c -> Rat.sign c <> 0) [ v.x; v.y; v.z ]
+
 let zeros c =
-  if Rat.sign c.rate = 0 then None
+  if Vec.is_zero c.rate then None
   else
-    let at b = Rat.div (Rat.neg b) c.rate in
+    let unit = first_of c.rate in
+    let at b = Rat.div (Rat.neg b) unit in
     let one = at c.least and two = at c.greatest in
-    Some (Rat.min one two, Rat.max one two)
+    Some (Vec.scale (Rat.div Rat.one unit) c.rate, (Rat.min one two, Rat.max one two))
 
 let rec conditions = function
   | Const _ | Quantity _ -> []

@@ -2,9 +2,10 @@ open Scc_exact
 open Property
 
 type limits = Between of Rat.t * Rat.t | All
+type place = Distance of int * int | Along of Vec.t * int
 
-(* Each quantity once. *)
-type t = { seen : (quantity * limits) list; everything : bool }
+(* Each place once. *)
+type t = { seen : (place * limits) list; everything : bool }
 
 let nothing = { seen = []; everything = false }
 
@@ -13,16 +14,15 @@ let join_limits a b =
   | All, _ | _, All -> All
   | Between (l, h), Between (k, g) -> Between (Rat.min l k, Rat.max h g)
 
-let equal_quantity a b = Atom.compare (Atom.quantity a) (Atom.quantity b) = 0
-
-(* The two leaves of a distance in one order. *)
-let in_order = function
-  | Distance2 (i, j) -> Distance2 (Int.min i j, Int.max i j)
-  | q -> q
+let equal_place a b =
+  match (a, b) with
+  | Distance (i, j), Distance (k, l) -> i = k && j = l
+  | Along (n, i), Along (m, j) -> i = j && Vec.equal n m
+  | (Distance _ | Along _), _ -> false
 
 let rec add (q, limits) = function
   | [] -> [ (q, limits) ]
-  | (r, known) :: rest when equal_quantity q r -> (q, join_limits limits known) :: rest
+  | (r, known) :: rest when equal_place q r -> (q, join_limits limits known) :: rest
   | first :: rest -> first :: add (q, limits) rest
 
 let join a b =
@@ -33,31 +33,40 @@ let join a b =
 
 let join_all f list = List.fold_left (fun seen x -> join seen (f x)) nothing list
 
-let is_place : quantity -> bool = function
-  | Position _ | Distance2 _ -> true
+let place : quantity -> place option = function
+  | Position (axis, i) -> Some (Along (Vec.unit axis, i))
+  | Distance2 (i, j) -> Some (Distance (Int.min i j, Int.max i j))
   | Bonds _ | Size _ | Processes | Velocity _ | Speed2 _ | Spin _ | Spin2 _ | Momentum _ | Angular _ | Energy
-  | Time | Parameter _ -> false
+  | Time | Parameter _ -> None
 
 let is_angular : quantity -> bool = function Angular _ -> true | _ -> false
 
-let values n = List.map in_order (By_cases.values n)
-
 let whole qs =
-  let places = List.filter is_place qs in
-  { seen = List.fold_left (fun seen q -> add (q, All) seen) [] places; everything = List.exists is_angular qs }
+  let seen = List.fold_left (fun seen p -> add (p, All) seen) [] (List.filter_map place qs) in
+  { seen; everything = List.exists is_angular qs }
+
+(* What is told of a distance, or of all coordinates of one leaf, where nothing else is in it: by which rate each
+   counts, and what a value of them together is. *)
+let alone = function
+  | Distance (i, j) :: rest as all when List.for_all (equal_place (List.hd all)) rest ->
+    let rate p = if equal_place (Distance (i, j)) p then Some (Vec.unit X) else None in
+    Some (rate, fun _ -> Distance (i, j))
+  | Along (_, i) :: rest when List.for_all (function Along (_, j) -> i = j | Distance _ -> false) rest ->
+    let rate = function Along (n, j) when i = j -> Some n | Along _ | Distance _ -> None in
+    Some (rate, fun n -> Along (n, i))
+  | _ -> None
 
 let compared m a b =
   let difference = Sub (a, b) in
-  let qs = values difference in
-  match List.filter is_place qs with
-  | q :: rest when List.for_all (equal_quantity q) rest -> (
-      let variable r = equal_quantity q (in_order r) in
-      match By_cases.cases m ~variable difference with
+  let qs = By_cases.values difference in
+  match alone (List.filter_map place qs) with
+  | None -> whole qs
+  | Some (rate, combined) -> (
+      match By_cases.cases m ~variable:(fun q -> Option.bind (place q) rate) difference with
       | None -> whole qs
       | Some cases ->
-        let zeros = List.filter_map By_cases.zeros cases in
-        { nothing with seen = List.fold_left (fun seen (l, h) -> add (q, Between (l, h)) seen) [] zeros })
-  | _ -> whole qs
+        let limits c = Option.map (fun (n, (l, h)) -> (combined n, Between (l, h))) (By_cases.zeros c) in
+        { nothing with seen = List.fold_left (fun seen p -> add p seen) [] (List.filter_map limits cases) })
 
 let rec prop m = function
   | Compare (_, a, b) -> join (compared m a b) (join (conditions m a) (conditions m b))
@@ -70,7 +79,7 @@ and conditions m n = join_all (prop m) (By_cases.conditions n)
 let check m (c : Property.check) =
   let value =
     match c.asked with
-    | Expected (_, Value_at (n, _), _) -> join (whole (values n)) (conditions m n)
+    | Expected (_, Value_at (n, _), _) -> join (whole (By_cases.values n)) (conditions m n)
     | Expected (_, (Time_until _ | Events_until _), _) | Whether | How_likely _ -> nothing
   in
   join value (join_all (prop m) (Formula.predicates c.formula))
@@ -78,10 +87,10 @@ let check m (c : Property.check) =
 let checks m list = join_all (check m) list
 
 let distances t =
-  List.filter_map (function Distance2 (i, j), limits -> Some (i, j, limits) | _ -> None) t.seen
+  List.filter_map (function Distance (i, j), limits -> Some (i, j, limits) | Along _, _ -> None) t.seen
 
 let coordinates t =
-  List.filter_map (function Position (axis, i), limits -> Some (axis, i, limits) | _ -> None) t.seen
+  List.filter_map (function Along (n, i), limits -> Some (n, i, limits) | Distance _, _ -> None) t.seen
 
 let everything t = t.everything
 

@@ -14,8 +14,9 @@ val checks : Model.t -> Property.check list -> t
 (** All that some of them see. That two bodies touch is not among it, nor what follows from where they are alone.
 *)
 
-val coordinates : t -> (Property.axis * int * limits) list
-(** Of the centroids of leaves, each once. *)
+val coordinates : t -> (Vec.t * int * limits) list
+(** Of the centroids of leaves, along a direction n: the number n.p, p being the place. The first component of n
+    that is not 0 is 1, and each direction and leaf comes once. *)
 
 val distances : t -> (int * int * limits) list
 (** Squared distances of the centroids of two leaves, each once. *)

@@ -12,13 +12,13 @@ let join a b =
 
 let join_all f list = List.fold_left (fun seen x -> join seen (f x)) Never list
 
-let is_time : quantity -> bool = function Time -> true | _ -> false
+let of_time : quantity -> Vec.t option = function Time -> Some (Vec.of_ints 1 0 0) | _ -> None
 
 (* After this the number has one sign. *)
 let settles c =
   match By_cases.zeros c with
   | None -> Never
-  | Some (_, last) -> Until (Rat.max Rat.zero last)
+  | Some (_, (_, last)) -> Until (Rat.max Rat.zero last)
 
 let atom a = if Atom.depends_on Absolute_time a then Always else Never
 
@@ -32,7 +32,7 @@ let rec num m = function
 
 and prop m = function
   | Compare (_, a, b) -> (
-      match By_cases.cases m ~variable:is_time (Sub (a, b)) with
+      match By_cases.cases m ~variable:of_time (Sub (a, b)) with
       | Some cases -> join (join_all settles cases) (join (conditions m a) (conditions m b))
       | None -> join (num m a) (num m b))
   | Not p -> prop m p

@@ -99,3 +99,4 @@ let compare_moving ((_, p) as one) ((_, q) as two) =
   match Scc_exact.Vec.compare p.State.velocity q.State.velocity with 0 -> compare_placed one two | c -> c
 
 let first_by_velocity m processes = first compare_moving m processes
+let by_velocity m processes = List.map snd (List.stable_sort compare_moving (List.map (placed m) processes))

@@ -65,5 +65,8 @@ val by_place : Model.t -> State.process list -> State.process list
 val first_by_place : Model.t -> State.process list -> State.process option
 (** The first one of them. *)
 
+val by_velocity : Model.t -> State.process list -> State.process list
+(** By their velocities, and those with one velocity by place (rule Lot). *)
+
 val first_by_velocity : Model.t -> State.process list -> State.process option
-(** The one with the least velocity, and of those with one velocity the first by place (rule Lot). *)
+(** The first one of them. *)

@@ -6,11 +6,11 @@ open Scc_property
 type t = {
   model : Model.t;
   may_push : Behaviour.t -> bool;  (** what it releases, now or later *)
-  coordinates : (Vec.axis * int * Places_seen.limits) list;
+  coordinates : (Vec.t * int * Places_seen.limits) list;  (** along a direction *)
   distances : (int, Places_seen.limits) Hashtbl.t array;  (** by a leaf, and by the other one *)
-  corners : Vec.t array Lazy.t array;  (** of a leaf, about its reference point *)
-  fence : (Vec.t * Vec.t) option;
-  (** the least box around all that is fixed: who is in it is left alone until it comes out, which saves looking *)
+  bodies : Recession.body Lazy.t array;  (** of a leaf, about its reference point *)
+  fence : (Vec.t * Rat.t) list option;
+  (** the convex hull of all that is fixed, as n.p <= h: who is in it is not apart from that *)
 }
 
 (** {1 Where it is used} *)
@@ -25,54 +25,40 @@ let goes_on : Behaviour.t -> bool = function
   | Weak _ | Delay _ | Wait _ -> true
   | Nil | Open _ | Strong _ | Sum _ | Call _ -> false
 
-let least_and_greatest a b =
-  let each f (v : Vec.t) (w : Vec.t) = Vec.make (f v.x w.x) (f v.y w.y) (f v.z w.z) in
-  (each Rat.min (fst a) (fst b), each Rat.max (snd a) (snd b))
-
-let corners (leaf : Model.leaf) =
-  let of_part (p : Model.part) =
+let body (leaf : Model.leaf) =
+  let corners (p : Model.part) =
     List.init (Array.length p.solid.Solid.vertices) (fun i -> Vec.add p.offset (Solid.vertex p.solid i))
   in
-  Array.of_list (List.concat_map of_part (Array.to_list leaf.parts))
-
-let box corners (p : State.process) =
-  let around box (l : State.leaf) =
-    Array.fold_left
-      (fun box v ->
-         let v = Vec.add l.position v in
-         least_and_greatest box (v, v))
-      box (corners l.leaf)
-  in
-  let place = p.leaves.(0).position in
-  Array.fold_left around (place, place) p.leaves
+  Recession.body (Array.of_list (List.concat_map corners (Array.to_list leaf.parts)))
 
 let is_fixed (m : Model.t) (p : State.process) =
   Array.exists (fun (l : State.leaf) -> m.leaves.(l.leaf).fixed) p.leaves
 
-let fence m corners (s : State.t) =
-  let around known p =
-    if not (is_fixed m p) then known
-    else
-      let box = box corners p in
-      Some (Option.fold ~none:box ~some:(least_and_greatest box) known)
-  in
-  Array.fold_left around None s.processes
+let bodies_of known (p : State.process) =
+  List.map (fun (l : State.leaf) -> (l.position, Lazy.force known.(l.leaf))) (Array.to_list p.leaves)
 
-(* A point of it is within the box. *)
-let is_inside (low, high) (p : State.process) =
-  let place = p.leaves.(0).position in
-  let within axis =
-    let at = Vec.component axis in
-    Rat.compare (at low) (at place) <= 0 && Rat.compare (at place) (at high) <= 0
-  in
-  within Vec.X && within Y && within Z
+let corners (place, (body : Recession.body)) = List.map (Vec.add place) (Array.to_list body.corners)
 
-let is_held (m : Model.t) fence (p : State.process) =
-  match fence with
+let fence m known (s : State.t) =
+  let fixed = List.filter (is_fixed m) (Array.to_list s.processes) in
+  let points = Array.of_list (List.concat_map corners (List.concat_map (bodies_of known) fixed)) in
+  let plane corners =
+    let at i = points.(corners.(i)) in
+    let n = Vec.cross (Vec.sub (at 1) (at 0)) (Vec.sub (at 2) (at 0)) in
+    (n, Vec.dot n (at 0))
+  in
+  Option.map (List.map plane) (Hull.triangles points)
+
+(* A corner of it is within. *)
+let is_inside known planes (p : State.process) =
+  let l = p.leaves.(0) in
+  let corner = Vec.add l.position (Lazy.force known.(l.leaf)).Recession.corners.(0) in
+  List.for_all (fun (n, h) -> Rat.compare (Vec.dot n corner) h <= 0) planes
+
+let is_held d (p : State.process) =
+  match d.fence with
   | None -> false
-  | Some box -> m.leaves.(p.leaves.(0).leaf).fixed || is_inside box p
-
-let all_inside m fence processes = Option.is_some fence && Array.for_all (is_held m fence) processes
+  | Some planes -> d.model.leaves.(p.leaves.(0).leaf).fixed || is_inside d.bodies planes p
 
 let pushing : Behaviour.t -> bool = function
   | Weak (_, { push; _ }, _) | Strong (_, push, _) -> Rat.sign push > 0
@@ -92,8 +78,8 @@ let make (m : Model.t) (initial : State.t) checks =
   let seen = Places_seen.checks m checks in
   if m.steered || Model.has_turns m || (not on_a_grid) || Places_seen.everything seen then None
   else
-    let corners = Array.map (fun leaf -> lazy (corners leaf)) m.leaves in
-    let fence = fence m (fun leaf -> Lazy.force corners.(leaf)) initial in
+    let bodies = Array.map (fun leaf -> lazy (body leaf)) m.leaves in
+    let fence = fence m bodies initial in
     (* Nobody collides for ever without something fixed. *)
     if not (has_prefix m initial goes_on || Option.is_some fence) then None
     else
@@ -105,7 +91,7 @@ let make (m : Model.t) (initial : State.t) checks =
             (fun term -> may_push && Behaviour.some_prefix m.definitions ~behind:(fun _ -> true) pushing term);
           coordinates = Places_seen.coordinates seen;
           distances = by_leaf m (Places_seen.distances seen);
-          corners; fence;
+          bodies; fence;
         }
 
 (** {1 Groups} *)
@@ -124,7 +110,7 @@ type group = {
   anchored : bool;  (** it is not moved: something in it is fixed, or where it is can be seen *)
   pushes : bool;
   sums : sums;
-  points : (Vec.t * Vec.t array) list;  (** {!Recession.t} *)
+  bodies : (Vec.t * Recession.body) list;
   velocity : Vec.t;  (** of its centre of mass; 0 if anchored: it takes momentum from what is fixed *)
   spread2 : Rat.t option;
   (** none of its leaves ever moves faster against that velocity than the root of this; [None]: nothing is known *)
@@ -180,7 +166,7 @@ let single d i (p : State.process) =
       anchored = is_fixed d.model p;
       pushes = List.exists (fun (l : State.leaf) -> d.may_push l.behaviour.term) leaves;
       sums = List.fold_left (fun sums l -> add sums (of_leaf l)) nothing leaves;
-      points = List.map (fun (l : State.leaf) -> (l.position, Lazy.force d.corners.(l.leaf))) leaves;
+      bodies = bodies_of d.bodies p;
       velocity = Vec.zero;
       spread2 = None;
     }
@@ -194,7 +180,7 @@ let join g h =
       anchored = g.anchored || h.anchored;
       pushes = g.pushes || h.pushes;
       sums = add g.sums h.sums;
-      points = List.rev_append g.points h.points;
+      bodies = List.rev_append g.bodies h.bodies;
     }
 
 (** {1 Apart for ever} *)
@@ -216,18 +202,13 @@ let limit d g h =
   in
   List.fold_left to_others (Some Rat.zero) g.leaves
 
-let unit : Vec.axis -> Vec.t = function
-  | X -> Vec.of_ints 1 0 0
-  | Y -> Vec.of_ints 0 1 0
-  | Z -> Vec.of_ints 0 0 1
-
 let apart d g h =
   (not (g.anchored && h.anchored))
   &&
   match (g.spread2, h.spread2) with
   | Some a, Some b -> (
-      let one = { Recession.points = g.points; velocity = g.velocity; spread2 = a } in
-      let two = { Recession.points = h.points; velocity = h.velocity; spread2 = b } in
+      let one = { Recession.bodies = g.bodies; velocity = g.velocity; spread2 = a } in
+      let two = { Recession.bodies = h.bodies; velocity = h.velocity; spread2 = b } in
       let by margin = Recession.for_ever ~margin one two in
       (* Which distances are asked about takes longer to see. *)
       by Rat.zero
@@ -239,12 +220,12 @@ let apart d g h =
 
 (* All of its coordinates that are compared with constants are beyond these, and stay so. *)
 let settled d g =
-  let is_settled (axis, leaf, (limits : Places_seen.limits)) =
+  let is_settled (n, leaf, (limits : Places_seen.limits)) =
     match (limits, g.spread2) with
     | _, _ when not (has g leaf) -> true
     | Between (low, high), Some s ->
-      let v = Vec.component axis g.velocity and first, last = Recession.range g.points (unit axis) in
-      Recession.exceeds (Rat.mul v v) s Rat.zero
+      let v = Vec.dot n g.velocity and first, last = Recession.range g.bodies n in
+      Recession.exceeds (Rat.mul v v) (Rat.mul s (Vec.norm2 n)) Rat.zero
       && if Rat.sign v > 0 then Rat.compare first high > 0 else Rat.compare last low < 0
     | All, _ | _, None -> false
   in
@@ -275,7 +256,7 @@ let sees_far m (initial : State.t) checks =
 
 (** {1 Where they are placed} *)
 
-let moved by g = { g with points = List.map (fun (place, around) -> (Vec.add place by, around)) g.points }
+let moved by g = { g with bodies = List.map (fun (place, body) -> (Vec.add place by, body)) g.bodies }
 
 let rec all_apart d = function
   | [] -> true
@@ -284,17 +265,15 @@ let rec all_apart d = function
 (* Where it comes to at a time, if its first leaf is in the origin at 0. *)
 let shift time g =
   let first least (place, _) = if Vec.compare place least < 0 then place else least in
-  Vec.sub (Vec.scale time g.velocity) (List.fold_left first (fst (List.hd g.points)) g.points)
+  Vec.sub (Vec.scale time g.velocity) (List.fold_left first (fst (List.hd g.bodies)) g.bodies)
 
 (* Bits. Where velocities are longer, they grow, so that states do not recur; and each comparison takes long.
    States of which one stands for the other have the same velocities. *)
 let long = 128
 
-let is_inside d p = is_held d.model d.fence p
-
 let place d processes =
   let is_long (p : State.process) = Vec.bits p.velocity > long in
-  let left_alone = all_inside d.model d.fence processes || Array.exists is_long processes in
+  let left_alone = Array.for_all (is_held d) processes || Array.exists is_long processes in
   let groups = if left_alone then [] else partition d processes in
   let anchored, free = List.partition (fun g -> g.anchored) groups in
   let rec at time =

@@ -35,8 +35,9 @@ val sees_far : Model.t -> State.t -> Property.check list -> bool
 val groups : t -> State.process array -> int list list
 (** Which are apart for ever, by their places in the array. *)
 
-val is_inside : t -> State.process -> bool
-(** It is fixed, or within what is fixed. Where all are, nobody is moved. *)
+val is_held : t -> State.process -> bool
+(** It is fixed, or a point of it is within the convex hull of what is fixed, so that it is not apart from that.
+    Where all are, nobody is moved. *)
 
 val place : t -> State.process array -> (int * Vec.t) list
 (** By how much processes, by their places in the array, are to be moved, so that of two states that differ by

@@ -17,7 +17,7 @@ let translatable (m : Model.t) (s : State.t) formulas =
 type within = {
   quotient : t;
   catalogue : Catalogue.t;
-  is_inside : int -> bool;  (** {!Drift.is_inside}, of the number of a process *)
+  is_held : int -> bool;  (** {!Drift.is_held}, of the number of a process *)
   names : names Recent.t;
 }
 
@@ -29,13 +29,13 @@ let no_names = { number = Catalogue.nobody; leaf = 0; renamed = Catalogue.nobody
 let memory = 1 lsl 14
 
 let within quotient catalogue =
-  let is_inside =
+  let is_held =
     match quotient.drift with
     | None -> fun _ -> true
-    | Some d -> Catalogue.remembered catalogue false (Drift.is_inside d)
+    | Some d -> Catalogue.remembered catalogue false (Drift.is_held d)
   in
   let names = Recent.create ~number:(fun n -> place_of_name n.number n.leaf) ~none:no_names ~most:memory in
-  { quotient; catalogue; is_inside; names }
+  { quotient; catalogue; is_held; names }
 
 let process w number = (Catalogue.body w.catalogue number).process
 
@@ -107,7 +107,7 @@ let centred w tuple =
 
 (* Each group that meets nobody else any more is moved to where it would be alone. *)
 let apart w d tuple =
-  if fold_present w (fun _ number inside -> inside && w.is_inside number) true tuple then None
+  if fold_present w (fun _ number inside -> inside && w.is_held number) true tuple then None
   else
     match Drift.place d (processes w tuple) with
     | [] -> None

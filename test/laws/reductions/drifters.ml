@@ -12,10 +12,21 @@ behaviour Free   = <dock, {right}>. Part + <~dock, {left}>. Part
 behaviour Kick   = eps(1). rho({<dock, {left, right}>}) push(2). Free
 |}
 
-let lucky = "behaviour Lucky = omega(dock, {left, right}) chance 1/2. Free\n"
+let lucky =
+  {|
+behaviour Lucky  = omega(dock, {left, right}) chance 1/2. Free
+behaviour Either = omega(dock, {left, right}). Shy + omega(dock, {left, right}). Free
+|}
 
 (* A cube, or two that are bound; in a cell of its own of a grid, and as a rule away from the middle. *)
-type item = { pair : bool; cell : int * int; mass : int; velocity : string; bonded : string; alone : string }
+type item = {
+  pair : bool;
+  cell : int * int;
+  mass : int;
+  velocity : string;
+  bonded : string * string;
+  alone : string;
+}
 
 let velocity (i, j) =
   let open Gen in
@@ -27,11 +38,13 @@ let velocity (i, j) =
 
 let item ~chance cell =
   let open Gen in
-  let lucky = if chance then [ "Lucky"; "Lucky" ] else [] in
+  let lucky = if chance then [ "Lucky"; "Lucky"; "Lucky"; "Either"; "Either" ] else [] in
   let bonded = [ "Held"; "Held"; "Part"; "Thrust"; "Kick"; "Pulse" ] @ lucky in
-  let* pair = bool and* velocity = velocity cell and* mass = oneofl [ 1; 1; 2 ] in
-  let+ bonded = oneofl bonded and+ alone = oneofl [ "Shy"; "Shy"; "Pulse"; "Free"; "Late" ] in
-  { pair; cell; mass; velocity; bonded; alone }
+  let* bound = bool and* velocity = velocity cell and* mass = oneofl [ 1; 1; 2 ] in
+  let one = oneofl bonded in
+  let+ bonded = if chance then pair one one else map (fun b -> (b, b)) one
+  and+ alone = oneofl [ "Shy"; "Shy"; "Pulse"; "Free"; "Late" ] in
+  { pair = bound; cell; mass; velocity; bonded; alone }
 
 let written first i =
   let x, y = (8 * fst i.cell, 5 * snd i.cell) in
@@ -40,8 +53,10 @@ let written first i =
       behaviour
   in
   if i.pair then
-    Printf.sprintf "process d%d = %s <dock, {p%d.right, p%d.left}>\n  %s" first (cube x i.bonded) first (first + 1)
-      (cube ~name:(first + 1) (x + 2) i.bonded)
+    Printf.sprintf "process d%d = %s <dock, {p%d.right, p%d.left}>\n  %s" first
+      (cube x (fst i.bonded))
+      first (first + 1)
+      (cube ~name:(first + 1) (x + 2) (snd i.bonded))
   else
     Printf.sprintf "process p%d = Cube mass %d velocity %s at translate (%d,%d,0) [%s]" first i.mass i.velocity x y
       i.alone

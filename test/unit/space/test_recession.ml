@@ -83,7 +83,7 @@ let expected c =
 let side points velocity root =
   let place = Vec.of_ints 1 2 3 in
   let around = Array.of_list (List.map (fun p -> Vec.sub (vec p) place) points) in
-  { Recession.points = [ (place, around) ]; velocity; spread2 = Rat.of_int (root * root) }
+  { Recession.bodies = [ (place, Recession.body around) ]; velocity; spread2 = Rat.of_int (root * root) }
 
 let told c =
   let u = Vec.of_ints 5 (-3) 1 in
