@@ -36,13 +36,21 @@ let velocity (i, j) =
   let up = if j = 0 then 0 else fast - 1 in
   return (if away then Printf.sprintf "(%d,%d,0)" (fast * outward i) up else Printf.sprintf "(%s,%s,0)" x y)
 
+(* Away from others up and down, past each other along x. *)
+let across (i, j) =
+  let open Gen in
+  let+ x = oneofl [ "0"; "1/4"; "-1/4"; "1/8" ] and+ fast = oneofl [ 1; 2 ] in
+  Printf.sprintf "(%s,%d,0)" x ((if j = 0 then -1 else 1) * (fast + i))
+
+(* [chance] has pairs, as a rule, that are left to chance, and of which others are free to choose how. *)
 let item ~chance cell =
   let open Gen in
-  let lucky = if chance then [ "Lucky"; "Lucky"; "Lucky"; "Either"; "Either" ] else [] in
-  let bonded = [ "Held"; "Held"; "Part"; "Thrust"; "Kick"; "Pulse" ] @ lucky in
-  let* bound = bool and* velocity = velocity cell and* mass = oneofl [ 1; 1; 2 ] in
-  let one = oneofl bonded in
-  let+ bonded = if chance then pair one one else map (fun b -> (b, b)) one
+  let bonded = [ "Held"; "Held"; "Part"; "Thrust"; "Kick"; "Pulse" ] in
+  let lots = oneofl [ ("Lucky", "Lucky"); ("Lucky", "Either"); ("Either", "Lucky"); ("Lucky", "Held") ] in
+  let* bound = if chance then frequencyl [ (3, true); (1, false) ] else bool in
+  let* velocity = if chance then oneof [ velocity cell; across cell; across cell ] else velocity cell in
+  let* mass = oneofl [ 1; 1; 2 ] in
+  let+ bonded = if chance then lots else map (fun b -> (b, b)) (oneofl bonded)
   and+ alone = oneofl [ "Shy"; "Shy"; "Pulse"; "Free"; "Late" ] in
   { pair = bound; cell; mass; velocity; bonded; alone }
 
