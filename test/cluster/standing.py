@@ -10,7 +10,7 @@ import tempfile
 import time
 import urllib.request
 
-from support import BONDS, awaited, command, model, report_of, scc_bytes, tell
+from support import BONDS, awaited, children, command, in_words, model, report_of, scc_bytes, tell, title
 
 
 def free_ports(count):
@@ -100,10 +100,13 @@ def used(scc, addresses, exported):
 
 def lost(scc, head, address):
     """The head ends while a check is under way: that ends too, and says so."""
+    words = in_words(scc, 'check', BONDS, '-D', 'n=30', '--address', address)
+    p = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    awaited(lambda: p.poll() is not None or any('ray::Owner' in title(k) for k in children(head.pid)), 120)
+    time.sleep(3)
+    head.terminate()
     begin = time.time()
-    timer = subprocess.Popen(['sh', '-c', 'sleep 10; kill %d' % head.pid])
-    code, out, said = command(scc, 'check', BONDS, '-D', 'n=30', '--address', address)
+    said = (p.communicate()[1].decode(errors='replace').strip().splitlines() or [''])[-1]
     lasted = time.time() - begin
-    timer.wait()
-    told = code == 4 and said.startswith('scc-cluster:') and lasted < 120
-    tell('a lost head: %s' % said, [] if told else ['code %d after %.0f s' % (code, lasted)])
+    told = p.returncode == 4 and said.startswith('scc-cluster:') and lasted < 120
+    tell('a lost head: %s' % said, [] if told else ['code %d after %.0f s' % (p.returncode, lasted)])

@@ -82,6 +82,7 @@ class Programs(unittest.TestCase):
             (sh + "printf '{\"format\": \"scc-simulation\"'", 3),
             (sh + "printf '{\"format\": \"scc-simulation\"}'", 3),
             (sh + "printf '\\377\\n'", 3),
+            (sh + "echo '{\"format\": \"scc-simulation\"}'; exit 1", 3),
             (sh + "exec 1>&- 2>&-; exit 1", 3),
             (sh + "echo no >&2; exit 64", 64),
             (sh + "kill -9 $$", 4),
