@@ -2,8 +2,10 @@ open Scc_base
 open Scc_system
 open Scc_explore
 
-(* Seconds from one look to the next; heaps grow by some ten megabytes in the meantime. *)
+(* Seconds from one look to the next; heaps grow by some ten megabytes in the meantime. Where addresses are scarce
+   these may be all that there are. *)
 let interval = 0.01
+let short_interval = 0.002
 
 (* Seconds of the processor that conclusions have, and half as many that the report has after them; and those
    after which the work is broken off without one. *)
@@ -12,6 +14,9 @@ let patience = 3.
 
 (* How much of the memory explorations leave to conclusions. *)
 let left_to_conclusions = 0.25
+
+(* And how much of it the report has. *)
+let last_share = 1.1
 
 exception Given_up of Limits.stop
 
@@ -28,41 +33,6 @@ type t = {
   mutable finished : float option;  (** the seconds that the rest has after a signal, once the work has stopped *)
 }
 
-let page = 4096.
-
-(* What is in memory, of the heap and of all else but what files have as well, which the system may drop at any
-   time; where the system does not tell, the heap alone. *)
-let resident () =
-  match open_in_bin "/proc/self/statm" with
-  | exception Sys_error _ -> float_of_int (Memory.bytes_of_words (Memory.heap_words ()))
-  | file ->
-    let line = try input_line file with End_of_file | Sys_error _ -> "" in
-    close_in_noerr file;
-    (match String.split_on_char ' ' line with
-     | _ :: resident :: shared :: _ -> page *. (float_of_string resident -. float_of_string shared)
-     | _ -> float_of_int (Memory.bytes_of_words (Memory.heap_words ())))
-
-(* Of the addresses that the system gives to a program, which takes more of them than memory: where none are left,
-   arithmetic on long numbers would end the program. *)
-let address_space () =
-  let is_it line = String.length line > 17 && String.equal (String.sub line 0 17) "Max address space" in
-  match open_in_bin "/proc/self/limits" with
-  | exception Sys_error _ -> infinity
-  | file ->
-    let rec find () =
-      match input_line file with
-      | exception (End_of_file | Sys_error _) -> infinity
-      | line when is_it line -> (
-          let words = List.filter (fun w -> w <> "") (String.split_on_char ' ' line) in
-          match List.nth_opt words 3 with
-          | Some soft -> Option.value (float_of_string_opt soft) ~default:infinity
-          | None -> infinity)
-      | _ -> find ()
-    in
-    let most = find () in
-    close_in_noerr file;
-    0.6 *. most
-
 (* Seconds of the processor since the time was over: on a busy machine those of the clock say little of the
    work. *)
 let passed t =
@@ -73,11 +43,18 @@ let passed t =
     t.since <- (if over then Some (Sys.time ()) else None);
     if over then 0. else -1.
 
-(* What is over when so many seconds more, and so much memory, are allowed. *)
-let beyond t ~passed ~bytes ~more ~share : Limits.stop option =
+(* What is over when so many seconds more, and such a share of the memory, are allowed. *)
+let beyond t ~passed ~taken ~more ~share : Limits.stop option =
   if passed >= more then Some (if t.signalled then Interrupted else Seconds)
-  else if bytes > share *. t.memory then Some Memory
+  else if taken > share then Some Memory
   else None
+
+(* Of the memory, or of the addresses if this is more. *)
+let taken t =
+  let memory =
+    if t.memory < infinity then (Footprint.resident () +. float_of_int (Memory.beside ())) /. t.memory else 0.
+  in
+  Float.max memory (Footprint.taken ())
 
 (* What nobody attempts is broken off once; if that does not end it, the program ends. Nothing is flushed: what was
    printed so far may be half of a report. *)
@@ -101,10 +78,10 @@ let over t (stage : Limits.stage) =
 
 let look t =
   let passed = passed t in
-  let bytes = if t.memory < infinity then resident () +. float_of_int (Memory.beside ()) else 0. in
-  t.over <- beyond t ~passed ~bytes ~more:0. ~share:(1. -. left_to_conclusions);
-  t.late <- beyond t ~passed ~bytes ~more:grace ~share:1.;
-  t.last <- beyond t ~passed ~bytes ~more:(1.5 *. grace) ~share:1.1;
+  let taken = taken t in
+  t.over <- beyond t ~passed ~taken ~more:0. ~share:(1. -. left_to_conclusions);
+  t.late <- beyond t ~passed ~taken ~more:grace ~share:1.;
+  t.last <- beyond t ~passed ~taken ~more:(1.5 *. grace) ~share:last_share;
   (match t.over with
    | Some Seconds -> Interruption.expire "the limit of seconds has passed before the input was read"
    | Some (Memory | Interrupted) | None -> ());
@@ -115,7 +92,9 @@ let look t =
   | None, _ -> (
       match t.finished with
       | Some grace -> if passed > grace then Interruption.break_off ()
-      | None -> if passed > patience then abandon t ~passed)
+      | None ->
+        if passed > patience then abandon t ~passed;
+        if Footprint.taken () > last_share && not (Critical.active ()) then raise Out_of_memory)
 
 let timer seconds = ignore (Unix.setitimer ITIMER_REAL { it_interval = seconds; it_value = seconds })
 
@@ -124,8 +103,7 @@ let start ?(signals = true) ?seconds ?memory () =
     {
       deadline = Option.fold ~none:infinity ~some:(fun s -> Unix.gettimeofday () +. s) seconds;
       memory =
-        Option.fold ~none:infinity memory ~some:(fun w ->
-            Float.min (address_space ()) (float_of_int (Memory.bytes_of_words w)));
+        Option.fold ~none:infinity memory ~some:(fun w -> float_of_int (Memory.bytes_of_words w));
       signalled = false;
       since = None;
       over = None;
@@ -142,7 +120,8 @@ let start ?(signals = true) ?seconds ?memory () =
   in
   if signals then Interruption.answered arrived;
   Sys.set_signal Sys.sigalrm (Sys.Signal_handle (fun _ -> look t));
-  if Option.is_some seconds || Option.is_some memory then timer interval;
+  let interval = if Footprint.is_limited then short_interval else interval in
+  if Option.is_some seconds || Option.is_some memory || Footprint.is_limited then timer interval;
   t
 
 let more t seconds =
@@ -181,11 +160,9 @@ let dismiss t =
 let compacted t stage =
   match over t stage with
   | Some Memory ->
-    let outer = t.stage in
-    t.stage <- None;
-    Gc.compact ();
-    look t;
-    t.stage <- outer
+    Critical.run (fun () ->
+        Gc.compact ();
+        look t)
   | Some (Seconds | Interrupted) | None -> ()
 
 let attempted t stage f =
@@ -205,6 +182,11 @@ let attempted t stage f =
       | exception Given_up stop ->
         leave ();
         Error stop
+      | exception Out_of_memory when Option.is_none outer ->
+        (* nothing of what may be left half done is used any more *)
+        leave ();
+        Gc.compact ();
+        Error Memory
       | exception e ->
         leave ();
         raise e)

@@ -217,6 +217,26 @@ def workers(scc, names, trials, chance, tally):
     )
 
 
+def scarce(scc, names, tally):
+    """The system gives few processes and places for open files: the same report, by fewer processes; or a word."""
+    for name in names:
+        cmd = command(scc, EXPLORATIONS[name] + ["--jobs", "3"])
+        expected = run(cmd)
+        for files in [5, 7, 9, 16]:
+            got = run(cmd, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (files, files)))
+            is_told = got[0] in (3, 4, 127) and "Too many open files" in got[2] or "Error 24" in got[2]
+            tally.check(got == expected or is_told, f"{name}, {files} open files: {got}")
+        tally.check(got == expected, f"{name}, 16 open files: {got}")
+        if os.geteuid() == 0:
+
+            def alone():
+                os.setuid(65534)
+                resource.setrlimit(resource.RLIMIT_NPROC, (1, 1))
+
+            got = run(cmd, preexec_fn=alone)
+            tally.check(got == expected, f"{name}, no other process: {got}")
+
+
 def full_disks(scc, names, chance, folder, tally):
     """Files may not grow beyond some size."""
     for name in names:
@@ -511,6 +531,7 @@ def main():
         most = QUICK if options.few else some
         interruptions(scc, most, chance, folder, tally)
         workers(scc, (OTHERS + some)[: 5 if options.few else 9], 1 if options.few else 10, chance, tally)
+        scarce(scc, ["hexokinase"] + OTHERS, tally)
         full_disks(scc, most, chance, folder, tally)
         damage(scc, (OTHERS + some)[:6] if not options.few else ["estimate", "by time"], damages, chance, folder, tally)
         read_only(scc, (OTHERS + some)[:6] if not options.few else ["estimate", "by time"], chance, folder, tally)

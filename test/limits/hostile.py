@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Hostile models under limits: whatever a model does, scc keeps its limits and gives its report.
 
-    test/limits/hostile.py SCC [--seconds S] [--memory MIB] [--only TEXT] [--signal] [--loose]
+    test/limits/hostile.py SCC [--seconds S] [--memory MIB] [--addresses MIB] [--only TEXT] [--signal] [--loose]
 
 Runs `scc check --json --seconds S --memory MIB` on models that grow: in numbers, states, formulas, bodies, faces. With
---signal there is no limit of seconds, and the program is interrupted after S seconds instead. Of each run: the report is
+--signal there is no limit of seconds, and the program is interrupted after S seconds instead. With --addresses it is the
+system that limits what there is (ulimit -v), to so much more than the program needs to begin. Of each run: the report is
 one whole JSON document with a verdict for every check, the exit code is a documented one; and, as a bar, it takes no more
 than 2 s over the limit, and no more memory than a tenth and 64 MiB over it. How long it takes says little on a busy machine, and is not
 judged with --loose. Prints a line each, and counts.
@@ -13,6 +14,7 @@ judged with --loose. Prints a line each, and counts.
 import argparse
 import json
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -124,8 +126,23 @@ MODELS = {
 }
 
 
+def with_addresses(mib):
+    """What a process does first: it has so many MiB of addresses."""
+    return lambda: resource.setrlimit(resource.RLIMIT_AS, (mib * 2**20, mib * 2**20))
+
+
+def least_addresses(scc):
+    """The MiB that it takes to begin: other versions of OCaml set much aside."""
+    for mib in range(16, 4096, 4):
+        if subprocess.run([scc, '--version'], capture_output=True, preexec_fn=with_addresses(mib)).returncode == 0:
+            return mib
+    return 4096
+
+
 def limited(args, name):
-    command = [args.scc, 'check', '--json', '--memory', str(args.memory)]
+    command = [args.scc, 'check', '--json']
+    if not args.addresses:
+        command += ['--memory', str(args.memory)]
     if not args.signal:
         command += ['--seconds', str(args.seconds)]
     return command + ['--states', '100000000', name]
@@ -156,7 +173,10 @@ def run(args, name, text):
         with open(path, 'w') as f:
             f.write(text)
         start = time.monotonic()
-        process = subprocess.Popen(limited(args, path), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        process = subprocess.Popen(
+            limited(args, path), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+            preexec_fn=with_addresses(args.addresses) if args.addresses else None,
+        )
         timer = threading.Timer(args.seconds, lambda: process.send_signal(signal.SIGINT))
         if args.signal:
             timer.start()
@@ -180,10 +200,13 @@ def main():
     parser.add_argument('scc')
     parser.add_argument('--seconds', type=float, default=5)
     parser.add_argument('--memory', type=int, default=300)
+    parser.add_argument('--addresses', type=int, default=0)
     parser.add_argument('--only', default='')
     parser.add_argument('--signal', action='store_true')
     parser.add_argument('--loose', action='store_true')
     args = parser.parse_args()
+    if args.addresses:
+        args.addresses += least_addresses(args.scc)
     passed = failed = 0
     for name, text in MODELS.items():
         if args.only not in name:
