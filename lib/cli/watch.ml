@@ -15,6 +15,7 @@ let left_to_conclusions = 0.25
 exception Given_up of Limits.stop
 
 type t = {
+  clock : unit -> float;
   signals : bool;
   mutable deadline : float;
   memory : float;  (** in bytes *)
@@ -64,7 +65,7 @@ let address_space () =
 (* Seconds of the processor since the time was over: on a busy machine those of the clock say little of the
    work. *)
 let passed t =
-  let over = t.signalled || Unix.gettimeofday () > t.deadline in
+  let over = t.signalled || t.clock () > t.deadline in
   match t.since with
   | Some since when over -> Sys.time () -. since
   | Some _ | None ->
@@ -113,11 +114,12 @@ let end_by signal =
   Sys.set_signal signal Sys.Signal_default;
   Unix.kill (Unix.getpid ()) signal
 
-let start ?(signals = true) ?seconds ?memory () =
+let start ?(clock = Unix.gettimeofday) ?(signals = true) ?seconds ?memory () =
   let t =
     {
+      clock;
       signals;
-      deadline = Option.fold ~none:infinity ~some:(fun s -> Unix.gettimeofday () +. s) seconds;
+      deadline = Option.fold ~none:infinity ~some:(fun s -> clock () +. s) seconds;
       memory =
         Option.fold ~none:infinity memory ~some:(fun w ->
             Float.min (address_space ()) (float_of_int (Memory.bytes_of_words w)));
@@ -133,10 +135,10 @@ let start ?(signals = true) ?seconds ?memory () =
   let arrived signal =
     if not t.signalled then begin
       t.signalled <- true;
-      first := Unix.gettimeofday ();
+      first := clock ();
       timer interval
     end
-    else if Unix.gettimeofday () -. !first > again then end_by signal
+    else if clock () -. !first > again then end_by signal
   in
   if signals then on_signals (Signal_handle arrived);
   Sys.set_signal Sys.sigalrm (Sys.Signal_handle (fun _ -> look t));
@@ -149,9 +151,9 @@ let more t seconds =
 
 let stop t () = t.over
 let half t () : unit -> Limits.stop option =
-  let now = Unix.gettimeofday () in
+  let now = t.clock () in
   let middle = now +. ((t.deadline -. now) /. 2.) in
-  fun () -> match t.over with None when Unix.gettimeofday () > middle -> Some Seconds | over -> over
+  fun () -> match t.over with None when t.clock () > middle -> Some Seconds | over -> over
 
 let interrupted t () = t.signalled
 
@@ -160,8 +162,8 @@ let finish t =
   timer 0.;
   t.stage <- None;
   if t.signals && not t.signalled then begin
-    let since = Unix.gettimeofday () in
-    on_signals (Signal_handle (fun signal -> if Unix.gettimeofday () -. since > again then end_by signal))
+    let since = t.clock () in
+    on_signals (Signal_handle (fun signal -> if t.clock () -. since > again then end_by signal))
   end
 
 (* What was given up for its memory has left it behind as garbage. *)

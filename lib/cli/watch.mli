@@ -9,10 +9,11 @@ open Scc_explore
 
 type t
 
-val start : ?signals:bool -> ?seconds:float -> ?memory:int -> unit -> t
+val start : ?clock:(unit -> float) -> ?signals:bool -> ?seconds:float -> ?memory:int -> unit -> t
 (** [memory] in words, of all that the program takes. Without limits only signals end the work. A second signal
     ends the program at once, unless it comes with the first one: [timeout], for one, sends each to the program and
-    to its group. Without [signals] only limits end the work: signals are somebody else's to answer. *)
+    to its group. Without [signals] only limits end the work: signals are somebody else's to answer. [clock] tells
+    seconds, those of the day if nothing is said. *)
 
 val more : t -> float -> unit
 (** So many seconds more, for another work. *)
