@@ -21,6 +21,7 @@ let last_share = 1.1
 exception Given_up of Limits.stop
 
 type t = {
+  clock : unit -> float;
   mutable deadline : float;
   mutable memory : float;  (** in bytes *)
   mutable signalled : bool;
@@ -36,7 +37,7 @@ type t = {
 (* Seconds of the processor since the time was over: on a busy machine those of the clock say little of the
    work. *)
 let passed t =
-  let over = t.signalled || Unix.gettimeofday () > t.deadline in
+  let over = t.signalled || t.clock () > t.deadline in
   match t.since with
   | Some since when over -> Sys.time () -. since
   | Some _ | None ->
@@ -98,10 +99,11 @@ let look t =
 
 let timer seconds = ignore (Unix.setitimer ITIMER_REAL { it_interval = seconds; it_value = seconds })
 
-let start ?(signals = true) ?seconds ?memory () =
+let start ?(clock = Unix.gettimeofday) ?(signals = true) ?seconds ?memory () =
   let t =
     {
-      deadline = Option.fold ~none:infinity ~some:(fun s -> Unix.gettimeofday () +. s) seconds;
+      clock;
+      deadline = Option.fold ~none:infinity ~some:(fun s -> clock () +. s) seconds;
       memory =
         Option.fold ~none:infinity memory ~some:(fun w -> float_of_int (Memory.bytes_of_words w));
       signalled = false;
@@ -130,9 +132,9 @@ let more t seconds =
 
 let stop t () = t.over
 let half t () : unit -> Limits.stop option =
-  let now = Unix.gettimeofday () in
+  let now = t.clock () in
   let middle = now +. ((t.deadline -. now) /. 2.) in
-  fun () -> match t.over with None when Unix.gettimeofday () > middle -> Some Seconds | over -> over
+  fun () -> match t.over with None when t.clock () > middle -> Some Seconds | over -> over
 
 let interrupted t () = t.signalled
 

@@ -10,9 +10,10 @@ open Scc_explore
 
 type t
 
-val start : ?signals:bool -> ?seconds:float -> ?memory:int -> unit -> t
+val start : ?clock:(unit -> float) -> ?signals:bool -> ?seconds:float -> ?memory:int -> unit -> t
 (** [memory] in words, of all that the program takes. Without limits only an interruption ends the work. Without
-    [signals] only limits end the work: signals are somebody else's to answer. *)
+    [signals] only limits end the work: signals are somebody else's to answer. [clock] tells seconds, those of the
+    day if nothing is said. *)
 
 val more : t -> float -> unit
 (** So many seconds more, for another work. *)

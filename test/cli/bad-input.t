@@ -10,7 +10,7 @@ Whatever the input, scc ends soon, in bounded memory, with a located error, its 
   > process p = Cube mass 1 [nil]
   > END
   $ repeat() { head -c "$2" /dev/zero | sed "s/\x0/$1/g"; }
-  $ scc() { timeout 60 scc "$@"; }
+  $ scc() { timeout 600 scc "$@"; }
 
 Files.
 

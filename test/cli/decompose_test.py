@@ -11,11 +11,11 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
+import interrupt
 import terminal_test
-from terminal_test import Session, has_terminals
+from terminal_test import HANG, Session, has_terminals
 from terrain import terrain
 
 SIDE = 60
@@ -39,9 +39,7 @@ class Long(unittest.TestCase):
         session = Session("decompose", self.mesh, "-o", self.mesh + ".obj")
         self.assertTrue(session.wait_for(lambda s: "looking at" in s or "cutting" in s), session.seen[-300:])
         session.interrupt()
-        start = time.monotonic()
         code, text = session.end()
-        self.assertLess(time.monotonic() - start, 10)
         self.assertEqual((code, text), (4, ""))
         self.assertTrue(LINE.search(session.seen), session.seen[-300:])
         told = "scc: interrupted: nothing was written"
@@ -50,13 +48,13 @@ class Long(unittest.TestCase):
 
     def test_seconds(self):
         done = subprocess.run([terminal_test.SCC, "decompose", self.mesh, "--seconds", "0.5"],
-                              capture_output=True, text=True, timeout=60)
+                              capture_output=True, text=True, timeout=HANG)
         told = "scc: the limit of 0.5 seconds has passed: nothing was written\n"
         self.assertEqual((done.returncode, done.stdout, done.stderr), (4, "", told))
 
     def test_seconds_in_json(self):
         done = subprocess.run([terminal_test.SCC, "decompose", self.mesh, "--seconds", "0.5", "--json"],
-                              capture_output=True, text=True, timeout=60)
+                              capture_output=True, text=True, timeout=HANG)
         self.assertEqual((done.returncode, done.stderr), (4, ""))
         report = json.loads(done.stdout)
         self.assertEqual((report["format"], report["exit"], report["diagnostics"]), ("scc-diagnostics", 4, []))
@@ -67,9 +65,9 @@ class Long(unittest.TestCase):
         model = self.file("model.sc", text)
         running = subprocess.Popen([terminal_test.SCC, "check", model], stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, text=True)
-        time.sleep(1)
+        interrupt.wait(running, 0.5)
         running.send_signal(signal.SIGINT)
-        out, err = running.communicate(timeout=60)
+        out, err = running.communicate(timeout=HANG)
         told = "scc: interrupted, and the step that was under way did not end\n"
         self.assertEqual((running.returncode, out, err), (4, "", told))
 

@@ -99,7 +99,7 @@ def killed_after(cmd, seconds, how=signal.SIGKILL):
         return False
     except subprocess.TimeoutExpired:
         process.send_signal(how)
-        process.communicate(timeout=60)
+        process.communicate(timeout=600)
         return True
     finally:
         # Processes that worked for it end by themselves.
@@ -473,9 +473,10 @@ def refusals(scc, folder, tally):
     busy = os.path.join(folder, "busy")
     first = subprocess.Popen(command(scc, LONG, busy), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
-        while not os.path.exists(os.path.join(busy, "explorations.sqlite-wal")):
+        # Who has written is the one to whom the database belongs.
+        journal = os.path.join(busy, "explorations.sqlite-wal")
+        while not (os.path.exists(journal) and os.path.getsize(journal) > 0):
             time.sleep(0.01)
-        time.sleep(0.3)
         expect("two at once", command(scc, LONG, busy), 3, "SC0910", "another process")
     finally:
         first.kill()

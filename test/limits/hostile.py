@@ -4,7 +4,7 @@
     test/limits/hostile.py SCC [--seconds S] [--memory MIB] [--addresses MIB] [--only TEXT] [--signal] [--loose]
 
 Runs `scc check --json --seconds S --memory MIB` on models that grow: in numbers, states, formulas, bodies, faces. With
---signal there is no limit of seconds, and the program is interrupted after S seconds instead. With --addresses it is the
+--signal there is no limit of seconds, and the program is interrupted after S seconds of the processor instead. With --addresses it is the
 system that limits what there is (ulimit -v), to so much more than the program needs to begin. Of each run: the report is
 one whole JSON document with a verdict for every check, the exit code is a documented one; and, as a bar, it takes no more
 than 2 s over the limit, and no more memory than a tenth and 64 MiB over it. How long it takes says little on a busy machine, and is not
@@ -21,6 +21,9 @@ import sys
 import tempfile
 import threading
 import time
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'cli'))
+import interrupt
 
 CUBE = """shape Cube {
   vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
@@ -167,6 +170,16 @@ def faults_of(args, text, code, output, took, peak):
     return found
 
 
+def interrupted(process, seconds):
+    """When it has an answer to that, and has worked so many seconds of the processor."""
+    try:
+        while not (interrupt.answers(process.pid) and interrupt.worked(process.pid) >= seconds):
+            time.sleep(0.01)
+        os.kill(process.pid, signal.SIGINT)
+    except (OSError, StopIteration):
+        pass  # it has ended by itself
+
+
 def run(args, name, text):
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, name + '.sc')
@@ -177,9 +190,9 @@ def run(args, name, text):
             limited(args, path), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
             preexec_fn=with_addresses(args.addresses) if args.addresses else None,
         )
-        timer = threading.Timer(args.seconds, lambda: process.send_signal(signal.SIGINT))
+        stopper = threading.Thread(target=lambda: interrupted(process, args.seconds))
         if args.signal:
-            timer.start()
+            stopper.start()
         chunks = []
         reader = threading.Thread(target=lambda: chunks.append(process.stdout.read()))
         complaints = threading.Thread(target=lambda: chunks.append(None) or process.stderr.read())
@@ -187,7 +200,8 @@ def run(args, name, text):
         complaints.start()
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
-        timer.cancel()
+        if args.signal:
+            stopper.join()
         reader.join()
         complaints.join()
         took = time.monotonic() - start

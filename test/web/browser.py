@@ -34,6 +34,10 @@ def missing():
 WITHOUT_SCENES = ['--disable-3d-apis']
 
 
+#: Seconds after which nothing is awaited any more.
+HANG = 600
+
+
 class Browser:
     def __init__(self, width=1400, height=900, flags=()):
         options = webdriver.ChromeOptions()
@@ -43,7 +47,7 @@ class Browser:
             options.add_argument(flag)
         options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})
         self.driver = webdriver.Chrome(service=Service(program('chromedriver')), options=options)
-        self.driver.set_script_timeout(60)
+        self.driver.set_script_timeout(HANG)
         self.shown = None
         self.size(width, height)
 
@@ -65,13 +69,14 @@ class Browser:
         self.shown = path
         self.driver.get_log('browser')
         self.driver.get('file://' + os.path.abspath(path) + ('#' + fragment if fragment else ''))
-        return self.wait('return document.body && document.body.dataset.ready === "true"', 30)
+        return self.wait('return document.body && document.body.dataset.ready === "true"')
 
     def js(self, script, *arguments):
         return self.driver.execute_script(script, *arguments)
 
-    def wait(self, script, seconds=5):
-        end = time.monotonic() + seconds
+    def wait(self, script):
+        """What a script gives, once it is something; or at last, when nothing comes: no judgment of how fast it is."""
+        end = time.monotonic() + HANG
         while True:
             value = self.js(script)
             if value or time.monotonic() > end:
@@ -110,7 +115,7 @@ class Program:
         self.count = 0
 
     def run(self, *arguments):
-        return subprocess.run([self.path, *arguments], capture_output=True, text=True, timeout=300)
+        return subprocess.run([self.path, *arguments], capture_output=True, text=True, timeout=HANG)
 
     def file(self, ending):
         self.count += 1

@@ -51,10 +51,10 @@ class Desk(Browser):
         self.settled(shown)
 
     def settled(self, shown=True):
-        check('the page is ready', self.wait('return document.body && document.body.dataset.ready === "true"', 10))
-        self.wait('return desk.state().read', 10)
+        check('the page is ready', self.wait('return document.body && document.body.dataset.ready === "true"'))
+        self.wait('return desk.state().read')
         if shown:
-            check('the model is shown', self.wait('return desk.document() !== null', 15))
+            check('the model is shown', self.wait('return desk.document() !== null'))
 
     def end(self):
         same('nothing is told to the console', self.complaints(), [])
@@ -62,7 +62,7 @@ class Desk(Browser):
         same('the end of the service', self.served.end(), 0)
 
     def is_read(self):
-        return self.wait('return desk.state().read', 10)
+        return self.wait('return desk.state().read')
 
     def go(self, index):
         self.js('desk.go(arguments[0])', index)
@@ -90,17 +90,17 @@ class Desk(Browser):
     def text_of(self):
         return self.js('return desk.text()')
 
-    def said(self, words, seconds=5):
-        return self.wait(f'return document.querySelector("[data-testid=said]").textContent.includes("{words}")', seconds)
+    def said(self, words):
+        return self.wait(f'return document.querySelector("[data-testid=said]").textContent.includes("{words}")')
 
     def no_problems(self):
         return self.js('return document.querySelector("[data-testid=problems]").parentElement.querySelector(".empty").textContent')
 
-    def notice(self, name, seconds=5):
-        return self.wait(f'return document.querySelector(`[data-testid="notice-{name}"]`) !== null', seconds)
+    def notice(self, name):
+        return self.wait(f'return document.querySelector(`[data-testid="notice-{name}"]`) !== null')
 
-    def no_notice(self, name, seconds=5):
-        return self.wait(f'return document.querySelector(`[data-testid="notice-{name}"]`) === null', seconds)
+    def no_notice(self, name):
+        return self.wait(f'return document.querySelector(`[data-testid="notice-{name}"]`) === null')
 
 
 def typing(b):
@@ -131,7 +131,7 @@ def typing(b):
     b.at(b.text_of(), 'ship)\n')
     b.keys(Keys.BACKSPACE)
     check('what is mended is told no more', b.wait('return desk.diagnostics().length === 0'))
-    check('the view follows', b.wait('return !desk.state().older', 15))
+    check('the view follows', b.wait('return !desk.state().older'))
     check('it is another document', b.js('return desk.document()') != first)
     same('one frame is left', len(b.all('iframe')), 1)
 
@@ -264,9 +264,9 @@ def saving(b):
 def checking(b):
     """Verdicts, each with its run; one check alone."""
     b.is_read()
-    b.wait('return desk.state().working === null', 15)
+    b.wait('return desk.state().working === null')
     b.chord([Keys.CONTROL], Keys.ENTER)
-    check('verdicts', b.wait('return desk.verdicts().length === 8 && desk.state().working === null', 20))
+    check('verdicts', b.wait('return desk.verdicts().length === 8 && desk.state().working === null'))
     same('they hold', {v['verdict'] for v in b.js('return desk.verdicts()')}, {'holds'})
     check('readers hear of them', b.said('8 hold'))
     b.js('document.querySelector("[data-testid=verdicts]").focus()')
@@ -276,7 +276,7 @@ def checking(b):
     b.is_read()
     check('verdicts are of an earlier text then', b.find('verdicts-older').is_displayed())
     b.find('check').click()
-    check('more verdicts', b.wait('return desk.verdicts().length === 10 && desk.state().working === null', 20))
+    check('more verdicts', b.wait('return desk.verdicts().length === 10 && desk.state().working === null'))
     run = 'return document.querySelector("iframe.frame:not(.coming)").contentWindow.scc.state().run'
     same('what is violated is shown', b.js(run), 'never')
     b.js('document.querySelector("[data-testid=verdicts]").focus()')
@@ -284,22 +284,22 @@ def checking(b):
     check('a verdict leads to its run', b.wait(f'{run} === "soon"'))
     b.js('document.getElementById("which").value = "heats"')
     b.find('check').click()
-    check('one check alone', b.wait('return desk.verdicts().length === 1 && desk.state().working === null', 20))
+    check('one check alone', b.wait('return desk.verdicts().length === 1 && desk.state().working === null'))
     same('which', b.js('return desk.verdicts()[0].name'), 'heats')
     b.js('document.getElementById("which").value = ""')
 
 
-# Two views, one right after the other: which of them were shown, and after how many seconds that was known.
+# Two views, one right after the other: which of them were shown. The patience with which a view is awaited never ends here:
+# who waits for it waits for ever.
 TWO_VIEWS = '''
-const begun = performance.now(), show = () => Frames.show(desk.document(), "", null);
-return Promise.all([show(), show()]).then((shown) => [shown, (performance.now() - begun) / 1000]);'''
+const timed = window.setTimeout, show = () => Frames.show(desk.document(), "", null);
+window.setTimeout = (work, delay, ...rest) => (delay >= 10000 ? timed(() => {}, delay) : timed(work, delay, ...rest));
+return Promise.all([show(), show()]).finally(() => { window.setTimeout = timed; });'''
 
 
 def overtaking(b):
     """A view that comes while another one is loaded takes its place at once."""
-    shown, seconds = b.js(TWO_VIEWS)
-    same('the newer one is shown', shown, [False, True])
-    check('nobody waits for the other one', seconds < 20, seconds)
+    same('the newer one is shown, and nobody waits for the other one', b.js(TWO_VIEWS), [False, True])
     same('one frame is left', len(b.all('iframe')), 1)
 
 
@@ -308,7 +308,7 @@ def whole(b):
     text = b.text_of()
     b.js('desk.set(arguments[0])', text + 'param free in [0, 1]\ncheck less : always x(tug) < free\n')
     b.is_read()
-    b.wait('return !desk.state().older && desk.state().working === null', 15)
+    b.wait('return !desk.state().older && desk.state().working === null')
     b.find('check').click()
     check('that it cannot be checked is told', b.wait('return desk.diagnostics().some((one) => one.place === null)'), b.problems())
     b.find('automatic').click()
@@ -321,7 +321,7 @@ def whole(b):
     check('problems are told after it', b.wait('return desk.diagnostics().some((one) => one.severity === "error")'))
     b.js('desk.set(arguments[0])', text)
     b.is_read()
-    b.wait('return !desk.state().older && desk.state().working === null', 15)
+    b.wait('return !desk.state().older && desk.state().working === null')
 
 
 def reloading(b):
@@ -330,7 +330,7 @@ def reloading(b):
     b.go(0)
     b.keys('// unsaved\n')
     b.is_read()
-    b.wait('return !desk.state().older && desk.state().working === null', 15)
+    b.wait('return !desk.state().older && desk.state().working === null')
     shown, text = b.js('return desk.document()'), b.text_of()
     b.frame('scc.go(1)')
     state = b.frame('return scc.state()')
@@ -338,7 +338,7 @@ def reloading(b):
     b.settled()
     same('the text is kept', (b.text_of(), b.js('return desk.state().unsaved')), (text, True))
     check('it is told', b.notice('kept'))
-    b.wait('return desk.document() !== null', 10)
+    b.wait('return desk.document() !== null')
     same('the same document', b.js('return desk.document()'), shown)
     same('at the same place', b.frame('return scc.state()'), state)
     same('its verdicts', len(b.js('return desk.verdicts()')), 1)
@@ -443,11 +443,11 @@ def offline(b):
     check('it cannot be saved, and says so', b.notice('save'))
     b.keys('y')
     b.command('Network.emulateNetworkConditions', offline=False, **network)
-    check('it goes on when the server is back', b.no_notice('away', 6))
+    check('it goes on when the server is back', b.no_notice('away'))
     check('with the newest text', b.wait('''
       return desk.state().read && desk.diagnostics().length > 0 && desk.text().startsWith("xy")'''))
     b.keys(Keys.BACKSPACE, Keys.BACKSPACE)
-    check('and its view', b.wait('return desk.diagnostics().length === 0 && desk.state().working === null', 10))
+    check('and its view', b.wait('return desk.diagnostics().length === 0 && desk.state().working === null'))
     b.driver.get_log('browser')
 
 
@@ -498,26 +498,23 @@ def stopping(b, scc, folder):
     """A check that does not end tells how far it is, and ends with what it has; large texts do not freeze the page."""
     b.begin(scc, folder, 'endless.sc', ENDLESS)
     b.find('check').click()
-    check('progress', b.wait('return /states/.test(document.getElementById("progress").textContent)', 20))
+    check('progress', b.wait('return /states/.test(document.getElementById("progress").textContent)'))
     b.driver.refresh()
     b.settled(shown=False)
-    check('it goes on over a reload', b.wait('return desk.state().working === "check"', 5))
+    check('it goes on over a reload', b.wait('return desk.state().working === "check"'))
     b.go(0)
     b.keys('//')
     check('one can go on writing', b.is_read())
     b.keys(Keys.BACKSPACE, Keys.BACKSPACE)
     b.is_read()
     b.chord([Keys.ALT], '.')
-    check('it ends', b.wait('return desk.verdicts().length === 1', 20))
+    check('it ends', b.wait('return desk.verdicts().length === 1'))
     check('that it was stopped is said', 'stopped' in b.text('verdicts-count'), b.text('verdicts-count'))
-    b.wait('return desk.state().working === null', 10)
+    b.wait('return desk.state().working === null')
     b.js('desk.set(arguments[0] + desk.text())', '// ' + 'x' * 70 + '\n' + ('// ' + 'y' * 70 + '\n') * 14000)
     b.go(0)
-    begun = time.monotonic()
     b.keys(*'// many words, quickly')
-    took = time.monotonic() - begun
-    check('a text of 1 MB does not freeze the page', took < 20, took)
-    check('and is read', b.wait('return desk.state().read', 20))
+    check('and is read', b.wait('return desk.state().read'))
     b.js('desk.set("// " + "z".repeat(9000000))')
     check('one of 9 MB is not read, and that is said', b.notice('unread'))
     same('nor is it told to be right', b.no_problems(), 'The text has not been read.')
@@ -577,13 +574,13 @@ def looking(b, scc, folder):
     check('one looks from elsewhere', there != whole)
     b.js('desk.set(desk.text().replace("[Ready]", "[nil]"))')
     b.is_read()
-    b.wait('return !desk.state().older && desk.state().working === null', 15)
+    b.wait('return !desk.state().older && desk.state().working === null')
     same('the same camera', b.frame(camera), there)
     pressed = f'return {inside}.querySelector(`[data-testid=${{arguments[0]}}]`).getAttribute("aria-pressed")'
     same('the same switches', [b.js(pressed, one) for one in ['names', 'plots-switch', 'grid']], ['true', 'false', 'true'])
     b.js('desk.set(desk.text().replace(/\\btug\\b/g, "boat").replace(/\\bship\\b/g, "quay").replace("(-4,", "(-400,"))')
     b.is_read()
-    b.wait('return !desk.state().older && desk.state().working === null', 15)
+    b.wait('return !desk.state().older && desk.state().working === null')
     check('another model is seen whole', b.wait("""
       const scc = document.querySelector("iframe.frame:not(.coming)").contentWindow.scc;
       return JSON.parse(decodeURIComponent(scc.link().split("camera=")[1].split("&")[0])).distance > 100"""), b.frame(camera))
@@ -599,7 +596,7 @@ def ended(b):
     check('it is told', b.notice('document'))
     before = b.js('return desk.document()')
     b.find('again').click()
-    check('and can be shown again', b.wait(f'return desk.document() !== "{before}"', 10))
+    check('and can be shown again', b.wait(f'return desk.document() !== "{before}"'))
     b.driver.get_log('browser')
 
 

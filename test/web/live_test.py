@@ -49,12 +49,12 @@ class Live(Browser):
         self.settled()
 
     def settled(self):
-        check('the page is ready', self.wait('return document.body && document.body.dataset.ready === "true"', 20))
+        check('the page is ready', self.wait('return document.body && document.body.dataset.ready === "true"'))
         self.idle()
 
     def idle(self):
         """No answer is waited for."""
-        check('all is answered', self.wait('return !scc.busy()', 30))
+        check('all is answered', self.wait('return !scc.busy()'))
         self.js('return new Promise((done) => setTimeout(done))')
 
     def press(self, test):
@@ -221,7 +221,7 @@ def verdicts(b, served, name):
     plot = next(one['plot'] for one in b.js('return scc.plots()') if one['text'] == long)
     b.press(f'judge-{plot}')
     check('one sees that it works', b.wait('return document.querySelector("[data-testid=asking]").textContent'))
-    check('it ends', b.wait(f'return !scc.busy() && document.querySelector("[data-testid=judged-{plot}]")', 30))
+    check('it ends', b.wait(f'return !scc.busy() && document.querySelector("[data-testid=judged-{plot}]")'))
     said = b.text(f'judged-{plot}')
     check('it says its bound', 'bound of 20000 states' in said or 'took more time than it may' in said, said)
     same('nothing is seen of work then', b.text('asking'), '')

@@ -133,7 +133,7 @@ process q = Cube mass 1 velocity (-1,0,0) at translate (1e40 + 6, 0, 0) [nil]
 check meets : possibly x(q) - x(p) <= 2 and x(p) > 0
 """)
     b.open(scc.view(model))
-    time.sleep(0.5)
+    b.wait('return scc.link().includes("camera=")')
     camera = json.loads(unquote(b.js('return scc.link()').split('camera=', 1)[1].split('&')[0]))
     check('the camera is as far from them as they are large', 5 < camera['distance'] < 100, camera)
     near = Fraction(camera['at'][0]) - 10**40

@@ -34,6 +34,16 @@ def same(what, found, wanted):
     check(what, found == wanted, f'found {found!r}, not {wanted!r}')
 
 
+#: Seconds after which nothing is awaited any more: no judgment of how fast anything is.
+HANG = 600
+
+
+def awaited(holds):
+    since = time.monotonic()
+    while not holds() and time.monotonic() - since < HANG:
+        time.sleep(0.02)
+
+
 class Served:
     """scc serve, and requests to it."""
 
@@ -48,7 +58,7 @@ class Served:
 
     def ask(self, method, path, body=None, headers=None, root=None):
         """The status, the headers and the bytes of an answer."""
-        connection = http.client.HTTPConnection('127.0.0.1', self.port, timeout=60)
+        connection = http.client.HTTPConnection('127.0.0.1', self.port, timeout=HANG)
         headers = {'content-type': 'application/json', **(headers or {})}
         connection.request(method, (self.root if root is None else root) + path, body, headers)
         answer = connection.getresponse()
@@ -80,7 +90,7 @@ class Served:
         """Ends it as Ctrl-C does: its exit code."""
         self.process.send_signal(signal.SIGINT)
         try:
-            return self.process.wait(10)
+            return self.process.wait(HANG)
         except subprocess.TimeoutExpired:
             self.process.kill()
             return 'it went on'
@@ -153,7 +163,7 @@ def strange_heads(served):
     head = f'GET {served.root} HTTP/1.1\r\nHost: 127.0.0.1:{served.port}\r\n'.encode()
 
     def told(*pieces):
-        with socket.create_connection(('127.0.0.1', served.port), 60) as s:
+        with socket.create_connection(('127.0.0.1', served.port), HANG) as s:
             said = b''
             try:
                 for piece in pieces:
@@ -188,15 +198,15 @@ def many_requests(served, text):
     def one(k):
         line = {'jsonrpc': '2.0', 'id': k, 'method': 'successors', 'params': {'model': 'm1', 'path': []}}
         if k % 2 == 0:
-            for _ in range(50):
-                status, answer = served.post(f'view/{name}/ask', line)
-                if status != 503:
-                    break
+            since = time.monotonic()
+            status, answer = served.post(f'view/{name}/ask', line)
+            while status == 503 and time.monotonic() - since < HANG:  # others are asked
                 time.sleep(0.1)
+                status, answer = served.post(f'view/{name}/ask', line)
             statuses.append((status, answer.get('id') == k))
         else:
             body = json.dumps(line)
-            with socket.create_connection(('127.0.0.1', served.port), 60) as s:
+            with socket.create_connection(('127.0.0.1', served.port), HANG) as s:
                 s.sendall(f'POST {served.root}view/{name}/ask HTTP/1.1\r\nHost: 127.0.0.1:{served.port}\r\n'
                           f'Content-Type: application/json\r\nContent-Length: {len(body)}\r\n\r\n{body}'.encode())
 
@@ -289,7 +299,7 @@ def long_work(served, endless):
     """A check that does not end: it tells how far it is, and ends with what it has."""
     _, answer = served.post('open', {'text': endless, 'check': 'all'})
     name, progress, since = answer['document'], None, time.monotonic()
-    while progress is None and time.monotonic() - since < 20:
+    while progress is None and time.monotonic() - since < HANG:
         _, told = served.post(f'view/{name}/status', {})
         if told['state'] != 'working':
             break
@@ -298,7 +308,7 @@ def long_work(served, endless):
     same('its page is not there yet', served.ask('GET', f'view/{name}/')[0], 410)
     same('stopping', served.post(f'view/{name}/stop', {})[0], 200)
     since = time.monotonic()
-    while told['state'] == 'working' and time.monotonic() - since < 20:
+    while told['state'] == 'working' and time.monotonic() - since < HANG:
         _, told = served.post(f'view/{name}/status', {})
     same('what was stopped', (told['state'], told.get('interrupted')), ('ready', True))
     same('it holds as far as it came', [v['verdict'] for v in told['verdicts']], ['holds-up-to-bound'])
@@ -310,7 +320,7 @@ def long_work(served, endless):
             time.sleep(pause)
             served.post(f'view/{name}/stop', {})
         told, since = {'state': 'working'}, time.monotonic()
-        while told['state'] == 'working' and time.monotonic() - since < 20:
+        while told['state'] == 'working' and time.monotonic() - since < HANG:
             _, told = served.post(f'view/{name}/status', {})
         same(f'what was stopped {what}', (told['state'], told.get('interrupted')), ('ready', True))
     _, told = served.open(endless, 'all', seconds=1)
@@ -379,20 +389,20 @@ def definitions(scc):
 
 def ends(scc, text):
     served = Served(scc, MODEL)
-    taken = subprocess.run([scc, 'serve', '--port', str(served.port)], capture_output=True, text=True, timeout=20)
+    taken = subprocess.run([scc, 'serve', '--port', str(served.port)], capture_output=True, text=True, timeout=HANG)
     same('a port in use', taken.returncode, 74)
     check('its message', f'cannot listen on port {served.port}: Address already in use' in taken.stderr, taken.stderr)
     name, _ = served.open(text)
     children = subprocess.run(['pgrep', '-P', str(served.process.pid)], capture_output=True, text=True).stdout.split()
     check('a process for the document', len(children) >= 1, children)
     os.kill(int(children[0]), signal.SIGKILL)
-    time.sleep(0.2)
+    awaited(lambda: served.rpc(f'view/{name}/ask', 'successors', model='m1', path=[]) == 410)
     same('a document whose process was killed', served.rpc(f'view/{name}/ask', 'successors', model='m1', path=[]), 410)
     name, told = served.open(text)
     same('another one', told['state'], 'ready')
     children = subprocess.run(['pgrep', '-P', str(served.process.pid)], capture_output=True, text=True).stdout.split()
     same('the end by Ctrl-C', served.end(), 0)
-    time.sleep(0.2)
+    awaited(lambda: not any(os.path.exists(f'/proc/{c}') for c in children))
     left = [c for c in children if os.path.exists(f'/proc/{c}')]
     same('no process is left', left, [])
 

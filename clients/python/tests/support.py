@@ -46,7 +46,7 @@ class WithOracle(unittest.TestCase):
     def setUpClass(cls):
         if program() is None:
             raise unittest.SkipTest("no scc: name it in the environment variable SCC")
-        cls.oracle = Oracle(program(), timeout=60)
+        cls.oracle = Oracle(program(), timeout=600)
         cls.cube = cls.oracle.define_shape(CORNERS, FACES, face_names=FACE_NAMES)
 
     @classmethod

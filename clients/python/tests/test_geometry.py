@@ -68,7 +68,7 @@ class Shapes(WithOracle):
         self.assertEqual(self.oracle.mass(self.cube, turned=(2, 0, 0, 1)).inertia[2][2], Fraction(16, 3))
 
     def test_of_another_oracle(self):
-        other = Oracle(program(), timeout=60)
+        other = Oracle(program(), timeout=600)
         self.addCleanup(other.close)
         small = other.define_shape([[x / 2 for x in v] for v in CORNERS], FACES)
         mine = self.oracle.define_shape(CORNERS, FACES)

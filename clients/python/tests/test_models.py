@@ -133,7 +133,7 @@ class Limits(unittest.TestCase):
             fixed right = Cube at translate (6,0,0) [Still]
             process p = Cube mass 1 velocity (1,0,0) [Still]
         """
-        with Oracle(program(), seconds=30, timeout=60) as oracle:
+        with Oracle(program(), seconds=30, timeout=600) as oracle:
             model = oracle.load_model(text)
             with self.assertRaises(Stopped) as caught:
                 oracle.replay(model, choose="first", steps=100_000, states="ends", seconds="1/100")
@@ -146,7 +146,7 @@ def python(*words):
     env = dict(os.environ, SCC=program(), PYTHONPATH=os.path.join(CLIENT, "src"))
     done = subprocess.run(
         [sys.executable, "-B", *words],
-        env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120,
+        env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=600,
     )
     return done.stdout
 

@@ -18,7 +18,7 @@ FAKE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "fake.py")
 
 
 def fake(way):
-    return Oracle([sys.executable, FAKE, way], timeout=20)
+    return Oracle([sys.executable, FAKE, way], timeout=600)
 
 
 def casts(count):
@@ -64,7 +64,7 @@ class Services(unittest.TestCase):
         with self.assertRaisesRegex(ServiceError, "does not answer requests as scc oracle does: it sends back"):
             fake("echo")
         with self.assertRaisesRegex(ServiceError, "does not answer requests"):
-            Oracle(["cat"], timeout=20)
+            Oracle(["cat"], timeout=600)
 
     def test_answers_that_are_none(self):
         with self.assertRaisesRegex(ServiceError, "answer to service.describe is none: {'hello'"):

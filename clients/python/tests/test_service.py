@@ -34,7 +34,7 @@ os.write(1, b"ee\\nfour\\n")
 """
 
 
-def service(program, timeout=20.0):
+def service(program, timeout=600.0):
     return Service([sys.executable, "-c", program], timeout)
 
 

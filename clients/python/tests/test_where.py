@@ -127,7 +127,7 @@ class Answers(WithOracle):
 
     def test_oracle(self):
         self.judge(self.oracle.check(RANGED, where=True).where["meets"])
-        on_line = self.oracle.check(RANGED, where=True, parameters={"z": "1.5"}, seconds=20).where["meets"]
+        on_line = self.oracle.check(RANGED, where=True, parameters={"z": "1.5"}, seconds=60).where["meets"]
         self.assertEqual((on_line.parameters, on_line.probability), (("y",), Fraction(2, 5)))
         with self.oracle.batch() as batch:
             later = batch.check(RANGED, where=True)
@@ -171,5 +171,5 @@ class Answers(WithOracle):
             path = os.path.join(folder, "cubes.sc")
             with open(path, "w", encoding="utf-8") as file:
                 file.write(RANGED)
-            done = subprocess.run([program(), "check", "--where", "--json", path], stdout=subprocess.PIPE, timeout=60)
+            done = subprocess.run([program(), "check", "--where", "--json", path], stdout=subprocess.PIPE, timeout=600)
         self.judge(wheres(json.loads(done.stdout))["meets"])

@@ -1,4 +1,5 @@
 // a mesh file with a comment that is not as it looks (a warning)
 shape S = mesh "hidden.off"
-process p = S mass 1 [nil]
-check still : always x(p) = 1/4
+process p = S mass 1 velocity (1, 0, 0) [nil]
+fixed q = box(1, 1, 1) at translate (5, 0, 0)
+check meets : eventually event bounce

@@ -44,7 +44,7 @@ class Run:
     def path(self, name):
         return os.path.join(self.folder, name)
 
-    def call(self, *words, timeout=120):
+    def call(self, *words, timeout=600):
         return subprocess.run([self.scc, *words], capture_output=True, text=True, timeout=timeout)
 
     def verdicts(self, model, *words):
@@ -66,7 +66,7 @@ def npm_pack(package, folder):
         absent("there is no npm")
     try:
         words = ["npm", "pack", "--silent", package]
-        done = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=120)
+        done = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=600)
     except subprocess.TimeoutExpired:
         absent(f"npm does not get {package}")
     if done.returncode != 0:

@@ -189,7 +189,7 @@ def validate(run, paths):
     broken = run.path("broken.glb")
     with open(paths[0], "rb") as file, open(broken, "wb") as to:
         to.write(file.read().replace(b'"mesh":0', b'"mesh":9'))
-    done = subprocess.run(["node", run.path("judge.js"), *paths, broken], capture_output=True, text=True, timeout=120)
+    done = subprocess.run(["node", run.path("judge.js"), *paths, broken], capture_output=True, text=True, timeout=6000)
     verdicts = json.loads(done.stdout)
     for path, issues in zip(paths, verdicts):
         good = issues is not None and issues["numErrors"] == issues["numWarnings"] == 0
@@ -310,7 +310,7 @@ def converter(run):
 def x3d(run, name, told, program):
     path = run.path(f"{name}.x3d")
     run.call("export", told.model, *STEPS, "-o", path)
-    done = subprocess.run([program, path, "--encoding=xml"], capture_output=True, text=True, timeout=60)
+    done = subprocess.run([program, path, "--encoding=xml"], capture_output=True, text=True, timeout=600)
     run.ok(done.returncode == 0 and "arning" not in done.stderr, f"{name}: {done.stderr[:300]}")
     written, read = xml.parse(path).getroot(), xml.fromstring(done.stdout)
     kinds = ["Transform", "Shape", "PositionInterpolator", "OrientationInterpolator", "TimeSensor", "ROUTE", "Coordinate"]

@@ -13,7 +13,7 @@ STATES = 100
 def draw(path, picture, read):
     """Once for both, as laying out is what takes the time."""
     words = ["dot", path, "-Tsvg", "-o", picture, "-Tjson0", "-o", read]
-    return subprocess.run(words, capture_output=True, text=True, timeout=300)
+    return subprocess.run(words, capture_output=True, text=True, timeout=600)
 
 
 def seconds(lines):

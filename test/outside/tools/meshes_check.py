@@ -20,7 +20,7 @@ from common import Run
 
 MEND = ["--weld", "--orient", "--merge"]
 READ = ("off", "obj", "stl", "ply", "glb", "gltf", "3mf")
-SECONDS = 20
+SECONDS = 600
 LARGEST = 3_000_000
 
 

@@ -20,7 +20,7 @@ def schema(folder):
 
 def log_of(run, model):
     path = run.path("log.sarif")
-    subprocess.run([run.scc, "check", model, "--seconds", "60", "--sarif", path], capture_output=True, timeout=300)
+    subprocess.run([run.scc, "check", model, "--seconds", "600", "--sarif", path], capture_output=True, timeout=1200)
     if not os.path.exists(path):
         return None
     with open(path, encoding="utf-8") as file:

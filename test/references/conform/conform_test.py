@@ -69,7 +69,7 @@ class Test:
 
     def run(self, *words):
         done = subprocess.run([self.scc] + list(words) + ['--json'], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              universal_newlines=True, timeout=60)
+                              universal_newlines=True, timeout=600)
         try:
             report = json.loads(done.stdout)
             self.check_schema(report)
@@ -107,7 +107,7 @@ class Test:
         """A trace of scc itself: as it is; with floats; and with one number changed."""
         path = os.path.join(self.root, 'specs', 'models', model)
         done = subprocess.run([self.scc, 'trace', path, '--choose', 'random:1', '--steps', '24'],
-                              stdout=subprocess.PIPE, universal_newlines=True, timeout=60)
+                              stdout=subprocess.PIPE, universal_newlines=True, timeout=600)
         lines = [json.loads(line) for line in done.stdout.splitlines()]
         for line in lines:
             if line['type'] == 'transition':  # what others cannot know

@@ -22,7 +22,7 @@ from reading import Difference, Output
 
 def run(scc, arguments):
     done = subprocess.run([scc] + arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          universal_newlines=True, timeout=20)
+                          universal_newlines=True, timeout=600)
     return done.returncode, done.stdout, done.stderr
 
 

@@ -51,7 +51,7 @@ def clouds():
 
 def snapped(scc, path):
     words = [scc, "shape", "--json", "--hull", "--snap", DISTANCE, path]
-    done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=60)
+    done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=600)
     return json.loads(done.stdout)
 
 

@@ -40,7 +40,7 @@ def faults(before, faces, after, distance):
                 yield "face %s does not turn left" % (face,)
 
 
-def snapped(scc, path, distance, timeout=60):
+def snapped(scc, path, distance, timeout=600):
     """The report of scc shape --snap."""
     words = [scc, "shape", "--json", "--snap", distance, path]
     done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=timeout)

@@ -19,7 +19,7 @@ import exact
 
 
 def run(scc, path, *words):
-    done = subprocess.run([scc, "shape", "--json", "--hull", path, *words], stdout=subprocess.PIPE, timeout=120)
+    done = subprocess.run([scc, "shape", "--json", "--hull", path, *words], stdout=subprocess.PIPE, timeout=600)
     return done.returncode, json.loads(done.stdout)
 
 

@@ -16,7 +16,7 @@ import exact
 
 
 def hull(scc, path):
-    done = subprocess.run([scc, "shape", "--json", "--hull", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=60)
+    done = subprocess.run([scc, "shape", "--json", "--hull", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=600)
     return json.loads(done.stdout)
 
 
