@@ -12,15 +12,15 @@ A mean has an interval where its number is in a range. Of others nothing is know
   at_6: estimated: 0.058, from 0.03439 to 0.090387 with confidence 99/100, 500 runs
     choices that nothing draws were taken evenly
   $ scc estimate $M/association.sc --check mean_at_3 --runs 500
-  mean_at_3: estimated: from 0.715323 to 2.172252 with confidence 99/100, 500 runs
-    184 of 500 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+  mean_at_3: estimated: from 0.709743 to 2.166591 with confidence 99/100, 500 runs
+    183 of 500 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
   [2]
   $ scc estimate $M/association.sc --property 'E >= 1/2 [ bonds() at 3 ]' --property 'E > 2 [ count(i in 1..n: bound(m[i], s[i])) at 3 ]'
-  property1: undecided: from 0.445495 to 3.411565 with confidence 99/100, 128 runs
-    46 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+  property1: undecided: from 0.445495 to 3.44747 with confidence 99/100, 128 runs
+    47 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
   
-  property2: undecided: from 0.561501 to 2.379321 with confidence 99/100, 128 runs
-    46 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+  property2: undecided: from 0.542022 to 2.379321 with confidence 99/100, 128 runs
+    47 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
   [2]
   $ scc estimate $M/ruin.sc --check drift --check how_long --runs 500 --seed 7
   drift: undecided: the mean of these runs alone is -0.254, with the standard deviation 1.08436, 500 runs
