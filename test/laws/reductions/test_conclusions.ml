@@ -178,7 +178,7 @@ let mentions word text =
   from 0
 
 (* Slice and Order look at boxes along the axes of the world, and take away states of what is explored to its end
-   anyway; rule Drift sees distances within cubes; and how many states lie between draws is a matter of their order. *)
+   anyway; rule Drift sees distances within cubes; how many states lie between draws is a matter of their order. *)
 let sizes how text (view : Seen.t) =
   let uses kind = List.exists (Reduction.equal kind) how.reductions in
   let boxes = uses Slice || uses Order || mentions "distance2" text in
