@@ -758,3 +758,51 @@ Bodies that are gone: who says that one is there is wrong, and so is who says th
       bounce(shuttle, ground) at time 9   {Bounce}
     after: absorb(second, outlet) at time 7   {Absorb}
   [1]
+
+Bonds that lots release at once (rule Lot) may be told one by one, in any order, and none of them may be missing.
+
+  $ cat > pairs.sc <<END
+  > split_step 1
+  > shape Cube = box(1, 1, 1)
+  > process p = Cube mass 1 [omega(a, {right}) chance 1 . nil]
+  > process q = Cube mass 1 at translate (1, 0, 0) [omega(a, {left}) . nil]
+  > process u = Cube mass 1 at translate (10, 0, 0) [omega(b, {right}) push(1) chance 1/2 . nil]
+  > process v = Cube mass 1 at translate (11, 0, 0) [omega(b, {left}) . nil]
+  > bond <a, {p.right, q.left}>
+  > bond <b, {u.right, v.left}>
+  > END
+  $ told() { (echo time,event,bodies,channel; printf "$1\n") > told.csv; shift; scc conform pairs.sc told.csv "$@"; }
+  $ told '1,weak,p;q,\n1,weak,u;v,\n3/2,end,,'
+  told.csv: conforms: 2 events, a run of 4 transitions up to time 1
+    it could be in 2 states at once
+  $ told '1,weak,u;v,b\n1,weak,p;q,a\n3/2,end,,'
+  told.csv: conforms: 2 events, a run of 4 transitions up to time 1
+  $ told '1,weak,p;q,\n2,weak,u;v,\n5/2,end,,'
+  told.csv: conforms: 2 events, a run of 7 transitions up to time 2
+    it could be in 2 states at once
+  $ told '1,weak,u;v,\n3/2,end,,'
+  told.csv: diverges at line 3, time 3/2: wrong-time
+    the trace: nothing more up to this time
+    time does not come to this instant
+    rules: Time
+    allowed there:
+      bounce(q, u) at time 9   {Bounce}
+    after: weak({<a, {p.right, q.left}>, <b, {u.right, v.left}> push(1)}) at time 1   {WeakSplit, Weak}
+  [1]
+  $ told '1,weak,u;v,\n3/2,end,,' --unobserved 'weak(a, *)'
+  told.csv: conforms: 1 event, a run of 4 transitions up to time 1
+  $ told '3/2,end,,' --unobserved 'weak(b, *)'
+  told.csv: diverges at line 2, time 3/2: wrong-time
+    the trace: nothing more up to this time
+    time does not come to this instant
+    rules: Time
+    allowed there:
+      weak(a, p.right, q.left) at time 1   {WeakSplit, Weak}
+      weak({<a, {p.right, q.left}>, <b, {u.right, v.left}> push(1)}) at time 1   {WeakSplit, Weak}
+  [1]
+  $ scc trace pairs.sc --choose random:1 -o told.jsonl && scc conform pairs.sc told.jsonl
+  told.jsonl: conforms: 4 events, a run of 10 transitions up to time 10
+    it could be in 4 states at once
+  $ grep -o '"kind":"weak","text":"[^"]*"' told.jsonl
+  "kind":"weak","text":"weak(a, p.right, q.left)"
+  "kind":"weak","text":"weak(b, u.right, v.left) push(1)"
