@@ -61,11 +61,14 @@ let alike (r : Process.released) (s : Process.released) =
   | Some _, Some _ -> Behaviour.equal r.how.summand s.how.summand
   | None, Some _ | Some _, None -> false
 
-let rec ways = function
-  | [] -> []
-  | r :: rest ->
-    let same, others = List.partition (alike r) rest in
-    (r :: same) :: ways others
+let ways releases =
+  let rec go found = function
+    | [] -> List.rev found
+    | r :: rest ->
+      let same, others = List.partition (alike r) rest in
+      go ((r :: same) :: found) others
+  in
+  go [] releases
 
 let followed m p (b : State.bond) drawn (f : State.finish) =
   let is_free (r : Process.released) = Option.is_none r.odds in
@@ -112,8 +115,8 @@ let in_order m (p : State.process) =
   match p.lots with None -> [] | Some { pending; _ } -> List.stable_sort by_place pending
 
 (* Those that hang together by leaves: each such set in order, and the sets in the order of their first ones. *)
-let rec clusters = function
-  | [] -> []
+let rec clusters_onto found = function
+  | [] -> List.rev found
   | (first, _) :: _ as all ->
     let share (b : State.bond) (c : State.bond) =
       List.exists (fun leaf -> leaf = c.one.at || leaf = c.two.at) [ b.one.at; b.two.at ]
@@ -125,7 +128,9 @@ let rec clusters = function
     in
     let others = grow [ first ] (List.map fst all) in
     let is_other (b, _) = List.exists (State.equal_bond b) others in
-    List.filter (fun b -> not (is_other b)) all :: clusters (List.filter is_other all)
+    clusters_onto (List.filter (fun b -> not (is_other b)) all :: found) (List.filter is_other all)
+
+let clusters pending = clusters_onto [] pending
 
 type to_release = { bond : State.bond; drawn : State.drawn }
 

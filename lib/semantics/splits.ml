@@ -71,11 +71,14 @@ let summands { one; two; _ } =
   List.concat_map both one
 
 (* Who takes part in each way to do all: the first of each, the second of each, and so on, so that all come up. *)
-let rec side_by_side all =
+let side_by_side all =
   let left = function [ last ] -> [ last ] | list -> List.tl list in
-  let now = List.concat_map List.hd all in
-  if List.for_all (fun ways -> List.compare_length_with ways 1 = 0) all then [ now ]
-  else now :: side_by_side (List.map left all)
+  let rec go found all =
+    let found = List.concat_map List.hd all :: found in
+    if List.for_all (fun ways -> List.compare_length_with ways 1 = 0) all then List.rev found
+    else go found (List.map left all)
+  in
+  go [] all
 
 (* Of several processes at once. *)
 let released c all =
