@@ -5,6 +5,11 @@ let direct = 500
 module List = struct
   include Stdlib.List
 
+  let init n f =
+    if n < 0 then invalid_arg "List.init";
+    let rec reversed i made = if i >= n then made else reversed (i + 1) (f i :: made) in
+    rev (reversed 0 [])
+
   let map f list =
     let rec go left = function
       | [] -> []

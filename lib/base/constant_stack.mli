@@ -1,11 +1,12 @@
-(** What of the standard library takes stack for each element of a list, before OCaml 5.1 or ever, in constant
-    stack. The libraries of scc are compiled with this module open ([lib/dune]): there [List.map] and [@] are those
+(** What of the standard library takes stack for each element of a list, up to 10 000 or for ever, before
+    OCaml 5.1 or in all versions, in constant stack. The libraries of scc are compiled with this module open ([lib/dune]): there [List.map] and [@] are those
     of here, and lists may be as long as memory allows. Results, the order of calls, and errors are those of the
     standard library. *)
 
 module List : sig
   include module type of Stdlib.List
 
+  val init : int -> (int -> 'a) -> 'a list
   val map : ('a -> 'b) -> 'a list -> 'b list
   val mapi : (int -> 'a -> 'b) -> 'a list -> 'b list
   val map2 : ('a -> 'b -> 'c) -> 'a list -> 'b list -> 'c list

@@ -17,7 +17,7 @@ import sys
 
 HEAD = re.compile(r'^[0-9a-f]+ <(\S+)>:$')
 LINE = re.compile(r'^\s*[0-9a-f]+:\s+(\S+)\s.*<(caml[A-Z][^+>]*)>')
-DEEP = re.compile(r'^camlStdlib(?:(?:__|[.$])List(?:__|[.$])(?:map|mapi|map2|append|concat|flatten|fold_right2?|split|combine|'
+DEEP = re.compile(r'^camlStdlib(?:(?:__|[.$])List(?:__|[.$])(?:init|map|mapi|map2|append|concat|flatten|fold_right2?|split|combine|'
                   r'merge|remove_ass[oq]c?)|(?:__|[.$])(?:\$40|@))(?:_\d+)*$')
 NAME = re.compile(r'^camlScc_(\w+?)(?:__|[.$])(\w+?)(?:__|[.$])(\w+?)(?:_\d+)*$')
 

@@ -25,6 +25,8 @@ let like_the_standard () =
   let of_length n =
     let l = List.init n (fun i -> (i * 7919) mod 101) in
     let up = List.sort Int.compare l and odd = List.init n (fun i -> (i * 31) mod 17) in
+    same "init" n (fun t -> Safe.init n (fun i -> t (i * i))) (fun t -> List.init n (fun i -> t (i * i)));
+    same "init of less than nothing" n (fun _ -> Safe.init (-1 - n) Fun.id) (fun _ -> List.init (-1 - n) Fun.id);
     same "map" n (fun t -> Safe.map t l) (fun t -> List.map t l);
     same "mapi" n (fun t -> Safe.mapi (fun i x -> t (i + x)) l) (fun t -> List.mapi (fun i x -> t (i + x)) l);
     same "append" n (fun _ -> Safe.append l up) (fun _ -> List.append l up);
@@ -62,6 +64,7 @@ let million () =
   let n = 1_000_000 in
   let l = List.init n Fun.id in
   let is name expected found = Alcotest.(check int) name expected (List.length found) in
+  is "init" n (Safe.init n Fun.id);
   is "map" n (Safe.map succ l);
   is "mapi" n (Safe.mapi ( + ) l);
   is "map2" n (Safe.map2 ( + ) l l);
