@@ -6,7 +6,8 @@ open Cmdliner
 
 let default_states = 200_000
 let default_mib = 3072
-let defaults : Budget.defaults = { states = default_states; memory = Footprint.at_most (Memory.words_of_mib default_mib) }
+let words_of_mib mib = Footprint.at_most (Memory.words_of_mib mib)
+let defaults : Budget.defaults = { states = default_states; memory = words_of_mib default_mib }
 
 let options watch budget ~progress : Check.options =
   {
@@ -60,8 +61,8 @@ let seconds =
 let memory =
   let doc =
     Printf.sprintf
-      "Uses at most about $(docv) MiB of memory. The default is %d. Where the system limits addresses ($(b,ulimit -v)) \
-       it is no more than about half of those that are left when the program has begun." default_mib in
+      "Uses at most about $(docv) MiB of memory. The default is %d. Where the system limits addresses \
+       ($(b,ulimit -v)) it is no more than about half of those that are left when the program has begun." default_mib in
   Arg.(value & opt (some (positive "MiB")) None & info [ "memory" ] ~docv:"N" ~doc ~docs)
 
 let most_bits = Scc_calculus.Law.longest
@@ -76,6 +77,6 @@ let bits =
 
 let budget =
   let make depth time states seconds memory bits =
-    { Budget.depth; time; states; seconds; memory = Option.map (fun mib -> Footprint.at_most (Memory.words_of_mib mib)) memory; bits }
+    { Budget.depth; time; states; seconds; memory = Option.map words_of_mib memory; bits }
   in
   Term.(const make $ depth $ time $ states $ seconds $ memory $ bits)

@@ -31,7 +31,7 @@ let memory () =
 
 let resident () = match memory () with Some m -> m.resident -. m.shared | None -> of_heap ()
 
-type room = { before : float; most : float }
+type room = { limit : float; before : float; most : float }
 
 (* What is left at the end is for steps between two looks: heaps grow by leaps, and tables double. *)
 let usable = 0.6
@@ -49,10 +49,17 @@ let limit () =
 let room =
   match (limit (), memory ()) with
   | Some limit, Some { addresses; _ } when limit < infinity ->
-    Some { before = addresses; most = Float.max 1. (usable *. (limit -. addresses)) }
+    Some { limit; before = addresses; most = Float.max 1. (usable *. (limit -. addresses)) }
   | _ -> None
 
 let is_limited = Option.is_some room
+
+let told =
+  let text { limit; _ } =
+    Printf.sprintf "scc: memory is bounded by the addresses that the system gives: %.0f MiB (ulimit -v)"
+      (limit /. 1048576.)
+  in
+  Option.map text room
 
 let at_most words =
   match room with
@@ -62,5 +69,5 @@ let at_most words =
 let taken () =
   match room with
   | None -> 0.
-  | Some { before; most } -> (
+  | Some { before; most; _ } -> (
       match memory () with Some { addresses; _ } -> (addresses -. before) /. most | None -> 0.)

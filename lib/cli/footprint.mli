@@ -11,6 +11,9 @@ val resident : unit -> float
 
 val is_limited : bool
 
+val told : string option
+(** For whoever was stopped by it: what the limit is. *)
+
 val at_most : int -> int
 (** So many words of memory, or fewer if there are no addresses for them. *)
 
