@@ -62,7 +62,9 @@ let memory =
   let doc =
     Printf.sprintf
       "Uses at most about $(docv) MiB of memory. The default is %d. Where the system limits addresses \
-       ($(b,ulimit -v)) it is no more than about half of those that are left when the program has begun." default_mib in
+       ($(b,ulimit -v)) it is no more than about half of those that are left when the program has begun."
+      default_mib
+  in
   Arg.(value & opt (some (positive "MiB")) None & info [ "memory" ] ~docv:"N" ~doc ~docs)
 
 let most_bits = Scc_calculus.Law.longest
