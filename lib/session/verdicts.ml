@@ -20,7 +20,9 @@ let with_invariants options (l : Loaded.t) ~initial checks =
   match first with
   | Given_up _ when open_ <> [] ->
     let decided, second = decide Longer open_ in
-    let outcome (o : Verdict.outcome) = if List.memq o.check open_ then Option.value (decided o.check) ~default:o else o in
+    let outcome (o : Verdict.outcome) =
+      if List.memq o.check open_ then Option.value (decided o.check) ~default:o else o
+    in
     { report with outcomes = List.map outcome report.outcomes; invariants = [ second ] }
   | Proved _ | None_found _ | Given_up _ -> { report with invariants = [ first ] }
 

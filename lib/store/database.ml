@@ -65,7 +65,7 @@ let opened db =
   | db -> db
   | exception Sqlite3.Error text -> fail Code.no_store "the store cannot be opened: %s" text
 
-(* Of the versions of the format, which SQLite would only tell as a file that cannot be written to, or has locked. *)
+(* The versions of the format: of wrong ones SQLite tells as of a file that cannot be written to, or is locked. *)
 let look_at_header path =
   match open_in_bin path with
   | exception Sys_error _ -> ()

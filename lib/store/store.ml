@@ -187,8 +187,8 @@ let key exploration number = [ Sqlite3.Data.TEXT exploration; INT (Int64.of_int 
 
 let read t exploration number =
   let take _ row = Some (Sqlite3.column_blob row 0, Sqlite3.column_blob row 1) in
-  Database.fold t.db "SELECT digest, bytes FROM blocks WHERE exploration = ? AND number = ?" (key exploration number) take
-    None
+  Database.fold t.db "SELECT digest, bytes FROM blocks WHERE exploration = ? AND number = ?"
+    (key exploration number) take None
 
 let write t exploration number digest bytes =
   Database.change t.db "INSERT INTO blocks VALUES (?, ?, ?, ?)"

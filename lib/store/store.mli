@@ -11,9 +11,9 @@ type t
 
 val openly : string -> identity:(string * string) list -> warn:(Diag.t -> unit) -> (t, Diag.t) result
 (** The store in a folder, which is made if it is not there. [identity]: of what it keeps explorations, by names
-    and values: all must be those that it was made with. It is this process's alone until it ends. One that cannot be
-    written to is read, and keeps nothing more. The error:
-    the folder cannot be made, read or written, is no store, or another process has it (SC0910); it keeps something
+    and values: all must be those that it was made with. It is this process's alone until it ends. One that
+    cannot be written to is read, and keeps nothing more. The error: the folder cannot be made, read or written,
+    is no store, or another process has it (SC0910); it keeps something
     else, and what differs (SC0911); it is damaged (SC0912). All blocks have been looked at. [warn] is told
     once when blocks are not kept any more (SC0103). *)
 

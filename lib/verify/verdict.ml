@@ -45,7 +45,9 @@ type outcome = {
 
 let by_invariant o = match o.scale.over with Some over -> over.by_invariant | None -> false
 let over_zones o = Option.is_some o.scale.over
-let is_open = function Undecided _ | Holds { bounds = _ :: _; _ } -> true | Holds _ | Violated _ | Measured _ -> false
+let is_open = function
+  | Undecided _ | Holds { bounds = _ :: _; _ } -> true
+  | Holds _ | Violated _ | Measured _ -> false
 
 let exhaustive = function Holds { bounds = []; _ } -> true | Holds _ | Violated _ | Measured _ | Undecided _ ->
   false

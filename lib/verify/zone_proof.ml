@@ -53,7 +53,8 @@ let search (options : Joint_check.options) effort semantics u ~declared ~paramet
     options.surroundings.progress
       { states = locations; transitions = 0; waiting; depth = 0; model_time = Rat.zero }
   in
-  match Invariant_search.find context ~events ~most:(most_kinds options effort) ~visitor:{ stop; looked_at } zones with
+  let most = most_kinds options effort in
+  match Invariant_search.find context ~events ~most ~visitor:{ stop; looked_at } zones with
   | Stopped -> no_time
   | No_end reason -> None_found reason
   | Found invariant -> (

@@ -116,8 +116,8 @@ let enough () =
   Alcotest.(check bool) "many proofs" true (!compared > 60);
   Alcotest.(check bool) "many that are none" true (!rejected > 100)
 
-(* Where the search before has no time, what is to be explored after it is explored all the same, in half of the time
-   that is left, and what that leaves open is searched for once more. *)
+(* Where the search before has no time, what is to be explored after it is explored all the same, in half of the
+   time that is left, and what that leaves open is searched for once more. *)
 let explored_after () =
   match load "escape.sc" with
   | Error _ -> Alcotest.fail "escape.sc is not read"

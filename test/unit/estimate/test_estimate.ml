@@ -156,7 +156,8 @@ let no_runs () =
     List.iter
       (fun size ->
          let confidence = fraction 19 20 in
-         let t = Estimation.start { Estimation.confidence; width = fraction 1 20; size; free = Apart } [ path text ] in
+         let aim = { Estimation.confidence; width = fraction 1 20; size; free = Apart } in
+         let t = Estimation.start aim [ path text ] in
          Estimation.judge t ~last:true;
          let told = List.map (Estimate_report.line ~confidence) (Estimation.answers t) in
          Alcotest.(check (list string)) text [ line ] told)

@@ -6,7 +6,8 @@ open Scc_workers
 let told : (unit, Pool.stop) result -> string = function
   | Ok () -> "all"
   | Error Interrupted -> "interrupted"
-  | Error (Lost { task; how; fault }) -> Printf.sprintf "lost %d%s: %s" task (if fault then ", a fault" else "") how
+  | Error (Lost { task; how; fault }) ->
+    Printf.sprintf "lost %d%s: %s" task (if fault then ", a fault" else "") how
 
 let never () = false
 
@@ -87,8 +88,11 @@ let replaced () =
                 in
                 let ended, found = collected ~jobs ~count:40 dying in
                 Alcotest.(check string) "to the end" "all" (told ended);
-                Alcotest.(check (list int)) "some died" [ 3; 3; 3 ] (List.map (fun n -> marks (7 * n - i)) [ 1; 3; 5 ]);
-                Alcotest.(check (list (pair int string))) (Printf.sprintf "way %d, %d processes" i jobs) expected found;
+                Alcotest.(check (list int)) "some died" [ 3; 3; 3 ]
+                  (List.map (fun n -> marks ((7 * n) - i)) [ 1; 3; 5 ]);
+                Alcotest.(check (list (pair int string))) 
+                  (Printf.sprintf "way %d, %d processes" i jobs)
+                  expected found;
                 nobody_left ()))
          [ 1; 2; 5 ])
     ways
@@ -113,7 +117,9 @@ let killed_from_outside () =
 
 (* A task that ends each process that works on it ends all, at its place, after so many. *)
 let lost () =
-  let in_a_row = Printf.sprintf "%d processes in a row that worked on it came to an end; the last one " Pool.most_deaths in
+  let in_a_row =
+    Printf.sprintf "%d processes in a row that worked on it came to an end; the last one " Pool.most_deaths
+  in
   List.iter
     (fun (die, how) ->
        with_marks (fun mark marks ->
