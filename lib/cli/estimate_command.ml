@@ -338,8 +338,8 @@ let man =
        leaves for each look, so that it holds for all of them together.";
     `P
       "A mean has such an interval if its number is in a range, whatever the run: counts, numbers of bonds, of \
-       processes and of shapes at a time, and what is made of them. Other means are undecided: a value too rare to \
-       be among the runs may move the mean by any amount. The mean and the standard deviation of the runs are \
+       processes and of shapes at a time, and what is made of them. Other means are undecided: a value too rare \
+       to be among the runs may move the mean by any amount. The mean and the standard deviation of the runs are \
        shown, and nothing follows from them; $(b,--runs) makes more of them.";
     `P
       "The same options give the same answers, however many processes work at it, but for $(b,--seconds) and \
@@ -360,8 +360,8 @@ let command =
       (Exit_code.Holds, "if every comparison is estimated to hold, and every number is estimated. No proof.");
       (Exit_code.Violated, "if some comparison is estimated to be violated.");
       ( Exit_code.Undecided,
-        "if some property is undecided, as is the mean of a number without a range, or some number is not as narrow \
-         as was asked for." );
+        "if some property is undecided, as is the mean of a number without a range, or some number is not as \
+         narrow as was asked for." );
       (Exit_code.Stopped, "if it was stopped: what is said rests on the runs that were made.");
     ]
   in

@@ -135,8 +135,8 @@ let json =
 let full doc =
   let doc =
     doc
-    ^ " Without it long numbers are decimals: after $(b,~) the nearest with so many digits, at most half a unit of \
-       the last one away; without $(b,~) the number itself."
+    ^ " Without it long numbers are decimals: after $(b,~) the nearest with so many digits, at most half a unit \
+       of the last one away; without $(b,~) the number itself."
   in
   Arg.(value & flag & info [ "full" ] ~doc)
 

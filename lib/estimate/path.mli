@@ -18,5 +18,5 @@ type t = {
 }
 
 val of_check : Model.t -> Property.check -> (t, string) result
-(** Of a check of the model: of [P ... \[f U g\]] and its like, and of [E ...], where what is inside is about states.
-    Otherwise why it cannot be judged on single runs. *)
+(** Of a check of the model: of [P ... \[f U g\]] and its like, and of [E ...], where what is inside is about
+    states. Otherwise why it cannot be judged on single runs. *)

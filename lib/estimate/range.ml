@@ -25,8 +25,8 @@ let either a b =
   let ends r = r.ends_only && at_an_end r.low && at_an_end r.high in
   Some { all with ends_only = ends a && ends b }
 
-(* Bonds make trees, or two leaves have one bond at most (Def-5.2, I-37); and each leaf is in one process or in none
-   (WellFormed). *)
+(* Bonds make trees, or two leaves have one bond at most (Def-5.2, I-37); and each leaf is in one process or in
+   none (WellFormed). *)
 let of_quantity (m : Model.t) ~time : Property.quantity -> t option =
   let leaves = Array.length m.leaves in
   function

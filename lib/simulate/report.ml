@@ -16,16 +16,7 @@ type t = {
 
 (* {1 Numbers} *)
 
-let rounded k r =
-  let scale = Z.pow (Z.of_int 10) k in
-  let n = Rat.floor (Rat.add (Rat.mul (Rat.abs r) (Rat.make scale Z.one)) (Rat.make Z.one (Z.of_int 2))) in
-  let whole, rest = Z.div_rem n scale in
-  let sign = if Rat.sign r < 0 && Z.sign n > 0 then "-" else "" in
-  if k = 0 then sign ^ Z.to_string whole
-  else
-    let digits = Z.to_string rest in
-    Printf.sprintf "%s%s.%s%s" sign (Z.to_string whole) (String.make (k - String.length digits) '0') digits
-
+let rounded k = Decimal.padded ~places:k
 let number t r = match t.digits with Exactly -> Rat.to_string r | Rounded k -> rounded k r
 let json_number t r : Json.t = match t.digits with Exactly -> Json.rat r | Rounded k -> `String (rounded k r)
 

@@ -38,8 +38,4 @@ let root ~decimals x =
   let scale = Z.pow (Z.of_int 10) decimals in
   let scaled = Rat.floor (Rat.mul (Rat.mul x (Rat.of_int 4)) (Rat.make (Z.mul scale scale) Z.one)) in
   let rounded = Z.shift_right (Z.succ (Z.sqrt scaled)) 1 in
-  let whole, rest = Z.div_rem rounded scale in
-  if decimals = 0 then Z.to_string whole
-  else
-    let digits = Z.to_string rest in
-    Printf.sprintf "%s.%s%s" (Z.to_string whole) (String.make (decimals - String.length digits) '0') digits
+  Decimal.padded ~places:decimals (Rat.make rounded scale)

@@ -118,7 +118,9 @@ let numbers =
         map2 (both (fun n m -> Scc_property.Property.Sub (n, m)) Rat.sub) half half;
         map2 (both (fun n m -> Scc_property.Property.Mul (n, m)) Rat.mul) half half;
         map2 quotient half half;
-        map3 (fun (p, b) (n, x) (m, y) -> (Scc_property.Property.If (p, n, m), if b then x else y)) truth half half;
+        map3
+          (fun (p, b) (n, x) (m, y) -> (Scc_property.Property.If (p, n, m), if b then x else y))
+          truth half half;
       ]
   in
   sized_size (int_bound 12) (fix (fun self size -> if size = 0 then leaf else oneof [ leaf; node self size ]))
