@@ -1,6 +1,6 @@
 open Scc_exact
 
-let version = "2"
+let version = "3"
 
 (* Whether some prefix that is written anywhere is so. *)
 let exists_prefix is (m : Model.t) (s : State.t) =

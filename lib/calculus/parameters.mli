@@ -21,7 +21,7 @@ val has_lots : Model.t -> State.t -> bool
 (** A weak split with a chance is written somewhere (rule Lot). *)
 
 val line : (string * string) list -> string
-(** ["semantics 2: split step 1, timestep 1/10"], or ["semantics 2"]. *)
+(** ["semantics 3: split step 1, timestep 1/10"], or ["semantics 3"]. *)
 
 val may_split : Model.t -> State.t -> bool
 (** Whether a weak split is written anywhere, in definitions or in a behaviour of the state. *)

@@ -3,4 +3,4 @@
 val current : string
 
 val told : string
-(** With that of the semantics: ["0.1.0 (semantics 2)"]. *)
+(** With that of the semantics: ["0.1.0 (semantics 3)"]. *)

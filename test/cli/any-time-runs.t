@@ -20,7 +20,7 @@ Runs that decide formulas where bonds may be released at any time. A ball goes t
   > check never : AG (event bounce(ball, west) => EF (bound(p, q) and x(ball) = 0))
   > END
   $ scc check ball.sc --witness runs | sed '/there:/,/^$/{/there:/d;/^    /d}'
-  semantics 2: split step any
+  semantics 3: split step any
   
   parts: violated
     eventually not bound(p, q)
@@ -150,7 +150,7 @@ as before but for where these are: no state comes back.
   > check goes : not EF EG (not bound(p, q) and AF event bounce(s, east))
   > END
   $ scc check drift.sc | sed '/there:/,/^$/{/there:/d;/^    /d}'
-  semantics 2: split step any
+  semantics 3: split step any
   
   goes: violated
     not EF EG (not bound(p, q) and AF event bounce(s, east))
@@ -195,7 +195,7 @@ Values of a parameter, and instants of splits, are chosen together: q has to be 
   > check caught : A[not event bind(a) U event bounce(q, s)]
   > END
   $ scc check both.sc --where | sed '/there:/,/^$/{/there:/d;/^    /d}'
-  semantics 2: split step any
+  semantics 3: split step any
   
   misses: violated for d = 1/2
     eventually event bounce(q, s)
@@ -234,7 +234,7 @@ Where a bound leaves a check undecided, the way to the nearest set of states tha
   $ sed '/^  *check/d; s/^process \([pq]\) = Cube mass 1 at/process \1 = Cube mass 1 velocity (0,1,0) at/; /^check/d' ball.sc > rise.sc
   $ echo 'check parts : eventually (not bound(p, q) or y(p) < 0)' >> rise.sc
   $ scc check rise.sc --states 30 | sed '/there:/,/^$/{/there:/d;/^    /d}'
-  semantics 2: split step any
+  semantics 3: split step any
   
   parts: undecided: the exploration ended at the bound of 30 states; 4 unexplored states matter
     eventually not bound(p, q) or y(p) < 0

@@ -75,7 +75,7 @@ Where nothing else is to come, any time may pass:
 The graph of all sets of states has passings of time that end before the next event, to zones that are halted for a split:
 
   $ scc explore window.sc -o window.json
-  scc: semantics 2: split step any
+  scc: semantics 3: split step any
   scc: explored: 115 zones, 120 edges; complete
   $ grep -c '"halted":true' window.json
   4
@@ -102,7 +102,7 @@ A run of such a model is explained, tried without who seems not to matter, as an
   $ scc check moment.sc --no-reduce slice,order --witness runs > /dev/null
   [1]
   $ scc explain runs/alone.json moment.sc
-  semantics 2: split step any
+  semantics 3: split step any
   
   alone: possibly bound(q, y) and not bound(p, x) and time >= 7/2 within 4
   at time 7/2:

@@ -39,14 +39,14 @@ Files.
   $ touch unreadable; mkdir folder
   $ scc check cube.sc --witness unreadable
   unreadable: error[SC0103]: cannot make the folder: it is a file
-  semantics 2
+  semantics 3
   
   explored: 1 state, 0 transitions, depth 0, model time 0; complete
   no properties to check
   [74]
   $ scc check cube.sc --witness nowhere/deep
   nowhere/deep: error[SC0103]: cannot make the folder: No such file or directory
-  semantics 2
+  semantics 3
   
   explored: 1 state, 0 transitions, depth 0, model time 0; complete
   no properties to check

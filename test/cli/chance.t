@@ -179,7 +179,7 @@ What cannot be drawn.
      |
    3 | motion p = choose { (1,0,0) weight 2 - x }
      | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
-  semantics 2: timestep 1
+  semantics 3: timestep 1
   
   far: undecided: the law of motion of p cannot be evaluated: the weights of all its velocities are 0; one unexplored state matters
     always x(p) < 5
@@ -213,7 +213,7 @@ How likely something is, and what it is on the average.
   > check quick : E <= 5 [ time U gone(walker) ]
   > END
   $ scc check ruin.sc
-  semantics 2: timestep 1
+  semantics 3: timestep 1
   
   lost: 171/211
     P = ? [ eventually event absorb(walker, ruin) ]
@@ -329,7 +329,7 @@ How likely something is, and what it is on the average.
             "processes": [
   --
   $ scc check ruin.sc --depth 6
-  semantics 2: timestep 1
+  semantics 3: timestep 1
   
   lost: least in [0.810426, 1], greatest in [0.810426, 1], as far as is known: the exploration ended at the depth bound 6; one unexplored state matters
     P = ? [ eventually event absorb(walker, ruin) ]

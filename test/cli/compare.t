@@ -4,16 +4,16 @@ Are two models equivalent? A model and itself:
   equivalent modulo branching
     as labels tell it, which know no places: beside a third body the two may differ
   the first ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 9 classes; complete, at split step 1
-    semantics 2: split step 1
+    semantics 3: split step 1
   the second ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 9 classes; complete, at split step 1
-    semantics 2: split step 1
+    semantics 3: split step 1
   $ scc compare ../../specs/models/hexokinase.sc ../../specs/models/hexokinase.sc --modulo timed
   equivalent modulo timed
     as labels tell it, which know no places: beside a third body the two may differ
   the first ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 10 classes; complete, at split step 1
-    semantics 2: split step 1
+    semantics 3: split step 1
   the second ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 10 classes; complete, at split step 1
-    semantics 2: split step 1
+    semantics 3: split step 1
 
 When they are not, a trace of one that the other does not have, and a formula:
 
@@ -24,9 +24,9 @@ When they are not, a trace of one that the other does not have, and a formula:
     this is true of ../../specs/models/figure7.sc, and not of ../../specs/models/figure7-offset.sc:
       [[bind(a, P0.s0.[v2,v3], s2.f3)]]false
   ../../specs/models/figure7.sc: 4 states, 3 transitions, 2 classes; complete
-    semantics 2
+    semantics 3
   ../../specs/models/figure7-offset.sc: 4 states, 3 transitions, 2 classes; complete
-    semantics 2
+    semantics 3
   [1]
 
 Parameters for one of the two:
@@ -39,9 +39,9 @@ Parameters for one of the two:
     this is true of the first ../../specs/models/chain.sc, and not of the second ../../specs/models/chain.sc:
       [[bind(link, c[1].right, c[2].left)]][[bind(link, c[2].right, c[3].left)]]false
   the first ../../specs/models/chain.sc: 3 states, 2 transitions, 2 classes; complete
-    semantics 2
+    semantics 3
   the second ../../specs/models/chain.sc: 5 states, 4 transitions, 3 classes; complete
-    semantics 2
+    semantics 3
   [1]
 
 Names that differ do not matter when one is told:
@@ -53,9 +53,9 @@ Names that differ do not matter when one is told:
   equivalent modulo timed
     as labels tell it, which know no places: beside a third body the two may differ
   ../../specs/models/dimer.sc: 11 states, 14 transitions, 9 classes; complete, at split step 1/2
-    semantics 2: split step 1/2
+    semantics 3: split step 1/2
   renamed.sc: 11 states, 14 transitions, 9 classes; complete, at split step 1/2
-    semantics 2: split step 1/2
+    semantics 3: split step 1/2
 
 What is hidden does not matter either:
 
@@ -63,9 +63,9 @@ What is hidden does not matter either:
   equivalent modulo branching
     as labels tell it, which know no places: beside a third body the two may differ
   ../../specs/models/dimer.sc: 11 states, 14 transitions, 2 classes; complete, at split step 1/2
-    semantics 2: split step 1/2
+    semantics 3: split step 1/2
   renamed.sc: 11 states, 14 transitions, 2 classes; complete, at split step 1/2
-    semantics 2: split step 1/2
+    semantics 3: split step 1/2
 
 A delay that is longer is seen by timed equivalence alone:
 
@@ -82,9 +82,9 @@ A delay that is longer is seen by timed equivalence alone:
     this is true of ../../specs/models/dimer.sc, and not of slow.sc:
       <time(2)><weak(bond, w1.right, w2.left)><time(1)><strong({<bond, {s1.right, s2.left}>})>true
   ../../specs/models/dimer.sc: 11 states, 14 transitions, 9 classes; complete, at split step 1/2
-    semantics 2: split step 1/2
+    semantics 3: split step 1/2
   slow.sc: 15 states, 20 transitions, 13 classes; complete, at split step 1/2
-    semantics 2: split step 1/2
+    semantics 3: split step 1/2
   [1]
 
 Graphs that others have written. Where the traces are the same, the formula says what a trace cannot:
@@ -143,7 +143,7 @@ Graphs that others have written. Where the traces are the same, the formula says
   {
     "format": "scc-compare",
     "version": 1,
-    "semantics": "2",
+    "semantics": "3",
     "relation": "strong",
     "verdict": "different",
     "exit": 1,
@@ -190,12 +190,12 @@ Graphs that others have written. Where the traces are the same, the formula says
 A model can be compared with its graph, and what is compared can be written:
 
   $ scc explore ../../specs/models/hexokinase.sc -o hexokinase.aut
-  scc: semantics 2: split step 1
+  scc: semantics 3: split step 1
   scc: explored: 11 states, 16 transitions; complete
   $ scc compare ../../specs/models/hexokinase.sc hexokinase.aut --modulo weak
   equivalent modulo weak
   ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 9 classes; complete, at split step 1
-    semantics 2: split step 1
+    semantics 3: split step 1
   hexokinase.aut: 12 states, 19 transitions, 9 classes; complete
   $ scc compare ../../specs/models/hexokinase.sc hexokinase.aut --modulo strong --write graph | head -1
   equivalent modulo strong
@@ -228,9 +228,9 @@ What was not explored is not guessed at:
   $ scc compare ../../specs/models/dimer.sc ../../specs/models/dimer.sc --states 4
   undecided modulo branching: no difference within what is known; it may lie in what was not explored
   the first ../../specs/models/dimer.sc: 4 states, 3 transitions; not complete: stopped by the bound of 4 states, at split step 1/2
-    semantics 2: split step 1/2
+    semantics 3: split step 1/2
   the second ../../specs/models/dimer.sc: 4 states, 3 transitions; not complete: stopped by the bound of 4 states, at split step 1/2
-    semantics 2: split step 1/2
+    semantics 3: split step 1/2
   [2]
   $ scc compare ../../specs/models/figure7.sc ../../specs/models/figure7-offset.sc --depth 1 --modulo strong
   not equivalent modulo strong
@@ -240,9 +240,9 @@ What was not explored is not guessed at:
     this is true of ../../specs/models/figure7.sc, and not of ../../specs/models/figure7-offset.sc:
       <time><bind(a, P0.s0.[v2,v3], s2.f4)>true
   ../../specs/models/figure7.sc: 4 states, 3 transitions; not complete: stopped by the depth bound 1
-    semantics 2
+    semantics 3
   ../../specs/models/figure7-offset.sc: 4 states, 3 transitions; not complete: stopped by the depth bound 1
-    semantics 2
+    semantics 3
   [1]
 
 Wrong inputs:
@@ -307,9 +307,9 @@ Labels tell no places: two models that are equivalent by themselves may differ b
   equivalent modulo timed
     as labels tell it, which know no places: beside a third body the two may differ
   here.sc: 1 state, 0 transitions, 1 class; complete
-    semantics 2
+    semantics 3
   there.sc: 1 state, 0 transitions, 1 class; complete
-    semantics 2
+    semantics 3
   $ echo 'process q = Cube mass 1 velocity (-1,0,0) at translate (9,0,0) [nil]' | tee -a here.sc >> there.sc
   $ scc compare here.sc there.sc --modulo trace 2> warnings | head -n 3
   not equivalent modulo trace

@@ -293,7 +293,7 @@ Divergences.
   {
     "format": "scc-conform",
     "version": 1,
-    "semantics": "2",
+    "semantics": "3",
     "verdict": "diverges",
     "exit": 1,
     "model": {
@@ -476,7 +476,7 @@ Invalid traces.
   $ scc trace $M/dimer.sc | scc conform $M/latch.sc -
   <standard input>:1:1: error[SC0804]: the trace is of another model, or of another text of this one
      |
-   1 | {"type":"header","format":"scc-trace","version":1,"semantics":"2","model":"dimer","digest":"md5:51af2680225f350ea6157f06
+   1 | {"type":"header","format":"scc-trace","version":1,"semantics":"3","model":"dimer","digest":"md5:51af2680225f350ea6157f06
      | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     hint: remove its `digest` to look at it all the same
   [3]

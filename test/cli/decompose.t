@@ -58,7 +58,7 @@ What is written is a compound, whose parts share the mass by their volumes:
   > check whole : always x(p) = 5/6 + time
   > END
   $ scc check model.sc --time 1 2> /dev/null | grep -v '^$'
-  semantics 2
+  semantics 3
   whole: holds (exhaustive)
     always x(p) = 5/6 + time
   explored: 1 state, 0 transitions, depth 0, model time 0; complete
@@ -72,7 +72,7 @@ The same in one word; mass, centre and all that follows from them are equal:
   > check whole : always x(p) = 5/6 + time
   > END
   $ scc check word.sc --time 1 2> /dev/null | grep -v '^$'
-  semantics 2
+  semantics 3
   whole: holds (exhaustive)
     always x(p) = 5/6 + time
   explored: 1 state, 0 transitions, depth 0, model time 0; complete

@@ -78,7 +78,7 @@ A bound of time that begins late: the run is judged, and shown, from then on.
   > check after : EG[3, 5] time >= 3
   > EOF
   $ scc check late.sc
-  semantics 2
+  semantics 3
   
   moves: holds (exhaustive, all v in [1, 4])
     EG[3, 5] vx(q) = 1

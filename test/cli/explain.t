@@ -121,7 +121,7 @@ Errors.
   $ scc explain run.jsonl
   run.jsonl:1:1: error[SC0801]: this does not tell for which model it was made
      |
-   1 | {"type":"header","format":"scc-trace","version":1,"semantics":"2","model":null,"digest":"md5:64665c2be453d10e7276c9ee238
+   1 | {"type":"header","format":"scc-trace","version":1,"semantics":"3","model":null,"digest":"md5:64665c2be453d10e7276c9ee238
      | ^
     hint: name the model: `scc explain WITNESS MODEL`
   [3]
@@ -193,7 +193,7 @@ something that it has met.
   warning[SC0602]: persistent contact: spike and p would interpenetrate at once, though they do not approach where they touch
   note: after step 4, at time 2
     hint: runs end there: the model is given up, and the calculus says nothing of what follows
-  semantics 2: timestep 1, dynamics constant_spin, resolution 1/524288
+  semantics 3: timestep 1, dynamics constant_spin, resolution 1/524288
   
   falls: AF z(p) < 0
   at time 2:
@@ -212,7 +212,7 @@ something that it has met.
   {
     "format": "scc-explanation",
     "version": 1,
-    "semantics": "2",
+    "semantics": "3",
     "model": "topple",
     "parameters": {},
     "settings": {"timestep": "1", "dynamics": "constant_spin", "resolution": "1/524288"},
@@ -273,7 +273,7 @@ something that it has met.
     ]
   }
   $ scc explain topple/falls.json --check pushed 2> /dev/null
-  semantics 2: timestep 1, dynamics constant_spin, resolution 1/524288
+  semantics 3: timestep 1, dynamics constant_spin, resolution 1/524288
   
   pushed: possibly vx(p) > 0
   at time 2:

@@ -1,7 +1,7 @@
 The graph of a model, for other tools. The extension tells the format.
 
   $ scc explore ../../specs/models/figure7.sc -o figure7.aut
-  scc: semantics 2
+  scc: semantics 3
   scc: explored: 4 states, 3 transitions; complete
   $ cat figure7.aut
   des (0, 6, 5)
@@ -19,17 +19,17 @@ The graph of a model, for other tools. The extension tells the format.
   (2, i, 4)
   (3, i, 4)
   (4, i, 4)
-  scc: semantics 2
+  scc: semantics 3
   scc: explored: 4 states, 3 transitions; complete
   $ scc explore ../../specs/models/dimer.sc -o dimer.aut && head -4 dimer.aut
-  scc: semantics 2: split step 1/2
+  scc: semantics 3: split step 1/2
   scc: explored: 11 states, 14 transitions; complete
   des (0, 14, 10)
   (0, "time(2)", 1)
   (1, "time(1/2)", 2)
   (1, "weak(bond, w1.right, w2.left)", 3)
   $ scc explore ../../specs/models/dimer.sc -o dimer-steps.aut --all-steps && head -4 dimer-steps.aut
-  scc: semantics 2: split step 1/2
+  scc: semantics 3: split step 1/2
   scc: explored: 11 states, 14 transitions; complete
   des (0, 15, 11)
   (0, "time(1)", 1)
@@ -43,20 +43,20 @@ The graph of a model, for other tools. The extension tells the format.
   equivalent modulo strong
   dimer-steps.aut: 11 states, 15 transitions, 8 classes; complete
   ../../specs/models/dimer.sc: 11 states, 14 transitions, 8 classes; complete, at split step 1/2
-    semantics 2: split step 1/2
+    semantics 3: split step 1/2
 
 Without instants, labels tell of the states alone; with them, of the whole run.
 
   $ scc explore ../../specs/models/graze.sc -o graze.drn
-  scc: semantics 2
+  scc: semantics 3
   scc: explored: 1 states, 0 transitions; complete
   scc: labels that change while time passes, and tell of the states alone: touching_p_q, x_q_eq_2, y_q_eq_2, check_meets, check_where, check_apart, check_soon
   $ scc explore ../../specs/models/graze.sc -o graze.drn --instants
-  scc: semantics 2
+  scc: semantics 3
   scc: explored: 1 states, 0 transitions; complete
   $ cat graze.drn
   // model graze
-  // semantics 2
+  // semantics 3
   // explored: 1 states, 0 transitions; complete
   // label touching_p_q: touching(p, q)
   // label x_q_eq_2: x(q) = 2
@@ -101,7 +101,7 @@ Without instants, labels tell of the states alone; with them, of the whole run.
 Explicit files, in two dialects.
 
   $ scc explore ../../specs/models/dimer.sc -o dimer.tra
-  scc: semantics 2: split step 1/2
+  scc: semantics 3: split step 1/2
   scc: explored: 11 states, 14 transitions; complete
   $ ls dimer.*
   dimer.aut
@@ -124,7 +124,7 @@ Explicit files, in two dialects.
   $ head -c 60 dimer.lab
   0="init" 1="deadlock" 2="quiescent" 3="unexplored" 4="right_
   $ scc explore ../../specs/models/dimer.sc -o dimer.tra --dialect storm
-  scc: semantics 2: split step 1/2
+  scc: semantics 3: split step 1/2
   scc: explored: 11 states, 14 transitions; complete
   $ ls dimer.*
   dimer.aut
@@ -159,9 +159,9 @@ A picture.
     s1 [label="1\nc[1]: Free\nc[2]: Free", style="rounded,filled", fillcolor="white"]
     s1 -> s2 [label="bind(link, c[1].right,\nc[2].left)"]
     s2 [label="2\n<link, {c[1].right, c[2].left}>\nc[1]: Head\nc[2]: Tail\nreaches whole\nreaches bonded\nreaches slows\nviolates free", style="rounded,filled", fillcolor="#f6b8b0", peripheries=2]
-    legend [shape=plain, label=<<table border="0" cellborder="0" cellspacing="2"><tr><td></td><td align="left">model chain, n = 2</td></tr><tr><td></td><td align="left">semantics 2</td></tr><tr><td></td><td align="left">explored: 3 states, 2 transitions; complete</td></tr><tr><td bgcolor="#bfe5b8" width="24"></td><td align="left">reaches whole: eventually size(c[1]) = n</td></tr><tr><td bgcolor="#bfe5b8" width="24"></td><td align="left">reaches bonded: eventually bonds(link) = n - 1</td></tr><tr><td bgcolor="#bfe5b8" width="24"></td><td align="left">reaches slows: eventually vx(c[n]) = 1/n</td></tr><tr><td bgcolor="#f6b8b0" width="24"></td><td align="left">violates free: always processes &gt;= 2</td></tr><tr><td></td><td align="left">double border: nothing will ever happen again</td></tr><tr><td></td><td align="left">gray: time passes; with a colour: it is so on the way</td></tr></table>>]
+    legend [shape=plain, label=<<table border="0" cellborder="0" cellspacing="2"><tr><td></td><td align="left">model chain, n = 2</td></tr><tr><td></td><td align="left">semantics 3</td></tr><tr><td></td><td align="left">explored: 3 states, 2 transitions; complete</td></tr><tr><td bgcolor="#bfe5b8" width="24"></td><td align="left">reaches whole: eventually size(c[1]) = n</td></tr><tr><td bgcolor="#bfe5b8" width="24"></td><td align="left">reaches bonded: eventually bonds(link) = n - 1</td></tr><tr><td bgcolor="#bfe5b8" width="24"></td><td align="left">reaches slows: eventually vx(c[n]) = 1/n</td></tr><tr><td bgcolor="#f6b8b0" width="24"></td><td align="left">violates free: always processes &gt;= 2</td></tr><tr><td></td><td align="left">double border: nothing will ever happen again</td></tr><tr><td></td><td align="left">gray: time passes; with a colour: it is so on the way</td></tr></table>>]
   }
-  scc: semantics 2
+  scc: semantics 3
   scc: explored: 3 states, 2 transitions; complete
 
 What is cut short is told, by the exit code as well.
@@ -170,11 +170,11 @@ What is cut short is told, by the exit code as well.
   des (0, 2, 2)
   (0, "time(5/4)", 1)
   (1, "unexplored", 1)
-  scc: semantics 2
+  scc: semantics 3
   scc: explored: 2 states, 1 transitions
   scc: TRUNCATED: 1 states unexplored, by the bound of 2 states
   $ scc explore ../../specs/models/gravity.sc --time 1 -o gravity.json
-  scc: semantics 2: timestep 1/4
+  scc: semantics 3: timestep 1/4
   scc: explored: 6 states, 5 transitions
   scc: TRUNCATED: 1 states unexplored, by the time bound 1
   $ grep -E '^"(complete|unexplored|bounds)"' gravity.json
@@ -216,7 +216,7 @@ A file is there as a whole or not at all.
   x.lab
   x.tra
   $ ln -s target.aut link.aut && scc explore ../../specs/models/drift.sc -o link.aut && cat target.aut
-  scc: semantics 2
+  scc: semantics 3
   scc: explored: 1 states, 0 transitions; complete
   des (0, 2, 2)
   (0, "time(forever)", 1)
@@ -251,7 +251,7 @@ A run for Apalache.
 
   $ scc trace ../../specs/models/drift.sc --time 3/2 --itf | sed 's/"md5:[^"]*"/"md5:…"/'
   {
-  "#meta": {"format":"ITF","description":"a run of the Shape Calculus, made by scc","model":"drift","digest":"md5:…","semantics":"2","parameters":{},"settings":{}},
+  "#meta": {"format":"ITF","description":"a run of the Shape Calculus, made by scc","model":"drift","digest":"md5:…","semantics":"3","parameters":{},"settings":{}},
   "vars": ["action","time","position","velocity","behaviour","origin","process","bonds","clock","step"],
   "states": [
   {"#meta":{"index":0},"action":"init","time":{"#tup":[{"#bigint":"0"},{"#bigint":"1"}]},"position":{"#map":[["p",{"#tup":[{"#tup":[{"#bigint":"0"},{"#bigint":"1"}]},{"#tup":[{"#bigint":"0"},{"#bigint":"1"}]},{"#tup":[{"#bigint":"0"},{"#bigint":"1"}]}]}]]},"velocity":{"#map":[["p",{"#tup":[{"#tup":[{"#bigint":"1"},{"#bigint":"3"}]},{"#tup":[{"#bigint":"0"},{"#bigint":"1"}]},{"#tup":[{"#bigint":"0"},{"#bigint":"1"}]}]}]]},"behaviour":{"#map":[["p","nil"]]},"origin":{"#map":[["p",""]]},"process":{"#map":[["p","p"]]},"bonds":{"#set":[]},"clock":{"#map":[]},"step":{"remaining":{"#tup":[{"#bigint":"0"},{"#bigint":"1"}]},"phase":"none"}},

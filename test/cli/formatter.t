@@ -39,7 +39,7 @@ The meaning stays.
   $ scc check model.sc
   warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
-  semantics 2
+  semantics 3
   
   far: holds (exhaustive)
     possibly x(p) > n

@@ -14,7 +14,7 @@ Every command has a manual with its exit codes.
   5
   5
   $ scc --version
-  0.1.0 (semantics 2)
+  0.1.0 (semantics 3)
   $ python3 -B unread.py scc check --help=plain
   [4]
   $ scc check --help=plain > /dev/full

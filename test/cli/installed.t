@@ -35,7 +35,7 @@ is there, so that nothing is built here.
   prefix/share/scc/installed
   prefix/share/zsh/site-functions/_scc
   $ prefix/bin/scc --version
-  0.1.0 (semantics 2)
+  0.1.0 (semantics 3)
 
 The pages are those of the program, and groff finds nothing wrong with them:
 

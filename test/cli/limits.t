@@ -18,7 +18,7 @@ A number that doubles its length in each step.
   $ scc check grow.sc
   warning[SC0705]: the velocity of `p` takes 131073 bits after 16 transitions, and what follows is not explored
     hint: `round velocity 2^-k`, or `round(e, q)` in a law of motion, keeps numbers short; `--bits N` lets them grow
-  semantics 2: timestep 1
+  semantics 3: timestep 1
   
   right: holds up to the bound: the bound of 100000 bits for a number (a default)
     always x(p) >= 0

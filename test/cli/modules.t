@@ -19,7 +19,7 @@ A model that takes its shapes and behaviours from other files, each relative to 
   > for i in 0..1 { check meets : possibly bound(die, b[2*i + 1]) }
   > EOF
   $ scc check model.sc
-  semantics 2
+  semantics 3
   
   meets[0]: holds (exhaustive)
     possibly bound(die, b[1])

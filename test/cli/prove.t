@@ -2,7 +2,7 @@ Proofs where no state ever comes back (rule Invariants): a bound ends the explor
 
   $ cp ../../specs/models/escape.sc ../../specs/models/tumble.sc ../../specs/models/hexokinase.sc .
   $ scc check escape.sc | sed '/a run that/,/^$/d'
-  semantics 2
+  semantics 3
   
   apart: holds (proved by an invariant, all x in [-8, -7])
     always not touching(p, q) and not touching(n, q)
@@ -123,7 +123,7 @@ An ordinary model has one looked for when it is asked to.
 
   $ sed 's/^param x.*/param x = -8/' escape.sc > one.sc
   $ scc check one.sc --prove --depth 40 | sed '/a run that/,/^$/d'
-  semantics 2
+  semantics 3
   
   apart: holds (proved by an invariant)
     always not touching(p, q) and not touching(n, q)
@@ -209,7 +209,7 @@ A delay that is known for some values only, beside one that may be over before i
 Where the search takes long, exploring comes first; how far it goes is counted, and is the same on every machine.
 
   $ scc check ../bench/checker/hexokinase.sc -D n=4 --prove
-  semantics 2: split step 1
+  semantics 3: split step 1
   
   together: holds (exhaustive), at split step 1
     always bonds(atp) <= 1 and bonds(glc) <= 1

@@ -16,7 +16,7 @@ Where p starts is known by ranges alone. It meets q iff its y and z are both les
   > check below : always (bound(p, q) => y - z/2 + 1 <= x(p) - 10)
   > END
   $ scc check meet.sc --where | sed '/^explored/,$d'
-  semantics 2
+  semantics 3
   
   met: violated for y = -3, z = 0
     possibly bound(p, q)
@@ -142,15 +142,15 @@ The graph of all sets of states, as a picture:
     z1 [label="1\np: A\nq: B\np at (10, y, z)\nq at (12, 0, 0)\ny >= 0, z > -2, z < 2, y < 2"]
     z1 -> z2 [label="bind(a, p.right, q.left)"]
     z2 [label="2\n<a, {p.right, q.left}>\np: Bound\nq: Bound\np at (10, y, z)\nq at (12, 0, 0)\ny >= 0, z > -2, z < 2, y < 2", peripheries=2]
-    legend [shape=plain, label="model without a name, y in [0, 5], z in [-5, 5]\nsemantics 2\nexplored: 3 zones, 2 edges; complete\ndouble border: nothing need happen any more, from all of it or where told\ngray: time passes"]
+    legend [shape=plain, label="model without a name, y in [0, 5], z in [-5, 5]\nsemantics 3\nexplored: 3 zones, 2 edges; complete\ndouble border: nothing need happen any more, from all of it or where told\ngray: time passes"]
   }
-  scc: semantics 2
+  scc: semantics 3
   scc: explored: 3 zones, 2 edges; complete
 
 and in full. A bound leaves something out, which is told:
 
   $ scc explore meet.sc -o zones.json
-  scc: semantics 2
+  scc: semantics 3
   scc: explored: 3 zones, 2 edges; complete
   $ grep -o '"format": .*\|"number":[0-9]*\|"label":{[^}]*}\|"target":[0-9]*' zones.json
   "format": "scc-zones",
@@ -162,7 +162,7 @@ and in full. A bound leaves something out, which is told:
   "target":2
   "number":2
   $ scc explore meet.sc -o zones.json --states 2
-  scc: semantics 2
+  scc: semantics 3
   scc: explored: 2 zones, 1 edges
   scc: TRUNCATED: 1 zones unexplored, by the bound of 2 states
   $ grep '^"complete\|^"unexplored\|^"bounds' zones.json
@@ -170,7 +170,7 @@ and in full. A bound leaves something out, which is told:
   "unexplored": 1,
   "bounds": ["the bound of 2 states"],
   $ scc explore meet.sc -o zones.json --time 9
-  scc: semantics 2
+  scc: semantics 3
   scc: explored: 1 zones, 0 edges
   scc: TRUNCATED, by the time bound 9
   $ grep -o '^"complete.*\|^"bounds.*\|"late":\[\[[^]]*\]\]' zones.json
@@ -178,7 +178,7 @@ and in full. A bound leaves something out, which is told:
   "bounds": ["the time bound 9"],
   "late":[[{"coefficients":{"y":"-1/1"},"relation":"<","bound":"2/1"},{"coefficients":{"z":"-1/1"},"relation":"<","bound":"2/1"},{"coefficients":{"z":"1/1"},"relation":"<","bound":"2/1"},{"coefficients":{"y":"1/1"},"relation":"<","bound":"2/1"}]]
   $ scc explore meet.sc -o zones.json --depth 1
-  scc: semantics 2
+  scc: semantics 3
   scc: explored: 2 zones, 1 edges
   scc: TRUNCATED: 1 zones unexplored, by the depth bound 1
 
@@ -324,7 +324,7 @@ What is not found in passing is explored for one start, with its values in the f
   $ sed '/^check\|^let/d' meet.sc > interval.sc
   $ echo 'check there : AG[1, 4] (x(p) = 5 - y)' >> interval.sc
   $ scc check interval.sc -D z=0
-  semantics 2
+  semantics 3
   
   there: violated for y = 0
     AG[1, 4] x(p) = 5 - y

@@ -18,7 +18,7 @@ What matters of a run is told first: who takes part, equal passings of time in o
   > check away  : always x(away) < 1 within 2
   > END
   $ scc check steps.sc --witness runs
-  semantics 2: timestep 1/8
+  semantics 3: timestep 1/8
   
   stays: violated
     always x(p) < 1/20
@@ -41,7 +41,7 @@ What matters of a run is told first: who takes part, equal passings of time in o
   2 properties: 1 holds, 1 violated
   [1]
   $ scc check steps.sc --full | head -30
-  semantics 2: timestep 1/8
+  semantics 3: timestep 1/8
   
   stays: violated
     always x(p) < 1/20
@@ -72,7 +72,7 @@ What matters of a run is told first: who takes part, equal passings of time in o
   
   explored: 19 states, 18 transitions, depth 18, model time 17/8; not complete: every property was decided before
   $ scc explain runs/stays.json
-  semantics 2: timestep 1/8
+  semantics 3: timestep 1/8
   
   stays: always x(p) < 1/20
   at time 11/8:
@@ -84,7 +84,7 @@ What matters of a run is told first: who takes part, equal passings of time in o
   0 of 1 events matter
   checked: the same happens without west, east, away, r and s
   $ scc explain runs/stays.json --full | head -12
-  semantics 2: timestep 1/8
+  semantics 3: timestep 1/8
   
   stays: always x(p) < 1/20
   at time 11/8:

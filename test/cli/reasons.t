@@ -19,7 +19,7 @@ holds when it is a failure that is explained.
   > check until   : E[EF x(p) = 2 U x(p) = -2]
   > EOF
   $ scc check walls.sc
-  semantics 2
+  semantics 3
   
   settles: violated
     AF AG x(p) > 0

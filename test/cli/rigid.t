@@ -19,7 +19,7 @@ Rigid models: bodies that spin. One that turns hits one at rest.
 Verdicts say at which resolution they hold.
 
   $ scc check spin.sc
-  semantics 2: timestep 1/2, dynamics constant_spin, resolution 1/1024
+  semantics 3: timestep 1/2, dynamics constant_spin, resolution 1/1024
   
   meet: holds (exhaustive), at resolution 1/1024
     possibly touching(p, q) within 3
@@ -75,7 +75,7 @@ A trace tells orientations, spins and how long ago each turn began; it is its ow
 Graphs give the motion with the places.
 
   $ scc explore spin.sc --time 1 --format dot --positions -o - | grep velocity
-  scc: semantics 2: timestep 1/2, dynamics constant_spin, resolution 1/1024
+  scc: semantics 3: timestep 1/2, dynamics constant_spin, resolution 1/1024
   scc: explored: 4 states, 3 transitions
   scc: TRUNCATED: 1 states unexplored, by the time bound 1
     s0 [label="0\np at (0, 0, 0), velocity (1, 0, 0), spin (0, 1/3, 1/2)\nq at (4, 1/2, 0), velocity (0, 0, 0)", style="rounded,filled", fillcolor="white"]
@@ -104,7 +104,7 @@ Where nothing turns they have no effect.
      |
    9 | resolution 2^-10
      |            ^^^^^
-  semantics 2
+  semantics 3
   
   meet: holds (exhaustive)
     possibly touching(p, q) within 3
@@ -158,7 +158,7 @@ axis, the energy of one whose orientation is rounded, and the place of a part of
   $ scc check free.sc
   warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
-  semantics 2: timestep 1, dynamics free_body, resolution 1/524288
+  semantics 3: timestep 1, dynamics free_body, resolution 1/524288
   
   changes: undecided: what turns with a body that spins for ever is not followed
     always wx(p) < 2
@@ -176,7 +176,7 @@ axis, the energy of one whose orientation is rounded, and the place of a part of
   $ scc check rounded.sc
   warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
-  semantics 2: timestep 1, dynamics constant_spin, resolution 1/524288, round orientation 2^-3
+  semantics 3: timestep 1, dynamics constant_spin, resolution 1/524288, round orientation 2^-3
   
   changes: undecided: what turns with a body that spins for ever is not followed
     always energy = energy + 0*wx(p)

@@ -11,7 +11,7 @@ Bonds that close rings, where a model says so. Two that bind within one process 
       6. se and ne, of one process, bind by <col, {se.top, ne.bottom}>, at time 3
       bonds() <= 3 fails: bonds() = 4
   $ scc explain runs/tree.json $M/closed_ring.sc
-  semantics 2: bonds cyclic
+  semantics 3: bonds cyclic
   
   tree: always bonds() <= 3
   at time 3:

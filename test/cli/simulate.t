@@ -69,7 +69,7 @@ An interrupted one goes on where it ended; a line that was not finished is made 
   $ sim --runs 40 --format jsonl --resume less.jsonl -o more.jsonl
   $ cmp more.jsonl all.jsonl
   $ scc simulate $M/brownian.sc --seed 4 --observe 'x(ligand)' --every 1 --until 12 --runs 40 --format jsonl --resume part.jsonl
-  part.jsonl: error[SC0804]: this file is not of the same simulation: its first line would be `{"format":"scc-simulation","version":1,"semantics":"2","model":"brownian","digest":"md5:b2ca4903fb9120551d262c436336e209","parameters":{},"settings":{"timestep":"1 steady"},"seed":"4","observables":["x(ligand)"],"decimals":null,"times":["0/1","1/1","2/1","3/1","4/1","5/1","6/1","7/1","8/1","9/1","10/1","11/1","12/1"],"summary":null}`
+  part.jsonl: error[SC0804]: this file is not of the same simulation: its first line would be `{"format":"scc-simulation","version":1,"semantics":"3","model":"brownian","digest":"md5:b2ca4903fb9120551d262c436336e209","parameters":{},"settings":{"timestep":"1 steady"},"seed":"4","observables":["x(ligand)"],"decimals":null,"times":["0/1","1/1","2/1","3/1","4/1","5/1","6/1","7/1","8/1","9/1","10/1","11/1","12/1"],"summary":null}`
   [3]
   $ sed '3d' all.jsonl > torn.jsonl
   $ sim --runs 40 --format jsonl --resume torn.jsonl

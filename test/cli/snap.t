@@ -134,7 +134,7 @@ In a model.
   $ scc check model.sc | head -3
   warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
-  semantics 2
+  semantics 3
   
   apart: holds (exhaustive)
   $ scc fmt model.sc | diff model.sc -

@@ -1,7 +1,7 @@
 A run as JSON Lines.
 
   $ scc trace ../../specs/models/figure7.sc | sed 's/"md5:[^"]*"/"md5:…"/'
-  {"type":"header","format":"scc-trace","version":1,"semantics":"2","model":"figure7","digest":"md5:…","parameters":{},"settings":{}}
+  {"type":"header","format":"scc-trace","version":1,"semantics":"3","model":"figure7","digest":"md5:…","parameters":{},"settings":{}}
   {"type":"state","time":"0/1","state":{"processes":[{"velocity":["0/1","0/1","0/1"],"clock":null,"leaves":[{"name":"P0","position":["0/1","0/1","0/1"],"behaviour":"Open0","origin":"Open0"}],"bonds":[]},{"velocity":["0/1","-1/1","0/1"],"clock":null,"leaves":[{"name":"s2","position":["109/41","4491/820","0/1"],"behaviour":"Open1","origin":"Open1"}],"bonds":[]}],"step":null}}
   {"type":"transition","step":1,"choice":0,"of":1,"label":{"kind":"time","text":"time(2)","duration":"2/1"},"rules":["Time","TimeBehaviour"],"time":"2/1","state":{"processes":[{"velocity":["0/1","0/1","0/1"],"clock":null,"leaves":[{"name":"P0","position":["0/1","0/1","0/1"],"behaviour":"Open0","origin":"Open0"}],"bonds":[]},{"velocity":["0/1","-1/1","0/1"],"clock":null,"leaves":[{"name":"s2","position":["109/41","2851/820","0/1"],"behaviour":"Open1","origin":"Open1"}],"bonds":[]}],"step":null}}
   {"type":"transition","step":2,"choice":0,"of":2,"label":{"kind":"bind","text":"bind(a, P0.s0.[v2,v3], s2.f4)","name":"a","ends":["P0.s0.[v2,v3]","s2.f4"]},"rules":["Bind","Pre","Def"],"time":"2/1","state":{"processes":[{"velocity":["0/1","-1/3","0/1"],"clock":null,"leaves":[{"name":"P0","position":["0/1","0/1","0/1"],"behaviour":"B0","origin":"B0"},{"name":"s2","position":["109/41","2851/820","0/1"],"behaviour":"B1","origin":"B1"}],"bonds":[{"name":"a","ends":["P0.s0.[v2,v3]","s2.f4"]}]}],"step":null}}
@@ -183,7 +183,7 @@ A long run of many bodies, with the first and the last state only. Its transitio
 schedule, from which the whole trace comes back.
 
   $ scc trace ../../specs/models/figure7.sc --states=ends | cut -c 1-88
-  {"type":"header","format":"scc-trace","version":1,"semantics":"2","model":"figure7","dig
+  {"type":"header","format":"scc-trace","version":1,"semantics":"3","model":"figure7","dig
   {"type":"state","time":"0/1","state":{"processes":[{"velocity":["0/1","0/1","0/1"],"cloc
   {"type":"transition","step":1,"choice":0,"of":1,"label":{"kind":"time","text":"time(2)",
   {"type":"transition","step":2,"choice":0,"of":2,"label":{"kind":"bind","text":"bind(a, P
@@ -202,7 +202,7 @@ schedule, from which the whole trace comes back.
             s2 at (109/41, 2851/820, 0) [B1]
   2 transitions, time 2: nothing will ever happen again
   $ scc trace ../../specs/models/drift.sc --time 7/2 --states=ends | cut -c 1-88
-  {"type":"header","format":"scc-trace","version":1,"semantics":"2","model":"drift","diges
+  {"type":"header","format":"scc-trace","version":1,"semantics":"3","model":"drift","diges
   {"type":"state","time":"0/1","state":{"processes":[{"velocity":["1/3","0/1","0/1"],"cloc
   {"type":"instant","offset":"7/2","time":"7/2","state":{"processes":[{"velocity":["1/3","
   {"type":"end","steps":0,"time":"7/2","ending":"quiescent"}
@@ -222,7 +222,7 @@ A run that ends in a dead end is told up to there: the trace is complete, is its
   note: after step 4, at time 2
   [2]
   $ sed 's/"rounded.*//' topple.jsonl | cut -c 1-100
-  {"type":"header","format":"scc-trace","version":1,"semantics":"2","model":"topple","digest":"md5:73d
+  {"type":"header","format":"scc-trace","version":1,"semantics":"3","model":"topple","digest":"md5:73d
   {"type":"state","time":"0/1","state":{"processes":[{"velocity":["0/1","0/1","0/1"],"spin":["0/1","0/
   {"type":"transition","step":1,"choice":0,"of":1,"label":{"kind":"time","text":"time(1/2)","duration"
   {"type":"transition","step":2,"choice":0,"of":1,"label":{"kind":"bounce","text":"bounce(far, away)",

@@ -50,7 +50,7 @@ Commands take models in XML as they take others.
 
   $ scc fmt --check p.xml
   $ scc check p.xml
-  semantics 2
+  semantics 3
   
   far: violated
     always x(p) < 9 and y(p) = 0

@@ -1,7 +1,7 @@
 The main job: a verdict for every property, with a witness.
 
   $ scc check ../../specs/models/hexokinase.sc
-  semantics 2: split step 1
+  semantics 3: split step 1
   
   reaction: holds (exhaustive), at split step 1
     possibly reacted
@@ -88,7 +88,7 @@ The main job: a verdict for every property, with a witness.
   $ scc check ../../specs/models/drift.sc
   warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
-  semantics 2
+  semantics 3
   
   near: violated
     always x(p) <= 3
@@ -134,7 +134,7 @@ The main job: a verdict for every property, with a witness.
   8 properties: 5 hold, 3 violated
   [1]
   $ scc check ../../specs/models/slot.sc
-  semantics 2
+  semantics 3
   
   rattles: holds (exhaustive)
     possibly vy(plate) = 1
@@ -235,7 +235,7 @@ Checks that see time differently are explored apart; that nothing happens is tol
   explored: 2 states, 0 transitions, depth 0, model time 0; not complete: every property was decided before
 
   $ scc check forever.sc --states 100
-  semantics 2: timestep 1
+  semantics 3: timestep 1
   
   slow: holds up to the bound: the bound of 100 states
     always vx(p) >= 0
@@ -243,7 +243,7 @@ Checks that see time differently are explored apart; that nothing happens is tol
   explored: 100 states, 99 transitions, depth 99, model time 99; not complete: stopped by the bound of 100 states
   1 property: 1 holds up to the bound
   $ scc check forever.sc --depth 3
-  semantics 2: timestep 1
+  semantics 3: timestep 1
   
   slow: holds up to the bound: the depth bound 3
     always vx(p) >= 0
@@ -251,7 +251,7 @@ Checks that see time differently are explored apart; that nothing happens is tol
   explored: 5 states, 4 transitions, depth 4, model time 4; not complete: stopped by the depth bound 3
   1 property: 1 holds up to the bound
   $ scc check forever.sc --time 3/2
-  semantics 2: timestep 1
+  semantics 3: timestep 1
   
   slow: holds up to the bound: the time bound 3/2
     always vx(p) >= 0
@@ -259,7 +259,7 @@ Checks that see time differently are explored apart; that nothing happens is tol
   explored: 3 states, 2 transitions, depth 2, model time 2; not complete: stopped by the time bound 3/2
   1 property: 1 holds up to the bound
   $ scc check forever.sc -D v=-1 --depth 3
-  semantics 2: timestep 1
+  semantics 3: timestep 1
   
   slow: violated
     always vx(p) >= 0
@@ -292,7 +292,7 @@ Checks that see time differently are explored apart; that nothing happens is tol
 A default bound, and what cannot be decided.
 
   $ scc check forever.sc
-  semantics 2: timestep 1
+  semantics 3: timestep 1
   
   slow: holds up to the bound: the bound of 200000 states (a default)
     always vx(p) >= 0
@@ -310,7 +310,7 @@ A default bound, and what cannot be decided.
 A limit of the clock or of memory is no bound of the model.
 
   $ scc check forever.sc --seconds 0.05 | sed 's/[0-9]* states*.*;/N states;/'
-  semantics 2: timestep 1
+  semantics 3: timestep 1
   
   slow: holds up to the bound: the limit of 0.05 seconds
     always vx(p) >= 0
@@ -336,7 +336,7 @@ Parameters.
 Standard input.
 
   $ scc check --depth 1 - < forever.sc
-  semantics 2: timestep 1
+  semantics 3: timestep 1
   
   slow: holds up to the bound: the depth bound 1
     always vx(p) >= 0
@@ -348,7 +348,7 @@ What is not known within the bounds: which unexplored state matters.
 
   $ (grep -v check forever.sc; echo 'check next : AX vx(p) > 0'; echo 'check back : always (possibly vx(p) > 0)') > later.sc
   $ scc check later.sc --depth 2
-  semantics 2: timestep 1
+  semantics 3: timestep 1
   
   next: undecided: the exploration ended at the depth bound 2; one unexplored state matters
     AX vx(p) > 0
@@ -412,7 +412,7 @@ Schedules are replayed with jumps.
 Hash compaction proves nothing by finding nothing.
 
   $ scc check ../../specs/models/dimers.sc -D n=2 --hash-compact | grep -v '^ '
-  semantics 2: split step 1
+  semantics 3: split step 1
   
   all_fall: holds (exhaustive), at split step 1
   
@@ -429,7 +429,7 @@ A model without properties is explored all the same.
 
   $ grep -v check ../../specs/models/dimer.sc > bare.sc
   $ scc check bare.sc
-  semantics 2: split step 1/2
+  semantics 3: split step 1/2
   
   explored: 11 states, 14 transitions, depth 6, model time 3; complete
   no properties to check
@@ -440,7 +440,7 @@ JSON: one document on standard output, nothing on standard error, whatever happe
   {
     "format": "scc-check",
     "version": 1,
-    "semantics": "2",
+    "semantics": "3",
     "model": "figure5",
     "digest": "md5:…",
     "parameters": {},
@@ -479,7 +479,7 @@ The model and the run that the README shows.
 
   $ awk '/^shape Cube/ { p = 1 } /^```/ { p = 0 } p' ../../README.md > readme.sc
   $ scc check readme.sc
-  semantics 2
+  semantics 3
   
   meets: holds (exhaustive)
     eventually bound(p, q) within 3

@@ -183,7 +183,7 @@ let drn () =
     (lines
        [
          "// model without a name";
-         "// semantics 2";
+         "// semantics 3";
          "// explored: 1 states, 0 transitions; complete";
          "// label x_p_le_3: x(p) <= 3";
          "// label check_near: x(p) <= 3";
