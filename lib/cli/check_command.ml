@@ -312,11 +312,11 @@ let man =
        it is bad, $(b,always) holds, and if nothing in it is good, $(b,possibly) is violated: $(b,proved by an \
        invariant). It decides nothing else. Before it counts it is checked afresh, by other means than those that \
        found it; $(b,--invariant) shows it. How long it is looked for is counted in steps of arithmetic, and \
-       so is the same on every machine: 10 million before anything is explored, and 200 million where a bound ended \
-       this; for each state that $(b,--states) allows beyond its default, 50 and 1000 more. $(b,--seconds) and \
-       $(b,--memory) end it as well, and half of the seconds are kept for what comes next. Of models with \
-       parameters of which ranges are known, or with $(b,split_step any), one is looked for by itself where a \
-       bound has kept a verdict from being a proof. \
+       so is the same on every machine: 10 million before anything is explored, and 200 million where a bound \
+       ended this; for each state that $(b,--states) allows beyond its default, 50 and 1000 more. \
+       $(b,--seconds) and $(b,--memory) end it as well, and half of the seconds are kept for what comes next. Of \
+       models with parameters of which ranges are known, or with $(b,split_step any), one is looked for by itself \
+       where a bound has kept a verdict from being a proof. \
        Bodies that turn, laws of motion, rounded velocities and $(b,binding contact) have none.";
   ]
   @ Options.diagnostics_man
