@@ -1,5 +1,4 @@
-// Lots that surely go, in several processes at once: some whose free ends choose, two with pushes in one process, and a row
-// of which one bond after the other goes, as its middle offers again what it has offered.
+// Lots that surely go: two bonds of one process that share no leaf, with pushes, and one of another process, all at once.
 split_step 1
 
 shape Cube {
@@ -8,31 +7,15 @@ shape Cube {
   faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]
            right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
 }
-behaviour One   on Cube = eps(1/2). nil
-behaviour Two   on Cube = nil
-behaviour Three on Cube = nil
-behaviour Again on Cube = omega(c, {left, right}) chance 1. Again
-
-process p = Cube mass 1 at translate (0,0,0) [omega(a, {right}) chance 1. nil]
-process q = Cube mass 1 at translate (2,0,0) [omega(a, {left}). One + omega(a, {left, top}). One + omega(a, {left}). Two]
-process u = Cube mass 1 at translate (-20,5,0) [omega(a, {left}) push(1). One + omega(a, {left}). One + omega(a, {left}). Three]
-process v = Cube mass 1 at translate (-22,5,0) [omega(a, {right}) chance 1. nil]
-process w = Cube mass 1 at translate (0,20,0) [omega(a, {right}) chance 1/2. nil]
-process x = Cube mass 1 at translate (2,20,0) [omega(a, {left}). One + omega(a, {left}). Two]
-bond <a, {p.right, q.left}>
-bond <a, {v.right, u.left}>
-bond <a, {w.right, x.left}>
 
 process k = Cube mass 1 at translate (0,40,0) [omega(b, {right}) push(1) chance 1. nil]
 process l = Cube mass 2 at translate (2,40,0) [omega(b, {left}). nil]
-process m = Cube mass 1 at translate (4,40,0) [omega(b, {right}) push(1/2). nil + omega(b, {right}). One]
-process n = Cube mass 1 at translate (6,40,0) [omega(b, {left}) push(2) rate 3. nil + omega(b, {left}) chance 1/50. Two]
+process m = Cube mass 1 at translate (4,40,0) [omega(b, {right}) push(1/2). nil]
+process n = Cube mass 1 at translate (6,40,0) [omega(b, {left}) push(2) chance 1. nil]
 bond <b, {k.right, l.left}>
 bond <d, {l.right, m.left}>
 bond <b, {m.right, n.left}>
 
-process r = Cube mass 1 at translate (0,60,0) [omega(c, {right}). nil]
-process s = Cube mass 1 at translate (2,60,0) [Again]
-process t = Cube mass 1 at translate (4,60,0) [omega(c, {left}). One + omega(c, {left}). Two]
-bond <c, {r.right, s.left}>
-bond <c, {s.right, t.left}>
+process p = Cube mass 1 at translate (-20,0,0) [omega(a, {right}) chance 1. nil]
+process q = Cube mass 1 at translate (-18,0,0) [omega(a, {left}). nil]
+bond <a, {p.right, q.left}>
