@@ -1,3 +1,5 @@
+open Constant_stack
+
 let most = 20
 
 (* What no text has, as whoever reads models says. *)
