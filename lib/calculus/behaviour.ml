@@ -74,7 +74,8 @@ let rec compare a b =
 
 let equal a b = compare a b = 0
 
-(* Only the top of a term is hashed: terms of one model that differ do so near the top, mostly. *)
+(* Only the top of a term is hashed, and how much is below: terms of one model that differ do so near the top,
+   mostly, or some are what is left of others. *)
 let hash_depth = 4
 
 let hash_channel (c : channel) =
@@ -83,8 +84,13 @@ let hash_channel (c : channel) =
 let hash_loosening j =
   match j.odds with None -> Rat.hash j.push | Some odds -> Rat.hash j.push + (47 * Odds.hash odds)
 
+let rec length n = function
+  | Nil | Call _ -> n
+  | Open (_, _, b) | Weak (_, _, b) | Strong (_, _, b) | Delay (_, b) | Wait (_, b) | Sum (b, _) ->
+    length (n + 1) b
+
 let rec hash_to depth b =
-  if depth = 0 then 17
+  if depth = 0 then length 17 b
   else
     let below = hash_to (depth - 1) in
     match b with

@@ -230,12 +230,34 @@ let truth_of t (k : Program.check) =
   | Some _ | None ->
     Some { Property.name = k.name; span = k.span; text = k.written k.formula; asked = Whether; formula = f }
 
+let operators_within limit formula =
+  let rec look = function
+    | [] -> true
+    | (level, _) :: _ when level > limit -> false
+    | (level, (f : Property.temporal)) :: rest -> (
+        match f with
+        | State _ -> look rest
+        | Temporal_not f -> look ((level, f) :: rest)
+        | Temporal_and fs | Temporal_or fs -> look (List.fold_left (fun rest f -> (level, f) :: rest) rest fs)
+        | Next (_, f) | Finally (_, _, f) | Globally (_, _, f) -> look ((level + 1, f) :: rest)
+        | Until (_, _, f, g) -> look ((level + 1, f) :: (level + 1, g) :: rest))
+  in
+  look [ (0, formula) ]
+
 let check t (k : Program.check) =
-  match k.formula.it with
-  | Measured (m, test, o) when Measures.is_question m test ->
-    let* asked, formula = Measures.question (reader t (Eval.eval t) k.env) m test o in
-    Some { Property.name = k.name; span = k.span; text = k.written k.formula; asked; formula }
-  | _ -> truth_of t k
+  let* (c : Property.check) =
+    match k.formula.it with
+    | Measured (m, test, o) when Measures.is_question m test ->
+      let* asked, formula = Measures.question (reader t (Eval.eval t) k.env) m test o in
+      Some { Property.name = k.name; span = k.span; text = k.written k.formula; asked; formula }
+    | _ -> truth_of t k
+  in
+  if operators_within Limits.operators c.formula then Some c
+  else begin
+    error t Code.too_deep k.formula.at "operators of time nest more than %d deep, with their `let`s"
+      Limits.operators;
+    None
+  end
 
 (* What is read here has been read as part of the check, so that nothing is reported, and no budget is spent. *)
 let premises t (k : Program.check) =

@@ -2,6 +2,7 @@ open Scc_base
 open Scc_syntax
 
 let depth = 10_000
+let operators = 1_000
 let items = 1_000_000
 let terms = 4_000_000
 let number_bits = 1_000_000

@@ -5,6 +5,9 @@ open Scc_syntax
 val depth : int
 (** Expressions, behaviours, solids and loops nest at most so deep: 10 000. *)
 
+val operators : int
+(** Operators of time nest at most so deep, with their [let]s: 1 000. *)
+
 val items : int
 (** Declarations after the expansion of loops: 1 000 000. *)
 

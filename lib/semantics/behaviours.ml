@@ -85,18 +85,24 @@ let left_to_chance defs =
       | Weak (_, { odds = Some _; _ }, _) -> true
       | Weak _ | Nil | Open _ | Strong _ | Delay _ | Wait _ | Sum _ | Call _ -> false)
 
+module Terms = Set.Make (struct
+    type nonrec t = t
+
+    let compare = compare
+  end)
+
 (* Ageing can bring up nil and equal summands again and again, which offer nothing new: without them a
    recursion through sums comes back to where it was (reading I-17). What still ages stays a summand, if need be
    of nil: so it makes no difference to origins when the others go (reading I-14). *)
 let without_repetition defs b =
-  let rec summands found (b : t) =
+  let rec summands ((found, known) as all) (b : t) =
     match b with
-    | Sum (x, y) -> summands (summands found x) y
-    | Nil -> found
+    | Sum (x, y) -> summands (summands all x) y
+    | Nil -> all
     | Open _ | Weak _ | Strong _ | Delay _ | Wait _ | Call _ ->
-      if List.exists (equal b) found && not (left_to_chance defs b) then found else b :: found
+      if Terms.mem b known && not (left_to_chance defs b) then all else (b :: found, Terms.add b known)
   in
-  match List.rev (summands [] b) with
+  match List.rev (fst (summands ([], Terms.empty) b)) with
   | [] -> nil
   | [ only ] -> if ages defs only then sum only nil else only
   | first :: rest -> List.fold_left sum first rest

@@ -75,6 +75,9 @@ Deep nesting.
      |
    8 | -------------------------------------------------------------------------------------------------------------------
      |                                         ^
+  $ (cat cube.sc; printf 'check c : '; repeat 'AG EF ' 501; printf 'x(p) = 0') > operators.sc
+  $ scc check operators.sc 2>&1 | head -n 1
+  operators.sc:8:11: error[SC0111]: operators of time nest more than 1000 deep, with their `let`s
   $ (cat cube.sc; printf 'behaviour B on Cube = '; repeat 'eps(1). ' 100000; printf nil) > delays.sc
   $ scc check delays.sc 2>&1 | cut -c 1-120
   delays.sc:8:80021: error[SC0111]: this declaration is nested too deeply (the limit is 10000)
