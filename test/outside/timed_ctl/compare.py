@@ -1,14 +1,16 @@
 """Holds the evaluator of this folder against what lib/ctl answers.
 
-    compare.py --graphs PATH [--show N] COUNT SEED
+    compare.py --graphs PATH [--telling] [--show N] COUNT SEED
 
-PATH is graphs.exe. Each answer on each of its COUNT lines is compared. Tells of what failed the N smallest graphs.
+PATH is graphs.exe. Each answer on each of its COUNT lines is compared. Most numbers there are 0, 1 or infinite:
+with --telling only the lines count on which one is not. Tells of what failed the N smallest graphs.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import os
 import subprocess
 import sys
 from collections import Counter
@@ -50,12 +52,11 @@ def answers(line: Line) -> Iterator[Answer]:
         least, most = (evaluator.probability(q["which"], q["of"], favour)[0][0] for favour in (False, True))
         yield q["which"] + " of " + q["of"][0], q, (q["least"], q["most"]), (str(least), str(most))
     for q in line["means"]:
-        least, most = means.mean(evaluator, q)
-        yield kind_of_mean(q), q, (q["least"], q["most"]), (written(least), written(most))
+        yield kind_of_mean(q), q, (q["least"], q["most"]), tuple(map(written, means.mean(evaluator, q)))
 
 
 def read(graphs: str, count: int, seed: int) -> Iterator[Line]:
-    with subprocess.Popen([graphs, str(count), str(seed)], stdout=subprocess.PIPE, text=True) as program:
+    with subprocess.Popen([os.path.abspath(graphs), str(count), str(seed)], stdout=subprocess.PIPE, text=True) as program:
         assert program.stdout is not None
         for text in program.stdout:
             yield json.loads(text)
@@ -63,9 +64,16 @@ def read(graphs: str, count: int, seed: int) -> Iterator[Line]:
         sys.exit(f"{graphs} ended with the code {program.returncode}")
 
 
+def telling(line: Line) -> bool:
+    """A probability is neither 0 nor 1, or a mean until something is positive and finite."""
+    return any({q["least"], q["most"]} - {"0", "1"} for q in line["probabilities"]) or any(
+        {q["least"], q["most"]} - {"0", means.INFINITE} for q in line["means"] if "at" not in q)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--graphs", required=True)
+    parser.add_argument("--telling", action="store_true")
     parser.add_argument("--show", type=int, default=3)
     parser.add_argument("count", type=int)
     parser.add_argument("seed", type=int)
@@ -76,6 +84,8 @@ def main() -> None:
     wrong: List[Tuple[int, Line, Any, Any]] = []
     for line in read(options.graphs, options.count, options.seed):
         lines += 1
+        if options.telling and not telling(line):
+            continue
         for name, question, told, found in answers(line):
             if told == found:
                 passed[name] += 1

@@ -7,22 +7,23 @@ from __future__ import annotations
 
 import operator
 from fractions import Fraction
-from typing import Any, Callable, Dict, List, Optional, Set, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Set, Tuple
 
 import process
-from graph import Graph, Truth
+from graph import Graph, Truth, mapped
 from process import Choice, Process
 from runs import WON, Node, Option, Until, window
 
 Formula = Any
 Letters = Tuple[str, List[Optional[str]]]
+Numbers = Tuple[List[Fraction], List[Optional[List[Fraction]]]]
 TESTS: Dict[str, Callable[[Fraction, Fraction], bool]] = {
     "<": operator.lt, "<=": operator.le, ">=": operator.ge, ">": operator.gt}
 OTHER = {"Pmin": "Pmax", "Pmax": "Pmin", "A": "E", "E": "A"}
 
 
 def negation(truth: Truth) -> Truth:
-    return Truth([not x for x in truth.states], [a and [not x for x in a] for a in truth.along])
+    return Truth([not x for x in truth.states], mapped(operator.not_, truth.along))
 
 
 def joined(how: Callable[[Any], bool], truths: List[Truth]) -> Truth:
@@ -70,16 +71,14 @@ class Evaluator:
     def next(self, f: Truth, favour: bool) -> Truth:
         """EX f: where some run takes a discrete transition, and f holds where the first leads."""
         states = self.graph.states
-        holds = [(favour if not s.known else any(f.states[t] for t in s.chosen + tuple(t for _, t in s.drawn)))
-                 for s in states]
+        holds = [any(f.states[t] for t in s.discrete) if s.known else favour for s in states]
         more = True
         while more:
             more = False
             for i, s in enumerate(states):
-                if not holds[i] and s.trajectory is not None and any(holds[t] for t in s.trajectory.to):
+                if not holds[i] and any(holds[t] for t in s.ends):
                     holds[i] = more = True
-        return self.graph.truth(
-            lambda s: holds[s], lambda s, i: any(holds[t] for t in states[s].trajectory.to))  # type: ignore[union-attr]
+        return self.graph.truth(lambda s: holds[s], lambda s, i: any(holds[t] for t in states[s].ends))
 
     def until(self, body: Formula, favour: bool) -> Until:
         """The process of `F` and `U`."""
@@ -99,19 +98,19 @@ class Evaluator:
         some = quantifier == "E"
         won: Set[Node] = (process.some_run if some else process.all_runs)(nodes, {WON})
         how = any if some else all
-        return Truth([n in won for n in states], [a and [how(n in won for n in ns) for ns in a] for a in inside])
+        return Truth([n in won for n in states], mapped(lambda ns: how(n in won for n in ns), inside))
 
     def tested(self, which: str, test: str, bound: Fraction, body: Formula, favour: bool) -> Truth:
-        """A test that the probability is great is in doubt as the formula is; that it is small, the other way round."""
+        """Doubts of a test that the probability is small are those of a negation."""
         states, inside = self.probability(which, body, favour if test in (">=", ">") else not favour)
         holds = TESTS[test]
-        return Truth([holds(x, bound) for x in states], [a and [holds(x, bound) for x in a] for a in inside])
+        return Truth([holds(x, bound) for x in states], mapped(lambda x: holds(x, bound), inside))
 
-    def probability(self, which: str, body: Formula, favour: bool) -> Tuple[List[Fraction], List[Optional[List[Fraction]]]]:
+    def probability(self, which: str, body: Formula, favour: bool) -> Numbers:
         """Pmin or Pmax in each state and on each piece."""
         if body[0] == "G":
             states, inside = self.probability(OTHER[which], opposite(body), not favour)
-            return [1 - x for x in states], [a and [1 - x for x in a] for a in inside]
+            return [1 - x for x in states], mapped(lambda x: 1 - x, inside)
         nodes, starts, pieces = self.explored(self.until(body, favour))
         values = process.probabilities(nodes, WON, which == "Pmax")
         best = max if which == "Pmax" else min
@@ -119,14 +118,13 @@ class Evaluator:
         def value(node: Node) -> Fraction:
             return values.get(node, Fraction(0))
 
-        return ([value(n) for n in starts],
-                [a and [best(value(n) for n in ns) for ns in a] for a in pieces])
+        return [value(n) for n in starts], mapped(lambda nodes: best(map(value, nodes)), pieces)
 
     def letters(self, formula: Formula) -> Letters:
         """The truth as README.md writes it."""
         against, favour = self.truth(formula, False), self.truth(formula, True)
-        along = [a and text(a, b or []) for a, b in zip(against.along, favour.along)]
-        return text(against.states, favour.states), along
+        along = zip(against.along, favour.along)
+        return text(against.states, favour.states), [text(a, b) if a and b else None for a, b in along]
 
 
 def opposite(body: Formula) -> Formula:

@@ -1,22 +1,23 @@
 """A timed graph as README.md writes it, and the positions of it.
 
-Offsets and times are counted in *quarters*: the even number 2 m is the instant m / 2, and the odd number 2 m + 1 stands
-for all instants of the open interval (m / 2, (m + 1) / 2). So 4 n is the instant n. Truth changes at whole offsets alone,
-and halves are needed only for runs that begin in the middle of an open interval: from there whole times come at halves.
+Offsets and times are counted in *quarters*: the even number 2 m is the instant m / 2. The odd number 2 m + 1
+stands for all instants of the open interval (m / 2, (m + 1) / 2). So 4 n is the instant n. Truth changes at
+whole offsets alone. Halves are needed for runs that begin in the middle of an open interval: from there whole
+times come at halves.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
 QUARTERS = 4
 
 
 @dataclass(frozen=True)
 class Trajectory:
-    """The passing of time: `time` in whole units, None if it lasts for ever; `to` are the states that it leads to."""
+    """The passing of time: `time` in whole units, None if it lasts for ever; `to` is where it leads."""
 
     time: Optional[int]
     to: Tuple[int, ...]
@@ -44,6 +45,16 @@ class State:
     chosen: Tuple[int, ...]
     trajectory: Optional[Trajectory]
 
+    @property
+    def discrete(self) -> Tuple[int, ...]:
+        """Where the discrete transitions lead."""
+        return self.chosen + tuple(t for _, t in self.drawn)
+
+    @property
+    def ends(self) -> Tuple[int, ...]:
+        """Where the trajectory leads."""
+        return () if self.trajectory is None else self.trajectory.to
+
 
 @dataclass(frozen=True)
 class Truth:
@@ -51,6 +62,11 @@ class Truth:
 
     states: List[bool]
     along: List[Optional[List[bool]]]
+
+
+def mapped(how: Callable[[Any], Any], along: List[Any]) -> List[Any]:
+    """A function of what is told of each piece, where there are pieces."""
+    return [None if pieces is None else [how(x) for x in pieces] for pieces in along]
 
 
 def representative(piece: int) -> int:
@@ -64,7 +80,7 @@ class Graph:
     def __init__(self, states: List[Dict[str, Any]]) -> None:
         self.states = [_state(s) for s in states]
         self._letters = [s["truth"] for s in states]
-        self._inside = [(s.get("trajectory") or {}).get("truth") for s in states]
+        self._inside: List[Any] = [(s.get("trajectory") or {}).get("truth") for s in states]
 
     def truth(self, in_state: Any, inside: Any) -> Truth:
         """A truth from what tells it of a state, and of a state and the number of a piece."""

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any, Callable, Dict, List, Optional, Tuple, Union
 
 import process
-from formulas import Evaluator
+from formulas import Evaluator, plain
 from graph import QUARTERS, Graph, Truth
 from process import Choice
 from runs import EVER, WON, Node, Option, Until
@@ -34,14 +35,13 @@ def until(graph: Graph, g: Truth, favour: bool, earned: Earned, greatest: bool) 
     """The mean of what is earned until g, from the initial state."""
     runs = Until(graph, EVER, graph.always(), g, favour)
     start = runs.enter(0, 0)
-    nodes = process.explore(
-        [start], lambda n: [Choice(earned(o), tuple((b.probability, b.node) for b in o.branches)) for o in runs.options(n)])
+    nodes = process.explore([start], lambda n: [replace(plain(o), earned=earned(o)) for o in runs.options(n)])
     if start not in (process.is_sure if greatest else process.can_be_sure)(nodes, {WON}):
         return INFINITE
     if greatest:
         return process.solve(nodes, {WON: Fraction(0)}, process.first_choices(nodes), True)[start]
     sure = process.can_be_sure(nodes, {WON})
-    inner = {n: [c for c in choices if all(m in sure for m in c.nodes())] for n, choices in nodes.items() if n in sure}
+    inner = process.within(nodes, sure)
     return process.solve(inner, {WON: Fraction(0)}, process.towards(inner, {WON}), False)[start]
 
 
@@ -50,7 +50,7 @@ class NoValue(Exception):
 
 
 class At:
-    """The process of `x at t`: pairs of a state and the elapsed time, and `Fraction` as ends: the number that is taken."""
+    """The process of `x at t`: pairs of a state and the elapsed time. Its ends are the numbers taken."""
 
     def __init__(self, graph: Graph, values: List[Optional[List[int]]], t: Fraction) -> None:
         self.graph, self.values, self.t = graph, values, t

@@ -1,7 +1,7 @@
 """Finite decision processes, exactly: what some or all runs come to, probabilities and means.
 
-A process tells of each node what may be chosen there: a list of `Choice`. Nodes that are not among its nodes are ends.
-Where a set of goals is asked, these are ends. A node without a choice is an end that is no goal.
+A process tells of each node what may be chosen there: a list of `Choice`. What is not among its nodes is an
+end, as goals are. In a node without a choice a run is over.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ def can_be_sure(process: Process, goals: Set[Node]) -> Set[Node]:
     inside = set(process) | goals
     while True:
         def joins(choices: List[Choice], found: Set[Node]) -> bool:
-            return any(all(n in inside for n in c.nodes()) and any(n in found for n in c.nodes()) for c in choices)
+            return any(inside.issuperset(c.nodes()) and not found.isdisjoint(c.nodes()) for c in choices)
 
         kept = grown(process, goals, joins)
         if kept == inside:
@@ -155,7 +155,7 @@ def components(process: Process) -> List[List[Node]]:
                 if work:
                     low[work[-1][0]] = min(low[work[-1][0]], low[node])
                 if low[node] == index[node]:
-                    component = []
+                    component: List[Node] = []
                     while not component or component[-1] != node:
                         component.append(stack.pop())
                         held.discard(component[-1])
@@ -196,8 +196,8 @@ def of_policy(nodes: List[Node], policy: Policy, values: Values) -> Values:
 
 
 def solve(process: Process, ends: Values, policy: Policy, greatest: bool) -> Values:
-    """Policy iteration. By the policy it begins with each run has to come to an end with probability 1; as only choices
-    that are strictly better are taken in the place of others, that stays so."""
+    """Policy iteration. By the policy it begins with, runs have to come to an end with probability 1. That
+    stays so, as only choices that are strictly better are taken in the place of others."""
     values, policy = dict(ends), dict(policy)
     for nodes in components(process):
         better = True
@@ -211,6 +211,11 @@ def solve(process: Process, ends: Values, policy: Policy, greatest: bool) -> Val
                         policy[node] = c
                         better = True
     return values
+
+
+def within(process: Process, inside: Set[Node]) -> Process:
+    """The process of those that never leave a set of nodes."""
+    return {n: [c for c in process[n] if inside.issuperset(c.nodes())] for n in process if n in inside}
 
 
 def first_choices(process: Process) -> Policy:

@@ -1,4 +1,4 @@
-"""Runs that look for g, f holding before: a decision process over states and elapsed times (*Until*, *Intervals*)."""
+"""Runs that look for g, f holding before (*Until*, *Intervals*): a decision process."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ ONE = Fraction(1)
 
 @dataclass(frozen=True)
 class Branch:
-    """One outcome: its probability, the state that is come to (None inside a trajectory), and the node there."""
+    """One outcome: its probability, the state (None inside a trajectory), and the node there."""
 
     probability: Fraction
     state: Optional[int]
@@ -25,7 +25,7 @@ class Branch:
 
 @dataclass(frozen=True)
 class Option:
-    """What may be chosen in a node: a transition or a draw, or, if not `discrete`, a trajectory and where it leads.
+    """What may be chosen in a node: a transition or a draw, or, if not `discrete`, a trajectory and its end.
     `quarters` is the time that passes on it, until g if it comes to g on the way."""
 
     discrete: bool
@@ -60,8 +60,8 @@ EVER = Window(0, None)
 
 
 class Until:
-    """The process of `f U[a, b] g`. Its nodes are WON, LOST, and pairs of a state and the elapsed time, in which it is
-    still open. Unknown states are won with `favour`, and lost without (*Truncated*)."""
+    """The process of `f U[a, b] g`. Its nodes are WON, LOST, and pairs of a state and the elapsed time, where it
+    is open. Unknown states are won with `favour`, and lost without (*Truncated*)."""
 
     def __init__(self, graph: Graph, times: Window, f: Truth, g: Truth, favour: bool) -> None:
         self.graph, self.times, self.f, self.g, self.favour = graph, times, f, g, favour
@@ -85,8 +85,8 @@ class Until:
         return (s, self.times.kept(elapsed))
 
     def along(self, s: int, offset: int, elapsed: int) -> Tuple[int, List[Tuple[Optional[int], Node]]]:
-        """The run goes along the trajectory of s, from an offset on: the offset at which it is decided or ends (the
-        beginning of the interval, if on an open one), and what there is to choose there."""
+        """The run goes along the trajectory of s, from an offset on: the instant at which it is decided or
+        ends, and what there is to choose there."""
         trajectory = self.graph.states[s].trajectory
         assert trajectory is not None
         f, g = self.f.along[s], self.g.along[s]
@@ -97,9 +97,13 @@ class Until:
             if node is None and self.rests(trajectory, offset, elapsed):
                 node = LOST
             if node is not None:
-                return offset - offset % 2, [(None, node)]
+                return self.reached(offset), [(None, node)]
             offset, elapsed = offset + 1, elapsed + 1
         return offset, [(t, self.enter(t, elapsed)) for t in trajectory.to]
+
+    def reached(self, offset: int) -> int:
+        """The instant at which what is decided at an offset is come to: the beginning of an open interval."""
+        return offset - offset % 2
 
     def rests(self, trajectory: Trajectory, offset: int, elapsed: int) -> bool:
         """Neither truth nor whether g counts changes any more but that b passes."""
