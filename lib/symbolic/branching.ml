@@ -139,6 +139,8 @@ let in_time (b : Property.bound) =
 
 let unbounded (b : Property.bound) = Rat.sign b.low = 0 && b.high = None
 
+let in_bound b f = if unbounded b then f else Property.Temporal_and [ f; State (in_time b) ]
+
 (* {2 What decides a formula}
 
    That some run exists: one that comes to a goal, by its next event or by any, or one that goes on for ever. *)

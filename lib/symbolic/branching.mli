@@ -36,3 +36,6 @@ type quantified = {
 }
 
 val quantified : t -> outermost:bool -> Property.temporal -> quantified option
+
+val in_bound : Property.bound -> Property.temporal -> Property.temporal
+(** That it is so and that the time since the start is within the bound, which is one of an outermost operator. *)

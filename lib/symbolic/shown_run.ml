@@ -134,16 +134,21 @@ and by_run b w formula holds (q : Branching.quantified) =
     in
     (last, Some finish, { formula; holds; spot = spot w; why })
 
-(* f U g broken: both fail at the goal; or g begins right after it, while f does not hold. *)
+(* f U g broken: f fails at the goal, and g too, or it is no time for it; or g begins right after it, in time, while f
+   does not hold. *)
 and goal_parts b w formula parts =
   match formula with
-  | Until (All, _, f, g) -> (
+  | Until (All, bound, f, g) -> (
       let m = Branching.model b in
       let fails f = Branching.truth b ~outermost:false f ~holds:false in
       match among (fails f) w with
-      | over :: _ -> all b ~outermost:false over [ (f, false); (g, false) ]
+      | over :: _ -> (
+          match among (fails g) over with
+          | both :: _ -> all b ~outermost:false both [ (f, false); (g, false) ]
+          | [] -> all b ~outermost:false over [ (f, false) ])
       | [] -> (
-          let up_to = map2 inter (fails f) (Branching.truth b ~outermost:false g ~holds:true) in
+          let in_time = Branching.truth b ~outermost:false (Branching.in_bound bound g) ~holds:true in
+          let up_to = map2 inter (fails f) in_time in
           match right_after m up_to w with
           | after :: _ -> all b ~outermost:false after [ (f, false) ]
           | [] -> (w, None, [])))
