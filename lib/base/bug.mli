@@ -9,4 +9,5 @@ val fail : string * int * int * int -> string -> 'a
 
 val broken : exn -> string option
 (** What was broken, where the exception tells of a fault of the program: {!Bug}, or what the language and its
-    library raise when they are asked for what cannot be. [None] of all others: limits, interruptions, no memory. *)
+    library raise when they are asked for what cannot be. [None] of all others: limits, interruptions, no
+    memory. *)

@@ -1,5 +1,5 @@
-(** What of the standard library takes stack for each element of a list, up to 10 000 or for ever, before
-    OCaml 5.1 or in all versions, in constant stack. The libraries of scc are compiled with this module open ([lib/dune]): there [List.map] and [@] are those
+(** What of the standard library takes stack for each element of a list, in some version of OCaml, in constant
+    stack. The libraries of scc are compiled with this module open ([lib/dune]): there [List.map] and [@] are those
     of here, and lists may be as long as memory allows. Results, the order of calls, and errors are those of the
     standard library. *)
 

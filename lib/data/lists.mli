@@ -13,4 +13,5 @@ val take : int -> 'a list -> 'a list
 (** The first so many, or all if there are fewer. *)
 
 val put : ('a -> 'a option) -> 'a -> 'a list -> 'a list
-(** [put joined x list]: the first [y] for which [joined y] is [Some z] becomes [z]; if there is none, [x] comes last. *)
+(** [put joined x list]: the first [y] for which [joined y] is [Some z] becomes [z]; if there is none, [x] comes
+    last. *)

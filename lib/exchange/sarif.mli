@@ -19,4 +19,5 @@ val document :
   diagnostics:Diag.t list ->
   properties:(Model.t * Verdict.outcome list) option ->
   Json.t
-(** [ok]: the program did what it was asked to do; [faults]: of its own, by which something is missing. Diagnostics first, then properties, both in the order given. *)
+(** [ok]: the program did what it was asked to do; [faults]: of its own, by which something is missing.
+    Diagnostics first, then properties, both in the order given. *)

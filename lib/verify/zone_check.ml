@@ -208,10 +208,8 @@ let verdict options lost semantics u ~declared (e : explored) check answer (wher
     Zone_witness.make semantics u ~declared ~sliced (Concrete.run e.graph place) place
   in
   let shown ~holds = rebuilt (fun () -> Option.map witness (Answers.shown_by answer ~holds)) in
-  let run ~holds =
-    rebuilt (fun () ->
-        Option.map (Zone_witness.of_run semantics u ~declared) (Answers.run answer e.graph ~holds))
-  in
+  let run_of = Zone_witness.of_run semantics u ~declared in
+  let run ~holds = rebuilt (fun () -> Option.map run_of (Answers.run answer e.graph ~holds)) in
   let first_some a b = match a with Some _ -> a | None -> b () in
   let bounded = List.map (fun t -> Verdict.Truncated t) e.stopped_by in
   let reasons =

@@ -53,7 +53,8 @@ let center points =
 
 let corners p =
   let constraints = Polyhedron.constraints p in
-  let found = List.sort_uniq compare (List.filter (in_closure p) (List.filter_map (fun (c, d) -> crossing c d) (Scc_data.Lists.pairs constraints))) in
+  let crossings = List.filter_map (fun (c, d) -> crossing c d) (Scc_data.Lists.pairs constraints) in
+  let found = List.sort_uniq compare (List.filter (in_closure p) crossings) in
   if List.compare_length_with found 2 <= 0 then found else around (center found) found
 
 let along (a, b) t =
