@@ -67,8 +67,8 @@ type definition = { name : string; body : t }
 type definitions = definition array
 
 val canonical : definitions -> t -> t
-(** [canonical written b] is [b] in canonical form, where [written] and [b] may have an eps(0). Rule Eps0: eps(0). B
-    is B. Reading I-14: a name K that unfolds, outside of any sum, to eps(0) and a name Z is Z at once, so that Z
+(** [canonical written b] is [b] in canonical form, where [written] and [b] may have an eps(0). Rule Eps0: eps(0).
+    B is B. Reading I-14: a name K that unfolds, outside of any sum, to eps(0) and a name Z is Z at once, so that Z
     stands for it. The definitions have no unguarded recursion. *)
 
 val canonical_definitions : definitions -> definitions

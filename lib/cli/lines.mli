@@ -1,4 +1,4 @@
-(** Lines from standard input, of a bounded length, and how to know that the next one would have to be waited for. *)
+(** Lines from standard input, of a bounded length, and how to know that one would have to wait for the next. *)
 
 type t
 

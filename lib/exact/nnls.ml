@@ -103,8 +103,8 @@ let project_cone vectors point =
   Array.iteri (fun i a -> if Rat.sign x.(i) <> 0 then sum := Vec.axpy x.(i) a !sum) v;
   !sum
 
-(* Of those that are known, none is farther than the projection is along what is left: so each that is added is a new
-   one. *)
+(* Of those that are known, none is farther than the projection is along what is left: so each that is added is
+   new. *)
 let nearest_in_cone ~most point =
   let rec beside known =
     let x = project_cone known point in

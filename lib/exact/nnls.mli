@@ -9,5 +9,5 @@ val project_cone : Vec.t list -> Vec.t -> Vec.t
 (** The point of the cone spanned by the vectors that is nearest to a point. *)
 
 val nearest_in_cone : most:(Vec.t -> Vec.t) -> Vec.t -> Vec.t
-(** The same, of a cone that is spanned by finitely many vectors of which nobody needs a list: [most v] is one of them
-    that is farthest along v. *)
+(** The same, of a cone that is spanned by finitely many vectors of which nobody needs a list: [most v] is one of
+    them that is farthest along v. *)

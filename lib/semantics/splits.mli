@@ -8,8 +8,8 @@ val weak : Semantics.t -> State.process -> Transition.outcome list
     is at a multiple of the split step, or at any instant ({!Model.Any_time}; readings I-6, I-9). *)
 
 val lots : Semantics.t -> Lots.due -> (Transition.outcome list, Transition.fault) result
-(** Rule Lot, while lots are pending: what may be decided of the next bond, with the probabilities, or how the bonds
-    are released of which that is decided. Nothing else may happen. *)
+(** Rule Lot, while lots are pending: what may be decided of the next bond, with the probabilities, or how the
+    bonds are released of which that is decided. Nothing else may happen. *)
 
 val strong : Semantics.t -> State.process -> Transition.outcome list
 (** Rule StrongSplit: every reaction of a connected set of bonds (reading I-7). Urgent. *)

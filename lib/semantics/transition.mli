@@ -107,7 +107,8 @@ val bond_to_string : Model.t -> State.bond -> string
 
 val label_to_string : Model.t -> label -> string
 (** [time(1/2)], [bind(a, p.right, q.left)], [close(a, p.right, q.left)], [bounce(p, q)], [absorb(p, drain)],
-    [weak(a, p.right, q.left)], of several [weak({<a, {p.right, q.left}>, …})], [strong({<a, {p.right, q.left}>, …})], [draw(p, (1, 0, 0)) chance(1/2)],
+    [weak(a, p.right, q.left)], of several [weak({<a, {p.right, q.left}>, …})],
+    [strong({<a, {p.right, q.left}>, …})], [draw(p, (1, 0, 0)) chance(1/2)],
     [release(a, p.right, q.left) chance(1/2)], likewise [keep] and [first], and
     [choose(a, p.right, q.left)]. *)
 

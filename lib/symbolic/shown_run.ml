@@ -134,8 +134,8 @@ and by_run b w formula holds (q : Branching.quantified) =
     in
     (last, Some finish, { formula; holds; spot = spot w; why })
 
-(* f U g broken: f fails at the goal, and g too, or it is no time for it; or g begins right after it, in time, while f
-   does not hold. *)
+(* f U g broken: f fails at the goal, and g too, or it is no time for it; or g begins right after it, in time,
+   while f does not hold. *)
 and goal_parts b w formula parts =
   match formula with
   | Until (All, bound, f, g) -> (

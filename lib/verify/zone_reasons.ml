@@ -21,7 +21,7 @@ let rec given (r : R.t) (c : Shown_run.claim) =
   | None, Run { along = Some a; goal; finish; _ } -> at_last r finish a goal
   | None, (Given | Everywhere | Run _) -> []
 
-(* In the state where the run ends; or in the middle of the bound of time, if that begins later and time gets there. *)
+(* In the state where the run ends; or in the middle of the bound, if that begins later and time gets there. *)
 and at_last r finish (a : Shown_run.along) goal =
   let early = Rat.sub a.bound.low (R.clock r goal.steps) in
   let lasts = match a.bound.high with Some h -> Rat.sub h a.bound.low | None -> Rat.zero in

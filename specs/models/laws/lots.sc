@@ -25,6 +25,6 @@ process v = solids.Cube(1) mass 1 at translate (far + 1, 0, 0) [Free]
 bond <a, {p.right, q.left}>
 bond <b, {u.right, v.left}>
 
-check matches : Pmax = ? [ eventually behaviour(p) = Red and behaviour(v) = Low or behaviour(p) = Blue and behaviour(v) = High ]  // expect: 1
-check at_once : Pmax = ? [ eventually behaviour(p) = Red and bound(u, v) within 1 ]                                               // expect: 1/4
+check matches : Pmax = ? [ eventually behaviour(p) = Red and behaviour(v) = Low or behaviour(p) = Blue and behaviour(v) = High ]  // expect: greatest 1
+check at_once : Pmax = ? [ eventually behaviour(p) = Red and bound(u, v) within 1 ]                                               // expect: greatest 1/4
 check half    : EF (bound(p, q) and P >= 1 [ eventually behaviour(p) = Red within 0 ] and P > 0 [ eventually not bound(u, v) within 0 ] and P < 1 [ eventually not bound(u, v) within 0 ])  // expect: holds

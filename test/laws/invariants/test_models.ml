@@ -34,7 +34,8 @@ let ordinary (l : Loaded.t) =
   let semantics, declared =
     match l.uncertain with
     | None -> (l.semantics, l.declared)
-    | Some u -> (Semantics.with_model l.semantics (Fixed.model l.model values), Fixed.declared l.model u l.declared values)
+    | Some u ->
+      (Semantics.with_model l.semantics (Fixed.model l.model values), Fixed.declared l.model u l.declared values)
   in
   match Network.initial semantics declared with
   | Error _ -> Alcotest.fail "no initial state"

@@ -2,6 +2,7 @@ let () =
   Scc_test_support.Suites.run
     [ Test_diffusion.suite;
       Test_drawn_bodies.suite;
+      Test_no_delay.suite;
       Test_odds.suite;
       Test_faults.suite;
       Test_language.suite;
