@@ -72,8 +72,10 @@ let look_at_header path =
   | file ->
     let head = try really_input_string file 20 with End_of_file | Sys_error _ -> "" in
     close_in_noerr file;
-    if String.length head = 20 && not (head.[18] = head.[19] && (head.[18] = '\001' || head.[18] = '\002')) then
-      damaged "its header tells of no format"
+    if String.length head = 20 then
+      if not (String.equal (String.sub head 0 16) "SQLite format 3\000") then damaged "file is not a database"
+      else if not (head.[18] = head.[19] && (head.[18] = '\001' || head.[18] = '\002')) then
+        damaged "its header tells of no format"
 
 let open_to_write path =
   look_at_header path;
