@@ -61,7 +61,7 @@ def by_mouse(b, scc):
     same('a time that is typed', b.state()['time'], '7/5')
     b.find('tab-details').click()
     b.all('[data-testid="bodies-list"] [data-index="1"]')[0].click()
-    same('the exact place of a body', b.text('fact-position'), 'x-9/4-2.25y8/51.6z0')
+    same('the exact place of a body', b.text('fact-position'), 'x-9/4= -2.25y8/5= 1.6z0')
 
     b.find('graph-switch').click()
     same('the states of the graph', len(b.all('[data-testid="graph"] .node')), len(data['states']))
