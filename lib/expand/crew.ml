@@ -191,8 +191,9 @@ module Make
 
   (* Of a state whose request has been answered. What one process tells can only be read in order. *)
   let rec read_on c w i =
-    match Queue.peek w.replies with
-    | { reply = Some source; unread = next :: rest; _ } as request ->
+    let request = Queue.peek w.replies in
+    match request.reply, request.unread with
+    | Some source, next :: rest ->
       let answer = Served.read_answer w.back source in
       let place = w.place in
       w.owing <- w.owing - 1;
@@ -207,7 +208,7 @@ module Make
         States.replace c.early next (answer, place);
         read_on c w i
       end
-    | { reply = None; _ } | { unread = []; _ } ->
+    | None, _ | _, [] ->
       ignore (Queue.pop w.replies);
       read_on c w i
 
