@@ -1,4 +1,4 @@
-// The data of a page, as lib/view writes it: format "scc-view", version 1. Rationals are texts "p/q".
+// The data of a page, as lib/program/view writes it: format "scc-view", version 1. Rationals are texts "p/q".
 
 type Vec = [string, string, string];
 
@@ -215,7 +215,7 @@ interface Chosen {
   index?: number | null;
 }
 
-/** The data of the page of a solid, as lib/view/solid_page.ml writes it: format "scc-solid", version 1. */
+/** The data of the page of a solid, as lib/program/view/solid_page.ml writes it: format "scc-solid", version 1. */
 interface SolidData {
   format: string;
   version: number;

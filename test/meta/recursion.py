@@ -7,7 +7,7 @@ Reads the machine code of the program SCC by objdump (x86-64 and AArch64): which
 as a closure. Functions of lib/ on a cycle of these that is not of jumps alone (tail calls) must be named in the file
 ALLOWED, with what bounds them. With --list it prints the cycles. Calls of functions that are handed over are not seen where
 they are made, but where their closures are. Nor may lib/ call what of the standard library's lists is not in constant stack
-(lib/base/constant_stack.mli).
+(lib/foundation/base/constant_stack.mli).
 """
 
 import collections

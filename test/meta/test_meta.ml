@@ -197,7 +197,7 @@ let listed_codes () =
     | [ head; code; "" ] when String.length head > 4 && String.equal (String.sub head 0 4) "let " -> Some code
     | _ -> None
   in
-  let codes = List.filter_map declared (String.split_on_char '\n' (Tree.read "lib/base/code.ml")) in
+  let codes = List.filter_map declared (String.split_on_char '\n' (Tree.read "lib/foundation/base/code.ml")) in
   Alcotest.(check bool) "there are codes" true (List.length codes > 50);
   none "codes that are not listed" (List.filter (fun code -> not (List.mem code listed)) codes)
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Shows that the tests of zones can fail: rules of lib/symbolic are broken, one by one.
+"""Shows that the tests of zones can fail: rules of lib/verification/symbolic are broken, one by one.
 
     test/laws/symbolic/teeth.py [--tree DIR] [NAME ...]
     test/laws/symbolic/teeth.py --places     only whether each mistake has a place to be made in; part of the tests
@@ -21,7 +21,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
-ROOM = "lib/symbolic"
+ROOM = "lib/verification/symbolic"
 
 # Not among them, as they change nothing: that time may be halted for a weak split also at the instant of the next
 # event (the split comes then as a choice of that instant), or that of delays that expire together only one does at

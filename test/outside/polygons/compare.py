@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Numbers of convex pieces of random simple polygons: lib/polygon beside CGAL's optimal_convex_partition_2.
+"""Numbers of convex pieces of random simple polygons: lib/solids/polygon beside CGAL's optimal_convex_partition_2.
 
     test/outside/polygons/compare.py [COUNT [CORNERS [SEED]]]
 

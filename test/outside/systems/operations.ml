@@ -1,4 +1,4 @@
-(* operations COUNT SEED: random pairs of polyhedra, and what lib/polyhedra says of them, as JSON Lines. A
+(* operations COUNT SEED: random pairs of polyhedra, and what lib/solids/polyhedra says of them, as JSON Lines. A
    polyhedron is a list of constraints [normal, relation, right], with relation -1 for <, 0 for = and 1 for <=. *)
 
 open Scc_exact

@@ -1,4 +1,4 @@
-"""Holds the evaluator of this folder against what lib/ctl answers.
+"""Holds the evaluator of this folder against what lib/logic/ctl answers.
 
     compare.py --graphs PATH [--telling] [--show N] COUNT SEED
 
@@ -94,7 +94,7 @@ def main() -> None:
                 wrong.append((len(json.dumps([line["states"], question])), line, question, found))
     for _, line, question, found in sorted(wrong, key=lambda w: w[0])[: options.show]:
         print("states:", json.dumps(line["states"]))
-        print("lib/ctl:", json.dumps(question))
+        print("lib/logic/ctl:", json.dumps(question))
         print("here:", json.dumps(found))
     for name in sorted(passed | failed):
         print(f"{name}: {passed[name]} passed, {failed[name]} failed")

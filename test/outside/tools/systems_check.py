@@ -1,8 +1,8 @@
-"""lib/polyhedra against the Parma Polyhedra Library (pplpy): random polyhedra, not necessarily closed.
+"""lib/solids/polyhedra against the Parma Polyhedra Library (pplpy): random polyhedra, not necessarily closed.
 
     systems_check.py SCC FOLDER [COUNT [SEED]]    COUNT pairs, 26 questions for each; 100 if it is not said
 
-The program that asks lib/polyhedra, test/outside/systems/operations.exe, stands in the same build as SCC.
+The program that asks lib/solids/polyhedra, test/outside/systems/operations.exe, stands in the same build as SCC.
 """
 
 import json

@@ -4,7 +4,7 @@ open Scc_base
 open Scc_syntax
 
 val read : Source.t -> (Ast.model * Trivia.t list, Diag.t list) result
-(** The model in the language of [lib/syntax], by {!Refine}, whose notes are among the comments. *)
+(** The model in the language of [lib/language/syntax], by {!Refine}, whose notes are among the comments. *)
 
 val write : Ast.model * Trivia.t list -> (string, Diag.t list) result
 (** A model of the language, by {!Abstract}. *)

@@ -1,4 +1,4 @@
-(** The notations in which models are written. Each is read into the syntax tree of [lib/syntax], with the places
+(** The notations in which models are written. Each is read into the syntax tree of [lib/language/syntax], with the places
     of its own texts, and all that comes after is the same for every one of them; and each is written from such a
     tree. *)
 

@@ -1,4 +1,4 @@
-(** The tree of a model in the original notation: that of [lib/syntax], in which regions stand where features
+(** The tree of a model in the original notation: that of [lib/language/syntax], in which regions stand where features
     do. What has no place there of its own is kept under names that no text can have, as they begin with a
     control character.
 
