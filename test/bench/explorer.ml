@@ -9,10 +9,10 @@
 
 open Scc_base
 open Scc_exact
-open Scc_explore
+open Scc_graph_search
 
 let standard = Scc_engine.Standard.of_model
-module Network_lts = Scc_space.Network_lts
+module Network_lts = Scc_state_space.Network_lts
 module Graph = Explore.Make (Network_lts)
 
 let read path =

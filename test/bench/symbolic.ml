@@ -4,7 +4,7 @@
    dune exec --profile release test/bench/symbolic.exe [NAME ...] *)
 
 open Scc_calculus
-open Scc_space
+open Scc_state_space
 open Scc_symbolic
 open Scc_verify
 module Loaded = Scc_session.Loaded
@@ -151,7 +151,7 @@ let ask text ~name options =
   let start = Sys.time () in
   let answer = Zone_check.run options l.semantics u ~declared:l.declared ~exactly:true ~premises:[] l.checks in
   let probabilities =
-    match answer with Ok report -> List.map Scc_where.Where.probability report.where | Error _ -> []
+    match answer with Ok report -> List.map Scc_regions.Where.probability report.where | Error _ -> []
   in
   (l, answer, probabilities, Sys.time () -. start)
 
@@ -168,7 +168,7 @@ let measure (name, bar, reductions, text) =
       (if report.stats.complete then "complete" else "not complete")
       (Array.length l.model.Model.ranges);
     List.iter2
-      (fun (c : Scc_property.Property.check) (probability : Scc_where.Where.probability) ->
+      (fun (c : Scc_property.Property.check) (probability : Scc_regions.Where.probability) ->
          let p =
            match probability with
            | Exactly p -> Scc_exact.Rat.to_string p

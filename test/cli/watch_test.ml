@@ -1,6 +1,6 @@
 (* What a watch gives up, and when; in processes of their own, as timers and signals are those of a process. *)
 
-open Scc_explore
+open Scc_graph_search
 module Watch = Scc_cli__Watch
 
 let processor_seconds s =

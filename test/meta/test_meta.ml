@@ -283,6 +283,17 @@ let links () =
   Alcotest.(check bool) "documents are found" true (List.length documents > 15);
   List.concat_map Links.faults documents |> none "links that lead nowhere"
 
+(* {1 Wings} *)
+
+let wings () =
+  Alcotest.(check int) "wings" 9 (List.length (Wings.all ()));
+  let folders = List.filter_map (fun file -> List.nth_opt (String.split_on_char '/' file) 1) (Tree.files "lib") in
+  List.sort_uniq String.compare folders
+  |> List.filter (fun name -> not (name = "dune" || List.mem name (Wings.all ())))
+  |> none "folders of lib/ that are no wing of DEVEL.md"
+
+let in_each_wing faults what () = List.concat_map faults (Wings.all ()) |> none what
+
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "meta"
@@ -318,6 +329,16 @@ let () =
           case "every rule and reading has cases" suite_rules;
           case "every code has one" suite_codes;
           case "every case says how it was obtained" suite_obtained;
+        ] );
+      ( "wings",
+        [
+          case "there are nine" wings;
+          case "no edge leads upward" (in_each_wing Wings.upward "edges to wings that may not be used");
+          case "wings are ordered" (fun () -> none "wings that may use a later one" (Wings.unordered ()));
+          case "every edge is used" (in_each_wing Wings.unused "edges that no source needs");
+          case "every room is named" (in_each_wing Wings.unnamed "rooms and READMEs that disagree");
+          case "every file that a README names is there" (in_each_wing Wings.misplaced "files that are not there");
+          case "a README is a page" (in_each_wing Wings.too_long "READMEs of more than 60 lines");
         ] );
       ("documents", [ case "every link leads somewhere" links ]);
     ]

@@ -12,6 +12,9 @@ val files : string -> string list
 val contains : string -> string -> bool
 (** [contains text part]. *)
 
+val places : string -> string -> int list
+(** [places text part]: where [part] begins in [text], from left to right. *)
+
 val starts_with : string -> string -> bool
 (** [starts_with part text]. *)
 

@@ -212,7 +212,7 @@ let damaged_meanwhile t text =
 
 let trouble t (code, text) = if code = Code.damaged_store then damaged_meanwhile t text else give_up t text
 
-let log t name : Scc_expand.Log.t =
+let log t name : Scc_parallel.Log.t =
   let before = Option.value (Hashtbl.find_opt t.begun name) ~default:0 in
   Hashtbl.replace t.begun name (before + 1);
   let exploration = if before = 0 then name else Printf.sprintf "%s#%d" name (before + 1) in

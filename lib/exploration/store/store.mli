@@ -1,7 +1,7 @@
 (** Explorations, and lists of runs, on disk: a folder with one SQLite database, in which each of them has its
-    blocks ({!Scc_expand.Log}), one transaction for each.
+    blocks ({!Scc_parallel.Log}), one transaction for each.
 
-    A block is there as a whole or not at all, and is there for good once {!Scc_expand.Log.t.keep} has returned:
+    A block is there as a whole or not at all, and is there for good once {!Scc_parallel.Log.t.keep} has returned:
     the write-ahead log is synchronised with each transaction. Each block has a digest of itself and of all before
     it, so that what is read is what was written, in its order. *)
 
@@ -19,7 +19,7 @@ val openly : string -> identity:(string * string) list -> warn:(Diag.t -> unit) 
 
 val folder : t -> string
 
-val log : t -> string -> Scc_expand.Log.t
+val log : t -> string -> Scc_parallel.Log.t
 (** Of the exploration of this name. A name that comes again in one run is that of another one: those come in the
     same order in each run. When a block cannot be kept, this and all later ones are not, and {!failed} tells. *)
 

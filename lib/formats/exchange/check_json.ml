@@ -9,7 +9,7 @@ open Scc_session
 type t = {
   loaded : Loaded.t;
   verdicts : Verdict.outcome list;
-  where : Scc_where.Where.t list;
+  where : Scc_regions.Where.t list;
   report : Check.report;
   diagnostics : Diag.t list;
   exit : int;

@@ -9,7 +9,7 @@ open Scc_session
 type t = {
   loaded : Loaded.t;
   verdicts : Verdict.outcome list;
-  where : Scc_where.Where.t list;  (** one for each, or none: for which values they hold *)
+  where : Scc_regions.Where.t list;  (** one for each, or none: for which values they hold *)
   report : Check.report;
   diagnostics : Diag.t list;
   exit : int;
@@ -23,7 +23,7 @@ val kind : Verdict.t -> string
 val truncation : Verdict.truncation -> Json.t
 (** A bound that was met. *)
 
-val property : ?full:bool -> ?where:Scc_where.Where.t -> Semantics.t -> Verdict.outcome -> Json.t
+val property : ?full:bool -> ?where:Scc_regions.Where.t -> Semantics.t -> Verdict.outcome -> Json.t
 (** A member of [properties]. Of the way to a state that was not explored it has the first and the last 100 steps,
     and all of them if [full]. *)
 

@@ -1,5 +1,5 @@
 open Scc_geometry
-open Scc_drawn
+open Scc_concave
 
 let part (name, (p : Polyhedron.t)) =
   let vertex (name, x) = `Assoc [ ("name", Json.text name); ("position", Json.vec x) ] in

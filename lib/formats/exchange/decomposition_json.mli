@@ -1,6 +1,6 @@
 (** The report of [scc decompose] as JSON (see [specs/schema/decomposition.schema.json]). *)
 
-open Scc_drawn
+open Scc_concave
 
 val document : name:string -> exit:int -> mended:(string * string) list -> Parts.t -> Json.t
 (** [mended]: {!Mended_json}. *)

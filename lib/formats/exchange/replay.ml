@@ -219,7 +219,7 @@ let leave semantics run (limits : limits) ~passing emit place ahead (offset : (R
 
 let not_asked ~start:_ ~lasts:_ _ = ()
 
-let unbounded : Scc_explore.Limits.attempt = { run = (fun _ f -> Ok (f ())) }
+let unbounded : Scc_graph_search.Limits.attempt = { run = (fun _ f -> Ok (f ())) }
 
 let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy limits ~interrupted emit =
   (* A step may take long, as its numbers do. *)

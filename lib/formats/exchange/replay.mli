@@ -70,7 +70,7 @@ type failure =
 
 val run :
   ?passing:(start:Rat.t -> lasts:Rat.t -> (unit -> State.t) -> unit) ->
-  ?attempt:Scc_explore.Limits.attempt ->
+  ?attempt:Scc_graph_search.Limits.attempt ->
   Semantics.t ->
   State.t ->
   policy ->

@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_polyhedra
 open Scc_calculus
-open Scc_where
+open Scc_regions
 
 let relation : Constraint.relation -> string = function
   | Less -> "<"

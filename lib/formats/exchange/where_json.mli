@@ -2,7 +2,7 @@
     [scc check]. [specs/schema/common.schema.json] describes it. *)
 
 open Scc_polyhedra
-open Scc_where
+open Scc_regions
 
 val where : Where.t -> Json.t
 (** Constraints are those of the minimal form, in the order in which they are kept; coefficients that are 0 are

@@ -1,5 +1,5 @@
 open Scc_exact
-open Scc_drawing
+open Scc_svg
 
 type sample = Swatch of { fill : string; stroke : string } | Hatch of string | Glyph of string list
 type entry = { sample : sample; text : string }

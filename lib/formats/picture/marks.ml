@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_geometry
 open Scc_rigid
-open Scc_drawing
+open Scc_svg
 
 let hatch_colour = "#1f2328"
 let bond_colour = "#1f2328"

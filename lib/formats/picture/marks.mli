@@ -3,7 +3,7 @@
 open Scc_exact
 open Scc_geometry
 open Scc_rigid
-open Scc_drawing
+open Scc_svg
 
 val open_features : Paint.t -> Palette.rgb -> int -> Placed.t -> Feature.t list -> string list
 (** Features of a solid of the view, which is placed there and has that colour, where they are seen: faces are

@@ -1,5 +1,5 @@
 open Scc_exact
-open Scc_drawing
+open Scc_svg
 
 type t = {
   camera : Camera.t;

@@ -1,7 +1,7 @@
 (** How what is seen of solids is painted. *)
 
 open Scc_exact
-open Scc_drawing
+open Scc_svg
 
 (** Of all of a picture. *)
 type t = {

@@ -1,6 +1,6 @@
 open Scc_exact
 open Scc_rigid
-open Scc_drawing
+open Scc_svg
 open Scc_calculus
 open Scc_semantics
 

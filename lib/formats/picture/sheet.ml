@@ -1,4 +1,4 @@
-open Scc_drawing
+open Scc_svg
 
 let width_limits = (100, 10_000)
 let margin = 16

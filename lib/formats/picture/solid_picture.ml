@@ -1,6 +1,6 @@
 open Scc_exact
 open Scc_geometry
-open Scc_drawing
+open Scc_svg
 
 type options = { from : Vec.t; up : Vec.t; width : int }
 

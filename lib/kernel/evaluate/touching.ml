@@ -14,7 +14,7 @@ let parts (semantics : Semantics.t) extent a b velocity =
   match (extent : Timeline.extent) with
   | Instant ->
     let touch =
-      match geometry.relation a b with
+      match (geometry.relation a b : Scc_geometry.Obstacle.relation) with
       | Apart -> false
       | Touching | Interpenetrating -> true
     in

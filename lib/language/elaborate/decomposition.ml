@@ -2,7 +2,7 @@ open Scc_base
 open Scc_exact
 open Scc_geometry
 open Scc_syntax
-open Scc_drawn
+open Scc_concave
 
 let ( let* ) = Option.bind
 

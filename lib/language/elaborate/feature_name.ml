@@ -170,12 +170,12 @@ let largest polyhedra sites =
   in
   List.sort Site.compare (fst (List.fold_left keep ([], []) larger))
 
-let of_drawn shape (d : Scc_drawn.Parts.t) feature =
+let of_drawn shape (d : Scc_concave.Parts.t) feature =
   let sites list = List.map (fun (part, feature) -> { Site.part; feature }) list in
-  let closed = sites (Scc_drawn.Parts.closed d feature) in
-  { listed = largest (Shape.polyhedra shape) closed; inside = sites (Scc_drawn.Parts.inside d feature); closed }
+  let closed = sites (Scc_concave.Parts.closed d feature) in
+  { listed = largest (Shape.polyhedra shape) closed; inside = sites (Scc_concave.Parts.inside d feature); closed }
 
-let unknown_drawn report label (d : Scc_drawn.Parts.t) at name =
+let unknown_drawn report label (d : Scc_concave.Parts.t) at name =
   let set = d.drawn.set in
   let told = Printf.sprintf "its faces are %s; its vertices %s" in
   let all () = Array.to_list (Array.map fst set.ifs_faces) @ Array.to_list (Array.map fst set.ifs_vertices) in
@@ -184,7 +184,7 @@ let unknown_drawn report label (d : Scc_drawn.Parts.t) at name =
   None
 
 let found_drawn report (c : Shape.compound) d at text found =
-  match (found : Scc_drawn.Parts.found) with
+  match (found : Scc_concave.Parts.found) with
   | Shown feature -> Some (of_drawn (Shape.Compound c) d feature)
   | Flat ->
     Report.error report Code.flat_feature at
@@ -200,22 +200,22 @@ let found_drawn report (c : Shape.compound) d at text found =
     Report.error report Code.unknown_feature at "%s is no feature of `%s`" text c.clabel;
     None
 
-let on_drawn report (c : Shape.compound) (d : Scc_drawn.Parts.t) f =
+let on_drawn report (c : Shape.compound) (d : Scc_concave.Parts.t) f =
   match f.what with
   | Name (name, at) -> (
-      match Scc_drawn.Parts.face_or_vertex d name with
+      match Scc_concave.Parts.face_or_vertex d name with
       | Nothing -> unknown_drawn report c.clabel d at name
       | found -> found_drawn report c d at (Printf.sprintf "`%s`" name) found)
   | Cycle corners ->
     let vertex (name, at) =
-      match Scc_drawn.Parts.vertex d name with
+      match Scc_concave.Parts.vertex d name with
       | Some v -> Some v
       | None -> unknown_drawn report c.clabel d at name
     in
     let found = List.map vertex corners in
     let text = Printf.sprintf "[%s]" (String.concat "," (List.map fst corners)) in
     if List.for_all Option.is_some found then
-      found_drawn report c d f.span text (Scc_drawn.Parts.tuple d (List.filter_map Fun.id found))
+      found_drawn report c d f.span text (Scc_concave.Parts.tuple d (List.filter_map Fun.id found))
     else None
 
 (* {2 Of all shapes} *)

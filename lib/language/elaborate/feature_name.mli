@@ -17,7 +17,7 @@ val read : Report.t -> Env.t -> Ast.feature -> t option
 (** Evaluates indices; the vertices of a tuple may carry one common prefix. *)
 
 (** What a feature stands for on a shape: one feature of one part, or all that show one of a drawn solid
-    ({!Scc_drawn.Parts}). *)
+    ({!Scc_concave.Parts}). *)
 type meaning = {
   listed : Site.t list;  (** as channels list it: of [closed] those that are in the closure of no other one *)
   inside : Site.t list;  (** without the feature's edges and corners *)

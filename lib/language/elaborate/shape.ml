@@ -23,7 +23,7 @@ type compound = {
   open_glues : glue list;
   velocity : Vec.t;
   spin : Vec.t;
-  drawn : Scc_drawn.Parts.t option;
+  drawn : Scc_concave.Parts.t option;
 }
 
 type t = Basic of basic | Compound of compound

@@ -34,7 +34,7 @@ type compound = {
   open_glues : glue list;  (** of parts that are not at a known place from each other *)
   velocity : Vec.t;  (** of the centre of mass; a process of this shape that gives none has it *)
   spin : Vec.t;  (** of every part; likewise *)
-  drawn : Scc_drawn.Parts.t option;  (** what names of features stand for that are not of one part *)
+  drawn : Scc_concave.Parts.t option;  (** what names of features stand for that are not of one part *)
 }
 
 type t = Basic of basic | Compound of compound

@@ -1,7 +1,7 @@
 open Scc_base
 open Scc_data
 open Scc_exact
-open Scc_explore
+open Scc_graph_search
 
 type predicate = {
   at : int array -> Truth.t;

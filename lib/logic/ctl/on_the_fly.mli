@@ -2,7 +2,7 @@
     abstract: what holds where is judged by functions that come with each question. *)
 
 open Scc_exact
-open Scc_explore
+open Scc_graph_search
 
 (** A predicate on the instants of runs. The tuples that are asked about are not kept. *)
 type predicate = {

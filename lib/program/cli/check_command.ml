@@ -1,5 +1,5 @@
 open Scc_base
-open Scc_space
+open Scc_state_space
 open Scc_verify
 open Scc_session
 open Scc_exchange
@@ -130,7 +130,7 @@ let view (extras : Check_extras.t) (l : Loaded.t) =
   match extras.draw with
   | None -> Ok None
   | Some path ->
-    Scc_where.Plane.view l.model.ranges ~axes:extras.axes ~fixed:extras.slice
+    Scc_regions.Plane.view l.model.ranges ~axes:extras.axes ~fixed:extras.slice
     |> Result.map (fun view -> Some (path, view))
     |> Result.map_error (fun text -> [ Diag.error Code.bad_value Span.none "%s" text ])
 
@@ -204,9 +204,9 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   Option.iter (fun path -> output (write_sarif console path !code (Some (l.model, verdicts)))) extras.sarif;
   let named = named_where verdicts report in
   let ranges = l.model.ranges in
-  Option.iter (fun path -> output (write_file path (Scc_where.Smt.script ranges named))) extras.smt;
+  Option.iter (fun path -> output (write_file path (Scc_regions.Smt.script ranges named))) extras.smt;
   Option.iter (fun path -> output (write_invariant console path l report)) extras.invariant;
-  Option.iter (fun (path, view) -> output (write_file path (Scc_where.Drawing.svg ranges view named))) view;
+  Option.iter (fun (path, view) -> output (write_file path (Scc_regions.Drawing.svg ranges view named))) view;
   let code = !code in
   let shown = if extras.where then report.where else [] in
   let extra = { covered; measured = (if extras.stats then Some measured else None) } in

@@ -1,4 +1,4 @@
-open Scc_space
+open Scc_state_space
 open Cmdliner
 
 type t = {

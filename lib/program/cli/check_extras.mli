@@ -5,8 +5,8 @@ type t = {
   coverage : bool;
   stats : bool;
   sarif : string option;  (** a file *)
-  reductions : Scc_space.Reduction.kind list;
-  order : Scc_space.State_graph.order;
+  reductions : Scc_state_space.Reduction.kind list;
+  order : Scc_state_space.State_graph.order;
   compact : bool;  (** hash compaction *)
   where : bool;  (** for which values of the parameters *)
   smt : string option;  (** a file for that *)
@@ -26,5 +26,5 @@ val explored : t -> Scc_session.Budget.t -> (string * string) list
 (** By their names, the options on which a graph depends, or which graphs there are, without those that end the
     work before it is done. *)
 
-val reductions : Scc_space.Reduction.kind list Cmdliner.Term.t
+val reductions : Scc_state_space.Reduction.kind list Cmdliner.Term.t
 (** [--no-reduce]. *)

@@ -14,7 +14,7 @@ val defaults : Budget.defaults
 val watch : Budget.t -> Watch.t
 (** Over the seconds and the memory, from now on. *)
 
-val options : Watch.t -> Budget.t -> progress:(Scc_explore.Limits.progress -> unit) -> Check.options
+val options : Watch.t -> Budget.t -> progress:(Scc_graph_search.Limits.progress -> unit) -> Check.options
 
 val starting : Console.t -> Watch.t -> Budget.t -> Check.options
 (** For an exploration that begins now: its progress is shown. *)

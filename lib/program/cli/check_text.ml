@@ -176,7 +176,7 @@ let property console ~full ?where c ({ check; verdict = v; lost; _ } as o : Verd
     | _ -> []
   in
   let show (what, lines) = Printf.sprintf "  %s\n" what :: indented 4 lines in
-  let where = match where with None -> [] | Some w -> indented 2 (Scc_where.Words.lines w) in
+  let where = match where with None -> [] | Some w -> indented 2 (Scc_regions.Words.lines w) in
   String.concat "" ((head :: none) @ where @ List.concat_map show run)
 
 let zeno ~full c w =

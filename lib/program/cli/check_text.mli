@@ -4,7 +4,7 @@ open Scc_semantics
 open Scc_explain
 open Scc_verify
 
-val property : Console.t -> full:bool -> ?where:Scc_where.Where.t -> Semantics.t -> Verdict.outcome -> string
+val property : Console.t -> full:bool -> ?where:Scc_regions.Where.t -> Semantics.t -> Verdict.outcome -> string
 (** A verdict in several lines, with its witness; ended by a newline. Of the run what matters is told, in words
     that can be read: all of it if [full]. *)
 

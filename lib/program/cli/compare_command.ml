@@ -70,7 +70,7 @@ let compare console o =
     Ok (Compare.run effort o.relation one two)
   in
   (* After an interruption nothing would come of it that is not begun. *)
-  let stage : Scc_explore.Limits.stage = if Watch.interrupted watch () then Exploring else Concluding in
+  let stage : Scc_graph_search.Limits.stage = if Watch.interrupted watch () then Exploring else Concluding in
   let* report =
     match (Watch.attempt watch).run stage work with Ok found -> found | Error _ -> Ok Compare.given_up
   in

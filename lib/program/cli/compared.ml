@@ -49,7 +49,7 @@ let graph_of_space ?(renamed = Fun.id) (space : Explored.t) =
   done;
   Graph.finish b ~size:space.size ~initial:0 ~unknown:(fun s -> not (space.expanded s))
 
-let load_graph console (attempt : Scc_explore.Limits.attempt) path =
+let load_graph console (attempt : Scc_graph_search.Limits.attempt) path =
   match Input.read ~max_bytes:max_graph_bytes path with
   | Error d -> Error [ d ]
   | Ok source -> (

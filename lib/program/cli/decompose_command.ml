@@ -1,7 +1,7 @@
 open Scc_base
 open Scc_exact
 open Scc_geometry
-open Scc_drawn
+open Scc_concave
 open Scc_session
 open Cmdliner
 
@@ -98,7 +98,7 @@ let show console =
       Console.progress console (line progress)
     end
 
-let stopped ~seconds (stop : Scc_explore.Limits.stop) =
+let stopped ~seconds (stop : Scc_graph_search.Limits.stop) =
   let why =
     match (stop, seconds) with
     | Interrupted, _ | Seconds, None -> "interrupted"

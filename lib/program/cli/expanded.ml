@@ -1,12 +1,12 @@
 open Scc_base
-open Scc_space
+open Scc_state_space
 open Scc_session
 open Scc_store
-module Crew = Scc_expand.Crew
+module Crew = Scc_parallel.Crew
 module Crew_of_states = Crew.Make (Network_lts) (Network_exchange) (State_graph)
-module Journal_of_states = Scc_expand.Journal.Make (Network_lts) (Network_exchange) (State_graph)
+module Journal_of_states = Scc_parallel.Journal.Make (Network_lts) (Network_exchange) (State_graph)
 module Journal_of_fingerprints =
-  Scc_expand.Step_journal.Make (Network_lts) (Network_exchange) (State_fingerprints)
+  Scc_parallel.Step_journal.Make (Network_lts) (Network_exchange) (State_fingerprints)
 
 type t = { jobs : int; start : Crew.start; store : Store.t option }
 
@@ -40,7 +40,7 @@ let compacting t ~about =
 let guard t explore =
   match explore () with
   | result -> result
-  | exception Scc_expand.Journal.Unfit what ->
+  | exception Scc_parallel.Journal.Unfit what ->
     let folder = Option.fold ~none:"" ~some:Store.folder t.store in
     Error
       [

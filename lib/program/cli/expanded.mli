@@ -12,9 +12,9 @@ val openly :
     With what the options say of what is explored, by names: a store is of these, of the model and of this
     version. *)
 
-val expanding : t -> about:string -> Scc_space.State_graph.expanding
+val expanding : t -> about:string -> Scc_state_space.State_graph.expanding
 
-val compacting : t -> about:string -> Scc_space.State_fingerprints.expanding
+val compacting : t -> about:string -> Scc_state_space.State_fingerprints.expanding
 
 val guard : t -> (unit -> ('a, Diag.t list) result) -> ('a, Diag.t list) result
 (** Of something that explores: also the error that a store does not fit (SC0912). *)

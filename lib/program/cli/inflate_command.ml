@@ -67,8 +67,8 @@ let json o (t : Inflated.t) code =
 
 let inflate console o write =
   let* source = plain (Input.read o.path) in
-  if Scc_icon.Icon.is_text (Source.text source) then Console.add_source console source;
-  let* picture = plain (Scc_icon.Icon.read ?resolution:o.resolution ~path:o.path (Source.text source)) in
+  if Scc_pixels.Icon.is_text (Source.text source) then Console.add_source console source;
+  let* picture = plain (Scc_pixels.Icon.read ?resolution:o.resolution ~path:o.path (Source.text source)) in
   let progress what share =
     Console.progress console (Printf.sprintf "%s: %.0f %%" what (100. *. Float.min 1. share))
   in
@@ -105,7 +105,7 @@ let parse_colour s =
   else Error (`Msg (Printf.sprintf "`%s' is no colour such as #ff8000" s))
 
 let colour =
-  let print ppf c = Format.pp_print_string ppf (Scc_icon.Raster.colour_text c) in
+  let print ppf c = Format.pp_print_string ppf (Scc_pixels.Raster.colour_text c) in
   Arg.conv ~docv:"COLOUR" (parse_colour, print)
 
 let strength_conv =
@@ -118,7 +118,7 @@ let strength_conv =
           Result.map (fun q -> (Some c, q)) (number (String.sub s (i + 1) (String.length s - i - 1))))
   in
   let print ppf (c, q) =
-    let colour = match c with None -> "" | Some c -> Scc_icon.Raster.colour_text c ^ "=" in
+    let colour = match c with None -> "" | Some c -> Scc_pixels.Raster.colour_text c ^ "=" in
     Format.fprintf ppf "%s%s" colour (Rat.to_string q)
   in
   Arg.conv ~docv:"STRENGTH" (parse, print)
@@ -196,9 +196,9 @@ let piece =
 let resolution =
   let doc =
     Printf.sprintf "How many pixels the longer side of an SVG drawing gets, %d if not given."
-      Scc_icon.Icon.default_resolution
+      Scc_pixels.Icon.default_resolution
   in
-  let most = Scc_icon.Raster.max_side in
+  let most = Scc_pixels.Raster.max_side in
   let pixels = Options.integer ~least:1 ~most (Printf.sprintf "number of pixels from 1 to %d" most) in
   Arg.(value & opt (some pixels) None & info [ "resolution" ] ~docv:"N" ~doc)
 

@@ -1,4 +1,4 @@
-open Scc_expand
+open Scc_parallel
 open Scc_store
 open Scc_workers
 

@@ -2,7 +2,7 @@ open Scc_base
 open Scc_exact
 open Scc_geometry
 open Scc_mesh
-open Scc_drawn
+open Scc_concave
 open Cmdliner
 
 type t = { grid : Rat.t option; weld : bool; orient : bool; merge : bool }

@@ -1,6 +1,6 @@
 open Scc_base
 open Scc_exact
-open Scc_explore
+open Scc_graph_search
 
 let duration s =
   if s < 100. then Printf.sprintf "%.0f s" s

@@ -1,6 +1,6 @@
 (** The line on a terminal that says how far an exploration is. *)
 
-open Scc_explore
+open Scc_graph_search
 
 val line : bounds:Scc_session.Budget.t -> elapsed:float -> heap:int -> Limits.progress -> string
 (** States and how many of them a second, those still to expand, depth, model time, memory ([heap] in bytes);

@@ -1,6 +1,6 @@
 open Scc_base
 open Scc_session
-open Scc_space
+open Scc_state_space
 open Scc_exchange
 open Scc_successors
 open Cmdliner

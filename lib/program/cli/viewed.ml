@@ -193,7 +193,7 @@ let regions making (l : Loaded.t) outcomes where ~before ~interrupted =
   match where with
   | [] -> Ok (None, [])
   | _ :: _ -> (
-      match Scc_where.Plane.view l.model.ranges ~axes:[] ~fixed:[] with
+      match Scc_regions.Plane.view l.model.ranges ~axes:[] ~fixed:[] with
       | Error _ -> Ok (None, [])
       | Ok view ->
         let names = List.map (fun (o : Verdict.outcome) -> o.check.name) outcomes in

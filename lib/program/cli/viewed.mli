@@ -39,5 +39,5 @@ val report :
   Loaded.t ->
   Scc_property.Property.check list ->
   Watch.t ->
-  (Verdict.outcome list * Scc_where.Where.t list, Diag.t list) result
+  (Verdict.outcome list * Scc_regions.Where.t list, Diag.t list) result
 (** The verdicts; and where they hold, of a model with ranges. *)

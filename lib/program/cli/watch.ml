@@ -1,6 +1,6 @@
 open Scc_base
 open Scc_system
-open Scc_explore
+open Scc_graph_search
 
 (* Seconds from one look to the next; heaps grow by some ten megabytes in the meantime. Where addresses are scarce
    these may be all that there are. *)

@@ -6,7 +6,7 @@
     concludes what was explored has a second more, and the part of the memory that explorations leave, so
     that there is always a report. *)
 
-open Scc_explore
+open Scc_graph_search
 
 type t
 

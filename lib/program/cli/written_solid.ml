@@ -1,7 +1,7 @@
 open Scc_base
 open Scc_exact
 open Scc_geometry
-open Scc_drawn
+open Scc_concave
 
 let ( let* ) = Result.bind
 

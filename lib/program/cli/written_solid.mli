@@ -7,7 +7,7 @@ type output = string * (Polyhedron.ifs -> (string, string) result)
 (** The name of the file, and its format ({!Scc_mesh.Written.to_file}). *)
 
 val drawn : output -> hint:string -> Polyhedron.ifs -> (unit, Diag.t list) result
-(** A sound solid ({!Scc_drawn.Sound}), convex or not; in the language one that is no template is a compound.
+(** A sound solid ({!Scc_concave.Sound}), convex or not; in the language one that is no template is a compound.
     SC0103 where the file cannot be written, or has no fractions and needs one: with the hint. *)
 
 val convex : Console.t -> round:bool -> output -> Polyhedron.ifs -> (unit, Diag.t list) result

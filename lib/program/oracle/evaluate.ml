@@ -58,19 +58,19 @@ let share = 0.8
 let stop bounds ~last =
   let words = int_of_float (share *. float_of_int bounds.memory) in
   let round = ref 0 in
-  fun () : Scc_explore.Limits.stop option ->
+  fun () : Scc_graph_search.Limits.stop option ->
     incr round;
     if bounds.now () > last then Some Seconds
     else if !round land 255 = 0 && Memory.heap_words () > words then Some Memory
     else None
 
-let surroundings bounds : Scc_explore.Limits.surroundings =
+let surroundings bounds : Scc_graph_search.Limits.surroundings =
   let last = bounds.now () +. (share *. bounds.seconds) in
   let half () =
     let now = bounds.now () in
     stop bounds ~last:(now +. ((last -. now) /. 2.))
   in
-  { Scc_explore.Limits.quiet with stop = stop bounds ~last; half }
+  { Scc_graph_search.Limits.quiet with stop = stop bounds ~last; half }
 
 let options bounds p : Check.options =
   let q = Read.quotas p in

@@ -1,6 +1,6 @@
 open Scc_exact
 open Scc_session
-open Scc_drawing
+open Scc_svg
 
 let band quantiles cell =
   match quantiles with

@@ -1,5 +1,5 @@
 open Scc_base
-open Scc_explore
+open Scc_graph_search
 
 (* The transitions of a state, and how many came before them in the answer. *)
 type group = { before : int; source : int array; steps : Lts.step list }

@@ -1,6 +1,6 @@
 (** What is told of many states at once, in columns: see [specs/successors.md]. *)
 
-open Scc_explore
+open Scc_graph_search
 open Scc_exchange
 
 (** {1 States that are expanded} *)

@@ -3,8 +3,8 @@ open Scc_data
 open Scc_exact
 open Scc_ctl
 open Scc_semantics
-open Scc_explore
-open Scc_space
+open Scc_graph_search
+open Scc_state_space
 
 module Labels = Catalogue.Interned (struct
     type t = Transition.label

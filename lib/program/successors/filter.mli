@@ -10,7 +10,7 @@ type t
 val make : Question.t -> t
 val question : t -> Question.t
 val keys : t -> Keys.t
-val context : t -> Scc_space.Network_lts.context
+val context : t -> Scc_state_space.Network_lts.context
 val predicates : t -> On_the_fly.predicate array
 val events : t -> Scc_property.Property.event list
 (** That states are told apart by, when they have just happened. *)
@@ -55,7 +55,7 @@ type 'moves following =
   | Stops  (** there is none, and time does not pass *)
   | Fault of Diag.t  (** they cannot be computed *)
 
-type bare = Scc_explore.Lts.step following
+type bare = Scc_graph_search.Lts.step following
 (** Steps of {!context}: nothing has been worked out of where they lead. *)
 
 type follows = (int * reached) following

@@ -1,6 +1,6 @@
 open Scc_exact
 open Scc_calculus
-open Scc_space
+open Scc_state_space
 open Scc_codec
 
 type fingerprint = int array

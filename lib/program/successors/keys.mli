@@ -4,7 +4,7 @@
     The bytes of a process of the network are made and read once, and known again by what they are. *)
 
 open Scc_calculus
-open Scc_space
+open Scc_state_space
 
 type t
 
@@ -31,11 +31,11 @@ val words : int
 
 val fingerprint : t -> int array -> fingerprint
 
-val after : t -> fingerprint -> int array -> Scc_explore.Tuples.changes -> int array -> fingerprint
+val after : t -> fingerprint -> int array -> Scc_graph_search.Tuples.changes -> int array -> fingerprint
 (** [after t f tuple changes target]: that of the target of a step, given that of the state before. *)
 
 val move :
-  t -> into:fingerprint -> fingerprint -> int array -> Scc_explore.Tuples.changes -> int array -> unit
+  t -> into:fingerprint -> fingerprint -> int array -> Scc_graph_search.Tuples.changes -> int array -> unit
 (** The same, written into one that is there. *)
 
 val no_fingerprint : unit -> fingerprint

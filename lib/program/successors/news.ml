@@ -1,4 +1,4 @@
-open Scc_explore
+open Scc_graph_search
 
 (* What is told to one home. *)
 type home = {

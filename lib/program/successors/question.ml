@@ -1,6 +1,6 @@
 open Scc_base
 open Scc_property
-open Scc_space
+open Scc_state_space
 open Scc_verify
 open Scc_session
 module Trajectory = Scc_evaluate.Trajectory

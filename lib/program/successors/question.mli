@@ -4,7 +4,7 @@
 open Scc_base
 open Scc_property
 open Scc_semantics
-open Scc_space
+open Scc_state_space
 open Scc_verify
 
 (** A state formula that a property searches for. *)

@@ -1,7 +1,7 @@
 open Scc_base
 open Scc_ctl
-open Scc_explore
-open Scc_space
+open Scc_graph_search
+open Scc_state_space
 open Scc_explain
 open Scc_exchange
 

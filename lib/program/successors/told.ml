@@ -2,7 +2,7 @@ open Scc_exact
 open Scc_ctl
 open Scc_property
 open Scc_semantics
-open Scc_space
+open Scc_state_space
 open Scc_exchange
 
 let version = 2

@@ -1,5 +1,5 @@
 open Scc_exact
-open Scc_drawing
+open Scc_svg
 
 let several (grid : Grid.t) = List.filter (fun (a : Grid.axis) -> Array.length a.values > 1) grid
 

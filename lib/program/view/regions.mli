@@ -3,7 +3,7 @@
 
 open Scc_exact
 open Scc_calculus
-open Scc_where
+open Scc_regions
 open Scc_exchange
 
 val json :

@@ -45,7 +45,7 @@ let leaf t m (turn : Vec.t option) (p : State.process) (l : State.leaf) =
     match turn with
     | None -> (l.turned, [])
     | Some centre ->
-      let motion = Turn.motion m p ~centre l 0 in
+      let motion : Scc_rigid.Motion.t = Turn.motion m p ~centre l 0 in
       let offset = m.leaves.(l.leaf).parts.(0).offset in
       (* That of the leaf's reference point: a part's is moved by its offset, which turns too. *)
       (motion.turned, [ ("arm", Json.vec (Vec.sub motion.arm (Quaternion.apply motion.turned offset))) ])

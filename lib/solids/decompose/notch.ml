@@ -108,7 +108,7 @@ let sample most all =
 let most_elsewhere = 8
 
 (* The planes of polygons last, so that they are taken only if they are better: they go on from other edges of the
-   polygon into faces beside them, where {!Scc_drawn.Refined} has to cut again. *)
+   polygon into faces beside them, where {!Scc_concave.Refined} has to cut again. *)
 let candidates notches some =
   let elsewhere = List.map (fun n -> fst n.ends) (Array.to_list (sample most_elsewhere notches)) in
   let through n = List.map (fun corner -> Through (n, corner)) (n.near @ elsewhere) in

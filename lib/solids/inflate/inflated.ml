@@ -1,6 +1,6 @@
 open Scc_base
 open Scc_exact
-open Scc_icon
+open Scc_pixels
 
 let ( let* ) = Result.bind
 

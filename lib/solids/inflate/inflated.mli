@@ -2,7 +2,7 @@
 
 open Scc_base
 open Scc_exact
-open Scc_icon
+open Scc_pixels
 
 type options = {
   background : int option;  (** a colour, 0xRRGGBB ({!Silhouette.find}) *)

@@ -1,4 +1,4 @@
-open Scc_icon
+open Scc_pixels
 
 type t = {
   width : int;

@@ -1,6 +1,6 @@
 (** Which pixels of a picture belong to the drawn shape. *)
 
-open Scc_icon
+open Scc_pixels
 
 (** A rectangle of pixels with a border of one pixel around it, none of which is of the shape. Places are columns
     and rows in it, from 0; the pixel at column [x] and row [y] has the index [y * width + x]. *)

@@ -4,7 +4,7 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_evaluate
-open Scc_space
+open Scc_state_space
 module Graph = State_graph
 
 (** {2 Following a run} *)
@@ -174,7 +174,7 @@ let targets context choices =
     match Network_lts.successors context tuple with
     | Error _ -> Bug.fail __POS__ "a run does not replay: a fault on its way"
     | Ok steps ->
-      let next = Scc_explore.Tuples.apply (List.nth steps choice).changes tuple in
+      let next = Scc_graph_search.Tuples.apply (List.nth steps choice).changes tuple in
       (next, (choice, next) :: acc)
   in
   let last, reached = List.fold_left step (Network_lts.initial context, []) choices in

@@ -6,7 +6,7 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_space
+open Scc_state_space
 
 val of_trace : Network_lts.context -> State_graph.t -> Property.prop option -> Search.trace -> Witness.t
 (** With the facts of the predicate where the run leads. *)

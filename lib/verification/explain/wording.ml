@@ -3,7 +3,7 @@ open Scc_exact
 open Scc_property
 open Scc_semantics
 open Scc_evaluate
-open Scc_space
+open Scc_state_space
 module Graph = State_graph
 
 (** {2 Facts} *)

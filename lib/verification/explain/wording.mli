@@ -1,7 +1,7 @@
 (** Explanations in words. *)
 
 open Scc_ctl
-open Scc_space
+open Scc_state_space
 
 val facts : Network_lts.context -> State_graph.t -> Temporal.t -> Explanation.t -> string list
 (** What holds where the run of an explanation ({!Explanation.chain}) leads, a sentence for each atom. *)

@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_explore
+open Scc_graph_search
 
 type 'a bound = Unbounded | Default of 'a | Given of 'a
 
@@ -86,8 +86,8 @@ let long_number (model : Model.t) state ~depth =
     bits depth
 
 let dead_ends context =
-  let warning f = dead_end (Transition.diagnostic (Scc_space.Network_lts.model context) f) in
-  List.sort_uniq Scc_base.Diag.compare (List.map warning (Scc_space.Network_lts.given_up context))
+  let warning f = dead_end (Transition.diagnostic (Scc_state_space.Network_lts.model context) f) in
+  List.sort_uniq Scc_base.Diag.compare (List.map warning (Scc_state_space.Network_lts.given_up context))
 
 let cause b model ~horizon (r : _ Explore.reason) =
   match r with

@@ -3,7 +3,7 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_explore
+open Scc_graph_search
 
 (** A bound, and whose it is. *)
 type 'a bound = Unbounded | Default of 'a | Given of 'a
@@ -36,7 +36,7 @@ val dead_end : Scc_base.Diag.t -> Scc_base.Diag.t
 val long_number : Model.t -> State.t -> depth:int -> Scc_base.Diag.t
 (** SC0705 of a state that so many transitions led to: which of its numbers is the longest, and what helps. *)
 
-val dead_ends : Scc_space.Network_lts.context -> Scc_base.Diag.t list
+val dead_ends : Scc_state_space.Network_lts.context -> Scc_base.Diag.t list
 (** A warning for each reason for which runs end in what was explored (rule Persistent). *)
 
 val stopped : t -> Limits.stop -> Verdict.truncation

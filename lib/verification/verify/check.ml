@@ -2,8 +2,8 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_explore
-open Scc_space
+open Scc_graph_search
+open Scc_state_space
 open Scc_explain
 
 type options = Joint_check.options = {
@@ -48,7 +48,7 @@ type report = {
   zeno : Witness.t option;
   lost : string list;
   stores : (string * int) list;
-  where : Scc_where.Where.t list;
+  where : Scc_regions.Where.t list;
   invariants : Zone_proof.end_ list;
   numbers : unit -> (string * int) list;
 }

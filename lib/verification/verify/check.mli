@@ -4,8 +4,8 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_explore
-open Scc_space
+open Scc_graph_search
+open Scc_state_space
 open Scc_explain
 
 type options = Joint_check.options = {
@@ -57,7 +57,7 @@ type report = {
   (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)
   lost : string list;  (** faults of scc, by which that could not be rebuilt (as {!Verdict.outcome}) *)
   stores : (string * int) list;  (** what the explored graphs take, by name, in bytes *)
-  where : Scc_where.Where.t list;
+  where : Scc_regions.Where.t list;
   (** of an exploration over zones: for which values of the parameters each property holds, as far as was asked *)
   invariants : Zone_proof.end_ list;  (** likewise, what was looked for to prove them (rule Invariants) *)
   numbers : unit -> (string * int) list;  (** how far numbers have grown: {!Catalogue.longest} *)
@@ -89,7 +89,7 @@ val explorations : options -> Semantics.t -> initial:State.t -> Property.check l
 val add : stats -> stats -> stats
 (** Of two explorations together. *)
 
-val unexplored : options -> Scc_property.Property.check list -> Scc_explore.Limits.stop -> report
+val unexplored : options -> Scc_property.Property.check list -> Scc_graph_search.Limits.stop -> report
 (** What is told where nothing came of an exploration before it had to end. *)
 
 val run_without :

@@ -1,6 +1,6 @@
 open Scc_semantics
 open Scc_property
-open Scc_space
+open Scc_state_space
 open Scc_explain
 
 let rec is_search (plan : Plan.t) =
@@ -94,7 +94,7 @@ let check (options : Joint_check.options) ~capacity semantics ~initial checks : 
         (* Not looked at. *)
         eventful = true;
         split_step = Network_lts.split_step context;
-        decided_early = List.exists (function Scc_explore.Explore.Stopped -> true | _ -> false) r.left;
+        decided_early = List.exists (function Scc_graph_search.Explore.Stopped -> true | _ -> false) r.left;
         stopped_by = bounds;
         faults;
         dead_ends = Bounds.dead_ends context;

@@ -1,6 +1,6 @@
 open Scc_calculus
 open Scc_semantics
-open Scc_space
+open Scc_state_space
 module Graph = State_graph
 
 type edge = { label : Transition.label; target : int }
@@ -36,7 +36,7 @@ let explore ?time_seen ?visitor options semantics ~initial =
   let catalogue = Network_lts.catalogue context in
   let edge (e : Graph.edge) = { label = Catalogue.label_of catalogue e.label; target = e.target } in
   let expanded i =
-    match Graph.status graph i with Scc_explore.Explore.Expanded -> true | Queued | Unexpanded _ -> false
+    match Graph.status graph i with Scc_graph_search.Explore.Expanded -> true | Queued | Unexpanded _ -> false
   in
   let state i = Catalogue.decode catalogue (Graph.tuple graph i) in
   {

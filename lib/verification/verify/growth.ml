@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_space
+open Scc_state_space
 module Graph = State_graph
 
 type bits = { quarter : int; half : int; three_quarters : int; at_end : int }
@@ -243,7 +243,7 @@ let crowded context graph =
 
 (** {2 All of it} *)
 
-let resources : _ Scc_explore.Explore.reason list = [ States; Bits; Seconds; Memory; Interrupted ]
+let resources : _ Scc_graph_search.Explore.reason list = [ States; Bits; Seconds; Memory; Interrupted ]
 
 let ended graph = List.exists (fun reason -> Graph.left_for graph reason > 0) resources
 

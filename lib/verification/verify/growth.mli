@@ -3,7 +3,7 @@
 
 open Scc_exact
 open Scc_calculus
-open Scc_space
+open Scc_state_space
 
 (** How far a number has grown along a run: the most bits that it took in each quarter of it. *)
 type bits = { quarter : int; half : int; three_quarters : int; at_end : int }

@@ -2,9 +2,9 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_explore
+open Scc_graph_search
 open Scc_evaluate
-open Scc_space
+open Scc_state_space
 open Scc_explain
 module Graph = State_graph
 

@@ -4,8 +4,8 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_explore
-open Scc_space
+open Scc_graph_search
+open Scc_state_space
 open Scc_explain
 
 type options = {

@@ -1,4 +1,4 @@
-open Scc_space
+open Scc_state_space
 open Scc_explain
 open Scc_chance
 

@@ -1,7 +1,7 @@
 (** Questions for numbers, answered on an explored graph (rules Probability, Expectation). *)
 
 open Scc_property
-open Scc_space
+open Scc_state_space
 
 val probability : Unsettled.t -> Temporal.t -> int -> Property.side list -> Verdict.t
 (** Of what the formula of this index says of a run. *)

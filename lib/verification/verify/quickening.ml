@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_space
+open Scc_state_space
 module Graph = State_graph
 
 type t = { factor : Rat.t; until : Rat.t }

@@ -5,7 +5,7 @@
     faster, goes round again, in as many times less time. *)
 
 open Scc_exact
-open Scc_space
+open Scc_state_space
 
 type t = {
   factor : Rat.t;  (** > 1: how many times as fast each round is *)

@@ -1,7 +1,7 @@
 open Scc_geometry
 open Scc_calculus
 open Scc_semantics
-open Scc_space
+open Scc_state_space
 
 (* The features that a leaf ever opens, with their closures, under whichever name, as far as its text tells. *)
 let opened (m : Model.t) (l : State.leaf) =

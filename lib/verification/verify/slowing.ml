@@ -1,5 +1,5 @@
 open Scc_exact
-open Scc_space
+open Scc_state_space
 module Graph = State_graph
 
 type stretch = { instants : int; took : Rat.t }
@@ -27,7 +27,7 @@ let of_instants times =
     let less x y = Rat.compare (Rat.mul (Rat.of_int 4) y.took) (Rat.mul (Rat.of_int 3) x.took) <= 0 in
     if less a b && less b c then Some { stretches = [ a; b; c ]; until = all.(n) } else None
 
-let is_bound : _ Scc_explore.Explore.reason -> bool = function
+let is_bound : _ Scc_graph_search.Explore.reason -> bool = function
   | Depth | States | Bits | Seconds | Memory | Interrupted -> true
   | Time | Instant | Stopped | Fault _ -> false
 

@@ -2,7 +2,7 @@
     Run). It is said of an exploration that a bound has ended, and proves nothing. *)
 
 open Scc_exact
-open Scc_space
+open Scc_state_space
 
 type stretch = { instants : int; took : Rat.t }
 

@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_calculus
-open Scc_explore
-open Scc_space
+open Scc_graph_search
+open Scc_state_space
 open Scc_explain
 module Graph = State_graph
 

@@ -4,9 +4,9 @@ open Scc_polyhedra
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_space
+open Scc_state_space
 open Scc_symbolic
-open Scc_where
+open Scc_regions
 
 let is_for = Zone_scale.leaves_open
 

@@ -1,5 +1,5 @@
 open Scc_property
-open Scc_space
+open Scc_state_space
 
 let displaced (options : Joint_check.options) model initial formulas =
   List.exists (Reduction.equal Translation) options.reductions && Quotient.translatable model initial formulas

@@ -5,7 +5,7 @@ open Scc_polyhedra
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_space
+open Scc_state_space
 open Scc_symbolic
 
 type swarm = {

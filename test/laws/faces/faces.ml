@@ -179,12 +179,12 @@ let point_text (l : Loaded.t) point =
 let named (l : Loaded.t) point = Array.to_list (Array.mapi (fun i q -> (l.model.ranges.(i).Ranges.name, q)) point)
 
 (* Points of all pieces, of their borders and of all faces of the ranges; and some whose coordinates coincide. *)
-let points random (l : Loaded.t) (where : Scc_where.Where.t list) =
+let points random (l : Loaded.t) (where : Scc_regions.Where.t list) =
   let of_piece p =
     List.filter_map (fun f -> f p)
       [ Polyhedron.corner; Polyhedron.interior_point; (fun p -> Polyhedron.corner (Polyhedron.closure p)) ]
   in
-  let known (w : Scc_where.Where.t) = Union.pieces w.holds @ Union.pieces w.fails in
+  let known (w : Scc_regions.Where.t) = Union.pieces w.holds @ Union.pieces w.fails in
   let pieces = List.concat_map known where in
   let on_face _ =
     let coordinate (r : Ranges.range) =
@@ -218,7 +218,7 @@ let compare_at counts case (l : Loaded.t) (report_of_sets : Check.report) point 
       Ok { l with model; semantics = Scc_semantics.Semantics.with_model l.semantics model }
     | Ok l -> Ok l
   in
-  let one (o : Verdict.outcome) (w : Scc_where.Where.t) =
+  let one (o : Verdict.outcome) (w : Scc_regions.Where.t) =
     let mem u = Union.mem u point in
     let of_sets = if mem w.holds then Some true else if mem w.fails then Some false else None in
     match (known o, of_sets) with
@@ -250,7 +250,7 @@ let compare_face counts random (l : Loaded.t) (whole : Check.report) point =
     | Error [] -> [ "refused without a reason" ]
     | Ok face ->
       let rest = Array.of_list (List.filteri (fun i _ -> i <> k) (Array.to_list point)) in
-      let value (w : Scc_where.Where.t) point =
+      let value (w : Scc_regions.Where.t) point =
         if Union.mem w.holds point then Some true else if Union.mem w.fails point then Some false else None
       in
       let one (o : Verdict.outcome) (w, f) =

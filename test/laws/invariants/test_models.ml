@@ -127,9 +127,9 @@ let explored_after () =
       let half () =
         incr asked;
         let searching = !asked mod 2 = 1 in
-        fun () -> if searching then Some Scc_explore.Limits.Seconds else None
+        fun () -> if searching then Some Scc_graph_search.Limits.Seconds else None
       in
-      let surroundings = { Scc_explore.Limits.quiet with half } in
+      let surroundings = { Scc_graph_search.Limits.quiet with half } in
       let bounds = { Bounds.default with depth = Given 50 } in
       match Loaded.initial l with
       | Ok initial -> (

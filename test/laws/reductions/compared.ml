@@ -7,7 +7,7 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_evaluate
-open Scc_space
+open Scc_state_space
 open Scc_explain
 open Scc_verify
 

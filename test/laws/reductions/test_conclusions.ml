@@ -3,7 +3,7 @@
 
 open Scc_exact
 open Scc_semantics
-open Scc_space
+open Scc_state_space
 open Scc_verify
 module Gen = QCheck2.Gen
 

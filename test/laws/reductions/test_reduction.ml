@@ -2,7 +2,7 @@
    witnesses that replay by the rules, and no more states. *)
 
 open Scc_semantics
-open Scc_space
+open Scc_state_space
 open Scc_verify
 open Crowds
 open Compared

@@ -110,7 +110,7 @@ let at_point case standard report values =
       (String.concat ", " (List.map Rat.to_string (Array.to_list values)))
       o.check.name does case.seed
   in
-  let one (o : Verdict.outcome) (w : Scc_where.Where.t) =
+  let one (o : Verdict.outcome) (w : Scc_regions.Where.t) =
     let mem u = Union.mem u values in
     let known = if mem w.holds then Some true else if mem w.fails then Some false else None in
     let verdict =
@@ -131,10 +131,10 @@ let at_point case standard report values =
   in
   List.iter2 one ordinary.outcomes report
 
-let points (m : Model.t) random (report : Scc_where.Where.t list) =
+let points (m : Model.t) random (report : Scc_regions.Where.t list) =
   let of_piece p = List.filter_map (fun f -> f p) [ Polyhedron.corner; Polyhedron.interior_point ] in
   let of_set u = List.concat_map of_piece (Union.pieces u) in
-  let all = List.concat_map (fun (w : Scc_where.Where.t) -> of_set w.holds @ of_set w.fails) report in
+  let all = List.concat_map (fun (w : Scc_regions.Where.t) -> of_set w.holds @ of_set w.fails) report in
   let all = Array.of_list (List.filter (Polyhedron.mem (Ranges.box m.ranges)) all) in
   if all = [||] then [] else List.init 4 (fun _ -> all.(Random.State.int random (Array.length all)))
 

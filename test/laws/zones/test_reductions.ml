@@ -4,9 +4,9 @@
 
 open Scc_polyhedra
 open Scc_verify
-open Scc_space
+open Scc_state_space
 module Loaded = Scc_session.Loaded
-module Where = Scc_where.Where
+module Where = Scc_regions.Where
 
 let models = "../../../specs/models"
 
@@ -25,7 +25,7 @@ let options ~states reductions =
   let left = ref states in
   let stop () =
     decr left;
-    if !left < 0 then Some Scc_explore.Limits.Interrupted else None
+    if !left < 0 then Some Scc_graph_search.Limits.Interrupted else None
   in
   { Check.default with surroundings = { Check.default.surroundings with stop }; reductions }
 

@@ -3,7 +3,7 @@
    [normal, relation, right], with relation -1 for <, 0 for = and 1 for <=. *)
 
 open Scc_polyhedra
-open Scc_where
+open Scc_regions
 open Where_samples.Samples
 
 let integer z = `Int (Z.to_int z)

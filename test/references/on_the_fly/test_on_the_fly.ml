@@ -2,7 +2,7 @@
 
 open Scc_ctl
 open Scc_exact
-open Scc_explore
+open Scc_graph_search
 module Gen = QCheck2.Gen
 module Graph = Explore.Make (Toy.System)
 module E = On_the_fly.Make (Toy.System) (Graph)

@@ -20,7 +20,7 @@ module System = struct
 
   (* The label of a transition is its duration. *)
   let successors g (s : int array) =
-    let step e = { Scc_explore.Lts.label = e.duration; changes = [| 0; e.target |] } in
+    let step e = { Scc_graph_search.Lts.label = e.duration; changes = [| 0; e.target |] } in
     Ok (match g.(s.(0)).ahead with Edges l -> List.map step l | Ray _ | Dead_end -> [])
 
   let reduced _ _ = None

@@ -18,7 +18,7 @@ type t = node array
 (** State 0 is the initial one. *)
 
 module System :
-  Scc_explore.Lts.S
+  Scc_graph_search.Lts.S
   with type context = t
    and type fault = unit
 

@@ -9,7 +9,7 @@
 
 open Scc_exact
 open Scc_geometry
-open Scc_drawn
+open Scc_concave
 
 (* (x, y, z) / w, w > 0; and the same in floats, for boxes, that are wide enough for their errors. *)
 type point = { x : Z.t; y : Z.t; z : Z.t; w : Z.t; at : float * float }

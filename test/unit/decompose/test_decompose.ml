@@ -4,7 +4,7 @@
 
 open Scc_exact
 open Scc_geometry
-open Scc_drawn
+open Scc_concave
 open Scc_test_support
 
 let q a b = Rat.make (Z.of_int a) (Z.of_int b)

@@ -3,7 +3,7 @@
 
 open Scc_exact
 open Scc_geometry
-open Scc_drawn
+open Scc_concave
 open Scc_test_support
 open Cubes
 

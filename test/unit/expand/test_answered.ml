@@ -1,7 +1,7 @@
 (* What a process remembers of its answers, against a list of all of them; and where states came up. *)
 
-open Scc_expand
-open Scc_explore
+open Scc_parallel
+open Scc_graph_search
 module Gen = QCheck2.Gen
 
 (* Of each answer its tuple and the changes of its steps: places and numbers. *)

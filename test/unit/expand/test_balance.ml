@@ -1,7 +1,7 @@
 (* What is left to the process that has the graph, as a clock goes that stands still but for what work is said to
    take. *)
 
-open Scc_expand
+open Scc_parallel
 
 type world = { balance : Balance.t; clock : float ref }
 

@@ -1,6 +1,6 @@
 (* When what is noted is kept. *)
 
-open Scc_expand
+open Scc_parallel
 
 let check = Alcotest.(check (list string))
 

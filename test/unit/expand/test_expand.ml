@@ -2,8 +2,8 @@
    all at once: on small random graphs, told by all that a visitor hears. *)
 
 open Scc_exact
-open Scc_explore
-open Scc_expand
+open Scc_graph_search
+open Scc_parallel
 module Gen = QCheck2.Gen
 
 (* For each state its transitions (target, duration), or a fault. *)
@@ -94,7 +94,7 @@ module Graph = Explore.Make (Toy)
 module Journal = Journal.Make (Toy) (Exchange) (Graph)
 module Compact = Compacted.Make (Toy)
 module Compact_journal = Step_journal.Make (Toy) (Exchange) (Compact)
-module Crew = Scc_expand.Crew
+module Crew = Scc_parallel.Crew
 module Crews = Crew.Make (Toy) (Exchange) (Graph)
 
 (** {2 What is told of an exploration} *)
@@ -283,7 +283,7 @@ let compacted_unfit () =
     let log, _ = kept_from blocks in
     match compacted ~expanding:(Compact_journal.expanding ~block:1 log) case with
     | _ -> Alcotest.failf "%s: it was taken" what
-    | exception Scc_expand.Journal.Unfit _ -> ()
+    | exception Scc_parallel.Journal.Unfit _ -> ()
   in
   let all = kept () in
   let later block = "\001" ^ String.sub block 1 (String.length block - 1) in
@@ -305,7 +305,7 @@ let unfit () =
     let log, _ = kept_from blocks in
     match told ~expanding:(by_journal log) case with
     | _ -> Alcotest.failf "%s: it was taken" what
-    | exception Scc_expand.Journal.Unfit _ -> ()
+    | exception Scc_parallel.Journal.Unfit _ -> ()
   in
   let all = kept () in
   refuses "other questions" all { case with keep_edges = false };

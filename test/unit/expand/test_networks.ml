@@ -1,9 +1,9 @@
 (* The same of random networks: states are told by their bytes, whatever numbers a process has for their parts. *)
 
 open Scc_exact
-open Scc_explore
-open Scc_space
-open Scc_expand
+open Scc_graph_search
+open Scc_state_space
+open Scc_parallel
 open Scc_test_networks
 module Graph = State_graph
 module Journal = Journal.Make (Network_lts) (Network_exchange) (State_graph)

@@ -1,7 +1,7 @@
 (* The explorer on small explicit graphs, against definitions worked out naively. *)
 
 open Scc_exact
-open Scc_explore
+open Scc_graph_search
 module Gen = QCheck2.Gen
 
 (* A graph: for each state its transitions (target, duration) or a fault. *)

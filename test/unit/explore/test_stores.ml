@@ -1,7 +1,7 @@
 (* The stores of the explorer against those of the standard library. *)
 
 open Scc_exact
-open Scc_explore
+open Scc_graph_search
 module Gen = QCheck2.Gen
 
 let pairs =

@@ -1,6 +1,6 @@
 (* Pictures: every type of PNG, made here; Netpbm; SVG against formulas; and files that are broken. *)
 open Scc_base
-open Scc_icon
+open Scc_pixels
 module G = QCheck2.Gen
 
 let read ?resolution text = Icon.read ?resolution ~path:"icon" text

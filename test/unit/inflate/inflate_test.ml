@@ -1,7 +1,7 @@
 (* Inflated shapes against the equations solved densely over the rationals, and against points of both surfaces. *)
 open Scc_exact
 open Scc_geometry
-open Scc_icon
+open Scc_pixels
 open Scc_inflate
 module G = QCheck2.Gen
 

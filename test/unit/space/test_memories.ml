@@ -2,7 +2,7 @@
    know. *)
 
 open Scc_exact
-open Scc_space
+open Scc_state_space
 module Gen = QCheck2.Gen
 
 let ratio n d = Rat.make (Z.of_int n) (Z.of_int d)
@@ -134,7 +134,7 @@ let recent () =
 
 (* The catalogue of a model, and what each slot holds in some of its states. *)
 let slots_of name =
-  let open Scc_explore in
+  let open Scc_graph_search in
   let e = Scc_test_models.Load.(exactly (file ("../../../specs/models/" ^ name))) in
   let semantics = Scc_engine.Standard.of_model e.model in
   let start = Result.get_ok (Scc_semantics.Network.initial semantics e.declared) in

@@ -3,8 +3,8 @@
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_explore
-open Scc_space
+open Scc_graph_search
+open Scc_state_space
 open Scc_test_networks
 
 let standard = Scc_engine.Standard.of_model

@@ -1,7 +1,7 @@
 (* Whether two sets recede from each other, against all combinations of differences of their points. *)
 
 open Scc_exact
-open Scc_space
+open Scc_state_space
 module Gen = QCheck2.Gen
 
 (* {1 By brute force} *)

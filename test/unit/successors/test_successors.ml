@@ -1,6 +1,6 @@
 (* The filter of successors: bytes and back, fingerprints step by step, and whatever comes in. *)
 
-open Scc_space
+open Scc_state_space
 open Scc_session
 open Scc_successors
 

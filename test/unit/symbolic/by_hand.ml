@@ -5,7 +5,7 @@ open Scc_exact
 open Scc_polyhedra
 open Scc_symbolic
 open Scc_verify
-open Scc_where
+open Scc_regions
 module Loaded = Scc_session.Loaded
 
 (* {1 Models} *)

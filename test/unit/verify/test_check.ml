@@ -166,8 +166,8 @@ let bounds () =
 
 let interruption () =
   let polls = ref 0 in
-  let stop () = incr polls; if !polls > 10 then Some Scc_explore.Limits.Interrupted else None in
-  let options = { Check.default with surroundings = { Scc_explore.Limits.quiet with stop } } in
+  let stop () = incr polls; if !polls > 10 then Some Scc_graph_search.Limits.Interrupted else None in
+  let options = { Check.default with surroundings = { Scc_graph_search.Limits.quiet with stop } } in
   let _, report = check ~options (falls ^ "check a : always z(p) <= 0") in
   (match report.outcomes with
    | [ { verdict = v; _ } ] ->
@@ -364,7 +364,7 @@ let at_split_step () =
   expect "without slices both are explored together"
     [ "holds (exhaustive), at split step 1"; "holds (exhaustive), at split step 1" ]
     (told
-       ~options:{ Check.default with reductions = [ Scc_space.Reduction.Jump ] }
+       ~options:{ Check.default with reductions = [ Scc_state_space.Reduction.Jump ] }
        (window "1" ^ safe ^ "check away : possibly vx(far) = 1 within 4\n"));
   expect "where nothing can split" [ "violated" ] (told (drift ^ "check a : always x(p) <= 3\n"));
   let few = { Check.default with bounds = { Bounds.default with states = Given 3 } } in

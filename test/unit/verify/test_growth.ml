@@ -16,12 +16,12 @@ let cube =
 
 let walls = "fixed west = Cube at translate (-9,0,0)\nfixed east = Cube at translate (9,0,0)\n"
 
-type asked = { reductions : Scc_space.Reduction.kind list; bounds : Bounds.t }
+type asked = { reductions : Scc_state_space.Reduction.kind list; bounds : Bounds.t }
 
-let few states = { reductions = Scc_space.Reduction.all; bounds = { Bounds.default with states = Default states } }
+let few states = { reductions = Scc_state_space.Reduction.all; bounds = { Bounds.default with states = Default states } }
 
 let without reduction asked =
-  let others r = not (Scc_space.Reduction.equal reduction r) in
+  let others r = not (Scc_state_space.Reduction.equal reduction r) in
   { asked with reductions = List.filter others asked.reductions }
 
 let report asked text =

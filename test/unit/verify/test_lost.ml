@@ -2,7 +2,7 @@
    runs are followed. Verdicts and all other checks stay, and what was lost is told. *)
 
 open Scc_semantics
-open Scc_space
+open Scc_state_space
 open Scc_verify
 open Scc_test_models
 

@@ -1,8 +1,8 @@
 (* Why states were not expanded, against a look at each of them. *)
 
 open Scc_exact
-open Scc_explore
-open Scc_space
+open Scc_graph_search
+open Scc_state_space
 open Scc_verify
 open Scc_test_models
 module Graph = State_graph

@@ -1,5 +1,5 @@
 (* Where an octahedron meets a cube that stands in its way (Samples.octahedron). *)
-open Scc_where
+open Scc_regions
 open Where_samples.Samples
 
 let () =

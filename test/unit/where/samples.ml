@@ -2,7 +2,7 @@
 open Scc_exact
 open Scc_polyhedra
 open Scc_calculus
-open Scc_where
+open Scc_regions
 
 let q n d = Rat.make (Z.of_int n) (Z.of_int d)
 

@@ -2,7 +2,7 @@
 open Scc_exact
 open Scc_polyhedra
 open Scc_calculus
-open Scc_where
+open Scc_regions
 open Where_samples.Samples
 module G = QCheck2.Gen
 

@@ -1,6 +1,6 @@
 (* Sets of parameters in words, as JSON and as a script of SMT-LIB. *)
 open Scc_polyhedra
-open Scc_where
+open Scc_regions
 open Where_samples.Samples
 
 let check_lines name expected w = Alcotest.(check (list string)) name expected (Words.lines w)

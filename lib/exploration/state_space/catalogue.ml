@@ -1,0 +1,310 @@
+open Scc_data
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_graph_search
+
+module Interned (Thing : Hashtbl.HashedType) = struct
+  module Table = Hashtbl.Make (Thing)
+
+  type t = { numbers : int Table.t; things : Thing.t Growable.t }
+
+  let create () = { numbers = Table.create 64; things = Growable.create () }
+  let size t = Growable.length t.things
+  let get t i = Growable.get t.things i
+
+  let intern t thing =
+    match Table.find_opt t.numbers thing with
+    | Some i -> i
+    | None ->
+      Scc_base.Critical.run (fun () ->
+          let i = size t in
+          Growable.push t.things thing;
+          Table.add t.numbers thing i;
+          i)
+end
+
+module Vectors = Interned (Vec)
+
+module Forms = Interned (struct
+    type t = State.process
+
+    let equal = State.equal_process
+    let hash = State.hash_process
+  end)
+
+let hash_label : Transition.label -> int = function
+  | Time d -> Rat.hash d
+  | Bind b -> 1 + State.hash_bond b
+  | Close b -> 2 + State.hash_bond b
+  | (Weak_split _ | Strong_split _) as l ->
+    List.fold_left (fun h b -> (31 * h) + State.hash_bond b) 3 (Transition.bonds l) land max_int
+  | Absorb { first; absorber } -> 7 + (31 * first) + absorber
+  | Lot { bond; chance; _ } -> 13 + (31 * State.hash_bond bond) + Rat.hash chance
+  | Draw { first; velocity; _ } -> 11 + (31 * first) + Vec.hash velocity
+  | Bounce { firsts; _ } -> List.fold_left (fun h p -> (1_000_003 * h) + p) 5 firsts land max_int
+
+module Labels = Interned (struct
+    type t = Transition.label
+
+    let equal = Transition.equal_label
+    let hash = hash_label
+  end)
+
+module Steps = Interned (struct
+    type t = State.step
+
+    let equal (a : t) (b : t) =
+      Rat.equal a.remaining b.remaining && State.equal_phase a.phase b.phase
+
+    let hash (s : t) = Rat.hash s.remaining
+  end)
+
+type body = { number : int; form : int; place : int; velocity : int; process : State.process }
+
+type t = {
+  model : Model.t;
+  time_seen : Scc_property.Time_seen.t;
+  marked : bool;
+  vectors : Vectors.t;
+  forms : Forms.t;
+  labels : Labels.t;
+  steps : Steps.t;
+  times : Rationals.t;
+  places : Pairs.t;  (** form and place *)
+  processes : Pairs.t;  (** the pair before, and velocity *)
+  recent : body Recent.t;
+  seen : body array;  (** by slots: those last given out or numbered *)
+  mutable bits : int;  (** the length of the longest number *)
+  mutable passed : Rat.t * int;  (** how long time passed last, and the label of that *)
+}
+
+(* Numbers of processes begin at 1. *)
+let nobody = 0
+
+let no_body =
+  let leaf =
+    {
+      State.leaf = 0;
+      position = Vec.zero;
+      turned = Quaternion.identity;
+      waited = Rat.zero;
+      behaviour = Behaviour.fresh Behaviour.nil;
+    }
+  in
+  let process = State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:Vec.zero ~clock:None () in
+  { number = nobody; form = 0; place = 0; velocity = 0; process }
+
+let create ~marked ~time_seen ~memory model =
+  let vectors = Vectors.create () in
+  ignore (Vectors.intern vectors Vec.zero);
+  {
+    model; time_seen; marked; vectors;
+    forms = Forms.create ();
+    labels = Labels.create ();
+    steps = Steps.create ();
+    times = Rationals.create ();
+    (* Processes that are forked from this one go on with them by themselves. *)
+    places = Pairs.create ~in_files:false;
+    processes = Pairs.create ~in_files:false;
+    recent = Recent.create ~number:(fun b -> b.number) ~none:no_body ~most:memory;
+    seen = Array.make (Array.length model.leaves) no_body;
+    bits = 0;
+    passed = (Rat.zero, -1);
+  }
+
+let model c = c.model
+let time_seen c = c.time_seen
+let leaves c = Array.length c.model.leaves
+let option_slot used = if used then 1 else 0
+let step_slot = leaves
+let time_slot c = leaves c + option_slot (Model.of_all c.model)
+let mark_slot c = time_slot c + option_slot c.model.keeps_time
+
+type slot = Process | Step | Time | Mark
+
+let slot c i =
+  if i < leaves c then Process
+  else if Model.of_all c.model && i = step_slot c then Step
+  else if c.model.keeps_time && i = time_slot c then Time
+  else if c.marked then Mark
+  else Process
+
+let step_of_number c i = Steps.get c.steps i
+let step_number c s = Steps.intern c.steps s
+let rational c i = Rationals.get c.times i
+
+(* The tuple of the empty network has a slot all the same. *)
+let width c = Int.max 1 (mark_slot c + option_slot c.marked)
+let bodies c = Pairs.size c.processes
+let forms c = Forms.size c.forms
+let resting _ velocity = velocity = 0
+let first_leaf (p : State.process) = p.leaves.(0).leaf
+
+let moved by (p : State.process) =
+  if Vec.is_zero by then p
+  else State.map_leaves (fun l -> { l with position = Vec.add l.position by }) p
+
+(* Only what is new can be longer than all before. *)
+let measure c ~known ~number bits = if number = known then c.bits <- Int.max c.bits (bits ())
+
+let vector c v =
+  let known = Vectors.size c.vectors in
+  let number = Vectors.intern c.vectors v in
+  measure c ~known ~number (fun () -> Vec.bits v);
+  number
+
+let form_of c (p : State.process) =
+  let known = Forms.size c.forms in
+  let number = Forms.intern c.forms p in
+  let longest () = List.fold_left (fun most (_, bits) -> Int.max most bits) 0 (Length.of_process p) in
+  measure c ~known ~number longest;
+  number
+
+let numbered c ~form ~place ~velocity =
+  1 + Pairs.intern c.processes (Pairs.intern c.places form place) velocity
+
+let find_number c slot (p : State.process) =
+  let place = p.leaves.(0).position in
+  let form = form_of c (State.with_velocity Vec.zero (moved (Vec.neg place) p)) in
+  let place = vector c place and velocity = vector c p.velocity in
+  let number = numbered c ~form ~place ~velocity in
+  c.seen.(slot) <- { number; form; place; velocity; process = p };
+  number
+
+(* Most processes are after a transition what they were before it. *)
+let process c p =
+  let slot = first_leaf p in
+  let b = c.seen.(slot) in
+  if b.process == p then b.number else find_number c slot p
+
+let made c number =
+  let placed = Pairs.left c.processes (number - 1) and velocity = Pairs.right c.processes (number - 1) in
+  let form = Pairs.left c.places placed and place = Pairs.right c.places placed in
+  let process =
+    Forms.get c.forms form
+    |> moved (Vectors.get c.vectors place)
+    |> State.with_velocity (Vectors.get c.vectors velocity)
+  in
+  { number; form; place; velocity; process }
+
+let body c number =
+  let b = Recent.get c.recent number in
+  if b.number = number then b
+  else begin
+    let b = made c number in
+    Recent.keep c.recent b;
+    b
+  end
+
+let memory = 1 lsl 12
+
+let remembered c any f =
+  let known = Array.make memory nobody and values = Array.make memory any in
+  fun number ->
+    let k = number land (memory - 1) in
+    if known.(k) = number then values.(k)
+    else begin
+      let v = f (body c number).process in
+      known.(k) <- number;
+      values.(k) <- v;
+      v
+    end
+
+let displaced c d b =
+  let velocity = Vectors.get c.vectors b.velocity in
+  let place = Vec.axpy d velocity (Vectors.get c.vectors b.place) in
+  numbered c ~form:b.form ~place:(vector c place) ~velocity:b.velocity
+
+let shifted c by number =
+  let b = body c number in
+  numbered c ~form:b.form ~place:(vector c (Vec.add (Vectors.get c.vectors b.place) by)) ~velocity:b.velocity
+
+let form c i = Forms.get c.forms i
+
+let time_number c time =
+  let seen = Scc_property.Time_seen.representative c.time_seen time in
+  c.bits <- Int.max c.bits (Rat.bits seen);
+  Rationals.intern c.times seen
+
+let rational_number = time_number
+
+let put_rest c tuple ~step ~time =
+  Option.iter (fun step -> tuple.(step_slot c) <- step_number c step) step;
+  Option.iter (fun time -> tuple.(time_slot c) <- time_number c time) time
+
+let encode c (s : State.t) =
+  let tuple = Array.make (width c) nobody in
+  Array.iter (fun p -> tuple.(first_leaf p) <- process c p) s.processes;
+  put_rest c tuple ~step:s.step ~time:s.time;
+  tuple
+
+let step c tuple = if Model.of_all c.model then Some (Steps.get c.steps tuple.(step_slot c)) else None
+
+let same_rest c a b =
+  let rec from i = i >= width c || (a.(i) = b.(i) && from (i + 1)) in
+  from (leaves c)
+
+let time c tuple =
+  if c.model.keeps_time then Some (Rationals.get c.times tuple.(time_slot c)) else None
+
+let decode c tuple =
+  let n = leaves c in
+  let rec processes i acc =
+    if i < 0 then acc
+    else if tuple.(i) = nobody then processes (i - 1) acc
+    else begin
+      let b = body c tuple.(i) in
+      c.seen.(i) <- b;
+      processes (i - 1) (b.process :: acc)
+    end
+  in
+  State.make ~processes:(processes (n - 1) []) ~step:(step c tuple) ~time:(time c tuple)
+
+let time_after c tuple d =
+  if c.model.keeps_time then Some (time_number c (Rat.add (Rationals.get c.times tuple.(time_slot c)) d)) else None
+
+let label c l = Labels.intern c.labels l
+
+(* Of many states one after the other it is the same. *)
+let time_label c d =
+  match c.passed with
+  | known, label when label >= 0 && Rat.equal known d -> label
+  | _ ->
+    let label = label c (Transition.Time d) in
+    c.passed <- (d, label);
+    label
+
+let label_of c i = Labels.get c.labels i
+
+let labels c = List.init (Labels.size c.labels) (label_of c)
+let has_events c = List.exists (fun l -> not (Transition.is_time l)) (labels c)
+
+let duration c i = Transition.duration_of (label_of c i)
+
+let greatest_bits c = c.bits
+let longest c =
+  let greatest count bits =
+    let rec from i most = if i = count then most else from (i + 1) (Int.max most (bits i)) in
+    from 0 0
+  in
+  let vector i = Vec.bits (Vectors.get c.vectors i) in
+  let in_form of_process i = of_process (Forms.get c.forms i) in
+  let turned (p : State.process) =
+    Array.fold_left (fun most (l : State.leaf) -> Int.max most (Quaternion.bits l.turned)) 0 p.leaves
+  in
+  [
+    ("positions", greatest (Pairs.size c.places) (fun i -> vector (Pairs.right c.places i)));
+    ("velocities", greatest (Pairs.size c.processes) (fun i -> vector (Pairs.right c.processes i)));
+  ]
+  @
+  match c.model.rigid with
+  | None -> []
+  | Some { dynamics; _ } ->
+    let of_forms name bits = (name, greatest (Forms.size c.forms) (in_form bits)) in
+    let kept =
+      match dynamics with
+      | Constant_spin -> []
+      | Free_body -> [ of_forms "angular_momenta" (fun p -> Vec.bits p.kept) ]
+    in
+    [ of_forms "spins" (fun p -> Vec.bits p.spin); of_forms "orientations" turned ] @ kept

@@ -1,0 +1,322 @@
+open Scc_base
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_graph_search
+
+type fault = Transition.fault
+
+type context = {
+  local : Local.t;
+  quotient : Quotient.within;
+  visible : (int -> bool) option;
+  initial : State.t;
+  encounters : Encounters.t;
+  left : Section.memory;  (** of the first half of the slots of processes *)
+  right : Section.memory;
+  scene : Scene.t option;  (** where there are many *)
+  draws : bool;  (** a draw is told by who waits for it, and marks nothing *)
+  codec : Scc_codec.State_codec.t Lazy.t;
+  mutable given_up : Transition.fault list;  (** at the states seen so far, each once *)
+  mutable seen : Bytes.t;  (** a bit for each process: whether a state has been found that has it *)
+  mutable may_split : bool;  (** one of them may split at a split instant *)
+}
+
+let catalogue c = Local.catalogue c.local
+let semantics c = Local.semantics c.local
+let model c = Semantics.model (semantics c)
+let start c = c.initial
+let codec c = Lazy.force c.codec
+let width c = Catalogue.width (catalogue c)
+let initial c = Quotient.representative c.quotient (Catalogue.encode (catalogue c) c.initial)
+let representative c tuple = Quotient.representative c.quotient tuple
+
+let same_but_for_places c (s : State.t) (t : State.t) =
+  Quotient.same_but_for_places c.quotient (Catalogue.encode (catalogue c) s)
+    (Catalogue.encode (catalogue c) t)
+
+let keeps c tuple quantity = Quotient.keeps c.quotient tuple quantity
+let longest c = Catalogue.greatest_bits (catalogue c)
+let bits c tuple = (Length.longest (Catalogue.decode (catalogue c) tuple)).bits
+let duration c label = Catalogue.duration (catalogue c) label
+
+let by_pairs (m : Model.t) =
+  match (m.collisions, m.binding) with
+  | In_turn, On_collision -> true
+  | Together, _ | _, On_contact -> false
+
+let make ?(events = []) ?(time_seen = Scc_property.Time_seen.Always) ?(quotient = Quotient.none) ?visible
+    ?(memory = 1 lsl 16) ?(few = 32) semantics initial =
+  let m = Semantics.model semantics in
+  let local = Local.create ~events ~time_seen ~memory semantics in
+  let many = Model.part_count m > few in
+  let scene = if Model.straight m && by_pairs m && many then Some (Scene.create local) else None in
+  let encounters = Encounters.create ~memory:(4 * memory) local in
+  let leaves = Array.length m.leaves in
+  let left = Section.memory local ~first:0 ~beyond:(leaves / 2) in
+  let right = Section.memory local ~first:(leaves / 2) ~beyond:leaves in
+  let draws = Model.draws m && Option.is_none m.rigid && events = [] in
+  let codec = lazy (Scc_codec.State_codec.make m initial) in
+  let quotient = Quotient.within quotient (Local.catalogue local) in
+  { local; quotient; visible; initial; encounters; left; right; scene; draws; codec; given_up = [];
+    seen = Bytes.empty; may_split = false }
+
+(* Processes that were only thought of, as targets of transitions that are not possible as yet, do not count. *)
+let enter c number =
+  let at = number lsr 3 and bit = 1 lsl (number land 7) in
+  if at >= Bytes.length c.seen then begin
+    let seen = Bytes.make (Int.max 1024 (2 * (at + 1))) '\000' in
+    Bytes.blit c.seen 0 seen 0 (Bytes.length c.seen);
+    c.seen <- seen
+  end;
+  let byte = Char.code (Bytes.unsafe_get c.seen at) in
+  if byte land bit = 0 then begin
+    Bytes.unsafe_set c.seen at (Char.unsafe_chr (byte lor bit));
+    let p = Catalogue.form (catalogue c) (Catalogue.body (catalogue c) number).form in
+    if Option.is_some p.clock || Option.is_some (Lots.wait (model c) p) then c.may_split <- true
+  end
+
+let entered c changes =
+  let leaves = Array.length (model c).leaves in
+  for i = 0 to (Array.length changes / 2) - 1 do
+    let number = changes.((2 * i) + 1) in
+    if changes.(2 * i) < leaves && number <> Catalogue.nobody then enter c number
+  done
+
+let split_step c =
+  match (model c).splits with
+  | Every step when c.may_split -> Some step
+  | Every _ | Any_time -> None
+
+let given_up c = List.rev c.given_up
+
+let is_given_up : Transition.fault -> bool = function
+  | Persistent_contact _ -> true
+  | Bad_law _ | Bad_chance _ -> false
+
+let is_dead_end semantics state =
+  match Network.successors semantics state with
+  | Ok _ -> false
+  | Error fault -> is_given_up fault
+
+let set_mark c tuple mark =
+  if Local.has_events c.local then tuple.(Catalogue.mark_slot (catalogue c)) <- mark
+
+let events_of_mark c mark = Local.events_of c.local mark
+let mark_of c events = Local.mark_of c.local events
+
+let arrived c event =
+  let slot = Catalogue.mark_slot (catalogue c) in
+  match Local.place c.local event with
+  | None -> fun _ -> false
+  | Some place -> fun tuple -> List.exists (Int.equal place) (events_of_mark c tuple.(slot))
+
+let events c = Local.events c.local
+
+let happened c tuple =
+  match events c with [] -> [] | _ :: _ -> events_of_mark c tuple.(Catalogue.mark_slot (catalogue c))
+
+let set_happened c tuple places = set_mark c tuple (mark_of c places)
+
+(** {2 Transitions of the whole} *)
+
+let to_representative c tuple (s : Lts.step) =
+  if Quotient.is_none c.quotient then s
+  else
+    let target = Quotient.representative c.quotient (Tuples.apply s.changes tuple) in
+    { s with changes = Tuples.difference tuple target }
+
+(* What can happen now but for the passing of time, all the last first; who is there, in the order of slots; and
+   what tells the first time of contact, if nobody collides. *)
+type now = {
+  sections : unit -> Section.t * Section.t;
+  can : Local.move Network.discrete;
+  contact : limit:Rat.t option -> Rat.t option;
+}
+
+let present now =
+  let one, other = now.sections () in
+  Array.append (Section.present one) (Section.present other)
+
+let joined a b =
+  match (a, b) with
+  | [||], c | c, [||] -> c
+  | _ -> Array.append a b
+
+(* Who is there, and where, changes only with time and by absorption: other transitions lead from representatives
+   to representatives. *)
+let pass c (tuple : int array) now d =
+  let[@inline] change slot number rest = if tuple.(slot) = number then rest else slot :: number :: rest in
+  let mark = if Local.has_events c.local then change (Catalogue.mark_slot (catalogue c)) 0 [] else [] in
+  let mark_and_time =
+    match Catalogue.time_after (catalogue c) tuple d with
+    | None -> mark
+    | Some number -> change (Catalogue.time_slot (catalogue c)) number mark
+  in
+  let one, other = now.sections () in
+  let processes = joined (Section.after c.local d one) (Section.after c.local d other) in
+  let changes = joined processes (Array.of_list mark_and_time) in
+  let step = { Lts.label = Catalogue.time_label (catalogue c) d; changes } in
+  let rest = Section.rest one && Section.rest other in
+  if Array.length changes = 0 || Quotient.is_none c.quotient || rest then step
+  else to_representative c tuple step
+
+let step c tuple (m : Local.move) = if m.takes_out then to_representative c tuple m.step else m.step
+
+(* [meet] tells what comes of collisions, the last first, and the first time of contact. *)
+let by_sections c tuple meet =
+  let left = Section.look c.left tuple and right = Section.look c.right tuple in
+  let both left right = match left with [] -> right | _ :: _ -> right @ left in
+  let urgent = both (Section.urgent left) (Section.urgent right) in
+  let weak = both (Section.weak left) (Section.weak right) in
+  let collisions, contact = meet c left right in
+  { sections = (fun () -> (left, right)); can = { urgent; weak; collisions }; contact }
+
+let never ~limit:_ = None
+
+let by_pair c left right =
+  if Section.in_relative_motion left right then begin
+    let found = Encounters.among c.encounters (Array.append (Section.present left) (Section.present right)) in
+    (Encounters.collisions found, fun ~limit:_ -> Encounters.first_contact c.encounters found)
+  end
+  else ([], never)
+
+let processes present = Array.map (fun (a : Local.alone) -> a.body.process) present
+
+(* Where two do not collide by themselves, but with all others that hang together with them (reading I-32), or meet
+   at rest (reading I-33): all at once. *)
+let at_once c left right =
+  let processes = processes (Array.append (Section.present left) (Section.present right)) in
+  let collisions = List.rev_map (Local.move c.local) (Network.together (Local.afresh c.local) processes) in
+  (collisions, fun ~limit -> Collisions.first_time_of_contact (Local.afresh c.local) processes ~limit)
+
+(* Where few move, who meets whom is told by pairs; else who is near whom in time is seen at once. *)
+let few_movers = 16
+
+let first_contact_of_many c scene present ~limit =
+  if not (Scene.in_relative_motion scene) then None
+  else
+    let present = Later.force present in
+    let movers = Array.fold_left (fun n (a : Local.alone) -> if a.rests then n else n + 1) 0 present in
+    if movers <= few_movers then Encounters.first_contact c.encounters (Encounters.among c.encounters present)
+    else Collisions.first_time_of_contact (Local.afresh c.local) (processes present) ~limit
+
+let of_many c scene tuple =
+  Scene.look scene tuple;
+  let present = Later.make (fun () -> Scene.present scene) in
+  let sections = Later.make (fun () -> (Section.of_present (Later.force present), Section.nobody)) in
+  {
+    sections = (fun () -> Later.force sections);
+    can = { urgent = Scene.urgent scene; weak = Scene.weak scene; collisions = Scene.collisions scene };
+    contact = (fun ~limit -> first_contact_of_many c scene present ~limit);
+  }
+
+let now c tuple =
+  match c.scene with
+  | Some scene -> of_many c scene tuple
+  | None -> by_sections c tuple (if by_pairs (model c) then by_pair else at_once)
+
+let choices c source =
+  let encoded (t : Transition.t) =
+    let target = Catalogue.encode (catalogue c) t.target in
+    set_mark c target (Local.mark c.local ~source t.label);
+    Quotient.representative c.quotient target
+  in
+  let with_target t = (t, lazy (encoded t)) in
+  Result.map (List.map with_target) (Network.successors (semantics c) source)
+
+let whole c tuple =
+  let step ((t : Transition.t), target) : Lts.step =
+    { label = Catalogue.label (catalogue c) t.label; changes = Tuples.difference tuple (Lazy.force target) }
+  in
+  match choices c (Catalogue.decode (catalogue c) tuple) with
+  | Ok transitions -> Ok (List.map step transitions)
+  | Error fault when is_given_up fault ->
+    if not (List.mem fault c.given_up) then c.given_up <- fault :: c.given_up;
+    Ok []
+  | Error _ as fault -> fault
+
+let sooner d e =
+  match (d, e) with None, other | other, None -> other | Some d, Some e -> Some (if d == e then d else Rat.min d e)
+
+let by_parts c tuple =
+  let now = now c tuple in
+  let time () =
+    let one, other = now.sections () in
+    let wait = sooner (Section.wait one) (Section.wait other) in
+    match sooner wait (now.contact ~limit:wait) with
+    | None -> []
+    | Some d -> [ pass c tuple now d ]
+  in
+  Network.in_order (step c tuple) now.can ~time
+
+(** {2 Draws} *)
+
+let drawn c tuple p outcome =
+  let catalogue = catalogue c in
+  let label = Catalogue.label catalogue (Steer.draw_label p outcome) in
+  let slot = Catalogue.first_leaf p in
+  let number = Catalogue.process catalogue (State.with_draw (Some (Drawn (fst outcome))) p) in
+  let target = Array.copy tuple in
+  target.(slot) <- number;
+  let target' = Quotient.representative c.quotient target in
+  { Lts.label; changes = (if target' == target then [| slot; number |] else Tuples.difference tuple target') }
+
+(* While two or more wait to draw (rule Draw), a draw changes one process alone: what all have drawn takes effect
+   when the last one has, and who is first is told by those who wait. Of bodies that turn nothing is said here, as
+   turns may end before each draw. *)
+let draws c tuple =
+  if not c.draws then None
+  else
+    let n = Array.length (model c).leaves in
+    let rec waiting i found =
+      if i < 0 then Some found
+      else if tuple.(i) = Catalogue.nobody then waiting (i - 1) found
+      else
+        let p = (Catalogue.body (catalogue c) tuple.(i)).process in
+        if Lots.is_pending p then None
+        else waiting (i - 1) (match p.draw with Some Waits -> p :: found | Some (Drawn _) | None -> found)
+    in
+    match waiting (n - 1) [] with
+    | Some (_ :: _ :: _ as processes) ->
+      let first = Option.get (Process.first_by_place (model c) processes) in
+      let step = Catalogue.step (catalogue c) tuple and time = Catalogue.time (catalogue c) tuple in
+      Steer.chances (semantics c) (State.make ~processes:[ first ] ~step ~time) first
+      |> Result.map (List.map (drawn c tuple first))
+      |> Option.some
+    | Some ([] | [ _ ]) | None -> None
+
+let successors c tuple =
+  if Model.straight (model c) then Ok (by_parts c tuple)
+  else match draws c tuple with Some steps -> steps | None -> whole c tuple
+
+(** {2 One group of many} *)
+
+(* Of the groups with something urgent to do, the first in which nobody can be seen, if others could act as
+   well. *)
+let group_moves semantics visible present (d : Local.move Network.discrete) =
+  let groups = Groups.of_processes semantics (processes present) in
+  let group (m : Local.move) = Groups.of_leaf groups m.leaf in
+  let hidden g = not (List.exists visible (Groups.leaves groups g)) in
+  let urgent = List.rev_append d.urgent d.collisions in
+  let candidates = List.sort_uniq Int.compare (List.map group urgent) in
+  match List.find_opt hidden candidates with
+  | None -> None
+  | Some g ->
+    let inside = List.filter (fun m -> group m = g) in
+    let mine = { Network.urgent = inside d.urgent; weak = inside d.weak; collisions = inside d.collisions } in
+    let count (d : Local.move Network.discrete) =
+      List.length d.urgent + List.length d.weak + List.length d.collisions
+    in
+    if count mine < count d then Some mine else None
+
+let reduced c tuple =
+  match c.visible with
+  | None -> None
+  | Some _ when not (Model.straight (model c)) -> None
+  | Some visible -> (
+      let now = now c tuple in
+      if not (Network.is_urgent now.can) then None
+      else
+        group_moves (semantics c) visible (present now) now.can
+        |> Option.map (Network.in_order (step c tuple) ~time:(fun () -> [])))

@@ -1,0 +1,153 @@
+open Scc_ctl
+open Scc_exact
+open Scc_property
+module Graph = State_graph
+
+type asked = {
+  context : Network_lts.context;
+  formulas : Scc_ctl.Formula.t array;
+  props : Property.prop array;
+  predicates : On_the_fly.predicate array;
+}
+
+type t = { asked : asked; graph : Graph.t; eval : Scc_ctl.Eval.t }
+
+let ask context temporals =
+  let formulas, props = Skeleton.of_temporal temporals in
+  { context; formulas = Array.of_list formulas; props; predicates = Array.map (Predicate.make context) props }
+
+let is_timed g (e : Graph.edge) = Rat.sign (Graph.duration g e) > 0
+
+(* The edges of some kind, with their indices among all. *)
+let indexed test edges =
+  let all = Array.to_list (Array.mapi (fun k e -> (k, e)) edges) in
+  Array.of_list (List.filter (fun (_, e) -> test e) all)
+
+(* Where something is drawn nothing else can happen. *)
+let drawn context g i =
+  let label (e : Graph.edge) = Catalogue.label_of (Network_lts.catalogue context) e.label in
+  match Graph.edges g i with
+  | [||] -> None
+  | edges -> (
+      let chance e = Scc_semantics.Transition.chance (label e) in
+      if Scc_semantics.Transition.is_drawn (label edges.(0)) then Some (Array.map chance edges) else None)
+
+let timed_graph context ~rests g : Timed_graph.t =
+  let size = Graph.size g in
+  let known i =
+    match Graph.status g i with
+    | Scc_graph_search.Explore.Expanded -> true
+    | Queued | Unexpanded _ -> false
+  in
+  (* Whether a state without transitions rests is asked often, and is not quickly answered. *)
+  let resting = Bytes.make size '?' in
+  let rests i =
+    if Char.equal (Bytes.get resting i) '?' then
+      Bytes.set resting i (if rests (Graph.tuple g i) then 'y' else 'n');
+    Char.equal (Bytes.get resting i) 'y'
+  in
+  let edges = Graph.targets g ~timed:false in
+  (* All time transitions of a state have the same duration: that of its trajectory. *)
+  let flow i : Timed_graph.flow =
+    match Graph.passing g i with
+    | Some d -> Lasts (d, Graph.targets g ~timed:true i)
+    | None -> if Array.length (edges i) = 0 && rests i then Forever else No_flow
+  in
+  { size; known; edges; drawn = drawn context g; flow }
+
+let on asked ~rests graph =
+  (* Formulas are evaluated one after the other, each in all states, and may be as many as bodies. *)
+  let room = Array.copy (Network_lts.initial asked.context) in
+  let read node =
+    Graph.read_tuple graph node room;
+    room
+  in
+  let along p node extent =
+    match asked.predicates.(p).along with
+    | Some along -> along (read node) extent
+    | None -> Timeline.constant extent (asked.predicates.(p).at (read node))
+  in
+  let predicates =
+    {
+      Scc_ctl.Eval.at = (fun p node -> asked.predicates.(p).at (read node));
+      along;
+      steady = (fun p -> Option.is_none asked.predicates.(p).along);
+    }
+  in
+  { asked; graph; eval = Scc_ctl.Eval.create (Timed_graph.index (timed_graph asked.context ~rests graph))
+                      predicates }
+
+let origin = Scc_ctl.Positions.start 0
+let truth t i = Scc_ctl.Eval.truth t.eval t.asked.formulas.(i) origin
+
+let done_with t i =
+  let later = Array.to_list (Array.sub t.asked.formulas (i + 1) (Array.length t.asked.formulas - i - 1)) in
+  Scc_ctl.Eval.retain t.eval later
+
+let explain t i =
+  match Explanation.explain t.eval t.asked.formulas.(i) origin with
+  | Some e -> e
+  | None -> Scc_base.Bug.fail __POS__ "an undecided formula is explained"
+
+let probability t i side = Scc_ctl.Eval.probability t.eval ~decide:false side t.asked.formulas.(i) origin
+
+(* At an offset of the flow of a node. *)
+let number t n =
+  let semantics = Network_lts.semantics t.asked.context in
+  let graph = Scc_ctl.Eval.graph t.eval in
+  let catalogue = Network_lts.catalogue t.asked.context in
+  fun node offset ->
+    let extent = Timed_graph.extent (Timed_graph.flow graph node) in
+    let state = Catalogue.decode catalogue (Graph.tuple t.graph node) in
+    Scc_evaluate.Trajectory.number_at (Scc_evaluate.Trajectory.make semantics state extent) n offset
+
+let mean t i side (mean : Property.mean) =
+  let what : Expectation.what =
+    match (mean, t.asked.formulas.(i)) with
+    | Time_until _, Finally (_, _, g) -> Time_until g
+    | Events_until _, Until (_, _, f, g) -> Changes_until (f, g)
+    | Value_at (n, time), _ -> Value_at (number t n, time)
+    | (Time_until _ | Events_until _), _ -> Scc_base.Bug.fail __POS__ "a mean with another formula"
+  in
+  Expectation.find t.eval side what
+
+(* Of the operators with a probability that its truth in the initial state depends on at once. *)
+let probabilities t i =
+  let rec go (f : Scc_ctl.Formula.t) =
+    match f with
+    | Not f -> go f
+    | And fs | Or fs -> List.concat_map go fs
+    | Until (Chance { side; _ }, _, _, _) | Finally (Chance { side; _ }, _, _)
+    | Globally (Chance { side; _ }, _, _) ->
+      [ Scc_ctl.Eval.probability t.eval ~decide:true side f origin ]
+    | Predicate _ | Next _ | Until _ | Finally _ | Globally _ -> []
+  in
+  go t.asked.formulas.(i)
+
+(* What is counted until g is no condition for going on. *)
+let doubts_of_mean t i =
+  let until_right : Scc_ctl.Formula.t -> Scc_ctl.Formula.t = function
+    | Until (q, b, _, g) -> Finally (q, b, g)
+    | f -> f
+  in
+  Scc_ctl.Doubts.possible t.eval (until_right t.asked.formulas.(i)) origin
+
+let possible_doubts t i = Scc_ctl.Doubts.possible t.eval t.asked.formulas.(i) origin
+let doubts t i = Scc_ctl.Doubts.find t.eval t.asked.formulas.(i) origin
+let formula t i = t.asked.formulas.(i)
+let predicate t i = t.asked.props.(i)
+
+let choice t (s : Scc_ctl.Run.step) : Graph.step =
+  let edges = Graph.edges t.graph s.source in
+  let nth test k = fst (indexed test edges).(k) in
+  let choice =
+    match s.move with
+    | Edge k -> nth (fun e -> not (is_timed t.graph e)) k
+    | Flow k -> nth (is_timed t.graph) k
+  in
+  { source = s.source; choice }
+
+let flow_choice t i =
+  match indexed (is_timed t.graph) (Graph.edges t.graph i) with
+  | [||] -> None
+  | timed -> Some (fst timed.(0))

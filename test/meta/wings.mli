@@ -1,0 +1,22 @@
+(** The wings of [lib/]: each has a README that names its rooms (libraries) and the wings that it may use. *)
+
+val all : unit -> string list
+(** The folders of [lib/] with a README, in the order of the table in DEVEL.md. *)
+
+val upward : string -> string list
+(** Edges from a library of this wing to a wing that its README does not allow. *)
+
+val unordered : unit -> string list
+(** Wings that allow a wing of a later line of that table, or themselves. *)
+
+val unused : string -> string list
+(** Edges from a library of this wing to a library that its sources do not name. *)
+
+val unnamed : string -> string list
+(** Rooms of this wing that its README does not name, and those that it names in vain, or twice. *)
+
+val misplaced : string -> string list
+(** Files that its README names between backquotes and that are not there. *)
+
+val too_long : string -> string list
+(** Whether its README is more than a page of 60 lines. *)
