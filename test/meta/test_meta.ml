@@ -340,5 +340,10 @@ let () =
           case "every file that a README names is there" (in_each_wing Wings.misplaced "files that are not there");
           case "a README is a page" (in_each_wing Wings.too_long "READMEs of more than 60 lines");
         ] );
+      ( "kernel",
+        [
+          case "no mutation, floats or search" (fun () -> none "what the kernel does not do" (Kernel.impure ()));
+          case "its reading list is whole" (fun () -> none "modules that are not listed" (Kernel.unlisted ()));
+        ] );
       ("documents", [ case "every link leads somewhere" links ]);
     ]

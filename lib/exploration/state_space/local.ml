@@ -76,7 +76,7 @@ let create ~events ~time_seen ~memory semantics =
   in
   {
     semantics; catalogue; events;
-    afresh = Semantics.forgetful semantics; marks; nobody;
+    afresh = Semantics.without_memo semantics; marks; nobody;
     natures = Growable.create ();
     waits = [];
     singles = Recent.create ~number:(fun a -> a.body.number) ~none:nobody ~most:memory;

@@ -40,7 +40,7 @@ val create :
 val semantics : t -> Semantics.t
 
 val afresh : t -> Semantics.t
-(** {!Semantics.forgetful}: what is told here is remembered here. *)
+(** {!Semantics.without_memo}: what is told here is remembered here. *)
 
 val catalogue : t -> Catalogue.t
 

@@ -356,7 +356,7 @@ let can_run m = Model.straight m && not (Model.binds_on_contact m)
 
 let start semantics (s : State.t) =
   (* Whoever is asked about twice at one instant is kept here, and in the next one all are others. *)
-  let semantics = Semantics.forgetful semantics in
+  let semantics = Semantics.without_memo semantics in
   let m = Semantics.model semantics in
   if not (can_run m) then Scc_base.Bug.fail __POS__ "a model whose runs go step by step";
   let t =

@@ -5,7 +5,7 @@ open Kinematics
 
 let parts (c : Semantics.t) processes =
   let (module K) = c.kinematics in
-  let of_process i p = Known.parts c.known i p (fun () -> K.parts c.setting i p) in
+  let of_process i p = c.memo.parts i p (fun () -> K.parts c.setting i p) in
   Scc_data.Long_array.of_list (List.concat (List.mapi of_process (Array.to_list processes)))
 
 (* Those of two processes together, in order. *)
@@ -133,7 +133,7 @@ let meetings (c : Semantics.t) processes =
   let judged ((a : Part.t), (b : Part.t)) =
     if not (by_contact || Part.in_relative_motion a b) then None
     else
-      match Known.contact c.known a b (fun () -> K.contact c.setting a b) with
+      match c.memo.contact a b (fun () -> K.contact c.setting a b) with
       | Apart -> None
       | (Touching | Colliding) as contact -> Some (contact, (a, b))
   in

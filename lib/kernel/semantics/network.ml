@@ -52,15 +52,15 @@ let happens c (s : State.t) ~step (o : Transition.outcome) =
 let last_first lists = List.fold_left (fun all list -> List.rev_append list all) [] lists
 
 let urgent (c : Semantics.t) p =
-  Known.urgent c.known p (fun () ->
+  c.memo.urgent p (fun () ->
       Transition.distinct (List.rev_append (List.rev (Splits.strong c p)) (Closings.all c p)))
 
-let weak (c : Semantics.t) p = Known.weak c.known p (fun () -> Transition.distinct (Splits.weak c p))
+let weak (c : Semantics.t) p = c.memo.weak p (fun () -> Transition.distinct (Splits.weak c p))
 
 let collision (c : Semantics.t) processes (cluster : Collisions.cluster) =
   let look () = Result.map Transition.distinct (Collisions.outcomes c processes cluster) in
   match cluster.members with
-  | [ i; j ] -> Known.together c.known processes.(i) processes.(j) look
+  | [ i; j ] -> c.memo.collision processes.(i) processes.(j) look
   | _ -> look ()
 
 let of_single c (s : State.t) kind =

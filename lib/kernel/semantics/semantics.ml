@@ -1,7 +1,7 @@
 open Scc_geometry
 open Scc_calculus
 
-type t = { setting : Kinematics.setting; kinematics : (module Kinematics.S); known : Known.t }
+type t = { setting : Kinematics.setting; kinematics : (module Kinematics.S); memo : Memo.t }
 
 let kinematics (m : Model.t) : (module Kinematics.S) =
   match m.rigid with None -> (module Straight) | Some _ -> (module Turning)
@@ -9,11 +9,11 @@ let kinematics (m : Model.t) : (module Kinematics.S) =
 let afresh = Geometry.exact ~obstacle:(fun a b -> Obstacle.make a b)
 
 let make ?(geometry = afresh) ?(neighbours = Kinematics.everyone) ?(laws = Kinematics.ask_again)
-    ?(known = Known.none) model =
-  { setting = { model; geometry; neighbours; laws }; kinematics = kinematics model; known }
+    ?(memo = Memo.none) model =
+  { setting = { model; geometry; neighbours; laws }; kinematics = kinematics model; memo }
 
-let forgetful t = { t with known = Known.none }
+let without_memo t = { t with memo = Memo.none }
 let model t = t.setting.model
 
 let with_model t model =
-  { setting = { t.setting with model }; kinematics = kinematics model; known = Known.renewed t.known }
+  { setting = { t.setting with model }; kinematics = kinematics model; memo = t.memo.renewed () }

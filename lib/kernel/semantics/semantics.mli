@@ -3,20 +3,20 @@
 
 open Scc_calculus
 
-type t = private { setting : Kinematics.setting; kinematics : (module Kinematics.S); known : Known.t }
+type t = private { setting : Kinematics.setting; kinematics : (module Kinematics.S); memo : Memo.t }
 
 val make :
   ?geometry:Geometry.t ->
   ?neighbours:Kinematics.neighbours ->
   ?laws:Kinematics.laws ->
-  ?known:Known.t ->
+  ?memo:Memo.t ->
   Model.t -> t
 (** Its kinematics is chosen here, once and for all: {!Turning} for rigid models (reading I-18), {!Straight} for
     others. Left to itself, each question about contact and each law is answered afresh, and all pairs are looked
     at. *)
 
-val forgetful : t -> t
-(** The same, for who remembers by itself what is answered of processes ({!Known}). *)
+val without_memo : t -> t
+(** The same without a cache of processes ({!Memo.none}), for callers that keep such answers themselves. *)
 
 val model : t -> Model.t
 
