@@ -50,11 +50,22 @@ let names line word =
       (i = 0 || not (is_word_character line.[i - 1]))
       && (after = String.length line || not (is_word_character line.[after])))
 
+let is_digit = function '0' .. '9' -> true | _ -> false
+
+(* A number with a point: digits, by themselves, before a point. *)
+let has_float line =
+  Tree.places line "."
+  |> List.exists (fun i ->
+      let rec before j = if j >= 0 && is_digit line.[j] then before (j - 1) else j in
+      let j = before (i - 1) in
+      j < i - 1 && (j < 0 || not (is_word_character line.[j])))
+
 let impure () =
   let of_file file =
     String.split_on_char '\n' (code_of (Tree.read file))
     |> List.mapi (fun i line ->
         List.filter (names line) words @ List.filter (Tree.contains line) symbols
+        @ (if has_float line then [ "a number with a point" ] else [])
         |> List.map (Printf.sprintf "%s:%d: %s" file (i + 1)))
     |> List.concat
   in
