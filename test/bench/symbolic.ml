@@ -1,5 +1,5 @@
-(* Sets of runs: how much processor time what has a bar takes in lib/verification/symbolic, and how many zones; of a hundred
-   thousand of them, how much of the heap as well.
+(* Sets of runs: how much processor time what has a bar takes in lib/verification/symbolic, and how many zones; of
+   a hundred thousand of them, how much of the heap as well.
 
    dune exec --profile release test/bench/symbolic.exe [NAME ...] *)
 

@@ -1,5 +1,5 @@
-(* Microseconds for each question to lib/solids/polyhedra, on systems like those of symbolic runs: 14 constraints over 5
-   variables, half of them with a point in common. *)
+(* Microseconds for each question to lib/solids/polyhedra, on systems like those of symbolic runs: 14 constraints
+   over 5 variables, half of them with a point in common. *)
 
 open Scc_polyhedra
 

@@ -36,7 +36,8 @@ let code_of text =
   code 0;
   Bytes.to_string b
 
-let words = [ "mutable"; "ref"; "Hashtbl"; "Stack"; "Queue"; "Buffer"; "Bytes"; "Float"; "float"; "float_of_int"; "Float_box";
+let words = [ "mutable"; "ref"; "Hashtbl"; "Stack"; "Queue"; "Buffer"; "Bytes"; "Float"; "float";
+              "float_of_int"; "Float_box";
               "Random"; "Sys"; "Unix"; "Scc_graph_search" ]
 
 let symbols = [ ":="; "<-"; "+."; "-."; "*."; "/." ]
@@ -88,5 +89,5 @@ let listed () =
 
 let unlisted () =
   let there = modules () and listed = listed () in
-  List.filter (fun name -> not (List.mem name listed)) there
-  @ List.map (fun name -> name ^ ", which is not there") (List.filter (fun name -> not (List.mem name there)) listed)
+  let missing from = List.filter (fun name -> not (List.mem name from)) in
+  missing listed there @ List.map (fun name -> name ^ ", which is not there") (missing there listed)

@@ -276,12 +276,30 @@ let suite_obtained () =
 
 let links () =
   let documents =
-    [ "README.md"; "CHANGES.md"; "DEVEL.md" ]
+    [ "README.md"; "CHANGES.md"; "CONTRIBUTING.md"; "DEVEL.md" ]
     @ List.concat_map Tree.files [ "clients"; "lib"; "scripts"; "specs"; "test" ]
     |> List.filter (fun file -> Filename.check_suffix file ".md")
   in
   Alcotest.(check bool) "documents are found" true (List.length documents > 15);
   List.concat_map Links.faults documents |> none "links that lead nowhere"
+
+(* {1 Version} *)
+
+let version () =
+  match Tree.words_after "(version " (Tree.read "dune-project") with
+  | version :: _ ->
+    let says (file, text) =
+      if Tree.contains (Tree.read file) (text ^ version) then None
+      else Some (Printf.sprintf "%s: %s%s" file text version)
+    in
+    List.filter_map says
+      [
+        ("clients/python/pyproject.toml", "\nversion = \"");
+        ("clients/python/src/shapecalculus/__init__.py", "__version__ = \"");
+        ("CHANGES.md", "\n## ");
+      ]
+    |> none "texts that lack the version of dune-project"
+  | [] -> Alcotest.fail "no version in dune-project"
 
 (* {1 Wings} *)
 
@@ -345,5 +363,8 @@ let () =
           case "no mutation, floats or search" (fun () -> none "what the kernel does not do" (Kernel.impure ()));
           case "its reading list is whole" (fun () -> none "modules that are not listed" (Kernel.unlisted ()));
         ] );
-      ("documents", [ case "every link leads somewhere" links ]);
+      ( "documents",
+        [
+          case "every link leads somewhere" links; case "the version is that of dune-project" version;
+        ] );
     ]

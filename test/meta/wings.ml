@@ -83,7 +83,8 @@ let opened_everywhere = "scc_base"
 let unused wing =
   let of_room room =
     let text = String.concat "\n" (List.map Tree.read room.sources) in
-    List.filter (fun use -> not (use = opened_everywhere || Tree.contains text (String.capitalize_ascii use))) room.uses
+    let is_named use = use = opened_everywhere || Tree.contains text (String.capitalize_ascii use) in
+    List.filter (fun use -> not (is_named use)) room.uses
     |> List.map (Printf.sprintf "%s/%s does not name %s" wing room.folder)
   in
   List.concat_map of_room (rooms_of wing)

@@ -13,7 +13,8 @@ type entry = {
   mutable collisions : (unit, Memo.collision) pair list;
 }
 
-(* Some entries for each slot, which is the number of the first leaf of a process: the one used last comes first. *)
+(* Some entries for each slot, which is the number of the first leaf of a process: the one used last comes first.
+*)
 type t = { mutable slots : entry option array array }
 
 (* Explorations visit states that have most processes in common, and each state leads to several others. *)

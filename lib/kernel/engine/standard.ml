@@ -23,4 +23,5 @@ let of_model model =
       let casts = Cast_memory.create () in
       { geometry with first_penetration = Cast_memory.find casts geometry.first_penetration }
   in
-  Semantics.make ~geometry ~neighbours:(Neighbours.boxes ()) ~laws:(laws model) ~memo:(Process_cache.create ()) model
+  let memo = Process_cache.create () in
+  Semantics.make ~geometry ~neighbours:(Neighbours.boxes ()) ~laws:(laws model) ~memo model

@@ -1,6 +1,6 @@
-(** Questions of the rules whose answers a caller may keep. Each field takes the function that works the answer out, and
-    returns that answer; {!none} calls it each time. No answer may depend on what is kept. The rules keep nothing: a
-    cache is made elsewhere ([Scc_engine.Process_cache]) and handed to {!Semantics.make}. *)
+(** Questions of the rules whose answers a caller may keep. Each field takes the function that works the answer
+    out, and returns that answer; {!none} calls it each time. No answer may depend on what is kept. The rules keep
+    nothing: a cache is made elsewhere ([Scc_engine.Process_cache]) and handed to {!Semantics.make}. *)
 
 open Scc_calculus
 

@@ -1,6 +1,6 @@
-(** The notations in which models are written. Each is read into the syntax tree of [lib/language/syntax], with the places
-    of its own texts, and all that comes after is the same for every one of them; and each is written from such a
-    tree. *)
+(** The notations in which models are written. Each is read into the syntax tree of [lib/language/syntax], with the
+    places of its own texts, and all that comes after is the same for every one of them; and each is written from
+    such a tree. *)
 
 open Scc_base
 open Scc_syntax

@@ -1,5 +1,5 @@
-(** The tree of a model in the original notation: that of [lib/language/syntax], in which regions stand where features
-    do. What has no place there of its own is kept under names that no text can have, as they begin with a
+(** The tree of a model in the original notation: that of [lib/language/syntax], in which regions stand where
+    features do. What has no place there of its own is kept under names that no text can have, as they begin with a
     control character.
 
     A region is an expression: [X + Y], [X * Y] and [X - Y] are union, intersection and difference; what else

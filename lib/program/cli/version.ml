@@ -1,2 +1,2 @@
-let current = "0.1.0"
+let current = Version_number.current
 let told = Printf.sprintf "%s (semantics %s)" current Scc_calculus.Parameters.version

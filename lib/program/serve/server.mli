@@ -1,4 +1,5 @@
-(** The server of [scc serve], on the loopback alone. What it answers to whom is told in [lib/program/serve/README.md]. *)
+(** The server of [scc serve], on the loopback alone. What it answers to whom is told in
+    [lib/program/serve/README.md]. *)
 
 type how = {
   desk : Desk.t;

@@ -1,5 +1,5 @@
-(* What lib/foundation/base/constant_stack.ml puts in place of the standard library: the same results, calls and errors, for
-   lists of any length. *)
+(* What lib/foundation/base/constant_stack.ml puts in place of the standard library: the same results, calls and
+   errors, for lists of any length. *)
 
 module Safe = Scc_base.Constant_stack.List
 

@@ -18,7 +18,8 @@ let walls = "fixed west = Cube at translate (-9,0,0)\nfixed east = Cube at trans
 
 type asked = { reductions : Scc_state_space.Reduction.kind list; bounds : Bounds.t }
 
-let few states = { reductions = Scc_state_space.Reduction.all; bounds = { Bounds.default with states = Default states } }
+let few states =
+  { reductions = Scc_state_space.Reduction.all; bounds = { Bounds.default with states = Default states } }
 
 let without reduction asked =
   let others r = not (Scc_state_space.Reduction.equal reduction r) in
