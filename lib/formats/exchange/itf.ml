@@ -69,17 +69,26 @@ let step (s : State.t) =
   | Some { remaining; phase = Due } -> record remaining "due"
   | Some { remaining; phase = Steered } -> record remaining "steered"
 
-let values (m : Model.t) ~action ~time (s : State.t) =
-  let leaves = by_leaf s in
-  let name (l : State.leaf) = Json.text m.leaves.(l.leaf).name in
-  let each f = map (List.map (fun (p, l) -> (name l, f p l)) leaves) in
-  let processes = Array.to_list s.processes in
-  let first (p : State.process) = name p.leaves.(0) in
+(* {2 The values of a state} *)
+
+let named (m : Model.t) (l : State.leaf) = Json.text m.leaves.(l.leaf).name
+
+(* For each leaf, by its name. *)
+let of_each m s f = map (List.map (fun (p, l) -> (named m l, f p l)) (by_leaf s))
+
+(* For those processes that have one, by the name of their first leaf. *)
+let of_some m (s : State.t) f =
+  let entry (p : State.process) = Option.map (fun v -> (named m p.leaves.(0), v)) (f p) in
+  map (List.filter_map entry (Array.to_list s.processes))
+
+let of_all_models (m : Model.t) ~action ~time (s : State.t) =
+  let each f = of_each m s f in
   let origin (l : State.leaf) =
     match l.behaviour.origin with
     | Some k -> Json.text m.definitions.(k).name
     | None -> `String ""
   in
+  let bonds (p : State.process) = List.map (bond m) (Array.to_list p.bonds) in
   [
     ("action", Json.text action);
     ("time", rational time);
@@ -87,65 +96,62 @@ let values (m : Model.t) ~action ~time (s : State.t) =
     ("velocity", each (fun (p : State.process) _ -> vector p.velocity));
     ("behaviour", each (fun _ (l : State.leaf) -> Json.text (State_json.behaviour m ~leaf:l.leaf l.behaviour)));
     ("origin", each (fun _ l -> origin l));
-    ("process", each (fun p _ -> first p));
-    ( "bonds",
-      set
-        (List.concat_map
-           (fun (p : State.process) -> List.map (bond m) (Array.to_list p.bonds))
-           processes) );
-    ( "clock",
-      map
-        (List.filter_map
-           (fun (p : State.process) -> Option.map (fun c -> (first p, rational c)) p.clock)
-           processes) );
+    ("process", each (fun (p : State.process) _ -> named m p.leaves.(0)));
+    ("bonds", set (List.concat_map bonds (Array.to_list s.processes)));
+    ("clock", of_some m s (fun p -> Option.map rational p.clock));
     ("step", step s);
   ]
-  @ (if Model.of_each m then
-       [
-         ("waited", each (fun _ (l : State.leaf) -> rational l.waited));
-         ( "phase",
-           each (fun (p : State.process) _ ->
-               `String (Option.fold ~none:"none" ~some:State_json.phase p.phase)) );
-       ]
-     else [])
-  @ (if Model.draws m then
-       let drawn (p : State.process) =
-         match p.draw with Some (Drawn v) -> Some (first p, vector v) | Some Waits | None -> None
-       in
-       let waits (p : State.process) =
-         match p.draw with Some Waits -> Some (first p) | Some (Drawn _) | None -> None
-       in
-       [ ("drawn", map (List.filter_map drawn processes)); ("waits", set (List.filter_map waits processes)) ]
-     else [])
-  @ (if m.lots then
-       let since (p : State.process) = Option.map (fun (l : State.lots) -> (first p, rational l.since)) p.lots in
-       let pending (p : State.process) =
-         let one (b, (lot : State.lot)) =
-           let decided =
-             match lot with Undecided -> "undecided" | Let_go _ -> "release" | Next _ -> "first"
-           in
-           tuple [ bond m b; `String decided ]
-         in
-         Option.fold ~none:[] ~some:(fun (l : State.lots) -> List.map one l.pending) p.lots
-       in
-       [
-         ("split_clock", map (List.filter_map since processes));
-         ("lots", set (List.concat_map pending processes));
-       ]
-     else [])
-  @
-  if Option.is_none m.rigid then []
-  else
+
+let of_own_steps m s =
+  let phase (p : State.process) = Option.fold ~none:"none" ~some:State_json.phase p.phase in
+  [
+    ("waited", of_each m s (fun _ (l : State.leaf) -> rational l.waited));
+    ("phase", of_each m s (fun p _ -> `String (phase p)));
+  ]
+
+let of_draws m (s : State.t) =
+  let drawn (p : State.process) =
+    match p.draw with Some (Drawn v) -> Some (vector v) | Some Waits | None -> None
+  in
+  let waits (p : State.process) =
+    match p.draw with Some Waits -> Some (named m p.leaves.(0)) | Some (Drawn _) | None -> None
+  in
+  [ ("drawn", of_some m s drawn); ("waits", set (List.filter_map waits (Array.to_list s.processes))) ]
+
+let of_lots m (s : State.t) =
+  let decided (lot : State.lot) =
+    match lot with Undecided -> "undecided" | Let_go _ -> "release" | Next _ -> "first"
+  in
+  let pending (p : State.process) =
+    let one (b, lot) = tuple [ bond m b; `String (decided lot) ] in
+    Option.fold ~none:[] ~some:(fun (l : State.lots) -> List.map one l.pending) p.lots
+  in
+  [
+    ("split_clock", of_some m s (fun p -> Option.map (fun (l : State.lots) -> rational l.since) p.lots));
+    ("lots", set (List.concat_map pending (Array.to_list s.processes)));
+  ]
+
+let of_turning m s =
+  let each f = of_each m s f in
+  [
+    ("turned", each (fun _ (l : State.leaf) -> quaternion l.turned));
+    ("spin", each (fun (p : State.process) _ -> vector p.spin));
+    ("since", each (fun (p : State.process) _ -> rational p.since));
+    ("lasts", each (fun (p : State.process) _ -> rational (Option.value p.lasts ~default:(Rat.of_int (-1)))));
+  ]
+  @ if Turn.is_free m then [ ("angular_momentum", each (fun (p : State.process) _ -> vector p.kept)) ] else []
+
+let values (m : Model.t) ~action ~time (s : State.t) =
+  let parts =
     [
-      ("turned", each (fun _ (l : State.leaf) -> quaternion l.turned));
-      ("spin", each (fun (p : State.process) _ -> vector p.spin));
-      ("since", each (fun (p : State.process) _ -> rational p.since));
-      ("lasts", each (fun (p : State.process) _ -> rational (Option.value p.lasts ~default:(Rat.of_int (-1)))));
+      (true, fun () -> of_all_models m ~action ~time s);
+      (Model.of_each m, fun () -> of_own_steps m s);
+      (Model.draws m, fun () -> of_draws m s);
+      (m.lots, fun () -> of_lots m s);
+      (Option.is_some m.rigid, fun () -> of_turning m s);
     ]
-    @
-    if Turn.is_free m then
-      [ ("angular_momentum", each (fun (p : State.process) _ -> vector p.kept)) ]
-    else []
+  in
+  List.concat_map (fun (has, part) -> if has then part () else []) parts
 
 let flush t ~last meta =
   Option.iter

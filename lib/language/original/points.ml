@@ -80,7 +80,21 @@ let key corners =
   Array.sort Int.compare sorted;
   Array.to_list sorted
 
-let read plain ~at written regions =
+(* The points of a solid, its corners and faces where they are known, and which of them have names so far. *)
+type reading = {
+  plain : Plain.t;
+  exact : bool;  (** all points are known numbers, so that corners and faces are those of the hull *)
+  points : (place * Ast.expr) array;
+  index : place -> int option;
+  is_corner : bool array;
+  faces : int array array;
+  by_corners : (int list, int) Hashtbl.t;  (** faces by their sorted corners *)
+  names : Ast.name option array;  (** of points *)
+  listed : bool array;  (** faces that have a name *)
+  mutable found : (Ast.name * int array) list;  (** faces with names, the last one first *)
+}
+
+let start plain ~at written =
   let placed = List.map (fun e -> (place plain e, e)) written in
   let exact = List.for_all (fun (p, _) -> Option.is_some (known p)) placed in
   let points =
@@ -91,62 +105,76 @@ let read plain ~at written regions =
     else distinct [] placed
   in
   let points = Array.of_list points in
-  let index = index_of points in
-  let corners, faces = if exact then hull at points else (Array.init (Array.length points) Fun.id, [||]) in
-  let is_corner = Array.make (Array.length points) false in
+  let size = Array.length points in
+  let corners, faces = if exact then hull at points else (Array.init size Fun.id, [||]) in
+  let is_corner = Array.make size false in
   Array.iter (fun i -> is_corner.(i) <- true) corners;
   let by_corners = Hashtbl.create 16 in
   Array.iteri (fun i c -> Hashtbl.replace by_corners (key c) i) faces;
-  let names = Array.make (Array.length points) None and listed = Array.make (Array.length faces) false in
-  let found = ref [] and others = ref [] in
-  let vertex name p =
-    match index (place plain p) with
-    | Some i when is_corner.(i) && Option.is_none names.(i) ->
-      names.(i) <- Some name;
+  {
+    plain; exact; points; index = index_of points; is_corner; faces; by_corners;
+    names = Array.make size None;
+    listed = Array.make (Array.length faces) false;
+    found = [];
+  }
+
+(* Names a corner. False if the point is none, or has a name. *)
+let name_vertex r name p =
+  match r.index (place r.plain p) with
+  | Some i when r.is_corner.(i) && Option.is_none r.names.(i) ->
+    r.names.(i) <- Some name;
+    true
+  | Some _ | None -> false
+
+(* Names a face of the hull by its corners in either direction. False if they are none in order, or it has a name. *)
+let name_hull_face r name cycle =
+  match Hashtbl.find_opt r.by_corners (key cycle) with
+  | Some i when not r.listed.(i) ->
+    let n = Array.length cycle in
+    let turned = Array.init n (fun k -> cycle.(n - 1 - k)) in
+    let is c = Polyhedron.rotation_equivalent c r.faces.(i) in
+    let right = if is cycle then Some cycle else if is turned then Some turned else None in
+    let add c =
+      r.listed.(i) <- true;
+      r.found <- (name, c) :: r.found
+    in
+    Option.iter add right;
+    Option.is_some right
+  | Some _ | None -> false
+
+let name_face r name ps =
+  let cycle = List.map (fun p -> r.index (place r.plain p)) ps in
+  if not (List.for_all Option.is_some cycle) then false
+  else
+    let cycle = Array.of_list (List.filter_map Fun.id cycle) in
+    if r.exact then name_hull_face r name cycle
+    else begin
+      r.found <- (name, cycle) :: r.found;
       true
-    | Some _ | None -> false
-  in
-  let face name ps =
-    let cycle = List.map (fun p -> index (place plain p)) ps in
-    if not (List.for_all Option.is_some cycle) then false
-    else
-      let cycle = Array.of_list (List.filter_map Fun.id cycle) in
-      if not exact then begin
-        found := (name, cycle) :: !found;
-        true
-      end
-      else
-        match Hashtbl.find_opt by_corners (key cycle) with
-        | Some i when not listed.(i) ->
-          let n = Array.length cycle in
-          let turned = Array.init n (fun k -> cycle.(n - 1 - k)) in
-          let is c = Polyhedron.rotation_equivalent c faces.(i) in
-          let right = if is cycle then Some cycle else if is turned then Some turned else None in
-          Option.iter
-            (fun c ->
-               listed.(i) <- true;
-               found := (name, c) :: !found)
-            right;
-          Option.is_some right
-        | Some _ | None -> false
-  in
-  List.iter
-    (fun (name, (x : Region.t)) ->
-       let is_feature =
-         match x.kind with Point p -> vertex name p | Polygon ps -> face name ps | _ -> false
-       in
-       if not is_feature then others := (name, x) :: !others)
-    regions;
+    end
+
+let is_feature r (name, (x : Region.t)) =
+  match x.kind with
+  | Point p -> name_vertex r name p
+  | Polygon ps -> name_face r name ps
+  | _ -> false
+
+let indices array = List.init (Array.length array) Fun.id
+
+let read plain ~at written regions =
+  let r = start plain ~at written in
+  let _, others = List.partition (is_feature r) regions in
   let taken = Hashtbl.create 16 in
   List.iter (fun ((n : Ast.name), _) -> Hashtbl.replace taken n.it ()) regions;
-  let corners = List.filter (fun i -> is_corner.(i)) (List.init (Array.length points) Fun.id) in
-  let unnamed = List.filter (fun i -> Option.is_none names.(i)) corners in
-  List.iter2 (fun i n -> names.(i) <- Some n) unnamed (fresh "v" taken at (List.length unnamed));
-  let name i = Option.value names.(i) ~default:(Tree.at at "") in
-  let missing = List.filter (fun i -> not listed.(i)) (List.init (Array.length faces) Fun.id) in
-  let more = List.map2 (fun i n -> (n, faces.(i))) missing (fresh "f" taken at (List.length missing)) in
-  let told (n, c) = (n, List.map name (Array.to_list c)) in
+  let corners = List.filter (fun i -> r.is_corner.(i)) (indices r.points) in
+  let unnamed = List.filter (fun i -> Option.is_none r.names.(i)) corners in
+  List.iter2 (fun i n -> r.names.(i) <- Some n) unnamed (fresh "v" taken at (List.length unnamed));
+  let name i = Option.value r.names.(i) ~default:(Tree.at at "") in
+  let missing = List.filter (fun i -> not r.listed.(i)) (indices r.faces) in
+  let more = List.map2 (fun i n -> (n, r.faces.(i))) missing (fresh "f" taken at (List.length missing)) in
+  let with_corners (n, c) = (n, List.map name (Array.to_list c)) in
   {
-    faces = (List.map (fun i -> (name i, snd points.(i))) corners, List.map told (List.rev !found @ more));
-    others = List.rev !others;
+    faces =
+      (List.map (fun i -> (name i, snd r.points.(i))) corners, List.map with_corners (List.rev r.found @ more));
+    others;
   }

@@ -258,6 +258,36 @@ let recurring t s (u : Eval.until) =
     (match first (fun p -> not (is_interval p)) k with Some i -> Some i | None -> first is_interval k)
   | _ -> None
 
+(* The numbers of places that are looked at, each round of a repeated course unrolled, at most. *)
+let limit t =
+  let size = Array.length t.places in
+  match t.again with None -> size | Some k -> size + (most_rounds * (size - k))
+
+(* True if a whole round was looked at of those that come when the time counts. *)
+let whole_round_seen t s =
+  match t.again with
+  | None -> true
+  | Some k -> (
+      Rat.sign t.period = 0
+      ||
+      match unrolled t (limit t - (Array.length t.places - k)) with
+      | Some (_, clock) -> Rat.compare clock s.low >= 0
+      | None -> false)
+
+(* What the place with this number of the course says: at its instant first, then after it. *)
+let said s spot n i clock =
+  let t = spot.course in
+  let place = t.places.(i) in
+  let on_from_here = n = spot.index in
+  let at = if on_from_here then spot.at else place.position in
+  let first =
+    if on_from_here || not (is_interval place) then look s place clock ~at ~instant:true else Silent
+  in
+  let place = if on_from_here then { place with low = spot.at.offset } else place in
+  match first with
+  | Silent when is_interval t.places.(i) -> (at, look s place clock ~at ~instant:false)
+  | said -> (at, said)
+
 let follow e (u : Eval.until) spot =
   let t = spot.course in
   let here = t.places.(spot.index) in
@@ -271,8 +301,7 @@ let follow e (u : Eval.until) spot =
       { f = side u.left; g = side u.right; some; low = rat_max start (Some (Rat.add start u.bound.low));
         high = Option.map (Rat.add start) u.bound.high }
     in
-    let size = Array.length t.places in
-    let limit = match t.again with None -> size | Some k -> size + (most_rounds * (size - k)) in
+    let limit = limit t and size = Array.length t.places in
     let reached n i position finish =
       let there = { course = t; index = i; at = position } in
       Some (run_to t spot n position finish, Some there)
@@ -283,39 +312,15 @@ let follow e (u : Eval.until) spot =
       | Some _, Some { finish = Rests | Repeats _; _ } -> None
       | _, Some run -> Some (run, None)
     in
-    (* Whether a whole round was looked at of those that come when the time counts. *)
-    let all_seen =
-      match t.again with
-      | None -> true
-      | Some k -> (
-          Rat.sign t.period = 0
-          ||
-          match unrolled t (limit - (size - k)) with
-          | Some (_, clock) -> Rat.compare clock s.low >= 0
-          | None -> false)
-    in
     let rec go n =
       match if n >= limit then None else unrolled t n with
-      | None -> if all_seen then endless () else None
+      | None -> if whole_round_seen t s then endless () else None
       | Some (i, clock) -> (
-          let place = t.places.(i) in
-          let on_from_here = n = spot.index in
-          let at = if on_from_here then spot.at else place.position in
-          let first =
-            if on_from_here || not (is_interval place) then look s place clock ~at ~instant:true else Silent
-          in
-          let place = if on_from_here then { place with low = spot.at.offset } else place in
-          let said =
-            match first with
-            | Silent when is_interval t.places.(i) -> look s place clock ~at ~instant:false
-            | said -> said
-          in
-          match said with
-          | Shown (position, finish) -> reached n i position finish
-          | Refuted -> None
-          | Past when Positions.is_inside at -> Some (run_to t spot n at Passes, None)
-          | Past -> None
-          | Silent -> go (n + 1))
+          match said s spot n i clock with
+          | _, Shown (position, finish) -> reached n i position finish
+          | _, Refuted -> None
+          | at, Past -> if Positions.is_inside at then Some (run_to t spot n at Passes, None) else None
+          | _, Silent -> go (n + 1))
     in
     (match recurring t s u with
      | Some goal when goal <> spot.index ->

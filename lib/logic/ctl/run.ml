@@ -65,94 +65,111 @@ module Met = Hashtbl.Make (struct
   end)
 
 (* Places in the order in which they were met, the start first: where, from which place and by which move. *)
+type tree = { nodes : int Growable.t; from : int Growable.t; by : int Growable.t }
+
 type region = {
   origin : Positions.position;
-  nodes : int Growable.t;
-  from : int Growable.t;
-  by : int Growable.t;
+  tree : tree;
   ways : int -> (Timed_graph.move * int) list;  (** that the search follows from a place, to places *)
 }
 
-let rec back r i acc =
-  let before = Growable.get r.from i in
+let rec back tree i acc =
+  let before = Growable.get tree.from i in
   if before < 0 then acc
   else
-    let step = { source = Growable.get r.nodes before; move = move (Growable.get r.by i) } in
-    back r before (step :: acc)
+    let step = { source = Growable.get tree.nodes before; move = move (Growable.get tree.by i) } in
+    back tree before (step :: acc)
+
+(* A search: its places so far, when each was met, and which nodes were met, at which times if those matter. *)
+type searched = {
+  g : Timed_graph.t;
+  start : Positions.position;
+  tree : tree;
+  keep_time : bool;
+  by_time : bool;
+  times : Rat.t Growable.t;  (** of places, if times are kept *)
+  seen : Bits.t;
+  met : unit Met.t;
+  bound : Rat.t;
+}
+
+let is_new t node time =
+  if t.by_time then
+    (not (Met.mem t.met (node, time)))
+    && begin
+      Met.replace t.met (node, time) ();
+      true
+    end
+  else
+    (not (Bits.mem t.seen node))
+    && begin
+      Bits.add t.seen node;
+      true
+    end
+
+let add t node time ~from ~by =
+  Growable.push t.tree.nodes node;
+  Growable.push t.tree.from from;
+  Growable.push t.tree.by by;
+  if t.keep_time then Growable.push t.times time
+
+let enter t node time ~from ~by = if is_new t node time then add t node time ~from ~by
+
+(* A start inside a flow is the first place, and no node. *)
+let is_inside t i = i = 0 && Positions.is_inside t.start
+let time t i = if t.keep_time then Growable.get t.times i else Rat.zero
+
+let judged t judge i =
+  let position = if is_inside t i then t.start else Positions.start (Growable.get t.tree.nodes i) in
+  judge { position; left = Algebraic.add_rat (Rat.sub t.bound (time t i)) t.start.offset }
+
+(* The ways from a place that may be taken: each move, with the node that it leads to and when. *)
+let iter_ways t i ~edge ~flow f =
+  let node = Growable.get t.tree.nodes i and time = time t i in
+  if not (is_inside t i) then
+    Array.iteri (fun k n -> if edge n then f (Timed_graph.Edge k) n time) (Timed_graph.edges t.g node);
+  match Timed_graph.flow t.g node with
+  | Lasts (d, targets) ->
+    let later = if t.keep_time then Rat.add time d else time in
+    Array.iteri (fun k n -> if flow n then f (Timed_graph.Flow k) n later) targets
+  | No_flow | Forever -> ()
+
+(* Places by the node, and by the time if that matters. *)
+let places t =
+  let known = Met.create 64 in
+  for i = if is_inside t 0 then 1 else 0 to Growable.length t.tree.nodes - 1 do
+    Met.replace known (Growable.get t.tree.nodes i, if t.by_time then time t i else Rat.zero) i
+  done;
+  known
+
+let ways_of t judge places i =
+  match judged t judge i with
+  | Found _ -> []
+  | Follow { edge; flow } ->
+    let found = ref [] in
+    let add move n time =
+      found := (move, Met.find (Lazy.force places) (n, if t.by_time then time else Rat.zero)) :: !found
+    in
+    iter_ways t i ~edge ~flow add;
+    List.rev !found
 
 let search (g : Timed_graph.t) ?(by_time = false) ?bound (start : Positions.position) judge =
-  let nodes = Growable.create () and from = Growable.create () and by = Growable.create () in
-  let times = Growable.create () in
-  let keep_time = by_time || Option.is_some bound in
-  let seen = Bits.create (if by_time then 0 else g.size) and met = Met.create 16 in
-  let add node time place move =
-    Growable.push nodes node;
-    Growable.push from place;
-    Growable.push by move;
-    if keep_time then Growable.push times time
+  let tree = { nodes = Growable.create (); from = Growable.create (); by = Growable.create () } in
+  let t =
+    { g; start; tree; by_time; keep_time = by_time || Option.is_some bound; times = Growable.create ();
+      seen = Bits.create (if by_time then 0 else g.size); met = Met.create 16;
+      bound = Option.value bound ~default:Rat.zero }
   in
-  let is_new node time =
-    if by_time then
-      (not (Met.mem met (node, time)))
-      && begin
-        Met.replace met (node, time) ();
-        true
-      end
-    else
-      (not (Bits.mem seen node))
-      && begin
-        Bits.add seen node;
-        true
-      end
-  in
-  let is_inside i = i = 0 && Positions.is_inside start in
-  let enter node time place move = if is_new node time then add node time place move in
-  if Positions.is_inside start then add start.node Rat.zero (-1) 0 else enter start.node Rat.zero (-1) 0;
-  let bound = Option.value bound ~default:Rat.zero in
-  let time i = if keep_time then Growable.get times i else Rat.zero in
-  let judge i =
-    let node = Growable.get nodes i in
-    let position = if is_inside i then start else Positions.start node in
-    judge { position; left = Algebraic.add_rat (Rat.sub bound (time i)) start.offset }
-  in
-  let iter_ways i ~edge ~flow f =
-    let node = Growable.get nodes i and time = time i in
-    if not (is_inside i) then
-      Array.iteri (fun k t -> if edge t then f (Timed_graph.Edge k) t time) (Timed_graph.edges g node);
-    match Timed_graph.flow g node with
-    | Lasts (d, targets) ->
-      let later = if keep_time then Rat.add time d else time in
-      Array.iteri (fun k t -> if flow t then f (Timed_graph.Flow k) t later) targets
-    | No_flow | Forever -> ()
-  in
-  (* Where a node was met, at a time if that matters. A start inside a flow is the first place, and no node. *)
-  let places =
-    lazy
-      (let known = Met.create 64 in
-       for i = if is_inside 0 then 1 else 0 to Growable.length nodes - 1 do
-         Met.replace known (Growable.get nodes i, if by_time then time i else Rat.zero) i
-       done;
-       known)
-  in
-  let ways i =
-    match judge i with
-    | Found _ -> []
-    | Follow { edge; flow } ->
-      let found = ref [] in
-      let add move t time =
-        found := (move, Met.find (Lazy.force places) (t, if by_time then time else Rat.zero)) :: !found
-      in
-      iter_ways i ~edge ~flow add;
-      List.rev !found
-  in
-  let region = { origin = start; nodes; from; by; ways } in
+  if Positions.is_inside start then add t start.node Rat.zero ~from:(-1) ~by:0
+  else enter t start.node Rat.zero ~from:(-1) ~by:0;
   let rec go i =
-    if i = Growable.length nodes then Error region
+    if i = Growable.length tree.nodes then
+      Error { origin = start; tree; ways = ways_of t judge (lazy (places t)) }
     else
-      match judge i with
-      | Found result -> Ok { steps = back region i []; last = Growable.get nodes i; result }
+      match judged t judge i with
+      | Found result -> Ok { steps = back tree i []; last = Growable.get tree.nodes i; result }
       | Follow { edge; flow } ->
-        iter_ways i ~edge ~flow (fun move t time -> enter t time i (code move));
+        iter_ways t i ~edge ~flow (fun move n time -> enter t n time ~from:i ~by:(code move));
         go (i + 1)
   in
   go 0
@@ -187,19 +204,19 @@ let route size ~ways ~from ~goal =
   in
   go ()
 
-let lasso region ~prefer =
-  let size = Growable.length region.nodes in
+let lasso (region : region) ~prefer =
+  let size = Growable.length region.tree.nodes in
   let successors i = Array.of_list (List.map snd (region.ways i)) in
   let components = Strong_components.compute ~size ~inside:(fun _ -> true) ~successors in
   let number = Strong_components.number components in
   let staying i = List.filter (fun (_, j) -> Int.equal (number i) (number j)) (region.ways i) in
-  let step (i, move) = { source = Growable.get region.nodes i; move } in
+  let step (i, move) = { source = Growable.get region.tree.nodes i; move } in
   let closed i (move, j) =
     let home = route size ~ways:staying ~from:j ~goal:i in
-    let stem = back region i [] in
+    let stem = back region.tree i [] in
     let finish = Repeats (List.length stem) in
     let steps = List.rev_append (List.rev stem) (List.map step ((i, move) :: home)) in
-    { start = region.origin; steps; last = Growable.get region.nodes i; finish }
+    { start = region.origin; steps; last = Growable.get region.tree.nodes i; finish }
   in
   let rec first good i =
     if i = size then None

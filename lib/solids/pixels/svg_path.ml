@@ -144,6 +144,46 @@ let arc p (rx, ry) angle ~large ~sweep place =
 (* What S and T continue: the last control point of the curve before. *)
 type last = Cubic of Plane_map.point | Quadratic of Plane_map.point | Other
 
+let mirrored p control = (Rat.of_int 2 *: p.here) -: control
+
+(* One command with its numbers: [x] and [y] read coordinates, [c] has the text. What later commands continue. *)
+let draw p c command ~x ~y last =
+  let point () =
+    let x = x () in
+    (x, y ())
+  in
+  let cubic a =
+    let b = point () in
+    curve p [ a; b; point () ];
+    Cubic b
+  in
+  let quadratic a =
+    curve p [ a; point () ];
+    Quadratic a
+  in
+  match Char.uppercase_ascii command with
+  | 'M' -> move p (point ()); Other
+  | 'L' -> line p (point ()); Other
+  | 'H' -> line p (x (), snd p.here); Other
+  | 'V' -> line p (fst p.here, y ()); Other
+  | 'C' -> cubic (point ())
+  | 'S' -> cubic (match last with Cubic b -> mirrored p b | Quadratic _ | Other -> p.here)
+  | 'Q' -> quadratic (point ())
+  | 'T' -> quadratic (match last with Quadratic b -> mirrored p b | Cubic _ | Other -> p.here)
+  | 'A' ->
+    let rx = number c in
+    let ry = number c in
+    let angle = number c in
+    let large = flag c in
+    let sweep = flag c in
+    arc p (rx, ry) angle ~large ~sweep (point ());
+    Other
+  | 'Z' ->
+    close p;
+    p.here <- p.start;
+    Other
+  | _ -> bad "path data with the unknown command %C" command
+
 let path p text =
   let c = { text; at = 0 } in
   let letter () =
@@ -162,51 +202,9 @@ let path p text =
           | Some 'm' -> run 'l' last
           | Some command -> run command last)
   and run command last =
-    let relative = Char.lowercase_ascii command = command in
-    let base = if relative then p.here else origin in
+    let base = if Char.lowercase_ascii command = command then p.here else origin in
     let x () = Rat.add (number c) (fst base) and y () = Rat.add (number c) (snd base) in
-    let point () =
-      let x = x () in
-      (x, y ())
-    in
-    let mirrored control = (Rat.of_int 2 *: p.here) -: control in
-    let continue last = next (Some command) last in
-    match Char.uppercase_ascii command with
-    | 'M' -> move p (point ()); continue Other
-    | 'L' -> line p (point ()); continue Other
-    | 'H' -> line p (x (), snd p.here); continue Other
-    | 'V' -> line p (fst p.here, y ()); continue Other
-    | 'C' ->
-      let a = point () in
-      let b = point () in
-      curve p [ a; b; point () ];
-      continue (Cubic b)
-    | 'S' ->
-      let a = match last with Cubic b -> mirrored b | Quadratic _ | Other -> p.here in
-      let b = point () in
-      curve p [ a; b; point () ];
-      continue (Cubic b)
-    | 'Q' ->
-      let a = point () in
-      curve p [ a; point () ];
-      continue (Quadratic a)
-    | 'T' ->
-      let a = match last with Quadratic b -> mirrored b | Cubic _ | Other -> p.here in
-      curve p [ a; point () ];
-      continue (Quadratic a)
-    | 'A' ->
-      let rx = number c in
-      let ry = number c in
-      let angle = number c in
-      let large = flag c in
-      let sweep = flag c in
-      arc p (rx, ry) angle ~large ~sweep (point ());
-      continue Other
-    | 'Z' ->
-      close p;
-      p.here <- p.start;
-      continue Other
-    | _ -> bad "path data with the unknown command %C" command
+    next (Some command) (draw p c command ~x ~y last)
   in
   next None Other;
   close p;
