@@ -316,8 +316,8 @@ let man =
        found it; $(b,--invariant) shows it. How long it is looked for is counted in steps of arithmetic, and \
        so is the same on every machine: 10 million before anything is explored, and 200 million where a bound \
        ended this; for each state that $(b,--states) allows beyond its default, 50 and 1000 more. \
-       $(b,--seconds) and $(b,--memory) end it as well: the search before has half of the seconds, and where it was given \
-       up, what is explored after it has half of those that are left then. Of \
+       $(b,--seconds) and $(b,--memory) end it as well: the search before has half of the seconds, and where it \
+       was given up, what is explored after it has half of those that are left then. Of \
        models with parameters of which ranges are known, or with $(b,split_step any), one is looked for by itself \
        where a bound has kept a verdict from being a proof. \
        Bodies that turn, laws of motion, rounded velocities and $(b,binding contact) have none.";

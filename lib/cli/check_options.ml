@@ -20,7 +20,8 @@ let options ?attempt watch budget ~progress : Check.options =
 let watch (budget : Budget.t) =
   Watch.start ?seconds:budget.seconds ~memory:(Option.value budget.memory ~default:defaults.memory) ()
 
-let starting ?attempt console watch (budget : Budget.t) = options ?attempt watch budget ~progress:(Progress.show console budget)
+let starting ?attempt console watch (budget : Budget.t) =
+  options ?attempt watch budget ~progress:(Progress.show console budget)
 
 let positive what = Options.integer ~least:1 ~most:((1 lsl 40) - 1) ("positive number of " ^ what)
 

@@ -186,7 +186,8 @@ let zeno ~full c w =
     ("Zeno behaviour: a run that goes on for ever within one instant\n" :: indented 4 lines)
 
 let zeno_left_out t =
-  Printf.sprintf "Zeno behaviour: a run that goes on for ever within one instant, which is left out: making it ended at %s\n"
+  Printf.sprintf
+    "Zeno behaviour: a run that goes on for ever within one instant, which is left out: making it ended at %s\n"
     (Verdict.truncation_to_string t)
 
 let plural n one many = if n = 1 then "1 " ^ one else Printf.sprintf "%d %s" n many

@@ -30,7 +30,7 @@ type t = {
   mutable late : Limits.stop option;  (** for what concludes *)
   mutable last : Limits.stop option;  (** for what reports *)
   mutable stage : Limits.stage option;  (** of the attempt that is being made *)
-  mutable middle : float;  (** when it is given up though there are seconds left, for something that comes after it *)
+  mutable middle : float;  (** when it is given up with seconds left, for what comes after it *)
   mutable abandoned : bool;  (** it was tried *)
   mutable finished : float option;  (** the seconds that the rest has after a signal, once the work has stopped *)
 }

@@ -212,7 +212,8 @@ let explored options semantics ~initial group =
     | Some capacity -> Compact_check.check options ~capacity
   in
   let result = check semantics ~initial:part (List.map snd members) in
-  let lost = Lost.make options.bounds options.surroundings.attempt and horizon = Joint_check.horizon (List.map snd members) in
+  let lost = Lost.make options.bounds options.surroundings.attempt in
+  let horizon = Joint_check.horizon (List.map snd members) in
   let lift w = Lost.run lost semantics (fun () -> lift_in_time semantics ~initial horizon w) in
   let outcome (i, check) (_, v, of_part) =
     let verdict = if whole then v else lift_verdict lift v in
@@ -236,7 +237,8 @@ let explored options semantics ~initial group =
     }
   in
   let zeno = if whole then result.zeno else Option.bind result.zeno lift in
-  (outcomes, Option.map slice group.needs.part, { result with zeno; lost = Lost.together result.lost (Lost.taken lost) })
+  let lost = Lost.together result.lost (Lost.taken lost) in
+  (outcomes, Option.map slice group.needs.part, { result with zeno; lost })
 
 let merge parts ~events_elsewhere =
   let outcomes = List.concat_map (fun (outcomes, _, _) -> outcomes) parts in

@@ -25,8 +25,8 @@ type cause =
 
 val looks : (Network_lts.context -> State_graph.t -> cause list) list
 (** All that is looked at, the most likely causes first. They find none when nothing of this is seen, or when no
-    bound on states, bits, seconds or memory has ended the exploration. A bounded number of states is looked at: those of the path to the deepest state that
-    was not expanded, and those found last. *)
+    bound on states, bits, seconds or memory has ended the exploration. A bounded number of states is looked at:
+    those of the path to the deepest state that was not expanded, and those found last. *)
 
 val together : cause list -> cause list -> cause list
 (** Of two explorations: each kind once. *)

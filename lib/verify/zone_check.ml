@@ -179,8 +179,7 @@ let explore (options : Joint_check.options) context (group : group) ~initial zon
   done;
   let stopped_by : Verdict.truncation list =
     (match end_ with
-     | Closed | Decided -> []
-     | Not_affine _ -> []
+     | Closed | Decided | Not_affine _ -> []
      | Bounded { depth = deep; nodes } ->
        (if deep then [ depth ] else []) @ if nodes then [ Zone_bounds.states options.bounds ] else []
      | Stopped -> List.map (Bounds.stopped options.bounds) (Option.to_list !stop))
@@ -307,8 +306,7 @@ let outcomes options semantics u ~declared (e : explored) =
     let verdict = verdict options lost semantics u ~declared e check answer where in
     let example =
       match (verdict, Union.point where.fails) with
-      | Violated { witness = None }, Some values ->
-        Zone_single.named m values
+      | Violated { witness = None }, Some values -> Zone_single.named m values
       | _ -> []
     in
     let by_invariant = rests_on_proof answer where verdict in

@@ -64,7 +64,9 @@ let left_out =
     [ Verdict.Violated { witness = None }; Holds { bounds = []; witness = None }; Undecided [ Truncated fifty ] ]
 
 let left_out_in_words () =
-  let told what = Printf.sprintf "a: %s is left out: making it ended at the interruption\n  possibly x(p) > 1\n" what in
+  let told what =
+    Printf.sprintf "a: %s is left out: making it ended at the interruption\n  possibly x(p) > 1\n" what
+  in
   Alcotest.(check (list string)) "text"
     (List.map told
        [
@@ -87,7 +89,8 @@ let left_out_in_json () =
 
 (* Those that are known are told, and that there may be more. *)
 let causes () =
-  let stats = { (Check.unexplored Check.default [] Scc_explore.Limits.Interrupted).stats with left_out = Some interruption } in
+  let { Check.stats; _ } = Check.unexplored Check.default [] Scc_explore.Limits.Interrupted in
+  let stats = { stats with left_out = Some interruption } in
   let told causes = Check_text.causes loaded.model { stats with causes } in
   let line further =
     Printf.sprintf "  %slikely causes are left out: looking for them ended at the interruption\n" further

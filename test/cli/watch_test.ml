@@ -48,7 +48,7 @@ let rec allocate () =
   kept := Bytes.make 100_000 'x' :: !kept;
   allocate ()
 
-(* What it has taken is nobody's any more when it is given up, and what is explored then has the memory that there is. *)
+(* What it has taken is nobody's any more when it is given up: what is explored then has all of the memory. *)
 let explored_after stage () =
   let rec allocate_more list = allocate_more (Bytes.make 100_000 'x' :: list) in
   let attempt = Watch.attempt (Watch.start ~memory:(Scc_base.Memory.words_of_mib 100) ()) in
@@ -86,8 +86,8 @@ let half () =
 
 let too_long () = processor_seconds 3.
 
-(* What may take half of the seconds is given up in the middle, though it asks nothing, and what comes after it has the
-   other half; what concludes is not. *)
+(* What may take half of the seconds is given up in the middle, though it asks nothing, and what comes after it has
+   the other half; what concludes is not. *)
 let within_half stage work () =
   let watch = Watch.start ~clock ~seconds:12. () in
   let around = Watch.surroundings watch ~progress:ignore ~attempt:(Watch.attempt watch) in

@@ -1,5 +1,5 @@
-(* Conclusions that are given up, each of them: what is known stays, and what is missing is told. No clock has a part
-   in it: it is the number of a conclusion that ends it. *)
+(* Conclusions that are given up, each of them: what is known stays, and what is missing is told. No clock has a
+   part in it: it is the number of a conclusion that ends it. *)
 
 open Scc_explore
 open Scc_semantics
@@ -150,7 +150,8 @@ let same_report what (whole : Check.report) (r : Check.report) =
 
 (* The truth of a formula and a run that shows it are conclusions apart, so that there are at least so many. *)
 let of_case (name, run, options, text, least) () =
-  let model = Load.exactly (if Filename.check_suffix text ".sc" then Load.file (models ^ text) else Load.text text) in
+  let is_file = Filename.check_suffix text ".sc" in
+  let model = Load.exactly (if is_file then Load.file (models ^ text) else Load.text text) in
   let report way =
     let number = ref 0 in
     let r : Check.report = run { options with Check.surroundings = surroundings way number } model in
