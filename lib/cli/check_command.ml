@@ -65,6 +65,7 @@ let print_json console ~full ~where:shown_where loaded report verdicts extra cod
         diagnostics = Console.kept console;
         exit = Exit_code.to_int code;
         full;
+        cure = Scc_estimate.Cure.of_outcome loaded.model;
         extra =
           Option.to_list (Option.map coverage extra.covered)
           @ Option.to_list (Option.map measured extra.measured);

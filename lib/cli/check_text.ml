@@ -176,9 +176,13 @@ let property console ~full ?where c ({ check; verdict = v; lost; left_out; _ } a
     | Violated { witness = None } -> [ "  no run shows it: everything that counts was explored\n" ]
     | _ -> []
   in
+  let cure =
+    Scc_estimate.Cure.of_outcome (Semantics.model c) o
+    |> Option.fold ~none:[] ~some:(fun text -> [ Printf.sprintf "  likely cure: %s\n" text ])
+  in
   let show (what, lines) = Printf.sprintf "  %s\n" what :: indented 4 lines in
   let where = match where with None -> [] | Some w -> indented 2 (Scc_where.Words.lines w) in
-  String.concat "" ((head :: none) @ where @ List.concat_map show run)
+  String.concat "" ((head :: none) @ cure @ where @ List.concat_map show run)
 
 let zeno ~full c w =
   let lines = witness ~full ~about:(Only []) c w in

@@ -15,6 +15,7 @@ type t = {
   exit : int;
   extra : (string * Json.t) list;
   full : bool;
+  cure : Verdict.outcome -> string option;
 }
 
 let kind : Verdict.t -> string = function
@@ -195,7 +196,7 @@ let measured (side, (m : Scc_ctl.Eval.measured)) =
 let lost_members = function [] -> [] | faults -> [ ("lost", `List (List.map Json.text faults)) ]
 let left_out name t = List.map (fun t -> (name, truncation t)) (Option.to_list t)
 
-let property ?(full = false) ?where c (o : Verdict.outcome) =
+let property ?(full = false) ?(cure = fun _ -> None) ?where c (o : Verdict.outcome) =
   let { Verdict.check; verdict = v; scale; rests; converges; lost; left_out = run_left_out } = o in
   let bounds, reasons, run =
     match v with
@@ -223,6 +224,7 @@ let property ?(full = false) ?where c (o : Verdict.outcome) =
       @ List.map over (List.filter spoken_of (Option.to_list scale.over))
       @ lost_members lost
       @ left_out "run_left_out" run_left_out
+      @ List.map (fun text -> ("likely_cure", Json.text text)) (Option.to_list (cure o))
       @ (if Verdict.by_invariant o then [ ("by_invariant", `Bool true) ] else [])
       @ List.map (fun w -> ("where", Where_json.where w)) (Option.to_list where))
 
@@ -263,7 +265,7 @@ let slice model (s : Check.slice) =
     ]
 
 let properties r =
-  let one where o = property ~full:r.full ?where r.loaded.semantics o in
+  let one where o = property ~full:r.full ~cure:r.cure ?where r.loaded.semantics o in
   match r.where with
   | [] -> List.map (one None) r.verdicts
   | where -> List.map2 (fun w o -> one (Some w) o) where r.verdicts

@@ -201,7 +201,14 @@ let convergence (r : Unsettled.t) =
   | None -> Option.map (fun s -> Verdict.Named s) (Slowing.find r.graph)
 
 (* What is told besides of explorations that met a bound. *)
-type besides = { slow : Verdict.convergence option; likely : Growth.cause list; ended : Verdict.truncation option }
+type besides = {
+  slow : Verdict.convergence option;
+  likely : Growth.cause list;
+  long : Scc_base.Diag.t option;
+  ended : Verdict.truncation option;
+}
+
+let nothing_besides = { slow = None; likely = []; long = None; ended = None }
 
 (* It looks for the deepest of what may be millions of states, and at some hundreds, which may be large. It takes
    less than runs that are shown, and comes before them. *)
@@ -209,13 +216,13 @@ let besides (r : Unsettled.t) met =
   let lost = Lost.make r.bounds r.surroundings.attempt in
   let causes look = Option.value ~default:[] (Lost.attempt lost (fun () -> look r.context r.graph)) in
   match Unsettled.stopped_by met with
-  | [] -> { slow = None; likely = []; ended = None }
+  | [] -> nothing_besides
   | _ :: _ ->
     let likely = List.concat_map causes Growth.looks in
     let slow = Option.join (Lost.attempt lost (fun () -> convergence r)) in
-    { slow; likely; ended = (Lost.taken lost).left_out }
+    { slow; likely; long = growth r; ended = (Lost.taken lost).left_out }
 
-let stats (r : Unsettled.t) causes { slow; likely; ended } : stats =
+let stats (r : Unsettled.t) causes { slow; likely; long; ended } : stats =
   {
     states = Graph.size r.graph;
     transitions = Graph.transitions r.graph;
@@ -227,7 +234,7 @@ let stats (r : Unsettled.t) causes { slow; likely; ended } : stats =
     decided_early = List.exists (function Bounds.Early -> true | Bound _ | Fault _ -> false) causes;
     stopped_by = Unsettled.stopped_by causes;
     dead_ends = Bounds.dead_ends r.context;
-    growth = growth r;
+    growth = long;
     shared = Shared_edge.warning r.context;
     causes = likely;
     converges = slow;
@@ -342,6 +349,9 @@ let check options semantics ~initial (checks : Property.check list) =
   in
   let answers = { searches = result.answers; next_formula = 0; temporal } in
   let outcomes, _ = List.fold_left step ([], answers) (List.combine checks plans) in
+  (* Where all is decided, nobody needs to know why it did not close. *)
+  let bounded (_, v, _) = match Verdict.truncated v with [] -> false | _ :: _ -> true in
+  let besides = if checks = [] || List.exists bounded outcomes then besides else nothing_besides in
   let zeno = zeno r result in
   {
     outcomes = List.rev outcomes;

@@ -1,6 +1,6 @@
 (** Runs that belong to a verdict and are not shown. Either they cannot be made again through the rules, or
-    explained: a fault of scc; or a limit of seconds or memory, or an interruption, came before they were made. What
-    was in the way is kept and told, and takes nothing else from the report. *)
+    explained: a fault of scc; or a limit of seconds or memory, or an interruption, came before they were made.
+    What was in the way is kept and told, and takes nothing else from the report. *)
 
 open Scc_semantics
 open Scc_explore
@@ -21,8 +21,8 @@ val attempt : t -> (unit -> 'a) -> 'a option
 
 val run : t -> Semantics.t -> (unit -> Witness.t option) -> Witness.t option
 (** An attempt at the run that the function makes, from a model with these rules, once the state that it leads to
-    has been made as well. If an invariant of scc is broken on the way ({!Scc_base.Bug.broken}) there is no run, and
-    what was broken is kept. All other exceptions pass. *)
+    has been made as well. If an invariant of scc is broken on the way ({!Scc_base.Bug.broken}) there is no run,
+    and what was broken is kept. All other exceptions pass. *)
 
 val taken : t -> taken
 (** What was kept since the last call. *)

@@ -7,4 +7,5 @@ let () =
       Test_growth.suite;
       Test_unsettled.suite;
       Test_lost.suite;
-      Test_left_out.suite ]
+      Test_left_out.suite;
+      Test_advice.suite ]
