@@ -65,6 +65,7 @@ let print_json console ~full ~where:shown_where loaded report verdicts extra cod
         diagnostics = Console.kept console;
         exit = Exit_code.to_int code;
         full;
+        cure = Scc_estimate.Cure.of_outcome loaded.model;
         extra =
           Option.to_list (Option.map coverage extra.covered)
           @ Option.to_list (Option.map measured extra.measured);
@@ -83,6 +84,7 @@ let print_text console ~full ~where ~prove (loaded : Loaded.t) (report : Check.r
   List.iteri property verdicts;
   let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno ~full c w ^ "\n") in
   Option.iter zeno report.zeno;
+  Option.iter (fun t -> print (Check_text.zeno_left_out t ^ "\n")) report.left_out;
   print (Check_text.invariants ~asked:prove report);
   let causes = Check_text.causes loaded.model report.stats in
   print (Check_text.explored report.stats ^ causes ^ Check_text.slices report.slices);
@@ -158,8 +160,9 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let options =
     let states = Option.value budget.Budget.states ~default:Check_options.defaults.states in
     let compact = if extras.compact then Some states else None in
+    let attempt = Measured.booking measured (Watch.attempt watch) in
     {
-      (Check_options.starting console watch budget) with
+      (Check_options.starting ~attempt console watch budget) with
       reductions = extras.reductions; order = extras.order; compact; prove = extras.prove;
       expanding = Expanded.expanding expanded; compacting = Expanded.compacting expanded;
     }
@@ -314,7 +317,8 @@ let man =
        found it; $(b,--invariant) shows it. How long it is looked for is counted in steps of arithmetic, and \
        so is the same on every machine: 10 million before anything is explored, and 200 million where a bound \
        ended this; for each state that $(b,--states) allows beyond its default, 50 and 1000 more. \
-       $(b,--seconds) and $(b,--memory) end it as well, and half of the seconds are kept for what comes next. Of \
+       $(b,--seconds) and $(b,--memory) end it as well: the search before has half of the seconds, and where it \
+       was given up, what is explored after it has half of those that are left then. Of \
        models with parameters of which ranges are known, or with $(b,split_step any), one is looked for by itself \
        where a bound has kept a verdict from being a proof. \
        Bodies that turn, laws of motion, rounded velocities and $(b,binding contact) have none.";

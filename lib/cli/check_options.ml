@@ -9,18 +9,19 @@ let default_mib = 3072
 let words_of_mib mib = Footprint.at_most (Memory.words_of_mib mib)
 let defaults : Budget.defaults = { states = default_states; memory = words_of_mib default_mib }
 
-let options watch budget ~progress : Check.options =
+let options ?attempt watch budget ~progress : Check.options =
+  let attempt = Option.value attempt ~default:(Watch.attempt watch) in
   {
     Check.default with
     bounds = Budget.bounds defaults budget;
-    surroundings =
-      { stop = Watch.stop watch; half = Watch.half watch; progress; attempt = Watch.attempt watch };
+    surroundings = Watch.surroundings watch ~progress ~attempt;
   }
 
 let watch (budget : Budget.t) =
   Watch.start ?seconds:budget.seconds ~memory:(Option.value budget.memory ~default:defaults.memory) ()
 
-let starting console watch (budget : Budget.t) = options watch budget ~progress:(Progress.show console budget)
+let starting ?attempt console watch (budget : Budget.t) =
+  options ?attempt watch budget ~progress:(Progress.show console budget)
 
 let positive what = Options.integer ~least:1 ~most:((1 lsl 40) - 1) ("positive number of " ^ what)
 

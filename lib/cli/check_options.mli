@@ -1,5 +1,6 @@
 (** How commands that explore are told their bounds, and explore. *)
 
+open Scc_explore
 open Scc_verify
 open Scc_session
 
@@ -14,7 +15,9 @@ val defaults : Budget.defaults
 val watch : Budget.t -> Watch.t
 (** Over the seconds and the memory, from now on. *)
 
-val options : Watch.t -> Budget.t -> progress:(Scc_explore.Limits.progress -> unit) -> Check.options
+val options :
+  ?attempt:Limits.attempt -> Watch.t -> Budget.t -> progress:(Limits.progress -> unit) -> Check.options
+(** [attempt] is that of the watch if nothing is said. *)
 
-val starting : Console.t -> Watch.t -> Budget.t -> Check.options
+val starting : ?attempt:Limits.attempt -> Console.t -> Watch.t -> Budget.t -> Check.options
 (** For an exploration that begins now: its progress is shown. *)

@@ -65,12 +65,14 @@ let stop bounds ~last =
     else None
 
 let surroundings bounds : Scc_explore.Limits.surroundings =
-  let last = bounds.now () +. (share *. bounds.seconds) in
-  let half () =
-    let now = bounds.now () in
-    stop bounds ~last:(now +. ((last -. now) /. 2.))
+  let rec until last : Scc_explore.Limits.surroundings =
+    let half () =
+      let now = bounds.now () in
+      until (now +. ((last -. now) /. 2.))
+    in
+    { Scc_explore.Limits.quiet with stop = stop bounds ~last; half }
   in
-  { Scc_explore.Limits.quiet with stop = stop bounds ~last; half }
+  until (bounds.now () +. (share *. bounds.seconds))
 
 let options bounds p : Check.options =
   let q = Read.quotas p in

@@ -18,6 +18,7 @@ type truncation = { limit : limit; origin : origin }
 
 type reason =
   | Truncated of truncation
+  | Unevaluated of truncation
   | Unexplored of { count : int; nearest : Witness.t }
   | Undefined of string
   | Fault of string
@@ -41,6 +42,7 @@ type outcome = {
   rests : rest list;
   converges : convergence option;
   lost : string list;
+  left_out : truncation option;
 }
 
 let by_invariant o = match o.scale.over with Some over -> over.by_invariant | None -> false
@@ -112,7 +114,7 @@ let truncated = function
   | Violated _ -> []
   | Measured { reasons; _ } | Undecided reasons ->
     List.filter_map
-      (function Truncated t -> Some t | Unexplored _ | Undefined _ | Fault _ -> None)
+      (function Truncated t | Unevaluated t -> Some t | Unexplored _ | Undefined _ | Fault _ -> None)
       reasons
 
 let resources v =
@@ -161,6 +163,7 @@ let truncation_to_string t =
 
 let reason_to_string = function
   | Truncated t -> "the exploration ended at " ^ truncation_to_string t
+  | Unevaluated t -> "its evaluation on what was explored ended at " ^ truncation_to_string t
   | Unexplored { count = 1; _ } -> "one unexplored state matters"
   | Unexplored { count; _ } -> Printf.sprintf "%d unexplored states matter" count
   | Undefined reason -> reason
@@ -204,9 +207,15 @@ let for_values o =
   in
   match values with [] -> "" | _ :: _ -> " for " ^ values_to_string values
 
-let lost_to_string = function
-  | [] -> ""
-  | _ :: _ -> "; its run could not be rebuilt: this is a fault of scc"
+let unshown o =
+  let run =
+    match o.verdict with
+    | Undecided _ | Measured { reasons = _ :: _; _ } -> "the run to what was not explored"
+    | Holds _ | Violated _ | Measured { reasons = []; _ } -> "its run"
+  in
+  let left_out t = Printf.sprintf "; %s is left out: making it ended at %s" run (truncation_to_string t) in
+  (match o.lost with [] -> "" | _ :: _ -> "; its run could not be rebuilt: this is a fault of scc")
+  ^ Option.fold ~none:"" ~some:left_out o.left_out
 
 let outcome_to_string o =
   let everywhere = Option.fold ~none:"" ~some:over_to_string o.scale.over in
@@ -226,7 +235,7 @@ let outcome_to_string o =
       to_string o.verdict ^ String.concat "" (List.map rest_to_string o.rests) ^ scale_to_string o.scale
   in
   let told = function Named s -> Slowing.to_string s | Proved q -> Quickening.to_string q in
-  verdict ^ Option.fold ~none:"" ~some:(fun c -> "; " ^ told c) o.converges ^ lost_to_string o.lost
+  verdict ^ Option.fold ~none:"" ~some:(fun c -> "; " ^ told c) o.converges ^ unshown o
 
 let shown = function
   | Holds { witness; _ } | Violated { witness } | Measured { witness; _ } -> witness
@@ -234,5 +243,7 @@ let shown = function
     List.find_map
       (function
         | Unexplored { nearest = w; _ } -> Some w
-        | Truncated _ | Undefined _ | Fault _ -> None)
+        | Truncated _ | Unevaluated _ | Undefined _ | Fault _ -> None)
       reasons
+
+let if_unshown v left_out = match shown v with Some _ -> None | None -> left_out
