@@ -152,11 +152,11 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let* initial = Loaded.initial l in
   let* () = if zones && Option.is_some extras.store then Expanded.no_sets else Ok () in
   let* expanded =
-    let memory = Option.value budget.memory ~default:Check_options.defaults.memory in
+    let memory = Footprint.at_most (Check_options.words budget) in
     Expanded.openly console ~jobs:extras.jobs ~store:extras.store ~memory (Check_extras.explored extras budget) l
   in
   let options =
-    let states = Option.value budget.Budget.states ~default:Check_options.defaults.states in
+    let states = Option.value budget.Budget.states ~default:Check_options.default_states in
     let compact = if extras.compact then Some states else None in
     {
       (Check_options.starting console watch budget) with
@@ -186,8 +186,6 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   Watch.finish watch;
   Console.progress_done console;
   List.iter (Console.fault console) (Check.faults report);
-  let by_memory (t : Verdict.truncation) = match t.limit with Memory _ -> true | _ -> false in
-  if List.exists by_memory report.stats.stopped_by then Option.iter (Console.note console) Footprint.told;
   let verdicts, answers = split_at (List.length l.checks) report.outcomes in
   Console.report console
     (report.stats.faults @ report.stats.dead_ends @ Vacuity.warnings report ~verdicts ~answers);

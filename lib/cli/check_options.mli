@@ -9,12 +9,16 @@ val bits : int option Cmdliner.Term.t
 (** [--bits]. *)
 
 val budget : Budget.t Cmdliner.Term.t
-val defaults : Budget.defaults
 
-val watch : Budget.t -> Watch.t
-(** Over the seconds and the memory, from now on. *)
+val default_states : int
 
-val options : Watch.t -> Budget.t -> progress:(Scc_explore.Limits.progress -> unit) -> Check.options
+val words : ?jobs:int -> Budget.t -> int
+(** Of memory: those that are asked for, or by default those that so many processes (1) share. *)
+
+val watch : ?signals:bool -> ?jobs:int -> Budget.t -> Watch.t
+(** Over the seconds and the memory, from now on; [signals] as for {!Watch.start}. *)
+
+val options : ?jobs:int -> Watch.t -> Budget.t -> progress:(Scc_explore.Limits.progress -> unit) -> Check.options
 
 val starting : Console.t -> Watch.t -> Budget.t -> Check.options
 (** For an exploration that begins now: its progress is shown. *)
