@@ -77,7 +77,7 @@ let shows_zeno (o : Verdict.outcome) =
 
 let print_text console ~full ~where ~prove (loaded : Loaded.t) (report : Check.report) verdicts extra =
   let c = loaded.semantics in
-  let print = Console.print console in
+  let print = Console.tell console in
   print (Scc_calculus.Parameters.line loaded.origin.settings ^ "\n\n");
   let property i v = print (Check_text.property console ~full ?where:(List.nth_opt where i) c v ^ "\n") in
   List.iteri property verdicts;
@@ -117,7 +117,7 @@ let write_invariant console path (l : Loaded.t) (report : Check.report) =
   let text = String.concat "\n" (List.map text report.invariants) in
   if not (String.equal path "-") then write_file path text
   else if Console.is_json console then Ok () (* the document has it *)
-  else Ok (Console.print console (text ^ "\n"))
+  else Ok (Console.tell console (text ^ "\n"))
 
 (* None where a limit has ended all work. *)
 let named_where verdicts (report : Check.report) =
