@@ -71,7 +71,7 @@ Deep nesting.
      |                                         ^
   $ (cat cube.sc; printf 'param x = '; repeat '-' 100000; printf 1) > minus.sc
   $ scc check minus.sc 2>&1 | cut -c 1-120
-  minus.sc:8:10011: error[SC0111]: this declaration is nested too deeply (the limit is 10000)
+  minus.sc:8:10011: error[SC0111]: this declaration goes more than 10000 operators and prefixes deep: a chain is as deep a
      |
    8 | -------------------------------------------------------------------------------------------------------------------
      |                                         ^
@@ -80,16 +80,21 @@ Deep nesting.
   operators.sc:8:11: error[SC0111]: operators of time nest more than 1000 deep, with their `let`s
   $ (cat cube.sc; printf 'behaviour B on Cube = '; repeat 'eps(1). ' 100000; printf nil) > delays.sc
   $ scc check delays.sc 2>&1 | cut -c 1-120
-  delays.sc:8:80021: error[SC0111]: this declaration is nested too deeply (the limit is 10000)
+  delays.sc:8:80021: error[SC0111]: this declaration goes more than 10000 operators and prefixes deep: a chain is as deep 
      |
    8 | . eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). e
      |                                         ^
   $ (cat cube.sc; printf 'check c : always 1'; repeat '+1' 100000; printf ' > 0') > sum.sc
   $ scc check sum.sc 2>&1 | cut -c 1-120
-  sum.sc:8:20017: error[SC0111]: this declaration is nested too deeply (the limit is 10000)
+  sum.sc:8:20017: error[SC0111]: this declaration goes more than 10000 operators and prefixes deep: a chain is as deep as 
      |
    8 | +1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+
      |                                         ^
+    hint: brackets around parts of a chain make it less deep: `(a + b) + (c + d)`
+  $ part="$(repeat '+1' 999)"
+  $ (cat cube.sc; printf 'check c : always (1'; for i in $(seq 1 99); do printf '%s)+(1' "$part"; done; printf '%s) > 0' "$part") > sum.sc
+  $ scc check sum.sc 2>&1 | grep '^c:'
+  c: holds (exhaustive)
   $ (cat cube.sc; repeat 'for i in 1..2 { ' 100000) > loops.sc
   $ scc check loops.sc 2>&1 | cut -c 1-120 | head -n 4
   loops.sc:8:16015: error[SC0111]: brackets are nested too deeply (the limit is 1000)
