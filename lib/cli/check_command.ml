@@ -78,7 +78,7 @@ let shows_zeno (o : Verdict.outcome) =
 
 let print_text console ~full ~where ~prove (loaded : Loaded.t) (report : Check.report) verdicts extra =
   let c = loaded.semantics in
-  let print = Console.print console in
+  let print = Console.tell console in
   print (Scc_calculus.Parameters.line loaded.origin.settings ^ "\n\n");
   let property i v = print (Check_text.property console ~full ?where:(List.nth_opt where i) c v ^ "\n") in
   List.iteri property verdicts;
@@ -119,7 +119,7 @@ let write_invariant console path (l : Loaded.t) (report : Check.report) =
   let text = String.concat "\n" (List.map text report.invariants) in
   if not (String.equal path "-") then write_file path text
   else if Console.is_json console then Ok () (* the document has it *)
-  else Ok (Console.print console (text ^ "\n"))
+  else Ok (Console.tell console (text ^ "\n"))
 
 (* None where a limit has ended all work. *)
 let named_where verdicts (report : Check.report) =
@@ -154,11 +154,11 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let* initial = Loaded.initial l in
   let* () = if zones && Option.is_some extras.store then Expanded.no_sets else Ok () in
   let* expanded =
-    let memory = Option.value budget.memory ~default:Check_options.defaults.memory in
+    let memory = Footprint.at_most (Check_options.words budget) in
     Expanded.openly console ~jobs:extras.jobs ~store:extras.store ~memory (Check_extras.explored extras budget) l
   in
   let options =
-    let states = Option.value budget.Budget.states ~default:Check_options.defaults.states in
+    let states = Option.value budget.Budget.states ~default:Check_options.default_states in
     let compact = if extras.compact then Some states else None in
     let attempt = Measured.booking measured (Watch.attempt watch) in
     {
@@ -189,8 +189,6 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   Watch.finish watch;
   Console.progress_done console;
   List.iter (Console.fault console) (Check.faults report);
-  let by_memory (t : Verdict.truncation) = match t.limit with Memory _ -> true | _ -> false in
-  if List.exists by_memory report.stats.stopped_by then Option.iter (Console.note console) Footprint.told;
   let verdicts, answers = split_at (List.length l.checks) report.outcomes in
   Console.report console
     (report.stats.faults @ report.stats.dead_ends @ Vacuity.warnings report ~verdicts ~answers);

@@ -28,7 +28,9 @@ let stopped console why =
   Console.note console ("scc: " ^ why);
   ended console Exit_code.Stopped
 
-let complain lines = Standard.complain (String.concat "" (List.map (fun line -> line ^ "\n") lines))
+let complain lines = Standard.complain (String.concat "" (List.map (fun line -> Visible.line line ^ "\n") lines))
+
+let complain_of console d = Standard.complain (Diag.render ~source:(Console.source console) d)
 
 let usage message =
   complain [ "scc: " ^ message ];
@@ -61,7 +63,7 @@ let rec failed console = function
   | Fun.Finally_raised e -> failed console e
   | Console.Output_closed -> Exit_code.Stopped
   | Console.Output_failed d ->
-    complain [ String.trim (Diag.render ~source:(Console.source console) d) ];
+    complain_of console d;
     Exit_code.Unwritten
   | Interruption.Interrupted why ->
     Console.progress_done console;

@@ -40,6 +40,7 @@ let origin : Verdict.origin -> string = function
   | By_default -> "default"
   | By_user -> "user"
   | By_property -> "property"
+  | By_system -> "system"
 
 let truncation (t : Verdict.truncation) =
   let kind, value = limit t.limit in

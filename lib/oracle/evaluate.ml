@@ -89,7 +89,7 @@ let options bounds p : Check.options =
   let memory = int_of_float (share *. float_of_int bounds.memory) in
   {
     Check.default with
-    bounds = Budget.bounds { states = Quotas.default_states; memory } budget;
+    bounds = Budget.bounds { states = Quotas.default_states; memory; room = None } budget;
     surroundings = surroundings bounds;
   }
 

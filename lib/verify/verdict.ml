@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_explain
@@ -13,7 +14,7 @@ type limit =
   | Interrupted
   | Omission of float
 
-type origin = By_default | By_user | By_property
+type origin = By_default | By_user | By_property | By_system
 type truncation = { limit : limit; origin : origin }
 
 type reason =
@@ -127,7 +128,7 @@ let resources v =
 
 let by_default = function
   | Holds { bounds; _ } ->
-    List.exists (fun t -> match t.origin with By_default -> true | By_user | By_property -> false) bounds
+    List.exists (fun t -> match t.origin with By_default -> true | By_user | By_property | By_system -> false) bounds
   | Violated _ | Measured _ | Undecided _ -> false
 
 (* Rounded up to one digit. *)
@@ -146,7 +147,7 @@ let limit_to_string = function
   | States n -> Printf.sprintf "the bound of %d states" n
   | Bits n -> Printf.sprintf "the bound of %d bits for a number" n
   | Seconds s -> Printf.sprintf "the limit of %g seconds" s
-  | Memory w -> Printf.sprintf "the memory limit of %d MB" (w / 1024 * (Sys.word_size / 8) / 1024)
+  | Memory w -> Printf.sprintf "the memory limit of %d MiB" (Memory.bytes_of_words w / Memory.mib)
   | Interrupted -> "the interruption"
   | Omission p ->
     Printf.sprintf "hash compaction, by which some state was left out with a probability of at most %s"
@@ -158,6 +159,7 @@ let truncation_to_string t =
     | By_default -> " (a default)"
     | By_user -> ""
     | By_property -> " (of the properties)"
+    | By_system -> " that the system sets this process (ulimit -v or -d)"
   in
   limit_to_string t.limit ^ whose
 

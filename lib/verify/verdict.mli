@@ -18,7 +18,7 @@ type limit =
   (** hash compaction: some state may have been left out unseen, with a probability of at most this *)
 
 (** Whose bound. *)
-type origin = By_default | By_user | By_property
+type origin = By_default | By_user | By_property | By_system
 
 type truncation = { limit : limit; origin : origin }
 

@@ -81,8 +81,9 @@ let rec waited w =
         status
       | exception Unix.Unix_error (EINTR, _, _) -> waited w)
 
-(* How it ended, and whether that is a fault of the program: long numbers abort where there is no memory. *)
+(* How it ended, and whether that is a fault of the program: without memory for a long number it ends with 4. *)
 let how : Unix.process_status -> string * bool = function
+  | WEXITED 4 -> ("had no memory left", false)
   | WEXITED n -> (Printf.sprintf "ended with exit code %d" n, true)
   | WSIGNALED n when n = Sys.sigkill -> ("was killed, as when memory runs out", false)
   | WSIGNALED n when n = Sys.sigabrt -> ("was aborted, as when memory runs out", false)
