@@ -74,9 +74,15 @@ static void *reallocate(void *there, size_t before, size_t size)
   return allocated(realloc(there, size));
 }
 
+/* Below it the runtime cannot set itself up. */
+enum { LEAST_STACK = 128 * 1024 };
+
 /* Before the runtime begins. */
 __attribute__((constructor)) static void begin(void)
 {
+  struct rlimit stack;
+  if (getrlimit(RLIMIT_STACK, &stack) == 0 && stack.rlim_cur < LEAST_STACK)
+    leave(STOPPED, "no stack left: the system sets this process a limit of less than 128 KiB (ulimit -s)", "");
   caml_fatal_error_hook = on_fatal_error;
   __gmp_set_memory_functions(allocate, reallocate, release);
   atexit(on_exit_of_others);

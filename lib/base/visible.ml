@@ -1,7 +1,8 @@
 let at s i =
   match s.[i] with
   | ('\x00' .. '\x1f' | '\x7f') as c -> Some (Char.code c, 1)
-  | '\xC2' when i + 1 < String.length s && s.[i + 1] >= '\x80' && s.[i + 1] < '\xA0' -> Some (Char.code s.[i + 1], 2)
+  | '\xC2' when i + 1 < String.length s && s.[i + 1] >= '\x80' && s.[i + 1] < '\xA0' ->
+    Some (Char.code s.[i + 1], 2)
   | '\xE2' -> Option.map (fun code -> (code, Bidirectional.size)) (Bidirectional.at s i)
   | _ -> None
 

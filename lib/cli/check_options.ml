@@ -67,8 +67,9 @@ let seconds =
 let memory =
   let doc =
     Printf.sprintf
-      "Uses at most about $(docv) MiB of memory. The default is %d. Where the system limits what this process may \
-       have ($(b,ulimit -v), $(b,ulimit -d)) it is no more than about half of what is left when the program has begun."
+      "Uses at most about $(docv) MiB of memory. The default is %d. Where the system limits what this process \
+       may have ($(b,ulimit -v), $(b,ulimit -d)) it is no more than about half of what is left when the program \
+       has begun."
       default_mib
   in
   Arg.(value & opt (some (positive "MiB")) None & info [ "memory" ] ~docv:"N" ~doc ~docs)

@@ -112,7 +112,8 @@ let progress c line =
     Standard.control ("\r\027[K\027[?7l" ^ Visible.line line ^ "\027[?7h")
   | None -> ()
 
-(* The lines are {!Visible}. What was printed before comes before; where it cannot be written, the lines are there all the same. *)
+(* The lines are {!Visible}.
+   What was printed before comes before; where it cannot be written, the lines are there all the same. *)
 let complain c lines =
   progress_done c;
   if not c.json then

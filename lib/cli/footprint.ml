@@ -60,6 +60,14 @@ let is_limited = match rooms with [] -> false | _ :: _ -> true
 
 let words_of bytes = Memory.words_of_bytes (int_of_float (Float.min bytes (float_of_int max_int /. 2.)))
 
+(* What test/limits/deep.py runs everything with. *)
+let enough_stack = 1048576.
+
+let small_stack =
+  match limit "Max stack size" with
+  | Some bytes when bytes < enough_stack -> Some (int_of_float bytes / 1024)
+  | Some _ | None -> None
+
 let at_most words = List.fold_left (fun words room -> Int.max 1 (Int.min words (words_of room.most))) words rooms
 
 let least = function

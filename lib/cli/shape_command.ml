@@ -31,7 +31,8 @@ let templates_of console path =
   let hint =
     match List.partition (fun name -> String.contains name '(') names with
     | _, name :: _ -> Some (Printf.sprintf "name one of them: %s:%s" path name)
-    | name :: _, [] -> Some (Printf.sprintf "name one of them, with numbers for what is in brackets: %s:%s" path name)
+    | name :: _, [] ->
+      Some (Printf.sprintf "name one of them, with numbers for what is in brackets: %s:%s" path name)
     | [], [] -> None
   in
   let list = match names with [] -> "it has no templates" | _ -> "its templates: " ^ String.concat ", " names in
@@ -155,7 +156,7 @@ let report console argument ~mended ~gone ?snapped ?outer (set : Polyhedron.ifs)
   in
   let exit = Exit_code.to_int code in
   Console.answer console
-    ~text:(fun () -> told ^ Solid_report.to_text ~name:argument r ^ advice r)
+    ~text:(fun () -> told ^ Solid_report.to_text ~name:(Visible.line argument) r ^ advice r)
     ~json:(fun () -> Scc_exchange.Shape_json.document ~name:argument ~exit ~mended ?snap:snapped ?outer r);
   code
 

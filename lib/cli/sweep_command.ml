@@ -80,7 +80,8 @@ let conclude console seen ~count = function
     if count > 0 && seen.refused = count then Ok Exit_code.Invalid
     else if seen.stopped > 0 then begin
       Console.note console
-        (Printf.sprintf "scc: a limit of seconds or memory left something open at %d of %d points" seen.stopped count);
+        (Printf.sprintf "scc: a limit of seconds or memory left something open at %d of %d points"
+           seen.stopped count);
       Ok Exit_code.Stopped
     end
     else Ok (if seen.open_ + seen.refused > 0 then Exit_code.Undecided else Exit_code.Holds)
@@ -284,7 +285,8 @@ let command =
       ( Exit_code.Undecided,
         "if something is undecided or holds up to a bound, or the model is invalid somewhere." );
       (Exit_code.Invalid, "if the model is invalid at all points.");
-      (Exit_code.Stopped, "if it was interrupted, or a limit of seconds or memory left something open; what is done is written.");
+      ( Exit_code.Stopped,
+        "if it was interrupted, or a limit of seconds or memory left something open; what is done is written." );
     ]
   in
   let exits = Exits.man ~told ~never:[ Violated ] () in

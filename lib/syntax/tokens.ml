@@ -203,7 +203,8 @@ let hint_of = function
 let check_depth s i =
   if depth (top s) > max_depth then
     refuse s i ?hint:(hint_of s.tokens.(i).token)
-      (Printf.sprintf "this declaration goes more than %d operators and prefixes deep: a chain is as deep as it is long"
+      (Printf.sprintf
+         "this declaration goes more than %d operators and prefixes deep: a chain is as deep as it is long"
          max_depth)
 
 let open_bracket s i bracket =

@@ -128,7 +128,8 @@ let resources v =
 
 let by_default = function
   | Holds { bounds; _ } ->
-    List.exists (fun t -> match t.origin with By_default -> true | By_user | By_property | By_system -> false) bounds
+    let is_default = function By_default -> true | By_user | By_property | By_system -> false in
+    List.exists (fun t -> is_default t.origin) bounds
   | Violated _ | Measured _ | Undecided _ -> false
 
 (* Rounded up to one digit. *)

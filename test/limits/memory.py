@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Limits of the system on the memory of the process: 0, 1 and 2 come from finished verdicts only.
+"""Limits of the system on the memory and the stack of the process: 0, 1 and 2 come from finished verdicts only.
 
     test/limits/memory.py SCC [--all] [--step KIB] [--verbose]
 
-Runs commands under limits of addresses (ulimit -v) and of data (ulimit -d), from those under which not even the libraries
-can be loaded to those that are enough. Each run ends as it does without a limit, with the same output; or with code 4,
-says that a limit of memory was met, and names no limit but the one that is set. Below what the system needs to load
+Runs commands under limits of addresses (ulimit -v), of data (ulimit -d) and of the stack (ulimit -s), from those under which
+not even the libraries can be loaded to those that are enough. Each run ends as it does without a limit, with the same output; or with code 4,
+says that a limit of memory or of the stack was met, and names no limit but the one that is set. Below what the system needs to load
 the program, nothing of it runs: 126, 127, or a signal. Without --all, a share: every 37th run.
 """
 
@@ -24,6 +24,7 @@ process p = C mass 1 velocity (v,0,0) [nil]
 motion p = (vx + dt, vy, vz)
 check far : always x(p) < 3000
 """
+DEEP = LONG.replace("3000", " + ".join(["x(p)"] * 9000))
 SHORT = LONG.replace("3000", "5").replace("always", "possibly")
 COMMANDS = [
     ["--version"], ["check", "short.sc"], ["check", "--json", "short.sc"], ["check", "long.sc", "--states", "2000"],
@@ -32,14 +33,22 @@ COMMANDS = [
     ["explore", "short.sc", "--format", "aut", "-o", "-", "--states", "50"], ["compare", "short.sc", "short.sc", "--states", "50"],
     ["view", "short.sc", "-o", "page.html"], ["shape", "ell.off"], ["decompose", "ell.off"], ["check", "invalid.sc"],
     ["simulate", "short.sc", "--runs", "2", "--observe", "x(p)", "--every", "1", "--until", "3"],
-    ["check", "none.sc"], ["fmt", "--none"],
+    ["check", "none.sc"], ["fmt", "--none"], ["check", "deep.sc"], ["fmt", "deep.sc"],
 ]
-LIMITS = {"addresses": resource.RLIMIT_AS, "data": resource.RLIMIT_DATA}
 STOPPED = 4
-OF_MEMORY = re.compile(r"memory|Cannot allocate|not enough", re.IGNORECASE)
+OF_MEMORY = re.compile(r"memory|no stack left|Cannot allocate|not enough", re.IGNORECASE)
 NAMED = re.compile(r"limit of (\d+) MiB")
 
 Done = collections.namedtuple("Done", "code out err")
+
+
+def limits(step):
+    """KiB of each limit. Close to where the program begins each step counts; later there is more room."""
+    memory = [*range(1000, 60000, step), *range(60000, 200000, 10 * step)]
+    return [
+        ("addresses", resource.RLIMIT_AS, memory), ("data", resource.RLIMIT_DATA, memory),
+        ("the stack", resource.RLIMIT_STACK, [*range(20, 200, 12), *range(200, 1300, step // 5)]),
+    ]
 
 
 def limited(limit, kib):
@@ -89,15 +98,14 @@ def main():
     here = os.path.dirname(os.path.abspath(__file__))
     passed, failed, unloaded, number, seen = 0, 0, 0, 0, collections.Counter()
     with tempfile.TemporaryDirectory() as folder:
-        for name, text in (("long.sc", LONG), ("short.sc", SHORT), ("invalid.sc", SHORT + "check x : y\n")):
+        for name, text in (("long.sc", LONG), ("deep.sc", DEEP), ("short.sc", SHORT), ("invalid.sc", SHORT + "check x : y\n")):
             with open(os.path.join(folder, name), "w") as file:
                 file.write(text)
         with open(os.path.join(here, "..", "cli", "ell.off")) as mesh, open(os.path.join(folder, "ell.off"), "w") as copy:
             copy.write(mesh.read())
         wholes = [run([args.scc, *words], folder) for words in COMMANDS]
-        for name, limit in LIMITS.items():
-            # Close to where the program begins each step counts; later there is more room.
-            for kib in [*range(1000, 60000, args.step), *range(60000, 200000, 10 * args.step)]:
+        for name, limit, sizes in limits(args.step):
+            for kib in sizes:
                 here_loads = None
                 for words, whole in zip(COMMANDS, wholes):
                     number += 1
