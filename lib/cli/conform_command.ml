@@ -97,7 +97,7 @@ let conform console o =
   let code = exit_code answer in
   let report = { Report.file = o.path; loaded = l; trace; tolerance; answer } in
   Console.answer console
-    ~text:(fun () -> Report.text { report with trace = Recorded.shown trace })
+    ~text:(fun () -> Report.text report)
     ~json:(fun () ->
         let source = Console.source console in
         let diagnostics = List.map (Diag_json.diagnostic ~source) (Console.kept console) in

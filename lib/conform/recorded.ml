@@ -104,5 +104,3 @@ let number : Yojson.Basic.t -> (Rat.t * bool) option = function
   | `Float x when Float.is_finite x -> Option.map (fun (q, _) -> (q, true)) (literal (decimal x))
   | `String s -> literal s
   | _ -> None
-
-let shown t = { t with name = Scc_base.Visible.line t.name }

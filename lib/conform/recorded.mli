@@ -103,6 +103,3 @@ val number : Json.t -> (Rat.t * bool) option
     float: with a point or an exponent. *)
 
 val literal : string -> (Rat.t * bool) option
-
-val shown : t -> t
-(** For reports to people: its name as {!Scc_base.Visible.line} shows it. *)
