@@ -222,7 +222,10 @@ let others () =
   let broken () = Scc_base.Bug.fail ("here", 1, 2, 3) "broken" in
   Alcotest.(check bool) "no run" true (Option.is_none (attempt broken) && Option.is_none (attempt broken));
   Alcotest.(check (list string)) "kept once" [ "Bug at here:1: broken" ] (Lost.taken lost);
-  Alcotest.(check (list string)) "and taken" [] (Lost.taken lost)
+  Alcotest.(check (list string)) "and taken" [] (Lost.taken lost);
+  let fault what = ignore (attempt (fun () -> Scc_base.Bug.fail ("here", 1, 2, 3) what)) in
+  List.iter fault [ "one"; "two"; "one" ];
+  Alcotest.(check (list string)) "in order" [ "Bug at here:1: one"; "Bug at here:1: two" ] (Lost.taken lost)
 
 let suite =
   let case name f = Alcotest.test_case name `Quick f in
