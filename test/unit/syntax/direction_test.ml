@@ -56,6 +56,25 @@ let where () =
   let million = String.concat "" (List.init 1_000_000 (fun _ -> rlo)) in
   Alcotest.(check int) "a million in a line" 1 (List.length (warnings million))
 
+(* Each line tells of its own characters, each once, and points at the first. *)
+let told () =
+  let rlo = utf_8 0x202E and pdi = utf_8 0x2069 in
+  let text d = Printf.sprintf "%d-%d %s" d.Diag.span.start d.span.stop d.message in
+  let check what expected s = Alcotest.(check (list string)) what expected (List.map text (warnings s)) in
+  let ends = " the direction in which it is shown: what is read may not be what is seen" in
+  check "several of them, and some twice"
+    [
+      "1-4 the characters U+202E, U+2069 on this line change" ^ ends; "12-15 the character U+2069 on this line changes" ^ ends;
+      "19-22 the character U+202E on this line changes" ^ ends;
+    ]
+    (Printf.sprintf "a%sb%s%s\n%s%s\n%s" rlo pdi rlo pdi pdi rlo);
+  check "after a form feed" [ "1-4 the character U+202E on this line changes" ^ ends ] ("\012" ^ rlo);
+  check "in what is no text" [] ("\127" ^ rlo);
+  let lines = List.map text (warnings (String.concat "\n" (List.init 23 (fun _ -> pdi)))) in
+  Alcotest.(check string) "the first of those beyond"
+    "80-83 on 3 more lines, of which this is the first, are characters that change the direction of the text"
+    (List.nth lines 20)
+
 (* Whatever a diagnostic says, and wherever it points. *)
 let shown () =
   let rlo = utf_8 0x202E in
@@ -80,6 +99,7 @@ let suite =
         [
           Alcotest.test_case "which they are" `Quick which;
           Alcotest.test_case "where they are told" `Quick where;
+          Alcotest.test_case "what is told" `Quick told;
           Alcotest.test_case "how they are shown" `Quick shown;
         ] );
     ] )

@@ -221,8 +221,12 @@ let others () =
   Alcotest.(check (list string)) "and is no fault" [] (Lost.taken lost).faults;
   let broken () = Scc_base.Bug.fail ("here", 1, 2, 3) "broken" in
   Alcotest.(check bool) "no run" true (Option.is_none (attempt broken) && Option.is_none (attempt broken));
-  Alcotest.(check (list string)) "kept once" [ "Bug at here:1: broken" ] (Lost.taken lost).faults;
-  Alcotest.(check (list string)) "and taken" [] (Lost.taken lost).faults
+  let taken () = (Lost.taken lost).faults in
+  Alcotest.(check (list string)) "kept once" [ "Bug at here:1: broken" ] (taken ());
+  Alcotest.(check (list string)) "and taken" [] (taken ());
+  let fault what = ignore (attempt (fun () -> Scc_base.Bug.fail ("here", 1, 2, 3) what)) in
+  List.iter fault [ "one"; "two"; "one" ];
+  Alcotest.(check (list string)) "in order" [ "Bug at here:1: one"; "Bug at here:1: two" ] (taken ())
 
 let suite =
   let case name f = Alcotest.test_case name `Quick f in
