@@ -71,7 +71,7 @@ Deep nesting.
      |                                         ^
   $ (cat cube.sc; printf 'param x = '; repeat '-' 100000; printf 1) > minus.sc
   $ scc check minus.sc 2>&1 | cut -c 1-120
-  minus.sc:8:10011: error[SC0111]: this declaration is nested too deeply (the limit is 10000)
+  minus.sc:8:10011: error[SC0111]: this declaration goes more than 10000 operators and prefixes deep: a chain is as deep a
      |
    8 | -------------------------------------------------------------------------------------------------------------------
      |                                         ^
@@ -80,16 +80,21 @@ Deep nesting.
   operators.sc:8:11: error[SC0111]: operators of time nest more than 1000 deep, with their `let`s
   $ (cat cube.sc; printf 'behaviour B on Cube = '; repeat 'eps(1). ' 100000; printf nil) > delays.sc
   $ scc check delays.sc 2>&1 | cut -c 1-120
-  delays.sc:8:80021: error[SC0111]: this declaration is nested too deeply (the limit is 10000)
+  delays.sc:8:80021: error[SC0111]: this declaration goes more than 10000 operators and prefixes deep: a chain is as deep 
      |
    8 | . eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). e
      |                                         ^
   $ (cat cube.sc; printf 'check c : always 1'; repeat '+1' 100000; printf ' > 0') > sum.sc
   $ scc check sum.sc 2>&1 | cut -c 1-120
-  sum.sc:8:20017: error[SC0111]: this declaration is nested too deeply (the limit is 10000)
+  sum.sc:8:20017: error[SC0111]: this declaration goes more than 10000 operators and prefixes deep: a chain is as deep as 
      |
    8 | +1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+
      |                                         ^
+    hint: brackets around parts of a chain make it less deep: `(a + b) + (c + d)`
+  $ part="$(repeat '+1' 999)"
+  $ (cat cube.sc; printf 'check c : always (1'; for i in $(seq 1 99); do printf '%s)+(1' "$part"; done; printf '%s) > 0' "$part") > sum.sc
+  $ scc check sum.sc 2>&1 | grep '^c:'
+  c: holds (exhaustive)
   $ (cat cube.sc; repeat 'for i in 1..2 { ' 100000) > loops.sc
   $ scc check loops.sc 2>&1 | cut -c 1-120 | head -n 4
   loops.sc:8:16015: error[SC0111]: brackets are nested too deeply (the limit is 1000)
@@ -156,3 +161,45 @@ Unterminated things.
    8 | process q = Cube
      |                 ^
   [3]
+
+Formulas of the command line that change the direction of the text are warned of, and are shown by the numbers of their characters:
+
+  $ back=$(printf '\342\200\256')
+  $ cat > moving.sc <<'EOF'
+  > shape C = box(1,1,1)
+  > process p = C mass 1 velocity (1,0,0) [nil]
+  > EOF
+  $ scc export moving.sc --time 1 --observe "x(p) /* $back */" --format csv -o - | tr -d '\r'
+  <observable 1>:1:9: warning[SC0113]: the character U+202E on this line changes the direction in which it is shown: what is read may not be what is seen
+     |
+   1 | x(p) /* <U+202E> */
+     |         ^^^^^^^^
+    hint: reports of scc show them by their numbers; take them out, or keep them if the text is meant so
+  time,time (float),event,x(p) /* <U+202E> */,x(p) /* <U+202E> */ (float)
+  0,0,,0,0
+  1,1,,1,1
+  $ scc estimate moving.sc --property "P = ? [ eventually x(p) > 1 /* $back */ ]" --runs 2
+  <property 1>:1:32: warning[SC0113]: the character U+202E on this line changes the direction in which it is shown: what is read may not be what is seen
+     |
+   1 | P = ? [ eventually x(p) > 1 /* <U+202E> */ ]
+     |                                ^^^^^^^^
+    hint: reports of scc show them by their numbers; take them out, or keep them if the text is meant so
+  property1: estimated: 1, from 0.07071 to 1 with confidence 99/100, 2 runs
+  $ scc view moving.sc --plot "x(p) /* $back */" -o page.html 2>&1 | head -1
+  --plot x(p) /* <U+202E> */:1:9: warning[SC0113]: the character U+202E on this line changes the direction in which it is shown: what is read may not be what is seen
+  $ scc simulate moving.sc --runs 1 --observe "x(p) /* $back */" --every 1 --until 1 --plot plot.svg 2> errors > table.csv
+  $ cat errors table.csv plot.svg | grep -c "$back"
+  0
+  [1]
+
+Names are shown so, too:
+
+  $ escape=$(printf '\033')
+  $ scc "$back$escape[31m" 2>&1 | head -n 1 | cut -c 1-44
+  scc: unknown command '<U+202E><U+001B>[31m',
+  $ scc check moving.sc "--$back=$escape" 2>&1 | head -n 1
+  scc: unknown option '--<U+202E>'.
+  $ printf 'shape  C = box(1,1,1)\nprocess p = C mass 1 [nil]' > "wide$back.sc"
+  $ scc fmt --check "wide$back.sc"
+  wide<U+202E>.sc
+  [1]

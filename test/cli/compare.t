@@ -315,3 +315,53 @@ Labels tell no places: two models that are equivalent by themselves may differ b
   not equivalent modulo trace
     here.sc can do this, and there.sc cannot:
       1. bounce(p, q)
+
+What is drawn at one instant is one transition: it is not seen which of two pairs is drawn for first, nor which of them chooses first. Here the
+first pair is on the left of the other one, and there on its right:
+
+  $ grep -v '^check' ../../specs/models/laws/pairs.sc > left.sc
+  $ sed '/^process [pq]/s/translate (/translate (20 + /' left.sc > right.sc
+  $ scc compare left.sc right.sc --modulo timed
+  equivalent modulo timed
+    as labels tell it, which know no places: beside a third body the two may differ
+  left.sc: 25 states, 37 transitions, 12 classes; complete, at split step 1
+    semantics 3: split step 1
+  right.sc: 25 states, 37 transitions, 12 classes; complete, at split step 1
+    semantics 3: split step 1
+  $ scc compare left.sc right.sc --modulo strong --write as | head -1
+  equivalent modulo strong
+  $ head -6 as-2.aut
+  des (0, 38, 22)
+  (0, "time", 1)
+  (1, "{keep(a, p.right, q.left), keep(a, u.right, v.left)} chance(1/3)", 0)
+  (1, "{release(a, p.right, q.left), release(a, u.right, v.left)} chance(1/6)", 2)
+  (1, "{keep(a, p.right, q.left), release(a, u.right, v.left)} chance(1/3)", 3)
+  (1, "{keep(a, u.right, v.left), release(a, p.right, q.left)} chance(1/6)", 4)
+  $ scc explore left.sc --format aut -o left.aut
+  scc: semantics 3: split step 1
+  scc: explored: 25 states, 37 transitions; complete
+  $ scc compare left.aut right.sc | head -1
+  equivalent modulo branching
+
+What is hidden of a draw is left out; and what has other chances is another draw:
+
+  $ scc compare left.sc right.sc --modulo strong --hide 'keep(*)' --write as | head -1
+  equivalent modulo strong
+  $ head -6 as-2.aut
+  des (0, 38, 22)
+  (0, "time", 1)
+  (1, "tau", 0)
+  (1, "{release(a, p.right, q.left), release(a, u.right, v.left)} chance(1/6)", 2)
+  (1, "release(a, u.right, v.left) chance(1/3)", 3)
+  (1, "release(a, p.right, q.left) chance(1/6)", 4)
+  $ scc compare left.sc left.sc --right one=1/4
+  not equivalent modulo branching
+    the second left.sc can do this, and the first left.sc cannot:
+      1. {keep(a, p.right, q.left), release(a, u.right, v.left)} chance(3/8)
+    this is true of the first left.sc, and not of the second left.sc:
+      (true until <{keep(a, p.right, q.left), keep(a, u.right, v.left)} chance(1/3)>true)
+  the first left.sc: 25 states, 37 transitions, 9 classes; complete, at split step 1
+    semantics 3: split step 1
+  the second left.sc: 25 states, 37 transitions, 9 classes; complete, at split step 1
+    semantics 3: split step 1
+  [1]

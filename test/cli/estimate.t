@@ -176,3 +176,41 @@ What cannot be asked.
   error[SC0903]: this needs the values of all parameters, and of `y`, `z` a range is known
     hint: `scc check` answers for all values; `-D y=VALUE` gives one; `scc trace --start simple` chooses them
   [3]
+
+Where a bound keeps a probability or a mean from being known, `scc check` names the command that tells it, if it has an interval for it.
+
+  $ cat > walk.sc <<'END'
+  > timestep 1 steady
+  > process w = box(1/4, 1/4, 1/4) mass 1 [nil]
+  > motion w = choose { (1, 0, 0) weight 1, (-1, 0, 0) weight 1 }
+  > check far  : P = ? [ eventually x(w) > 10 within 100 ]
+  > check ever : P >= 1/10 [ eventually x(w) > 3 ]
+  > check half : E = ? [ if x(w) > 0 then 1 else 0 at 100 ]
+  > check mean : E = ? [ x(w) at 100 ]
+  > check near : P = ? [ eventually x(w) > 3 within 4 ]
+  > END
+  $ scc check walk.sc --states 30 | sed -n '/^[a-z]*: /p; /cure: .scc/p' | cut -c 1-140
+  far: least in [0, 1], greatest in [0, 1], as far as is known: the exploration ended at the bound of 30 states; 4 unexplored states matter
+    likely cure: `scc estimate --check far` tells it from many runs, by an interval with a confidence
+  ever: holds (exhaustive)
+  half: undecided: the exploration ended at the bound of 30 states; 4 unexplored states matter
+    likely cure: `scc estimate --check half` tells it from many runs, by an interval with a confidence
+  mean: undecided: the exploration ended at the bound of 30 states; 4 unexplored states matter
+  near: least in [0.0625, 0.25], greatest in [0.0625, 0.25], as far as is known: the exploration ended at the bound of 30 states; 3 unexplored
+    likely cure: `scc estimate --check near` tells it from many runs, by an interval with a confidence
+  explored: 29 states, 36 transitions, depth 8, model time 4; not complete: stopped by the bound of 30 states
+  $ scc check walk.sc --states 30 --json | grep likely_cure
+        "likely_cure": "`scc estimate --check far` tells it from many runs, by an interval with a confidence"
+        "likely_cure": "`scc estimate --check half` tells it from many runs, by an interval with a confidence"
+        "likely_cure": "`scc estimate --check near` tells it from many runs, by an interval with a confidence"
+  $ scc check walk.sc --states 30 | sed -n 's/.*cure: `scc estimate --check \([a-z]*\)`.*/\1/p' > named; cat named
+  far
+  half
+  near
+  $ for name in $(cat named); do scc estimate walk.sc --check $name --runs 200 | grep -c ' with confidence 99/100, 200 runs'; done
+  1
+  1
+  1
+  $ scc check walk.sc --depth 30 | grep -c 'cure: .scc'
+  0
+  [1]

@@ -1,5 +1,5 @@
 (* A run that could not be rebuilt, in the reports: the verdict says so, and the command ends as a fault of scc,
-   when it has told all else. *)
+   when it has told all else. Likewise one that is left out, which is no fault. *)
 
 open Scc_verify
 module Console = Scc_cli__Console
@@ -19,9 +19,9 @@ let loaded =
 
 let lost = [ "Bug at here:1: broken" ]
 
-let outcome lost verdict check : Verdict.outcome =
+let outcome ?left_out lost verdict check : Verdict.outcome =
   let scale = { Verdict.resolution = None; split_step = None; over = None } in
-  { check; verdict; scale; rests = []; converges = None; lost }
+  { check; verdict; scale; rests = []; converges = None; lost; left_out }
 
 let outcomes =
   List.map2 (fun verdict check -> outcome lost verdict check)
@@ -53,6 +53,57 @@ let in_json () =
   let sound = outcome [] (Verdict.Holds { bounds = []; witness = None }) (List.hd loaded.checks) in
   Alcotest.(check bool) "nothing" true (member sound = None)
 
+(* {1 Runs that were not made} *)
+
+let interruption = { Verdict.limit = Interrupted; origin = By_user }
+let fifty = { Verdict.limit = States 50; origin = By_user }
+
+let left_out =
+  List.map
+    (fun verdict -> outcome ~left_out:interruption [] verdict (List.hd loaded.checks))
+    [ Verdict.Violated { witness = None }; Holds { bounds = []; witness = None }; Undecided [ Truncated fifty ] ]
+
+let left_out_in_words () =
+  let told what =
+    Printf.sprintf "a: %s is left out: making it ended at the interruption\n  possibly x(p) > 1\n" what
+  in
+  Alcotest.(check (list string)) "text"
+    (List.map told
+       [
+         "violated; its run"; "holds (exhaustive); its run";
+         "undecided: the exploration ended at the bound of 50 states; the run to what was not explored";
+       ])
+    (List.map (Check_text.property (console ()) ~full:false loaded.semantics) left_out);
+  Alcotest.(check string) "of Zeno behaviour"
+    "Zeno behaviour: a run that goes on for ever within one instant, which is left out: making it ended at the \
+     interruption\n"
+    (Check_text.zeno_left_out interruption)
+
+let left_out_in_json () =
+  let member name json = Option.map Json.pretty (Json.member name json) in
+  let json = Some (Json.pretty (Scc_exchange.Check_json.truncation interruption)) in
+  let of_property o = member "run_left_out" (Scc_exchange.Check_json.property loaded.semantics o) in
+  Alcotest.(check (list (option string))) "runs" [ json; json; json ] (List.map of_property left_out);
+  Alcotest.(check (option string)) "nothing" None
+    (of_property (outcome [] (Verdict.Holds { bounds = []; witness = None }) (List.hd loaded.checks)))
+
+(* Those that are known are told, and that there may be more. *)
+let causes () =
+  let { Check.stats; _ } = Check.unexplored Check.default [] Scc_graph_search.Limits.Interrupted in
+  let stats = { stats with left_out = Some interruption } in
+  let told causes = Check_text.causes loaded.model { stats with causes } in
+  let line further =
+    Printf.sprintf "  %slikely causes are left out: looking for them ended at the interruption\n" further
+  in
+  Alcotest.(check string) "none is known" (line "") (told []);
+  let cure = Growth.cure loaded.model Times in
+  Alcotest.(check string) "one is known"
+    (Printf.sprintf
+       "  likely cause: all comes back to what it was, but at another time\n    cure: %s\n%s\
+       \  (specs/guide.md, \"Why did my model blow up?\")\n"
+       cure (line "further "))
+    (told [ Times ])
+
 let in_sarif () =
   let document =
     Scc_exchange.Sarif.document
@@ -83,4 +134,8 @@ let exits () =
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "lost runs"
-    [ ("reports", [ case "text" in_words; case "JSON" in_json; case "SARIF" in_sarif; case "exit codes" exits ]) ]
+    [
+      ("reports", [ case "text" in_words; case "JSON" in_json; case "SARIF" in_sarif; case "exit codes" exits ]);
+      ( "left out",
+        [ case "text" left_out_in_words; case "JSON" left_out_in_json; case "likely causes" causes ] );
+    ]

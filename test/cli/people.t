@@ -101,7 +101,7 @@ Statistics vary, and are not part of the report:
     stores: states N MiB, labels N MiB, edges N MiB
     longest numbers, in bits: positions N, velocities N
     collections: N minor, N major
-    seconds: read N, explore N
+    seconds: read N, explore N, conclude N
   $ scc check $models/chain.sc --stats --json | grep -c '"varies": true'
   1
 

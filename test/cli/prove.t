@@ -214,6 +214,6 @@ Where the search takes long, exploring comes first; how far it goes is counted, 
   together: holds (exhaustive), at split step 1
     always bonds(atp) <= 1 and bonds(glc) <= 1
   
-  no invariant: the search for one was given up after 10 million steps of arithmetic; more --states allow more
+  no invariant: the search for one was given up after 10 million steps of arithmetic
   explored: 23044 states, 34625 transitions, depth 2388, model time 1368; complete
   1 property: 1 holds

@@ -321,7 +321,7 @@ cannot be written.
   $ cp tetrahedron.off "$(printf 'a&b\001\377.off')"
   $ scc shape "$(printf 'a&b\001\377.off')" --svg name.svg > /dev/null
   $ sed -n 2p name.svg
-    <title>a&amp;b��.off</title>
+    <title>a&amp;b&lt;U+0001&gt;&lt;0xFF&gt;.off</title>
 
 What cannot be read.
 
@@ -366,3 +366,31 @@ What cannot be read.
    2 | 4 4 6
      | ^
   [3]
+
+Made solids are shapes, whether or not the model uses them:
+
+  $ cat > made.sc <<'EOF'
+  > shape Cube = box(1, 1, 1)
+  > shape Bar(a) = box(a, 1, 1)
+  > process p = Cube mass 1 [nil]
+  > process q = Bar(2) mass 1 at translate (5, 0, 0) [nil]
+  > EOF
+  $ for name in Cube 'Bar(2)' 'box(1, 1, 1)' 'box(2, 1, 1)' 'prism(3, 1, 1)'; do scc shape "made.sc:$name" | sed -n 2p; done
+  vertices: 8, edges: 12, faces: 6
+  vertices: 8, edges: 12, faces: 6
+  vertices: 8, edges: 12, faces: 6
+  vertices: 8, edges: 12, faces: 6
+  vertices: 6, edges: 9, faces: 5
+
+What is advised works, of every model:
+
+  $ for model in ../../specs/models/*.sc; do
+  >   advised=$(scc shape $model 2>&1 | sed -n 's/.*hint: name one of them: //p')
+  >   [ -z "$advised" ] || scc shape "$advised" > report 2>&1 || { echo "$advised"; cat report; }
+  > done
+  $ cat > empty.sc <<'EOF'
+  > process p = box(1, 1, 1) mass 1 [nil]
+  > EOF
+  $ scc shape empty.sc
+  command line: error[SC0210]: empty.sc is a model (it has no templates), and a single shape is needed here
+  [64]

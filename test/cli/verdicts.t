@@ -381,10 +381,10 @@ An evaluation that takes too long leaves its own formula open, and no other.
   $ scc check far.sc --seconds 1 > ended
   [4]
   $ grep '^far' ended
-  far: undecided: the exploration ended at the limit of 1 seconds
+  far: undecided: its evaluation on what was explored ended at the limit of 1 seconds
   $ python3 -B interrupt.py 1 scc check far.sc | grep ': '
   near: holds (exhaustive)
-  far: undecided: the exploration ended at the interruption
+  far: undecided: its evaluation on what was explored ended at the interruption
   explored: 5 states, 5 transitions, depth 4, model time 9; complete
   2 properties: 1 holds, 1 undecided
 

@@ -48,6 +48,14 @@ let rec allocate () =
   kept := Bytes.make 100_000 'x' :: !kept;
   allocate ()
 
+(* What it has taken is nobody's any more when it is given up: what is explored then has all of the memory. *)
+let explored_after stage () =
+  let rec allocate_more list = allocate_more (Bytes.make 100_000 'x' :: list) in
+  let attempt = Watch.attempt (Watch.start ~memory:(Scc_base.Memory.words_of_mib 100) ()) in
+  match attempt.run stage (fun () -> allocate_more []) with
+  | Error Memory -> code (attempt.run Exploring ignore)
+  | Ok _ | Error (Seconds | Interrupted) -> 1
+
 let words = Scc_base.Memory.words_of_mib 100
 
 let inner_and_outer () =
@@ -75,6 +83,33 @@ let half () =
       processor_seconds 0.1;
       match another () with Some stop -> code (Error stop) | None -> 2)
   | _ -> 1
+
+let too_long () = processor_seconds 3.
+
+(* What may take half of the seconds is given up in the middle, though it asks nothing, and what comes after it has
+   the other half; what concludes is not. *)
+let within_half stage work () =
+  let watch = Watch.start ~clock ~seconds:12. () in
+  let around = Watch.surroundings watch ~progress:ignore ~attempt:(Watch.attempt watch) in
+  now := 2.;
+  let half = around.half () in
+  let quarter = half.half () in
+  let result = half.attempt.run stage (fun () -> now := 7.5; work ()) in
+  let next = half.attempt.run Exploring ignore and rest = around.attempt.run Exploring ignore in
+  match (half.stop (), quarter.stop (), around.stop (), next, rest) with
+  | Some Seconds, Some Seconds, None, Error Seconds, Ok () -> code result
+  | _ -> 1
+
+(* A part of a half ends before it. *)
+let within_quarter () =
+  let watch = Watch.start ~clock ~seconds:12. () in
+  let around = Watch.surroundings watch ~progress:ignore ~attempt:(Watch.attempt watch) in
+  now := 4.;
+  let half = around.half () in
+  let inner () = (half.half ()).attempt.run Proving (fun () -> now := 6.5; too_long ()) in
+  match half.attempt.run Exploring inner with
+  | Ok (Error Seconds) when Option.is_none (half.stop ()) -> 0
+  | Ok _ | Error _ -> 1
 
 let without_end () =
   let watch = Watch.start () in
@@ -106,7 +141,12 @@ let cases =
     ("what is no attempt and lets nothing through", 4, stubborn);
     ("work that has half of it", 12, half);
     ("work that has half of no limit", 0, without_end);
+    ("an exploration in the middle", 10, within_half Exploring too_long);
+    ("a proof in the middle", 10, within_half Proving too_long);
+    ("a conclusion in the middle", 0, within_half Concluding (fun () -> processor_seconds 0.1));
+    ("half of a half", 0, within_quarter);
     ("an exploration after a signal", 12, attempt ~before:signal Exploring for_ever);
+    ("an exploration after a proof that took memory", 0, explored_after Proving);
     ("one that takes memory", 11, attempt ~memory:words Exploring allocate);
     ("nothing, once it is finished", 0, fun () ->
         let watch = Watch.start ~seconds:0.1 () in

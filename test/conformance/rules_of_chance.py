@@ -258,6 +258,19 @@ LOTS = ('process p = Cube mass 1 [nil]\nmotion p = choose { (2,0,0), (0,0,2) wei
 DECAY = ('split_step 1\nbehaviour Z on Cube = nil\nprocess p = Cube mass 1 [omega(a, {right}) chance 1/2. eps(1/2). Z]\n'
          'process q = Cube mass 1 at translate (2,0,0) [omega(a, {left}). nil]\nbond <a, {p.right, q.left}>\n')
 
+# Two pairs, with lots at 1 for both.
+TWO_PAIRS = ('split_step 1\nprocess p = Cube mass 1 [omega(a, {right}) chance 1/3. nil]\n'
+             'process q = Cube mass 1 at translate (2,0,0) [omega(a, {left}). nil]\n'
+             'process u = Cube mass 1 at translate (10,0,0) [omega(b, {right}) chance 1/2. nil]\n'
+             'process v = Cube mass 1 at translate (12,0,0) [omega(b, {left}). nil]\n'
+             'bond <a, {p.right, q.left}>\nbond <b, {u.right, v.left}>\n')
+
+# One reaction releases both bonds.
+REACTION = ('process p = Cube mass 1 [rho({<a, {right}>}). nil]\n'
+            'process q = Cube mass 1 at translate (2,0,0) [rho({<a, {left}>, <b, {right}>}). nil]\n'
+            'process r = Cube mass 1 at translate (4,0,0) [rho({<b, {left}>}). nil]\n'
+            'bond <a, {p.right, q.left}>\nbond <b, {q.right, r.left}>\n')
+
 
 def probability():
     r = Rule('Probability')
@@ -308,6 +321,13 @@ def expectation():
     r.measured('Draws are counted.', RUIN, 'E = ? [ not event weak U time > 3/2 ]', least=2, greatest=2)
     r.measured('Until g begins: x(p) > 1 after 1.', cubes(), 'E = ? [ time U x(p) > 1 ]', least=1, greatest=1)
     r.measured('After all that happens at that instant.', cubes(), 'E = ? [ vx(p) at 2 ]', least=0, greatest=0)
+    r.measured('Bonds that go at once are counted each.', TWO_PAIRS, 'E = ? [ event weak U time > 1 ]', least='5/6', greatest='5/6')
+    r.measured('No bond has two names.', TWO_PAIRS, 'E = ? [ event weak(a) and event weak(b) U time > 1 ]', least=0, greatest=0)
+    r.measured('Of each bond by itself.', TWO_PAIRS, 'E = ? [ event weak and not event weak(b) U time > 1 ]', least='1/3',
+               greatest='1/3')
+    r.measured('A reaction counts as often as it releases bonds.', REACTION, 'E = ? [ event strong U event strong ]', least=2,
+               greatest=2)
+    r.measured('And once, of one of them.', REACTION, 'E = ? [ not event strong(a) U event strong ]', least=1, greatest=1)
     return r
 
 

@@ -57,33 +57,16 @@ let child fd work =
   (* The files of tables are those of the other process as well. *)
   Scc_data.Spill.nowhere ();
   Sys.set_signal Sys.sigpipe Sys.Signal_ignore;
-  match work { fd; pid = 0; head = Bytes.create 4 } with
-  | () | (exception Closed) -> Unix._exit 0
-  | exception e ->
-    Standard.complain (Printexc.to_string e ^ "\n");
-    Unix._exit 70
+  Beside.labour (fun () -> try work { fd; pid = 0; head = Bytes.create 4 } with Closed -> ())
 
-let fork_with (ours, theirs) work =
+let fork_with work ours theirs =
   let work () =
     Unix.close ours;
     child theirs work
   in
   { fd = ours; pid = Interruption.fork work; head = Bytes.create 4 }
 
-let fork work =
-  match Unix.socketpair ~cloexec:true PF_UNIX SOCK_STREAM 0 with
-  | exception Unix.Unix_error _ -> None
-  | (ours, theirs) as pair -> (
-      match
-        ignore (again (fun () -> Unix.select [ ours ] [] [] 0.));
-        fork_with pair work
-      with
-      | c ->
-        Unix.close theirs;
-        Some c
-      | exception Unix.Unix_error _ ->
-        List.iter Unix.close [ ours; theirs ];
-        None)
+let fork work = Beside.fork (fun () -> Unix.socketpair ~cloexec:true PF_UNIX SOCK_STREAM 0) (fork_with work)
 
 let close c =
   (match Unix.kill c.pid Sys.sigkill with () | (exception Unix.Unix_error _) -> ());

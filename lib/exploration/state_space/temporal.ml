@@ -101,11 +101,20 @@ let number t n =
     let state = Catalogue.decode catalogue (Graph.tuple t.graph node) in
     Scc_evaluate.Trajectory.number_at (Scc_evaluate.Trajectory.make semantics state extent) n offset
 
+(* The transitions of a state but for the passing of time, in the order of the graph. *)
+let counted t p =
+  let catalogue = Network_lts.catalogue t.asked.context and semantics = Network_lts.semantics t.asked.context in
+  fun node k ->
+    let source = Catalogue.decode catalogue (Graph.tuple t.graph node) in
+    let _, (e : Graph.edge) = (indexed (fun e -> not (is_timed t.graph e)) (Graph.edges t.graph node)).(k) in
+    let n = Scc_evaluate.Counted.by semantics ~source (Catalogue.label_of catalogue e.label) p in
+    (n.least, n.most)
+
 let mean t i side (mean : Property.mean) =
   let what : Expectation.what =
     match (mean, t.asked.formulas.(i)) with
     | Time_until _, Finally (_, _, g) -> Time_until g
-    | Events_until _, Until (_, _, f, g) -> Changes_until (f, g)
+    | Events_until (p, _), Until (_, _, _, g) -> Counts_until (counted t p, g)
     | Value_at (n, time), _ -> Value_at (number t n, time)
     | (Time_until _ | Events_until _), _ -> Scc_base.Bug.fail __POS__ "a mean with another formula"
   in

@@ -15,6 +15,7 @@ type t = {
   exit : int;
   extra : (string * Json.t) list;
   full : bool;
+  cure : Verdict.outcome -> string option;
 }
 
 let kind : Verdict.t -> string = function
@@ -39,6 +40,7 @@ let origin : Verdict.origin -> string = function
   | By_default -> "default"
   | By_user -> "user"
   | By_property -> "property"
+  | By_system -> "system"
 
 let truncation (t : Verdict.truncation) =
   let kind, value = limit t.limit in
@@ -137,6 +139,7 @@ let reason ~full c (r : Verdict.reason) =
   let kind, bound, run =
     match r with
     | Truncated t -> ("truncated", truncation t, `Null)
+    | Unevaluated t -> ("unevaluated", truncation t, `Null)
     | Undefined _ -> ("undefined", `Null, `Null)
     | Fault _ -> ("fault", `Null, `Null)
     | Unexplored { nearest; _ } -> ("unexplored", `Null, witness ~full c nearest)
@@ -192,9 +195,10 @@ let measured (side, (m : Scc_ctl.Eval.measured)) =
     ]
 
 let lost_members = function [] -> [] | faults -> [ ("lost", `List (List.map Json.text faults)) ]
+let left_out name t = List.map (fun t -> (name, truncation t)) (Option.to_list t)
 
-let property ?(full = false) ?where c (o : Verdict.outcome) =
-  let { Verdict.check; verdict = v; scale; rests; converges; lost } = o in
+let property ?(full = false) ?(cure = fun _ -> None) ?where c (o : Verdict.outcome) =
+  let { Verdict.check; verdict = v; scale; rests; converges; lost; left_out = run_left_out } = o in
   let bounds, reasons, run =
     match v with
     | Holds { bounds; witness } -> (bounds, [], witness)
@@ -220,6 +224,8 @@ let property ?(full = false) ?where c (o : Verdict.outcome) =
       @ List.map (fun s -> ("split_step", Json.rat s)) (Option.to_list scale.split_step)
       @ List.map over (List.filter spoken_of (Option.to_list scale.over))
       @ lost_members lost
+      @ left_out "run_left_out" run_left_out
+      @ List.map (fun text -> ("likely_cure", Json.text text)) (Option.to_list (cure o))
       @ (if Verdict.by_invariant o then [ ("by_invariant", `Bool true) ] else [])
       @ List.map (fun w -> ("where", Where_json.where w)) (Option.to_list where))
 
@@ -248,7 +254,8 @@ let explored model (s : Check.stats) =
       ("faults", `List (List.map (fun (f : Diag.t) -> Json.text f.message) s.faults));
       ("dead_ends", dead_ends s.dead_ends);
     ]
-      @ match s.causes with [] -> [] | causes -> [ ("likely_causes", `List (List.map (cause model) causes)) ])
+      @ (match s.causes with [] -> [] | causes -> [ ("likely_causes", `List (List.map (cause model) causes)) ])
+      @ left_out "causes_left_out" s.left_out)
 
 let slice model (s : Check.slice) =
   `Assoc
@@ -259,7 +266,7 @@ let slice model (s : Check.slice) =
     ]
 
 let properties r =
-  let one where o = property ~full:r.full ?where r.loaded.semantics o in
+  let one where o = property ~full:r.full ~cure:r.cure ?where r.loaded.semantics o in
   match r.where with
   | [] -> List.map (one None) r.verdicts
   | where -> List.map2 (fun w o -> one (Some w) o) where r.verdicts
@@ -289,6 +296,7 @@ let document ~source r =
         ("zeno", Json.option (witness r.loaded.semantics) r.report.zeno);
       ]
       @ lost_members r.report.lost
+      @ left_out "run_left_out" r.report.left_out
       @ [
         ("diagnostics", `List (List.map (Diag_json.diagnostic ~source) r.diagnostics));
       ]

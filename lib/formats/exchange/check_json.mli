@@ -15,6 +15,7 @@ type t = {
   exit : int;
   extra : (string * Json.t) list;  (** members that were asked for: [coverage], [measured] *)
   full : bool;  (** with all steps of the ways to states that were not explored *)
+  cure : Verdict.outcome -> string option;  (** what may help with a verdict that met a bound *)
 }
 
 val kind : Verdict.t -> string
@@ -23,7 +24,9 @@ val kind : Verdict.t -> string
 val truncation : Verdict.truncation -> Json.t
 (** A bound that was met. *)
 
-val property : ?full:bool -> ?where:Scc_regions.Where.t -> Semantics.t -> Verdict.outcome -> Json.t
+val property :
+  ?full:bool -> ?cure:(Verdict.outcome -> string option) -> ?where:Scc_regions.Where.t -> Semantics.t ->
+  Verdict.outcome -> Json.t
 (** A member of [properties]. Of the way to a state that was not explored it has the first and the last 100 steps,
     and all of them if [full]. *)
 

@@ -3,35 +3,17 @@ open Scc_exact
 
 type t = Yojson.Basic.t
 
-let continuation c = Char.code c land 0xC0 = 0x80
-
-(* The length of the UTF-8 encoded scalar value at [i], if there is one. *)
-let scalar_length s i =
-  let n = String.length s in
-  let byte k = Char.code s.[i + k] in
-  let rest k = i + k < n && continuation s.[i + k] in
-  match s.[i] with
-  | '\x00' .. '\x7f' -> Some 1
-  | '\xc2' .. '\xdf' when rest 1 -> Some 2
-  | '\xe0' .. '\xef' when rest 1 && rest 2 ->
-    let v = ((byte 0 land 15) lsl 12) lor ((byte 1 land 63) lsl 6) in
-    if v < 0x800 || (v >= 0xD800 && v < 0xE000) then None else Some 3
-  | '\xf0' .. '\xf4' when rest 1 && rest 2 && rest 3 ->
-    let v = ((byte 0 land 7) lsl 18) lor ((byte 1 land 63) lsl 12) in
-    if v < 0x10000 || v > 0x10FFFF then None else Some 4
-  | _ -> None
-
 let utf_8 s =
   let b = Buffer.create (String.length s) in
   let rec from i =
     if i < String.length s then
-      match scalar_length s i with
-      | Some k ->
-        Buffer.add_substring b s i k;
-        from (i + k)
-      | None ->
+      match Utf8.length s i with
+      | 0 ->
         Buffer.add_string b "\xef\xbf\xbd";
         from (i + 1)
+      | k ->
+        Buffer.add_substring b s i k;
+        from (i + k)
   in
   from 0;
   Buffer.contents b
@@ -48,18 +30,17 @@ let add_string b s =
     | '\\' -> Buffer.add_string b "\\\\"
     | '\n' -> Buffer.add_string b "\\n"
     | '\t' -> Buffer.add_string b "\\t"
-    | ('\x00' .. '\x1f' | '\x7f') as c -> Printf.bprintf b "\\u%04x" (Char.code c)
     | c -> Buffer.add_char b c
   in
   let rec from i =
     if i < String.length s then
-      match Bidirectional.at s i with
-      | Some code ->
-        Printf.bprintf b "\\u%04x" code;
-        from (i + Bidirectional.size)
-      | None ->
+      match (s.[i], Visible.at s i) with
+      | ('\n' | '\t'), _ | _, None ->
         add s.[i];
         from (i + 1)
+      | _, Some (code, length) ->
+        Printf.bprintf b "\\u%04x" code;
+        from (i + length)
   in
   Buffer.add_char b '"';
   from 0;

@@ -93,13 +93,13 @@ let flow ~source m (check : Property.check) (w : Witness.t) =
     [ ("codeFlows", `List [ `Assoc [ ("threadFlows", `List [ `Assoc [ ("locations", `List steps) ] ]) ] ]) ]
 
 let witness_of_reason : Verdict.reason -> Witness.t option = function
-  | Truncated _ | Unexplored _ | Undefined _ | Fault _ -> None
+  | Truncated _ | Unevaluated _ | Unexplored _ | Undefined _ | Fault _ -> None
 
-let property ~source m ({ check; verdict = v; scale; lost; _ } : Verdict.outcome) =
+let property ~source m ({ check; verdict = v; scale; _ } as o : Verdict.outcome) =
   (* The resolution is the model's own, and the same for all of them. *)
   let meant = Verdict.scale_to_string { scale with resolution = None } in
-  let lost = Verdict.lost_to_string lost in
-  let said what = Printf.sprintf "`%s` is %s%s: %s%s" check.name what meant check.text lost in
+  let unshown = Verdict.unshown o in
+  let said what = Printf.sprintf "`%s` is %s%s: %s%s" check.name what meant check.text unshown in
   let run w = Option.fold ~none:[] ~some:(flow ~source m check) w in
   match v with
   | Holds _ -> None

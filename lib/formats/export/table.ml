@@ -12,6 +12,7 @@ and what = Number of Property.num | Truth of Property.prop
 (* {1 Lines} *)
 
 let quoted field =
+  let field = Scc_base.Visible.text field in
   if String.exists (function ',' | '"' | '\n' | '\r' -> true | _ -> false) field then
     "\"" ^ String.concat "\"\"" (String.split_on_char '"' field) ^ "\""
   else field

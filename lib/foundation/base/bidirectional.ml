@@ -15,19 +15,3 @@ let rec next s i =
   | Some i -> (match at s i with Some code -> Some (i, code) | None -> next s (i + 1))
 
 let named = Printf.sprintf "U+%04X"
-
-let visible s =
-  match next s 0 with
-  | None -> s
-  | Some _ ->
-    let b = Buffer.create (String.length s + 64) in
-    let rec from i =
-      match next s i with
-      | None -> Buffer.add_substring b s i (String.length s - i)
-      | Some (j, code) ->
-        Buffer.add_substring b s i (j - i);
-        Buffer.add_string b ("<" ^ named code ^ ">");
-        from (j + size)
-    in
-    from 0;
-    Buffer.contents b

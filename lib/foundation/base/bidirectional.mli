@@ -13,6 +13,3 @@ val next : string -> int -> (int * int) option
 
 val named : int -> string
 (** ["U+202E"]. *)
-
-val visible : string -> string
-(** The text with each of them written out, as [<U+202E>]. *)

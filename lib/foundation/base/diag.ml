@@ -85,8 +85,8 @@ let excerpt source (span : Span.t) =
   let text = Source.line source l1 in
   (* a text must not control the terminal of who reads about it *)
   let text = String.map (fun c -> if c < ' ' || c = '\127' then ' ' else c) text in
-  let column c = 1 + code_points (Bidirectional.visible (utf8_sub text 0 (c - 1))) in
-  let c1 = column c1 and c2 = column c2 and text = Bidirectional.visible text in
+  let column c = 1 + code_points (Visible.text (utf8_sub text 0 (c - 1))) in
+  let c1 = column c1 and c2 = column c2 and text = Visible.text text in
   let length = code_points text in
   let stop = if l2 > l1 then length + 1 else max (c1 + 1) c2 in
   let first = if length <= width then 0 else max 0 (min (c1 - 1 - (width / 3)) (length - width)) in
@@ -108,15 +108,15 @@ let place source (span : Span.t) =
 let render ~source d =
   let b = Buffer.create 256 in
   let find (span : Span.t) = if Span.is_none span then None else source span.file in
+  let line text = Buffer.add_string b (Visible.line text ^ "\n") in
+  let shown span = Option.iter (fun s -> Buffer.add_string b (excerpt s span)) (find span) in
   let severity = match d.severity with Error -> "error" | Warning -> "warning" in
-  Buffer.add_string b
-    (Bidirectional.visible
-       (Printf.sprintf "%s%s[%s]: %s\n" (place (find d.span) d.span) severity d.code d.message));
-  Option.iter (fun s -> Buffer.add_string b (excerpt s d.span)) (find d.span);
+  line (Printf.sprintf "%s%s[%s]: %s" (place (find d.span) d.span) severity d.code d.message);
+  shown d.span;
   List.iter
     (fun (span, note) ->
-       Buffer.add_string b (Bidirectional.visible (Printf.sprintf "%snote: %s\n" (place (find span) span) note));
-       Option.iter (fun s -> Buffer.add_string b (excerpt s span)) (find span))
+       line (Printf.sprintf "%snote: %s" (place (find span) span) note);
+       shown span)
     d.notes;
-  Option.iter (fun h -> Buffer.add_string b (Bidirectional.visible (Printf.sprintf "  hint: %s\n" h))) d.hint;
+  Option.iter (fun h -> line ("  hint: " ^ h)) d.hint;
   Buffer.contents b

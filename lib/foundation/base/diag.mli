@@ -40,5 +40,5 @@ val suggest : string -> string list -> string option
 val render : source:(string -> Source.t option) -> t -> string
 (** Several lines for a person, the last ended by a newline: the place [file:line:column], severity and
     code, the message, the lines of the text with carets under the span, notes and hint. Columns count
-    Unicode code points from 1. Characters that change the direction of the text are written out
-    ({!Bidirectional.visible}). [source] finds the text of a file by the name in the span. *)
+    Unicode code points from 1. What would change how a terminal shows the rest is written out
+    ({!Visible}). [source] finds the text of a file by the name in the span. *)

@@ -5,10 +5,9 @@ let escape text =
     | '<' -> Buffer.add_string buffer "&lt;"
     | '>' -> Buffer.add_string buffer "&gt;"
     | '"' -> Buffer.add_string buffer "&quot;"
-    | '\000' .. '\b' | '\011' | '\012' | '\014' .. '\031' | '\127' -> Buffer.add_string buffer "\xef\xbf\xbd"
     | c -> Buffer.add_char buffer c
   in
-  String.iter add text;
+  String.iter add (Scc_base.Visible.text text);
   Buffer.contents buffer
 
 let number = Scc_exact.Decimal.fixed ~places:2

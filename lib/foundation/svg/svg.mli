@@ -3,7 +3,8 @@
 open Scc_exact
 
 val escape : string -> string
-(** Text of an element or of an attribute, in UTF-8. Control characters, which XML has not, become U+FFFD. *)
+(** Text of an element or of an attribute, in UTF-8.
+    It is shown as {!Scc_base.Visible.text} shows it: XML has no control characters. *)
 
 val number : Rat.t -> string
 (** Rounded to two places. *)

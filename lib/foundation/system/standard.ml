@@ -89,8 +89,10 @@ let withdraw () =
 
 let deaf = ref false
 
-let complain text =
+let control text =
   if not !deaf then
     match write Unix.stderr (Bytes.unsafe_of_string text) 0 (String.length text) with
     | () -> ()
     | exception (Closed | Failed _) -> deaf := true
+
+let complain text = control (Scc_base.Visible.text text)

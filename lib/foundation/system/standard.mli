@@ -23,4 +23,9 @@ val withdraw : unit -> bool
 (** Drops what was printed and not sent off. Whether that is all that ever was printed. *)
 
 val complain : string -> unit
-(** To standard error, at once. Where that cannot be written nothing can be told: no error either. *)
+(** To standard error, at once, as {!Scc_base.Visible.text} shows it. Where that cannot be written nothing can be
+    told: no error either. *)
+
+val control : string -> unit
+(** The same of bytes as they are: for what controls a terminal, and for texts that are {!Scc_base.Visible} and
+    have colours. *)

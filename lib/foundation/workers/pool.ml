@@ -34,42 +34,23 @@ let rec labour ~jobs ~count ~work channel k =
 
 (* {1 Here} *)
 
-(* Without a parent a child ends when it tells of its next task; it leaves without what the parent would do at its
-   end. *)
-let fork_with (from, out) others labour =
+(* Without a parent a child ends when it tells of its next task. *)
+let fork_with others labour from out =
   let child () =
     Sys.set_signal Sys.sigpipe Sys.Signal_default;
     Unix.close from;
     List.iter (fun w -> Unix.close w.from) others;
-    match labour (Unix.out_channel_of_descr out) with
-    | () -> Unix._exit 0
-    | exception e ->
-      Standard.complain (Printexc.to_string e ^ "\n");
-      Unix._exit 70
+    Beside.labour (fun () -> labour (Unix.out_channel_of_descr out))
   in
   let pid = Interruption.fork child in
   { pid; from; channel = Unix.in_channel_of_descr from; status = None }
+
+let fork others labour = Beside.fork (fun () -> Unix.pipe ~cloexec:true ()) (fork_with others labour)
 
 let selected from seconds =
   match Unix.select [ from ] [] [] seconds with
   | found, _, _ -> found <> []
   | exception Unix.Unix_error (EINTR, _, _) -> false
-
-(* None where there is no descriptor left, or none that [select] takes, or no process. *)
-let fork others labour =
-  match Unix.pipe ~cloexec:true () with
-  | exception Unix.Unix_error _ -> None
-  | (from, out) as pipe -> (
-      match
-        ignore (selected from 0.);
-        fork_with pipe others labour
-      with
-      | worker ->
-        Unix.close out;
-        Some worker
-      | exception Unix.Unix_error _ ->
-        List.iter Unix.close [ from; out ];
-        None)
 
 let rec waited w =
   match w.status with
@@ -81,8 +62,9 @@ let rec waited w =
         status
       | exception Unix.Unix_error (EINTR, _, _) -> waited w)
 
-(* How it ended, and whether that is a fault of the program: long numbers abort where there is no memory. *)
+(* How it ended, and whether that is a fault of the program: without memory for a long number it ends with 4. *)
 let how : Unix.process_status -> string * bool = function
+  | WEXITED 4 -> ("had no memory left", false)
   | WEXITED n -> (Printf.sprintf "ended with exit code %d" n, true)
   | WSIGNALED n when n = Sys.sigkill -> ("was killed, as when memory runs out", false)
   | WSIGNALED n when n = Sys.sigabrt -> ("was aborted, as when memory runs out", false)

@@ -65,3 +65,10 @@ let matches ~source (label : Transition.label) (event : Property.event) =
   | Bond _, (Time _ | Bounce _ | Absorb _ | Draw _ | Lot _)
   | (Bounce _ | Hit _), (Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _)
   | Absorbed _, (Time _ | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ | Draw _ | Lot _) -> false
+
+let each (label : Transition.label) : Transition.label list =
+  match label with
+  | Time _ -> []
+  | Weak_split releases -> List.map (fun r -> Transition.Weak_split [ r ]) releases
+  | Strong_split releases -> List.map (fun r -> Transition.Strong_split [ r ]) releases
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Draw _ | Lot _ -> [ label ]

@@ -58,6 +58,11 @@ let rec set (c : Context.t) report depth env (solid : Ast.solid) =
 
 and named c report depth env (r : Ast.reference) =
   let* reference = Family.reference report env r in
+  let is_compound () =
+    Report.error report Code.wrong_kind r.target.at "`%s` is a compound, and a single shape is needed here"
+      reference.label ~hint:"its parts are the shapes to look at";
+    None
+  in
   match Family.find c.sources reference with
   | Some _ when depth > max_nesting ->
     Report.error report Code.too_deep r.target.at "more than %d instances of shapes are needed for one another"
@@ -66,14 +71,12 @@ and named c report depth env (r : Ast.reference) =
   | Some source ->
     let env = Family.bind source.scope source.source_head.formals reference.arguments in
     set c report (depth + 1) (Family.define report env source.definitions) source.written
-  | None when Hashtbl.mem c.templates reference.label || Option.is_some (Family.find c.families reference) ->
-    Report.error report Code.wrong_kind r.target.at "`%s` is a compound, and a single shape is needed \
-                                                     here" reference.label
-      ~hint:"its parts are the shapes to look at";
-    None
+  | None when Option.is_some (Family.find c.families reference) -> is_compound ()
   | None -> (
+      (* Instances of made solids are among the templates, where something in the model has asked for them. *)
       match Solids.find report r reference with
       | Some ifs -> ifs
+      | None when Hashtbl.mem c.templates reference.label -> is_compound ()
       | None ->
         Family.report_unknown report "template" (Family.keys c.sources) r reference;
         None)

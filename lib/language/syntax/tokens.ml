@@ -187,18 +187,25 @@ type structure = {
   mutable stack : level list;  (* never empty: the whole text is last *)
   mutable nesting : int;
   mutable in_for : bool;  (* the last declaration to begin is a [for] whose `{` is to come *)
-  mutable too_deep : (int * string) option;
+  mutable too_deep : (int * string * string option) option;
 }
 
 let top s = match s.stack with l :: _ -> l | [] -> Bug.fail __POS__ "no level"
 
-let refuse s i what = if Option.is_none s.too_deep then s.too_deep <- Some (i, what)
+let refuse ?hint s i what = if Option.is_none s.too_deep then s.too_deep <- Some (i, what, hint)
 
 let depth level = level.operators + level.deepest
 
+let hint_of = function
+  | PLUS | STAR | AND | OR -> Some "brackets around parts of a chain make it less deep: `(a + b) + (c + d)`"
+  | _ -> None
+
 let check_depth s i =
   if depth (top s) > max_depth then
-    refuse s i (Printf.sprintf "this declaration is nested too deeply (the limit is %d)" max_depth)
+    refuse s i ?hint:(hint_of s.tokens.(i).token)
+      (Printf.sprintf
+         "this declaration goes more than %d operators and prefixes deep: a chain is as deep as it is long"
+         max_depth)
 
 let open_bracket s i bracket =
   let loop = s.in_for && (match bracket with Curly -> true | Round | Square | Range -> false) in
@@ -311,9 +318,9 @@ let read ?(rewrite = fun tokens -> (tokens, [])) source =
   let deep =
     match s.too_deep with
     | None -> []
-    | Some (i, what) ->
+    | Some (i, what, hint) ->
       let { start; stop; _ } : token = s.tokens.(i) in
-      [ Diag.error Code.too_deep (Span.make ~file ~start ~stop) "%s" what ]
+      [ Diag.error Code.too_deep (Span.make ~file ~start ~stop) ?hint "%s" what ]
   in
   {
     file;

@@ -5,7 +5,7 @@ open Decisions
 
 type what =
   | Time_until of Formula.t
-  | Changes_until of Formula.t * Formula.t
+  | Counts_until of (int -> int -> int * int) * Formula.t
   | Value_at of (int -> Rat.t -> (Rat.t, string) result) * Rat.t
 
 type answer =
@@ -22,53 +22,54 @@ let solve side effort built =
 
 let width = Rat.make Z.one (Z.shift_left Z.one 40)
 
-(* The time that a branch takes; where it ends at no rational instant, less than that, or more. *)
-let duration graph ~up (p : place) branch =
-  match branch.way with
-  | Move move -> Timed_graph.duration graph p.node move
-  | During { offset; _ } ->
-    let low, high = Algebraic.enclose offset ~width in
-    if up then high else low
-  | Nowhere -> Rat.zero
+(* What a branch earns, at least and at most. *)
+type earned = { low : Rat.t; high : Rat.t }
 
-let irrational branch =
-  match branch.way with
-  | During { offset; _ } -> Option.is_none (Algebraic.to_rat offset)
-  | Move _ | Nowhere -> false
+let exactly x = { low = x; high = x }
 
-let change graph counts (p : place) branch =
+(* The time that it takes; where it ends at no rational instant, less than that, and more. *)
+let duration graph (p : place) branch =
   match branch.way with
-  | Move (Edge _ as move) when counts (Timed_graph.target graph p.node move) -> Rat.one
-  | Move _ | During _ | Nowhere -> Rat.zero
+  | Move move -> exactly (Timed_graph.duration graph p.node move)
+  | During { offset; _ } -> (
+      match Algebraic.to_rat offset with
+      | Some d -> exactly d
+      | None ->
+        let low, high = Algebraic.enclose offset ~width in
+        { low; high })
+  | Nowhere -> exactly Rat.zero
+
+let counted count (p : place) branch =
+  match branch.way with
+  | Move (Edge k) ->
+    let least, most = count p.node k in
+    { low = Rat.of_int least; high = Rat.of_int most }
+  | Move (Flow _) | During _ | Nowhere -> exactly Rat.zero
 
 let all_time = { Formula.low = Rat.zero; high = None }
 
 (* More states at which it is over make it less, for each scheduler: with all that may be such a state it is not
    more than it is, and with those that are known to be, not less. *)
-let earned e side ~exact ~counts g =
+let mean_until e side ~earns g =
   let graph = Eval.graph e in
   let value = Eval.value e g in
   let anywhere = Positions.constant graph true in
-  let rounded = ref false in
+  let enclosed = ref false in
   let answer ~up =
     let g = if up then value.lower else value.upper in
     let q = { graph; side; bound = all_time; f = anywhere; g; generous = not up } in
     let w = window q in
-    let earns p branch =
-      if irrational branch then rounded := true;
-      { branch with reward = counts ~up p branch }
+    let earning p branch =
+      let { low; high } = earns p branch in
+      if not (Rat.equal low high) then enclosed := true;
+      { branch with reward = (if up then high else low) }
     in
-    let choices p = List.map (List.map (earns p)) (choices q w p) in
+    let choices p = List.map (List.map (earning p)) (choices q w p) in
     solve side (Eval.effort e) (build ~choices [ next q w (place w 0 Rat.zero) ])
   in
   let least = answer ~up:false in
-  let same = exact && value.lower == value.upper && Timed_graph.complete (Eval.index e) && not !rounded in
+  let same = value.lower == value.upper && Timed_graph.complete (Eval.index e) && not !enclosed in
   Known { least; most = (if same then least else answer ~up:true) }
-
-let changes e side f g =
-  let value = Eval.value e f in
-  let counts ~up p branch = change (Eval.graph e) (Positions.at (if up then value.upper else value.lower)) p branch
-  in earned e side ~exact:(value.lower == value.upper) ~counts g
 
 (* {1 A number at a time} *)
 
@@ -144,6 +145,6 @@ let value_at e side number time =
   | reason, _, _ -> unknown reason
 
 let find e side = function
-  | Time_until g -> earned e side ~exact:true ~counts:(duration (Eval.graph e)) g
-  | Changes_until (f, g) -> changes e side f g
+  | Time_until g -> mean_until e side ~earns:(duration (Eval.graph e)) g
+  | Counts_until (count, g) -> mean_until e side ~earns:(counted count) g
   | Value_at (number, time) -> value_at e side number time

@@ -8,8 +8,9 @@ open Scc_exact
 
 type what =
   | Time_until of Formula.t  (** the time until it holds for the first time *)
-  | Changes_until of Formula.t * Formula.t
-  (** how many transitions lead to nodes at which the first holds, until the second does *)
+  | Counts_until of (int -> int -> int * int) * Formula.t
+  (** what is counted until it holds: of each edge of a node by its index, how often it happens by it, at least and
+      at most *)
   | Value_at of (int -> Rat.t -> (Rat.t, string) result) * Rat.t
   (** of a number, at an offset of the flow of a node, or at the node: what it is at this time, after all that
       happens at that instant *)

@@ -41,36 +41,77 @@ let between s ~left ~right =
     Some (String.sub s l (n - l - r))
   else None
 
+let is_at s i part =
+  i + String.length part <= String.length s && String.equal part (String.sub s i (String.length part))
+
+(* What stands behind the last bracket of a kind, with a space: a push or a chance, which ends in a round one. *)
+let cut_behind ~bracket s =
+  match String.rindex_opt s bracket with
+  | Some i when i + 1 < String.length s && s.[i + 1] = ' ' ->
+    (String.sub s 0 (i + 1), String.sub s (i + 1) (String.length s - i - 1))
+  | _ -> (s, "")
+
+(* The text and what is behind the word, in round brackets at its end. *)
+let cut_number ~word s =
+  let mark = Printf.sprintf " %s(" word in
+  let rec last i = if i < 0 then None else if is_at s i mark then Some i else last (i - 1) in
+  if not (String.length s > 0 && s.[String.length s - 1] = ')') then None
+  else
+    match last (String.length s - String.length mark) with
+    | None -> None
+    | Some i -> (
+        let from = i + String.length mark in
+        match Rat.of_literal (String.sub s from (String.length s - 1 - from)) with
+        | Ok n -> Some (String.sub s 0 i, n)
+        | Error _ -> None)
+
+let chance = cut_number ~word:"chance"
+let with_chance s c = Printf.sprintf "%s chance(%s)" s (Rat.to_string c)
+let is_of head s = is_at s 0 (head ^ "(")
+
 let canonical_bond s =
-  match between s ~left:"<" ~right:">" with
+  let bond, push = cut_behind ~bracket:'>' s in
+  match between bond ~left:"<" ~right:">" with
   | None -> s
   | Some inner -> (
       match arguments inner with
       | [ name; ends ] -> (
           match between ends ~left:"{" ~right:"}" with
-          | Some ends -> Printf.sprintf "<%s, {%s}>" name (sorted (arguments ends))
+          | Some ends -> Printf.sprintf "<%s, {%s}>%s" name (sorted (arguments ends)) push
           | None -> s)
       | _ -> s)
 
-let canonical s =
-  let named head =
+(* Of one transition, without a push and a chance. *)
+let canonical_action s =
+  let of_bond head =
     match Option.map arguments (inside ~head s) with
     | Some [ name; one; two ] -> Some (Printf.sprintf "%s(%s, %s)" head name (sorted [ one; two ]))
     | _ -> None
   in
-  let bounce () =
-    match Option.map arguments (inside ~head:"bounce" s) with
-    | Some [ one; two ] -> Some (Printf.sprintf "bounce(%s)" (sorted [ one; two ]))
-    | _ -> None
-  in
-  let strong () =
-    match between s ~left:"strong({" ~right:"})" with
-    | Some bonds -> Some (Printf.sprintf "strong({%s})" (sorted (List.map canonical_bond (arguments bonds))))
+  let of_bonds head =
+    match between s ~left:(head ^ "({") ~right:"})" with
+    | Some bonds -> Some (Printf.sprintf "%s({%s})" head (sorted (List.map canonical_bond (arguments bonds))))
     | None -> None
   in
+  let bounce () = Option.map (fun all -> Printf.sprintf "bounce(%s)" (sorted (arguments all))) (inside ~head:"bounce" s) in
   let first list = List.find_map (fun f -> f ()) list in
   Option.value ~default:s
-    (first [ (fun () -> named "bind"); (fun () -> named "close"); (fun () -> named "weak"); bounce; strong ])
+    (first
+       ((bounce :: List.map (fun head () -> of_bonds head) [ "weak"; "strong" ])
+        @ List.map (fun head () -> of_bond head) [ "bind"; "close"; "weak"; "release"; "keep"; "first"; "choose" ]))
+
+let without_chance s =
+  match cut_number ~word:"push" s with
+  | Some (s, push) -> Printf.sprintf "%s push(%s)" (canonical_action s) (Rat.to_string push)
+  | None -> (
+      match between s ~left:"{" ~right:"}" with
+      | Some all -> Printf.sprintf "{%s}" (sorted (List.map canonical_action (arguments all)))
+      | None -> canonical_action s)
+
+let canonical s =
+  match chance s with
+  | Some (s, c) -> with_chance (without_chance s) c
+  | None -> without_chance s
 
 (* {1 Patterns} *)
 
@@ -78,9 +119,6 @@ type pattern = string list  (* the texts between the stars *)
 
 let pattern = String.split_on_char '*'
 let stars s = List.length (pattern s) - 1
-
-let is_at s i part =
-  i + String.length part <= String.length s && String.equal part (String.sub s i (String.length part))
 
 let rec find s i part =
   if i + String.length part > String.length s then None

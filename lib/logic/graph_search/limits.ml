@@ -17,20 +17,20 @@ let too_long (t : t) ~longest ~bits =
 
 type progress = { states : int; transitions : int; waiting : int; depth : int; model_time : Rat.t }
 type stop = Seconds | Memory | Interrupted
-type stage = Exploring | Concluding | Reporting
+type stage = Exploring | Proving | Concluding | Reporting
 type attempt = { run : 'a. stage -> (unit -> 'a) -> ('a, stop) result }
 
 type surroundings = {
   stop : unit -> stop option;
-  half : unit -> unit -> stop option;
+  half : unit -> surroundings;
   progress : progress -> unit;
   attempt : attempt;
 }
 
-let quiet =
+let rec quiet =
   {
     stop = (fun () -> None);
-    half = (fun () () -> None);
+    half = (fun () -> quiet);
     progress = (fun _ -> ());
     attempt = { run = (fun _ f -> Ok (f ())) };
   }

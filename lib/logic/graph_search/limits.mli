@@ -30,9 +30,9 @@ type progress = {
 (** Why work is to end that has more to do: the seconds are over, the memory is used up, or somebody wants it. *)
 type stop = Seconds | Memory | Interrupted
 
-(** What work is part of. What concludes has a little more time and memory than what explores, and what reports a
-    little more than that, so that something can always be told of what was explored. *)
-type stage = Exploring | Concluding | Reporting
+(** What work is part of. What concludes has a little more time and memory than what explores or looks for a proof,
+    and what reports a little more than that, so that something can always be told of what was explored. *)
+type stage = Exploring | Proving | Concluding | Reporting
 
 (** Does something that may take long, and does not ask whether it is to stop. It may be given up wherever it is,
     but in a {!Scc_base.Critical} section. *)
@@ -40,9 +40,9 @@ type attempt = { run : 'a. stage -> (unit -> 'a) -> ('a, stop) result }
 
 type surroundings = {
   stop : unit -> stop option;  (** asked before each state *)
-  half : unit -> unit -> stop option;
-  (** begins work that may take half of the seconds that are left now, for something to be done after it: what ends
-      it, to be asked now and then *)
+  half : unit -> surroundings;
+  (** of work that begins now and may take half of the seconds that are left, for something to be done after it:
+      where it explores or looks for a proof it is given up in the middle *)
   progress : progress -> unit;  (** called now and then *)
   attempt : attempt;
 }

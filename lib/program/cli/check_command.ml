@@ -65,6 +65,7 @@ let print_json console ~full ~where:shown_where loaded report verdicts extra cod
         diagnostics = Console.kept console;
         exit = Exit_code.to_int code;
         full;
+        cure = Scc_estimate.Cure.of_outcome loaded.model;
         extra =
           Option.to_list (Option.map coverage extra.covered)
           @ Option.to_list (Option.map measured extra.measured);
@@ -77,12 +78,13 @@ let shows_zeno (o : Verdict.outcome) =
 
 let print_text console ~full ~where ~prove (loaded : Loaded.t) (report : Check.report) verdicts extra =
   let c = loaded.semantics in
-  let print = Console.print console in
+  let print = Console.tell console in
   print (Scc_calculus.Parameters.line loaded.origin.settings ^ "\n\n");
   let property i v = print (Check_text.property console ~full ?where:(List.nth_opt where i) c v ^ "\n") in
   List.iteri property verdicts;
   let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno ~full c w ^ "\n") in
   Option.iter zeno report.zeno;
+  Option.iter (fun t -> print (Check_text.zeno_left_out t ^ "\n")) report.left_out;
   print (Check_text.invariants ~asked:prove report);
   let causes = Check_text.causes loaded.model report.stats in
   print (Check_text.explored report.stats ^ causes ^ Check_text.slices report.slices);
@@ -117,7 +119,7 @@ let write_invariant console path (l : Loaded.t) (report : Check.report) =
   let text = String.concat "\n" (List.map text report.invariants) in
   if not (String.equal path "-") then write_file path text
   else if Console.is_json console then Ok () (* the document has it *)
-  else Ok (Console.print console (text ^ "\n"))
+  else Ok (Console.tell console (text ^ "\n"))
 
 (* None where a limit has ended all work. *)
 let named_where verdicts (report : Check.report) =
@@ -152,14 +154,15 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let* initial = Loaded.initial l in
   let* () = if zones && Option.is_some extras.store then Expanded.no_sets else Ok () in
   let* expanded =
-    let memory = Option.value budget.memory ~default:Check_options.defaults.memory in
+    let memory = Footprint.at_most (Check_options.words budget) in
     Expanded.openly console ~jobs:extras.jobs ~store:extras.store ~memory (Check_extras.explored extras budget) l
   in
   let options =
-    let states = Option.value budget.Budget.states ~default:Check_options.defaults.states in
+    let states = Option.value budget.Budget.states ~default:Check_options.default_states in
     let compact = if extras.compact then Some states else None in
+    let attempt = Measured.booking measured (Watch.attempt watch) in
     {
-      (Check_options.starting console watch budget) with
+      (Check_options.starting ~attempt console watch budget) with
       reductions = extras.reductions; order = extras.order; compact; prove = extras.prove;
       expanding = Expanded.expanding expanded; compacting = Expanded.compacting expanded;
     }
@@ -186,8 +189,6 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   Watch.finish watch;
   Console.progress_done console;
   List.iter (Console.fault console) (Check.faults report);
-  let by_memory (t : Verdict.truncation) = match t.limit with Memory _ -> true | _ -> false in
-  if List.exists by_memory report.stats.stopped_by then Option.iter (Console.note console) Footprint.told;
   let verdicts, answers = split_at (List.length l.checks) report.outcomes in
   Console.report console
     (report.stats.faults @ report.stats.dead_ends @ Vacuity.warnings report ~verdicts ~answers);
@@ -314,7 +315,8 @@ let man =
        found it; $(b,--invariant) shows it. How long it is looked for is counted in steps of arithmetic, and \
        so is the same on every machine: 10 million before anything is explored, and 200 million where a bound \
        ended this; for each state that $(b,--states) allows beyond its default, 50 and 1000 more. \
-       $(b,--seconds) and $(b,--memory) end it as well, and half of the seconds are kept for what comes next. Of \
+       $(b,--seconds) and $(b,--memory) end it as well: the search before has half of the seconds, and where it \
+       was given up, what is explored after it has half of those that are left then. Of \
        models with parameters of which ranges are known, or with $(b,split_step any), one is looked for by itself \
        where a bound has kept a verdict from being a proof. \
        Bodies that turn, laws of motion, rounded velocities and $(b,binding contact) have none.";

@@ -39,8 +39,9 @@ let coverage =
 
 let stats =
   let doc =
-    "Tells what the run took: seconds of each phase, states and transitions a second, memory. To standard error, \
-     or as $(b,measured) in the JSON document. It varies from run to run."
+    "Tells what the run took: seconds of each phase, states and transitions a second, memory. The phases are \
+     reading, exploring, looking for an invariant, and concluding: making verdicts and runs of what was \
+     explored. To standard error, or as $(b,measured) in the JSON document. It varies from run to run."
   in
   Arg.(value & flag & info [ "stats" ] ~doc)
 

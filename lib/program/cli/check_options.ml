@@ -6,21 +6,27 @@ open Cmdliner
 
 let default_states = 200_000
 let default_mib = 3072
-let words_of_mib mib = Footprint.at_most (Memory.words_of_mib mib)
-let defaults : Budget.defaults = { states = default_states; memory = words_of_mib default_mib }
 
-let options watch budget ~progress : Check.options =
+let words ?(jobs = 1) (budget : Budget.t) =
+  Option.value budget.memory ~default:(Memory.words_of_mib default_mib / jobs)
+
+let defaults ?jobs budget : Budget.defaults =
+  let memory = words ?jobs budget in
+  { states = default_states; memory; room = Footprint.room_below memory }
+
+let options ?jobs ?attempt watch budget ~progress : Check.options =
+  let attempt = Option.value attempt ~default:(Watch.attempt watch) in
   {
     Check.default with
-    bounds = Budget.bounds defaults budget;
-    surroundings =
-      { stop = Watch.stop watch; half = Watch.half watch; progress; attempt = Watch.attempt watch };
+    bounds = Budget.bounds (defaults ?jobs budget) budget;
+    surroundings = Watch.surroundings watch ~progress ~attempt;
   }
 
-let watch (budget : Budget.t) =
-  Watch.start ?seconds:budget.seconds ~memory:(Option.value budget.memory ~default:defaults.memory) ()
+let watch ?signals ?jobs (budget : Budget.t) =
+  Watch.start ?signals ?seconds:budget.seconds ~memory:(words ?jobs budget) ()
 
-let starting console watch (budget : Budget.t) = options watch budget ~progress:(Progress.show console budget)
+let starting ?attempt console watch (budget : Budget.t) =
+  options ?attempt watch budget ~progress:(Progress.show console budget)
 
 let positive what = Options.integer ~least:1 ~most:((1 lsl 40) - 1) ("positive number of " ^ what)
 
@@ -61,8 +67,9 @@ let seconds =
 let memory =
   let doc =
     Printf.sprintf
-      "Uses at most about $(docv) MiB of memory. The default is %d. Where the system limits addresses \
-       ($(b,ulimit -v)) it is no more than about half of those that are left when the program has begun."
+      "Uses at most about $(docv) MiB of memory. The default is %d. Where the system limits what this process \
+       may have ($(b,ulimit -v), $(b,ulimit -d)) it is no more than about half of what is left when the program \
+       has begun."
       default_mib
   in
   Arg.(value & opt (some (positive "MiB")) None & info [ "memory" ] ~docv:"N" ~doc ~docs)
@@ -79,6 +86,6 @@ let bits =
 
 let budget =
   let make depth time states seconds memory bits =
-    { Budget.depth; time; states; seconds; memory = Option.map words_of_mib memory; bits }
+    { Budget.depth; time; states; seconds; memory = Option.map Memory.words_of_mib memory; bits }
   in
   Term.(const make $ depth $ time $ states $ seconds $ memory $ bits)

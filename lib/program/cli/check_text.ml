@@ -137,7 +137,7 @@ let counted (check : Scc_property.Property.check) (w : Witness.t) =
   if Rat.equal chance Rat.one then counts
   else Printf.sprintf "%s, of probability %s" counts (Likelihoods.number chance)
 
-let property console ~full ?where c ({ check; verdict = v; lost; _ } as o : Verdict.outcome) =
+let property console ~full ?where c ({ check; verdict = v; lost; left_out; _ } as o : Verdict.outcome) =
   let verdict = Console.styled console (style v) (Verdict.outcome_to_string o) in
   let head = Printf.sprintf "%s: %s\n  %s\n" (Console.styled console Strong check.name) verdict check.text in
   let witness = witness ~full ~about:(about check.formula) c in
@@ -155,7 +155,7 @@ let property console ~full ?where c ({ check; verdict = v; lost; _ } as o : Verd
         (function
           | Verdict.Unexplored { nearest; _ } ->
             Some ("to the nearest unexplored state that matters:", way ~full (Semantics.model c) nearest)
-          | Truncated _ | Undefined _ | Fault _ -> None)
+          | Truncated _ | Unevaluated _ | Undefined _ | Fault _ -> None)
         reasons
   in
   let none =
@@ -163,6 +163,7 @@ let property console ~full ?where c ({ check; verdict = v; lost; _ } as o : Verd
     | _ when lost <> [] ->
       let fault what = Printf.sprintf "  what failed: %s\n" what in
       List.map fault lost
+    | _ when Option.is_some left_out -> []
     | Violated { witness = None } when Verdict.over_zones o ->
       let search = Scc_property.Plan.is_search (Scc_property.Plan.of_formula check.formula) in
       let no_run =
@@ -175,14 +176,23 @@ let property console ~full ?where c ({ check; verdict = v; lost; _ } as o : Verd
     | Violated { witness = None } -> [ "  no run shows it: everything that counts was explored\n" ]
     | _ -> []
   in
+  let cure =
+    Scc_estimate.Cure.of_outcome (Semantics.model c) o
+    |> Option.fold ~none:[] ~some:(fun text -> [ Printf.sprintf "  likely cure: %s\n" text ])
+  in
   let show (what, lines) = Printf.sprintf "  %s\n" what :: indented 4 lines in
   let where = match where with None -> [] | Some w -> indented 2 (Scc_regions.Words.lines w) in
-  String.concat "" ((head :: none) @ where @ List.concat_map show run)
+  String.concat "" ((head :: none) @ cure @ where @ List.concat_map show run)
 
 let zeno ~full c w =
   let lines = witness ~full ~about:(Only []) c w in
   String.concat ""
     ("Zeno behaviour: a run that goes on for ever within one instant\n" :: indented 4 lines)
+
+let zeno_left_out t =
+  Printf.sprintf
+    "Zeno behaviour: a run that goes on for ever within one instant, which is left out: making it ended at %s\n"
+    (Verdict.truncation_to_string t)
 
 let plural n one many = if n = 1 then "1 " ^ one else Printf.sprintf "%d %s" n many
 
@@ -210,10 +220,16 @@ let causes (m : Scc_calculus.Model.t) (s : Check.stats) =
   let cause c =
     Printf.sprintf "  likely cause: %s\n    cure: %s\n" (Growth.to_string m c) (Growth.cure m c)
   in
+  let left_out t =
+    Printf.sprintf "  %slikely causes are left out: looking for them ended at %s\n"
+      (match s.causes with [] -> "" | _ :: _ -> "further ")
+      (Verdict.truncation_to_string t)
+  in
+  let left_out = Option.fold ~none:"" ~some:left_out s.left_out in
   match s.causes with
-  | [] -> ""
+  | [] -> left_out
   | causes ->
-    String.concat "" (List.map cause causes) ^ "  (specs/guide.md, \"Why did my model blow up?\")\n"
+    String.concat "" (List.map cause causes) ^ left_out ^ "  (specs/guide.md, \"Why did my model blow up?\")\n"
 
 let invariants ~asked (report : Check.report) =
   let text = function

@@ -11,6 +11,9 @@ val property : Console.t -> full:bool -> ?where:Scc_regions.Where.t -> Semantics
 val zeno : full:bool -> Semantics.t -> Witness.t -> string
 (** A run that never leaves an instant. *)
 
+val zeno_left_out : Verdict.truncation -> string
+(** Of one that was not made. *)
+
 val explored : Check.stats -> string
 (** One line, and one for each fault. *)
 

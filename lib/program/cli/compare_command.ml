@@ -24,12 +24,14 @@ let renaming o ~first =
   let rules = if first then List.map (fun (from, into) -> Label.rule from into) o.renamed else [] in
   Label.rename rules
 
-(* With those that are not to be seen. *)
+(* Without those that are not to be seen, and with the draws of an instant as one. *)
 let labelled o ~first g =
   let rename = renaming o ~first in
-  Graph.map_labels g (fun label ->
-      let label = rename label in
-      if List.exists (fun p -> Hide.matches p label) o.hidden then Graph.tau else label)
+  let told label =
+    let label = rename label in
+    if List.exists (fun p -> Hide.matches p label) o.hidden then Graph.tau else label
+  in
+  Draws.joined ~told g
 
 let exit_code (first : Compared.t) (second : Compared.t) (report : Compare.report) : Exit_code.t =
   let resources c =

@@ -45,7 +45,7 @@ let plural n one many = if n = 1 then "1 " ^ one else Printf.sprintf "%d %s" n m
 
 (* Two files of one name are told apart. *)
 let title t first =
-  let own = if first then t.first.path else t.second.path in
+  let own = Scc_base.Visible.line (if first then t.first.path else t.second.path) in
   if not (String.equal t.first.path t.second.path) then own
   else if first then "the first " ^ own
   else "the second " ^ own

@@ -62,8 +62,11 @@ let flush _ = to_stdout Standard.flush
 
 type style = Good | Bad | Doubtful | Strong | Faint
 
+let styles = [ Good; Bad; Doubtful; Strong; Faint ]
 let sgr = function Good -> "1;32" | Bad -> "1;31" | Doubtful -> "1;33" | Strong -> "1" | Faint -> "2"
-let paint on style s = if on then Printf.sprintf "\027[%sm%s\027[0m" (sgr style) s else s
+let switch style = Printf.sprintf "\027[%sm" (sgr style)
+let switch_off = "\027[0m"
+let paint on style s = if on then switch style ^ s ^ switch_off else s
 let styled c style s = paint c.out_color style s
 
 let is_caret_line line =
@@ -97,7 +100,7 @@ let rendered c d =
 let progress_done c =
   if c.progressing then begin
     c.progressing <- false;
-    Standard.complain "\r\027[K"
+    Standard.control "\r\027[K"
   end
 
 let progress c line =
@@ -106,16 +109,17 @@ let progress c line =
   | None when c.terminal && not c.json ->
     c.progressing <- true;
     (* Without the switch, a line that is too long for the terminal would go on in the next. *)
-    Standard.complain ("\r\027[K\027[?7l" ^ line ^ "\027[?7h")
+    Standard.control ("\r\027[K\027[?7l" ^ Visible.line line ^ "\027[?7h")
   | None -> ()
 
-(* What was printed before comes before; where it cannot be written, the lines are there all the same. *)
+(* The lines are {!Visible}.
+   What was printed before comes before; where it cannot be written, the lines are there all the same. *)
 let complain c lines =
   progress_done c;
   if not c.json then
     Fun.protect
       (fun () -> flush c)
-      ~finally:(fun () -> Standard.complain (String.concat "" lines))
+      ~finally:(fun () -> Standard.control (String.concat "" lines))
 
 let report c diagnostics =
   c.kept <- List.rev_append diagnostics c.kept;
@@ -123,7 +127,7 @@ let report c diagnostics =
 
 let kept c = List.rev c.kept
 
-let note c line = complain c [ Bidirectional.visible line ^ "\n" ]
+let note c line = complain c [ Visible.line line ^ "\n" ]
 
 let with_output ?(pieces = false) c ~path f =
   match path with
@@ -133,6 +137,10 @@ let with_output ?(pieces = false) c ~path f =
     flush c;
     Ok result
 
+(* Colours are our own. *)
+let switches = switch_off :: List.map switch styles
+let tell c text = print c (Visible.text ~kept:(if c.out_color then switches else []) text)
+
 let answer c ~json ~text =
-  print c (if c.json then Scc_exchange.Json.pretty (json ()) else Bidirectional.visible (text ()));
+  if c.json then print c (Scc_exchange.Json.pretty (json ())) else tell c (text ());
   flush c

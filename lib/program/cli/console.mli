@@ -31,6 +31,9 @@ val source : t -> string -> Source.t option
 val print : t -> string -> unit
 (** To standard output. *)
 
+val tell : t -> string -> unit
+(** A text for people to standard output, as {!Visible.text} shows it, but for {!styled}. *)
+
 val answer : t -> json:(unit -> Scc_exchange.Json.t) -> text:(unit -> string) -> unit
 (** The result of a command, as one document or for people, and sends it off. *)
 

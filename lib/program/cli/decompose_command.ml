@@ -117,7 +117,7 @@ let work console ~mend path =
 
 let report console ~mended ~mass output path (t : Parts.t) =
   Console.answer console
-    ~text:(fun () -> text ~name:path ~mended t)
+    ~text:(fun () -> text ~name:(Visible.line path) ~mended t)
     ~json:(fun () ->
         Scc_exchange.Decomposition_json.document ~name:path ~exit:(Exit_code.to_int Holds) ~mended t);
   match output with

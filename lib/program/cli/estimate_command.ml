@@ -29,9 +29,8 @@ type options = {
 (* {1 What is asked} *)
 
 let properties console (l : Loaded.t) texts =
-  let source i text = Source.make ~name:(Printf.sprintf "<property %d>" (i + 1)) text in
+  let source i = Input.given console ~name:(Printf.sprintf "<property %d>" (i + 1)) in
   let sources = List.mapi source texts in
-  List.iter (Console.add_source console) sources;
   let* l, questions = if texts = [] then Ok (l, []) else Question.all l sources in
   let named i : Question.t -> (Property.check, Diag.t list) result = function
     | Temporal check -> Ok { check with name = Printf.sprintf "property%d" (i + 1) }

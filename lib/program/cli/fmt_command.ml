@@ -19,7 +19,7 @@ let one console mode path =
     Ok Exit_code.Holds
   | Check when String.equal before after -> Ok Exit_code.Holds
   | Check ->
-    Console.print console (path ^ "\n");
+    Console.print console (Visible.line path ^ "\n");
     Ok Exit_code.Violated
   | In_place when String.equal before after -> Ok Exit_code.Holds
   | In_place ->

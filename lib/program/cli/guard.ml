@@ -28,7 +28,9 @@ let stopped console why =
   Console.note console ("scc: " ^ why);
   ended console Exit_code.Stopped
 
-let complain lines = Standard.complain (String.concat "" (List.map (fun line -> line ^ "\n") lines))
+let complain lines = Standard.complain (String.concat "" (List.map (fun line -> Visible.line line ^ "\n") lines))
+
+let complain_of console d = Standard.complain (Diag.render ~source:(Console.source console) d)
 
 let usage message =
   complain [ "scc: " ^ message ];
@@ -61,14 +63,20 @@ let rec failed console = function
   | Fun.Finally_raised e -> failed console e
   | Console.Output_closed -> Exit_code.Stopped
   | Console.Output_failed d ->
-    complain [ String.trim (Diag.render ~source:(Console.source console) d) ];
+    complain_of console d;
     Exit_code.Unwritten
   | Interruption.Interrupted why ->
     Console.progress_done console;
     broken_off console why
   | Reading.Failed why ->
     invalid console [ Input.cannot_read Input.standard_input why ]
-  | Stack_overflow -> bug "stack overflow"
+  | Stack_overflow -> (
+      match Footprint.small_stack with
+      | Some kib ->
+        let limit = Printf.sprintf "the system sets this process a limit of %d KiB (ulimit -s)" kib in
+        complain [ "scc: no stack left: " ^ limit ];
+        Exit_code.Stopped
+      | None -> bug "stack overflow")
   | e -> (
       match Resources.refused e with
       | Some what ->

@@ -15,6 +15,9 @@ val stopped : Console.t -> string -> Exit_code.t
 val complain : string list -> unit
 (** Lines to standard error, whatever else is written as a document. *)
 
+val complain_of : Console.t -> Diag.t -> unit
+(** Of what is wrong, likewise. *)
+
 val usage : string -> Exit_code.t
 (** Says what is wrong with the command line: exit 64. *)
 

@@ -22,7 +22,7 @@ let text o (t : Inflated.t) =
   let height = Rat.make (Z.of_int t.relief.highest) (Z.of_int Relief.quanta) in
   let holes = match t.solid.holes with 0 -> "" | n -> Printf.sprintf ", with %s" (many n "hole") in
   let b = Buffer.create 256 in
-  Printf.bprintf b "%s: %d x %d pixels, of which the shape has %d%s\n" o.path shape.picture.width
+  Printf.bprintf b "%s: %d x %d pixels, of which the shape has %d%s\n" (Visible.line o.path) shape.picture.width
     shape.picture.height shape.size holes;
   Printf.bprintf b "inflated: highest %s pixels (%s, radius %s)\n"
     (Decimal.significant ~digits:4 height)

@@ -56,6 +56,12 @@ let warned console path =
   Console.report console (Direction.warnings source);
   Ok source
 
+let given console ~name text =
+  let source = Source.make ~name text in
+  Console.add_source console source;
+  Console.report console (Direction.warnings source);
+  source
+
 let mesh_reader console model name =
   let file =
     if Filename.is_relative name then Filename.concat (Filename.dirname model) name else name

@@ -25,6 +25,9 @@ val text : Console.t -> string -> (Source.t, Diag.t list) result
 val warned : Console.t -> string -> (Source.t, Diag.t list) result
 (** The same, and what {!Direction.warnings} finds is reported: for commands that read a text and load no model. *)
 
+val given : Console.t -> name:string -> string -> Source.t
+(** The same of a text that the command line has. *)
+
 val check_overrides : string list -> (unit, Diag.t list) result
 (** Of the names of the parameters that are given values: no two for one (SC0212). *)
 

@@ -10,7 +10,7 @@ let identity ~digest ~parameters options =
   [ ("scc", Version.told); ("the build of scc", Scc_build.Build.digest); ("the model", digest) ] @ values @ options
 
 let tell console d =
-  if Console.is_json console then Guard.complain [ String.trim (Diag.render ~source:(Console.source console) d) ]
+  if Console.is_json console then Guard.complain_of console d
   else Console.report console [ d ]
 
 let openly console ~folder identity =

@@ -1,14 +1,26 @@
 open Scc_base
+open Scc_graph_search
 open Scc_verify
 open Scc_exchange
 
-type t = { mutable phases : (string * float) list  (** the last first *) }
+type t = {
+  clock : unit -> float;
+  mutable phases : (string * float) list;  (** the last that was begun first *)
+  mutable within : float;  (** the seconds of phases within the one that is under way *)
+}
 
-let start () = { phases = [] }
+let start ?(clock = Unix.gettimeofday) () = { clock; phases = []; within = 0. }
 
 let phase t name f =
-  let before = Unix.gettimeofday () in
-  let ended () = t.phases <- (name, Float.max 0. (Unix.gettimeofday () -. before)) :: t.phases in
+  let before = t.clock () and outside = t.within in
+  t.within <- 0.;
+  if not (List.mem_assoc name t.phases) then t.phases <- (name, 0.) :: t.phases;
+  let ended () =
+    let took = Float.max 0. (t.clock () -. before) in
+    let own = Float.max 0. (took -. t.within) in
+    t.phases <- List.map (fun (n, sum) -> (n, if String.equal n name then sum +. own else sum)) t.phases;
+    t.within <- outside +. took
+  in
   match f () with
   | result ->
     ended ();
@@ -39,6 +51,17 @@ let peak_resident () =
     close_in_noerr channel;
     found
 
+let seconds t = List.rev t.phases
+
+let booking t (attempt : Limits.attempt) : Limits.attempt =
+  let run stage f =
+    match (stage : Limits.stage) with
+    | Concluding -> phase t "conclude" (fun () -> attempt.run stage f)
+    | Proving -> phase t "prove" (fun () -> attempt.run stage f)
+    | Exploring | Reporting -> attempt.run stage f
+  in
+  { run }
+
 let exploring t = Option.value ~default:0. (List.assoc_opt "explore" t.phases)
 let per_second n seconds = if seconds > 0. then int_of_float (float_of_int n /. seconds) else 0
 
@@ -59,7 +82,7 @@ let lines t (r : Check.report) =
     ^ String.concat ", " (List.map (fun (name, n) -> Printf.sprintf "%s %d" name n) (r.numbers ()));
     Printf.sprintf "  collections: %d minor, %d major" gc.minor_collections gc.major_collections;
     "  seconds: "
-    ^ String.concat ", " (List.rev_map (fun (name, x) -> Printf.sprintf "%s %.3f" name x) t.phases);
+    ^ String.concat ", " (List.map (fun (name, x) -> Printf.sprintf "%s %.3f" name x) (seconds t));
   ]
 
 let json t (r : Check.report) =
@@ -77,5 +100,5 @@ let json t (r : Check.report) =
       ("longest_numbers", `Assoc (List.map (fun (name, n) -> (name, `Int n)) (r.numbers ())));
       ("minor_collections", `Int gc.minor_collections);
       ("major_collections", `Int gc.major_collections);
-      ("microseconds", `Assoc (List.rev_map (fun (name, x) -> (name, micros x)) t.phases));
+      ("microseconds", `Assoc (List.map (fun (name, x) -> (name, micros x)) (seconds t)));
     ]

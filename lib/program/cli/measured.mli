@@ -2,10 +2,17 @@
 
 type t
 
-val start : unit -> t
+val start : ?clock:(unit -> float) -> unit -> t
+(** [clock] tells seconds, those of the day if nothing is said. *)
 
 val phase : t -> string -> (unit -> 'a) -> 'a
-(** Adds the time that the function takes to the phase of this name. *)
+(** Adds the time that the function takes to the phase of this name, without that of phases within it. *)
+
+val booking : t -> Scc_graph_search.Limits.attempt -> Scc_graph_search.Limits.attempt
+(** What looks for a proof, and what concludes, are phases of their own, [prove] and [conclude]. *)
+
+val seconds : t -> (string * float) list
+(** Of each phase, in the order in which they were begun. *)
 
 val lines : t -> Scc_verify.Check.report -> string list
 (** For a person. *)

@@ -5,9 +5,8 @@ open Scc_export
 let ( let* ) = Result.bind
 
 let all console (l : Loaded.t) texts =
-  let source i text = Source.make ~name:(Printf.sprintf "<observable %d>" (i + 1)) text in
+  let source i = Input.given console ~name:(Printf.sprintf "<observable %d>" (i + 1)) in
   let sources = List.mapi source texts in
-  List.iter (Console.add_source console) sources;
   let observable source : Question.t -> (Table.observable, Diag.t list) result = function
     | Number n -> Ok { Table.text = Source.text source; what = Number n }
     | State p -> Ok { Table.text = Source.text source; what = Truth p }

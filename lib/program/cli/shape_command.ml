@@ -28,12 +28,18 @@ let templates_of console path =
   let* source = Input.warned console path in
   let* tree = Scc_notation.Notation.model source in
   let names = Scc_elaborate.Template_set.names tree in
-  let hint = Printf.sprintf "name one of them: %s:%s" path (match names with n :: _ -> n | [] -> "NAME") in
-  let list = match names with [] -> "no templates" | _ -> String.concat ", " names in
+  let hint =
+    match List.partition (fun name -> String.contains name '(') names with
+    | _, name :: _ -> Some (Printf.sprintf "name one of them: %s:%s" path name)
+    | name :: _, [] ->
+      Some (Printf.sprintf "name one of them, with numbers for what is in brackets: %s:%s" path name)
+    | [], [] -> None
+  in
+  let list = match names with [] -> "it has no templates" | _ -> "its templates: " ^ String.concat ", " names in
   Error
     [
-      Diag.error Code.wrong_kind Span.command_line ~hint
-        "%s is a model (its templates: %s), and a single shape is needed here" path list;
+      Diag.error Code.wrong_kind Span.command_line ?hint
+        "%s is a model (%s), and a single shape is needed here" path list;
     ]
 
 let set console ~overrides argument =
@@ -150,7 +156,7 @@ let report console argument ~mended ~gone ?snapped ?outer (set : Polyhedron.ifs)
   in
   let exit = Exit_code.to_int code in
   Console.answer console
-    ~text:(fun () -> told ^ Solid_report.to_text ~name:argument r ^ advice r)
+    ~text:(fun () -> told ^ Solid_report.to_text ~name:(Visible.line argument) r ^ advice r)
     ~json:(fun () -> Scc_exchange.Shape_json.document ~name:argument ~exit ~mended ?snap:snapped ?outer r);
   code
 
@@ -164,8 +170,6 @@ let draw o ~name set =
   match o.svg with
   | None -> Ok ()
   | Some path ->
-    (* Names of files need not be UTF-8. *)
-    let name = match Scc_exchange.Json.text name with `String text -> text | _ -> name in
     let text = Scc_picture.Solid_picture.svg ~name o.drawing (Solid_report.make set) in
     Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
 

@@ -27,9 +27,8 @@ type options = {
 (* In a process of its own, and by itself: as `scc check` with these values. *)
 let check o source k =
   let console = Console.make ~color:Console.Never ~json:true () in
-  let memory = Option.value o.budget.memory ~default:(Check_options.defaults.memory / o.jobs) in
-  let watch = Watch.start ~signals:false ?seconds:o.budget.seconds ~memory () in
-  let options = Check_options.options watch o.budget ~progress:ignore in
+  let watch = Check_options.watch ~signals:false ~jobs:o.jobs o.budget in
+  let options = Check_options.options ~jobs:o.jobs watch o.budget ~progress:ignore in
   let found =
     let* l = Input.model console ~source ~overrides:(Grid.point o.grid k) ~narrowed:[] o.path in
     let* () = Verdicts.refused l ~prove:false in
@@ -70,6 +69,7 @@ type seen = {
   mutable written : int;
   mutable open_ : int;
   mutable refused : int;
+  mutable stopped : int;
   mutable all : Outcome.t list;  (** the last first, if there is to be a picture *)
 }
 
@@ -78,6 +78,12 @@ let conclude console seen ~count = function
     if seen.refused > 0 then
       Console.note console (Printf.sprintf "scc: the model is invalid at %d of %d points" seen.refused count);
     if count > 0 && seen.refused = count then Ok Exit_code.Invalid
+    else if seen.stopped > 0 then begin
+      Console.note console
+        (Printf.sprintf "scc: a limit of seconds or memory left something open at %d of %d points"
+           seen.stopped count);
+      Ok Exit_code.Stopped
+    end
     else Ok (if seen.open_ + seen.refused > 0 then Exit_code.Undecided else Exit_code.Holds)
   | Error Pool.Interrupted ->
     Console.note console
@@ -123,12 +129,13 @@ let sweep console o ~interrupted =
   in
   let points = Kept_runs.start store "the points" in
   let path = match (o.output, o.resume) with None, Some path -> Some path | path, _ -> path in
-  let seen = { written = there; open_ = 0; refused = 0; all = [] } in
+  let seen = { written = there; open_ = 0; refused = 0; stopped = 0; all = [] } in
   let note outcome =
     seen.written <- seen.written + 1;
     (match (outcome : Outcome.t) with
      | Refused _ -> seen.refused <- seen.refused + 1
      | Checked _ -> if not (Outcome.is_known outcome) then seen.open_ <- seen.open_ + 1);
+    if Outcome.is_stopped outcome then seen.stopped <- seen.stopped + 1;
     List.iter (Console.fault console) (Outcome.faults outcome);
     if Option.is_some o.plot then seen.all <- outcome :: seen.all
   in
@@ -278,7 +285,8 @@ let command =
       ( Exit_code.Undecided,
         "if something is undecided or holds up to a bound, or the model is invalid somewhere." );
       (Exit_code.Invalid, "if the model is invalid at all points.");
-      (Exit_code.Stopped, "if it was interrupted: the points that were done are written.");
+      ( Exit_code.Stopped,
+        "if it was interrupted, or a limit of seconds or memory left something open; what is done is written." );
     ]
   in
   let exits = Exits.man ~told ~never:[ Violated ] () in

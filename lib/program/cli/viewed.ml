@@ -238,9 +238,8 @@ let asked console (l : Loaded.t) texts =
   match texts with
   | [] -> Ok (l, [])
   | _ :: _ ->
-    let source text = Source.make ~name:("--plot " ^ text) text in
+    let source text = Input.given console ~name:("--plot " ^ text) text in
     let sources = List.map source texts in
-    List.iter (Console.add_source console) sources;
     let* model, questions = Question.all l sources in
     let number source (q : Question.t) =
       match q with

@@ -30,6 +30,7 @@ type t = {
   mutable late : Limits.stop option;  (** for what concludes *)
   mutable last : Limits.stop option;  (** for what reports *)
   mutable stage : Limits.stage option;  (** of the attempt that is being made *)
+  mutable middle : float;  (** when it is given up with seconds left, for what comes after it *)
   mutable abandoned : bool;  (** it was tried *)
   mutable finished : float option;  (** the seconds that the rest has after a signal, once the work has stopped *)
 }
@@ -73,7 +74,7 @@ let abandon t ~passed =
 
 let over t (stage : Limits.stage) =
   match stage with
-  | Exploring -> t.over
+  | Exploring | Proving -> t.over
   | Concluding -> t.late
   | Reporting -> t.last
 
@@ -89,7 +90,13 @@ let look t =
   match (t.stage, t.last) with
   | Some stage, _ ->
     let give_up stop = if not (Critical.active ()) then raise (Given_up stop) in
-    Option.iter give_up (over t stage)
+    let half_over =
+      match stage with
+      | Exploring | Proving -> t.clock () > t.middle
+      | Concluding | Reporting -> false
+    in
+    Option.iter give_up (over t stage);
+    if half_over then give_up Seconds
   | None, _ -> (
       match t.finished with
       | Some grace -> if passed > grace then Interruption.break_off ()
@@ -112,6 +119,7 @@ let start ?(clock = Unix.gettimeofday) ?(signals = true) ?seconds ?memory () =
       late = None;
       last = None;
       stage = None;
+      middle = infinity;
       abandoned = false;
       finished = None;
     }
@@ -131,10 +139,16 @@ let more t seconds =
   look t
 
 let stop t () = t.over
-let half t () : unit -> Limits.stop option =
+
+(* Of what is left until then. *)
+let middle t ~until =
   let now = t.clock () in
-  let middle = now +. ((t.deadline -. now) /. 2.) in
-  fun () -> match t.over with None when t.clock () > middle -> Some Seconds | over -> over
+  now +. ((Float.min until t.deadline -. now) /. 2.)
+
+let stopped t ~until () : Limits.stop option =
+  match t.over with None when until < infinity && t.clock () > until -> Some Seconds | over -> over
+
+let half t () = stopped t ~until:(middle t ~until:infinity)
 
 let interrupted t () = t.signalled
 
@@ -158,7 +172,7 @@ let dismiss t =
   finish t;
   timer 0.
 
-(* What was given up for its memory has left it behind as garbage. *)
+(* What has ended, or was given up for its memory, has left it behind as garbage. *)
 let compacted t stage =
   match over t stage with
   | Some Memory ->
@@ -168,22 +182,27 @@ let compacted t stage =
   | Some (Seconds | Interrupted) | None -> ()
 
 let attempted t stage f =
-  (match (stage : Limits.stage) with Concluding | Reporting -> compacted t stage | Exploring -> ());
+  (match (stage : Limits.stage) with Concluding | Reporting -> compacted t stage | Exploring | Proving -> ());
   match over t stage with
   | Some stop -> Error stop
   | None -> (
       let outer = t.stage in
       let leave () = t.stage <- outer in
+      (* Of a search for a proof hardly anything stays, and exploring comes after it. *)
+      let left result =
+        (match stage with Proving -> compacted t Exploring | Exploring | Concluding | Reporting -> ());
+        result
+      in
       match
         t.stage <- Some stage;
         let x = f () in
         leave ();
         x
       with
-      | x -> Ok x
+      | x -> left (Ok x)
       | exception Given_up stop ->
         leave ();
-        Error stop
+        left (Error stop)
       | exception Out_of_memory when Option.is_none outer ->
         (* nothing of what may be left half done is used any more *)
         leave ();
@@ -194,3 +213,33 @@ let attempted t stage f =
         raise e)
 
 let attempt t : Limits.attempt = { run = (fun stage f -> attempted t stage f) }
+
+(* What concludes has the time that there is. *)
+let before t until (attempt : Limits.attempt) : Limits.attempt =
+  let run (type a) (stage : Limits.stage) (f : unit -> a) : (a, Limits.stop) result =
+    match stage with
+    | Concluding | Reporting -> attempt.run stage f
+    | Exploring | Proving when stopped t ~until () = Some Seconds -> Error Seconds
+    | Exploring | Proving ->
+      let outer = t.middle in
+      t.middle <- Float.min outer until;
+      match attempt.run stage f with
+      | result ->
+        t.middle <- outer;
+        result
+      | exception e ->
+        t.middle <- outer;
+        raise e
+  in
+  { run }
+
+let surroundings t ~progress ~attempt =
+  let rec within until : Limits.surroundings =
+    {
+      stop = stopped t ~until;
+      half = (fun () -> within (middle t ~until));
+      progress;
+      attempt = (if until < infinity then before t until attempt else attempt);
+    }
+  in
+  within infinity

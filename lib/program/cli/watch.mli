@@ -24,10 +24,13 @@ val stop : t -> unit -> Limits.stop option
 val reason : Limits.stop -> string
 (** In words. *)
 
-val half : t -> unit -> unit -> Limits.stop option
-(** What ends work that is begun now and may take half of the seconds that are left. *)
-
 val attempt : t -> Limits.attempt
+
+val surroundings : t -> progress:(Limits.progress -> unit) -> attempt:Limits.attempt -> Limits.surroundings
+(** Of work that it keeps within its limits, by [attempt], which makes those of the watch. *)
+
+val half : t -> unit -> unit -> Limits.stop option
+(** What ends work that is begun now and may take half of the seconds that are left, if it asks. *)
 
 val interrupted : t -> unit -> bool
 (** For work that is stopped by signals alone. *)

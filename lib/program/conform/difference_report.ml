@@ -68,7 +68,7 @@ let text (a : Recorded.t) (b : Recorded.t) = function
   | None ->
     let n = Recorded.events a in
     Printf.sprintf "the traces are the same: %s\n" (if n = 1 then "1 event" else Printf.sprintf "%d events" n)
-  | Some d -> String.concat "" (List.map (fun l -> l ^ "\n") (lines a b d))
+  | Some d -> String.concat "" (List.map (fun l -> Scc_base.Visible.line l ^ "\n") (lines a b d))
 
 let item_json (i : Recorded.item) =
   `Assoc

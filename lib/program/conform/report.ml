@@ -95,7 +95,7 @@ let text t =
           (reason t.loaded.model why);
       ]
   in
-  String.concat "" (List.map (fun l -> l ^ "\n") lines)
+  String.concat "" (List.map (fun l -> Scc_base.Visible.line l ^ "\n") lines)
 
 (* {1 JSON} *)
 

@@ -109,11 +109,15 @@ let number t n i offset =
   let extent = Timed_graph.extent (flow t i) in
   Trajectory.number_at (trajectory t i extent) n offset
 
+let counted t p i _ =
+  let n = Counted.by t.semantics ~source:t.nodes.(i).state (label t i) p in
+  (n.least, n.most)
+
 let mean eval t (formula : Formula.t) (mean : Property.mean) =
   let what : Expectation.what =
     match (mean, formula) with
     | Time_until _, Finally (_, _, g) -> Time_until g
-    | Events_until _, Until (_, _, f, g) -> Changes_until (f, g)
+    | Events_until (p, _), Until (_, _, _, g) -> Counts_until (counted t p, g)
     | Value_at (n, time), _ -> Value_at (number t n, time)
     | (Time_until _ | Events_until _), _ -> Bug.fail __POS__ "a mean with another formula"
   in

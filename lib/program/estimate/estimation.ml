@@ -59,13 +59,6 @@ let miss t =
   | Exactly _ -> all
   | At_most _ -> Rat.div all (Rat.of_int (t.looks * (t.looks + 1)))
 
-let test (path : Path.t) : (Property.side * Answer.bound) option =
-  match (path.check.asked, path.check.formula) with
-  | Expected ([ side ], _, Some test), _ -> Some (side, test)
-  | Whether, (Finally (Chance c, _, _) | Globally (Chance c, _, _) | Until (Chance c, _, _, _)) ->
-    Some (c.side, c.test)
-  | _, _ -> None
-
 let value q miss =
   match q.asked.question with
   | Does ->
@@ -167,7 +160,7 @@ let look t q ~miss ~last =
     | Probability _ | Mean _ | Infinite | Sample _ | Unknown -> still_open @ [ asked_for t value ]
   in
   let settle verdict ~reasons = q.answer <- Some (answer t q value verdict ~reasons) in
-  match test q.asked with
+  match Path.test q.asked with
   | None ->
     let fixed = match t.aim.size with Exactly _ -> true | At_most _ -> false in
     if narrow || hopeless || last then (

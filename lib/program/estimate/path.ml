@@ -45,3 +45,10 @@ let of_check model (check : Property.check) =
   | Whether when is_likelihood check.formula -> made Does
   | Whether -> Error "no probability or mean is asked for: `scc check` decides it"
   | Expected (_, mean, _) -> made (Amounts (mean, range model mean))
+
+let test path =
+  match (path.check.asked, path.check.formula) with
+  | Expected ([ side ], _, Some test), _ -> Some (side, test)
+  | Whether, (Finally (Chance c, _, _) | Globally (Chance c, _, _) | Until (Chance c, _, _, _)) ->
+    Some (c.side, c.test)
+  | _, _ -> None

@@ -17,6 +17,9 @@ type t = {
   horizon : Rat.t option;  (** model time after which it is decided; [None]: it may never be *)
 }
 
+val test : t -> (Property.side * Scc_chance.Answer.bound) option
+(** What it is compared with; [None]: a number is asked for. *)
+
 val of_check : Model.t -> Property.check -> (t, string) result
 (** Of a check of the model: of [P ... \[f U g\]] and its like, and of [E ...], where what is inside is about
     states. Otherwise why it cannot be judged on single runs. *)

@@ -65,12 +65,14 @@ let stop bounds ~last =
     else None
 
 let surroundings bounds : Scc_graph_search.Limits.surroundings =
-  let last = bounds.now () +. (share *. bounds.seconds) in
-  let half () =
-    let now = bounds.now () in
-    stop bounds ~last:(now +. ((last -. now) /. 2.))
+  let rec until last : Scc_graph_search.Limits.surroundings =
+    let half () =
+      let now = bounds.now () in
+      until (now +. ((last -. now) /. 2.))
+    in
+    { Scc_graph_search.Limits.quiet with stop = stop bounds ~last; half }
   in
-  { Scc_graph_search.Limits.quiet with stop = stop bounds ~last; half }
+  until (bounds.now () +. (share *. bounds.seconds))
 
 let options bounds p : Check.options =
   let q = Read.quotas p in
@@ -87,7 +89,7 @@ let options bounds p : Check.options =
   let memory = int_of_float (share *. float_of_int bounds.memory) in
   {
     Check.default with
-    bounds = Budget.bounds { states = Quotas.default_states; memory } budget;
+    bounds = Budget.bounds { states = Quotas.default_states; memory; room = None } budget;
     surroundings = surroundings bounds;
   }
 

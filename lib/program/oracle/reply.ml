@@ -10,7 +10,7 @@ let quantity q =
 
 let nullable = Json.option
 
-let is_plain s i c = c >= ' ' && c <> '"' && c <> '\\' && c <> '\x7f' && Option.is_none (Bidirectional.at s i)
+let is_plain s i c = c <> '"' && c <> '\\' && Option.is_none (Visible.at s i)
 
 let add_string b s =
   let n = String.length s in
@@ -26,8 +26,8 @@ let add_string b s =
          | '\\' -> Buffer.add_string b "\\\\"
          | '\n' -> Buffer.add_string b "\\n"
          | '\t' -> Buffer.add_string b "\\t"
-         | c -> Printf.bprintf b "\\u%04x" (Option.value (Bidirectional.at s i) ~default:(Char.code c)));
-        let next = i + if Option.is_some (Bidirectional.at s i) then Bidirectional.size else 1 in
+         | c -> Printf.bprintf b "\\u%04x" (Option.fold ~none:(Char.code c) ~some:fst (Visible.at s i)));
+        let next = i + Option.fold ~none:1 ~some:snd (Visible.at s i) in
         go next next
       end
   in

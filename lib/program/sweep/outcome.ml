@@ -9,6 +9,7 @@ type check = {
   verdict : string;
   numbers : number list;
   reasons : string list;
+  stopped : bool;
   faults : string list;
 }
 
@@ -31,6 +32,7 @@ let check (o : Verdict.outcome) =
     verdict = Scc_exchange.Check_json.kind o.verdict;
     numbers;
     reasons = List.map Verdict.reason_to_string (reasons o.verdict);
+    stopped = Verdict.resources o.verdict;
     faults = o.lost;
   }
 
@@ -41,6 +43,8 @@ let of_diagnostics = function
   | (d : Diag.t) :: _ -> Refused { code = d.code; message = d.message }
 
 let faults = function Refused _ -> [] | Checked checks -> List.concat_map (fun c -> c.faults) checks
+
+let is_stopped = function Refused _ -> false | Checked checks -> List.exists (fun c -> c.stopped) checks
 
 let is_known = function
   | Refused _ -> false

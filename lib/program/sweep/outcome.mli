@@ -14,6 +14,7 @@ type check = {
   verdict : string;  (** as in [scc check --json] *)
   numbers : number list;
   reasons : string list;  (** why it is not known, or not better *)
+  stopped : bool;  (** by a limit of resources, as {!Scc_verify.Verdict.resources} *)
   faults : string list;  (** of scc, as {!Scc_verify.Verdict.outcome} *)
 }
 
@@ -26,6 +27,9 @@ val of_diagnostics : Scc_base.Diag.t list -> t
 
 val faults : t -> string list
 (** Of all checks. *)
+
+val is_stopped : t -> bool
+(** A limit of resources keeps something from being better known. *)
 
 val is_known : t -> bool
 (** All is decided, without a default bound that cut it short. *)

@@ -51,7 +51,7 @@ let line members = Json.line (`Assoc members) ^ "\n"
 let json_header t =
   let axis (a : Grid.axis) : Json.t =
     `Assoc
-      [ ("name", `String a.name); ("values", `List (Array.to_list (Array.map Json.rat a.values))) ]
+      [ ("name", Json.text a.name); ("values", `List (Array.to_list (Array.map Json.rat a.values))) ]
   in
   line
     [

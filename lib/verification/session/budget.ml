@@ -10,7 +10,7 @@ type t = {
   bits : int option;
 }
 
-type defaults = { states : int; memory : int }
+type defaults = { states : int; memory : int; room : int option }
 
 let bounds (defaults : defaults) (b : t) =
   let given = function Some x -> Bounds.Given x | None -> Bounds.Unbounded in
@@ -22,5 +22,6 @@ let bounds (defaults : defaults) (b : t) =
     states = or_default defaults.states b.states;
     seconds = given b.seconds;
     memory = or_default defaults.memory b.memory;
+    room = defaults.room;
     bits = (match b.bits with Some n -> Given n | None -> Bounds.default.bits);
   }

@@ -12,7 +12,11 @@ type t = {
   bits : int option;  (** of a number *)
 }
 
-type defaults = { states : int; memory : int  (** words of the heap *) }
+type defaults = {
+  states : int;
+  memory : int;  (** words of the heap *)
+  room : int option;  (** as {!Bounds.t} has it *)
+}
 
 val bounds : defaults -> t -> Bounds.t
 (** What was asked for is {!Bounds.Given}; of the rest, states and memory are bounded by default. *)

@@ -184,9 +184,7 @@ and compute t ~outermost (f : Property.temporal) =
   let m = t.model in
   let inner f = eval t ~outermost:false f in
   let within b g =
-    let g = inner g in
-    if unbounded b then g
-    else if outermost then map2 inter g (of_prop m (in_time b))
+    if unbounded b || outermost then inner (in_bound b g)
     else not_known "a bound of time within another operator, over all starts and instants"
   in
   let quantified holds_if_any searches =

@@ -11,6 +11,7 @@ type t = {
   states : int bound;
   seconds : float bound;
   memory : int bound;
+  room : int option;
   instant : int bound;
   bits : int bound;
 }
@@ -22,6 +23,7 @@ let default =
     states = Unbounded;
     seconds = Unbounded;
     memory = Unbounded;
+    room = None;
     instant = Default 10_000;
     bits = Default 100_000;
   }
@@ -55,7 +57,10 @@ let truncation bound make : Verdict.truncation =
 let stopped b (stop : Limits.stop) =
   match stop with
   | Seconds -> truncation b.seconds (fun s -> Verdict.Seconds s)
-  | Memory -> truncation b.memory (fun w -> Verdict.Memory w)
+  | Memory -> (
+      match b.room with
+      | Some w -> { limit = Memory w; origin = By_system }
+      | None -> truncation b.memory (fun w -> Verdict.Memory w))
   | Interrupted -> { limit = Interrupted; origin = By_user }
 
 (* The bound of time is the properties' own when theirs is the lesser. *)

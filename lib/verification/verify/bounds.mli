@@ -14,6 +14,8 @@ type t = {
   states : int bound;
   seconds : float bound;
   memory : int bound;  (** words of the heap *)
+  room : int option;
+  (** words: the limit that the system sets this process, where it is met before [memory] is *)
   instant : int bound;  (** the guard against runs that go on for ever within one instant *)
   bits : int bound;  (** of a number in a state *)
 }

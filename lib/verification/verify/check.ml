@@ -36,6 +36,7 @@ type stats = Joint_check.stats = {
   growth : Scc_base.Diag.t option;
   shared : Scc_base.Diag.t option;
   causes : Growth.cause list;
+  left_out : Verdict.truncation option;
 }
 
 type slice = { properties : string list; left_out : string list; explored : stats }
@@ -47,6 +48,7 @@ type report = {
   slices : slice list;
   zeno : Witness.t option;
   lost : string list;
+  left_out : Verdict.truncation option;
   stores : (string * int) list;
   where : Scc_regions.Where.t list;
   invariants : Zone_proof.end_ list;
@@ -125,7 +127,7 @@ let lift_reason lift (r : Verdict.reason) : Verdict.reason option =
   match r with
   | Unexplored { count; nearest } ->
     Option.map (fun nearest -> Verdict.Unexplored { count; nearest }) (lift nearest)
-  | Truncated _ | Undefined _ | Fault _ -> Some r
+  | Truncated _ | Unevaluated _ | Undefined _ | Fault _ -> Some r
 
 let lift_verdict lift (v : Verdict.t) : Verdict.t =
   match v with
@@ -160,6 +162,7 @@ let add (a : stats) (b : stats) =
     growth = (match a.growth with Some _ -> a.growth | None -> b.growth);
     shared = (match a.shared with Some _ -> a.shared | None -> b.shared);
     causes = Growth.together a.causes b.causes;
+    left_out = (match a.left_out with Some _ -> a.left_out | None -> b.left_out);
   }
 
 let sum_stores a b =
@@ -209,17 +212,21 @@ let explored options semantics ~initial group =
     | Some capacity -> Compact_check.check options ~capacity
   in
   let result = check semantics ~initial:part (List.map snd members) in
-  let lost = Lost.make () and horizon = Joint_check.horizon (List.map snd members) in
+  let lost = Lost.make options.bounds options.surroundings.attempt in
+  let horizon = Joint_check.horizon (List.map snd members) in
   let lift w = Lost.run lost semantics (fun () -> lift_in_time semantics ~initial horizon w) in
   let outcome (i, check) (_, v, of_part) =
     let verdict = if whole then v else lift_verdict lift v in
-    let lost = of_part @ Lost.taken lost in
+    let { Lost.faults; left_out } = Lost.together of_part (Lost.taken lost) in
     let split_step = match v with Verdict.Undecided _ -> None | Holds _ | Violated _ | Measured _ ->
       result.stats.split_step in
     let resolution = Model.resolution (Semantics.model semantics) in
     (* It may be that of one run that decides. *)
-    let rests = if lost = [] then rests semantics result check v else [] and converges = converges result v in
-    (i, { Verdict.check; verdict; scale = { resolution; split_step; over = None }; rests; converges; lost })
+    let left_out = Verdict.if_unshown verdict left_out in
+    let all_shown = faults = [] && Option.is_none left_out in
+    let rests = if all_shown then rests semantics result check v else [] and converges = converges result v in
+    let scale = { Verdict.resolution; split_step; over = None } in
+    (i, { Verdict.check; verdict; scale; rests; converges; lost = faults; left_out })
   in
   let outcomes = List.map2 outcome members result.outcomes in
   let slice part =
@@ -230,7 +237,8 @@ let explored options semantics ~initial group =
     }
   in
   let zeno = if whole then result.zeno else Option.bind result.zeno lift in
-  (outcomes, Option.map slice group.needs.part, { result with zeno; lost = result.lost @ Lost.taken lost })
+  let lost = Lost.together result.lost (Lost.taken lost) in
+  (outcomes, Option.map slice group.needs.part, { result with zeno; lost })
 
 let merge parts ~events_elsewhere =
   let outcomes = List.concat_map (fun (outcomes, _, _) -> outcomes) parts in
@@ -255,7 +263,8 @@ let merge parts ~events_elsewhere =
       uneventful = List.exists knows parts || together_know ();
       slices;
       zeno = List.find_map (fun (r : Joint_check.result) -> r.zeno) results;
-      lost = List.concat_map (fun (r : Joint_check.result) -> r.lost) results;
+      lost = List.concat_map (fun (r : Joint_check.result) -> r.lost.faults) results;
+      left_out = List.find_map (fun (r : Joint_check.result) -> r.lost.left_out) results;
       stores;
       where = [];
       invariants = [];
@@ -323,6 +332,7 @@ let empty_stats =
     growth = None;
     shared = None;
     causes = [];
+    left_out = None;
   }
 
 let unexplored_report outcomes stats =
@@ -333,6 +343,7 @@ let unexplored_report outcomes stats =
     slices = [];
     zeno = None;
     lost = [];
+    left_out = None;
     stores = [];
     where = [];
     invariants = [];
@@ -343,7 +354,8 @@ let unexplored options (checks : Property.check list) stop =
   let stopped = Bounds.stopped options.bounds stop in
   let outcome check =
     let scale = { Verdict.resolution = None; split_step = None; over = None } in
-    { Verdict.check; verdict = Undecided [ Truncated stopped ]; scale; rests = []; converges = None; lost = [] }
+    let verdict = Verdict.Undecided [ Truncated stopped ] in
+    { Verdict.check; verdict; scale; rests = []; converges = None; lost = []; left_out = None }
   in
   unexplored_report (List.map outcome checks)
     { empty_stats with decided_early = false; stopped_by = [ stopped ] }

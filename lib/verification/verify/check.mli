@@ -38,6 +38,7 @@ type stats = Joint_check.stats = {
   growth : Scc_base.Diag.t option;  (** a number that was too long (SC0705) *)
   shared : Scc_base.Diag.t option;  (** a bond on an edge that open faces share (SC0706) *)
   causes : Growth.cause list;  (** what is likely to keep it from closing *)
+  left_out : Verdict.truncation option;  (** what ended the search for such, before all was looked at *)
 }
 (** Of several explorations: sums, and the greatest depth and time. *)
 
@@ -56,6 +57,7 @@ type report = {
   zeno : Witness.t option;
   (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)
   lost : string list;  (** faults of scc, by which that could not be rebuilt (as {!Verdict.outcome}) *)
+  left_out : Verdict.truncation option;  (** what ended the making of that *)
   stores : (string * int) list;  (** what the explored graphs take, by name, in bytes *)
   where : Scc_regions.Where.t list;
   (** of an exploration over zones: for which values of the parameters each property holds, as far as was asked *)

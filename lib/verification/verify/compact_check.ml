@@ -76,7 +76,7 @@ let check (options : Joint_check.options) ~capacity semantics ~initial checks : 
   let expanding = options.compacting ~about:(Joint_check.about checks) in
   let r = Compact_search.search ~expanding limits options.surroundings context ~capacity ~rests goals in
   let ((bounds, faults) as met) = limits_met options (Semantics.model semantics) r in
-  let lost = Lost.make () in
+  let lost = Lost.make options.bounds options.surroundings.attempt in
   let step (outcomes, answers) (check, plan) =
     let v, answers = verdict context lost met plan answers in
     ((check, v, Lost.taken lost) :: outcomes, answers)
@@ -103,9 +103,10 @@ let check (options : Joint_check.options) ~capacity semantics ~initial checks : 
         growth = None;
         shared = Shared_edge.warning context;
         causes = [];
+        left_out = None;
       };
     zeno = None;
-    lost = [];
+    lost = Lost.nothing;
     stores = [ ("states", r.bytes); ("labels", 0); ("edges", 0) ];
     numbers = (fun () -> Catalogue.longest (Network_lts.catalogue context));
   }

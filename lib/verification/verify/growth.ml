@@ -247,28 +247,33 @@ let resources : _ Scc_graph_search.Explore.reason list = [ States; Bits; Seconds
 
 let ended graph = List.exists (fun reason -> Graph.left_for graph reason > 0) resources
 
-let find context graph =
+(* Along the deepest run. *)
+let values context graph =
   let model = Network_lts.model context in
   match Slowing.deepest graph with
-  | Some i when ended graph ->
+  | None -> []
+  | Some i ->
     let path = Array.of_list (Graph.ancestors graph i) in
     let n = Array.length path in
     let points = Array.init (Int.min n spread) (fun k -> path.((k + 1) * n / Int.min n spread - 1)) in
     let over_all = Array.map (state context graph) points in
     let at_end = Array.map (state context graph) (last window path) in
     let first causes = List.find_map (fun cause -> cause ()) causes in
-    let values =
-      first
-        [
-          (fun () -> steps model (Array.map (Graph.arrival graph) points));
-          (fun () -> numbers over_all);
-          (fun () -> times context at_end);
-          (fun () -> leaves_all model at_end);
-          (fun () -> drifts model at_end);
-        ]
-    in
-    Option.to_list values @ Option.to_list (crowded context graph)
-  | Some _ | None -> []
+    first
+      [
+        (fun () -> steps model (Array.map (Graph.arrival graph) points));
+        (fun () -> numbers over_all);
+        (fun () -> times context at_end);
+        (fun () -> leaves_all model at_end);
+        (fun () -> drifts model at_end);
+      ]
+    |> Option.to_list
+
+let choices_at_once context graph = Option.to_list (crowded context graph)
+
+let looks =
+  let when_ended look context graph = if ended graph then look context graph else [] in
+  List.map when_ended [ values; choices_at_once ]
 
 (** {2 In words} *)
 

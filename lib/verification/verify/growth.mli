@@ -23,10 +23,10 @@ type cause =
       them happened *)
   | Splits of { states : int; instants : int }  (** the same by which weak splits have happened so far *)
 
-val find : Network_lts.context -> State_graph.t -> cause list
-(** The most likely first; none when nothing of this is seen, or when no bound on states, bits, seconds or memory
-    has ended the exploration. A bounded number of states is looked at: those of the path to the deepest state that
-    was not expanded, and those found last. *)
+val looks : (Network_lts.context -> State_graph.t -> cause list) list
+(** All that is looked at, the most likely causes first. They find none when nothing of this is seen, or when no
+    bound on states, bits, seconds or memory has ended the exploration. A bounded number of states is looked at:
+    those of the path to the deepest state that was not expanded, and those found last. *)
 
 val together : cause list -> cause list -> cause list
 (** Of two explorations: each kind once. *)

@@ -49,22 +49,23 @@ type stats = {
   growth : Scc_base.Diag.t option;
   shared : Scc_base.Diag.t option;
   causes : Growth.cause list;
+  left_out : Verdict.truncation option;
 }
 
 type result = {
-  outcomes : (Property.check * Verdict.t * string list) list;
+  outcomes : (Property.check * Verdict.t * Lost.taken) list;
   stats : stats;
   zeno : Witness.t option;
-  lost : string list;
+  lost : Lost.taken;
   stores : (string * int) list;
   numbers : unit -> (string * int) list;
 }
 
 (* A probability that is not known well enough is the reason where there is no other. *)
 let formula_doubts r temporal i =
-  match Unsettled.doubts r (Temporal.doubts temporal i) with
-  | [] -> Measuring.intervals temporal i
-  | reasons -> reasons
+  match Unsettled.evaluated r (fun () -> (Temporal.doubts temporal i, Measuring.intervals temporal i)) with
+  | Error why -> why
+  | Ok (doubts, intervals) -> (match Unsettled.doubts r doubts with [] -> intervals | reasons -> reasons)
 
 (** {2 Verdicts} *)
 
@@ -76,7 +77,7 @@ let holds = Verdict.Holds { bounds = []; witness = None }
 (* Success up to a bound is one kind of verdict; what was not decided for another reason is not success. *)
 let up_to_bound r (doubts : Search.doubts) =
   let bound = function
-    | Verdict.Truncated { limit = Instant _; _ } | Undefined _ | Fault _ | Unexplored _ -> Error ()
+    | Verdict.Truncated { limit = Instant _; _ } | Unevaluated _ | Undefined _ | Fault _ | Unexplored _ -> Error ()
     | Truncated t -> Ok t
   in
   let add acc reason =
@@ -94,22 +95,22 @@ let now (r : Unsettled.t) p =
   | False -> Violated { witness = trace r p { steps = []; last = 0; finish = At_state } }
   | Undecided text -> Undecided [ Undefined text ]
 
-let evaluated (r : Unsettled.t) temporal i =
-  match Temporal.truth temporal i with
-  | None -> Verdict.Undecided (formula_doubts r temporal i)
-  | Some truth -> (
+(* An evaluation that takes longer than there is time for leaves one formula open, and nothing else; what is known
+   by then stays known. *)
+let evaluated (r : Unsettled.t) temporal i : Verdict.t =
+  match Unsettled.evaluated r (fun () -> Temporal.truth temporal i) with
+  | Error why -> Undecided why
+  | Ok None -> Undecided (formula_doubts r temporal i)
+  | Ok (Some truth) -> (
       let explained () = Make_witness.of_explanation r.context r.graph temporal (Temporal.explain temporal i) in
       match (truth, Unsettled.run r explained) with
       | true, witness -> Holds { bounds = []; witness }
       | false, witness -> Violated { witness })
 
-(* An evaluation that takes longer than there is time for leaves one formula open, and nothing else. *)
-let formula (r : Unsettled.t) temporal i =
-  let result = r.surroundings.attempt.run Concluding (fun () -> evaluated r temporal i) in
+let formula r temporal i =
+  let v = evaluated r temporal i in
   Temporal.done_with temporal i;
-  match result with
-  | Ok v -> v
-  | Error stop -> Undecided [ Truncated (Bounds.stopped r.bounds stop) ]
+  v
 
 (* Answers and formulas are taken up in the order of {!questions} and {!formulas}. *)
 type answers = { searches : Search.answer list; next_formula : int; temporal : Temporal.t option }
@@ -145,23 +146,20 @@ and verdicts r combine plans answers =
   (combine (List.rev found), answers)
 
 (* A number that is asked for. *)
-let measured (r : Unsettled.t) answers find =
+let measured answers find =
   let i = answers.next_formula in
   let temporal =
     match answers.temporal with Some t -> t | None -> Scc_base.Bug.fail __POS__ "a question that was not asked"
   in
-  let result = r.surroundings.attempt.run Concluding (fun () -> find temporal i) in
+  let v = find temporal i in
   Temporal.done_with temporal i;
-  let v =
-    match result with Ok v -> v | Error stop -> Verdict.Undecided [ Truncated (Bounds.stopped r.bounds stop) ]
-  in
   (v, { answers with next_formula = i + 1 })
 
 let outcome r ((check : Property.check), plan) answers =
   match check.asked with
   | Whether -> verdict r plan answers
-  | How_likely sides -> measured r answers (fun t i -> Measuring.probability r t i sides)
-  | Expected (sides, mean, test) -> measured r answers (fun t i -> Measuring.mean r t i sides mean test)
+  | How_likely sides -> measured answers (fun t i -> Measuring.probability r t i sides)
+  | Expected (sides, mean, test) -> measured answers (fun t i -> Measuring.mean r t i sides mean test)
 
 (** {2 Questions} *)
 
@@ -202,16 +200,29 @@ let convergence (r : Unsettled.t) =
   | Some q -> Some (Verdict.Proved q)
   | None -> Option.map (fun s -> Verdict.Named s) (Slowing.find r.graph)
 
-(* What is told besides of explorations that met a bound. It looks for the deepest of what may be millions of
-   states, and at some hundreds, which may be large: with no time for that, nothing is said. *)
-let besides (r : Unsettled.t) bounds find ~default =
-  match bounds with
-  | [] -> default
-  | _ :: _ -> Result.value (r.surroundings.attempt.run Concluding find) ~default
+(* What is told besides of explorations that met a bound. *)
+type besides = {
+  slow : Verdict.convergence option;
+  likely : Growth.cause list;
+  long : Scc_base.Diag.t option;
+  ended : Verdict.truncation option;
+}
 
-let stats (r : Unsettled.t) : stats =
-  let causes = List.map (Unsettled.cause r) (Unsettled.reasons r (Seq.map fst (Graph.unexpanded r.graph))) in
-  let bounds = List.filter_map (function Bounds.Bound t -> Some t | Fault _ | Early -> None) causes in
+let nothing_besides = { slow = None; likely = []; long = None; ended = None }
+
+(* It looks for the deepest of what may be millions of states, and at some hundreds, which may be large. It takes
+   less than runs that are shown, and comes before them. *)
+let besides (r : Unsettled.t) met =
+  let lost = Lost.make r.bounds r.surroundings.attempt in
+  let causes look = Option.value ~default:[] (Lost.attempt lost (fun () -> look r.context r.graph)) in
+  match Unsettled.stopped_by met with
+  | [] -> nothing_besides
+  | _ :: _ ->
+    let likely = List.concat_map causes Growth.looks in
+    let slow = Option.join (Lost.attempt lost (fun () -> convergence r)) in
+    { slow; likely; long = growth r; ended = (Lost.taken lost).left_out }
+
+let stats (r : Unsettled.t) causes { slow; likely; long; ended } : stats =
   {
     states = Graph.size r.graph;
     transitions = Graph.transitions r.graph;
@@ -221,12 +232,13 @@ let stats (r : Unsettled.t) : stats =
     eventful = Catalogue.has_events (Network_lts.catalogue r.context);
     split_step = Network_lts.split_step r.context;
     decided_early = List.exists (function Bounds.Early -> true | Bound _ | Fault _ -> false) causes;
-    stopped_by = Verdict.distinct bounds;
+    stopped_by = Unsettled.stopped_by causes;
     dead_ends = Bounds.dead_ends r.context;
-    growth = growth r;
+    growth = long;
     shared = Shared_edge.warning r.context;
-    causes = besides r bounds (fun () -> Growth.find r.context r.graph) ~default:[];
-    converges = besides r bounds (fun () -> convergence r) ~default:None;
+    causes = likely;
+    converges = slow;
+    left_out = ended;
     faults =
       List.sort_uniq Scc_base.Diag.compare
         (List.filter_map (function Bounds.Fault f -> Some f | Bound _ | Early -> None) causes);
@@ -285,7 +297,7 @@ let unsettled options context graph ~horizon : Unsettled.t =
     context;
     graph;
     horizon;
-    lost = Lost.make ();
+    lost = Lost.make options.bounds options.surroundings.attempt;
   }
 
 (* The name alone would not do: it is also that of what has to come true for the check to say anything. *)
@@ -329,16 +341,21 @@ let check options semantics ~initial (checks : Property.check list) =
   let temporal =
     match temporals with [] -> None | _ :: _ -> Some (Temporal.on formulas ~rests graph)
   in
+  let met = Unsettled.met r in
+  let besides = besides r met in
   let step (outcomes, answers) (check, plan) =
     let v, answers = outcome r (check, plan) answers in
     ((check, v, Lost.taken r.lost) :: outcomes, answers)
   in
   let answers = { searches = result.answers; next_formula = 0; temporal } in
   let outcomes, _ = List.fold_left step ([], answers) (List.combine checks plans) in
+  (* Where all is decided, nobody needs to know why it did not close. *)
+  let bounded (_, v, _) = match Verdict.truncated v with [] -> false | _ :: _ -> true in
+  let besides = if checks = [] || List.exists bounded outcomes then besides else nothing_besides in
   let zeno = zeno r result in
   {
     outcomes = List.rev outcomes;
-    stats = stats r;
+    stats = stats r met besides;
     zeno;
     lost = Lost.taken r.lost;
     stores = stores r;
@@ -354,7 +371,8 @@ let explore ?time_seen ?(visitor = fun _ -> Graph.blind) options semantics ~init
       limits options.surroundings context
   in
   let r = unsettled options context graph ~horizon:None in
-  (context, graph, stats r)
+  let met = Unsettled.met r in
+  (context, graph, stats r met (besides r met))
 
 let may_have_events options semantics ~initial =
   let time_seen = time_seen options (Semantics.model semantics) [] in

@@ -46,15 +46,16 @@ type stats = {
   growth : Scc_base.Diag.t option;  (** a number that was too long (SC0705) *)
   shared : Scc_base.Diag.t option;  (** a bond on an edge that open faces share (SC0706) *)
   causes : Growth.cause list;  (** what is likely to keep it from closing *)
+  left_out : Verdict.truncation option;  (** what ended the search for such, before all was looked at *)
 }
 
 type result = {
-  outcomes : (Property.check * Verdict.t * string list) list;
-  (** in the order given, with faults of scc, by which a run could not be rebuilt (as {!Verdict.outcome}) *)
+  outcomes : (Property.check * Verdict.t * Lost.taken) list;
+  (** in the order given, with what kept a run from being shown (as {!Verdict.outcome}) *)
   stats : stats;
   zeno : Witness.t option;
   (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)
-  lost : string list;  (** faults of scc, by which that could not be rebuilt *)
+  lost : Lost.taken;  (** what kept that from being shown *)
   stores : (string * int) list;  (** what the explored graph takes: states, labels and edges, in bytes *)
   numbers : unit -> (string * int) list;  (** how far numbers have grown: {!Catalogue.longest} *)
 }

@@ -10,19 +10,28 @@ let witness (r : Unsettled.t) temporal i =
   Unsettled.run r (fun () -> Make_witness.of_explanation r.context r.graph temporal (Temporal.explain temporal i))
   |> Option.map (fun w -> { w with Witness.argument = None })
 
+(* Why these values are not better known. *)
+let reasons (r : Unsettled.t) values doubts =
+  if List.for_all (fun (_, m) -> Likelihoods.is_exact m) values then []
+  else
+    match Unsettled.evaluated r doubts with
+    | Ok doubts -> Unsettled.doubts r doubts
+    | Error why -> why
+
 let probability (r : Unsettled.t) temporal i sides =
-  let values = List.map (fun side -> (side, Temporal.probability temporal i side)) sides in
-  let all_known = List.for_all (fun (_, m) -> Likelihoods.is_exact m) values in
-  let reasons = if all_known then [] else Unsettled.doubts r (Temporal.possible_doubts temporal i) in
-  Verdict.Measured { values; reasons; witness = witness r temporal i }
+  match Unsettled.evaluated r (fun () -> List.map (fun s -> (s, Temporal.probability temporal i s)) sides) with
+  | Error why -> Verdict.Undecided why
+  | Ok values ->
+    let reasons = reasons r values (fun () -> Temporal.possible_doubts temporal i) in
+    Measured { values; reasons; witness = witness r temporal i }
 
 (* As far as what is known above and below tells. *)
-let compared (r : Unsettled.t) temporal i bound m : Verdict.t =
+let compared bound m ~reasons : Verdict.t =
   let { Scc_ctl.Eval.least; most } = m in
   match (Answer.holds least bound, Answer.holds most bound) with
   | Some true, Some true -> Holds { bounds = []; witness = None }
   | Some false, Some false -> Violated { witness = None }
-  | _ -> Undecided (told "mean" m :: Unsettled.doubts r (Temporal.doubts_of_mean temporal i))
+  | _ -> Undecided (told "mean" m :: reasons ())
 
 let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
   let find side = (side, Temporal.mean temporal i side mean) in
@@ -33,13 +42,15 @@ let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
       @ if unexplored = [] then [] else Unsettled.unexplored r (List.to_seq unexplored)
   in
   let known = function side, Scc_ctl.Expectation.Known m -> Some (side, m) | _, Unknown _ -> None in
-  let found = List.map find sides in
-  let reasons = List.concat_map unknown found in
-  let first i reason = not (List.exists (fun r -> r = reason) (List.filteri (fun j _ -> j < i) reasons)) in
-  match (List.filteri first reasons, List.filter_map known found, test) with
-  | (_ :: _ as reasons), _, _ -> Undecided reasons
-  | [], [ (_, m) ], Some bound -> compared r temporal i bound m
-  | [], values, _ ->
-    let all_known = List.for_all (fun (_, m) -> Likelihoods.is_exact m) values in
-    let reasons = if all_known then [] else Unsettled.doubts r (Temporal.doubts_of_mean temporal i) in
-    Measured { values; reasons; witness = None }
+  let of_found found : Verdict.t =
+    let all = List.concat_map unknown found in
+    let first i reason = not (List.exists (fun r -> r = reason) (List.filteri (fun j _ -> j < i) all)) in
+    let of_values values = reasons r values (fun () -> Temporal.doubts_of_mean temporal i) in
+    match (List.filteri first all, List.filter_map known found, test) with
+    | (_ :: _ as reasons), _, _ -> Undecided reasons
+    | [], ([ (_, m) ] as values), Some bound -> compared bound m ~reasons:(fun () -> of_values values)
+    | [], values, _ -> Measured { values; reasons = of_values values; witness = None }
+  in
+  match Unsettled.evaluated r (fun () -> List.map find sides) with
+  | Error why -> Undecided why
+  | Ok found -> of_found found

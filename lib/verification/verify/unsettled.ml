@@ -19,13 +19,14 @@ let run r make = Lost.run r.lost (Network_lts.semantics r.context) make
 
 let cause r reason = Bounds.cause r.bounds r.model ~horizon:r.horizon reason
 
-let bounds : _ Explore.reason list = [ Depth; Time; Instant; States; Bits; Seconds; Memory; Interrupted; Stopped ]
+let bounds : _ Explore.reason list = [ Depth; Time; Instant; States; Bits; Seconds; Memory; Interrupted ]
 
 (* There may be millions of states, and few reasons: once all that there are have come up, no more is looked at. *)
 let reasons r states =
   let count = Graph.left_for r.graph in
-  let kinds = List.length (List.filter (fun b -> count b > 0) bounds) in
-  let faults = Graph.left r.graph - List.fold_left (fun n b -> n + count b) 0 bounds in
+  let no_faults = Explore.Stopped :: bounds in
+  let kinds = List.length (List.filter (fun b -> count b > 0) no_faults) in
+  let faults = Graph.left r.graph - List.fold_left (fun n b -> n + count b) 0 no_faults in
   let rec look found kinds faults states =
     if kinds = 0 && faults = 0 then List.rev found
     else
@@ -39,6 +40,17 @@ let reasons r states =
           | Expanded | Queued -> Scc_base.Bug.fail __POS__ "a state that was expanded is in doubt")
   in
   look [] kinds faults states
+
+let met r = List.map (cause r) (reasons r (Seq.map fst (Graph.unexpanded r.graph)))
+let bound = function Bounds.Bound t -> Some t | Fault _ | Early -> None
+let stopped_by causes = Verdict.distinct (List.filter_map bound causes)
+
+let evaluated r f =
+  let why stop =
+    List.map (fun t -> Verdict.Truncated t) (stopped_by (met r))
+    @ [ Verdict.Unevaluated (Bounds.stopped r.bounds stop) ]
+  in
+  Result.map_error why (r.surroundings.attempt.run Concluding f)
 
 let first r reason =
   let rec find states =
@@ -71,14 +83,15 @@ let causes r states : Verdict.reason list =
   List.map (fun t -> Verdict.Truncated t) bounds @ List.map (fun text -> Verdict.Fault text) faults
 
 (* With a run to the nearest of them. They may be too many to be counted in time, and the run may be long, and take
-   as long to be made as to be found: then it is left out. *)
+   as long to be made as to be found. *)
 let unexplored r states =
-  let matter () =
-    let count, nearest = counted r states in
-    let path i = run r (fun () -> Some (Make_witness.of_path r.context r.graph i)) in
-    Option.bind nearest path |> Option.map (fun nearest -> Verdict.Unexplored { count; nearest })
+  let matter =
+    match Lost.attempt r.lost (fun () -> counted r states) with
+    | None | Some (_, None) -> None
+    | Some (count, Some i) ->
+      run r (fun () -> Some (Make_witness.of_path r.context r.graph i))
+      |> Option.map (fun nearest -> Verdict.Unexplored { count; nearest })
   in
-  let matter = Result.value (r.surroundings.attempt.run Concluding matter) ~default:None in
   causes r states @ Option.to_list matter
 
 let undefined (d : Search.doubts) = List.map (fun text -> Verdict.Undefined text) (Option.to_list d.undefined)

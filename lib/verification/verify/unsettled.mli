@@ -27,11 +27,20 @@ val reasons : t -> int Seq.t -> Transition.fault Explore.reason list
 val first : t -> Transition.fault Explore.reason -> int option
 (** The first state that was not expanded for a reason that is no fault. *)
 
+val met : t -> Bounds.cause list
+(** Why states were not expanded at all, each cause once. *)
+
+val stopped_by : Bounds.cause list -> Verdict.truncation list
+(** The bounds among them. *)
+
+val evaluated : t -> (unit -> 'a) -> ('a, Verdict.reason list) result
+(** What is found on the graph, or why there was too little time or memory for it. *)
+
 val causes : t -> int Seq.t -> Verdict.reason list
 (** Why these states were not expanded. *)
 
 val unexplored : t -> int Seq.t -> Verdict.reason list
-(** The same, with a run to the nearest of them. *)
+(** The same, with a run to the nearest of them, unless it is lost. *)
 
 val search_doubts : t -> Search.doubts -> Verdict.reason list
 val undefined : Search.doubts -> Verdict.reason list

@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_explain
@@ -13,11 +14,12 @@ type limit =
   | Interrupted
   | Omission of float
 
-type origin = By_default | By_user | By_property
+type origin = By_default | By_user | By_property | By_system
 type truncation = { limit : limit; origin : origin }
 
 type reason =
   | Truncated of truncation
+  | Unevaluated of truncation
   | Unexplored of { count : int; nearest : Witness.t }
   | Undefined of string
   | Fault of string
@@ -41,6 +43,7 @@ type outcome = {
   rests : rest list;
   converges : convergence option;
   lost : string list;
+  left_out : truncation option;
 }
 
 let by_invariant o = match o.scale.over with Some over -> over.by_invariant | None -> false
@@ -112,7 +115,7 @@ let truncated = function
   | Violated _ -> []
   | Measured { reasons; _ } | Undecided reasons ->
     List.filter_map
-      (function Truncated t -> Some t | Unexplored _ | Undefined _ | Fault _ -> None)
+      (function Truncated t | Unevaluated t -> Some t | Unexplored _ | Undefined _ | Fault _ -> None)
       reasons
 
 let resources v =
@@ -125,7 +128,8 @@ let resources v =
 
 let by_default = function
   | Holds { bounds; _ } ->
-    List.exists (fun t -> match t.origin with By_default -> true | By_user | By_property -> false) bounds
+    let is_default = function By_default -> true | By_user | By_property | By_system -> false in
+    List.exists (fun t -> is_default t.origin) bounds
   | Violated _ | Measured _ | Undecided _ -> false
 
 (* Rounded up to one digit. *)
@@ -144,7 +148,7 @@ let limit_to_string = function
   | States n -> Printf.sprintf "the bound of %d states" n
   | Bits n -> Printf.sprintf "the bound of %d bits for a number" n
   | Seconds s -> Printf.sprintf "the limit of %g seconds" s
-  | Memory w -> Printf.sprintf "the memory limit of %d MB" (w / 1024 * (Sys.word_size / 8) / 1024)
+  | Memory w -> Printf.sprintf "the memory limit of %d MiB" (Memory.bytes_of_words w / Memory.mib)
   | Interrupted -> "the interruption"
   | Omission p ->
     Printf.sprintf "hash compaction, by which some state was left out with a probability of at most %s"
@@ -156,11 +160,13 @@ let truncation_to_string t =
     | By_default -> " (a default)"
     | By_user -> ""
     | By_property -> " (of the properties)"
+    | By_system -> " that the system sets this process (ulimit -v or -d)"
   in
   limit_to_string t.limit ^ whose
 
 let reason_to_string = function
   | Truncated t -> "the exploration ended at " ^ truncation_to_string t
+  | Unevaluated t -> "its evaluation on what was explored ended at " ^ truncation_to_string t
   | Unexplored { count = 1; _ } -> "one unexplored state matters"
   | Unexplored { count; _ } -> Printf.sprintf "%d unexplored states matter" count
   | Undefined reason -> reason
@@ -204,9 +210,15 @@ let for_values o =
   in
   match values with [] -> "" | _ :: _ -> " for " ^ values_to_string values
 
-let lost_to_string = function
-  | [] -> ""
-  | _ :: _ -> "; its run could not be rebuilt: this is a fault of scc"
+let unshown o =
+  let run =
+    match o.verdict with
+    | Undecided _ | Measured { reasons = _ :: _; _ } -> "the run to what was not explored"
+    | Holds _ | Violated _ | Measured { reasons = []; _ } -> "its run"
+  in
+  let left_out t = Printf.sprintf "; %s is left out: making it ended at %s" run (truncation_to_string t) in
+  (match o.lost with [] -> "" | _ :: _ -> "; its run could not be rebuilt: this is a fault of scc")
+  ^ Option.fold ~none:"" ~some:left_out o.left_out
 
 let outcome_to_string o =
   let everywhere = Option.fold ~none:"" ~some:over_to_string o.scale.over in
@@ -226,7 +238,7 @@ let outcome_to_string o =
       to_string o.verdict ^ String.concat "" (List.map rest_to_string o.rests) ^ scale_to_string o.scale
   in
   let told = function Named s -> Slowing.to_string s | Proved q -> Quickening.to_string q in
-  verdict ^ Option.fold ~none:"" ~some:(fun c -> "; " ^ told c) o.converges ^ lost_to_string o.lost
+  verdict ^ Option.fold ~none:"" ~some:(fun c -> "; " ^ told c) o.converges ^ unshown o
 
 let shown = function
   | Holds { witness; _ } | Violated { witness } | Measured { witness; _ } -> witness
@@ -234,5 +246,7 @@ let shown = function
     List.find_map
       (function
         | Unexplored { nearest = w; _ } -> Some w
-        | Truncated _ | Undefined _ | Fault _ -> None)
+        | Truncated _ | Unevaluated _ | Undefined _ | Fault _ -> None)
       reasons
+
+let if_unshown v left_out = match shown v with Some _ -> None | None -> left_out

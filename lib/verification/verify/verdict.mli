@@ -18,12 +18,13 @@ type limit =
   (** hash compaction: some state may have been left out unseen, with a probability of at most this *)
 
 (** Whose bound. *)
-type origin = By_default | By_user | By_property
+type origin = By_default | By_user | By_property | By_system
 
 type truncation = { limit : limit; origin : origin }
 
 type reason =
   | Truncated of truncation  (** the exploration did not go far enough *)
+  | Unevaluated of truncation  (** it was not evaluated to the end on what was explored *)
   | Unexplored of { count : int; nearest : Witness.t }
   (** so many of the states that were not expanded matter; a shortest run to one of them *)
   | Undefined of string  (** the property has no truth value somewhere: a division by zero *)
@@ -78,6 +79,7 @@ type outcome = {
   converges : convergence option;  (** where a bound kept it from being decided *)
   lost : string list;
   (** faults of scc, by which a run that belongs to the verdict could not be rebuilt, and is not shown *)
+  left_out : truncation option;  (** what ended the making of a run that belongs to it, and is not shown *)
 }
 
 val distinct : truncation list -> truncation list
@@ -124,8 +126,9 @@ val scale_to_string : scale -> string
 val values_to_string : (string * Rat.t) list -> string
 (** ["x = 3, y = 1/2"]. *)
 
-val lost_to_string : string list -> string
-(** ["; its run could not be rebuilt: this is a fault of scc"], or nothing. *)
+val unshown : outcome -> string
+(** Why a run that belongs to it is not shown: ["; its run could not be rebuilt: this is a fault of scc"],
+    ["; its run is left out: making it ended at the interruption"], or nothing. *)
 
 val rest_to_string : rest -> string
 (** [" by a run that goes round within one instant"], [", of runs some of which end in a dead end"]. *)
@@ -138,3 +141,6 @@ val outcome_to_string : outcome -> string
 
 val shown : t -> Witness.t option
 (** The run that shows it, or of an undecided one a run to where exploring has ended. *)
+
+val if_unshown : t -> truncation option -> truncation option
+(** What ended the making of a run, unless there is another one that is shown. *)

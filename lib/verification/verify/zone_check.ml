@@ -179,8 +179,7 @@ let explore (options : Joint_check.options) context (group : group) ~initial zon
   done;
   let stopped_by : Verdict.truncation list =
     (match end_ with
-     | Closed | Decided -> []
-     | Not_affine _ -> []
+     | Closed | Decided | Not_affine _ -> []
      | Bounded { depth = deep; nodes } ->
        (if deep then [ depth ] else []) @ if nodes then [ Zone_bounds.states options.bounds ] else []
      | Stopped -> List.map (Bounds.stopped options.bounds) (Option.to_list !stop))
@@ -236,7 +235,7 @@ let verdict options lost semantics u ~declared (e : explored) check answer (wher
       if e.stopped_by = [] then None
       else
         let sliced = Option.is_some e.group.part in
-        Zone_nearest.reason options lost semantics u ~declared ~sliced e.graph ~unknown:where.unknown
+        Zone_nearest.reason lost semantics u ~declared ~sliced e.graph ~unknown:where.unknown
     in
     Undecided (reasons @ Option.to_list nearest)
 
@@ -285,6 +284,7 @@ let stats (m : Model.t) (e : explored) : Joint_check.stats =
     growth = None;
     shared = None;
     causes = [];
+    left_out = None;
   }
 
 let slice m ~initial (e : explored) : Check.slice option =
@@ -300,20 +300,20 @@ let slice m ~initial (e : explored) : Check.slice option =
 
 let outcomes options semantics u ~declared (e : explored) =
   let m = Semantics.model semantics in
-  let lost = Lost.make () in
+  let lost = Lost.make options.Joint_check.bounds options.surroundings.attempt in
   let one (i, check) (answer, proof) =
     let where = where m.ranges answer proof in
     let verdict = verdict options lost semantics u ~declared e check answer where in
     let example =
       match (verdict, Union.point where.fails) with
-      | Violated { witness = None }, Some values ->
-        Zone_single.named m values
+      | Violated { witness = None }, Some values -> Zone_single.named m values
       | _ -> []
     in
     let by_invariant = rests_on_proof answer where verdict in
     let scale = Zone_scale.make semantics ~declared ~example ~by_invariant in
-    let lost = Lost.taken lost in
-    (i, ({ check; verdict; scale; rests = []; converges = None; lost } : Verdict.outcome), where)
+    let { Lost.faults; left_out } = Lost.taken lost in
+    let left_out = Verdict.if_unshown verdict left_out in
+    (i, { Verdict.check; verdict; scale; rests = []; converges = None; lost = faults; left_out }, where)
   in
   List.map2 one e.group.members (List.combine e.answers (proofs_of e.answers e.proof))
 
@@ -324,7 +324,7 @@ let premises (m : Model.t) (e : explored) =
     let never = Union.covers (Answers.sets answer).fails all in
     let verdict : Verdict.t = if never then Violated { witness = None } else Undecided [] in
     let scale = { Verdict.resolution = None; split_step = None; over = None } in
-    (i, { Verdict.check; verdict; scale; rests = []; converges = None; lost = [] })
+    (i, { Verdict.check; verdict; scale; rests = []; converges = None; lost = []; left_out = None })
   in
   List.map2 one e.group.premises e.met
 
@@ -390,6 +390,7 @@ let run (options : Joint_check.options) semantics u ~declared ~exactly ~premises
         slices = List.filter_map (slice m ~initial) explored;
         zeno = None;
         lost = [];
+        left_out = None;
         stores = [];
         where = List.map (fun (_, _, w) -> w) sorted;
         invariants = List.filter_map (fun e -> e.proof) explored;

@@ -20,7 +20,7 @@ let matters unknown (node : Zone_graph.node) =
 let place (node : Zone_graph.node) =
   { Search_sets.node; states = node.zone.set; passing = false; prop = And [] }
 
-let reason (options : Joint_check.options) lost semantics u ~declared ~sliced graph ~unknown =
+let reason lost semantics u ~declared ~sliced graph ~unknown =
   let find () =
     let all = unexpanded graph in
     if Union.dimension unknown > 0 && List.compare_length_with all most > 0 then None
@@ -34,4 +34,4 @@ let reason (options : Joint_check.options) lost semantics u ~declared ~sliced gr
         Lost.run lost semantics nearest
         |> Option.map (fun nearest -> Verdict.Unexplored { count = List.length left; nearest })
   in
-  match options.surroundings.attempt.run Concluding find with Ok found -> found | Error _ -> None
+  Option.join (Lost.attempt lost find)

@@ -3,6 +3,7 @@ open Scc_polyhedra
 open Scc_calculus
 open Scc_semantics
 open Scc_property
+open Scc_graph_search
 open Scc_symbolic
 
 type t = { invariant : Invariant.t; proofs : Proof.t list }
@@ -22,40 +23,43 @@ let work options effort =
 (* A kind has the work of a hundred states. *)
 let most_kinds options = function Briefly | Longer -> states options / 100 | Unasked -> 200
 
-let no_time = Given_up "there was too little time to look for one"
+let stopped : Limits.stop -> _ = function
+  | Seconds -> Given_up "there was too little time to look for one"
+  | Memory -> Given_up "there was too little memory to look for one"
+  | Interrupted -> Given_up "the search for one was interrupted"
+
+(* After a brief search comes a longer one, where there is any need of it. *)
+let more options = function
+  | Briefly -> ""
+  | Unasked -> "; --prove looks longer"
+  | Longer -> Printf.sprintf "; --states %d allows twice as many" (2 * states options)
 
 let too_much options effort =
   let millions = work options effort / 1_000_000 in
   Given_up
     (Printf.sprintf "the search for one was given up after %d million steps of arithmetic%s" millions
-       (match effort with Unasked -> "; --prove looks longer" | Briefly | Longer -> "; more --states allow more"))
+       (more options effort))
 
 let leaving_time (options : Joint_check.options) before =
   match before with
-  | Some (Given_up _) ->
-    { options with surroundings = { options.surroundings with stop = options.surroundings.half () } }
+  | Some (Given_up _) -> { options with surroundings = options.surroundings.half () }
   | Some (Proved _ | None_found _) | None -> options
 
 let distinct events =
   let add kept e = if List.exists (Formula.equal_event e) kept then kept else e :: kept in
   List.rev (List.fold_left add [] events)
 
-let search (options : Joint_check.options) effort semantics u ~declared ~parameters zones formulas =
+let search (options : Joint_check.options) surroundings effort semantics u ~declared ~parameters zones formulas =
   let context = Instant.context semantics in
   let events = Array.of_list (distinct (List.concat_map Formula.events formulas)) in
-  let over =
-    match effort with
-    | Briefly -> options.surroundings.half ()
-    | Longer | Unasked -> options.surroundings.stop
-  in
-  let stop () = Option.is_some (over ()) in
+  let stop () = Option.is_some (surroundings.Limits.stop ()) in
   let looked_at ~locations ~waiting =
-    options.surroundings.progress
+    surroundings.progress
       { states = locations; transitions = 0; waiting; depth = 0; model_time = Rat.zero }
   in
   let most = most_kinds options effort in
   match Invariant_search.find context ~events ~most ~visitor:{ stop; looked_at } zones with
-  | Stopped -> no_time
+  | Stopped -> stopped (Option.value (surroundings.stop ()) ~default:Limits.Seconds)
   | No_end reason -> None_found reason
   | Found invariant -> (
       let atoms = Atoms.context context ~events in
@@ -68,14 +72,17 @@ let search (options : Joint_check.options) effort semantics u ~declared ~paramet
         else (
           match Scc_certificate.Certificate.check semantics u ~declared invariant claims ~stop with
           | Ok () -> Proved { invariant; proofs }
-          | Error reason -> None_found ("a set of states was found, but its proof is not accepted: " ^ reason)))
+          | Error reason -> (
+              match surroundings.stop () with
+              | Some stop -> stopped stop
+              | None -> None_found ("a set of states was found, but its proof is not accepted: " ^ reason))))
 
 let initial semantics declared =
   match Network.initial semantics declared with
   | Ok s -> s
   | Error _ -> Scc_base.Bug.fail __POS__ "a law of motion in a model with ranges"
 
-let attempt options effort semantics u ~declared (checks : Property.check list) =
+let attempt (options : Joint_check.options) effort semantics u ~declared (checks : Property.check list) =
   match Scc_certificate.Certificate.not_for (Semantics.model semantics) with
   | Some reason -> Ok (None_found reason)
   | None ->
@@ -84,17 +91,22 @@ let attempt options effort semantics u ~declared (checks : Property.check list) 
     let parameters = Ranges.box (Semantics.model semantics).ranges in
     Start.zones (Instant.context semantics) u ~initial ~keeps_time:false
     |> Result.map (fun zones ->
-        let search () = search options effort semantics u ~declared ~parameters zones formulas in
+        let surroundings =
+          match effort with
+          | Briefly -> options.surroundings.half ()
+          | Longer | Unasked -> options.surroundings
+        in
+        let search () = search options surroundings effort semantics u ~declared ~parameters zones formulas in
         let within () = Effort.within ~most:(work options effort) search in
-        match options.surroundings.attempt.run Concluding within with
+        match surroundings.attempt.run Proving within with
         | Ok (Some end_) -> end_
         | Ok None -> too_much options effort
-        | Error _ -> no_time)
+        | Error stop -> stopped stop)
 
 let decided semantics ~declared (check : Property.check) (proof : Proof.t) =
   let outcome verdict =
     let scale = Zone_scale.make semantics ~declared ~example:[] ~by_invariant:true in
-    Some { Verdict.check; verdict; scale; rests = []; converges = None; lost = [] }
+    Some { Verdict.check; verdict; scale; rests = []; converges = None; lost = []; left_out = None }
   in
   if not (Union.is_empty proof.sets.holds) then outcome (Holds { bounds = []; witness = None })
   else if not (Union.is_empty proof.sets.fails) then outcome (Violated { witness = None })

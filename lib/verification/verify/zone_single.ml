@@ -2,6 +2,7 @@ open Scc_base
 open Scc_calculus
 open Scc_semantics
 open Scc_property
+open Scc_graph_search
 open Scc_symbolic
 
 let named (m : Model.t) values =
@@ -16,7 +17,8 @@ let run (options : Joint_check.options) semantics u ~declared (check : Property.
     let c = Semantics.with_model semantics (Fixed.model m values) in
     let declared = Fixed.declared m u declared values in
     let check = { check with formula = Rename.known_temporal values check.formula } in
-    let bounds = { Bounds.default with states = Given most_states_of_one_start } in
+    let { Bounds.seconds; memory; _ } = options.bounds in
+    let bounds = { Bounds.default with states = Given most_states_of_one_start; seconds; memory } in
     match Network.initial c declared with
     | Error _ -> None
     | Ok initial -> (
@@ -29,4 +31,4 @@ let run (options : Joint_check.options) semantics u ~declared (check : Property.
         | [ { verdict = Violated { witness }; _ } ] -> Option.map of_start witness
         | [ { verdict = Holds { bounds = []; _ }; _ } ] ->
           Bug.fail __POS__ "a check that is violated over zones holds for a start of them"
-        | _ -> None)
+        | _ -> Option.iter (fun stop -> raise (Limits.Over stop)) (options.surroundings.stop ()); None)

@@ -9,6 +9,7 @@ open Scc_symbolic
 open Scc_certificate
 open Scc_verify
 module Loaded = Scc_session.Loaded
+module Limits = Scc_graph_search.Limits
 
 let models = if Sys.file_exists "specs/models" then "specs/models" else "../../../specs/models"
 
@@ -126,10 +127,9 @@ let explored_after () =
       let asked = ref 0 in
       let half () =
         incr asked;
-        let searching = !asked mod 2 = 1 in
-        fun () -> if searching then Some Scc_graph_search.Limits.Seconds else None
+        if !asked mod 2 = 0 then Limits.quiet else { Limits.quiet with stop = (fun () -> Some Limits.Seconds) }
       in
-      let surroundings = { Scc_graph_search.Limits.quiet with half } in
+      let surroundings = { Limits.quiet with half } in
       let bounds = { Bounds.default with depth = Given 50 } in
       match Loaded.initial l with
       | Ok initial -> (

@@ -31,7 +31,7 @@ let limit : Verdict.limit -> string = function
   | Omission _ -> "omission"
 
 let reason : Verdict.reason -> string = function
-  | Truncated { limit = l; _ } -> limit l
+  | Truncated { limit = l; _ } | Unevaluated { limit = l; _ } -> limit l
   | Unexplored _ -> "unexplored"
   | Undefined _ -> "undefined"
   | Fault _ -> "fault"

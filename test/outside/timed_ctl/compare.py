@@ -35,7 +35,7 @@ def kind(formula: Any) -> str:
 
 
 def kind_of_mean(question: Line) -> str:
-    what = "at" if "values" in question else "time" if "time until" in question else "transitions"
+    what = "at" if "values" in question else "time" if "time until" in question else "events"
     return question["which"] + " " + what
 
 

@@ -38,11 +38,13 @@ class Trajectory:
 
 @dataclass(frozen=True)
 class State:
-    """`drawn` are branches with their probabilities, `chosen` single transitions; one of the two is empty."""
+    """`drawn` are branches with their probabilities, `chosen` single transitions; one of the two is empty. `events` are the letters
+    of each of these: of e, for all that happens by it."""
 
     known: bool
     drawn: Tuple[Tuple[Fraction, int], ...]
     chosen: Tuple[int, ...]
+    events: Tuple[str, ...]
     trajectory: Optional[Trajectory]
 
     @property
@@ -102,10 +104,10 @@ class Graph:
 
 def _state(state: Dict[str, Any]) -> State:
     if not state["known"]:
-        return State(False, (), (), None)
+        return State(False, (), (), (), None)
     edges = state["transitions"]
     drawn = tuple((Fraction(e["probability"]), e["to"]) for e in edges if "probability" in e)
     chosen = tuple(e["to"] for e in edges if "probability" not in e)
     time = state["trajectory"]
     passing = time and Trajectory(time["time"], tuple(time["to"]), len(time["truth"]["p"]))
-    return State(True, drawn, chosen, passing)
+    return State(True, drawn, chosen, tuple(e["events"] for e in edges), passing)

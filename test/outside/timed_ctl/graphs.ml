@@ -35,11 +35,13 @@ type value = { start : int; slope : int }
 
 type mean =
   | Time of Formula.t
-  | Events of Formula.t * Formula.t
+  | Events of Formula.t
   | Value of value option array * Rat.t  (** by node; none has a value *)
 
 type line = {
   graph : Small.t;
+  events : Small.truth list list array;
+  (** of the transitions of each node, of all that happens by each, whether it is counted *)
   formulas : Formula.t list;
   chances : (Formula.side * Formula.t) list;
   means : (Formula.side * mean) list;
@@ -60,24 +62,31 @@ let mean_gen nodes =
   oneof
     [
       map (fun g -> Time g) (formula 1);
-      map2 (fun f g -> Events (f, g)) (formula 0) (formula 1);
+      map (fun g -> Events g) (formula 1);
       map2
         (fun values halves -> Value (values, Rat.make (Z.of_int halves) (Z.of_int 2)))
         (array_repeat nodes (frequency [ (12, map Option.some value); (1, return None) ]))
         (int_range 0 12);
     ]
 
+(* Mostly one thing happens by a transition. *)
+let events_gen ~unsure (x : Small.node) =
+  let open Gen in
+  let truth = frequencyl [ (2, Small.T); (1, F); ((if unsure then 1 else 0), U) ] in
+  list_repeat (List.length x.edges) (list_size (frequencyl [ (4, 1); (2, 2); (1, 3) ]) truth)
+
 let line_gen =
   let open Gen in
   let kinds = [ (3, (false, false)); (1, (true, false)); (1, (false, true)); (1, (true, true)) ] in
   let* unsure, truncated = frequencyl kinds in
   let* graph = graph_gen ~unsure ~truncated in
+  let* events = flatten_a (Array.map (events_gen ~unsure) graph.nodes) in
   let* step = map Rat.of_int (frequencyl [ (3, 1); (1, 2); (1, 3) ]) in
   let* shallow = list_repeat 4 (Small.formula_gen step 1) and* deep = list_repeat 2 (Small.formula_gen step 3) in
   let side = oneofl [ Formula.Least; Greatest ] in
   let* chances = list_repeat 3 (pair side (lasting_gen step)) in
   let* means = list_repeat 3 (pair side (mean_gen (Array.length graph.nodes))) in
-  return { graph; formulas = shallow @ deep; chances; means }
+  return { graph; events; formulas = shallow @ deep; chances; means }
 
 (* {1 As JSON} *)
 
@@ -88,8 +97,9 @@ let numbers l : Yojson.Basic.t = `List (List.map (fun i -> `Int i) l)
 let by_predicate f : Yojson.Basic.t =
   `Assoc (List.init Small.count (fun p -> (String.make 1 (Char.chr (Char.code 'p' + p)), `String (f p))))
 
-let node (x : Small.node) : Yojson.Basic.t =
-  let along p = String.concat "" (List.map letter (Array.to_list x.cells.(p))) in
+let node events (x : Small.node) : Yojson.Basic.t =
+  let letters truths = String.concat "" (List.map letter truths) in
+  let along p = letters (Array.to_list x.cells.(p)) in
   let trajectory : Yojson.Basic.t =
     match x.flow with
     | No_flow -> `Null
@@ -97,7 +107,10 @@ let node (x : Small.node) : Yojson.Basic.t =
     | Ray _ -> `Assoc [ ("time", `Null); ("to", `List []); ("truth", by_predicate along) ]
   in
   let drawn = x.drawn && x.edges <> [] in
-  let edge t chance = `Assoc (("to", `Int t) :: (if drawn then [ ("probability", rat chance) ] else [])) in
+  let edge (t, happens) chance : Yojson.Basic.t =
+    let told = if drawn then [ ("probability", rat chance) ] else [] in
+    `Assoc (("to", `Int t) :: ("events", `String (letters happens)) :: told)
+  in
   let truth = ("truth", by_predicate (fun p -> letter x.at.(p))) in
   if not x.known then `Assoc [ ("known", `Bool false); truth ]
   else
@@ -105,7 +118,7 @@ let node (x : Small.node) : Yojson.Basic.t =
       [
         ("known", `Bool true);
         truth;
-        ("transitions", `List (List.map2 edge x.edges (Small.chances x)));
+        ("transitions", `List (List.map2 edge (List.combine x.edges events) (Small.chances x)));
         ("trajectory", trajectory);
       ]
 
@@ -170,11 +183,16 @@ let chance e (s, f) : Yojson.Basic.t =
   let found = Eval.probability e ~decide:false s f (Positions.start 0) in
   `Assoc ([ ("which", `String (side "P" s)); ("of", f') ] @ measured found)
 
-let mean e (s, mean) : Yojson.Basic.t =
+let counted events s k =
+  let happens = List.nth events.(s) k in
+  let count letters = List.length (List.filter (fun v -> List.mem v letters) happens) in
+  (count [ Small.T ], count [ Small.T; U ])
+
+let mean events e (s, mean) : Yojson.Basic.t =
   let what, question =
     match mean with
     | Time g -> (Expectation.Time_until g, [ ("time until", formula g) ])
-    | Events (f, g) -> (Changes_until (f, g), [ ("transitions", formula f); ("until", formula g) ])
+    | Events g -> (Counts_until (counted events, g), [ ("events until", formula g) ])
     | Value (values, time) ->
       let number s offset =
         match values.(s) with
@@ -191,14 +209,14 @@ let mean e (s, mean) : Yojson.Basic.t =
   in
   `Assoc ((("which", `String (side "E" s)) :: question) @ result)
 
-let line { graph; formulas; chances; means } : Yojson.Basic.t =
+let line { graph; events; formulas; chances; means } : Yojson.Basic.t =
   let e = Small.evaluator graph in
   `Assoc
     [
-      ("states", `List (List.map node (Array.to_list graph.nodes)));
+      ("states", `List (List.map2 node (Array.to_list events) (Array.to_list graph.nodes)));
       ("formulas", `List (List.map (judged graph e) formulas));
       ("probabilities", `List (List.map (chance e) chances));
-      ("means", `List (List.map (mean e) means));
+      ("means", `List (List.map (mean events e) means));
     ]
 
 let () =

@@ -21,12 +21,10 @@ def time_passed(option: Option) -> Fraction:
     return Fraction(option.quarters, QUARTERS)
 
 
-def transitions_counted(e: Truth) -> Earned:
-    """Discrete transitions that lead to where e is true, in the mean of a draw."""
+def events_counted(letters: str) -> Earned:
+    """All that happens of which e is one of the letters, in the mean of a draw."""
     def earned(option: Option) -> Fraction:
-        if not option.discrete:
-            return Fraction(0)
-        return sum((b.probability for b in option.branches if e.states[b.state or 0]), Fraction(0))
+        return sum((b.probability * sum(x in letters for x in b.events) for b in option.branches), Fraction(0))
 
     return earned
 
@@ -107,7 +105,7 @@ def mean(evaluator: Evaluator, question: Dict[str, Any]) -> Tuple[Mean, Mean]:
     def one(favour: bool) -> Mean:
         if "time until" in question:
             return until(graph, evaluator.truth(question["time until"], favour), favour, time_passed, greatest)
-        counted = transitions_counted(evaluator.truth(question["transitions"], not favour))
-        return until(graph, evaluator.truth(question["until"], favour), favour, counted, greatest)
+        counted = events_counted("T" if favour else "T?")
+        return until(graph, evaluator.truth(question["events until"], favour), favour, counted, greatest)
 
     return one(True), one(False)

@@ -16,11 +16,12 @@ ONE = Fraction(1)
 
 @dataclass(frozen=True)
 class Branch:
-    """One outcome: its probability, the state (None inside a trajectory), and the node there."""
+    """One outcome: its probability, the state (None inside a trajectory), the node there, and the letters of e."""
 
     probability: Fraction
     state: Optional[int]
     node: Node
+    events: str = ""
 
 
 @dataclass(frozen=True)
@@ -112,9 +113,10 @@ class Until:
     def options(self, node: Node) -> List[Option]:
         s, elapsed = node
         state = self.graph.states[s]
-        found = [Option(True, 0, (Branch(ONE, t, self.enter(t, elapsed)),)) for t in state.chosen]
+        found = [Option(True, 0, (Branch(ONE, t, self.enter(t, elapsed), e),)) for t, e in zip(state.chosen, state.events)]
         if state.drawn:
-            found.append(Option(True, 0, tuple(Branch(p, t, self.enter(t, elapsed)) for p, t in state.drawn)))
+            drawn = zip(state.drawn, state.events)
+            found.append(Option(True, 0, tuple(Branch(p, t, self.enter(t, elapsed), e) for (p, t), e in drawn)))
         if state.trajectory is not None:
             offset, ways = self.along(s, 1, elapsed + 1)
             found += [Option(False, offset, (Branch(ONE, t, n),)) for t, n in ways]

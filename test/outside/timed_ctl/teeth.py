@@ -27,7 +27,7 @@ Change = Tuple[Any, str, Any]
 
 _decided, _enter, _along, _options = Until.decided, Until.enter, Until.along, Until.options
 _choices, _next = At.choices, Evaluator.next
-_until, _counted = means.until, means.transitions_counted
+_until, _counted = means.until, means.events_counted
 _truth, _tested, _probability = Evaluator._truth, Evaluator.tested, Evaluator.probability
 
 
@@ -169,8 +169,20 @@ def g_not_counted(e: Any) -> Any:
 
 
 def passing_counted(e: Any) -> Any:
-    """Where a trajectory leads counts as well."""
-    return lambda o: _counted(e)(replace(o, discrete=o.branches[0].state is not None))
+    """A trajectory counts as well."""
+    return lambda o: _counted(e)(o) + (0 if o.discrete else 1)
+
+
+def counted_once(e: Any) -> Any:
+    """A transition counts once, however much happens by it."""
+    def earned(o: Option) -> Fraction:
+        return sum((b.probability for b in o.branches if any(x in e for x in b.events)), Fraction(0))
+
+    return earned
+
+
+def doubts_not_counted(e: Any) -> Any:
+    return _counted("T")
 
 
 def of_the_sure(graph: Graph, g: Any, favour: bool, earned: means.Earned, greatest: bool) -> means.Mean:
@@ -253,8 +265,10 @@ MISTAKES: Dict[str, List[Change]] = {
     "doubts under not do not change places": [(Evaluator, "_truth", not_keeps_favour)],
     "doubts under tests do not change places": [(Evaluator, "tested", tests_keep_favour)],
     "Pmin of G is by Pmin of F": [(Evaluator, "probability", same_of_g)],
-    "the transition to g is not counted": [(means, "transitions_counted", g_not_counted)],
-    "the passing of time is counted": [(means, "transitions_counted", passing_counted)],
+    "the transition to g is not counted": [(means, "events_counted", g_not_counted)],
+    "all that happens by a transition is one": [(means, "events_counted", counted_once)],
+    "what is undecided of e does not count": [(means, "events_counted", doubts_not_counted)],
+    "the passing of time is counted": [(means, "events_counted", passing_counted)],
     "Emin is about all schedulers": [(process, "can_be_sure", process.is_sure)],
     "Emax is about schedulers that are sure": [(means, "until", of_the_sure)],
     "x at t needs no scheduler but those that come to t": [(At, "mean", going_round)],

@@ -25,45 +25,44 @@ let reward_of q side state =
 
 let start t s = 2 + Hashtbl.find t.numbers (Node s)
 
-(* Of all choices of a step, for what is earned on the way to each of the next steps. *)
-let ways t x ~earned ~state =
-  let sure k' = (earned k', [ (state k', Rat.one) ]) in
+(* Of all choices of a step: what is earned by each of the jumps, by their order, and by a passing. *)
+let ways t x ~jump ~pass ~state =
+  let sure earned k' = (earned, [ (state k', Rat.one) ]) in
   let jumps =
     match x.place with
     | Node s when t.small.nodes.(s).drawn && x.jumps <> [] ->
       let chances = Small.chances t.small.nodes.(s) in
-      let mean = List.fold_left2 (fun sum k' p -> Rat.add sum (Rat.mul p (earned k'))) Rat.zero x.jumps chances in
-      [ (mean, List.map2 (fun k' p -> (state k', p)) x.jumps chances) ]
-    | _ -> List.map sure x.jumps
+      let earned = List.mapi (fun i p -> Rat.mul p (jump i)) chances in
+      [ (List.fold_left Rat.add Rat.zero earned, List.map2 (fun k' p -> (state k', p)) x.jumps chances) ]
+    | _ -> List.mapi (fun i k' -> sure (jump i) k') x.jumps
   in
-  jumps @ List.map sure x.passes
+  jumps @ List.map (sure pass) x.passes
 
-let until_goal t side ~generous ~earned g =
+let until_goal t side ~generous ~jump ~pass g =
   let choices k =
     let x = t.steps.(k) in
     if g.(k) then [ (Rat.zero, [ (0, Rat.one) ]) ]
     else if x.hidden then [ (Rat.zero, [ ((if generous then 0 else 1), Rat.one) ]) ]
-    else ways t x ~earned:(earned x) ~state:(fun k' -> k' + 2)
+    else ways t x ~jump:(jump x) ~pass:(pass x) ~state:(fun k' -> k' + 2)
   in
   reward_of (process choices (List.init (Array.length t.steps) Fun.id)) side (start t 0)
 
 let time_until t side f =
-  let earned x _ = Rat.div (Rat.mul t.small.unit (Rat.of_int x.length)) (Rat.of_int 2) in
-  let v = value t f in
-  (until_goal t side ~generous:true ~earned (high v), until_goal t side ~generous:false ~earned (low v))
+  let pass x = Rat.div (Rat.mul t.small.unit (Rat.of_int x.length)) (Rat.of_int 2) in
+  let v = value t f and until_goal = until_goal t side ~jump:(fun _ _ -> Rat.zero) ~pass in
+  (until_goal ~generous:true (high v), until_goal ~generous:false (low v))
 
-let changes_until t side f g =
-  let counted = value t f and v = value t g in
-  let earned side_of x k' =
-    if List.mem k' x.jumps && (side_of counted).(k') then Rat.one else Rat.zero
-  in
-  ( until_goal t side ~generous:true ~earned:(earned low) (high v),
-    until_goal t side ~generous:false ~earned:(earned high) (low v) )
+let counts_until t side count g =
+  let v = value t g in
+  let jump side_of x i = match x.place with Node s -> Rat.of_int (side_of (count s i)) | _ -> Rat.zero in
+  let until_goal side_of = until_goal t side ~jump:(jump side_of) ~pass:(fun _ -> Rat.zero) in
+  (until_goal fst ~generous:true (high v), until_goal snd ~generous:false (low v))
 
 (* The time is in halves of the unit. *)
 let value_at t side number time =
   let m = time + 1 in
   let offset i = Rat.div (Rat.mul t.small.unit (Rat.of_int (i + 1))) (Rat.of_int 2) in
+  let nothing _ = Rat.zero in
   let choices code =
     let k = code / m and c = code mod m in
     let x = t.steps.(k) in
@@ -74,11 +73,11 @@ let value_at t side number time =
     | Node _ when x.hidden -> fails
     | Node s when c = time ->
       let passes = if x.passes <> [] || x.jumps = [] then goal s Rat.zero else [] in
-      ways t { x with passes = [] } ~earned:(fun _ -> Rat.zero) ~state:(state c) @ passes
+      ways t { x with passes = [] } ~jump:nothing ~pass:Rat.zero ~state:(state c) @ passes
     | Whole (s, i) when x.length = 0 && c = time -> goal s (offset i)
     | Whole (s, i) when x.length > 0 && c + 1 = time -> goal s (offset i)
     | _ when c + x.length > time -> fails
-    | _ -> ways t x ~earned:(fun _ -> Rat.zero) ~state:(state (c + x.length))
+    | _ -> ways t x ~jump:nothing ~pass:Rat.zero ~state:(state (c + x.length))
   in
   let q = process choices (List.init (Array.length t.steps * m) Fun.id) in
   let first = 2 + (Hashtbl.find t.numbers (Node 0) * m) in

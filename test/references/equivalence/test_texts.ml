@@ -16,6 +16,16 @@ let canonical =
       ("weak(a, p.[v1,v2], q.x)", "weak(a, q.x, p.[v1,v2])");
       ("bounce(c[1], c[2])", "bounce(c[2], c[1])");
       ("strong({<a, {p.x, q.y}>, <b, {p.z, r.y}>})", "strong({<b, {r.y, p.z}>, <a, {q.y, p.x}>})");
+      ("bounce(p, q, r)", "bounce(r, p, q)");
+      ("weak(a, p.x, q.y) push(1/2)", "weak(a, q.y, p.x) push(1/2)");
+      ("weak({<a, {p.x, q.y}> push(2), <b, {p.z, r.y}>})", "weak({<b, {r.y, p.z}>, <a, {q.y, p.x}> push(2)})");
+      ("close(a, p.x, q.y)", "close(a, q.y, p.x)");
+      ("release(a, p.x, q.y) chance(1/3)", "release(a, q.y, p.x) chance(1/3)");
+      ("keep(a, p.x, q.y) chance(1/3)", "keep(a, q.y, p.x) chance(1/3)");
+      ("first(a, p.x, q.y) chance(1/3)", "first(a, q.y, p.x) chance(1/3)");
+      ("choose(a, p.x, q.y)", "choose(a, q.y, p.x)");
+      ("draw(p, (1, 0, 0)) chance(1/3)", "draw(p, (1, 0, 0)) chance(1/3)");
+      ("{keep(a, p.x, q.y), release(b, r, s)} chance(1/3)", "{release(b, s, r), keep(a, q.y, p.x)} chance(1/3)");
       ("time(1/2)", "time(1/2)");
       ("send!b,a", "send!b,a");
       ("bind(b, a)", "bind(b, a)");

@@ -3,4 +3,5 @@ let () =
     [ Test_relations.suite;
       Test_random.suite;
       Test_timed.suite;
-      Test_texts.suite ]
+      Test_texts.suite;
+      Test_draws.suite ]

@@ -52,6 +52,7 @@ let is_time : Transition.label -> bool = function Time _ -> true | _ -> false
 let is_bind : Transition.label -> bool = function Bind _ -> true | _ -> false
 let is_bounce : Transition.label -> bool = function Bounce _ -> true | _ -> false
 let is_weak : Transition.label -> bool = function Weak_split _ -> true | _ -> false
+let is_absorb : Transition.label -> bool = function Absorb _ -> true | _ -> false
 let is_strong : Transition.label -> bool = function Strong_split _ -> true | _ -> false
 
 (* Each pattern, and whether the first transition of the kind is one of it. *)
@@ -151,6 +152,56 @@ let never pattern = (pattern, false)
 let of_time =
   List.map never [ "bind"; "weak"; "strong"; "split"; "bounce"; "bind(a)"; "bounce(p)"; "bounce(p, q)" ]
 
+(* {1 Counted} *)
+
+(* How much happens by the first transition of the kind of which it is so. *)
+let counts model wanted cases () =
+  let check i (events, _) = Printf.sprintf "check k%d : possibly %s\n" i events in
+  let e, start = load (model ^ String.concat "" (List.mapi check cases)) in
+  let source, t = find e.model start wanted in
+  let prop (k : Property.check) =
+    match k.formula with Finally (_, _, State p) -> p | _ -> Alcotest.fail "not a formula of this test"
+  in
+  List.iter2
+    (fun k (events, expected) ->
+       let n = Counted.by (standard e.model) ~source t.label (prop k) in
+       Alcotest.(check (pair int int)) events (expected, expected) (n.least, n.most))
+    e.checks cases
+
+(* Each of the two bonds by itself. *)
+let counted_of_a_strong_split =
+  [
+    ("event strong", 2); ("event split", 2); ("event strong(a)", 1); ("event strong(b, p2)", 1); ("event strong(b, p2, p3)", 1);
+    ("(event strong(a) or event strong(b))", 2); ("(event strong(a) and event strong(b))", 0);
+    ("(event strong and not event strong(a))", 1); ("not event strong(a)", 1); ("not event bind", 2); ("event weak", 0);
+  ]
+
+let counted_of_a_bind = [ ("event bind", 1); ("event bind(a, q, p)", 1); ("not event bind", 0); ("not event bounce", 1) ]
+
+(* The pair is hit on both sides at once. *)
+let bouncing_together =
+  {|
+collisions together
+process p = Cube mass 1 velocity (1,0,0) at translate (-3,0,0) [nil]
+process q = Cube mass 1 [nil]
+process r = Cube mass 1 velocity (-1,0,0) at translate (3,0,0) [nil]
+|}
+
+let counted_of_a_bounce =
+  [ ("event bounce", 1); ("event bounce(q)", 1); ("event hit(q)", 1); ("(event hit(p, q) and event hit(q, r))", 1) ]
+
+let absorbing =
+  {|
+fixed drain = Cube absorb
+process p = p1 : Cube mass 1 velocity (1,0,0) at translate (-5,0,0) [nil] <a, {p1.right, p2.left}>
+            p2 : Cube mass 1 velocity (1,0,0) at translate (-3,0,0) [nil]
+|}
+
+let counted_of_an_absorption =
+  [ ("event absorb", 1); ("event absorb(p1)", 1); ("(event absorb(p1) and event absorb(p2))", 1); ("not event bind", 1) ]
+
+let counted_of_time = [ ("event bind", 0); ("not event bind", 0) ]
+
 (* {1 Along a trajectory} *)
 
 let along () =
@@ -187,6 +238,14 @@ let suite =
          case "a weak split" (patterns splitting_weakly is_weak of_a_weak_split);
          case "a strong split" (patterns splitting_strongly is_strong of_a_strong_split);
          case "a passing of time" (patterns binding is_time of_time);
+       ] );
+     ( "counted",
+       [
+         case "each bond of a strong split" (counts splitting_strongly is_strong counted_of_a_strong_split);
+         case "one bind" (counts binding is_bind counted_of_a_bind);
+         case "one bounce of several" (counts bouncing_together is_bounce counted_of_a_bounce);
+         case "one absorption" (counts absorbing is_absorb counted_of_an_absorption);
+         case "no passing of time" (counts binding is_time counted_of_time);
        ] );
      ("trajectories", [ case "where an event holds" along ]);
    ])

@@ -8,7 +8,8 @@ let ints = Alcotest.(list int)
 
 let outcome f = match f () with x -> Ok x | exception Invalid_argument what -> Error what
 
-(* What comes out, and what was asked in which order. *)
+(* What comes out, and what was asked in which order, unless it is an error: where lists differ in length, versions of the
+   standard library differ in what they ask before they fail. *)
 let same name n mine standard =
   let run f =
     let asked = ref [] in
@@ -17,7 +18,7 @@ let same name n mine standard =
       x
     in
     let found = outcome (fun () -> f told) in
-    (found, !asked)
+    (found, if Result.is_ok found then !asked else [])
   in
   Alcotest.(check (pair (result ints string) ints)) (Printf.sprintf "%s of %d" name n) (run standard) (run mine)
 

@@ -9,6 +9,7 @@ let utf_8 code =
 
 let warnings text = Direction.warnings (Source.make ~name:"m.sc" text)
 let is_one code = (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069)
+let is_control code = (code < 0x20 && code <> 0x09 && code <> 0x0A) || (code >= 0x7F && code < 0xA0)
 
 (* Every code point there is, in the middle of a comment. *)
 let which () =
@@ -16,9 +17,9 @@ let which () =
     if Uchar.is_valid code then begin
       let c = utf_8 code in
       let text = "// a" ^ c ^ "b" in
-      let found = warnings text and shown = Bidirectional.visible text in
+      let found = warnings text and shown = Visible.text text in
       let named = Printf.sprintf "U+%04X" code in
-      let expected = if is_one code then "// a<" ^ named ^ ">b" else text in
+      let expected = if is_one code || is_control code then "// a<" ^ named ^ ">b" else text in
       if List.length found <> Bool.to_int (is_one code) || not (String.equal shown expected) then
         Alcotest.failf "%s: %d warnings, shown as %S" named (List.length found) shown
     end
@@ -55,6 +56,25 @@ let where () =
   let million = String.concat "" (List.init 1_000_000 (fun _ -> rlo)) in
   Alcotest.(check int) "a million in a line" 1 (List.length (warnings million))
 
+(* Each line tells of its own characters, each once, and points at the first. *)
+let told () =
+  let rlo = utf_8 0x202E and pdi = utf_8 0x2069 in
+  let text d = Printf.sprintf "%d-%d %s" d.Diag.span.start d.span.stop d.message in
+  let check what expected s = Alcotest.(check (list string)) what expected (List.map text (warnings s)) in
+  let ends = " the direction in which it is shown: what is read may not be what is seen" in
+  check "several of them, and some twice"
+    [
+      "1-4 the characters U+202E, U+2069 on this line change" ^ ends; "12-15 the character U+2069 on this line changes" ^ ends;
+      "19-22 the character U+202E on this line changes" ^ ends;
+    ]
+    (Printf.sprintf "a%sb%s%s\n%s%s\n%s" rlo pdi rlo pdi pdi rlo);
+  check "after a form feed" [ "1-4 the character U+202E on this line changes" ^ ends ] ("\012" ^ rlo);
+  check "in what is no text" [] ("\127" ^ rlo);
+  let lines = List.map text (warnings (String.concat "\n" (List.init 23 (fun _ -> pdi)))) in
+  Alcotest.(check string) "the first of those beyond"
+    "80-83 on 3 more lines, of which this is the first, are characters that change the direction of the text"
+    (List.nth lines 20)
+
 (* Whatever a diagnostic says, and wherever it points. *)
 let shown () =
   let rlo = utf_8 0x202E in
@@ -79,6 +99,7 @@ let suite =
         [
           Alcotest.test_case "which they are" `Quick which;
           Alcotest.test_case "where they are told" `Quick where;
+          Alcotest.test_case "what is told" `Quick told;
           Alcotest.test_case "how they are shown" `Quick shown;
         ] );
     ] )

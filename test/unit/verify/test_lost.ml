@@ -212,17 +212,21 @@ check never : always x(p) < 100
 exception Limit
 
 let others () =
-  let lost = Lost.make () in
+  let lost = Lost.make Bounds.default Scc_graph_search.Limits.quiet.attempt in
   let e, semantics = model ~honest:(fun _ -> true) meeting in
   ignore e;
   let attempt f = Lost.run lost semantics f in
   let raises e = match attempt (fun () -> raise e) with _ -> false | exception found -> found == e in
   Alcotest.(check bool) "a limit passes" true (raises Limit && raises Out_of_memory);
-  Alcotest.(check (list string)) "and is no fault" [] (Lost.taken lost);
+  Alcotest.(check (list string)) "and is no fault" [] (Lost.taken lost).faults;
   let broken () = Scc_base.Bug.fail ("here", 1, 2, 3) "broken" in
   Alcotest.(check bool) "no run" true (Option.is_none (attempt broken) && Option.is_none (attempt broken));
-  Alcotest.(check (list string)) "kept once" [ "Bug at here:1: broken" ] (Lost.taken lost);
-  Alcotest.(check (list string)) "and taken" [] (Lost.taken lost)
+  let taken () = (Lost.taken lost).faults in
+  Alcotest.(check (list string)) "kept once" [ "Bug at here:1: broken" ] (taken ());
+  Alcotest.(check (list string)) "and taken" [] (taken ());
+  let fault what = ignore (attempt (fun () -> Scc_base.Bug.fail ("here", 1, 2, 3) what)) in
+  List.iter fault [ "one"; "two"; "one" ];
+  Alcotest.(check (list string)) "in order" [ "Bug at here:1: one"; "Bug at here:1: two" ] (taken ())
 
 let suite =
   let case name f = Alcotest.test_case name `Quick f in

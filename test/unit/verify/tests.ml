@@ -6,4 +6,6 @@ let () =
       Test_together.suite;
       Test_growth.suite;
       Test_unsettled.suite;
-      Test_lost.suite ]
+      Test_lost.suite;
+      Test_left_out.suite;
+      Test_advice.suite ]

@@ -1,4 +1,7 @@
-(** UTF-8, as far as the reader of models needs it. *)
+(** UTF-8, as far as readers and reports need it. *)
+
+val length : string -> int -> int
+(** The bytes of the well-formed sequence at an offset, or 0. *)
 
 type fault =
   | Invalid of int  (** offset of the first byte that is not part of well-formed UTF-8 *)

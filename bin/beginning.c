@@ -1,0 +1,89 @@
+/* What could end the program beside the guard of lib/foundation/system/ending.ml: the runtime of OCaml, while it sets itself up
+   and where it finds no memory for its own needs, and long numbers (GMP). They would end it by a signal, or with the
+   exit code 2, which here is a verdict. */
+
+#define CAML_INTERNALS
+#include <caml/mlvalues.h>
+#include <caml/misc.h>
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+/* Those of lib/verification/session/exit_code.ml. */
+enum { STOPPED = 4, BUG = 70 };
+
+/* Of gmp.h, which need not be where this is compiled; zarith links the library. */
+extern void __gmp_set_memory_functions(void *(*)(size_t), void *(*)(void *, size_t, size_t), void (*)(void *, size_t));
+
+/* The lesser of the limits of addresses and of data, in MiB; 0 where there is none. */
+static unsigned long long limit(void)
+{
+  static const int limits[] = { RLIMIT_AS, RLIMIT_DATA };
+  rlim_t least = RLIM_INFINITY;
+  struct rlimit found;
+  for (size_t i = 0; i < sizeof limits / sizeof *limits; i++)
+    if (getrlimit(limits[i], &found) == 0 && found.rlim_cur < least) least = found.rlim_cur;
+  return least == RLIM_INFINITY ? 0 : (unsigned long long) least / 1048576;
+}
+
+/* No channel is used, and nothing is allocated. */
+static void leave(int code, const char *why, const char *detail)
+{
+  char line[512], set[128] = "";
+  unsigned long long mib = code == STOPPED ? limit() : 0;
+  if (mib > 0)
+    snprintf(set, sizeof set,
+             " within the memory limit of %llu MiB that the system sets this process (ulimit -v or -d)", mib);
+  int n = snprintf(line, sizeof line, "scc: %s%s%s%.200s\n", why, set, *detail ? ": " : "", detail);
+  if (write(STDERR_FILENO, line, n) != n) { /* Nobody can be told. */ }
+  _exit(code);
+}
+
+/* What the runtime calls fatal is a want of memory, or a fault of the program or of the runtime. */
+static void on_fatal_error(char *format, va_list arguments)
+{
+  static const char *const of_memory[] = { "memory", "allocat", "heap", "initiali", "reserve", "create" };
+  char what[256];
+  vsnprintf(what, sizeof what, format, arguments);
+  what[strcspn(what, "\n")] = 0;
+  for (size_t i = 0; i < sizeof of_memory / sizeof *of_memory; i++)
+    if (strstr(what, of_memory[i]) != NULL) leave(STOPPED, "no memory left", what);
+  leave(BUG, "internal error", what);
+}
+
+/* The guard ends the program at once. Whoever calls `exit' does it for an exception that came before the guard was
+   there, or in it: for want of memory. */
+static void on_exit_of_others(void) { leave(STOPPED, "no memory left", ""); }
+
+static void *allocated(void *there)
+{
+  if (there == NULL) leave(STOPPED, "no memory left", "for a number");
+  return there;
+}
+
+static void *allocate(size_t size) { return allocated(malloc(size)); }
+static void release(void *there, size_t size) { (void) size; free(there); }
+
+static void *reallocate(void *there, size_t before, size_t size)
+{
+  (void) before;
+  return allocated(realloc(there, size));
+}
+
+/* Below it the runtime cannot set itself up. */
+enum { LEAST_STACK = 128 * 1024 };
+
+/* Before the runtime begins. */
+__attribute__((constructor)) static void begin(void)
+{
+  struct rlimit stack;
+  if (getrlimit(RLIMIT_STACK, &stack) == 0 && stack.rlim_cur < LEAST_STACK)
+    leave(STOPPED, "no stack left: the system sets this process a limit of less than 128 KiB (ulimit -s)", "");
+  caml_fatal_error_hook = on_fatal_error;
+  __gmp_set_memory_functions(allocate, reallocate, release);
+  atexit(on_exit_of_others);
+}

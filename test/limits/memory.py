@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+"""Limits of the system on the memory and the stack of the process: 0, 1 and 2 come from finished verdicts only.
+
+    test/limits/memory.py SCC [--all] [--step KIB] [--verbose]
+
+Runs commands under limits of addresses (ulimit -v), of data (ulimit -d) and of the stack (ulimit -s), from those under which
+not even the libraries can be loaded to those that are enough. Each run ends as it does without a limit, with the same output; or with code 4,
+says that a limit of memory or of the stack was met, and names no limit but the one that is set. Below what the system needs to load
+the program, nothing of it runs: 126, 127, or a signal. Without --all, a share: every 37th run.
+"""
+
+import argparse
+import collections
+import os
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+
+LONG = """param v = 1
+shape C = box(1,1,1)
+process p = C mass 1 velocity (v,0,0) [nil]
+motion p = (vx + dt, vy, vz)
+check far : always x(p) < 3000
+"""
+DEEP = LONG.replace("3000", " + ".join(["x(p)"] * 9000))
+SHORT = LONG.replace("3000", "5").replace("always", "possibly")
+COMMANDS = [
+    ["--version"], ["check", "short.sc"], ["check", "--json", "short.sc"], ["check", "long.sc", "--states", "2000"],
+    ["check", "short.sc", "--jobs", "2"], ["fmt", "short.sc"], ["trace", "short.sc", "--steps", "20"],
+    ["sweep", "short.sc", "-D", "v=1..3"], ["sweep", "long.sc", "-D", "v=1,2", "--states", "2000"],
+    ["explore", "short.sc", "--format", "aut", "-o", "-", "--states", "50"], ["compare", "short.sc", "short.sc", "--states", "50"],
+    ["view", "short.sc", "-o", "page.html"], ["shape", "ell.off"], ["decompose", "ell.off"], ["check", "invalid.sc"],
+    ["simulate", "short.sc", "--runs", "2", "--observe", "x(p)", "--every", "1", "--until", "3"],
+    ["check", "none.sc"], ["fmt", "--none"], ["check", "deep.sc"], ["fmt", "deep.sc"],
+]
+STOPPED = 4
+OF_MEMORY = re.compile(r"memory|no stack left|Cannot allocate|not enough", re.IGNORECASE)
+NAMED = re.compile(r"limit of (\d+) MiB")
+
+Done = collections.namedtuple("Done", "code out err")
+
+
+def limits(step):
+    """KiB of each limit. Close to where the program begins each step counts; later there is more room."""
+    memory = [*range(1000, 60000, step), *range(60000, 200000, 10 * step)]
+    return [
+        ("addresses", resource.RLIMIT_AS, memory), ("data", resource.RLIMIT_DATA, memory),
+        ("the stack", resource.RLIMIT_STACK, [*range(20, 200, 12), *range(200, 1300, step // 5)]),
+    ]
+
+
+def limited(limit, kib):
+    def change():
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        if limit is not None:
+            resource.setrlimit(limit, (kib * 1024, kib * 1024))
+
+    return change
+
+
+def run(command, folder, limit=None, kib=0, **environment):
+    done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, timeout=120,
+                          preexec_fn=limited(limit, kib), env={**os.environ, **environment})
+    return Done(done.returncode, done.stdout, done.stderr.decode("utf-8", "replace"))
+
+
+def loads(scc, folder, limit, kib):
+    """Whether the system loads the program and its libraries: then it would run them."""
+    try:
+        return run([scc], folder, limit, kib, LD_TRACE_LOADED_OBJECTS="1").code == 0
+    except OSError:
+        return False
+
+
+def fault(done, whole, kib):
+    """What is wrong with a run of the program; nothing where all is well."""
+    if done.code == STOPPED:
+        told = done.err + done.out.decode("utf-8", "replace")
+        if not OF_MEMORY.search(told):
+            return "code 4, and no word of memory: " + told[-200:]
+        other = {n for n in NAMED.findall(told) if int(n) != kib // 1024}
+        return "a limit of %s MiB is told of" % ", ".join(other) if other else None
+    if (done.code, done.out) != (whole.code, whole.out):
+        return "code %d instead of %d%s: %s" % (
+            done.code, whole.code, "" if done.out == whole.out else ", and another output", done.err[-200:])
+    return None
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scc", type=os.path.abspath)
+    parser.add_argument("--all", action="store_true")
+    parser.add_argument("--step", type=int, default=500)
+    parser.add_argument("--verbose", action="store_true")
+    args = parser.parse_args()
+    here = os.path.dirname(os.path.abspath(__file__))
+    passed, failed, unloaded, number, seen = 0, 0, 0, 0, collections.Counter()
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in (("long.sc", LONG), ("deep.sc", DEEP), ("short.sc", SHORT), ("invalid.sc", SHORT + "check x : y\n")):
+            with open(os.path.join(folder, name), "w") as file:
+                file.write(text)
+        with open(os.path.join(here, "..", "cli", "ell.off")) as mesh, open(os.path.join(folder, "ell.off"), "w") as copy:
+            copy.write(mesh.read())
+        wholes = [run([args.scc, *words], folder) for words in COMMANDS]
+        for name, limit, sizes in limits(args.step):
+            for kib in sizes:
+                here_loads = None
+                for words, whole in zip(COMMANDS, wholes):
+                    number += 1
+                    if not args.all and number % 37:
+                        continue
+                    what = "%s, %d KiB of %s" % (" ".join(words), kib, name)
+                    try:
+                        done = run([args.scc, *words], folder, limit, kib)
+                    except (OSError, subprocess.SubprocessError) as e:
+                        done = Done(126, b"", str(e))
+                    if done.code in (126, 127) or done.code < 0:
+                        if here_loads is None:
+                            here_loads = loads(args.scc, folder, limit, kib)
+                        wrong = "code %d: %s" % (done.code, done.err[-200:]) if here_loads else None
+                        unloaded += not here_loads
+                    else:
+                        wrong = fault(done, whole, kib)
+                    seen[done.code] += 1
+                    passed, failed = (passed, failed + 1) if wrong else (passed + 1, failed)
+                    if wrong or args.verbose:
+                        print("%s %s: %s" % ("FAULT" if wrong else "ok   ", what, wrong or done.code), flush=True)
+    print("not loaded: %d; codes: %s" % (unloaded, dict(sorted(seen.items()))))
+    # Without either there was no limit that counts.
+    if seen[STOPPED] == 0 or seen[0] == 0:
+        print("no run was stopped, or all were")
+        failed += 1
+    print("%d passed, %d failed" % (passed, failed))
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
