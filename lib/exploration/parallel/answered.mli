@@ -1,35 +1,38 @@
-(** What a process has answered lately, so that it can be told of the states that were found in its answers by
-    where they came up: such a state is the tuple of an answer with the changes of one of its steps.
+(** The last answers of a worker. The states in them can then be sent to the worker by place instead of by tuple.
+    Such a state is the tuple of an answer with the changes of one of its steps.
 
-    An answer takes a place after the one before, which the other side counts as well; what was kept first is
-    overwritten. *)
+    Each answer takes the places behind the one before, and the other side counts them as well. There are 2^22
+    places in a ring; new answers overwrite the oldest ones. *)
 
 open Scc_graph_search
 
 type t
 
 val create : width:int -> t
-(** Of tuples so wide. *)
+(** An empty ring, for tuples of this width. It takes 16 MiB, of which the system provides only what has been
+    written. *)
 
 val keep : t -> int array -> Lts.step list -> unit
-(** The tuple of a state, and the steps that were answered. *)
+(** [keep t tuple steps] adds an answer: the tuple of a state, and the steps that were found for it. *)
 
 val tuple : t -> answer:int -> step:int -> int array option
-(** The end of a step of an answer, by the places of both; [None] if that has been overwritten. *)
+(** [tuple t ~answer ~step] is the state that a step of an answer leads to, by the places of both; [None] if they
+    have been overwritten. *)
 
 val words : t -> int
-(** Of memory that it takes. *)
+(** The words of memory that the places written so far take. *)
 
 (** {1 Places} *)
 
 val room : width:int -> Lts.step list -> int
-(** How far it is to the next answer. *)
+(** The number of places of an answer with these steps: the distance to the next answer. *)
 
 val first_step : width:int -> int
-(** From an answer to its first step. *)
+(** The distance in places from an answer to its first step. *)
 
 val room_of_step : Lts.step -> int
-(** From one step to the next. *)
+(** The number of places of a step: the distance to the next step of the answer. *)
 
 val surely : int
-(** What is not farther back than this will hardly be overwritten before it is asked for. *)
+(** Half the ring, in places. An answer that is at most this far back will hardly be overwritten before it is
+    used. *)

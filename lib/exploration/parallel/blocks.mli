@@ -1,16 +1,17 @@
-(** A {!Log} that is written while something goes on: what is noted is gathered, and kept in blocks. *)
+(** A {!Log} that is written during a computation: notes are gathered, and kept in blocks. *)
 
 type t
 
 val make : ?full:int -> Log.t -> t
-(** A block is written when it has [full] bytes, a MiB by default, or a while after the one before, a second at
-    most: little is lost of what takes long, and writing takes little of the time of any. *)
+(** [make ~full log] writes a block to [log] once it has [full] bytes, by default 1 MiB, or some time after the
+    last block. That time is at most a second, so little is lost of slow computations. It grows with the time
+    that writing takes, so writing takes a small part of the whole. *)
 
 val is_empty : t -> bool
-(** What is noted next begins a block. *)
+(** [is_empty b] is true if the next note begins a block. *)
 
 val add : t -> (Buffer.t -> unit) -> unit
-(** Notes the bytes that it puts, in one block. *)
+(** [add b put] gathers the bytes that [put] appends, in one block, and writes the block if it is time. *)
 
 val write : t -> unit
-(** What has been gathered, if anything. *)
+(** Writes the block that has been gathered, if it has any bytes. *)

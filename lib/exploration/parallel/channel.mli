@@ -1,27 +1,27 @@
-(** Messages to another process and back. *)
+(** Messages between this process and a worker that it forks. *)
 
 type t
 
 val fork : (t -> unit) -> t option
-(** Another process, which has the other end, does this with it and ends without what this one would do at its end.
-    It does not answer interruptions, which are this one's to answer. None where the system gives no process, or no
-    descriptor that can be waited for. *)
+(** [fork work] is a channel to a new process, which runs [work] with the other end. That process exits at the
+    end of [work], without the exit actions of this one. Interruptions are left to this process. The result is
+    [None] if the system gives no process, or no descriptor that can be waited for. *)
 
 val put : t -> Buffer.t -> unit
-(** Sends the whole. Raises {!Closed}. *)
+(** Sends the contents of the buffer as one message. Raises {!Closed}. *)
 
 val get : t -> string
-(** The next message, which is waited for. Raises {!Closed}. *)
+(** Waits for the next message and returns it. Raises {!Closed}. *)
 
 exception Closed
-(** The other process is no more. *)
+(** The other process has ended. *)
 
 val ready : t list -> t list
-(** Waits, but not for long, until there is something to get from some of them; interruptions may come in
-    between. *)
+(** The channels that have a message, or whose process has ended. It waits for one at most 0.2 seconds;
+    interruptions may come in between. *)
 
 val has_message : t -> bool
-(** There is something to get now. *)
+(** [has_message c] is true if {!get} would not wait now. *)
 
 val close : t -> unit
-(** Ends the other process. *)
+(** Kills the other process and closes the channel. *)

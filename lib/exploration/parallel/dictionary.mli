@@ -1,18 +1,21 @@
-(** Numbers that two sides have for the same things, as bytes: the bytes of a thing are told once, when it first
-    comes up, and from then on it is a number that both know. *)
+(** Common numbers of two sides for the same things. The bytes of a thing are sent once, when it first occurs;
+    from then on both sides use its common number. *)
 
 open Scc_codec
 
 type t
 
 val create : unit -> t
+(** A dictionary without entries. Both sides begin with one. *)
 
 val put : t -> Buffer.t -> bytes:(int -> string) -> int -> unit
-(** A thing by the number that it has on this side; [bytes] gives its bytes, if they are to be told. *)
+(** [put d buffer ~bytes number] appends the thing that has [number] on this side. [bytes number] gives its
+    bytes, which are appended if the thing has no common number yet. *)
 
 val read : t -> Packed.source -> number:(string -> int) -> int
-(** The number that a thing has on this side; [number] gives it from its bytes. What was read may be {!put} again.
-    Raises {!Packed.Malformed}. *)
+(** [read d source ~number] reads a thing and returns its number on this side. [number] gives the number from the
+    bytes, if these are in the source. What was read may be {!put} by its common number. Raises
+    {!Packed.Malformed}. *)
 
 val knows : t -> int -> bool
-(** Whether the thing has come up that has this number here. *)
+(** [knows d number] is true if the thing that has [number] on this side has a common number. *)

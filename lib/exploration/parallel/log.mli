@@ -1,14 +1,16 @@
-(** What is kept of one exploration while it goes on, in blocks of bytes, for another process to go on from. *)
+(** The blocks of bytes that one exploration keeps, for another process to continue it. *)
 
 type t = {
   next : unit -> string option;
-  (** the next of the blocks that were kept before; [None] after the last, and from then on *)
+  (** the next of the blocks that an earlier run kept; [None] after the last one *)
   keep : string -> unit;
-  (** a block more, after the last: when it returns, it is kept, whatever happens to this process or its machine *)
+  (** keeps one more block behind the last; when it returns, the block outlives this process and a failure of its
+      machine *)
 }
 
 val none : t
-(** Keeps nothing. *)
+(** The log that has no blocks and keeps none. *)
 
 val in_memory : string list -> t * (unit -> string list)
-(** With some blocks to begin with; and all that are kept by now, in order. *)
+(** [in_memory blocks] is a log in memory that begins with [blocks], and a function that returns all its blocks
+    at the time of the call, in order. *)

@@ -1,9 +1,11 @@
-(** What another process does for the one that has the graph ({!Crew}), and how the two talk.
+(** The work of a worker for the process that has the graph ({!Crew}), and the protocol between the two.
 
-    A request is a number of states. Each is 0 and its tuple, or, of one that came up in an answer of the other
-    process, 1 + the place of that answer and how far it is from there to the step ({!Answered}). A reply is a
-    heading and, of each of the states, 0 where its transitions have to be looked at by the process that asked;
-    1 and all of them; or 2, those that may do ({!Lts.S.reduced}), and all of them. *)
+    A request is a number of states. Each state is 0 and its tuple, or a place. A state that came up in an answer
+    of this worker is 1 + the place of that answer, and the distance from there to the step ({!Answered}). A
+    reply is a heading and an answer for each state. An answer is one of these:
+    - 0, if the process that has the graph must find the transitions itself;
+    - 1, and all transitions;
+    - 2, some transitions that may be enough ({!Lts.S.reduced}), and all of them. *)
 
 open Scc_codec
 open Scc_graph_search
@@ -13,21 +15,26 @@ module Make (L : Lts.S) (E : Lts.Exchange with type context = L.context) : sig
 
   type state = Tuple of int array | Place of { answer : int; step : int }
 
-  (** Seconds that the other process has waited for the request, and worked at it; and the words of memory
-      that it takes. *)
+  (** The seconds that the worker has waited for the request and worked at it, and the words of memory that it
+      takes. *)
   type heading = { waited : float; worked : float; words : int }
 
   type answer = Look | Steps of { some : Lts.step list option; all : Lts.step list }
 
   val kept : some:Lts.step list option -> all:Lts.step list -> Lts.step list
-  (** The steps of an answer as {!Answered.keep} has them. *)
+  (** [kept ~some ~all] is the steps of an answer in the order in which {!Answered.keep} has them: [some], then
+      [all]. *)
 
   val put_state : Wire.t -> Buffer.t -> state -> unit
+  (** Appends one state of a request. *)
+
   val read_heading : Packed.source -> heading
+  (** Reads the heading of a reply. Raises {!Packed.Malformed}. *)
 
   val read_answer : Wire.t -> Packed.source -> answer
-  (** Answers are read one by one, in their order. *)
+  (** Reads the next answer of a reply. The answers of all replies of a worker must be read in their order. Raises
+      {!Packed.Malformed} and [Failure]. *)
 
   val serve : L.context -> Channel.t -> unit
-  (** In another process: answers requests until the channel is closed. *)
+  (** [serve context channel] is the work of a worker. It answers requests until {!Channel.Closed} is raised. *)
 end

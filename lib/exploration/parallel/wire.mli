@@ -1,5 +1,6 @@
-(** Transitions as bytes, to another process or to a later one: numbers of labels and of what is in the slots by
-    {!Dictionary}, one for each family. *)
+(** Transitions as bytes, for another process or for a later run. Numbers of labels and of components are sent by
+    {!Dictionary}, one for the labels and one for each family of slots. Readers raise {!Packed.Malformed} and
+    [Failure]. *)
 
 open Scc_codec
 open Scc_graph_search
@@ -8,25 +9,40 @@ module Make (E : Lts.Exchange) : sig
   type t
 
   val make : E.context -> t
+  (** The state of one direction of a connection. Both sides begin with a new one. *)
+
   val knows_label : t -> int -> bool
+  (** [knows_label w label] is true if the label has been put or read before. *)
+
   val put_label : t -> Buffer.t -> int -> unit
+  (** Appends a label, by its number in this process. *)
+
   val read_label : t -> Packed.source -> int
+  (** Reads a label and returns its number in this process. *)
 
   val put_changes : t -> Buffer.t -> Tuples.changes -> unit
+  (** Appends changes of slots. *)
+
   val read_changes : t -> Packed.source -> Tuples.changes
+  (** Reads changes of slots, with the numbers of this process. *)
 
   val put_tuple : t -> Buffer.t -> int array -> unit
-  (** Tuples are put and read in the same order, as each is told by what is different from the one before. They are
-      not written to afterwards; so are steps. *)
+  (** Appends a tuple, as its difference from the tuple before. So tuples must be read in the order in which they
+      are put. The tuple must not be modified afterwards. *)
 
   val read_tuple : t -> Packed.source -> int array
+  (** Reads the next tuple of {!put_tuple}. It must not be modified. *)
 
   val put_step : t -> Buffer.t -> Lts.step -> unit
+  (** Appends a step: its label and its changes. *)
+
   val read_step : t -> Packed.source -> Lts.step
+  (** Reads a step of {!put_step}. *)
 
   val put_recent : t -> Buffer.t -> Lts.step -> unit
-  (** A step in short, if it came up lately; in order as well. The bytes depend on the numbers of this process. *)
+  (** Appends a step, in short form if it came up lately. Such steps must be read in the order in which they are
+      put, and must not be modified afterwards. The bytes depend on the numbers of this process. *)
 
   val read_recent : t -> Packed.source -> Lts.step
+  (** Reads the next step of {!put_recent}. It must not be modified. *)
 end
-(** Readers raise {!Packed.Malformed} and [Failure]. *)

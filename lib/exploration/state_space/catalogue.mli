@@ -1,7 +1,7 @@
-(** Numbers for the components of states (collapse compression): a process is the triple of its form (its leaves
-    relative to the first of them, with their behaviours, its bonds and its split clock), its place and its
-    velocity, each stored once; a state is a tuple of numbers of processes. Exact: equal numbers mean equal
-    things, and only they. *)
+(** Numbers for the components of states (collapse compression). A process is the triple of its form, its place
+    and its velocity, and each of these is stored once. The form is the leaves relative to the first of them,
+    with their behaviours, bonds and split clock. A state is a tuple of numbers of processes. The numbering is
+    exact: numbers are equal iff what they stand for is equal. *)
 
 open Scc_exact
 open Scc_calculus
@@ -10,73 +10,95 @@ open Scc_semantics
 type t
 
 val create : marked:bool -> time_seen:Scc_property.Time_seen.t -> memory:int -> Model.t -> t
-(** Times of states that are the same to what sees so much of time get one number (rule AbsoluteTime). [memory], a
-    power of two, bounds how many processes are kept as they were last given out. *)
+(** [create ~marked ~time_seen ~memory m] is an empty catalogue. With [marked], tuples have a slot for a mark.
+    Times that [time_seen] does not tell apart get one number (rule AbsoluteTime). [memory], a power of two,
+    bounds the number of processes in the cache of {!body}. *)
 
 val model : t -> Model.t
+(** The model of the states. *)
+
 val time_seen : t -> Scc_property.Time_seen.t
+(** The times that the catalogue tells apart. *)
 
 val width : t -> int
-(** Of the tuples: a slot for each leaf, which holds the process whose first leaf it is, or {!nobody}; and slots
-    for the movement step and for the time, when the model keeps them. *)
+(** The width of the tuples. Each leaf has a slot for the process whose first leaf it is, or {!nobody}. Behind
+    these are slots for the movement step, the time and the mark, if states have them. *)
 
 val nobody : int
+(** The number 0, in the slots of leaves that are no first leaf of a process. *)
 
 val time_slot : t -> int
-(** Where the time stands, if states have it. *)
+(** The index of the slot of the time, if states have it. *)
 
 val mark_slot : t -> int
-(** Where the mark stands; {!encode} leaves it 0, and {!decode} does not look at it. *)
+(** The index of the slot of the mark. {!encode} sets it to 0, and {!decode} ignores it. *)
 
 val encode : t -> State.t -> int array
+(** The tuple of a state. New components get numbers. *)
+
 val decode : t -> int array -> State.t
+(** The state of a tuple. *)
 
 val time : t -> int array -> Rat.t option
-(** Absolute, if states have it. *)
+(** The absolute time of a tuple, as its number represents it; [None] if states have no time. *)
 
 val step : t -> int array -> State.step option
-(** The movement step of the network, if states have it. *)
+(** The movement step of the network in a tuple; [None] if states have none. *)
 
 val put_rest : t -> int array -> step:State.step option -> time:Rat.t option -> unit
-(** Writes what a state has besides its processes. *)
+(** [put_rest t tuple ~step ~time] writes the slots of the movement step and of the time into [tuple]. *)
 
 val same_rest : t -> int array -> int array -> bool
-(** Two states have all but their processes in common, the mark included. *)
+(** [same_rest t a b] is true if [a] and [b] are equal in all slots that are not of processes, including the
+    mark. *)
 
 val time_after : t -> int array -> Rat.t -> int option
-(** What is in the slot of time when so much has passed, if states have time. *)
+(** [time_after t tuple d] is the number in the slot of the time after a further time [d]; [None] if states have
+    no time. *)
 
 (** {1 Slots} *)
 
-(** What the numbers in a slot stand for. *)
+(** The kind of things that the numbers in a slot stand for. *)
 type slot = Process | Step | Time | Mark
 
 val slot : t -> int -> slot
+(** The kind of the slot with an index. *)
 
 val step_of_number : t -> int -> State.step
+(** The movement step that a number in its slot stands for. *)
+
 val step_number : t -> State.step -> int
+(** The number of a movement step. *)
+
 val rational : t -> int -> Rat.t
-(** Of a number in the slot of time. *)
+(** The time that a number in its slot stands for. *)
 
 val rational_number : t -> Rat.t -> int
-(** Of such a time, as it is seen. *)
+(** The number of a time. Times that are not told apart have one number. *)
 
 (** {1 Components} *)
 
-(** Things numbered as they are first seen. *)
+(** Numbers from 0 on for things, in the order in which they come up. *)
 module Interned (Thing : Hashtbl.HashedType) : sig
   type t
 
   val create : unit -> t
+  (** An empty table. *)
+
   val size : t -> int
+  (** The number of things so far. *)
+
   val get : t -> int -> Thing.t
+  (** The thing with a number. *)
+
   val intern : t -> Thing.t -> int
+  (** The number of a thing; a new thing gets the next number. *)
 end
 
 val process : t -> State.process -> int
 (** The number of a process; never {!nobody}. *)
 
-(** What stands behind the number of a process. *)
+(** The components of a process with a number. *)
 type body = private {
   number : int;
   form : int;
@@ -86,54 +108,63 @@ type body = private {
 }
 
 val no_body : body
-(** Stands for no process: its number is {!nobody}. *)
+(** The body that stands for no process: its number is {!nobody}. *)
 
 val body : t -> int -> body
+(** The body of the process with a number, which must not be {!nobody}. *)
 
 val remembered : t -> 'value -> (State.process -> 'value) -> int -> 'value
-(** A function of processes as one of their numbers, that remembers its last values. Any value is needed to begin
-    with. *)
+(** [remembered t any f] is [f] as a function of the numbers of processes, with a cache of 4096 values. [any] is
+    some value to fill the cache with. *)
 
 val displaced : t -> Rat.t -> body -> int
-(** Where its velocity takes it in a time, with nothing else changed. *)
+(** [displaced t d b] is the number of the process of [b], moved for a time [d] by its velocity, and otherwise
+    the same. *)
 
 val shifted : t -> Vec.t -> int -> int
-(** The same process elsewhere, by this vector. *)
+(** [shifted t v n] is the number of the process with number [n], translated by [v]. *)
 
 val form : t -> int -> State.process
-(** The process of this form whose first leaf is at the origin, at rest. *)
+(** The process of the form with a number, with its first leaf at the origin, and at rest. *)
 
 val first_leaf : State.process -> int
+(** The index of the first leaf of a process, which is its slot. *)
 
 val label : t -> Transition.label -> int
+(** The number of a label; a new label gets the next number. *)
 
 val time_label : t -> Rat.t -> int
-(** Of so much time that passes. *)
+(** The number of the label of a passing of time by this much. *)
 
 val hash_label : Transition.label -> int
+(** A hash that agrees with {!Transition.equal_label}. *)
+
 val label_of : t -> int -> Transition.label
+(** The label with a number. *)
 
 val labels : t -> Transition.label list
-(** That have come up. *)
+(** All labels with a number, in the order of these. *)
 
 val has_events : t -> bool
-(** Whether a label has come up that is no passing of time. *)
+(** [has_events t] is true if a label has a number that is no passing of time. *)
 
 val duration : t -> int -> Rat.t
-(** Of a label. *)
+(** The time that passes in a transition with the label of this number; 0 for an event. *)
 
 val bodies : t -> int
-(** How many processes have been seen. *)
+(** The number of different processes so far. *)
 
 val forms : t -> int
+(** The number of different forms of processes so far. *)
 
 val greatest_bits : t -> int
-(** No number that came up is longer; with the parts of a process relative to its first leaf. *)
+(** The greatest length in bits of a number in any component so far, numerator and denominator together. In
+    forms, places are relative to the first leaf. It takes constant time. *)
 
 val longest : t -> (string * int) list
-(** How far numbers have grown: by what they are numbers of, the most bits that one of them takes, numerator and
-    denominator together: [positions], [velocities] and, for rigid models, [spins] and [orientations] (a component
-    of a quaternion), with [free_body] also [angular_momenta]. Looks at everything. *)
+(** The greatest length in bits of each kind of numbers so far, numerator and denominator together. The kinds are
+    [positions] and [velocities]. Rigid models have also [spins] and [orientations] (components of quaternions),
+    and with [free_body] [angular_momenta]. It visits all components. *)
 
 val resting : t -> int -> bool
-(** Whether the velocity of this number is zero. *)
+(** [resting t v] is true if the velocity with number [v] is zero. *)

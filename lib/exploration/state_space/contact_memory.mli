@@ -1,40 +1,50 @@
-(** A memory of when two processes that move relative to each other come into contact, by the number of the pair.
-    It grows up to a bound, and then forgets. *)
+(** A cache of the times at which two processes in relative motion come into contact, by the number of the pair.
+    It grows up to a bound; then new pairs replace old ones. *)
 
 open Scc_exact
 
 type t
 
 val create : most:int -> t
-(** At most so many pairs, a power of two. *)
+(** An empty cache for at most [most] pairs, a power of two. *)
 
-(** What is known of a pair, in one number, so that most questions take one access to memory. *)
+(** The knowledge about a pair, in one number, so that most queries take one access to memory. *)
 type code = private int
 
 val find : t -> int -> code
+(** The code of a pair, by its number; {!unknown} if it is not in the cache. *)
+
 val unknown : code
+(** Nothing is known of the pair. *)
+
 val never : code
+(** The two never come into contact. *)
 
 val meeting : code
-(** They collide now. *)
+(** The two collide now. *)
 
 val is_exact : code -> bool
-(** Whether the time is known, and not only that it is not before some time; of neither of the above. *)
+(** [is_exact code] is true if the time of contact is known, and false if only a lower bound of it is. It is for
+    codes of {!keep_time} and {!keep_not_before}. *)
 
 val rank : code -> int
-(** Of the time, or of the one before which it is not: a later time never has a lesser rank. *)
+(** The rank of the time of contact, or of its lower bound. Ranks are monotone: a later time never has a lesser
+    rank. *)
 
 val rank_of : Rat.t -> int
-(** Of a time of at least 0. *)
+(** The rank of a time >= 0. *)
 
 val time : t -> int -> Rat.t
-(** Of a pair for which {!find} has just given a code that {!is_exact}. *)
+(** The time of contact of a pair for which {!find} has just given a code that {!is_exact}. *)
 
 val keep_never : t -> int -> unit
+(** Records that the pair never comes into contact. *)
+
 val keep_meeting : t -> int -> unit
+(** Records that the pair collides now. *)
 
 val keep_time : t -> int -> Rat.t -> unit
-(** At least 0. *)
+(** Records the time of contact of the pair, which is at least 0. *)
 
 val keep_not_before : t -> int -> float -> unit
-(** Likewise; not infinite. *)
+(** Records a lower bound of the time of contact of the pair. It is at least 0 and finite. *)

@@ -1,21 +1,23 @@
-(** Bodies that never meet again (rule Drift): how far apart groups of processes are is not told apart when, along
-    some direction, they are apart and get farther for ever, whatever happens within them.
+(** Bodies that never meet again (rule Drift). Two groups of processes may recede from each other along some
+    direction for ever, whatever happens within them. States that differ only in the distances of such groups are
+    equivalent.
 
     {1 Which groups}
 
-    Each group has a velocity: that of its centre of mass, or 0 when something in it is fixed. Binds, bounces and
-    splits never add kinetic energy, so that no leaf of it is ever faster against that velocity than its energy in
-    this frame allows. Two groups are apart when they recede from each other for ever
-    ({!Recession.for_ever}). The groups of a
-    state are the finest partition of its processes of which each two are apart: whatever happens next, groups of
-    what comes of them are as fine at least, so that the groups of two states that differ by translations of groups
-    go on to be those of two such states.
+    Each group has a velocity: that of its centre of mass, or 0 if a body in it is fixed. Binds, bounces and
+    splits never add kinetic energy. So the energy of the group in the frame of this velocity bounds the speed of
+    all its leaves in that frame. Two groups are apart if they recede from each other for ever
+    ({!Recession.for_ever}).
 
-    {1 What formulas see}
+    The groups of a state are the finest partition of its processes in which any two groups are apart. The groups
+    of all later states are at least as fine. So two states that differ by translations of groups have successors
+    that differ by translations of groups.
 
-    Coordinates and distances that are compared with constants count up to these: groups are apart only where all
-    such distances between them are, and stay, beyond them; and where a coordinate of a group is not, and does not
-    stay, beyond its constants, the group is not moved. *)
+    {1 What formulas depend on}
+
+    Formulas compare coordinates and distances with constants. Two groups are apart only if all such distances
+    between them are beyond these constants, and stay so. A group is translated only if all such coordinates of
+    it are beyond their constants, and stay so. *)
 
 open Scc_exact
 open Scc_calculus
@@ -24,24 +26,31 @@ open Scc_property
 type t
 
 val make : Model.t -> State.t -> Property.check list -> t option
-(** What keeps the truth of all that is asked. Only where bodies move in straight lines, without laws and rounding,
-    and something may go on when some never meet others any more: a weak split or an eps is still to come, or, as
-    somebody is outside of it at the start, collisions within what is fixed. *)
+(** [make m initial checks] is the equivalence that keeps the truth of all [checks]; [None] where the rule does
+    not apply. It applies if bodies move in straight lines, without laws and rounding, if splits are on a grid,
+    and if no check depends on an angular momentum. Besides, events must be possible for bodies that never meet
+    others. For that, a weak split or an eps is written in the model, or there are fixed bodies, whose convex
+    hull has a volume, to collide with. *)
 
 val sees_far : Model.t -> State.t -> Property.check list -> bool
-(** Some coordinate or distance is told apart without limits, and that keeps an exploration from closing as a rule:
-    {!make} would be of use otherwise, and some are apart for ever from the start. *)
+(** [sees_far m initial checks] is true if the checks depend on a coordinate or a distance without limits, where
+    {!make} would be of use otherwise, and some groups are apart from the start. As a rule, such an exploration
+    does not close. *)
 
 val groups : t -> State.process array -> int list list
-(** Which are apart for ever, by their places in the array. *)
+(** The groups of some processes that are all the processes of a state, as lists of indices into the array, in
+    order. *)
 
 val is_held : t -> State.process -> bool
-(** It is fixed, or a point of it is within the convex hull of what is fixed, so that it is not apart from that.
-    Where all are, nobody is moved. *)
+(** [is_held d p] is true if [p] is fixed, or if a point of it is in the convex hull of all fixed bodies. Then
+    [p] is not apart from these. It is false if that hull has no volume. If all processes are held, no group is
+    translated. *)
 
 val place : t -> State.process array -> (int * Vec.t) list
-(** By how much processes, by their places in the array, are to be moved, so that of two states that differ by
-    translations of groups one comes. *)
+(** [place d processes] is the translations that lead to the representative of a state, as indices into
+    [processes] and vectors in the world. Two states that differ by translations of groups have one
+    representative. *)
 
 val keeps : t -> State.process array -> Property.quantity -> bool
-(** Whether it has its value in each state that another one of these groups stands for. *)
+(** [keeps d processes q] is true if [q] has one value in all states that differ from this one by translations of
+    groups. *)

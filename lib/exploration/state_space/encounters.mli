@@ -1,19 +1,22 @@
-(** Who of some processes in translation collides, and when the next two come into contact: pair by pair, each
-    looked at once and remembered. *)
+(** The collisions and the next contact among some processes in translation. Each pair is computed once, and
+    cached. *)
 
 open Scc_exact
 
 type t
 
 val create : memory:int -> Local.t -> t
-(** [memory], a power of two, bounds how many pairs are remembered. *)
+(** An empty cache. [memory], a power of two, bounds the number of pairs in it. *)
 
-(** What all pairs in relative motion come to. *)
+(** What is known of all pairs in relative motion. *)
 type found
 
 val among : t -> Local.alone array -> found
+(** The pairs in relative motion among some processes. *)
+
 val collisions : found -> Local.move list
-(** The last first. *)
+(** The outcomes of all collisions now, the last first. *)
 
 val first_contact : t -> found -> Rat.t option
-(** The least time after which two are in contact, if none collide now. *)
+(** The least time after which two of the processes are in contact; [None] if there is none. No two may collide
+    now. *)

@@ -1,5 +1,5 @@
-(** What single processes do by themselves in a network in translation, and what two do together: each is worked
-    out once and remembered for as long as there is room. *)
+(** The transitions of single processes and of pairs of processes, in a network in translation. Each is computed
+    once, and cached as long as there is room. *)
 
 open Scc_exact
 open Scc_geometry
@@ -8,70 +8,81 @@ open Scc_semantics
 open Scc_property
 open Scc_graph_search
 
-(** What a transition of some processes changes of the whole. *)
+(** A transition of some processes, as a change of the whole tuple. *)
 type move = {
   step : Lts.step;
-  leaf : int;  (** of one of them *)
-  takes_out : bool;  (** one of them is in the network no more (rule Absorb) *)
+  leaf : int;  (** the first leaf of one of the processes *)
+  takes_out : bool;  (** the processes leave the network, and none comes instead (rule Absorb) *)
 }
 
-(** What a form decides, wherever the process is. *)
-type nature = { splits : bool; wait : Rat.t option  (** until an eps expires or the next split instant *) }
+(** What depends on the form of a process alone. *)
+type nature = {
+  splits : bool;  (** it has an urgent transition or a weak split at a split instant *)
+  wait : Rat.t option;  (** the time until an eps expires, or until the next split instant *)
+}
 
-(** What a process does by itself. *)
+(** A process with its transitions by itself. *)
 type alone = private {
   body : Catalogue.body;
   nature : nature;
   urgent : move list;
   weak : move list;
-  rests : bool;
-  boxes : Float_box.t array;  (** of its parts *)
-  line : Moving_boxes.t Scc_base.Later.t;  (** a box about all of them, and those, as they move on for ever *)
-  mutable passed : Rat.t;  (** the last time that passed for it, and what became of it *)
-  mutable after : int;
+  rests : bool;  (** its velocity is zero *)
+  boxes : Float_box.t array;  (** the boxes of its parts, in the world *)
+  line : Moving_boxes.t Scc_base.Later.t;
+  (** a box about all its parts, and then the boxes of the parts, on their course for ever *)
+  mutable passed : Rat.t;  (** the last argument of {!after} *)
+  mutable after : int;  (** its result *)
 }
 
 type t
 
 val create :
   events:Property.event list -> time_seen:Time_seen.t -> memory:int -> Semantics.t -> t
-(** Where events mark states ({!Network_lts.make}). [memory], a power of two, bounds what is remembered. *)
+(** [create ~events ~time_seen ~memory c] has empty caches and a new catalogue. [events] mark states
+    ({!Network_lts.make}), and [time_seen] is as in {!Catalogue.create}. [memory], a power of two, bounds the
+    caches. *)
 
 val semantics : t -> Semantics.t
+(** The semantics, with its own caches. *)
 
 val afresh : t -> Semantics.t
-(** {!Semantics.without_memo}: what is told here is remembered here. *)
+(** The semantics without its cache of processes ({!Semantics.without_memo}), as this module caches the same
+    answers. *)
 
 val catalogue : t -> Catalogue.t
+(** The numbers of all components. *)
 
 val mark : t -> source:Scc_calculus.State.t -> Transition.label -> int
-(** The number of the set of the events that a transition from a state is of. *)
+(** The number of the set of those {!events} that a transition with this label from [source] matches; 0 without
+    events. *)
 
 val events : t -> Property.event list
-(** Those of {!create}. *)
+(** The events that mark states, as given to {!create}. *)
 
 val has_events : t -> bool
-(** Whether some mark states. *)
+(** [has_events t] is true if some events mark states. *)
 
 val events_of : t -> int -> int list
-(** The places of the events of the set of this number. *)
+(** The events of the set with this number, as increasing indices into {!events}. *)
 
 val mark_of : t -> int list -> int
-(** The number of a set of events, by their places, increasing. *)
+(** The number of a set of events, given as increasing indices into {!events}. *)
 
 val place : t -> Property.event -> int option
-(** Of an event among {!events}. *)
+(** The index of an event in {!events}; [None] if it is not among them. *)
 
 val move : t -> Transition.outcome -> move
+(** An outcome of some processes as a change of the whole tuple, including the mark. *)
 
 val nobody : t -> alone
-(** No process; its number is {!Catalogue.nobody}. *)
+(** The value that stands for no process: its number is {!Catalogue.nobody}. *)
 
 val alone : t -> int -> alone
-(** The process of this number. *)
+(** The process with this number, which must not be {!Catalogue.nobody}. *)
 
 val after : t -> Rat.t -> alone -> int
-(** What it is when a time has passed, in which nothing else happens to it. *)
+(** [after t d a] is the number of the process [a] after a time [d] in which nothing else happens to it. *)
 
 val collisions : t -> alone -> alone -> move list
-(** Of two that move relative to each other. *)
+(** The outcomes of a collision of two processes in relative motion; empty if they do not collide now. *)

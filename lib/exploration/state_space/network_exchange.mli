@@ -1,4 +1,3 @@
-(** Processes, labels and the other things that the numbers of {!Network_lts} stand for, as bytes
-    ({!Scc_codec}). *)
+(** Processes, labels and the other components of {!Network_lts} as bytes ({!Scc_codec}), for other processes. *)
 
 include Scc_graph_search.Lts.Exchange with type context = Network_lts.context

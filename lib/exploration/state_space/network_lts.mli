@@ -1,5 +1,5 @@
-(** Networks as a timed transition system over tuples, for the explorer. What a process may do alone, and two by
-    themselves, is computed once and remembered, so that a transition in a corner of a large network costs
+(** Networks as a timed transition system over tuples, for the explorer. The transitions of single processes and
+    of pairs are computed once and cached. So a transition that concerns few processes of a large network costs
     little. *)
 
 open Scc_exact
@@ -17,61 +17,76 @@ val make :
   ?memory:int ->
   ?few:int ->
   Semantics.t -> State.t -> context
-(** With the initial state, as {!Network.initial} gives it. States are told apart by which of the events has
-    just led to them, and by as much of absolute time as is seen ([Always] by default, where states have it).
-    States stand for all that are equal modulo the [quotient]. With [visible], which leaves
-    can be seen by what is asked, independent events of one instant that cannot be seen are made in one order
-    only ({!reduced}). [memory], a power of two, bounds how many results are remembered of each kind, and with at
-    most [few] basic shapes (32) all pairs are looked at in each state: both change nothing but the speed. *)
+(** [make c initial] is the system that starts from [initial], a result of {!Network.initial}.
+    - [events] mark states: the tuple has the set of those that have just led to the state. By default there are
+      none.
+    - [time_seen] is the absolute times that states are distinguished by, if they have time; by default all of
+      them.
+    - [quotient] is an equivalence: each state stands for its class. By default all states are distinguished.
+    - [visible] is true for the leaves that the formulas depend on. With it, independent events of one instant
+      that no formula depends on are made in one order only ({!reduced}).
+    - [memory], a power of two, bounds each cache. It changes nothing but the speed.
+    - [few] is a number of basic shapes, by default 32. In models with no more, all pairs are compared in each
+      state. It changes nothing but the speed. *)
 
 val arrived : context -> Property.event -> int array -> bool
-(** Whether the transition that has just led to the state was of the event, one of those of {!make}. The event, of
-    which there may be many, is looked for once. *)
+(** [arrived c event] is true for a state if the transition that has just led to it matches [event], one of those
+    of {!make}. Applied to [c] and [event] alone, it finds the event in their list once. *)
 
 val events_of_mark : context -> int -> int list
-(** The places of the events that a mark stands for ({!Catalogue.mark_slot}). *)
+(** The events of a mark ({!Catalogue.mark_slot}), as increasing indices into {!events}. *)
 
 val mark_of : context -> int list -> int
-(** The mark of some events, by their places, increasing. *)
+(** The mark of some events, given as increasing indices into {!events}. *)
 
 val events : context -> Property.event list
-(** Those of {!make}. *)
+(** The events that mark states, as given to {!make}. *)
 
 val happened : context -> int array -> int list
-(** Their places in the list, in order, of those that have just led to the state. *)
+(** The events that have just led to a state, as increasing indices into {!events}. *)
 
 val set_happened : context -> int array -> int list -> unit
+(** [set_happened c tuple places] writes into [tuple] the mark of the events with these indices. *)
 
 val catalogue : context -> Catalogue.t
+(** The numbers of all components. *)
+
 val semantics : context -> Semantics.t
+(** The semantics of the model. *)
+
 val model : context -> Model.t
+(** The model. *)
+
 val start : context -> State.t
+(** The initial state. *)
 
 val codec : context -> Scc_codec.State_codec.t
-(** Of the states of the model. *)
+(** The codec for the states of the model that are reachable from the initial one. *)
 
 val split_step : context -> Rat.t option
-(** Between the instants at which weak splits were looked at, when one has been enabled in a state found so far: in
-    the calculus they may happen at any time between them as well (reading I-9). *)
+(** The split step, if a weak split or a lot has come up in a state found so far; else [None], and also with
+    {!Model.Any_time}. In the calculus weak splits may happen at any time between split instants as well (reading
+    I-9). *)
 
 val given_up : context -> Transition.fault list
-(** Why runs end in dead ends of what has been explored so far (rules Run and Persistent): {!successors} finds no
-    transitions there. *)
+(** The faults at dead ends found so far, each once (rules Run and Persistent). {!successors} of a dead end is
+    empty. *)
 
 val is_dead_end : Semantics.t -> State.t -> bool
+(** [is_dead_end c s] is true if the successors of [s] are a persistent contact (rule Persistent). *)
 
 val representative : context -> int array -> int array
-(** The state that stands for one, and for all that are equal to it modulo the quotient. Events lead from it to
-    states that need not be their own representatives, where {!Quotient.t.drift} finds that more bodies are apart
-    for ever. *)
+(** The representative of a state in its class modulo the quotient. Events may lead from a representative to
+    states that are none, if {!Quotient.t.drift} finds that more bodies are apart for ever. *)
 
 val same_but_for_places : context -> State.t -> State.t -> bool
-(** {!Quotient.same_but_for_places}. *)
+(** [same_but_for_places c s t] is {!Quotient.same_but_for_places} of the two states. *)
 
 val keeps : context -> int array -> Property.quantity -> bool
-(** {!Quotient.keeps}. *)
+(** [keeps c tuple q] is {!Quotient.keeps} of the state. *)
 
 val choices : context -> State.t -> ((Transition.t * int array Lazy.t) list, Transition.fault) result
-(** Every transition of a state by the rules ({!Network.successors}), each with the tuple of where it leads. *)
+(** Every transition of a state by the rules ({!Network.successors}), each with the representative tuple of its
+    target. *)
 
 include Scc_graph_search.Lts.S with type context := context and type fault = Transition.fault

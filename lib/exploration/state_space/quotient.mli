@@ -1,35 +1,38 @@
-(** States that need not be told apart. *)
+(** Equivalences of states. Each state of an exploration stands for its class. *)
 
 open Scc_calculus
 open Scc_property
 
 type t = {
-  symmetry : Symmetry.t;
-  translation : bool;  (** moved as a whole, a network is the same *)
-  drift : Drift.t option;  (** how far bodies that never meet again are from each other makes no difference *)
+  symmetry : Symmetry.t;  (** states that differ by a permutation of interchangeable leaves *)
+  translation : bool;  (** states that differ by a translation of the whole network *)
+  drift : Drift.t option;  (** states that differ in the distances between bodies that never meet again *)
 }
 
 val none : t
+(** The equivalence in which each state is a class of its own. *)
 
 val translatable : Model.t -> State.t -> Property.temporal list -> bool
-(** Whether nothing depends on where the whole is: no law and no formula speaks of positions, and nothing is
-    fixed. *)
+(** [translatable m s formulas] is true if nothing depends on the place of the whole. That is so if no law of [m]
+    and no formula depends on positions, and no process of [s] is fixed. *)
 
 (** {1 Of the tuples of a catalogue} *)
 
 type within
 
 val within : t -> Catalogue.t -> within
+(** The equivalence on the tuples of a catalogue, with empty caches. *)
 
 val is_none : within -> bool
-(** Each state stands for itself alone. *)
+(** [is_none w] is true if each state is a class of its own. *)
 
 val representative : within -> int array -> int array
-(** Of the states that are equal to one, the one that stands for them all; the same array, if that is it. *)
+(** The representative of the class of a state. If it is the state itself, the result may be the same array. *)
 
 val same_but_for_places : within -> int array -> int array -> bool
-(** Two states under the same names that differ in nothing but in how far those are from each other that never meet
-    again. *)
+(** [same_but_for_places w a b] is true if [a] and [b] differ only in the distances between bodies that never
+    meet again, with the same names of leaves. It is false without drift. *)
 
 val keeps : within -> int array -> Property.quantity -> bool
-(** Whether its value in a state of the graph is that in each state that this one stands for. *)
+(** [keeps w tuple q] is true if translations of bodies that never meet again keep the value of [q] in this
+    state. It is true without drift. *)

@@ -1,13 +1,14 @@
-(** A memory of what was asked for last, by numbers: one thing for each place, at the number modulo the size. It
-    begins small and grows as long as much is asked for that is not there, up to a bound. What it holds is never
-    needed, only found sooner. *)
+(** A direct-mapped cache, by numbers: one entry for each slot, at the number modulo the size. It begins small,
+    and grows up to a bound while many entries are added. Entries may be replaced at any time. *)
 
 type 'a t
 
 val create : number:('a -> int) -> none:'a -> most:int -> 'a t
-(** At most so many, a power of two. [none] stands in free places; its number is none that is asked for. *)
+(** [create ~number ~none ~most] is an empty cache for at most [most] entries, a power of two. [number] is the
+    number of an entry. [none] stands in free slots; no query is for its number. *)
 
 val get : 'a t -> int -> 'a
-(** What is at the place of a number: perhaps of another number, or [none]. *)
+(** The entry in the slot of a number. Compare its number: it may be another entry, or [none]. *)
 
 val keep : 'a t -> 'a -> unit
+(** Puts an entry into its slot. *)

@@ -1,35 +1,40 @@
-(** Whether two sets of points that spread as they move have no point in common, ever (rule Drift).
+(** A decision if two sets of points that spread as they move never have a point in common (rule Drift).
 
-    A set moves with a velocity u, and each of its points with some velocity that differs from u by the root of
-    [spread2] at most, and may change. So at a time t it is within its convex hull now, moved by t u, and a ball of
-    the radius t root [spread2]. Two such sets recede from each other iff some plane parts what they may come to:
-    that does not depend on the axes of the world. *)
+    A set moves with a velocity u. Each of its points has some velocity that may change, and that differs from u
+    by at most the root of [spread2]. So at a time t the set is within its present convex hull, moved by t u and
+    grown by a ball of radius t root [spread2]. Two such sets recede from each other iff some plane separates
+    these regions at all times. This does not depend on the axes of the world. *)
 
 open Scc_exact
 
 type body = private {
-  corners : Vec.t array;  (** about its place; one at least *)
+  corners : Vec.t array;  (** relative to its place; one at least *)
   low : Vec.t;
-  high : Vec.t;  (** the least box around them *)
+  high : Vec.t;  (** the corners of the least box around them, relative to its place *)
 }
 
 val body : Vec.t array -> body
+(** The body with these corners, relative to its place. There must be at least one. *)
 
 type t = {
-  bodies : (Vec.t * body) list;  (** with their places; one at least *)
+  bodies : (Vec.t * body) list;  (** bodies with their places in the world; one at least *)
   velocity : Vec.t;
   spread2 : Rat.t;
 }
 
 val exceeds : Rat.t -> Rat.t -> Rat.t -> bool
-(** [exceeds d2 a b], for d2, a, b >= 0: whether root d2 > root a + root b. *)
+(** [exceeds d2 a b], for d2, a, b >= 0, is true if root d2 > root a + root b. *)
 
 val range : (Vec.t * body) list -> Vec.t -> Rat.t * Rat.t
-(** The least and the greatest n.p of the corners p. *)
+(** [range bodies n] is the least and the greatest n.p over the corners p of [bodies], in the world. *)
 
 val for_ever : margin:Rat.t -> t -> t -> bool
-(** A direction n exists with n.d > 0 for each difference d of a corner of the second and one of the first set,
-    also of those within a cube of half the width [margin] about d, and n.w > |n| (root a + root b), where w is the
-    difference of the velocities, and a and b are the two [spread2]. Along it the sets are apart, and more and more
-    so. If it is true of two sets it is true of what their parts come to: of any points within the balls above, at
-    any time, whose velocities are among those that these may have. *)
+(** [for_ever ~margin one two] is true if the sets recede from each other for ever along some direction n. Let w
+    be the velocity of the second set less that of the first, and a and b the two [spread2]. Then n satisfies
+    these conditions:
+    - n.d > 0 for each difference d of a corner of the second set and a corner of the first;
+    - n.d > 0 also for all points d within a cube of half the width [margin] about such a difference;
+    - n.w > |n| (root a + root b).
+
+    If it is true, it stays true for all parts of the sets. That is: for any points that are within the regions
+    above at any later time, with any velocities that they may have there. *)

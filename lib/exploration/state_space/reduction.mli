@@ -1,23 +1,31 @@
-(** Ways to explore less, each of which can be switched off. Each keeps the verdicts of a fragment of the
-    properties, and is not used outside of it (rules Symmetry, Translation, Order, Jump, Slice, AbsoluteTime,
+(** Reductions of the state space, each of which can be switched off. Each keeps the verdicts of a fragment of the
+    properties, and is used for this fragment alone (rules Symmetry, Translation, Order, Jump, Slice, AbsoluteTime,
     Drift). *)
 
 open Scc_calculus
 open Scc_property
 
 type kind =
-  | Symmetry  (** interchangeable leaves are told apart by their places alone: {!Symmetry} *)
-  | Translation  (** networks that differ by a translation of the whole are one: {!Quotient} *)
+  | Symmetry  (** states that differ by a permutation of interchangeable leaves are one: {!Symmetry} *)
+  | Translation  (** states that differ by a translation of the whole network are one: {!Quotient} *)
   | Order  (** independent events of one instant happen in one order: {!Groups} *)
   | Jump  (** time does not stop at the ends of movement steps that change nothing (rule Jump) *)
   | Slice  (** what cannot influence a property is left out: {!Slice} *)
-  | Drift  (** how far bodies that never meet again are from each other is not told apart: {!Drift} *)
-  | Time  (** absolute time counts no further than formulas tell times apart: {!Time_seen} *)
+  | Drift  (** states that differ in the distances between bodies that never meet again are one: {!Drift} *)
+  | Time  (** absolute times that no formula or law tells apart are one: {!Time_seen} *)
 
 val equal : kind -> kind -> bool
+(** [equal a b] is true if [a] and [b] are the same kind. *)
+
 val all : kind list
+(** All kinds, each once. *)
+
 val name : kind -> string
+(** The name of a kind as in options: ["symmetry"], ["translation"], ["order"], ["jump"], ["slice"], ["drift"] or
+    ["time"]. *)
+
 val of_name : string -> kind option
+(** The kind with this name; [None] if there is none. *)
 
 val quotient :
   kind list ->
@@ -26,11 +34,13 @@ val quotient :
   searched:Property.temporal list ->
   evaluated:Property.temporal list ->
   Quotient.t
-(** What keeps the truth of all these formulas, which are those of the checks. Those that are [evaluated] on the
-    graph, and not just [searched] for, have their parts explained. *)
+(** [quotient kinds m initial ~checks ~searched ~evaluated] is the equivalence of the used [kinds] that keeps the
+    truth of all these formulas, which are those of [checks]. Formulas that are [evaluated] on the graph have
+    their parts explained, and allow less symmetry than those that are [searched]. *)
 
 val sees_far : kind list -> Model.t -> State.t -> Property.check list -> bool
-(** Whether checks tell places apart however far bodies are from each other, where {!Drift} could do without. *)
+(** [sees_far kinds m initial checks] is true if {!Drift} is used and {!Drift.sees_far} holds: the checks depend
+    on places however far bodies are from each other. *)
 
 val visible :
   kind list ->
@@ -38,12 +48,14 @@ val visible :
   searched:Property.temporal list ->
   evaluated:Property.temporal list ->
   (int -> bool) option
-(** The leaves that can be seen, when independent events need only be looked at in one order: for searches, of
-    which none looks at the network as a whole. [deep]: the depth of states is bounded, which other orders would
-    change. *)
+(** [visible kinds ~deep ~searched ~evaluated] is the predicate of the leaves that the formulas depend on, if one
+    order of independent events is enough; else [None]. One order is enough if {!Order} is used, all formulas are
+    searches, and none depends on the network as a whole. [deep] is true if the depth of states is bounded; as
+    other orders would change that depth, the result is [None]. *)
 
 val without_jumps : kind list -> Model.t -> Model.t
-(** The model, with movement steps as part of the state when {!Jump} is not among the kinds. *)
+(** [without_jumps kinds m] is [m], with movement steps as part of the state if {!Jump} is not among [kinds]. *)
 
 val time_seen : kind list -> Model.t -> Property.check list -> Time_seen.t
-(** How much of absolute time has to be told apart for these checks, and for the laws of motion. *)
+(** The absolute times that must be distinguished for these checks and for the laws of motion: [Never] if states
+    have no time, and [Always] if {!Time} is not among the kinds. *)

@@ -1,12 +1,13 @@
-(** Sums over the slots of tuples that are asked for one after the other: of each tuple that is seen after another,
-    only what differs is added. *)
+(** Sums over the slots of tuples. Each tuple is compared with the one before, and only the slots that differ are
+    added. *)
 
 open Scc_exact
 
 val rationals : width:int -> (int -> (Rat.t, 'why) result) -> int array -> (Rat.t, 'why) result
-(** [rationals ~width value] sums the values of the first [width] slots of each tuple, which depend on what is in
-    them alone; or it is the reason of the first slot that has no value. The value of -1 is zero. It may be given
-    up anywhere, by an exception of [value] as well. *)
+(** [rationals ~width value tuple] is the sum of the values of the first [width] slots of [tuple], or the error
+    of the first slot without a value. [value] takes the number in a slot. Applied to [width] and [value] alone,
+    it makes the memory of the last tuple. An exception of [value] leaves that memory valid. *)
 
 val integers : width:int -> (int -> int) -> int array -> int
-(** The same of integers, which all slots have. *)
+(** [integers ~width value tuple] is the sum of the values of the first [width] slots of [tuple], as integers,
+    with a memory as in {!rationals}. *)

@@ -1,21 +1,26 @@
-(** Where many processes are, as in the last state that was looked at: who is near whom, and who collides. States
-    that are looked at one after another differ little as a rule, and only what differs is worked out. *)
+(** The places of many processes, in the last state that was given: which are near each other, and which collide.
+    States that follow each other differ little as a rule, and only the differences are computed. *)
 
 type t
 
 val create : Local.t -> t
+(** A scene without a state. *)
 
 val look : t -> int array -> unit
-(** At a state, given as a tuple of the catalogue; all below is about it. *)
+(** [look t tuple] makes [tuple], of the catalogue, the state of the scene. All functions below are about this
+    state. *)
 
 val present : t -> Local.alone array
-(** All processes, in order. *)
+(** All processes, in the order of their first leaves. *)
 
 val urgent : t -> Local.move list
 (** What single processes must do now, the last first. *)
 
 val weak : t -> Local.move list
+(** What single processes may do now, the last first. *)
+
 val collisions : t -> Local.move list
+(** The outcomes of all collisions now, the last first. *)
 
 val in_relative_motion : t -> bool
-(** Whether two move relative to each other. *)
+(** [in_relative_motion t] is true if two processes have different velocities. *)

@@ -1,41 +1,46 @@
-(** Who stands in some slots of a tuple, of a network in translation, and what that comes to as long as nobody
-    collides: a function of these slots alone. *)
+(** The processes in some slots of a tuple, of a network in translation, with all that follows from them as long
+    as none collides. It depends on these slots alone. *)
 
 open Scc_exact
 
 type t
 
 val of_present : Local.alone array -> t
-(** Of processes in the order of their slots. *)
+(** The section with these processes, in the order of their slots. *)
 
 val nobody : t
-(** Of no slots. *)
+(** The section without slots. *)
 
 val present : t -> Local.alone array
+(** All processes of the section, in the order of their slots. *)
+
 val urgent : t -> Local.move list
-(** Of all of them, the last first; so are {!weak}. *)
+(** What single processes of the section must do now, the last first. *)
 
 val weak : t -> Local.move list
+(** What single processes of the section may do now, the last first. *)
 
 val wait : t -> Rat.t option
-(** The least time after which one of them has waited to the end, if one waits. *)
+(** The least time after which an eps expires or a split instant comes in one of the processes; [None] if there
+    is none. *)
 
 val rest : t -> bool
-(** Whether all of them do. *)
+(** [rest s] is true if the velocities of all processes are zero. *)
 
 val in_relative_motion : t -> t -> bool
-(** Whether two of the processes of both, or of one, are. *)
+(** [in_relative_motion a b] is true if two processes of [a] and [b] together have different velocities. *)
 
 val after : Local.t -> Rat.t -> t -> int array
-(** The slots that have another process when a time has passed, each followed by that process. *)
+(** [after local d s] is the slots that have another process after a time [d], each followed by the number of that
+    process. *)
 
 (** {1 Remembered} *)
 
-(** What some slots have held more than once, for as long as there is room. *)
+(** A cache of the sections that some slots have had more than once, with up to 4096 entries. *)
 type memory
 
 val memory : Local.t -> first:int -> beyond:int -> memory
-(** Of the slots from [first] on, before [beyond]. *)
+(** An empty cache for the slots from [first] to [beyond] - 1. *)
 
 val look : memory -> int array -> t
-(** Of a tuple. *)
+(** The section of a tuple in the slots of the cache. *)

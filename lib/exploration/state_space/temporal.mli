@@ -4,55 +4,59 @@ open Scc_ctl
 open Scc_property
 
 type asked
-(** Formulas over one system. *)
+(** A list of formulas, with their predicates prepared for one system. *)
 
 val ask : Network_lts.context -> Property.temporal list -> asked
+(** [ask c formulas] prepares [formulas] for the system [c]. Below, a formula is given by its index in this list,
+    from 0. *)
 
 type t
-(** The formulas on a graph. *)
+(** Formulas on a graph. *)
 
 val on : asked -> rests:(int array -> bool) -> State_graph.t -> t
-(** States whose expansion is not done, for whatever reason, count as unexplored. [rests] says of a state without
-    transitions whether time passes there for ever. *)
+(** [on asked ~rests graph] evaluates the formulas on [graph]. States that have not been expanded count as
+    unexplored. [rests] is true for a state without transitions in which time passes for ever. *)
 
 val truth : t -> int -> bool option
-(** Of the formula of this index, in the initial state; [None]: undecided. *)
+(** The truth of the formula with this index in the initial state; [None] if it is undecided. *)
 
 val done_with : t -> int -> unit
-(** This formula and all before it are not asked about any more: what was found for them alone is forgotten. *)
+(** Declares that the formula with this index, and all before it, are not used any more. The memory for their
+    values is released. *)
 
 val probability : t -> int -> Property.side -> Scc_ctl.Eval.measured
-(** Of the operator of time that the formula of this index is: with which probability a run from the initial state
-    does as it says. *)
+(** [probability t i side] is the least or greatest probability of the runs from the initial state that satisfy the
+    operator F, G or U at the top of formula [i]. *)
 
 val explain : t -> int -> Explanation.t
-(** Of one that is decided. *)
+(** The explanation of a formula that is decided in the initial state. An undecided formula is a bug. *)
 
 val doubts : t -> int -> Scc_ctl.Doubts.t
-(** Of one that is not. *)
+(** The unexplored nodes and undefined predicates that keep a formula undecided in the initial state. *)
 
 val mean : t -> int -> Property.side -> Property.mean -> Scc_ctl.Expectation.answer
-(** Of a check that asks for it, of which the formula of this index is that. *)
+(** [mean t i side mean] is the least or greatest mean over the runs from the initial state (rule Expectation).
+    [i] is the index of the formula of the check with this mean. Another formula is a bug. *)
 
 val probabilities : t -> int -> Scc_ctl.Eval.measured list
-(** What is known of the probabilities that a formula compares in the initial state. *)
+(** The known bounds of the probabilities that a formula compares in the initial state, in order. *)
 
 val possible_doubts : t -> int -> Scc_ctl.Doubts.t
-(** What keeps the probability of one from being known. *)
+(** The unexplored nodes and undefined predicates that keep the probability of a formula from being known. *)
 
 val doubts_of_mean : t -> int -> Scc_ctl.Doubts.t
-(** What keeps the mean of one from being known. *)
+(** The unexplored nodes and undefined predicates that keep the mean of a check from being known. *)
 
 val formula : t -> int -> Scc_ctl.Formula.t
-(** That of an index. *)
+(** The skeleton of the formula with this index ({!Scc_property.Skeleton}). *)
 
 val predicate : t -> int -> Property.prop
-(** That of a number in explanations and doubts. *)
+(** The state predicate with this number in skeletons, explanations and doubts. *)
 
 (** {1 Runs} *)
 
 val choice : t -> Scc_ctl.Run.step -> State_graph.step
-(** The step by its index among all transitions of the state. *)
+(** The step of a run in the graph, by its index among all transitions of its source. *)
 
 val flow_choice : t -> int -> int option
-(** The first time transition of a state; [None] where time passes for ever. *)
+(** The index of the first time transition of a state among all its transitions; [None] if it has none. *)

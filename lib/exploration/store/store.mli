@@ -1,33 +1,39 @@
 (** Explorations, and lists of runs, on disk: a folder with one SQLite database, in which each of them has its
     blocks ({!Scc_parallel.Log}), one transaction for each.
 
-    A block is there as a whole or not at all, and is there for good once {!Scc_parallel.Log.t.keep} has returned:
-    the write-ahead log is synchronised with each transaction. Each block has a digest of itself and of all before
-    it, so that what is read is what was written, in its order. *)
+    A block is stored as a whole or not at all. It is durable once {!Scc_parallel.Log.t.keep} has returned, as
+    the write-ahead log is synchronised with each transaction. Each block has a digest of itself and of all
+    blocks before it. So what is read is what was written, in its order. *)
 
 open Scc_base
 
 type t
 
 val openly : string -> identity:(string * string) list -> warn:(Diag.t -> unit) -> (t, Diag.t) result
-(** The store in a folder, which is made if it is not there. [identity]: of what it keeps explorations, by names
-    and values: all must be those that it was made with. It is this process's alone until it ends. One that
-    cannot be written to is read, and keeps nothing more. The error: the folder cannot be made, read or written,
-    is no store, or another process has it (SC0910); it keeps something
-    else, and what differs (SC0911); it is damaged (SC0912). All blocks have been looked at. [warn] is told
-    once when blocks are not kept any more (SC0103). *)
+(** [openly folder ~identity ~warn] opens the store in [folder]. A folder that does not exist is made. [identity]
+    is the names and values that identify the model and the options; a store must have been made with the same
+    ones. A store that can be written to is locked for this process until it ends. Any other is read, and keeps
+    no new blocks. All blocks are checked against their digests. The errors are:
+    - SC0910: the folder cannot be made, read or written, is no store, or is locked by another process;
+    - SC0911: the store is of another version or identity, and the message has the difference;
+    - SC0912: the store is damaged.
+
+    [warn] is called once, when the store ceases to keep blocks (SC0103 or SC0912). *)
 
 val folder : t -> string
+(** The path of the store's folder. *)
 
 val log : t -> string -> Scc_parallel.Log.t
-(** Of the exploration of this name. A name that comes again in one run is that of another one: those come in the
-    same order in each run. When a block cannot be kept, this and all later ones are not, and {!failed} tells. *)
+(** [log t name] is the log of the exploration of this name. The second call with one name is the log of a second
+    exploration, and so on: explorations of one name come in the same order in each run. After a block that
+    cannot be kept, no later blocks are kept, and {!failed} has the reason. *)
 
 val resumed : t -> bool
-(** It had blocks when it was opened. *)
+(** [resumed t] is true if the store had blocks when it was opened. *)
 
 val failed : t -> Diag.t option
-(** Why blocks are not kept any more, if so: an output that cannot be written (SC0103), or a store that has been
-    damaged since it was opened (SC0912). *)
+(** Why the store keeps no more blocks, if so: an output that cannot be written (SC0103), or damage since it was
+    opened (SC0912). *)
 
 val close : t -> unit
+(** Closes the database of the store. *)

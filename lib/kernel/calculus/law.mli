@@ -3,8 +3,8 @@
 open Scc_exact
 
 type variable = X | Y | Z | Vx | Vy | Vz | Mass | Time | Dt
-(** Position of the leaf's centroid (world), velocity of its process, mass of the leaf, model time, time
-    since the last update. *)
+(** [X], [Y] and [Z]: position of the leaf's centroid, in the world. [Vx], [Vy] and [Vz]: velocity of that point,
+    in the world. [Mass]: mass of the leaf. [Time]: model time. [Dt]: time since the last update of the law. *)
 
 type comparison = Lt | Le | Gt | Ge | Eq | Ne
 
@@ -28,43 +28,56 @@ and cond =
 
 type vector = expr * expr * expr
 
-(** One of several velocities, and how much it counts among them. *)
+(** One of several velocities, and its weight among them. *)
 type kick = { velocity : vector; weight : expr }
 
 type t =
   | Inertial
   | Velocity of vector  (** the new velocity *)
-  | Choose of kick list  (** the new velocity is drawn, each with the share that its weight has in their sum *)
+  | Choose of kick list
+  (** the new velocity is drawn; the probability of each is its weight divided by the sum of all weights *)
 
 type fault =
   | Division_by_zero
   | Bad_quantum  (** a quantum of [round] that is not positive *)
-  | Too_long  (** a number of more than {!longest} bits on the way *)
+  | Too_long  (** an intermediate number may need more than {!longest} bits *)
   | Negative_weight
   | No_weight  (** the weights of all kicks are 0 *)
   | Too_many
-  (** more than {!most_outcomes} pairs, of what some leaves of a process draw and what the next one does *)
+  (** the leaves of a process draw among more than {!most_outcomes} combinations of velocities *)
 
 val longest : int
+(** The greatest length in bits of a number in the evaluation of a law: 2^24. *)
+
 val most_outcomes : int
+(** The greatest number of combinations of velocities that the leaves of one process may draw among: 1,000,000. *)
 
 val compare_rationals : comparison -> Rat.t -> Rat.t -> bool
+(** [compare_rationals c a b] is true if [a] stands in the relation [c] to [b]. *)
+
 val eval : (variable -> Rat.t) -> expr -> (Rat.t, fault) result
+(** [eval env e] is the exact value of [e], where [env] gives the values of its variables; or the first fault of
+    its evaluation. [If], [And] and [Or] evaluate only what their value depends on. *)
 
 val equal : t -> t -> bool
+(** [equal a b] is true if [a] and [b] are the same term; laws that differ in form but not in value are not
+    equal. *)
+
 val is_inertial : t -> bool
+(** [is_inertial law] is true if [law] is [Inertial]: it never changes a velocity. *)
 
 val draws : t -> bool
-(** Whether it leaves the velocity to chance. *)
+(** [draws law] is true if [law] leaves the velocity to chance (rule Draw). *)
 
 val mentions : (variable -> bool) -> t -> bool
-(** Whether one of these variables occurs. *)
+(** [mentions test law] is true if a variable that satisfies [test] occurs in [law]. *)
 
 val is_constant : t -> bool
-(** Whether it gives the same wherever and whenever it is asked, to whomever (an inertial law is not asked). *)
+(** [is_constant law] is true if [law] has no variables: its value is the same for all bodies, places and times. An
+    [Inertial] law is constant in this sense. *)
 
 val mentions_time : t -> bool
-(** Whether [Time] occurs. *)
+(** [mentions_time law] is true if [Time] occurs in [law]. *)
 
 val mentions_position : t -> bool
-(** Whether it depends on where the body is. *)
+(** [mentions_position law] is true if [X], [Y] or [Z] occurs in [law]. *)

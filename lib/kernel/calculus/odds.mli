@@ -5,25 +5,32 @@ open Scc_exact
 type t =
   | Chance of Rat.t  (** the probability at each split instant, from 0 to 1 *)
   | Rate of { rate : Rat.t; alone : Rat.t }
-  (** how often per unit of time, from 0 on; and the probability within a split step, if nothing competes with it
-  *)
+  (** [rate]: how often per unit of time, 0 or more; [alone]: the probability within a split step, if nothing
+      competes with it *)
 
 val equal : t -> t -> bool
+(** [equal a b] is true if both are chances, or both are rates, with equal numbers. It does not compare the field
+    [alone], which follows from the rate and the split step. *)
+
 val compare : t -> t -> int
+(** A total order that agrees with {!equal}: chances before rates, each by their numbers. *)
+
 val hash : t -> int
+(** A hash that agrees with {!equal}. *)
 
 val to_string : t -> string
-(** [chance 1/10] or [rate 2]. *)
+(** The text of the odds as in the language: [chance 1/10] or [rate 2]. *)
 
 val within : step:Rat.t -> Rat.t -> Rat.t
-(** [within ~step r] for r >= 0 and step > 0: the probability q that an event which happens at the rate r happens
-    within a step. With v = 1 - exp(-r step), which is irrational for r > 0, q is the simplest fraction with
-    |q - v| < 2^-40 min(v, 1 - v): so q and 1 - q are both right to a relative error of 2^-40, and 0 < q < 1. 0 for
-    r = 0. The time that it takes grows with r step, which had better be {!greatest} at most. *)
+(** [within ~step r], for r >= 0 and step > 0, is the probability q that an event of rate r happens within a
+    step. For r = 0 it is 0. For r > 0 let v = 1 - exp(-r step), which is irrational. Then q is the simplest
+    fraction with |q - v| < 2^-40 min(v, 1 - v). So q and 1 - q are both right to a relative error of 2^-40, and
+    0 < q < 1. The computation takes longer as r step grows; models keep that product to {!greatest} at most. *)
 
 val greatest : int
-(** The greatest rate times split step that models may have: 1000. *)
+(** The greatest product of rate and split step that a model may have: 1000. *)
 
 val shares : step:Rat.t -> t list -> Rat.t list
-(** What each comes to where they compete: a chance is what it is; rates together are as likely as one rate that
-    is their sum, and each has its share in that. The whole may be more than 1. *)
+(** [shares ~step odds] is the probability of each of [odds] within a step where all of them compete. A chance
+    keeps its probability. Several rates have together the probability of one rate that is their sum, divided
+    among them in proportion to the rates. The sum of all shares may exceed 1. *)

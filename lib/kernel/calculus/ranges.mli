@@ -1,5 +1,5 @@
 (** The parameters of a model that are not known but for a range. Parameter i of a model is variable i of all
-    affine forms and polyhedra that speak of it. *)
+    affine forms and polyhedra over these parameters. *)
 
 open Scc_exact
 open Scc_polyhedra
@@ -7,32 +7,34 @@ open Scc_polyhedra
 type bound = { value : Rat.t; included : bool }
 
 type range = { name : string; low : bound; high : bound }
-(** Of values between the two, which are different; the ends belong to it where they are included. *)
+(** The values between [low] and [high], which differ. An end belongs to the range if it is [included]. *)
 
 type t = range array
 
 val name : t -> int -> string
-(** Of a variable, as {!Scc_polyhedra.Text} asks for it. *)
+(** [name ranges i] is the name of variable [i], in the form that {!Scc_polyhedra.Text} takes. *)
 
 val find : t -> string -> int option
-(** The variable of the parameter of that name. *)
+(** The variable of the parameter with this name; [None] if there is none. *)
 
 val mem : range -> Rat.t -> bool
+(** [mem range x] is true if [x] lies in [range]. *)
 
 val box : t -> Polyhedron.t
-(** All values that the parameters may have. *)
+(** All values that the parameters may have, as a polyhedron with one dimension for each parameter. *)
 
 val point : t -> Rat.t array
-(** Simple numbers within them, and not at their ends. *)
+(** A simple value of each parameter, strictly between the ends of its range. *)
 
 val negative : t -> Linear.t -> (string * Rat.t) list option
-(** Values of the parameters that the form depends on at which it is negative, by name, if there are any. *)
+(** [negative ranges form] is values of the parameters at which [form] is negative, by name; [None] if there are
+    none. It lists only the parameters that the form depends on. *)
 
 val may_be_zero : t -> Linear.t -> bool
-(** Whether the form is zero for some values. *)
+(** [may_be_zero ranges form] is true if [form] is zero for some values of the parameters. *)
 
 val range_to_string : range -> string
-(** ["x in (0, 6]"]. *)
+(** The range as text, with the brackets of its ends: ["x in (0, 6]"]. *)
 
 val to_string : t -> string
-(** ["x in [0, 6], y in (0, 1/2]"]. *)
+(** All ranges as text, separated by commas: ["x in [0, 6], y in (0, 1/2]"]. *)

@@ -9,5 +9,10 @@ type t = {
 }
 
 val equal : t -> t -> bool
+(** [equal a b] is true if [a] and [b] are the same feature of the same part. *)
+
 val compare : t -> t -> int
+(** A total order on sites: by part, then by feature. *)
+
 val hash : t -> int
+(** A hash that agrees with {!equal}. *)

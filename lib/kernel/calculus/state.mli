@@ -6,9 +6,9 @@ open Scc_rigid
 
 type leaf = {
   leaf : int;  (** index into {!Model.leaves} *)
-  position : Vec.t;  (** of the leaf's reference point, in the world *)
-  turned : Quaternion.t;  (** how it has turned since it was declared; the identity where nothing turns *)
-  waited : Rat.t;  (** how long ago its law was asked, where processes have steps of their own; else 0 *)
+  position : Vec.t;  (** world position of the leaf's reference point *)
+  turned : Quaternion.t;  (** its rotation since it was declared; the identity where nothing turns *)
+  waited : Rat.t;  (** the time since its law was evaluated, where processes have steps of their own; else 0 *)
   behaviour : Behaviour.aged;
 }
 
@@ -19,6 +19,7 @@ type finish = { at : int;  (** the leaf *) site : Site.t }
 type bond = private { name : string; one : finish; two : finish }
 
 val bond : string -> finish -> finish -> bond
+(** [bond name a b] is the bond of this name between the ends [a] and [b], given in any order. *)
 
 (** Where the network is in its movement step, or a process in its own (rule Steer). *)
 type phase =
@@ -26,47 +27,49 @@ type phase =
   | Due  (** the step is over, and this instant has not been steered *)
   | Steered  (** this instant has been steered *)
 
-(** What chance has decided of a process whose law is asked (rule Draw). *)
+(** What chance has decided of a process whose laws are evaluated at this instant (rule Draw). *)
 type draw =
   | Waits  (** it has not drawn yet *)
   | Drawn of Vec.t  (** the velocity that it will have when all have drawn *)
 
-(** The summands by which leaves release a bond, [omega(a, Phi) chance q. B] each, in order of the leaves: of
-    those of its two leaves that have a chance for it. The others are free to choose among their own, and are here,
-    too, once they have chosen. *)
+(** The summands [omega(a, Phi) chance q. B] by which leaves release a bond, in order of the leaves. There is one
+    for each of its two leaves that has a chance for it. A leaf without a chance chooses freely among its summands,
+    and is listed once it has chosen. *)
 type drawn = (int * Behaviour.t) list
 
 (** What has been decided of a bond at a split instant of the network (rule Lot). *)
 type lot =
   | Undecided
   | Let_go of drawn  (** it is to be released *)
-  | Next of drawn  (** it is, before others that end at one of its leaves *)
+  | Next of drawn  (** it is to be released before others that end at one of its leaves *)
 
 type lots = {
   since : Rat.t;  (** the time since the last split instant of the network, less than the split step *)
-  pending : (bond * lot) list;  (** in order; what is left to be drawn or released at this instant *)
+  pending : (bond * lot) list;  (** in order: the bonds still to be drawn for or released at this instant *)
 }
 
 type process = private {
   leaves : leaf array;  (** in order of [leaf]; not empty *)
   bonds : bond array;
   (** sorted; a tree over the leaves, with {!Model.Cyclic} any connected graph without loops and double edges *)
-  velocity : Vec.t;  (** of the centre of mass *)
-  spin : Vec.t;  (** angular velocity, radians per unit of time; zero in the translational calculus *)
-  since : Rat.t;  (** how long ago its present turn began (rule Turn); 0 where nothing turns *)
+  velocity : Vec.t;  (** of the centre of mass, in the world *)
+  spin : Vec.t;  (** angular velocity in the world, radians per unit of time; zero in the translational calculus *)
+  since : Rat.t;  (** the time since its present turn began (rule Turn); 0 where nothing turns *)
   lasts : Rat.t option;
-  (** how long its present turn lasts in all, 0 when it does not spin; [None] while its next turn is due to begin
-      (rigid models alone) *)
+  (** the whole length of its present turn, 0 if it does not spin; [None] while its next turn is due to begin, in
+      models with {!Model.has_turns} *)
   kept : Vec.t;
-  (** with {!Model.Free_body}, the angular momentum about the centre of mass, which turns keep; else zero *)
+  (** with {!Model.Free_body}, the angular momentum about the centre of mass in the world, which turns keep; else
+      zero *)
   clock : Rat.t option;
-  (** time since the split clock was set (reading I-9), modulo the split step (reading I-16), 0 with
+  (** the time since the split clock was set (reading I-9), modulo the split step (reading I-16); 0 with
       {!Model.Any_time}; [Some] iff a weak split is enabled *)
   phase : phase option;
-  (** of what is steered, where processes have steps of their own ({!Model.of_each}); else [None] *)
+  (** [Some] for a steered process, where processes have steps of their own ({!Model.of_each}); else [None] *)
   draw : draw option;
-  (** of each process whose law is asked at this instant, while some of them waits to draw; else [None] *)
-  lots : lots option;  (** [Some] iff {!Model.lots}; [since] is the same of all processes *)
+  (** [Some] for each process whose laws are evaluated at this instant, while one of these processes waits to draw;
+      else [None] *)
+  lots : lots option;  (** [Some] iff {!Model.lots}; [since] is equal in all processes *)
 }
 
 (** The movement step of the network, where it has one ({!Model.of_all}). *)
@@ -84,77 +87,115 @@ type t = private {
 val process :
   ?phase:phase -> ?draw:draw -> ?lots:lots -> ?spin:Vec.t -> ?since:Rat.t -> ?lasts:Rat.t option -> ?kept:Vec.t ->
   leaves:leaf list -> bonds:bond list -> velocity:Vec.t -> clock:Rat.t option -> unit -> process
-(** Canonical order. The bonds must join the leaves into one (a bug if they are too few for that). *)
+(** A process with leaves and bonds in canonical order. The bonds must join all leaves into one; too few bonds for
+    that are a bug. The defaults are those of a process that neither turns nor is steered, without lots. *)
 
 val map_leaves : (leaf -> leaf) -> process -> process
-(** The function keeps the index of each leaf. *)
+(** [map_leaves f p] is [p] with each leaf replaced by its image under [f], which keeps the index of the leaf. *)
 
 val renamed : (int -> int) -> process -> process
-(** The process with other indices for its leaves, given by a function that takes no two to one. *)
+(** [renamed image p] is [p] with the index of each leaf replaced, also in bonds and lots. [image] is injective on
+    the leaves of [p]. *)
 
 val with_velocity : Vec.t -> process -> process
+(** [with_velocity v p] is [p] with the velocity [v] of the centre of mass. *)
 
 val with_turn : spin:Vec.t -> since:Rat.t -> lasts:Rat.t option -> process -> process
+(** [with_turn ~spin ~since ~lasts p] is [p] with this spin and this turn: when it began, and how long it lasts. *)
+
 val with_kept : Vec.t -> process -> process
+(** [with_kept l p] is [p] with the angular momentum [l] that its turns keep. *)
+
 val with_clock : Rat.t option -> process -> process
+(** [with_clock clock p] is [p] with this split clock. *)
+
 val with_phase : phase option -> process -> process
+(** [with_phase phase p] is [p] in this phase of its own movement step. *)
+
 val with_draw : draw option -> process -> process
+(** [with_draw draw p] is [p] with this decision of chance about its velocity (rule Draw). *)
+
 val with_lots : lots option -> process -> process
+(** [with_lots lots p] is [p] with these lots (rule Lot). *)
+
 val with_bond : bond -> process -> process
-(** One more, between two of its leaves. *)
+(** [with_bond b p] is [p] with one more bond, between two of its leaves. *)
 
 val compare_first : process -> process -> int
-(** By their first leaves. *)
+(** The order of processes in a state: by the indices of their first leaves. *)
 
 val make : processes:process list -> step:step option -> time:Rat.t option -> t
+(** A state of these processes, given in any order. *)
 
 val mapi : (int -> process -> process) -> t -> t
-(** Each by its place. The function keeps the first leaf of each. *)
+(** [mapi f s] is [s] with each process [p] at index [i] replaced by [f i p], which keeps the first leaf of [p]. *)
 
 val at : step:step option -> time:Rat.t option -> t -> t
-(** The same processes. *)
+(** [at ~step ~time s] is the processes of [s], in this movement step and at this absolute time. *)
 
 val exchange : gone:process list -> come:process list -> t -> t
-(** Without some of its processes, the same values in memory, and with others. *)
+(** [exchange ~gone ~come s] is [s] without the processes [gone], and with the processes [come]. Those that go are
+    found by physical equality. *)
 
 val home : t -> int -> process option
-(** The process that has a leaf; [None] when it is gone (rule Absorb). *)
+(** [home s leaf] is the process that has the leaf; [None] if the leaf has been absorbed (rule Absorb). *)
 
 val gone : Model.t -> t -> int list
-(** The leaves that no process has any more, in order (rule Absorb). *)
+(** [gone m s] is the indices of the leaves of [m] that no process of [s] has, in order: those that were absorbed
+    (rule Absorb). *)
 
 val leaf_of : process -> int -> leaf
-(** The leaf of a process with this index into {!Model.leaves} (a bug when it has none). *)
+(** [leaf_of p i] is the leaf of [p] with index [i] into {!Model.leaves}. It is a bug if [p] has no such leaf. *)
 
 val has_leaf : process -> int -> bool
+(** [has_leaf p i] is true if [p] has the leaf with index [i] into {!Model.leaves}. *)
 
 val mass : Model.t -> process -> Rat.t option
-(** [None] for a process that holds a fixed leaf. *)
+(** The mass of a process, the sum over its leaves; [None] if one of its leaves is fixed. *)
 
 val size : Model.t -> process -> int
-(** The number of basic shapes. *)
+(** The number of basic shapes in a process. *)
 
 val part_position : Model.t -> leaf -> int -> Vec.t
-(** World position of the reference point of a part. *)
+(** [part_position m l i] is the world position of the reference point of part [i] of the leaf. *)
 
 val placed : Model.t -> leaf -> int -> Placed.t
-(** A part where it stands, turned as it is. *)
+(** [placed m l i] is part [i] of the leaf at its place and in its orientation, in the world. *)
 
 val centroid : Model.t -> leaf -> Vec.t
 (** World position of the centroid of the leaf's shape. *)
 
 val centre_of_mass : Model.t -> process -> Vec.t
-(** World position of what a process turns about; the centroid of its first leaf if it is fixed. *)
+(** World position of the point that a process turns about. For a process with a fixed leaf it is the centroid of
+    its first leaf. *)
 
 val components : leaf array -> bond array -> (leaf list * bond list) list
-(** The connected components, in order of their first leaves: the pieces that remain when bonds go. *)
+(** The connected components of leaves under bonds, in order of their first leaves. They are the pieces that remain
+    of a process when some of its bonds are released. *)
 
 val equal : t -> t -> bool
+(** [equal s t] is true if [s] and [t] are structurally congruent (rule State). *)
+
 val compare : t -> t -> int
+(** A total order on states that agrees with {!equal}. *)
+
 val hash : t -> int
+(** A hash that agrees with {!equal}. *)
+
 val equal_phase : phase -> phase -> bool
+(** [equal_phase a b] is true if [a] and [b] are the same phase. *)
+
 val equal_process : process -> process -> bool
+(** [equal_process p q] is true if [p] and [q] are equal in all fields, for the same leaves. *)
+
 val hash_process : process -> int
+(** A hash that agrees with {!equal_process}. *)
+
 val equal_bond : bond -> bond -> bool
+(** [equal_bond a b] is true if [a] and [b] have the same name and the same ends. *)
+
 val hash_bond : bond -> int
+(** A hash that agrees with {!equal_bond}. It reads the ends alone. *)
+
 val compare_bond : bond -> bond -> int
+(** A total order on bonds: by the lesser end, the greater end, then the name. *)

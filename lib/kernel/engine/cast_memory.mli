@@ -1,6 +1,6 @@
-(** A memory of casts of solids that turn. In one state the same cast is asked for several times, to see who
-    collides before and after a turn begins; and from state to state of an exploration most pairs go on as they
-    did. The answer is a function of what is asked alone ({!Scc_rigid.Cast}). *)
+(** A cache of casts of solids that turn. In one state the same cast is computed several times, to find the
+    collisions before and after a turn begins. From state to state of an exploration, most pairs keep their
+    motions. The result of a cast depends on its arguments alone ({!Scc_rigid.Cast}). *)
 
 open Scc_exact
 open Scc_rigid
@@ -8,9 +8,10 @@ open Scc_rigid
 type t
 
 val create : unit -> t
-(** Bounded: what was asked long ago is forgotten. *)
+(** An empty cache with 8192 entries. A new cast replaces the one with the same hash. *)
 
 val find :
   t -> (Motion.t -> Motion.t -> span:Rat.t -> grid:int -> phase:Rat.t -> Cast.outcome) ->
   Motion.t -> Motion.t -> span:Rat.t -> grid:int -> phase:Rat.t -> Cast.outcome
-(** What the function answers, or has answered to the same. *)
+(** [find cache cast one two ~span ~grid ~phase] is [cast one two ~span ~grid ~phase], from the cache if it is
+    there. Solids are compared by physical equality. *)

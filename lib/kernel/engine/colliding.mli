@@ -1,31 +1,33 @@
-(** Who collides now, and what may come of it, by number: thousands may collide at one instant, and each collision
-    that happens changes the few that its bodies are in. Pairs are in the order of their first leaves, and the
-    outcomes of each in the order in which they were found. *)
+(** The pairs of bodies that collide now, with the outcomes of their collisions by number. Thousands of pairs may
+    collide at one instant, and each collision that happens changes only the pairs of its two bodies. Pairs are
+    in the order of their first leaves, and the outcomes of each pair in the order in which they were found. *)
 
 type ('body, 'outcome) t
 
 val create : int -> first:('body -> int) -> age:('body -> int) -> ('body, 'outcome) t
-(** Of a network of so many leaves, in which nobody collides. [first]: the first leaf of a body, which tells it
-    from all others. [age]: a number that changes whenever the body does. *)
+(** [create leaves ~first ~age] has no pairs, for a network of this many leaves. [first] is the first leaf of a
+    body, which identifies it. [age] is a number that changes whenever the body does. *)
 
 val meet : ('body, 'outcome) t -> 'body -> 'body -> unit
-(** The two collide, the one with the lesser first leaf first; nothing happens if that is known. This and what
-    follows takes O(log n) steps for n pairs, for each pair that it is about. *)
+(** [meet t one two] adds the pair, if it is not there yet. The body with the lesser first leaf comes first. This
+    function, {!part} and {!changed} take O(log n) steps for each pair concerned, for n pairs. *)
 
 val part : ('body, 'outcome) t -> int -> unit
-(** The body with this first leaf takes another course: it collides with nobody. *)
+(** [part t first] removes all pairs of the body with this first leaf, which takes another course. *)
 
 val changed : ('body, 'outcome) t -> int -> unit
-(** The body with this first leaf may have changed, on its course. *)
+(** [changed t first] marks all pairs of the body with this first leaf, which may have changed on its course, for
+    the next {!find}. *)
 
 val find : ('body, 'outcome) t -> ('body -> 'body -> 'outcome list) -> unit
-(** Finds the outcomes of the pairs that have met, and again of those in which one has changed. *)
+(** [find t outcomes] computes the outcomes of the pairs that are new, and of the marked pairs in which the age
+    of a body differs. *)
 
 val count : ('body, 'outcome) t -> int
-(** How many outcomes there are, as they were found last. *)
+(** The number of all outcomes, as {!find} found them last. *)
 
 val nth : ('body, 'outcome) t -> int -> 'outcome
-(** By its number, from 0 (a bug when there is none). *)
+(** The outcome with a number, from 0 to {!count} - 1. Any other number is a bug. *)
 
 val bodies : ('body, 'outcome) t -> 'body list
-(** All that collide, in order: takes O(n). *)
+(** All bodies that are in pairs, in the order of their first leaves. It takes O(n log n) steps for n pairs. *)

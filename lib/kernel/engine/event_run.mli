@@ -1,6 +1,6 @@
-(** A run of a network without laws of motion, from event to event: what a step costs depends on those who take
-    part in it and on their neighbours, and hardly on how many others there are. It offers and takes the same
-    transitions as {!Network.successors}, in the same order, but does not write down whole states. *)
+(** A run of a network without laws of motion, from event to event. The cost of a step depends on the processes
+    that take part in it and on their neighbours, and hardly on the size of the network. A run has the same
+    transitions as {!Network.successors}, in the same order, but does not build whole states. *)
 
 open Scc_exact
 open Scc_calculus
@@ -9,46 +9,55 @@ open Scc_semantics
 type t
 
 val can_run : Model.t -> bool
-(** Not with laws of motion, nor where processes bind that do not collide (reading I-33). *)
+(** [can_run m] is true if [m] has neither laws of motion, turns nor lots ({!Model.straight}), and its processes
+    bind only if they collide (reading I-33). *)
 
 val start : Semantics.t -> State.t -> t
-(** From any state of a model that {!can_run}. *)
+(** A run from any state of a model that {!can_run}. Any other model is a bug. *)
 
 (** A transition that is possible now. *)
 type alternative = {
   label : Transition.label;
   rules : Rule.t list;
-  rounded : Totals.t Lazy.t option;  (** [None]: nothing is rounded here *)
+  rounded : Totals.t Lazy.t option;  (** [None] in these runs: nothing is rounded *)
 }
 
-(** Alternatives are numbered from 0 on, as in {!Network.successors} of the present state: there may be thousands
-    of them at one instant, and none is written down before it is asked for. The numbers hold until the next step.
-    To ask for one that is not there is a bug. *)
+(** Alternatives are numbered from 0 on, as in {!Network.successors} of the present state. There may be thousands
+    of them at one instant, and each is built when it is used. The numbers are valid until the next step. A
+    number out of range is a bug. *)
 
 val count : t -> int
+(** The number of alternatives in the present state. *)
+
 val label : t -> int -> Transition.label
+(** The label of the alternative with a number. *)
+
 val alternative : t -> int -> alternative
+(** The alternative with a number. *)
 
 val take : t -> int -> unit
 (** Takes the alternative with a number. *)
 
 val wait : t -> Rat.t -> alternative option
-(** Takes {!Network.wait}. *)
+(** [wait t d] takes the transition {!Network.wait} by [d] and returns it; [None] if there is none. *)
 
 val elapsed : t -> Rat.t
-(** The time since the start. *)
+(** The time since the start of the run. *)
 
 val state : t -> State.t
-(** The present state, in full: takes time proportional to its size. *)
+(** The present state, in full. It takes time proportional to the size of the network. *)
 
 val velocity : t -> int -> Vec.t
-(** Of the process with this first leaf (a bug when there is none). *)
+(** The velocity of the process with this first leaf, in the world. It is a bug if no process begins with the
+    leaf. *)
 
-(** Who has changed: the first leaves of processes that are no more as they were, and the processes that came
-    instead, as they are now, in order. A process that has only moved on is neither. *)
+(** Changes of processes. [gone] is the first leaves of the processes that are no more as they were. [come] is
+    the processes that replace them, as they are now. Both are in order. A process that has only moved is in
+    neither. *)
 type changes = { gone : int list; come : State.process list }
 
 val changes : t -> changes
-(** Since it was asked for last, or since the start. *)
+(** The changes since the last call of this function, or since the start of the run. *)
 
 val work : t -> Flights.work
+(** The work of the broad phase since the start of the run. *)

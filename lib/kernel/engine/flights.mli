@@ -1,11 +1,11 @@
-(** Where the processes of an inertial network go, as straight lines, and which of them will collide.
+(** The courses of the processes of an inertial network, as straight lines, and the collisions to come.
 
-    The line of a process is the process with its positions put back to where they were, or would have been, at
-    time 0: position = line + velocity * time. Lines change with the velocity only, and their numbers are
-    shorter than those of positions. Times are absolute and at least 0.
+    The line of a process is the process with its positions extrapolated back to time 0: position = line +
+    velocity * time. A line changes with the velocity only, and its numbers are shorter than those of positions.
+    Times count from the start of the run and are at least 0.
 
-    Each part of a process is kept in a tree of boxes, by what it sweeps until it will have moved by about its
-    size. Collisions during the sweeps of both processes are known; for later ones a sweep is renewed. *)
+    A tree of boxes has each part of a process, by the box that it sweeps until it has moved by about twice its
+    size. Collisions during the present sweeps of both processes are known. A sweep is renewed when it ends. *)
 
 open Scc_exact
 open Scc_calculus
@@ -19,34 +19,37 @@ type flight = private {
   velocity : Vec.t;
   parts : int array;
   mutable sweep : int;  (** the number of its present sweep; -1 once it has been dropped *)
-  mutable rounds : int;  (** sweeps before this one *)
+  mutable rounds : int;  (** the number of sweeps before this one *)
 }
 
-(** Who is told of what is to come. *)
+(** The callbacks for what is to come. *)
 type watch = {
   contact : Rat.t -> flight -> flight -> unit;
-  (** two processes will collide at a time, if both keep to their present sweeps until then *)
-  sweep_end : Rat.t -> flight -> unit;  (** a sweep ends, and is to be renewed then *)
+  (** called for two processes that will collide at this time, if both keep to their present sweeps until then *)
+  sweep_end : Rat.t -> flight -> unit;  (** called for a sweep that ends at this time; it is to be renewed then *)
 }
 
 val create : Semantics.t -> t
+(** An empty set of flights for the model of this semantics, whose geometry computes the casts. *)
 
 val launch : t -> now:Rat.t -> State.process -> watch -> flight
-(** [launch t ~now line watch] adds a process, sweeps it from [now] on and tells the end of the sweep, if it
-    has one, and its collisions with all those launched before: for two parts, one of each, the time of their
-    first collision, if it is during both sweeps. *)
+(** [launch t ~now line watch] adds the process with this line and sweeps it from [now] on. It calls [watch] for
+    the end of the sweep, if it has one, and for collisions with all processes launched before. These are the
+    first collisions of two parts, one of each process, during the sweeps of both. *)
 
 val renew : t -> now:Rat.t -> flight -> watch -> unit
-(** Sweeps it from [now] on anew, further than before, and tells the same. *)
+(** [renew t ~now f watch] sweeps [f] once more, from [now] on and over time farther than before, and calls
+    [watch] as {!launch} does. *)
 
 val drop : t -> flight -> unit
-(** Removes it. *)
+(** [drop t f] removes [f] from the tree, and ends its sweep. *)
 
-(** What has been done so far; for measurements. *)
+(** The work done so far, for measurements. *)
 type work = {
   sweeps : int;
-  neighbours : int;  (** what sweeps found in the tree, themselves among it *)
-  casts : int;  (** exact queries *)
+  neighbours : int;  (** the parts that sweeps found in the tree, including the swept parts themselves *)
+  casts : int;  (** the exact queries *)
 }
 
 val work : t -> work
+(** The work done since {!create}. *)

@@ -1,8 +1,8 @@
-(** A cache of what single processes and pairs of processes do. One step of a network changes few processes, and
-    what the others do by themselves stays as it was.
+(** A cache of the answers about single processes and pairs of processes. One step of a network changes few
+    processes, and the answers about the others stay valid.
 
-    The cache keeps a few processes for each leaf, the last ones that were asked about. It compares processes by
-    their address in memory: a process that is built anew is another one. *)
+    For each leaf, the cache has the 6 processes that begin with this leaf and were used last. It compares
+    processes by physical equality: a process that is built again is another one. *)
 
 val create : unit -> Scc_semantics.Memo.t
 (** An empty cache. *)

@@ -1,10 +1,12 @@
-(** One run of a network: what can happen next, and one of it happens.
+(** One run of a network, step by step: the transitions that are possible next, and the one that is taken.
 
-    A network without laws of motion runs from event to event ({!Event_run}): a step costs about as much as the few
-    bodies that take part in it, and only {!state} looks at all. Under laws of motion every step changes the
-    velocity of every steered body anyway, and the whole of {!Network.successors} is computed for each; so
-    it is where processes bind that do not collide (reading I-33). Draws are no steps of that kind: all bodies that
-    draw at one instant are asked in turn, each for itself, and the last one takes the network on. *)
+    A model that {!Event_run.can_run} runs from event to event. The cost of a step depends on the few bodies that
+    take part in it, and only {!state} visits all bodies. In other models, all of {!Network.successors} is
+    computed for each step. These have laws of motion, turns or lots, or bind bodies that do not collide (reading
+    I-33). Under laws of motion, for example, every step changes the velocity of every steered body anyway.
+
+    Draws are handled one body at a time: the bodies that draw at one instant do so in turn. The draw of the last
+    of them computes the next state of the network. *)
 
 open Scc_calculus
 open Scc_semantics
@@ -12,10 +14,10 @@ open Scc_semantics
 type t
 
 val start : Semantics.t -> State.t -> (t, Transition.fault) result
-(** At the initial state, from the declared one. *)
+(** [start c declared] is a run at the initial state that follows from the declared state ({!Network.initial}). *)
 
 val resume : Semantics.t -> State.t -> t
-(** At any state of a model, such as the initial one. *)
+(** [resume c s] is a run at [s], which may be any state of the model, such as the initial one. *)
 
 type alternative = Event_run.alternative = {
   label : Transition.label;
@@ -23,37 +25,39 @@ type alternative = Event_run.alternative = {
   rounded : Totals.t Lazy.t option;  (** what rule Round added to the totals of the network, if it was used *)
 }
 
-(** What may happen: so many transitions, and the label of each by its number, from 0. It holds until the next
-    step. *)
+(** The possible transitions: their number, and the label of each by its number, from 0. The record is valid
+    until the next step. *)
 type labels = { count : int; label : int -> Transition.label }
 
 val labels : t -> (labels, Transition.fault) result
-(** Those of {!Network.successors} of the present state, in that order. *)
+(** The labels of {!Network.successors} of the present state, in that order. *)
 
 val list : labels -> Transition.label list
+(** All labels as a list, in order. *)
 
 val take : t -> int -> alternative
-(** Takes the one with a number, from 0 (a bug when there is none, or a fault), and says what was taken. *)
+(** Takes the transition with a number, from 0, and returns it. It is a bug if there is no such transition, or if
+    {!labels} is a fault. *)
 
 val wait : t -> Scc_exact.Rat.t -> (alternative option, Transition.fault) result
-(** Takes {!Network.wait}, and says what was taken. *)
+(** [wait t d] takes the transition {!Network.wait} by [d] and returns it; [None] if there is none. *)
 
 val elapsed : t -> Scc_exact.Rat.t
-(** The time since it began. *)
+(** The time since the start of the run. *)
 
 val state : t -> State.t
-(** The present state, in full. *)
+(** The present state, in full. It takes time proportional to the size of the network. *)
 
 val changes : t -> Event_run.changes option
-(** Who has changed since it was asked for last, or since the start, of a network that runs from event to event; of
-    another one only its states tell. *)
+(** The changes since the last call of this function, or since the start of the run ({!Event_run.changes}). The
+    result is [None] in a run that does not go from event to event; there, compare its states. *)
 
 val quiescent : t -> bool
-(** {!Network.quiescent} of the present state, in which nothing is possible (of no meaning otherwise). *)
+(** [quiescent t] is {!Network.quiescent} of the present state. It is valid only if no transition is possible. *)
 
 val spinning : t -> bool
-(** Whether something spins now. *)
+(** [spinning t] is true if the spin of some process is not 0 now. *)
 
 val rounded : t -> (Totals.t * Totals.t) option
-(** Bounds on what rule Round has added to the totals of the network so far, closely; [None] where nothing is
-    rounded. *)
+(** Lower and upper bounds on what rule Round has added to the totals of the network so far ({!Totals.bounds});
+    [None] if the model rounds nothing. *)

@@ -1,9 +1,9 @@
-(** The semantics as everybody runs it: exact geometry with memories of contact queries and of casts, a memory of
-    laws that never change, one of what processes do alone and in twos, and neighbours by boxes.
-    None of them changes an answer. *)
+(** The semantics that all commands use. It has exact geometry, with caches of contact queries and of casts. It
+    has caches of constant laws, and of the answers about processes and pairs. Its neighbours are found by boxes.
+    No answer depends on these caches and filters. *)
 
 open Scc_calculus
 open Scc_semantics
 
 val of_model : Model.t -> Semantics.t
-(** With a new memory: one is made for a model, and kept. *)
+(** [of_model m] is this semantics for [m], with empty caches. Make it once for a model, and keep it. *)

@@ -1,23 +1,32 @@
-(** What a network as a whole has of the quantities that mechanics keeps. Fixed bodies are left out. *)
+(** The conserved quantities of mechanics, of a network as a whole. Processes with a fixed leaf are left out. *)
 
 open Scc_exact
 open Scc_calculus
 
 type t = {
-  momentum : Vec.t;
+  momentum : Vec.t;  (** linear momentum, in the world *)
   angular : Vec.t;  (** angular momentum about the origin of the world *)
-  energy : Rat.t;  (** kinetic *)
+  energy : Rat.t;  (** kinetic energy *)
 }
 
 val zero : t
+(** All quantities 0. *)
+
 val of_state : Model.t -> State.t -> t
+(** The totals of a state, exactly. *)
+
 val added : Model.t -> Scc_semantics.Transition.t -> t Lazy.t option
-(** What rule Round added in a transition, if it was used. *)
+(** The change of the totals by rule Round in a transition, exactly; [None] if the transition does not use the
+    rule. *)
 
 val add : t -> t -> t
+(** The sum of each quantity. *)
+
 val sub : t -> t -> t
+(** The difference of each quantity, the first less the second. *)
 
 val map : (Rat.t -> Rat.t) -> t -> t
+(** [map f t] is [t] with [f] applied to each component of each quantity. *)
 
 (** {1 Long sums}
 
@@ -27,7 +36,10 @@ type sum
 (** A sum that is known to within 2^-128 for each of its terms. *)
 
 val no_sum : sum
+(** The sum of no terms, which is 0. *)
+
 val accumulate : sum -> t -> sum
+(** [accumulate sum t] is [sum] with one more term. *)
 
 val bounds : sum -> t * t
-(** Each quantity of the sum lies between those of the two. *)
+(** Lower and upper bounds on each quantity of the sum. They differ by 2^-128 times the number of terms. *)

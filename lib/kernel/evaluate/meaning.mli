@@ -1,5 +1,6 @@
-(** What each atom means, written once: as what has to be looked at, and what is made of it. Who has a state, a
-    tuple of numbers or a stretch of time at hand ({!Terms.View}) looks at that, and restates nothing. *)
+(** The meaning of each atom, defined once: which part of a state it depends on, and as which function. A state,
+    a tuple of numbers and a stretch of time are views ({!Terms.View}) that apply this function, each to its own
+    data. *)
 
 open Scc_ctl
 open Scc_calculus
@@ -9,28 +10,32 @@ open Scc_property
 
 type quantity =
   | Of_process of int * (Path.t -> Path.curve)
-  (** of the process that has the leaf; of who is gone, {!of_the_gone} *)
+  (** a function of the process that has the leaf; for an absorbed leaf it is undefined ({!of_the_gone}) *)
   | Counted of int * (State.process -> int)
-  (** of the process that has the leaf, 0 of who is gone; does not change while time passes *)
-  | Of_two of int * int * (Path.t -> Path.t -> Path.curve)  (** of those that have the leaves, which may be one *)
-  | Sum of (Path.t -> Path.curve)  (** over all processes *)
-  | Number of (State.process -> int)  (** the same, of what does not change while time passes *)
-  | Time  (** absolute *)
-  | Parameter of int  (** of which a range is known: one run has its value in its place *)
+  (** a function of the process that has the leaf, 0 for an absorbed leaf; it stays the same while time passes *)
+  | Of_two of int * int * (Path.t -> Path.t -> Path.curve)
+  (** a function of the processes that have the leaves, which may be one process *)
+  | Sum of (Path.t -> Path.curve)  (** a sum over all processes *)
+  | Number of (State.process -> int)  (** a sum over all processes that stays the same while time passes *)
+  | Time  (** absolute time *)
+  | Parameter of int  (** the parameter with this index among those with ranges; one run has its value instead *)
 
 type fact =
   | Missing of int  (** no process has the leaf *)
-  | In_process of int * (State.process -> bool)  (** of the process that has the leaf; false of who is gone, as
-                                                     all that follows *)
+  | In_process of int * (State.process -> bool)
+  (** a predicate of the process that has the leaf; this and the next two are false for an absorbed leaf *)
   | In_behaviour of int * (Behaviour.aged -> bool)
-  (** of the behaviour of the leaf; time that passes, but for the end of an eps, changes nothing of it *)
+  (** a predicate of the behaviour of the leaf; while time passes, only the end of an eps may change it *)
   | Between of int * int * (Timeline.extent -> Path.t -> Path.t -> Truth.t Timeline.t)
-  (** of the processes that have the leaves, which may be one *)
-  | In_network of (State.t -> bool)  (** does not change while time passes and nothing happens *)
+  (** a predicate of the processes that have the leaves, which may be one process *)
+  | In_network of (State.t -> bool)  (** it stays the same while time passes and nothing happens *)
   | Arrival of Property.event  (** such a transition has just led here, and no time has passed since *)
 
 val of_the_gone : Model.t -> int -> string
-(** Why there is no number that tells where a leaf is that is gone (rule Absorb). *)
+(** The reason, for messages, why a quantity of an absorbed leaf is undefined (rule Absorb). *)
 
 val quantity : Model.t -> Property.quantity -> quantity
+(** The meaning of an atom that is a number. Lengths, velocities and momenta are in the world frame. *)
+
 val fact : Semantics.t -> Property.fact -> fact
+(** The meaning of an atom that is a truth. *)

@@ -1,12 +1,13 @@
-(** Contact within resolution along a trajectory (rule Instants in the rigid calculus): two bodies touch at an
-    instant iff the distance of some part of one from some part of the other is at most the resolution. *)
+(** Contact within resolution along a trajectory (rule Instants in the rigid calculus). Two bodies touch at an
+    instant iff some part of one is at most the resolution away from some part of the other. *)
 
 open Scc_ctl
 open Scc_exact
 open Scc_motion
 
 val touching : resolution:Rat.t -> Timeline.extent -> Path.t * int -> Path.t * int -> Truth.t Timeline.t
-(** Of two leaves of one process, or of two, of a rigid model. The distance is exact at an instant. Over a piece
-    of a trajectory it is known from that in the middle and a bound on the speeds; where the distance is within a
-    thirty-second of the resolution from the resolution itself, for about as long as it takes to change so much,
-    it is undecided. *)
+(** [touching ~resolution extent (p, i) (q, j)] is true when leaf [i], on the path [p], touches leaf [j], on the
+    path [q]. The paths may be of one process; the model is rigid. At an instant the distance is exact. Over a
+    piece of a trajectory it follows from the distance in the middle and a bound on the speeds. The result is
+    undecided where the distance differs from the resolution by less than resolution / 32, for about the time in
+    which it may change by as much. *)

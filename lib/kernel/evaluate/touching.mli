@@ -5,7 +5,7 @@ open Scc_semantics
 open Scc_motion
 
 val along : Semantics.t -> int -> int -> Timeline.extent -> Path.t -> Path.t -> Truth.t Timeline.t
-(** [along semantics i j extent p q], i and j different: when the leaf i, of the process on the path p, touches the
-    leaf j, of that on the path q. In the translational calculus that is a closed interval for each pair of parts,
-    found exactly (they never interpenetrate along a trajectory, so that meeting is touching); in the rigid one,
-    {!Near}. *)
+(** [along semantics i j extent p q] is true when leaf [i], of the process on the path [p], touches leaf [j], of
+    the process on the path [q]. The leaves must differ. In the translational calculus two parts touch during a
+    closed interval, which is exact: they never interpenetrate along a trajectory, so meeting is touching. In the
+    rigid calculus it is {!Near.touching}. *)

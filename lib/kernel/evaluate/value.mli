@@ -6,33 +6,52 @@ open Scc_exact
 type t =
   | Ratio of Polynomial.t * Polynomial.t
   (** numerator and denominator; the denominator vanishes nowhere on the piece *)
-  | Undefined of string  (** why there is no number, for a person *)
+  | Undefined of string  (** why there is no number, for messages *)
 
 val equal : t -> t -> bool
-(** Whether they are told alike: as quotients of the same polynomials, or undefined for one reason. *)
+(** [equal a b] is true if [a] and [b] are represented alike: as quotients of the same polynomials, or as
+    undefined for the same reason. *)
 
 val greatest_degree : int
-(** Numbers whose numerator or denominator would have a greater degree are undefined: finding the roots of
-    such a polynomial could take hours. *)
+(** The greatest degree of a numerator or a denominator: 200. Numbers that would need a greater one are
+    undefined, as finding the roots of such a polynomial could take hours. *)
 
 val of_curve : Scc_motion.Path.curve -> t
+(** The number that a curve has; undefined, for the reason {!not_followed}, if the curve is not followed. *)
+
 val not_followed : string
+(** The reason for numbers that change from turn to turn of a body that spins for ever. *)
 
 val polynomial : Polynomial.t -> t
+(** The polynomial as a number, with denominator 1. *)
+
 val of_rat : Rat.t -> t
+(** The constant number. *)
+
 val of_int : int -> t
+(** The constant number. *)
+
 val add : t -> t -> t
+(** The sum; undefined if a side is undefined, or if a degree would exceed {!greatest_degree}. *)
+
 val sub : t -> t -> t
+(** The difference, the first less the second; undefined as in {!add}. *)
+
 val mul : t -> t -> t
+(** The product; undefined as in {!add}. *)
+
 val neg : t -> t
+(** The negation; undefined if its argument is undefined. *)
 
 val div : reason:string -> Timeline.extent -> t Timeline.t -> t Timeline.t -> t Timeline.t
-(** Undefined, with the reason, wherever the divisor is zero. *)
+(** The quotient of two numbers along this extent; undefined, with the reason, wherever the divisor is zero. *)
 
 val compare :
   Scc_calculus.Law.comparison -> Timeline.extent -> t Timeline.t -> t Timeline.t -> Truth.t Timeline.t
-(** Undecided wherever a side is undefined. *)
+(** [compare c extent a b] is true where [a] stands in the relation [c] to [b] along [extent]. It is undecided
+    wherever a side is undefined. *)
 
 val at : t -> Algebraic.t -> string
-(** The value at an offset of its piece, for a person: exact when it is rational, else a decimal
-    fraction near it. *)
+(** The value at an offset of its piece, as text for messages. At a rational offset it is exact. At an irrational
+    one it is exact if it is a simple rational number; else it is a decimal fraction near the value, behind
+    [about]. An undefined value gives its reason. *)

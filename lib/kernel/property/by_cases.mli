@@ -4,20 +4,23 @@ open Scc_exact
 open Scc_calculus
 
 type case = { rate : Vec.t; least : Rat.t; greatest : Rat.t }
-(** The quantities, each times the component of [rate] that is its own, and something from [least] to [greatest].
-*)
+(** The scalar product of [rate] with the three quantities, plus some number from [least] to [greatest]. *)
 
 val cases : Model.t -> variable:(Property.quantity -> Vec.t option) -> Property.num -> case list option
-(** What a number may be: one of these at each instant. [variable] tells the rate of one of the quantities: 1 along
-    its own axis. [None] where there is more to it: another quantity without bounds, products of what varies, too
-    many cases. *)
+(** [cases m ~variable n] is what [n] may be: one of these cases at each instant. [variable q] is the rate of the
+    quantity [q], for example 1 along its own axis; [None] for all others. The result is [None] if there are more
+    than 64 cases, or if [n] contains one of these:
+    - another quantity without bounds;
+    - a product of two numbers that vary;
+    - a quotient by a number that varies, or by 0. *)
 
 val zeros : case -> (Vec.t * (Rat.t * Rat.t)) option
-(** A multiple of the rate, of which the first component that is not 0 is 1, and the least and the greatest value
-    of the quantities, so combined, at which the number may be 0; [None] where it does not depend on them. *)
+(** [zeros c] is where [c] may be 0: [(n, (low, high))] if it needs a scalar product of [n] with the quantities
+    from [low] to [high]. [n] is the multiple of the rate with first component 1 among those that are not 0. The
+    result is [None] if the rate is 0. *)
 
 val conditions : Property.num -> Property.prop list
-(** Those within a number, of [count] and [if], but not those within these. *)
+(** The predicates of [count] and [if] within a number, in order. Predicates inside of these are not listed. *)
 
 val values : Property.num -> Property.quantity list
-(** The quantities that it is computed from: all but those within conditions. *)
+(** The quantities that a number is computed from, in order: all except those within its {!conditions}. *)

@@ -1,75 +1,92 @@
-(** Operations on the terms of {!Property}: equality, duality, and what they look at. *)
+(** Operations on the terms of {!Property}: equality, duality, and what they depend on. *)
 
 open Property
 
 val equal_event : event -> event -> bool
+(** [equal_event a b] is true if [a] and [b] have equal rows in the table {!Atom}. *)
+
 val equal_num : num -> num -> bool
+(** [equal_num a b] is true if [a] and [b] are the same term. *)
+
 val equal_prop : prop -> prop -> bool
+(** [equal_prop a b] is true if [a] and [b] are the same term. *)
+
 val equal : temporal -> temporal -> bool
+(** [equal a b] is true if [a] and [b] are the same term. *)
 
 val equal_modulo_order : temporal -> temporal -> bool
-(** Equal but for the order and the brackets of what [and], [or], [count], [+] and [*] join, the order of the
-    leaves of symmetric atoms ([bound], [same], [touching], [distance2], [bonds], [event]), and the direction
-    of comparisons. Formulas for which it is true are equivalent; the converse is not claimed. *)
+(** [equal_modulo_order a b] is true if [a] and [b] have the same {!Rename.ordered} form. They may differ in:
+    - the order and the brackets of what [and], [or], [count], [+] and [*] join;
+    - the order of the leaves of symmetric atoms ([bound], [same], [touching], [distance2], [bonds], [event]);
+    - the direction of comparisons.
+
+    Such formulas are equivalent; equivalent formulas may differ in other ways. *)
 
 val permuted : (int -> int) -> temporal -> temporal
-(** The formula with each leaf replaced by its image. *)
+(** [permuted image f] is [f] with the index of each leaf replaced by its image. *)
 
 val negate : prop -> prop
-(** The complement, with [not] pushed to the atoms that have no complement of their own (comparisons have
-    one). *)
+(** The complement of a predicate, with [not] only in front of facts. A comparison becomes the complementary one.
+*)
 
 val negation_normal_form : temporal -> temporal
 (** An equivalent formula in which [Temporal_not] stands only before [Until]: EF and AG, AF and EG, EX and AX
     are duals. *)
 
 val quantifies : path_quantifier -> temporal -> bool
-(** Whether a quantifier of this kind is left when negations are driven inward. Without any over some run, what
-    holds also holds of fewer runs; without any over all runs, what does not hold does not hold of fewer either
-    (rule CtlLaws). *)
+(** [quantifies kind f] is true if a quantifier of this kind is left when negations are driven inward. A
+    probability counts as both kinds. Without [Exists], a formula that holds still holds over fewer runs. Without
+    [All], a formula that fails still fails over fewer runs (rule CtlLaws). *)
 
 val by_one_run : holds:bool -> temporal -> bool
-(** Whether its outermost operators are such that one run may show that it holds, or that it does not. *)
+(** [by_one_run ~holds f] is true if one run may show that [f] holds, or with [~holds:false] that it fails. The
+    outermost operators decide. It is meant for formulas without probabilities. *)
 
 val always : bound
-(** All time. *)
+(** The bound of an operator without one: all time from 0 on. *)
 
 val asks_probability : temporal -> bool
-(** Whether some operator has a probability for a quantifier. *)
+(** [asks_probability f] is true if an operator of [f] has a probability for a quantifier. *)
 
 val mentions_time : temporal -> bool
-(** Whether the atom [time] occurs (the bounds of operators are relative and do not count). *)
+(** [mentions_time f] is true if the atom [time] occurs in [f]. The bounds of operators are relative and do not
+    count. *)
 
 val mentions_position : temporal -> bool
-(** Whether an absolute coordinate occurs: the formula is then not invariant under translation. *)
+(** [mentions_position f] is true if an absolute coordinate or an angular momentum occurs in [f]. A translation may
+    then change the value of [f]. *)
 
 val mentions_next : temporal -> bool
-(** Whether the operator X occurs, so that how many transitions are made matters. *)
+(** [mentions_next f] is true if the operator X occurs in [f]. The value of [f] then depends on the number of
+    transitions. *)
 
 val has_events : temporal -> bool
-(** Whether an atom [event] occurs: the formula is then about the transitions that led to a state, too. *)
+(** [has_events f] is true if an atom [event] occurs in [f]. The value of [f] then depends on the transitions
+    that led to a state, too. *)
 
 val events : temporal -> event list
-(** Those that occur, each once. *)
+(** The events that occur in a formula, each once, in order. *)
 
 val leaves : temporal -> int list
-(** The leaves that it names, in order, each once. *)
+(** The indices of the leaves that occur in a formula, sorted, each once. *)
 
 val leaves_of_events : temporal -> int list
-(** Those that its events name. *)
+(** The indices of the leaves that occur in the events of a formula, in order, with repetitions. *)
 
 val global : temporal -> bool
-(** Whether it has an atom that depends on the whole network ({!Atom.Whole}): bonds or events without leaves, the
-    number of processes, energy, momentum, [quiescent]. ([time] depends on no process.) *)
+(** [global f] is true if an atom of [f] depends on the whole network ({!Atom.Whole}). Such atoms are bonds or
+    events without leaves, the number of processes, energy, momentum, angular momentum and [quiescent]. The atom
+    [time] is none, as it depends on no process. *)
 
 val atoms : temporal -> Atom.t list
-(** All that occur, in order, each as often as it does. *)
+(** The atoms of a formula in order, with repetitions. *)
 
 val steady : rigid:bool -> prop -> bool
-(** Whether it has no atom whose value may change while time passes and nothing happens ({!Atom.steady}). *)
+(** [steady ~rigid p] is true if all atoms of [p] keep their values while time passes and nothing happens
+    ({!Atom.steady}). *)
 
 val predicates : temporal -> prop list
-(** The predicates that temporal operators are about, in order. *)
+(** The maximal state predicates of a formula, in order, with repetitions. *)
 
 val state_formula : temporal -> prop option
-(** The predicate, when no temporal operator occurs. *)
+(** A formula without temporal operators, as one predicate; [None] if it has a temporal operator. *)

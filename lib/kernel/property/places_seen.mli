@@ -1,28 +1,30 @@
-(** How much of where bodies are formulas can see (rule Drift): which values of coordinates and distances their
-    atoms tell apart. *)
+(** Which values of coordinates and distances the atoms of formulas tell apart (rule Drift). *)
 
 open Scc_exact
 open Scc_calculus
 
 type limits =
-  | Between of Rat.t * Rat.t  (** all values below the first are the same, and all above the second *)
-  | All  (** it is compared with what may get as great, or computed with, or asked for *)
+  | Between of Rat.t * Rat.t
+  (** all values below the first number are equivalent, and all values above the second *)
+  | All
+  (** no two values are known to be equivalent: a formula compares the number with what may grow as well, or
+      computes with it, or has it as its result *)
 
 type t
 
 val checks : Model.t -> Property.check list -> t
-(** All that some of them see. That two bodies touch is not among it, nor what follows from where they are alone.
-*)
+(** What the formulas of some checks, and the numbers of which they take the mean, depend on. Facts such as
+    [touching] are left out. *)
 
 val coordinates : t -> (Vec.t * int * limits) list
-(** Of the centroids of leaves, along a direction n: the number n.p, p being the place. The first component of n
-    that is not 0 is 1, and each direction and leaf comes once. *)
+(** The coordinates n.p in the world of the centroids p of leaves: the direction n, the index of the leaf, and the
+    limits. The first component of n that is not 0 is 1. Each pair of a direction and a leaf comes once. *)
 
 val distances : t -> (int * int * limits) list
-(** Squared distances of the centroids of two leaves, each once. *)
+(** The squared distances between the centroids of two leaves, the lesser index first, each pair once. *)
 
 val everything : t -> bool
-(** An atom depends on where all bodies are, without bounds: angular momentum. *)
+(** [everything t] is true if an atom depends on the places of all bodies, without bounds: angular momentum. *)
 
 val for_ever : t -> bool
-(** Some coordinate or distance is told apart without limits. *)
+(** [for_ever t] is true if the limits of some coordinate or distance are {!All}, or {!everything} holds. *)

@@ -1,4 +1,5 @@
-(** What to do for a formula: searches that end at the first run that decides them, where that is all it takes. *)
+(** How to evaluate a formula: by searches that end at the first run that decides them, where such searches are
+    enough; else on the graph. *)
 
 open Scc_exact
 
@@ -12,15 +13,19 @@ type t =
   | Any of t list
 
 val of_formula : Property.temporal -> t
+(** A plan that is equivalent to the formula. EF and AG of state predicates, with bounds from 0, become searches,
+    also under negation. *)
 
 val is_search : t -> bool
-(** Nothing in it is to be evaluated on the graph. *)
+(** [is_search plan] is true if nothing in [plan] is to be evaluated on the graph. *)
 
 val searches : t -> Property.temporal list
-(** The searches that a plan is made of, each as a formula of its own, and what is to be evaluated. *)
+(** The elements of a plan in order, each as a formula of its own: its searches, and what is to be evaluated on the
+    graph. *)
 
 val horizon : Property.temporal -> Rat.t option
-(** What happens later than this does not matter; [None]: everything may. *)
+(** A model time from the initial state after which nothing changes the value of the formula; [None] if there is no
+    such bound. *)
 
 val latest_horizon : Property.temporal list -> Rat.t option
-(** Of several formulas together; 0 of none. *)
+(** The latest {!horizon} of several formulas: 0 for the empty list, [None] if one of them has none. *)

@@ -1,20 +1,22 @@
-(** Formulas with other leaves in place of theirs, and one form for those that differ in order alone. *)
+(** Formulas with other leaves or with values of parameters, and a normal form up to order. *)
 
 open Property
 
 val temporal : (int -> int) -> temporal -> temporal
-(** Each leaf replaced by its image. *)
+(** [temporal image f] is [f] with the index of each leaf replaced by its image. *)
 
 val check : (int -> int) -> check -> check
-(** The same of all that is asked. *)
+(** [check image c] is [c] with the index of each leaf replaced by its image, in its formula and in its mean. *)
 
 val ordered : temporal -> temporal
-(** An equivalent formula: two that differ in the order or the brackets of what [and], [or], [count], [+] and
-    [*] join, in the order of the two leaves of a symmetric atom, or in the direction of a comparison, have
-    one and the same. *)
+(** An equivalent formula in a normal form, which is equal for formulas that differ only in:
+    - the order or the brackets of what [and], [or], [count], [+] and [*] join;
+    - the order of the two leaves of a symmetric atom;
+    - the direction of a comparison. *)
 
 val known : Scc_exact.Rat.t array -> Property.prop -> Property.prop
-(** Where parameters with ranges have these values. *)
+(** [known values p] is [p] with each parameter that has a range replaced by its value, by index into
+    {!Scc_calculus.Model.ranges}. *)
 
 val known_temporal : Scc_exact.Rat.t array -> temporal -> temporal
-(** The same of whole formulas. *)
+(** [known_temporal values f] is [f] with {!known} applied to all its predicates. *)

@@ -1,7 +1,8 @@
 (** The skeleton of properties: timed CTL over numbers instead of state predicates. *)
 
 val of_temporal : Property.temporal list -> Scc_ctl.Formula.t list * Property.prop array
-(** The same formulas over the state predicates that occur in them, equal ones shared. *)
+(** The formulas over numbers, and the state predicates that the numbers stand for. Equal predicates have one
+    number. *)
 
 val to_temporal : (int -> Property.prop) -> Scc_ctl.Formula.t -> Property.temporal
-(** Back, with the predicates as given. *)
+(** [to_temporal prop f] is [f] with each number [k] replaced by the predicate [prop k]. *)

@@ -1,35 +1,37 @@
-(** How much of the absolute time a formula can see (rule AbsoluteTime): which times its atoms tell apart. *)
+(** Which absolute times the atoms of a formula tell apart (rule AbsoluteTime). *)
 
 open Scc_exact
 open Scc_calculus
 
 type t =
-  | Never  (** it does not speak of time *)
+  | Never  (** it does not depend on absolute time *)
   | Until of Rat.t
   (** it compares time with what stays within bounds: constants, numbers of bodies and bonds, choices among these.
-      After this time, 0 at least, no such comparison changes any more, so that all later times are the same to it
-  *)
-  | Always  (** it compares time with what may get as great as time, or computes with it *)
+      After this time, 0 or more, no such comparison changes any more, so all later times are equivalent *)
+  | Always  (** it compares time with what may grow as fast as time, or computes with it *)
 
 val num : Model.t -> Property.num -> t
-(** [Always] when the value itself changes with time; conditions within it may see less. *)
+(** The times that a number tells apart: [Always] if its value itself changes with time. Conditions within it may
+    tell fewer apart. *)
 
 val formula : Model.t -> Property.temporal -> t
+(** The times that the state predicates of a formula tell apart. *)
 
 val checks : Model.t -> Property.check list -> t
-(** All that some of them see, with the numbers whose means they ask for. *)
+(** The times that some checks tell apart: their formulas, and the numbers of which they take the mean. *)
 
 val law : Model.t -> Law.t -> t
-(** The same of a law of motion. *)
+(** The times that a law of motion tells apart. All other variables of laws count as unbounded. *)
 
 val join : t -> t -> t
+(** The union of what two tell apart: the least upper bound in the order [Never], [Until] by times, [Always]. *)
 
 val same_kind : t -> t -> bool
-(** Up to the constant. *)
+(** [same_kind a b] is true if [a] and [b] have the same constructor, whatever the time in it. *)
 
 val beyond : t -> Rat.t -> Rat.t option
-(** The greatest constant, when the time is later. *)
+(** [beyond seen time] is the time of [Until], if [time] is later; else [None]. *)
 
 val representative : t -> Rat.t -> Rat.t
-(** The time that stands for all that are the same as this one, to what sees so much: {!beyond} does not tell it
-    from them. *)
+(** [representative seen time] is the one time that stands for all times equivalent to [time]. It is 0 for
+    [Never], 1 after the bound of [Until] for all times beyond it, and [time] itself otherwise. *)

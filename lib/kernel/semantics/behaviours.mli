@@ -12,38 +12,40 @@ type offer =
   | Offer_strong of channel list * Rat.t * t
 
 val offers : definitions -> aged -> offer list
-(** Every discrete transition, in the order of the text, without repetition but for what is left to chance (rule
-    Lot). *)
+(** [offers defs b] is every discrete transition of [b], in the order of the text. Equal summands give one offer,
+    except that those left to chance are listed as often as they are written (rule Lot). *)
 
 (** How an offer was derived from the term. *)
 type derivation = {
   summand : t;  (** the prefix *)
   within : int option list;
-  (** the definitions that it stands in, as far as they are known: what follows a prefix has none ([None]) *)
+  (** the definitions that it stands in, as far as they are known; [None] for a prefix behind another prefix *)
   by_sum : bool;  (** rule Sum was used on the way to the prefix *)
-  by_def : bool;  (** so was rule Def *)
+  by_def : bool;  (** rule Def was used on the way to the prefix *)
 }
 
 val derivations : definitions -> aged -> (offer * derivation) list
-(** {!offers}, each with its first derivation. *)
+(** [derivations defs b] is the {!offers} of [b], each with its first derivation. Where equal summands give one
+    offer, [within] has the definitions of all of them. *)
 
 val rules : derivation -> Rule.t list
-(** The prefix's rule, with Sum and Def where they were used. *)
+(** The rules of a derivation: that of its prefix (Pre, Weak or Strong), then Sum and Def if they were used. *)
 
 (** {1 Time: rule TimeBehaviour} *)
 
 val horizon : definitions -> aged -> Rat.t option
-(** The time until the first of the exposed eps expires; [None] when none is exposed. All are known: no
-    {!Scc_calculus.Behaviour.Wait} (a bug otherwise), as in {!pass}. *)
+(** The time until the first exposed eps expires; [None] if no eps is exposed. An exposed
+    {!Scc_calculus.Behaviour.Wait}, with a time that is not known, is a bug. *)
 
 val delays : definitions -> aged -> t list
 (** The exposed eps, each a [Delay] or a [Wait], in the order of the text. *)
 
 val shorten : definitions -> (t -> t) -> aged -> aged
-(** What a behaviour has come to, up to its horizon: the function says what becomes of each exposed eps, a
-    shorter one or, if it expires, what follows it. *)
+(** [shorten defs f b] is what [b] becomes within its horizon. [f] takes each exposed eps to what becomes of it: a
+    shorter eps, or what follows it if it expires. Origins and repeated summands are as in {!pass}. *)
 
 val pass : definitions -> Rat.t -> aged -> aged
-(** [pass defs d b] is the one b' with b --d--> b', for d >= 0 ([b] itself for d = 0). Names with no exposed eps
-    stay folded; an aged sum has neither nil nor equal summands, except those that offer something by chance, now
-    or later, and that a single one which still ages has nil beside it (readings I-14, I-17, rule Lot). *)
+(** [pass defs d b] is the one b' with b --d--> b', for d >= 0; for d = 0 it is [b]. A name without an exposed
+    eps stays folded. An aged sum has neither nil nor equal summands, with two exceptions (readings I-14, I-17).
+    Summands that offer something by chance, now or later, stay (rule Lot). A single summand that still ages has
+    nil beside it. An exposed {!Scc_calculus.Behaviour.Wait} is a bug. *)

@@ -1,7 +1,8 @@
-(** Bonds that close rings (rule Close, reading I-37): an extension of the calculus, for models that ask for it. *)
+(** Bonds that close rings (rule Close, reading I-37): an extension of the calculus, for models with
+    {!Model.Cyclic}. *)
 
 open Scc_calculus
 
 val all : Semantics.t -> State.process -> Transition.outcome list
-(** Every bond that two leaves of a process may make which none joins yet. The process stays one and moves on as it
-    does; it starts its split clock anew. Urgent. Empty if the model does not have {!Model.Cyclic}. *)
+(** Every bond that two leaves of a process may make if no bond joins them yet. Each is urgent. The process stays
+    one and keeps its motion; its split clock restarts. In all other models the list is empty. *)

@@ -4,19 +4,19 @@ open Scc_exact
 open Scc_calculus
 
 val parts : Semantics.t -> State.process array -> Part.t array
-(** In the order of processes, leaves and parts. *)
+(** All parts of some processes, in the order of processes, leaves and parts. *)
 
 val meetings : Semantics.t -> State.process array -> Kinematics.meeting list
-(** Every two processes that collide, in order; and, where contact is enough to bind (reading I-33), every two that
-    have a candidate. *)
+(** All pairs of processes that collide, in order. Where contact is enough to bind (reading I-33), also the pairs
+    that touch and have a candidate. *)
 
 val colliding : Semantics.t -> State.t -> (int * int) list
-(** Which two processes do, by their indices. *)
+(** The pairs of processes of a state that meet ({!meetings}), by their indices, the lesser one first. *)
 
 val collides : Semantics.t -> State.t -> bool
-(** Whether any two do. *)
+(** [collides c s] is true if two processes of [s] meet ({!meetings}). *)
 
-(** A bond that two leaves may make, with what becomes of them, and by which summands. *)
+(** A bond that two leaves may make, the behaviours of the two leaves after it, and the summands that make it. *)
 type candidate = {
   bond : State.bond;
   continuations : (int * Behaviour.t) list;
@@ -25,26 +25,30 @@ type candidate = {
 
 val fitting :
   Semantics.t -> State.process * int -> State.process * int -> (Behaviour.channel * Behaviour.channel) list
-(** All two channels that are open and compatible, one of each of two leaves, given with their processes. *)
+(** All pairs of open and compatible channels, the first of one leaf and the second of another. Each leaf is given
+    with its process. *)
 
 val bonds : Semantics.t -> Part.t * Part.t -> candidate list
-(** By all channels of the leaves of two parts that are open and compatible, in all pairs of features of the
-    highest dimension in which the two parts touch and which the channels share (rules Bind and Close). *)
+(** The bonds that the leaves of two parts may make (rules Bind and Close), for all their open and compatible
+    channels. The features of a bond are a pair in which the two parts touch and which the channels share. Of these
+    pairs, only those of the highest dimension bind. *)
 
-(** What is resolved at once. *)
+(** Meetings that are resolved at once. *)
 type cluster = {
   members : int list;  (** indices of processes, in order *)
-  meetings : Kinematics.meeting list;  (** of two members each; not empty *)
+  meetings : Kinematics.meeting list;  (** each between two members; not empty *)
 }
 
 val clusters : Semantics.t -> State.process array -> cluster list
-(** One for each meeting (reading I-8); or, where collisions are resolved together, meetings that hang together
-    by a process that is not fixed are one cluster (reading I-32). In the order of their first meetings. *)
+(** The clusters of some processes, in the order of their first meetings. By default each meeting is a cluster
+    (reading I-8). Where collisions are resolved together, meetings that share a process that is not fixed are in
+    one cluster (reading I-32). *)
 
 val outcomes : Semantics.t -> State.process array -> cluster -> (Transition.outcome list, Transition.fault) result
-(** Rule Bind: one for each candidate, of all pairs of parts that touch (reading I-12). Without candidates rule
-    Bounce: one, or the fault of rule Persistent. *)
+(** What may come of a cluster. By rule Bind, there is one outcome for each candidate, over all pairs of parts that
+    touch (reading I-12). A collision with an absorbing body is a candidate, too: rule Absorb. Without candidates
+    there is one outcome by rule Bounce, or the fault of rule Persistent. *)
 
 val first_time_of_contact : Semantics.t -> State.process array -> limit:Rat.t option -> Rat.t option
-(** The least time at which two processes meet ({!meetings}), if there is one that is at most the limit; of
-    processes that do not meet now. *)
+(** The least time from now at which two processes meet ({!meetings}), if it is at most the limit; else [None]. The
+    processes must not meet now. *)

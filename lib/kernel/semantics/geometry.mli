@@ -1,5 +1,6 @@
-(** What the rules ask of geometry, as a value: the semantics is over any that answers so. Bodies are placed parts,
-    A and B; those in translation have a relative velocity w, that of B less that of A; times count from now.
+(** The queries of the rules to geometry, as a record of functions over which the semantics is parametric. Bodies
+    are placed parts, A and B. Two bodies in translation have a relative velocity w, that of B less that of A.
+    Times count from now.
 
     {!exact} is the geometry of the rule book's first chapter and of Cast and Near. Tests put a geometry by brute
     force in its place. *)
@@ -10,17 +11,17 @@ open Scc_rigid
 
 type t = {
   relation : Placed.t -> Placed.t -> Obstacle.relation;  (** rule Contact *)
-  approaching : Placed.t -> Placed.t -> Vec.t -> bool;  (** rule Approach, of two that touch *)
+  approaching : Placed.t -> Placed.t -> Vec.t -> bool;  (** rule Approach, for two bodies that touch *)
   first_time_of_contact : Placed.t -> Placed.t -> Vec.t -> Obstacle.cast;  (** rule Ftoc, in translation *)
   meeting : Placed.t -> Placed.t -> Vec.t -> (Rat.t option * Rat.t option) option;
-  (** the closed interval of times, also past ones, at which two in translation meet; [None] for an end that is
-      infinite *)
+  (** the closed interval of times, also past ones, at which two bodies in translation meet, if they ever do; an
+      end is [None] if it is infinite *)
   touching : Placed.t -> Placed.t -> Contact.pair list;  (** rule Touching: the features that touch, sorted *)
   directions : (Placed.t * Placed.t) list -> Vec.t -> Vec.t list;
   (** rule Response: the directions, from the first body to the second, that span the cone of a collision in
-      translation, given all touching pairs of parts of the two bodies and the relative velocity before it *)
+      translation; given all touching pairs of parts of the two bodies, and the relative velocity before it *)
   first_meeting : Vec.t list -> Vec.t list -> Vec.t -> Rat.t option;
-  (** the least time t >= 0 at which two features meet, given by their corners, the second moving by the
+  (** the least time t >= 0 at which two features meet, each given by its corners; the second one moves with the
       velocity *)
   first_penetration : Motion.t -> Motion.t -> span:Rat.t -> grid:int -> phase:Rat.t -> Cast.outcome;
   (** rule Cast *)
@@ -28,5 +29,6 @@ type t = {
 }
 
 val exact : obstacle:(Solid.t -> Solid.t -> Obstacle.t) -> t
-(** By the obstacles that the function gives: {!Obstacle.make}, or something that remembers them. Parts in
-    translation that have turned are turned anew for each question. *)
+(** [exact ~obstacle] is the exact geometry. [obstacle] is {!Obstacle.make} or a cache of it, and is applied to
+    solids as declared. For parts in translation that have turned, each query builds the turned solids and their
+    obstacle. *)

@@ -1,49 +1,52 @@
-(** How bodies move, meet and respond: what the two calculi of the rule book differ in, and the signature that all
-    other rules are written over. {!Straight} is motion in translation, {!Turning} that of bodies that turn. *)
+(** How bodies move, meet and respond: the signature that all other rules are written over. The two calculi of
+    the rule book differ in its implementation. {!Straight} is motion in translation, {!Turning} is the motion of
+    bodies that turn. *)
 
 open Scc_exact
 open Scc_geometry
 open Scc_calculus
 
-(** Who may be near whom: where the rules quantify over all pairs of parts, whoever runs them may leave out those
-    that cannot matter. {!everyone} leaves out none. *)
+(** A filter of pairs of parts. Where the rules quantify over all pairs, the filter may leave out pairs that cannot
+    matter. {!everyone} leaves out none. *)
 type neighbours = {
   within : Rat.t -> Part.t array -> (Part.t * Part.t) list;
-  (** [within margin parts]: all pairs of parts of two processes that are at most [margin] apart now, and perhaps
-      others; sorted by their places in the array, the lesser of a pair first *)
+  (** [within margin parts] is all pairs of parts of two processes that are at most [margin] apart now, and perhaps
+      others; sorted by their indices in the array, the lesser of a pair first *)
   earliest :
     margin:Rat.t -> limit:Rat.t option ->
     (before:Rat.t option -> Part.t -> Part.t -> Rat.t option) -> Part.t array -> Rat.t option;
-  (** the least of the times that a function has for pairs of parts in relative motion, if it is at most the limit.
-      For two parts that are farther apart than the margin up to a time, the function has none up to that time;
-      what it has later than [before] does not count *)
+  (** [earliest ~margin ~limit time parts] is the least [time] of all pairs of parts in relative motion, if it is
+      at most [limit]. If two parts are farther apart than [margin] up to an instant, [time] must give none up to
+      that instant. Any result of [time] that is later than [before] is ignored. *)
 }
 
 val everyone : neighbours
+(** The filter that leaves out no pair: quadratic in the number of parts. *)
 
-(** What a law of a leaf chooses from: velocities with their chances, or why it cannot. *)
+(** The velocities that the law of a leaf chooses from, with their probabilities, or why there are none. *)
 type shares = ((Vec.t * Rat.t) list, Law.fault) result
 
-(** [laws leaf law ask] is [ask ()], for the law of a leaf: whoever runs the rules may remember it of one that
-    gives the same wherever and whenever it is asked ({!Law.is_constant}). {!ask_again} does not. *)
+(** [laws leaf law eval] is [eval ()], the shares of the law of a leaf. An implementation may cache the result
+    for a law that is constant ({!Law.is_constant}). *)
 type laws = int -> Law.t -> (unit -> shares) -> shares
 
 val ask_again : laws
+(** The {!type-laws} without a cache: each call evaluates the law. *)
 
-(** What the rules are applied in: all that does not change, and those who answer for it. *)
+(** The unchanging context of the rules: the model, and the implementations of geometry, neighbours and laws. *)
 type setting = { model : Model.t; geometry : Geometry.t; neighbours : neighbours; laws : laws }
 
 (** How two parts of different processes stand to each other. *)
 type contact =
   | Apart
-  | Touching  (** they touch and do not approach; or they are so near that {!S.bounce} has to see *)
+  | Touching  (** they touch and do not approach; or they are so near that {!S.bounce} has to decide *)
   | Colliding  (** they touch and approach (rule Collision) *)
 
 (** Two processes that meet, the one with the lesser index first. *)
 type meeting = {
   first : int;
   second : int;  (** indices of processes *)
-  collide : bool;  (** some parts of theirs touch and approach *)
+  collide : bool;  (** some of their parts touch and approach *)
   touching : (Part.t * Part.t) list;  (** all pairs of their parts that are not {!Apart} *)
 }
 
@@ -51,72 +54,78 @@ module type S = sig
   (** {1 Contact} *)
 
   val parts : setting -> int -> State.process -> Part.t list
-  (** The parts of a process, the one with this index, in the order of its leaves. *)
+  (** [parts c i p] is the parts of process [p], which has index [i] in the state, in the order of its leaves. *)
 
   val margin : setting -> Rat.t
-  (** How far apart two parts may be that touch. *)
+  (** An upper bound on the distance of two parts that touch: 0, or the resolution of a rigid model. *)
 
   val contact : setting -> Part.t -> Part.t -> contact
+  (** How two parts of different processes stand to each other now. Interpenetration is a bug. In the rigid
+      calculus the result is [Colliding] or [Touching], never [Apart]. *)
 
   val touching : setting -> Part.t -> Part.t -> Contact.pair list
-  (** The features in which two parts touch; none if they are {!Apart}, or only seen as {!Touching}. *)
+  (** The features in which two parts touch. The list is empty if the parts are apart, even if {!contact} is
+      {!Touching}. *)
 
   val near : setting -> Part.t -> Part.t -> Scc_rigid.Near_contact.t option
-  (** The contact of two parts, if they touch. *)
+  (** The contact of two parts; [None] if they do not touch. *)
 
   val bonded : setting -> Part.t * Feature.t -> Part.t * Feature.t -> bool
-  (** Whether two features, each of a part, may hold a bond (Definition 5.2). *)
+  (** [bonded c (a, f) (b, g)] is true if a bond may join feature [f] of part [a] to feature [g] of part [b]
+      (Definition 5.2). *)
 
   val first_time_of_contact : setting -> Part.t array -> limit:Rat.t option -> Rat.t option
-  (** The least time at which two parts collide, if there is one that is at most the limit (rules Ftoc, Cast); of
-      parts that do not collide now. Without a limit nothing may be spinning. *)
+  (** The least time from now at which two parts collide, if it is at most the limit (rules Ftoc, Cast); else
+      [None]. The parts must not collide now. If something spins, a limit is needed: a bug without it. *)
 
   val none_ahead : setting -> Part.t array -> bool
-  (** Whether it is proved that no two parts ever collide, if nothing else happens to them (rule Quiescent). *)
+  (** [none_ahead c parts] is true if it is proved that no two of [parts] ever collide on their present courses
+      (rule Quiescent). *)
 
   (** {1 What happens to processes} *)
 
   val bounce : setting -> State.process array -> meeting list -> State.process array option
-  (** Rule Bounce: what becomes of some processes that collide in these meetings, all at once. [None]: they would
-      interpenetrate at once, and nothing changes that (rule Persistent). *)
+  (** Rule Bounce: some processes after they have collided in these meetings, all at once. The result is [None] if
+      they would interpenetrate at once whatever their response (rule Persistent). *)
 
   val joined : setting -> State.process -> State.process -> State.process -> State.process
-  (** [joined c p q whole]: the whole, made of p and q, in the motion that it gets from theirs (rule Bind). *)
+  (** [joined c p q whole] is [whole], made of p and q, in the motion that follows from theirs (rule Bind). *)
 
   val piece : setting -> whole:State.process -> State.process -> State.process
-  (** A piece of a whole, in the motion that the whole had (readings I-11 and I-23). *)
+  (** [piece c ~whole p] is [p], a piece of [whole], in the motion that the whole had (readings I-11 and I-23). *)
 
   val pushed : setting -> at:Vec.t -> Vec.t -> State.process -> State.process
-  (** [pushed c ~at impulse p]: what an impulse at a place makes of the motion of a process; nothing, if it is
-      fixed (reading I-36). *)
+  (** [pushed c ~at impulse p] is [p] after an impulse at the world position [at] (reading I-36). The motion of a
+      fixed process stays as it is. *)
 
   val start : setting -> State.process -> State.process
-  (** A declared process as it is at first. *)
+  (** [start c p] is a declared process as it is in the initial state. If it has turns, the first one is due. *)
 
   (** {1 Turns} *)
 
   val time_rules : Rule.t list
-  (** Those that a passing of time uses. *)
+  (** The rules that a passing of time uses: Time and TimeBehaviour, and Turn where bodies turn. *)
 
   val renewed : setting -> State.process -> State.process
-  (** The process with its turn ended. *)
+  (** [renewed c p] is [p] with its turn ended and, if it has turns at all, the next one due. *)
 
   val at_contact : setting -> colliding:(State.t -> (int * int) list) -> State.t -> State.t
-  (** The turns of all that collides end (rule Turn). [colliding] tells which two processes collide in a state. *)
-
+  (** [at_contact c ~colliding s] is [s] with the turns of all colliding processes ended (rule Turn), again until
+      nothing that turns on collides. [colliding] is the pairs of processes of a state that collide. *)
 
   val begin_turns :
     setting ->
     parts:(State.t -> Part.t array) ->
     colliding:(State.t -> (int * int) list) ->
     State.t -> State.t * State.t option
-  (** A turn begins of each process that a turn is due of and that does not collide (rules Turn and Round);
-      with the state before that, if rule Round changed anything. [parts] tells the parts of a state.
-      Nothing collides then that does not before. *)
+  (** [begin_turns c ~parts ~colliding s] is [s] after the due turns of all processes that do not collide have
+      begun (rules Turn and Round). The second result is [s] itself, if rule Round changed anything. [parts] is
+      the parts of a state. Only processes that collided before collide afterwards. *)
 
   val turns_rightly : setting -> State.process -> bool
-  (** Whether a process turns as it can: not at all, in a turn that has begun, or soon. *)
+  (** [turns_rightly c p] is true if the turn of [p] is consistent: none, one that has begun, or one that is due.
+  *)
 
   val settled : setting -> State.process -> bool
-  (** Whether no rounding is going to change where a process goes. *)
+  (** [settled c p] is true if no later rounding can change the course of [p]. *)
 end

@@ -1,4 +1,4 @@
-(** Which bonds lots are drawn for, and when (rule Lot). What comes of them is told by {!Splits.lots}. *)
+(** Which bonds lots are drawn for, and when (rule Lot). {!Splits.lots} has the outcomes of the lots. *)
 
 open Scc_exact
 open Scc_calculus
@@ -7,57 +7,62 @@ open Scc_calculus
 type side = {
   finish : State.finish;
   drawn : (Behaviour.t * Rat.t) list;
-  (** its summands that release the bond by chance, each with its probability, more than 0; where there are none it
-      is free to choose among its others *)
+  (** its summands that release the bond by chance, each with its probability, more than 0; if there are none, the
+      end chooses freely among its other summands *)
 }
 
 val sides : Model.t -> State.process -> State.bond -> (side * side) option
-(** The ends of a bond, the lesser one first, if lots are drawn for it: both would release it, and one of them
-    has a chance to. *)
+(** The ends of a bond, the lesser one first, if lots are drawn for it. That is so if both ends would release it,
+    and at least one of them by chance. *)
 
 val wait : Model.t -> State.process -> Rat.t option
 (** The time until the next split instant of the network, if lots would be drawn then for a bond of the process. *)
 
 val start : Model.t -> State.process -> State.process
-(** At the start no lots are drawn. *)
+(** The process in the initial state: the time since the last split instant is 0, and no lots are pending. In
+    models without lots it has none. *)
 
 val pass : Model.t -> Rat.t -> State.process -> State.process
-(** [pass m d p]: a time d > 0, no more than {!wait}, has passed for what has aged already. Where that comes to a
-    split instant, all its bonds that lots are drawn for are pending. *)
+(** [pass m d p] is the lots of [p] after a time d > 0, at most {!wait}; the behaviours of [p] have aged already.
+    At a split instant, all bonds that lots are drawn for become pending. *)
 
 val piece : Model.t -> whole:State.process -> State.process -> State.process
-(** A piece goes on with those lots of the whole that are about its bonds and that its leaves would still follow.
-*)
+(** [piece m ~whole p] is [p], a piece of [whole], with those lots of the whole that concern its bonds and that its
+    leaves would still follow. An undecided lot is a bug: no bond is released before all lots are drawn. *)
 
 val is_pending : State.process -> bool
+(** [is_pending p] is true if a bond of [p] is to be drawn for or released at this instant. *)
+
 val pending : State.t -> bool
-(** Whether something is to be drawn or released now, of one process or of any. *)
+(** [pending s] is true if {!is_pending} holds for a process of [s]. *)
 
 (** {1 What is due} *)
 
 val followed : Model.t -> State.process -> State.bond -> State.drawn -> State.finish -> Process.released list list
-(** The ways in which an end of a bond may let go: by what it has drawn or chosen, or, where it is free, by any of
-    its summands without a chance. Summands of which the same comes are one way. *)
+(** [followed m p b drawn f] is the ways in which the end [f] of bond [b] may release it. If [drawn] has a
+    summand for [f], the only way is that of this summand. Else the ways are the summands without a chance.
+    Summands with equal results are one way. *)
 
 (** A bond that is released now, and what its ends have drawn or chosen. *)
 type to_release = { bond : State.bond; drawn : State.drawn }
 
-(** What comes next while lots are pending. Each of the first three is of one process and one bond at a time, in
-    the order of {!Process.first_by_velocity} and of places, and none comes before those above it have come for the
-    whole network. *)
+(** The next action while lots are pending. Each of the first three concerns one process and one decision at a
+    time. Processes come in the order of {!Process.first_by_velocity}, bonds in the order of their places. All
+    actions of one kind, in the whole network, come before those of the next kind. *)
 type due =
   | To_draw of State.process * State.bond  (** the lot of this bond is drawn *)
   | To_be_first of State.process * State.bond list
-  (** one of these, which hang together by leaves that they share, is drawn to be released before the others *)
+  (** one of these bonds, which are connected by shared leaves, is drawn to be released before the others *)
   | To_choose of State.process * to_release  (** this bond may be released in several ways, and so may others *)
   | To_release of (State.process * to_release list) list
-  (** all of these are released at once; one of them at most may be in several ways *)
+  (** all of these bonds are released at once; at most one of them has several ways *)
 
 val due : Model.t -> State.t -> due option
-(** [None] where no lots are pending. *)
+(** The next action at this instant; [None] if no lots are pending. *)
 
 val some_undecided : State.process -> bool
-(** Whether a bond of it is still to draw. *)
+(** [some_undecided p] is true if the lot of a bond of [p] is still to be drawn. *)
 
 val clusters : (State.bond * State.lot) list -> (State.bond * State.lot) list list
-(** Those that hang together by leaves that they share. *)
+(** The connected sets of bonds under shared leaves. Each set keeps the given order, and the sets are in the
+    order of their first bonds. *)

@@ -3,10 +3,11 @@
 open Scc_calculus
 
 val continue : (int * Behaviour.t) list -> State.leaf -> State.leaf
-(** The leaf with the behaviour that the list gives for it, if it gives one. *)
+(** [continue continuations l] is [l] with the behaviour that the list has for its index; [l] itself if it has
+    none. *)
 
-(** What an end of a bond becomes when it releases it, by which summand, how hard it pushes (reading I-36), and how
-    likely, if it is not free to choose (rule Lot). *)
+(** How an end of a bond releases it: what follows, its push (reading I-36), its odds if it is left to chance (rule
+    Lot), and the summand. *)
 type released = {
   rest : Behaviour.t;
   push : Scc_exact.Rat.t;
@@ -15,58 +16,67 @@ type released = {
 }
 
 val releases : Model.t -> State.process -> string -> State.finish -> released list
-(** What an end of a bond of this name may do to release it: its summands omega(a, Phi) that match. *)
+(** [releases m p name f] is the ways in which the end [f] may release a bond of this name: its summands
+    omega(a, Phi) that match. *)
 
 val weak_offers : Model.t -> State.process -> State.bond -> (released * released) list
-(** The ways to release a bond by free choice, which both its ends, the lesser and the greater, must offer
-    (reading I-6). *)
+(** The ways to release a bond by free choice: pairs of releases, of its lesser and its greater end. Both ends must
+    offer one (reading I-6). *)
 
 val releasable : Model.t -> State.process -> State.bond -> bool
-(** Whether a bond may be released by rule WeakSplit, at some instant. *)
+(** [releasable m p b] is true if the bond [b] of [p] may be released by rule WeakSplit, at some split instant. *)
 
 val weak_split_enabled : Model.t -> State.process -> bool
-(** Whether some bond may be released by rule WeakSplit. *)
+(** [weak_split_enabled m p] is true if a bond of [p] may be released by rule WeakSplit ({!releasable}). *)
 
 val at_split_instant : State.process -> bool
-(** Whether a weak split of it may happen now: its clock is at a multiple of the split step (reading I-9). *)
+(** [at_split_instant p] is true if [p] has a split clock and this is at 0, that is at a multiple of the split step
+    (reading I-9). Weak splits happen at these instants. *)
 
 val restart_clock : Model.t -> State.process -> State.process
-(** The process with its split clock at 0 if a weak split of it is enabled, without clock otherwise
-    (reading I-9). *)
+(** The process with its split clock at 0 if a weak split of it is enabled; without a clock otherwise (reading
+    I-9). *)
 
 (** {1 Movement steps} *)
 
 val steers : Model.t -> State.process -> bool
-(** Whether a law that is not inertial moves this process: not when it is bound to a fixed leaf. *)
+(** [steers m p] is true if a leaf of [p] has a law that is not inertial, and no leaf of [p] is fixed (rule
+    Steer). *)
 
 val draws : Model.t -> State.process -> bool
-(** Whether it is steered and a law of it leaves its velocity to chance (rule Draw). *)
+(** [draws m p] is true if [p] is steered and a law of it leaves its velocity to chance (rule Draw). *)
 
 val restart_step : Model.t -> State.process -> State.process
-(** The process about to be steered for the first time, if a law moves it; in this and what follows nothing is
-    changed where processes have no steps of their own. *)
+(** The process with its own movement step over, and the time since the last evaluation of laws at 0, if a law
+    moves it. Its laws are evaluated next. Where processes have no steps of their own, the process stays as it
+    is. *)
 
 val end_step : Model.t -> State.process -> State.process
-(** A collision ends its movement step, unless it has been steered at this instant already. *)
+(** The process after a collision: its own movement step is over, unless it has been steered at this instant
+    already. Where processes have no steps of their own, the process stays as it is. *)
 
 val joined_step : Model.t -> State.process -> State.process -> State.process -> State.process
-(** [joined_step m p q whole]: the same of a whole of p and q. How long ago its laws were asked each leaf
-    remembers. *)
+(** [joined_step m p q whole] is [whole], bound from p and q, in its own movement step. The step is over, unless
+    each of the two that is steered has been steered at this instant already. Each leaf keeps the time since the
+    last evaluation of its law. Where processes have no steps of their own, [whole] stays as it is. *)
 
 val piece_step : Model.t -> whole:State.process -> State.process -> State.process
-(** A piece goes on in the step of the whole; one that leaves a fixed body is about to be steered. *)
+(** [piece_step m ~whole p] is [p], a piece of [whole], in the movement step of the whole. A steered piece that
+    leaves a fixed body is as in {!restart_step}. Where processes have no steps of their own, [p] stays as it is.
+*)
 
-(** {1 Whose turn it is to draw} *)
+(** {1 The order of draws} *)
 
 val by_place : Model.t -> State.process list -> State.process list
-(** By their leaves: by the reference points of these, then by how they are turned, then by the names of their
-    templates; those that are alike stay in the order of the list (rule Draw). *)
+(** The processes sorted by the places of their leaves (rule Draw). Leaves compare by the world positions of their
+    reference points, then by their orientations, then by the names of their templates. Equal processes keep the
+    order of the list. *)
 
 val first_by_place : Model.t -> State.process list -> State.process option
-(** The first one of them. *)
+(** The first process in the order of {!by_place}, in linear time; [None] for the empty list. *)
 
 val by_velocity : Model.t -> State.process list -> State.process list
-(** By their velocities, and those with one velocity by place (rule Lot). *)
+(** The processes sorted by their velocities, and those with equal velocities as by {!by_place} (rule Lot). *)
 
 val first_by_velocity : Model.t -> State.process list -> State.process option
-(** The first one of them. *)
+(** The first process in the order of {!by_velocity}, in linear time; [None] for the empty list. *)

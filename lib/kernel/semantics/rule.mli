@@ -13,18 +13,20 @@ type t =
   | Bind
   | Close  (** with {!Scc_calculus.Model.Cyclic} only *)
   | Bounce
-  | Absorb  (** of models in which some body absorbs *)
+  | Absorb  (** in models in which some body absorbs *)
   | Time
   | Steer
-  | Draw
-  | Lot  (** of models in which a weak split has a chance *)
-  | Turn  (** of the rigid calculus only, as is *)
-  | Round
+  | Draw  (** in models with a law that leaves velocities to chance *)
+  | Lot  (** in models in which a weak split is left to chance *)
+  | Turn  (** in the rigid calculus only *)
+  | Round  (** in the rigid calculus, and in models that round velocities *)
 
 val id : t -> string
-(** As in the rule book: ["Pre"], ["WeakSplit"], ["StrongSplit"], ["TimeBehaviour"], … *)
+(** The name of a rule as in the rule book: ["Pre"], ["WeakSplit"], ["StrongSplit"], ["TimeBehaviour"], … *)
 
 val all : t list
+(** All rules, each once, in the order of their constructors. *)
 
 val of_model : Scc_calculus.Model.t -> t list
-(** Those that apply to a model: {!Close}, {!Absorb}, {!Draw}, {!Lot}, {!Turn} and {!Round} are for some only. *)
+(** The rules that apply to a model, in the order of {!all}. {!Close}, {!Absorb}, {!Draw}, {!Lot}, {!Turn} and
+    {!Round} apply to some models only. *)

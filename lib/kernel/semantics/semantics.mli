@@ -1,5 +1,5 @@
-(** A semantics: a model, with how bodies move in it and who answers for geometry and neighbours. What all other
-    rules are given. *)
+(** A semantics: a model with its kinematics, and with implementations of geometry, neighbours, laws and caches.
+    All rules take one. *)
 
 open Scc_calculus
 
@@ -11,14 +11,17 @@ val make :
   ?laws:Kinematics.laws ->
   ?memo:Memo.t ->
   Model.t -> t
-(** Its kinematics is chosen here, once and for all: {!Turning} for rigid models (reading I-18), {!Straight} for
-    others. Left to itself, each question about contact and each law is answered afresh, and all pairs are looked
-    at. *)
+(** [make m] is the semantics of [m]. Its kinematics is {!Turning} for rigid models (reading I-18), and
+    {!Straight} for others. By default there are no caches: the geometry is {!Geometry.exact} with an obstacle
+    for each query, each law is evaluated each time, and all pairs of parts are compared. *)
 
 val without_memo : t -> t
-(** The same without a cache of processes ({!Memo.none}), for callers that keep such answers themselves. *)
+(** [without_memo c] is [c] with {!Memo.none} in place of its cache, for callers that cache these queries
+    themselves. *)
 
 val model : t -> Model.t
+(** The model of a semantics. *)
 
 val with_model : t -> Model.t -> t
-(** The same for another model over the same solids. *)
+(** [with_model c m] is [c] for another model over the same solids, with an empty cache. Geometry, neighbours and
+    laws are those of [c]. *)

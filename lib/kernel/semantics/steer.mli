@@ -4,7 +4,8 @@ open Scc_exact
 open Scc_calculus
 
 val steers : Model.t -> State.process -> bool
-(** Whether a law that is not inertial moves this process: not when it is bound to a fixed leaf. *)
+(** [steers m p] is true if a leaf of [p] has a law that is not inertial, and no leaf of [p] is fixed. It is
+    {!Process.steers}. *)
 
 type outcome = {
   state : State.t;
@@ -13,23 +14,27 @@ type outcome = {
 }
 
 val settle : Semantics.t -> State.t -> (outcome, Transition.fault) result
-(** What is due after a transition. Turns of what collides end (rule Turn). If the movement step is over, this
-    instant has not been steered and nothing collides (reading I-15), every process under a law has a new
-    velocity, and the next step begins; the time since the last update is what the step has used up (reading
-    I-10). Then turns begin of what does not collide (rules Turn and Round). Where laws leave velocities to
-    chance, all of that waits until everybody has drawn. *)
+(** [settle c s] does what is due after a transition. First, the turns of colliding processes end (rule Turn).
+    Then the laws are evaluated, if the movement step is over, this instant has not been steered, and nothing
+    collides (reading I-15). In that case every process under a law gets a new velocity, and the next step
+    begins. The time since the last update is what the step has used up (reading I-10). At last the due turns of
+    processes that do not collide begin (rules Turn and Round). Where laws leave velocities to chance, the new
+    velocities and all that follows wait until every process has drawn. *)
 
 val next_to_draw : Semantics.t -> State.t -> State.process option
-(** Who draws now; [None] where nobody waits to draw. *)
+(** The process that draws next: the first of {!drawers}, in linear time; [None] if no process waits to draw. *)
 
 val drawers : Semantics.t -> State.t -> State.process list
-(** All who wait to draw, in the order in which they do, {!next_to_draw} first: nobody's draw changes it. *)
+(** All processes that wait to draw, in the order of {!Process.by_place}. They draw in this order, which no draw
+    changes. *)
 
 val chances : Semantics.t -> State.t -> State.process -> ((Vec.t * Rat.t) list, Transition.fault) result
-(** What somebody who waits may draw, each velocity once, in order, with its chance: positive ones that sum to 1.
-    What others have drawn does not matter. *)
+(** The velocities that a waiting process may draw, each once and in order, with their probabilities. These are
+    positive and sum to 1. They do not depend on what other processes have drawn. *)
 
 val draw_label : State.process -> Vec.t * Rat.t -> Transition.label
+(** [draw_label p (velocity, chance)] is the label of the transition in which [p] draws [velocity]. *)
 
 val drawn : (State.process -> Vec.t option) -> State.t -> State.t
-(** The state when those of a velocity have drawn it, of those who wait, before {!settle}. *)
+(** [drawn velocity s] is [s] after each waiting process [p] for which [velocity p] is a velocity has drawn it.
+    It is the state before {!settle}. *)

@@ -4,35 +4,47 @@ open Scc_exact
 open Scc_calculus
 
 val delay : Semantics.t -> State.t -> Rat.t option
-(** For a state in which time may pass: the least of the time left in the movement step (if there are steps:
-    rule Jump), Ftoc, the horizons of the behaviours and the times to the next split instants. [None] when
-    none of them is finite, or when only movement steps are left that nothing steers any more: the network is
-    quiescent, unless a weak split may still happen at any time ({!Model.Any_time}), for which time never stops. *)
+(** How far time passes from a state in which it may pass. It is the least of these times:
+    - the time left in the movement step, if there are steps (rule Jump);
+    - the time left in the turns of what spins;
+    - the time of the next contact (rule Ftoc);
+    - the horizons of the behaviours;
+    - the times to the next split instants, and to the next lots.
+
+    The result is [None] if none of them is finite. It is also [None] if only movement steps and turns are left,
+    with nothing steered, no contact ahead and nothing to round. Then the network is quiescent, unless bonds may
+    be released at any time ({!Model.Any_time}), where time never stops for a weak split. *)
 
 val pass : Semantics.t -> Rat.t -> State.t -> State.t
-(** The state after a time d > 0 that is at most {!delay}, or any where that is [None] (in which what spins goes
-    on from step to step: it takes as long); split clocks run modulo the split step (reading I-16). *)
+(** [pass c d s] is the state after a time d > 0 that is at most {!delay}, or after any d > 0 if that is [None].
+    Split clocks run modulo the split step (reading I-16). The computation goes from turn to turn: its length
+    grows with the number of turns within d. *)
 
 val step_left : Model.t -> State.t -> Rat.t option
-(** The time left in the first movement step that ends: that of the network, or of a process. *)
+(** The time left in the first movement step that ends: that of the network, or of a process. [None] if there are
+    no steps. *)
 
 (** {1 One process} *)
 
 val horizon : Model.t -> State.process -> Rat.t option
-(** The least horizon of its behaviours. *)
+(** The least horizon of the behaviours of a process, at which an eps expires; [None] if no eps is exposed. *)
 
 val to_split_instant : Model.t -> State.process -> Rat.t option
-(** The time to its next split instant, if a weak split of it is enabled, and bonds are released on a grid. *)
+(** The time to the next split instant of a process. [None] if no weak split of it is enabled, or if bonds are not
+    released on a grid ({!Model.Any_time}). *)
 
 val wait : Model.t -> State.process -> Rat.t option
-(** The lesser of the two: the time until something may happen to it by itself. *)
+(** The least of {!horizon}, {!to_split_instant} and {!Lots.wait}: the time until the process may change by itself,
+    apart from its motion. *)
 
 val gains_split : Model.t -> State.process -> State.process -> bool
-(** [gains_split m p aged]: whether a bond of p may be released by a weak split in [aged], which p has become as
-    time passed, and could not before (reading I-9). *)
+(** [gains_split m p aged] is true if a weak split may release a bond in [aged] that it could not release in [p].
+    [aged] is [p] after time has passed. Then the split clock restarts (reading I-9). *)
 
 val age_process : Model.t -> Rat.t -> State.process -> State.process
-(** What {!pass} does to behaviours and split clock, for 0 <= d up to {!wait}. *)
+(** [age_process m d p] is [p] with behaviours, split clock and lots as {!pass} leaves them, for 0 <= d up to
+    {!wait}. It does not move. *)
 
 val pass_process : Model.t -> Rat.t -> State.process -> State.process
-(** What {!pass} does to it as long as no turn begins, for 0 <= d up to {!wait}. *)
+(** [pass_process m d p] is [p] moved and aged as {!pass} leaves it, for 0 <= d up to {!wait} and up to the end
+    of its present turn. *)

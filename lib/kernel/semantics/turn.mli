@@ -1,86 +1,96 @@
-(** Rule Turn: how the processes of a rigid model turn (the rigid calculus; in the translational one nothing
-    turns, and none of this is asked).
+(** Rule Turn: how the processes of a rigid model turn. In the translational calculus nothing turns; {!pass},
+    {!velocity_at}, {!due}, {!begun}, {!left} and {!ended} are valid there as well.
 
-    A process moves as one rigid body: its centre of mass in a straight line, and all of it about that centre by
-    the Cayley map of its spin ({!Scc_rigid.Motion}). The map is not additive in time, so that a process has turns:
-    one begins when another is over, and when something happens to the process. It remembers how long ago that
-    was. Between the end of a turn and the begin of the next, in one instant, a turn is {!due}. *)
+    A process moves as one rigid body. Its centre of mass moves in a straight line, and all of it turns about
+    that centre by the Cayley map of its spin ({!Scc_rigid.Motion}). The map is not additive in time, so a
+    process has turns. A turn begins when another is over, and when something happens to the process. The state
+    has the time since it began. Between the end of a turn and the beginning of the next, in one instant, a turn
+    is {!due}. *)
 
 open Scc_exact
 open Scc_calculus
 open Scc_rigid
 
 val rigid : Model.t -> Model.rigid
-(** Of a model that is rigid (a bug otherwise). *)
+(** The settings of a rigid model. A translational model is a bug. *)
 
 val half : Rat.t
+(** The number 1/2. *)
+
 val spinning : State.process -> bool
+(** [spinning p] is true if the spin of [p] is not zero. *)
 
 val velocity_at : Model.t -> State.process -> Vec.t -> Vec.t
-(** Of the point of the process that is now at a place. *)
+(** [velocity_at m p x] is the velocity of the point of [p] that is now at [x]: v + w x r, in the world. *)
 
 val pass : Model.t -> Rat.t -> State.process -> State.process
-(** Where the process is after a time d, if nothing happens meanwhile; a process that does not spin also where it
-    was, for d < 0. *)
+(** [pass m d p] is [p] moved by a time d, if nothing happens meanwhile. It is valid within the present turn, and
+    for d < 0 if [p] does not spin. Behaviours and clocks stay as they are. *)
 
 (** {1 Spin and angular momentum}
 
     With [constant_spin] a process keeps its spin. With [free_body] it keeps its angular momentum L (the field
-    [kept] of {!State.process}), and has one spin for each turn: that which L gives half-way through the turn,
-    estimated from that at its start (the explicit midpoint rule, of second order). Collisions, bonds and splits
-    see the spin that L gives at that instant. *)
+    [kept] of {!State.process}), and has one spin for each turn. This is the spin that L gives half-way through
+    the turn, estimated from that at its start (the explicit midpoint rule, of second order). Collisions, bonds
+    and splits use the spin that L gives at their own instant: the instantaneous spin. *)
 
 val is_free : Model.t -> bool
-(** [free_body]. *)
+(** [is_free m] is true if [m] is rigid with [free_body]. *)
 
 val mass_from_first : Model.t -> State.process -> Mass.t option
-(** As seen from its first leaf: it does not change as the process moves and turns. [None] for a fixed process. *)
+(** The mass, centre of mass and inertia of a process in the frame of its first leaf, where they stay the same as
+    the process moves and turns. [None] for a fixed process. *)
 
 val mover : Model.t -> State.process -> Impact.mover
-(** Its mass, where that is now, velocity, and the spin that collisions see. *)
+(** The mass of a process as it is now in the world, its velocity, and its instantaneous spin. *)
 
 val renew : Model.t -> State.process -> State.process
-(** The process with a new turn due, and the spin that collisions see. *)
+(** The process with a new turn due, and with its instantaneous spin. *)
 
 val start : Model.t -> State.process -> State.process
-(** The process with a new turn due; from now on it keeps the angular momentum that its spin gives it. *)
+(** The process with a new turn due. In a model with [free_body], it keeps from now on the angular momentum that
+    follows from its spin. *)
 
 val moving : Model.t -> Impact.mover -> State.process -> State.process
-(** The process with another velocity and spin, and a new turn due. *)
+(** [moving m mover p] is [p] with the velocity and spin of [mover], and a new turn due ({!start}). *)
 
 val piece : Model.t -> whole:State.process -> State.process -> State.process
-(** A piece of a process that has just split, in the motion that the whole had, with a new turn due
-    (reading I-11). *)
+(** [piece m ~whole p] is [p], a piece of [whole] that has just split off, in the motion that the whole had, with a
+    new turn due (reading I-11). *)
 
 (** {1 Turns that begin and end} *)
 
 val length : Model.t -> Vec.t -> Rat.t
-(** Of a turn about a spin: Delta / 2^k for the least k >= 0 such that a process turns by no more than 2 atan(1/4),
-    about 28 degrees, in it; 0 for no spin. The angle of a turn of length d is 2 atan(|spin| d / 2), less than
-    |spin| d by at most one part in 48. *)
+(** [length m spin] is the length of a turn about [spin], a time. It is Delta / 2^k for the least k >= 0 such
+    that a process turns by at most 2 atan(1/4), about 28 degrees; 0 for no spin. The angle of a turn of length d
+    is 2 atan(|spin| d / 2), less than |spin| d by at most one part in 48. *)
 
 val due : State.process -> bool
-(** A turn of the process is due to begin: it is at the start of it, with the spin that collisions see. *)
+(** [due p] is true if a turn of [p] is due to begin. The process is then at the start of it, with its
+    instantaneous spin. *)
 
 val begun : Model.t -> State.process -> State.process
-(** The process at the start of a turn about the spin that it has. *)
+(** The process at the start of a turn about its present spin. *)
 
 val midway : Model.t -> State.process -> State.process option
-(** The process, due to turn, at the start of a turn about the spin that its angular momentum gives it half-way
-    through that turn, if it is free and spins. Estimates of spins have 40 bits: they are rounded to the
-    nearest multiples of 2^(e - 40), where 2^e <= the greatest component < 2^(e + 1). *)
+(** The process at the start of a turn about the spin that its angular momentum gives it half-way through that
+    turn. Its turn must be due. The result is [None] if the process is not free or does not spin. Estimates of
+    spins have 40 bits: they are rounded to the nearest multiples of 2^(e - 40), where 2^e <= the greatest
+    component < 2^(e + 1). *)
 
 val left : State.process -> Rat.t option
-(** The time left in the turn of what spins; none of it is left while one is due. *)
+(** The time left in the present turn: 0 while a turn is due, and [None] if the process does not spin. *)
 
 val goes_on : State.process -> bool
-(** Whether the process turns on a turn that has begun, and that a collision ends. *)
+(** [goes_on p] is true if [p] spins, in a turn that has begun. A collision ends such a turn. *)
 
 val ended : Model.t -> State.process -> State.process
-(** The process, with a new turn due if its turn is over. *)
+(** The process with a new turn due, if its present turn is over; else the process itself. *)
 
 val motion : Model.t -> State.process -> centre:Vec.t -> State.leaf -> int -> Motion.t
-(** [motion m p ~centre leaf i]: of part [i] of a leaf of the process, whose centre of mass is at [centre]. *)
+(** [motion m p ~centre leaf i] is the motion of part [i] of a leaf of [p] in its present turn. The centre of
+    mass of [p] is at [centre], in the world. *)
 
 val reach : Model.t -> centre:Vec.t -> State.leaf -> int -> Rat.t
-(** An upper bound on the distance of the part's points from the centre; turning does not change it. *)
+(** [reach m ~centre leaf i] is an upper bound on the distance of the points of part [i] from [centre]. It stays
+    the same as the part turns about [centre]. *)
