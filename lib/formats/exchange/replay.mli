@@ -45,7 +45,7 @@ type event =
   | Step of {
       number : int;  (** from 1 *)
       index : int;
-      (** its number among the successors. A passing of time that is less than the greatest one has its number, and if
+      (** its number among the successors. A passing of time below the greatest one has its number, and if
           time may pass for ever, the number after all others *)
       among : int;
       time : Rat.t;  (** model time after it *)
