@@ -9,9 +9,6 @@ val check :
     separated by semicolons. Times are those of the reward model [time]. Means of events or of values at a time
     are errors. *)
 
-(** {!formula}, or for what a check asks ([= ?]) the questions, separated by semicolons: times are those of the
-    reward model [time]. *)
-
 val formula :
   occurs:(string -> bool) -> draws:bool -> State_predicates.t array -> Property.temporal -> (string, string) result
 (** A state formula that holds in the initial state iff the property does, if the graph has states for all

@@ -26,7 +26,7 @@ type t = {
   corners : int;  (** around the axis *)
   factor : Rat.t;  (** of the radius: 1 if it is inscribed, and a little more otherwise *)
   distance : Rat.t;
-  (** an upper bound of the Hausdorff distance from the curved solid; exact if a sphere or cylinder is circumscribed *)
+  (** an upper bound of the Hausdorff distance from the curved solid; exact if it is circumscribed and no cone *)
 }
 
 val least : Rat.t
