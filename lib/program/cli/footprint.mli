@@ -1,21 +1,23 @@
-(** What the program takes of the machine, as the system tells; where it does not, what the heap takes. *)
+(** The memory of the program, as the system reports it, or the size of the heap if it does not. *)
 
 val resident : unit -> float
-(** Bytes in memory, but for what files have as well, which the system may drop at any time. *)
+(** The bytes in memory, without pages of files, which the system may drop at any time. *)
 
 (** {1 Addresses}
 
-    Where the system limits them ([ulimit -v], RLIMIT_AS) a program takes more of them than memory, and where none
-    are left it may be ended in the midst of arithmetic, or of collecting garbage. So less than all are used: what
-    is kept is for steps between two looks. *)
+    If the system limits addresses ([ulimit -v], RLIMIT_AS), a program needs more of them than memory. Without any
+    left it may be ended within arithmetic or garbage collection. So only a part of them is used; the rest is for
+    the steps between two measurements. *)
 
 val is_limited : bool
+(** True if the system limits addresses. *)
 
 val told : string option
-(** For whoever was stopped by it: what the limit is. *)
+(** A line that states the limit, for programs that it has stopped. *)
 
 val at_most : int -> int
-(** So many words of memory, or fewer if there are no addresses for them. *)
+(** The given number of words of memory, or fewer if there are no addresses for them. *)
 
 val taken : unit -> float
-(** Of those that may be used, the share that is; 1 leaves enough to end well. 0 where they are not limited. *)
+(** The part of the usable addresses that is taken since the start; at 1 there are enough left to end well. It
+    is 0 without a limit. *)

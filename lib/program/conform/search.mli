@@ -30,7 +30,7 @@ type hypothesis = {
   last : (Transition.label * Rule.t list * Rat.t) option;  (** the latest transition with its time *)
   deviation : Against.deviation;
   transitions : (Transition.t list, Transition.fault) result Lazy.t;  (** of the state *)
-  untold : untold option;  (** releases of the latest transition still to be met, if they are recorded one by one *)
+  untold : untold option;  (** releases of the latest transition that are left, if recorded one by one *)
 }
 
 (** Bonds that were released at once, and the hypothesis before. *)

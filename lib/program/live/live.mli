@@ -9,5 +9,5 @@ val methods : Document.t -> (string * Oracle.work) list
 
     - [document.expand] ([state]): the transitions of a state and their targets.
     - [document.walk] ([state], [choices]): likewise along a path; answers the choices that were possible.
-    - [document.onwards] ([state], [most]): takes the first transition again and again; answers the choices. It ends
-      if there is none, if a state recurs, or after [most] transitions. *)
+    - [document.onwards] ([state], [most]): takes the first transition again and again; answers the choices. It
+      ends if there is none, if a state recurs, or after [most] transitions. *)
