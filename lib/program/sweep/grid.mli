@@ -4,6 +4,7 @@ open Scc_exact
 
 (** A parameter with its values. *)
 type axis = { name : string; values : Rat.t array  (** one or more *) }
+
 (** All combinations of the values of these parameters. *)
 type t = axis list
 
