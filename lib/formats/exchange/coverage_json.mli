@@ -1,16 +1,17 @@
-(** Coverage as JSON ([specs/schema/check.schema.json]), and the names that reports give to what is covered. *)
+(** Coverage as JSON ([specs/schema/check.schema.json]), and the names of its items in reports. *)
 
 open Scc_calculus
 open Scc_verify
 
 val owner : Model.t -> Coverage.summand -> string
-(** Where a summand stands: ["Empty on Enzyme"], or ["p"] for one that is written at the body p. *)
+(** The owner of a summand: ["Empty on Enzyme"] for a definition, or ["p"] for a summand that is written at the
+    body p. *)
 
 val term : Model.t -> Coverage.summand -> string
 (** The summand in the syntax of the language. *)
 
 val behaviour : Model.t -> Coverage.behaviour -> string
-(** ["Empty on Enzyme"]. *)
+(** The definition and the species, such as ["Empty on Enzyme"]. *)
 
 val json : Explored.t -> Coverage.t -> Json.t
-(** Of what was explored; says whether that is all. *)
+(** The coverage of an exploration, and whether the exploration is complete. *)

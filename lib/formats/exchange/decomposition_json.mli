@@ -3,4 +3,4 @@
 open Scc_concave
 
 val document : name:string -> exit:int -> mended:(string * string) list -> Parts.t -> Json.t
-(** [mended]: {!Mended_json}. *)
+(** The whole document. [mended] is the changes of {!Mended_json}. *)

@@ -3,8 +3,8 @@
 open Scc_base
 
 val diagnostic : source:(string -> Source.t option) -> Diag.t -> Json.t
-(** Places are given as offsets in bytes and, when [source] finds the text, as line and column from 1
-    (columns count code points). *)
+(** A diagnostic. Places are offsets in bytes. If [source] returns the text of the file, they also have line and
+    column from 1; columns count code points. *)
 
 val document : source:(string -> Source.t option) -> exit:int -> Diag.t list -> Json.t
-(** What a command prints instead of its report when it cannot make one. *)
+(** The document that a command prints instead of its report if it cannot make one. *)

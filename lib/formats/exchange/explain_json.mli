@@ -1,17 +1,19 @@
-(** What a fact depends on, as JSON (see [specs/schema/explain.schema.json]). *)
+(** The causes of a fact, as JSON (see [specs/schema/explain.schema.json]). *)
 
 open Scc_base
 open Scc_property
 open Scc_explain
 open Scc_session
 
+(** An explanation with its run. *)
 type t = {
   origin : Origin.t;
-  check : Property.check option;  (** that the fact is about; otherwise it is the last event *)
-  ending : Replay.ending;  (** how the run stands where it is left *)
+  check : Property.check option;  (** the check that the fact is about; without one, the fact is the last event *)
+  ending : Replay.ending;  (** the end of the run *)
   explanation : Omission.t;
   diagnostics : Diag.t list;
   exit : int;
 }
 
 val document : source:(string -> Source.t option) -> t -> Json.t
+(** The whole document. [source] returns the text of a file by its name, for lines and columns. *)

@@ -10,20 +10,24 @@
     .clab   none                                the actions, like .lab: 'i k action'
     v}
 
-    Neither has comments, and their numbers are floats: what names stand for is in a file beside them, and
-    durations are in the names of actions only ({!Drn} has them as rewards). *)
+    Neither has comments, and their numbers are floats. The meanings of names are in a file beside them. Durations
+    are in the names of actions only ({!Drn} has them as rewards). *)
 
+(** The program for which the files are written. *)
 type dialect = Prism | Storm
 
 val transitions : dialect -> Mdp.t -> (string -> unit) -> unit
+(** Writes the [.tra] file. *)
+
 val labels : dialect -> Mdp.t -> (string -> unit) -> unit
+(** Writes the [.lab] file. *)
 
 val choice_labels : Mdp.t -> (string -> unit) -> unit
-(** For Storm. *)
+(** Writes the [.clab] file, for Storm: the action of each choice. *)
 
 val states : Mdp.t -> State_variables.t -> (string -> unit) -> unit
-(** As PRISM writes them; Storm reads none. *)
+(** Writes the [.sta] file in the form of PRISM; Storm reads none. *)
 
 val names : Exported.t -> Mdp.t -> State_variables.t -> (string -> unit) -> unit
-(** What labels, actions and the values of variables stand for, and what to ask for the model's checks
-    ({!Pctl}); see [specs/schema/names.schema.json]. *)
+(** Writes the meanings of labels, actions and values of variables, and the formulas of the model's checks
+    ({!Pctl}). See [specs/schema/names.schema.json]. *)

@@ -1,16 +1,17 @@
-(** What every export says of the graph it is made of. *)
+(** Facts on an exported graph that all formats contain. *)
 
 open Scc_verify
 open Scc_session
 
+(** A graph with its model. *)
 type t = {
   loaded : Loaded.t;
   space : Explored.t;
 }
 
 val summary : t -> string list
-(** For comments, a line each: the model with its parameters, how much was explored, and what is missing and
-    why. *)
+(** The model with its parameters, the extent of the exploration, and what is missing and why. One line each,
+    for comments. *)
 
 val label_notes : Labelling.t -> string list
-(** For comments: the labels that do not tell all, and why. *)
+(** The labels that are incomplete, and why. One line each, for comments. *)

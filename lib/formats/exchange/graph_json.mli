@@ -1,7 +1,8 @@
-(** An explored graph as JSON (see [specs/schema/graph.schema.json]): states in full, transitions, and which
-    predicates of the checks hold where. *)
+(** An explored graph as JSON (see [specs/schema/graph.schema.json]): states in full, transitions, and the
+    predicates of the checks that hold in each state. *)
 
 val version : int
+(** The version of the format: 1. *)
 
 val write : Exported.t -> Labelling.t -> (string -> unit) -> unit
-(** One line for each state. *)
+(** Writes the document, with one line for each state. *)

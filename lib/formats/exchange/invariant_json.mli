@@ -1,5 +1,5 @@
-(** Invariants, as [invariants] of the document of [scc check]: schema check.schema.json. *)
+(** Invariants, as the member [invariants] of the document of [scc check] (schema check.schema.json). *)
 
 val found : Scc_calculus.Model.t -> Scc_verify.Zone_proof.end_ -> Json.t
-(** Its kinds of states, each with its processes, the events that have just happened, and constraints on its
-    numbers ({!Scc_symbolic.Invariant.name}); or why none was found. *)
+(** An invariant as its kinds of states, or the reason why none was found. Each kind has its processes, the
+    events that have just happened, and constraints on its numbers ({!Scc_symbolic.Invariant.name}). *)

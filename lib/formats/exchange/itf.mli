@@ -44,10 +44,10 @@ type t
 (** A trace in the making. *)
 
 val start : Model.t -> Scc_session.Origin.t -> (string -> unit) -> t
-(** Writes what comes before the states. *)
+(** Writes the beginning of the trace, up to its states. *)
 
 val event : t -> Replay.event -> unit
-(** Writes a state for each event but the last, which closes the trace. *)
+(** Writes a state for each event except the last, which closes the trace. *)
 
 val close : t -> unit
-(** Closes a trace that was not ended, so that it can be read all the same. *)
+(** Closes a trace that has not ended, so that it can be read all the same. *)

@@ -1,45 +1,53 @@
-(** JSON as scc writes and reads it. Writing is deterministic: members keep the order in which they are
-    given, and there are no floats (a bug otherwise). *)
+(** JSON as scc writes and reads it. Writing is deterministic: members keep their order, and there are no floats
+    (a float is a bug). *)
 
 open Scc_base
 open Scc_exact
 
+(** A value of JSON. *)
 type t = Yojson.Basic.t
 
 (** {1 Writing} *)
 
 val text : string -> t
-(** A string; bytes that are not UTF-8 become U+FFFD, so that what is written is always JSON. *)
+(** A string. Bytes that are not UTF-8 become U+FFFD, so the result is always JSON. *)
 
 val rat : Rat.t -> t
-(** A string ["p/q"] in lowest terms, with q > 0 written even when it is 1. *)
+(** A string ["p/q"] in lowest terms, with q > 0 written even if it is 1. *)
 
 val vec : Vec.t -> t
 (** An array of three rationals. *)
 
 val option : ('a -> t) -> 'a option -> t
-(** [null] for [None]. *)
+(** [option f x] is [f] of the value, or [null] for [None]. *)
 
 val line : t -> string
-(** On one line, without its end. *)
+(** The text on one line, without a line end. *)
 
 val pretty : t -> string
-(** Over several lines where it is long, ended by a newline. *)
+(** The text with a line end. Arrays and objects that do not fit in 88 bytes are on several lines. *)
 
 (** {1 Reading} *)
 
 val parse : Source.t -> (t, Diag.t) result
-(** The whole text as one value (SC0801 otherwise). Values nested deeper than 200 are refused. *)
+(** Reads the whole text as one value. Other texts, and values nested deeper than 200, are SC0801. *)
 
 val parse_line : Source.t -> start:int -> stop:int -> (t, Diag.t) result
-(** The same for a piece of the text, given by offsets. *)
+(** [parse_line source ~start ~stop] reads the text between two offsets as one value, with the errors of
+    {!parse}. *)
 
 val member : string -> t -> t option
-(** [None] also for what is no object and for [null]. *)
+(** [member key v] is the member [key] of the object [v]. It is [None] if [v] is no object or the member is
+    [null]. *)
 
 val string : t -> string option
+(** The text of a string, and [None] for any other value. *)
+
 val int : t -> int option
+(** The value of an integer, and [None] for any other value. *)
+
 val list : t -> t list option
+(** The items of an array, and [None] for any other value. *)
 
 val rational : t -> Rat.t option
-(** Of a string [p/q], a decimal string or a JSON integer. *)
+(** The number of a string ["p/q"], a decimal string or a JSON integer, and [None] for any other value. *)

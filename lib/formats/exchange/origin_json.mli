@@ -1,11 +1,12 @@
-(** What the documents say of the model that they are about. *)
+(** The model that a document is about. *)
 
 open Scc_session
 
 val parameters : Origin.t -> Json.t
+(** An object of the parameters with their values, as by {!Json.rat}. *)
 
 val settings : Origin.t -> Json.t
-(** An object of strings. *)
+(** An object of the settings, as strings. *)
 
 val members : Origin.t -> (string * Json.t) list
-(** [model], [digest], [parameters] and [settings]. *)
+(** The members [model], [digest], [parameters] and [settings]. *)

@@ -1,4 +1,4 @@
-(** One run of a model, led by choices. *)
+(** One run of a model, directed by choices. *)
 
 open Scc_base
 open Scc_exact
@@ -6,11 +6,13 @@ open Scc_calculus
 open Scc_semantics
 open Scc_engine
 
+(** How the next transition is chosen. *)
 type policy =
   | First  (** the first successor, always *)
   | Random of int64  (** each successor equally likely, by {!Splitmix64} from this seed *)
   | Scheduled of Schedule.t
 
+(** Where a run ends. *)
 type limits = {
   steps : int option;  (** at most so many transitions *)
   time : Rat.t option;  (** model time *)
@@ -18,54 +20,55 @@ type limits = {
 }
 
 val default_instant : int
-(** 10 000. *)
+(** The default of [limits.instant]: 10 000. *)
 
 val default_steps : int
-(** Of a run that nothing else ends: 1 000. *)
+(** The number of steps after which a run ends that has no other limit: 1 000. *)
 
-(** Why and where the model was given up. *)
+(** The reason why the model was given up, and the place. *)
 type given_up = { fault : Transition.fault; steps : int;  (** transitions before it *) time : Rat.t }
 
 val diagnostic : Model.t -> given_up -> Diag.t
-(** Of the fault, with a note that says where. *)
+(** The diagnostic of the fault, with a note on the place. *)
 
-(** How the run stands where it was left. *)
+(** The end of a run. *)
 type ending =
-  | Open  (** there is more to come *)
+  | Open  (** it could go on *)
   | Quiescent  (** nothing will ever happen again *)
   | Stuck of given_up  (** neither time nor anything else can go on (rule DeadEnd) *)
   | Zeno  (** the Zeno guard stopped it *)
 
-(** Whole states cost more than the transitions of a large network: they are made on demand, and may only be asked
-    for while the event is emitted. *)
+(** An event of a run. Whole states cost more than the transitions of a large network, so they are computed on
+    demand. The functions may only be called while the event is emitted. *)
 type event =
   | Start of State.t
   | Step of {
       number : int;  (** from 1 *)
       index : int;
-      (** of a passing of time that is less than the greatest one, its; where time may pass for ever, the number
-          after all others *)
+      (** its number among the successors. A passing of time below the greatest one has its number, and if
+          time may pass for ever, the number after all others *)
       among : int;
       time : Rat.t;  (** model time after it *)
       taken : Run.alternative;
       changes : unit -> Event_run.changes option;
-      (** {!Run.changes} since it was asked for last. A run that is followed by them is asked after each step. *)
+      (** {!Run.changes} since its last call. To follow a run by its changes, call it after each step. *)
       state : unit -> State.t;  (** after it *)
     }
   | Instant of { offset : Rat.t; time : Rat.t; state : State.t }
-  (** the run is left in the midst of a passing of time, [offset] after the last transition *)
+  (** the run ends within a passing of time, [offset] after the last transition *)
   | End of {
       steps : int;
       time : Rat.t;
       ending : ending;
-      last : (unit -> State.t) option;  (** the state there, unless an [Instant] told it *)
+      last : (unit -> State.t) option;  (** the state there, unless an [Instant] contains it *)
       rounded : (Totals.t * Totals.t) option;
-      (** bounds on what rule Round has added, where anything is rounded *)
+      (** bounds on the totals that rule Round has added, if anything is rounded *)
     }
 
+(** Why a run could not be made. *)
 type failure =
   | Fault of given_up  (** SC0601: the transitions of the present state cannot be computed *)
-  | Refused of Diag.t  (** SC0802: the schedule does not fit here; the note tells what was possible *)
+  | Refused of Diag.t  (** SC0802: the schedule does not fit here; the note lists what was possible *)
   | Interrupted
 
 val run :
@@ -78,8 +81,10 @@ val run :
   interrupted:(unit -> bool) ->
   (event -> unit) ->
   (ending, failure) result
-(** [run semantics declared policy limits ~interrupted emit] emits the events of the run in order. The events
-    depend on the model and the choices alone, not on where the choices came from. When the limit of time
-    falls within a passing of time, the run ends with an [Instant] at the limit. [passing] is told of each stretch
-    of time before it passes: when it begins, how long it lasts, and the state there, which may only be asked for
-    then. A step that [attempt] gives up is an interruption. A dead end is an end, and no failure. *)
+(** [run semantics declared policy limits ~interrupted emit] emits the events of the run in order. They depend
+    on the model and the choices alone, not on the source of the choices. If the limit of time falls within a
+    passing of time, the run ends with an [Instant] at the limit.
+
+    [passing] is called before each stretch of time passes, with its start, its duration and the state there,
+    which may only be computed then. A step that [attempt] gives up is an interruption. A dead end is an end,
+    and no failure. *)

@@ -1,8 +1,9 @@
-(** One start of a model that has ranges of parameters for starts. *)
+(** The start of a run of a model whose parameters have ranges. *)
 
 open Scc_exact
 open Scc_calculus
 
+(** How values are chosen from ranges. *)
 type how =
   | Simple  (** {!Ranges.point} *)
   | Random of int64
@@ -10,8 +11,8 @@ type how =
       divide its range into 1024 equal parts, each equally likely *)
 
 val values : how -> Ranges.t -> (string * Rat.t) list
-(** A value for each parameter, in its range and not at an end of it. Those of a seed are independent of what
-    {!Replay} chooses by the same seed. *)
+(** A value for each parameter, in its range and not at an end of it. Those of a seed are independent of the
+    choices that {!Replay} makes by the same seed. *)
 
 val to_string : (string * Rat.t) list -> string
-(** ["y = 1/2, z = 0"]. *)
+(** The values as a text, such as ["y = 1/2, z = 0"]. *)

@@ -1,10 +1,10 @@
-(** Findings in the Static Analysis Results Interchange Format, SARIF 2.1.0: faults and warnings, and properties
-    that are violated or undecided, for code review and editors.
+(** Findings in the Static Analysis Results Interchange Format, SARIF 2.1.0, for code review and editors: faults
+    and warnings, and properties that are violated or undecided.
 
-    Every diagnostic code is a rule, and so are [violated] and [undecided]. Columns count Unicode code points, as
-    elsewhere. A property's result stands at its [check]; the run that violates it is a code flow, whose steps
-    all point to the [check], as events have no place in the text. An undecided property is of the kind [open],
-    for which the format has no level. *)
+    Every diagnostic code is a rule, and so are [violated] and [undecided]. Columns count Unicode code points,
+    as elsewhere. The result of a property stands at its [check]. The run that violates it is a code flow, whose
+    steps all point to the [check], since events have no place in the text. An undecided property is of the kind
+    [open], for which the format has no level. *)
 
 open Scc_base
 open Scc_calculus
@@ -19,5 +19,6 @@ val document :
   diagnostics:Diag.t list ->
   properties:(Model.t * Verdict.outcome list) option ->
   Json.t
-(** [ok]: the program did what it was asked to do; [faults]: of its own, by which something is missing.
-    Diagnostics first, then properties, both in the order given. *)
+(** The whole document. [ok] is true if the program completed its task; [faults] are those of the program
+    itself, by which results are missing. The results are the diagnostics and then the properties, both in the
+    order given. *)

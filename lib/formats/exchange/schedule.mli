@@ -1,27 +1,30 @@
-(** Schedules: the choices that lead a model through one run. *)
+(** Schedules: the choices that determine one run of a model. *)
 
 open Scc_base
 open Scc_exact
 
-(** The transition taken in a state: its number among the successors, from 0, and its label's text. At least
-    one of them is given; what is given must fit. Where bonds may be released at any time, the label [time(d)] lets
-    any time d pass up to the greatest one, which is the one that has a number (rule Time); where time may pass for
-    ever, its number is the one after all others. *)
+(** The transition taken in a state: its number among the successors, from 0, and the text of its label. At least
+    one of them is given, and all that is given must fit.
+
+    If bonds may be released at any time, the label [time(d)] lets any time d pass up to the greatest one, which
+    has a number (rule Time). If time may pass for ever, its number is the one after all others. *)
 type choice = { index : int option; label : string option; at : Span.t }
 
+(** A schedule as it is read. *)
 type t = {
-  model : string option;  (** the path of the model, as it was given when the schedule was made *)
+  model : string option;  (** the path of the model, as given when the schedule was made *)
   check : string option;  (** the property that the run is a witness for *)
-  digest : string option;  (** of the model it was made for, see {!Scc_session.Origin.digest} *)
+  digest : string option;  (** the digest of its model, see {!Scc_session.Origin.digest} *)
   parameters : (string * Rat.t) list;  (** with their values *)
   choices : choice list;
   offset : Rat.t option;
-  (** time that passes after the last choice, without an event: the instant that a witness is about *)
+  (** the time that passes after the last choice, without an event, up to the instant of a witness *)
   offset_at : Span.t;
 }
 
 val version : Scc_session.Origin.t -> int
-(** Of the format: 2 where labels [time(d)] may be less than the greatest time, else 1. Both can be read. *)
+(** The version of the format: 2 if labels [time(d)] may be less than the greatest time, and 1 otherwise. Both
+    can be read. *)
 
 val to_string :
   ?model:string ->
@@ -33,4 +36,4 @@ val to_string :
 (** The file for the choices (number and label), one a line. *)
 
 val read : Source.t -> (t, Diag.t) result
-(** Reads a schedule, or the schedule of a trace, which each of its lines holds (SC0801 otherwise). *)
+(** Reads a schedule, or a trace, each line of which contains a choice. Any other text is SC0801. *)

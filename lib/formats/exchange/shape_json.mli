@@ -10,5 +10,5 @@ val document :
   ?outer:Scc_snap.Outer.t ->
   Solid_report.t ->
   Json.t
-(** [mended]: {!Mended_json}. [snap]: within which distance it was snapped, and what that did. [outer]: that it has
-    fewer faces than the hull. *)
+(** The whole document. [mended] is the changes of {!Mended_json}. [snap] is the distance within which the shape
+    was snapped, and the result. [outer] says that the shape has fewer faces than the hull. *)

@@ -1,22 +1,24 @@
-(** Numbers for people: long ones are told as decimals, in rigid models sooner than in others. *)
+(** Numbers in texts for readers. Long numbers become decimals, in rigid models sooner than in others. *)
 
 open Scc_exact
 open Scc_calculus
 
 val rat : Rat.t -> string
-(** Exact up to 24 characters, else {!Decimal.marked}. *)
+(** The number, exact up to 24 characters, and by {!Decimal.marked} beyond. *)
 
 val exact : Rat.t -> string
-(** Exact up to 60 characters, and fractions of more than 15 with a decimal beside: ["137174210/109739369
-    (~1.250000)"], by {!Decimal.marked}. Else that alone, and how many characters it would take. *)
+(** The number, exact up to 60 characters. A fraction of more than 15 characters also has a decimal by
+    {!Decimal.marked}: ["137174210/109739369 (~1.250000)"]. Beyond 60 there is the decimal alone, with the
+    number of characters of the exact number. *)
 
 val within : string -> string
-(** A text in which each number is written so. *)
+(** A text in which each number is written as by {!exact}. *)
 
 val position : ?full:bool -> Model.t -> State.leaf -> string
-(** ["(1, 2, 3)"], and how the leaf is turned, if it is: ["(1, 2, 3) turned (2, 0, 0, 1)"], a quaternion w, x, y,
-    z. In a translational model numbers are {!exact}; all have all their digits if [full]. *)
+(** The position of a leaf, such as ["(1, 2, 3)"]. A turned leaf also has a quaternion w, x, y, z:
+    ["(1, 2, 3) turned (2, 0, 0, 1)"]. In a translational model numbers are {!exact}. All have all their digits
+    if [full]. *)
 
 val motion : ?full:bool -> Model.t -> State.process -> string
-(** ["velocity (1, 0, 0)"], and the spin, if there is one: ["velocity (1, 0, 0), spin (0, 0, 1)"]. In a
-    translational model numbers are {!exact}. *)
+(** The velocity of a process, such as ["velocity (1, 0, 0)"], and its spin if it has one:
+    ["velocity (1, 0, 0), spin (0, 0, 1)"]. Numbers are as in {!position}. *)

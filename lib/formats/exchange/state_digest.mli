@@ -1,13 +1,15 @@
-(** What matters in a state, for people who look at a graph: what differs between its states, but for where
-    things are. *)
+(** A short text of the states of a graph for readers: all that differs between its states, except positions. *)
 
 open Scc_calculus
 
+(** The states of a graph, and what they have in common. *)
 type t
 
 val make : positions:bool -> Model.t -> size:int -> (int -> State.t) -> t
-(** Of so many states. With [positions], also where things that are not fixed are, and how they move. *)
+(** [make ~positions model ~size state] compares the states [state 0] to [state (size - 1)]. With [positions],
+    digests include the positions and velocities of bodies that are not fixed. *)
 
 val lines : t -> int -> string list
-(** Of a state: the bonds that not every state has, then the behaviours that are not everywhere the same. A
-    behaviour that has aged since it became K is [K*]; long ones are cut. *)
+(** The digest of a state: the bonds that not every state has, the behaviours that differ between states, and
+    the leaves that are gone. A behaviour that has aged since it became K is [K*]; other texts are cut after 40
+    bytes. *)

@@ -3,19 +3,19 @@
 open Scc_calculus
 
 val header : Scc_session.Origin.t -> Json.t
-(** The first line: what the run is of. It holds what decides what the choices mean, and not how they were
-    made, so that a trace and its replay are the same bytes. *)
+(** The first line: the model, its parameters and settings, on which the meaning of the choices depends. It does
+    not say how the choices were made, so a trace and its replay are the same bytes. *)
 
 val ending : Replay.ending -> string
-(** ["open"], ["quiescent"], ["stuck"] or ["zeno"]. *)
+(** The word for the end of a run: ["open"], ["quiescent"], ["stuck"] or ["zeno"]. *)
 
 val why : Model.t -> Replay.ending -> (string * Json.t) list
-(** Of a run that is [Stuck], the member ["diagnostic"], SC0602; nothing of another. *)
+(** The member ["diagnostic"] (SC0602) of a run that is [Stuck], and nothing for any other. *)
 
-(** Which states are written. *)
+(** The states that are written. *)
 type states =
   | All  (** the state after each transition *)
-  | Ends  (** only the first and the last one: what a long run of a large network costs is then in its events *)
+  | Ends  (** only the first and the last one, since states dominate the size of a long run of a large network *)
 
 val event : Model.t -> states -> Replay.event -> Json.t list
 (** The lines for an event. *)

@@ -1,13 +1,14 @@
-(** What every export of a graph of zones says of it. *)
+(** Facts on an exported graph of zones that all formats contain. *)
 
 open Scc_verify
 open Scc_session
 
+(** A graph of zones with its model. *)
 type t = { loaded : Loaded.t; space : Zone_space.t }
 
 val summary : t -> string list
-(** A line each: the model with its parameters and their ranges, the settings, how much was explored, and what is
-    missing and why. *)
+(** The model with its parameters and their ranges, the settings, the extent of the exploration, and what is
+    missing and why. One line each. *)
 
 val bounds : t -> string list
 (** The bounds that left something out, in words. *)

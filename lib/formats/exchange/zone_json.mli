@@ -1,7 +1,7 @@
 (** The graph of zones of a model as JSON: [specs/schema/zones.schema.json] describes it. *)
 
 val version : int
-(** Of the format. *)
+(** The version of the format: 1. *)
 
 val write : Zone_exported.t -> (string -> unit) -> unit
-(** Piece by piece, a line for each zone. *)
+(** Writes the document piece by piece, with a line for each zone. *)

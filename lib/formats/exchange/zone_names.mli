@@ -1,11 +1,12 @@
-(** What the variables of zones are called: by the coordinates that they are. *)
+(** The names of the variables of zones, by their coordinates. *)
 
 open Scc_calculus
 open Scc_symbolic
 
 val coordinate : Model.t -> Zone.t -> int -> string
-(** Of {!Zone.coordinates}: ["y"] for a parameter, ["model time"], and of a leaf ["age(p)"], ["clock(p)"],
-    ["x(p)"], ["y(p)"], ["z(p)"]. *)
+(** The name of a coordinate in the order of {!Zone.coordinates}. It is ["y"] for a parameter, or
+    ["model time"], or one of a leaf: ["age(p)"], ["clock(p)"], ["x(p)"], ["y(p)"], ["z(p)"]. *)
 
 val variable : Model.t -> Zone.t -> int -> string
-(** Of a canonical zone; that after the last one is ["time passed"], which guards of passings of time may have. *)
+(** The name of a variable of a canonical zone. The one after the last is ["time passed"], which guards of
+    passings of time may have. *)

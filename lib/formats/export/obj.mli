@@ -5,7 +5,7 @@ open Scc_exact
 open Scc_calculus
 
 val state : Film.t -> time:Rat.t -> (string -> unit) -> unit
-(** At a time of the run. *)
+(** The state at a time of the run. *)
 
 val form : Model.t -> leaf:int -> (string -> unit) -> unit
-(** A leaf about its reference point, as it is before it turns. *)
+(** A leaf about its reference point, before it turns. *)

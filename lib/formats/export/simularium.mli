@@ -1,8 +1,9 @@
-(** A trajectory for Simularium, as JSON: bodies as agents with meshes, one mesh file for each kind of body
-    beside the trajectory; bonds as fibers between the centroids of the bodies; and the events so far, by their
-    kinds, as a plot. Its times are evenly spaced. *)
+(** A trajectory for Simularium, as JSON. Bodies are agents with meshes; each kind of body has a mesh file
+    beside the trajectory. Bonds are fibers between the centroids of bodies, and the counts of events so far, by
+    kind, are a plot. Its times are evenly spaced. *)
 
 open Scc_exact
 
 val files : Film.t -> path:string -> every:Rat.t option -> Film.file list
-(** By default a hundredth of the run lies between two times. *)
+(** The trajectory and its mesh files. [every] is the time between two instants (default: a hundredth of the
+    run). *)

@@ -1,6 +1,6 @@
-(** Numbers and truths of the states of a run as a table (CSV, RFC 4180): a line for each state, with the time, the
-    event that led to it, and each observable, exactly and, in the column behind it, as a float (empty where there
-    is none so great). *)
+(** Numbers and truth values of the states of a run as a table (CSV, RFC 4180). Each state has a line with the
+    time, the event that led to it, and each observable. Numbers are exact; the next column has them as floats,
+    and is empty if a number is too great for that. *)
 
 open Scc_exact
 open Scc_calculus
@@ -8,31 +8,35 @@ open Scc_property
 open Scc_semantics
 open Scc_motion
 
-type observable = { text : string;  (** as it was asked for *) what : what }
+(** A column of the table. *)
+type observable = { text : string;  (** its heading *) what : what }
 and what = Number of Property.num | Truth of Property.prop
 
 val line : (string -> unit) -> string list -> unit
-(** Fields in quotes where they need them, and the end of a line (RFC 4180). *)
+(** Writes fields, in quotes where they need them, and the end of a line (RFC 4180). *)
 
 val exact : Semantics.t -> observable -> State.t -> Rat.t option
-(** Of a state that nothing has just led to: the number, or 1 or 0 for a truth, if it has a value there. *)
+(** The value of an observable in a state, right after no event: the number, or 1 or 0 for a truth value. It is
+    [None] if the observable has no value there. *)
 
-(** What has no value is left empty. A truth is [true] or [false], as a float 1 or 0. *)
+(** A field without a value is empty. A truth value is [true] or [false], and 1 or 0 as a float. *)
 
 (** {1 The initial state, and the one after each transition} *)
 
+(** A table in the making. *)
 type lines
 
 val start : Semantics.t -> observable list -> State.t -> lines
-(** From the initial state on. *)
+(** A table with the line of the initial state. *)
 
 val leg : lines -> Course.leg -> unit
-(** One after the other. *)
+(** Adds the line of the state after a transition. Legs are added in order. *)
 
 val finish : lines -> rest:Rat.t -> (string -> unit) -> unit
-(** Writes the table, given how much time passes after the last leg. *)
+(** Writes the table. [rest] is the time that passes after the last leg; if it is positive, its end has a line
+    as well. *)
 
 (** {1 Other states} *)
 
 val at : Course.t -> observable list -> Rat.t list -> (string -> unit) -> unit
-(** Those at times of the run. *)
+(** Writes the table of the states at these times of the run. *)

@@ -1,33 +1,39 @@
-(** Runs of networks that go from event to event ({!Scc_engine.Event_run.can_run}), told by what changes: from one
-    change of a process to the next it goes in a straight line. What is kept grows with what happens, and not with
-    how many bodies look on; behaviours and clocks are not followed. *)
+(** Runs of networks that go from event to event ({!Scc_engine.Event_run.can_run}), stored as changes. From one
+    change of a process to the next it moves in a straight line. Memory grows with the number of changes, not
+    with that of bodies at rest. Behaviours and clocks are not stored. *)
 
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_exchange
 
+(** The changes of a run so far. *)
 type t
 
-(** Where the process of a leaf went, from a time on. *)
+(** The process of a leaf from a time on. *)
 type way = { since : Rat.t; process : State.process option  (** [None]: the leaf is gone *) }
 
 val start : Semantics.t -> State.t -> t
-(** At the initial state. *)
+(** A run at the initial state. *)
 
 val step : t -> Replay.event -> unit
-(** To be called with each event of the run after its start. *)
+(** Adds an event of the run. It must be called with each event after the start, in order. *)
 
 val model : t -> Model.t
+(** The model of the run. *)
+
 val initial : t -> State.t
+(** The initial state. *)
 
 val labels : t -> (Rat.t * Transition.label) list
-(** Of the transitions in order, each with the time before it. *)
+(** The labels of the transitions in order, each with the time before it. *)
 
 val duration : t -> Rat.t
+(** The model time that has passed. *)
 
 val of_leaf : t -> int -> way list
-(** In order; of several of one instant, the last counts. *)
+(** The ways of a leaf in order. If several begin at one instant, the last counts. *)
 
 val at : t -> Rat.t -> State.t
-(** Where everybody is at a time, with their bonds and velocities: of several states of one instant the last. *)
+(** The places, bonds and velocities of all processes at a time. If several states have this time, it is the
+    last of them. The run must be over. *)

@@ -1,20 +1,22 @@
-(** Where a picture is seen from: from very far away, in a direction of integers, without perspective. Its axes are
-    orthogonal, to the right, up and towards whoever looks; they are integer vectors, and so not of length 1: along
-    each of them lengths are multiplied by the length of the axis. *)
+(** The viewpoint of a picture: an infinitely far point in a direction of integers, so there is no perspective.
+    Its axes are orthogonal, to the right, up and towards the viewer. They are integer vectors of any length:
+    along each axis, lengths are multiplied by the length of the axis. *)
 
 open Scc_exact
 
+(** The three axes, in the world. *)
 type t = private { right : Ivec.t; up : Ivec.t; near : Ivec.t }
 
 val make : ?up:Vec.t -> Vec.t -> t
-(** [make d] looks at things from the side to which [d] points; [d] is not zero. [up] (the y axis)
-    is upwards in the picture; if it is along [d], the direction against the z axis, or the y axis. *)
+(** [make d] views the scene from the side to which [d], which is not zero, points. [up] (default: the y axis)
+    is upwards in the picture. If [up] is along [d], the direction against the z axis or the y axis replaces
+    it. *)
 
 val turn : t -> Ivec.t -> Ivec.t
 (** The components of a vector along the axes, each times the length of its axis. *)
 
 val flat : t -> Vec.t -> Rat.t * Rat.t
-(** The first two of them, of a point. *)
+(** The components of a point to the right and up, each times the length of its axis. *)
 
 val lengths : t -> Rat.t * Rat.t
-(** Of the first two axes, to forty bits. *)
+(** The lengths of the axes to the right and up, to forty bits. *)

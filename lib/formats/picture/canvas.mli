@@ -1,17 +1,20 @@
-(** Where the points of a view are on the paper: in pixels, y downwards. *)
+(** The places of the points of a view on the paper, in pixels, with y downwards. *)
 
 open Scc_exact
 
+(** A drawing with its scale. *)
 type t = private {
   width : int;  (** of the drawing, with its margin *)
   height : int;
   unit_length : Rat.t;  (** in pixels *)
-  place : Ivec.t -> Rat.t * Rat.t;  (** of a point as in {!Convex} *)
+  place : Ivec.t -> Rat.t * Rat.t;  (** the place of a point as in {!Convex} *)
 }
 
 val make : Camera.t -> width:int -> margin:int -> top:int -> Ivec.t list -> t
-(** All points, of which there is at least one, are within the margins, as large as they can be: as wide as it,
-    and no higher than four thirds of that. [top] is kept free above. *)
+(** [make camera ~width ~margin ~top points] is the largest drawing of all points, of which there is at least
+    one, within the margins. It is [width] wide and at most four thirds as high. [top] pixels are kept free
+    above. *)
 
 val bar : t -> most:int -> Rat.t
-(** A round length, 1, 2 or 5 times a power of ten, that takes at most so many pixels, and the greatest such. *)
+(** [bar t ~most] is a round length: the greatest of 1, 2 or 5 times a power of ten that takes at most [most]
+    pixels. *)

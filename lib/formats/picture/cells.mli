@@ -1,21 +1,25 @@
-(** Which boxes of the plane may meet: a grid over all of them, in floats. *)
+(** Boxes of the plane that may meet, found by a grid over all of them, in floats. *)
 
 type box = { left : float; right : float; low : float; high : float }
 (** Rounded outwards. *)
 
 val below : float -> float
-(** No greater than a number that {!Scc_exact.Rat.near_float} has rounded to this. *)
+(** [below x] is at most each number that {!Scc_exact.Rat.near_float} rounds to [x]. *)
 
 val above : float -> float
+(** [above x] is at least each number that {!Scc_exact.Rat.near_float} rounds to [x]. *)
 
 val around : Scc_exact.Ivec.t array -> box
-(** Of points, as in {!Convex}. *)
+(** A box that contains the points, which are as in {!Convex}. *)
 
 val meet : box -> box -> bool
+(** [meet a b] is true if the boxes have a point in common. *)
 
+(** A grid over some boxes. *)
 type t
 
 val make : box array -> t
+(** The grid over these boxes, with about as many cells as boxes, at most 10 000. *)
 
 val near : t -> box -> int list
-(** At least the numbers of all boxes that meet this one, in increasing order. *)
+(** The numbers of all boxes of the grid that meet this one, in increasing order. *)

@@ -1,28 +1,33 @@
-(** What is seen of faces and edges when others are in front of them. Exact: a face is in front of another one
-    where its depth is greater, which is decided by integers; floats only choose who is asked. The solids may
-    touch, and they may even cross; where two faces of one plane cover each other the first of them is seen. *)
+(** The visible parts of faces and edges. All is exact: integers decide where a face is in front of another one,
+    which is where its depth is greater. Floats only select candidates. Solids may touch, and they may even
+    cross. If two faces in one plane overlap, the first of them is visible. *)
 
 open Scc_exact
 
+(** A view with a grid of its faces, and the visible pieces found so far. *)
 type t
 
 val make : View.t -> t
+(** Prepares a view. Visible pieces are found when they are needed, and cached. *)
+
 val view : t -> View.t
+(** The view itself. *)
 
 val pieces : t -> int -> Convex.t list
-(** What is seen of a face of the view, in disjoint pieces. *)
+(** The visible part of a face of the view, in disjoint convex pieces. *)
 
 val all_pieces : t -> Convex.t list array
+(** The visible parts of all faces, as by {!pieces}. *)
 
 val segments : t -> View.edge -> (Ivec.t * Ivec.t) list
-(** What is seen of an edge, in order: the parts along which a face of it is seen. *)
+(** The visible parts of an edge, in order: those along which a face of it is visible. *)
 
 val uncovered : t -> Ivec.t * Rat.t -> Ivec.t * Rat.t -> (Ivec.t * Ivec.t) list
-(** The parts of a segment, from a point of the picture at a depth to another one, that no face is in front of;
-    sides of faces are in front of nothing. *)
+(** The parts of a segment without a face in front of them. Both ends are points of the picture with their
+    depths. Sides of faces hide nothing. *)
 
 val shows : t -> Ivec.t -> depth:Rat.t -> bool
-(** Whether no face is in front of a point of the picture at a depth. *)
+(** [shows t p ~depth] is true if no face is in front of the point [p] of the picture at that depth. *)
 
 val front : t -> Ivec.t -> int option
-(** The face that is seen at a point of the picture, which is on no side of a face. *)
+(** The face that is visible at a point of the picture, which must be on no side of a face. *)

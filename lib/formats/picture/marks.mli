@@ -1,4 +1,4 @@
-(** Marks on what is painted: features whose channels are open, bonds, names. *)
+(** Marks on painted solids: features with open channels, bonds, names. *)
 
 open Scc_exact
 open Scc_geometry
@@ -6,22 +6,24 @@ open Scc_rigid
 open Scc_svg
 
 val open_features : Paint.t -> Palette.rgb -> int -> Placed.t -> Feature.t list -> string list
-(** Features of a solid of the view, which is placed there and has that colour, where they are seen: faces are
-    hatched, edges are thick, vertices are rings. *)
+(** [open_features t colour body placed features] marks features of a solid of the view where they are visible.
+    Faces are hatched, edges are thick, and vertices are rings. [body] is the number of the solid, and [placed]
+    its place. *)
 
 val hatch : Paint.t -> string
-(** The identifier of the hatch. *)
+(** The identifier of the hatch. Equal identifiers are of equal patterns. *)
 
 val pattern : Paint.t -> string list
-(** Its definition, which a picture with open features needs. *)
+(** The definition of the hatch, which a picture with open features needs. *)
 
 val bond : Paint.t -> told:string -> Placed.t * Feature.t -> Placed.t * Feature.t -> string list
-(** A line from the middle of one solid to that of the other over a dot between their features, in front of
-    everything: where solids touch nothing is seen. *)
+(** A line between the middles of two solids over a dot between their features. It is in front of everything,
+    since touching features are hidden. Its title is [told]. *)
 
 val bond_colour : string
+(** The colour of bonds, as ["#rrggbb"]. *)
 
-(** A name and where it may be written: in the picture, and how much is seen of what it names. *)
+(** A name with its possible places on the paper, and the visible area of its object. *)
 type name = {
   text : string;
   at : (Rat.t * Rat.t) list;
@@ -30,5 +32,5 @@ type name = {
 }
 
 val names : width:int -> name list -> string list
-(** Names that do not cover each other, those of what is seen best first; each at the first of its places that is
-    free, or nowhere. *)
+(** Names that do not cover each other, within the width. Those of the largest objects are placed first, each at
+    the first of its places that is free; a name without a free place is left out. *)

@@ -3,5 +3,5 @@
 open Scc_exact
 
 val loops : Convex.t list -> Ivec.t list list
-(** Closed polygons, the region to their left: its outside counterclockwise, holes clockwise. What the pieces
-    have in common is gone, so that no seams are seen where they meet. *)
+(** Closed polygons with the region to their left: outer borders counterclockwise, holes clockwise. Borders
+    between two pieces are removed, so that no seams are visible. *)

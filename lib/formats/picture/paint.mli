@@ -1,45 +1,46 @@
-(** How what is seen of solids is painted. *)
+(** The painting of visible solids. *)
 
 open Scc_exact
 open Scc_svg
 
-(** Of all of a picture. *)
+(** The camera, canvas and visible parts of a whole picture. *)
 type t = {
   camera : Camera.t;
-  origin : Ivec.t;  (** what of space is at (0, 0) of the view *)
+  origin : Ivec.t;  (** the point of space at (0, 0) of the view *)
   canvas : Canvas.t;
   hidden : Hidden.t;
-  stroke : float;  (** how wide edges are, in pixels; outlines are half as wide again *)
-  faces : int list array;  (** of each solid, indices into the view *)
+  stroke : float;
+  (** the scale of line widths, from 0.25 to 1: times 0.8 pixels for inner edges, and 1.3 pixels for outlines *)
+  faces : int list array;  (** for each solid, the indices of its faces in the view *)
   edges : int list array;
 }
 
 val make : Camera.t -> origin:Ivec.t -> Canvas.t -> Hidden.t -> t
-(** Edges are thinner where solids are small. *)
+(** A picture of these visible parts. Lines are thinner if solids are small on the paper. *)
 
 val point : t -> Vec.t -> Ivec.t
-(** Where a point of space is in the view. *)
+(** The place of a point of space in the view. *)
 
 val place : t -> Vec.t -> Rat.t * Rat.t
-(** On the paper. *)
+(** The place of a point of space on the paper. *)
 
 val shows : t -> Vec.t -> bool
-(** Nothing is in front of the point. *)
+(** [shows t p] is true if nothing is in front of the point [p] of space. *)
 
 val shade : t -> Palette.rgb -> View.face -> Palette.rgb
-(** The colour of a face: lighter above and to the left. *)
+(** The colour of a face, from the colour of its solid: lighter if it faces up and to the left. *)
 
 val region : t -> Convex.t list -> string
-(** The data of a path: what these pieces cover. *)
+(** The path data of the region that these pieces cover. *)
 
 val lines : t -> (Ivec.t * Ivec.t) list -> string
-(** Of one that is stroked. *)
+(** The path data of these segments, for a stroke. *)
 
 val ink : Palette.rgb -> Palette.rgb
-(** Of the edges of what has this colour. *)
+(** The colour of the edges of solids of this colour. *)
 
 val solid : t -> Palette.rgb -> int -> string list
-(** What is seen of a solid in a colour: its faces, and over them its edges. Nothing if it is hidden. *)
+(** The visible part of a solid in a colour: its faces, and its edges over them. Nothing if it is hidden. *)
 
 val pixels : float -> string
-(** A number of an attribute, with at most two places. *)
+(** A number of an attribute, with at most two decimals. *)

@@ -1,8 +1,8 @@
-(** Convex polyhedra as a {!Camera} sees them: their faces and edges in the plane of the picture. *)
+(** Convex polyhedra in the view of a {!Camera}: their faces and edges in the plane of the picture. *)
 
 open Scc_exact
 
-(** A convex polyhedron where it stands. *)
+(** A convex polyhedron at its place in the world. *)
 type solid = {
   corners : Ivec.t array;  (** over [denominator] *)
   denominator : Z.t;  (** positive *)
@@ -11,56 +11,60 @@ type solid = {
 }
 
 val of_placed : Scc_rigid.Placed.t -> solid
+(** The solid of a part at its place. *)
 
-(** A face that is seen from its outer side, if nothing is in front of it. *)
+(** A face that shows its outer side to the camera; other faces may be in front of it. *)
 type face = {
   body : int;  (** index of the solid *)
   face : int;
   polygon : Convex.t;
   sides : Ivec.t array;  (** of the polygon, {!Convex.sides} *)
   depth : Ivec.t;
-  (** (a, b, c): at a point (x, y, w) of the picture the face is at depth (a x + b y + c w) / ([scale] w): the
-      greater, the nearer *)
+  (** (a, b, c): at a point (x, y, w) of the picture the depth of the face is (a x + b y + c w) / ([scale] w).
+      Greater depths are nearer *)
   scale : Z.t;  (** positive *)
   normal : Ivec.t;  (** outward, in the world *)
 }
 
-(** An edge of a face that is seen. *)
+(** An edge of such a face. *)
 type edge = {
   body : int;
   edge : int;
   ends : Ivec.t * Ivec.t;  (** points of the picture, different *)
-  left : face option;  (** the face on its left in the picture, of those that are seen *)
-  right : face option;  (** where there is only one of both, the edge is part of the outline of the solid *)
+  left : face option;  (** the face on its left in the picture, if that shows its outer side *)
+  right : face option;  (** likewise on its right; an edge with only one of both is part of the outline *)
 }
 
-type t = { faces : face array; edges : edge array; points : Ivec.t array array  (** of each solid its corners *) }
+(** A view of solids. *)
+type t = { faces : face array; edges : edge array; points : Ivec.t array array  (** the corners of each solid *) }
 
-(** Points of space as a camera sees them. *)
+(** Points of space in the view of a camera. *)
 type points = {
-  world : Ivec.t array;  (** from the origin, over the denominator *)
-  turned : Ivec.t array;  (** along the axes of the camera, over it *)
+  world : Ivec.t array;  (** relative to the origin, times [over] *)
+  turned : Ivec.t array;  (** components along the axes of the camera, times [over] *)
   flat : Ivec.t array;  (** in the picture *)
   over : Z.t;
 }
 
 val points : Camera.t -> origin:Ivec.t -> Ivec.t array -> Z.t -> points
+(** [points camera ~origin corners over] is the view of the points [corners] / [over]. *)
 
 val facing : body:int -> face:int -> points -> int array -> face option
-(** The face with these corners, which are those of a convex polygon of a plane, counterclockwise seen from
-    outside: [None] if it shows its inner side, or an edge. *)
+(** [facing ~body ~face points corners] is the face with these corners, which form a convex polygon of a plane,
+    counterclockwise from outside. It is [None] if the face shows its inner side or lies along the view. *)
 
 val depth : points -> int -> Rat.t
-(** Of a point, as those of faces. *)
+(** [depth points i] is the depth of the point [i], on the scale of the depths of faces. *)
 
 val make : Camera.t -> origin:Ivec.t -> solid array -> t
-(** [origin] comes to (0, 0), at depth 0. *)
+(** The view of solids. [origin] becomes the point (0, 0) of the picture, at depth 0. *)
 
 val nearer : face -> face -> Ivec.t
-(** [nearer f g], a line: positive where the first is in front of the second. Zero if they are of one plane. *)
+(** [nearer f g] is a line: it is positive where [f] is in front of [g]. It is zero if both are in one plane. *)
 
 val depth_at : face -> Ivec.t -> Rat.t
-(** How deep the plane of a face is at a point of the picture. *)
+(** [depth_at f p] is the depth of the plane of [f] at the point [p] of the picture. *)
 
 val before : face -> Ivec.t -> Rat.t -> int
-(** The sign of how much the face is in front of a point of the picture at a depth. *)
+(** [before f p depth] is positive if [f] is in front of the point [p] of the picture at that depth, negative if
+    it is behind, and 0 if it contains the point. *)

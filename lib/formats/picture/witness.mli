@@ -1,9 +1,10 @@
-(** What is wrong with a face set, and where: the witnesses of {!Scc_geometry.Solid_report}, to be drawn. *)
+(** The faults of a face set with their places: the witnesses of {!Scc_geometry.Solid_report}, to be drawn. *)
 
 open Scc_geometry
 
+(** A fault, or a failing condition, with the features at fault. *)
 type t = {
-  badge : string;  (** of each another: the number of a fault, or ["c6"] for a condition of Definition 4.3 *)
+  badge : string;  (** unique: the number of a fault, or ["c6"] for a condition of Definition 4.3 *)
   text : string;
   faces : int list;
   edges : (int * int) list;  (** pairs of vertices *)
@@ -11,8 +12,8 @@ type t = {
 }
 
 val all : Solid_report.t -> t list
-(** The faults, as many as are listed in text, then the conditions of Definition 4.3 that fail. All indices are in
+(** The faults, as many as the text lists, then the conditions of Definition 4.3 that fail. All indices are in
     range. *)
 
 val more : Solid_report.t -> int
-(** How many faults are left out. *)
+(** The number of faults that are left out. *)

@@ -8,11 +8,11 @@ type fault =
   | Control of int  (** offset of the first control character that no text has (NUL, say) *)
 
 val check : string -> fault option
-(** The first fault of a text. Tab, line feed, form feed and carriage return are allowed. Overlong forms,
-    surrogates and code points past U+10FFFF are invalid. *)
+(** [check s] is the first fault of a text. Tab, line feed, form feed and carriage return are allowed; other
+    control characters and DEL are not. Overlong forms, surrogates and code points past U+10FFFF are invalid. *)
 
 val code_point : string -> int
-(** The first code point of a well-formed, non-empty string. *)
+(** [code_point s] is the first code point of the well-formed, non-empty [s]. *)
 
 val boundary : string -> int -> int
-(** The greatest offset, at most the given one, at which no code point of a well-formed text is cut. *)
+(** [boundary s i] is the greatest offset, at most [i], at which no code point of the well-formed [s] is cut. *)

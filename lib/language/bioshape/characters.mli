@@ -1,14 +1,17 @@
-(** What the characters of a document stand for, each with its place. The text is one that Xmlm has read. *)
+(** The characters that a document of XML stands for, each with its place. Xmlm must have read the document
+    before. *)
 
 open Scc_base
 open Scc_syntax
 
 val attribute : Source.t -> int -> int -> Embedded.t
-(** The value of an attribute, between these offsets: references decoded, line ends and tabs as spaces. *)
+(** [attribute source start stop] is the value of an attribute between two offsets. References are decoded; line
+    ends and tabs become spaces. *)
 
 val content : Source.t -> int -> int -> Embedded.t
-(** What stands in an element that has none in it: references decoded, marked sections as they are, comments and
-    instructions left out, without the spaces at its ends. *)
+(** [content source start stop] is the text of an element without elements in it. References are decoded, marked
+    sections are kept as they are, and comments and instructions are left out. Spaces at the ends are
+    removed. *)
 
 val none : Source.t -> int -> Embedded.t
-(** No text, at this offset. *)
+(** [none source at] is the empty text at an offset. *)

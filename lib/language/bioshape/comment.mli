@@ -1,14 +1,14 @@
 (** Comments, between the language and XML.
 
-    In a comment of XML no two hyphens meet, and none stands at its end. Written there, a backslash keeps them
-    apart, one more than were between them before; read, it is taken away, so that a comment comes back as it
-    was. What no character of XML is becomes a space. *)
+    A comment of XML has no two hyphens in a row and none at its end. When it is written, a backslash separates
+    them, one more than were between them before. When it is read, one is removed, so a comment comes back as it
+    was. A character that XML does not have becomes a space. *)
 
 open Scc_syntax
 
 val written : Trivia.t -> Trivia.t
-(** A comment of the language, as one of XML. *)
+(** A comment of the language as a comment of XML. *)
 
 val read : string -> Trivia.kind * string
-(** What stands between the marks of a comment of XML, as one of the language: to the end of the line if it is on
-    one line. What would be a mark there is taken apart by a space. *)
+(** The text inside a comment of XML as a comment of the language. A comment on one line becomes a line comment.
+    Marks of comments inside are separated by a space. *)

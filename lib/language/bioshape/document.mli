@@ -1,10 +1,12 @@
-(** Documents of XML as elements with their places. Xmlm reads them, and says what is well-formed; where things
-    stand is found by going once more over what it has read.
+(** Documents of XML as elements with their places. Xmlm reads them and checks that they are well-formed. A
+    second pass over the text finds the places.
 
-    Refused: what is not UTF-8 (SC0102), what is not well-formed (SC0350), document types, entities but the five
-    of XML itself, and declarations of another encoding (SC0351), elements nested deeper than {!max_nesting}
-    (SC0111). Nothing is fetched and nothing expanded, so that no document is larger in memory than its text
-    times a constant. *)
+    Errors: a text that is not UTF-8 (SC0102) or not well-formed (SC0350), and elements nested deeper than
+    {!max_nesting} (SC0111). Document types, entities except the five of XML, and declarations of another
+    encoding are refused (SC0351).
+
+    Nothing is fetched and nothing is expanded. So a document in memory is at most a constant factor larger than
+    its text. *)
 
 open Scc_base
 open Scc_syntax
@@ -13,27 +15,29 @@ type element = {
   tag : string;  (** without its prefix *)
   at : Span.t;  (** of the start tag *)
   whole : Span.t;  (** from there to the end of its end tag *)
-  close : int;  (** offset of the end tag; of the end of the tag, if it is one for both *)
+  close : int;  (** offset of the end tag, or of the end of an empty-element tag *)
   attributes : (string * (Span.t * Embedded.t)) list;
-  (** with the places of their names, in the order of the text; those of the schema's instances are left out *)
+  (** with the places of their names, in the order of the text; [xmlns] and names with a prefix are left out *)
   children : element list;
-  text : Embedded.t;  (** what stands in an element without elements in it *)
+  text : Embedded.t;  (** the text of an element without elements in it *)
 }
 
+(** A whole document. *)
 type t = {
-  root : element;  (** with its children, or without those that [each] took *)
-  trivia : Trivia.t list;  (** the comments, as those of the language, and empty lines *)
+  root : element;  (** without children: {!read} has passed them to [each] *)
+  trivia : Trivia.t list;  (** the comments, as comments of the language, and empty lines *)
 }
 
 val max_nesting : int
-(** 2 010: a choice within a choice takes two elements, so that what the language can nest can be written. *)
+(** The greatest depth of nested elements: 2 010. A choice within a choice takes two elements, so this is enough
+    for all that the language can nest. *)
 
 val max_attributes : int
-(** Of one element (SC0352): 100. *)
+(** The greatest number of attributes of one element: 100 (SC0352). *)
 
 val read : namespace:string -> each:(element -> unit) -> Source.t -> (t, Diag.t) result
-(** [each] is given the children of the root, one by one, with what is in them; they are not kept. An element or
-    attribute that is not of the namespace is SC0352. [each] may end the reading by {!Stop}. *)
+(** Reads a document. [each] receives the children of the root one by one, with all that they contain; they are
+    not kept. An element or attribute of another namespace is SC0352. [each] may end the reading by {!Stop}. *)
 
 exception Stop
-(** Raised by [each], and passed on. *)
+(** Ends the reading: [each] may raise it, and {!read} does not catch it. *)

@@ -1,12 +1,14 @@
-(** Texts as XML writes them. *)
+(** Texts as XML writes them, with references for special characters. *)
 
 val attribute : string -> string
-(** In quotes. *)
+(** The value of an attribute, in quotes. *)
 
 val content : string -> string
+(** The text in an element. *)
 
 val only_characters : string -> string
-(** With spaces for what no character of XML is (a form feed; U+FFFE and U+FFFF). *)
+(** The text with a space for each character that XML does not have: control characters except tab and line
+    ends, U+FFFE and U+FFFF. *)
 
 val is_text : string -> bool
-(** Nothing of that is in it. *)
+(** [is_text s] is true if XML has all characters of [s]. *)

@@ -1,18 +1,20 @@
-(** The terms of the calculus as elements: features, behaviours, shapes and where they are. *)
+(** The terms of the calculus as elements: features, behaviours, shapes and placements. Each function takes the
+    elements that it reads; a missing one is reported (SC0353). *)
 
 open Scc_syntax
 
 val feature : Content.t -> Ast.feature
-(** The next element, which is a [<feature>]. *)
+(** Takes the next element, a [<feature>]. *)
 
 val behaviour : Content.t -> Ast.behaviour
-(** The elements that come next: prefixes, then [<nil>], [<call>] or [<choice>]. *)
+(** Takes the elements of a behaviour: prefixes, then [<nil>], [<call>] or [<choice>]. A behaviour nested too
+    deeply is SC0111. *)
 
 val solid : Content.t -> Ast.solid
-(** The elements that come next: one that is a solid, then any [<scaled>]. *)
+(** Takes the elements of a solid: one that is a solid, then any number of [<scaled>]. *)
 
 val attributes : Content.t -> Ast.attribute list
-(** [<mass>], [<velocity>], [<spin>], [<absorb>], [<at>], in any order. *)
+(** Takes any number of [<mass>], [<velocity>], [<spin>], [<absorb>] and [<at>], in any order. *)
 
 val reference : Ast.name -> Ast.reference
-(** By that name alone. *)
+(** A reference to a shape or behaviour by its name alone. *)

@@ -1,16 +1,18 @@
-(** What stands at a place of a text, for people who look at it in an editor. The text need not be a model yet:
-    declarations that cannot be read are passed over, and nothing is worked out. *)
+(** The meaning of the word at a place of a text, for editors. The text need not be a model yet: declarations
+    that cannot be read are skipped, and nothing is computed. *)
 
 open Scc_base
 
+(** The meaning of a name or word. *)
 type t = {
   at : Span.t;
   kind : string;  (** ["process"], ["channel"], ["keyword"], … *)
   name : string;
-  text : string;  (** a line that says what it is, and perhaps more: its declaration, or where it is explained *)
-  declared : Span.t option;  (** the name where it is declared; of what a module declares, its import *)
+  text : string;  (** a line that describes it, perhaps with its declaration or the section on it *)
+  declared : Span.t option;  (** the place of its name in its declaration, or of the import of its module *)
 }
 
 val find : read_module:(library:bool -> string -> string option) -> Source.t -> int -> t option
-(** At the offset of a byte: within a name or a word, or right after one. [read_module] gives the texts of what is
-    imported, if they are there. Given a text alone, it is read once for all offsets. *)
+(** [find ~read_module source offset] describes the name or word that contains the offset of a byte or ends
+    there. [read_module] returns the texts of imports, if there are any. A partial application
+    [find ~read_module source] reads the text once for all offsets. *)

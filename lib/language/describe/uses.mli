@@ -1,17 +1,18 @@
-(** Where names stand in a text, and what each means there. Nothing is worked out, so that texts full of faults
-    will do. *)
+(** The names in a text, and the meaning of each. Nothing is computed, so the text may be full of errors. *)
 
 open Scc_syntax
 
+(** All names of a text. *)
 type t = Scope.t
 
 val of_model : Declared.all -> Ast.model -> t
+(** The names of a text with these declarations. *)
 
 val all : t -> Scope.use list
-(** In no particular order. *)
+(** All uses, in no particular order. *)
 
 val at : t -> int -> Scope.use option
 (** The use whose name begins at an offset. *)
 
 val channel : t -> string -> Scope.channel_use list
-(** In the order of the text. *)
+(** The places at which a channel of this name is named, in the order of the text. *)

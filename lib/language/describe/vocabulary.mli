@@ -1,17 +1,19 @@
-(** What the words of the language mean, in a line each. Not all are reserved: that a name is one of these is told
-    by where it stands. *)
+(** The words of the language with a line on the meaning of each. Not all are reserved: the place of a word
+    decides whether it is one of these or a name. *)
 
+(** The kind of place at which a word has its meaning. *)
 type category =
   | Word  (** a word of the language *)
-  | Setting  (** what a setting is set to: [free_body] *)
-  | Solid  (** a shape that is there without a declaration: [box] *)
+  | Setting  (** a value of a setting: [free_body] *)
+  | Solid  (** a shape that needs no declaration: [box] *)
   | Function  (** of numbers and vectors: [min] *)
   | Component  (** of a vector *)
   | Atom  (** of a formula: [distance2] *)
-  | Law  (** what a law of motion may use: [dt] *)
+  | Law  (** a variable of laws of motion: [dt] *)
   | Event  (** a transition: [event bind] *)
-  | Measure  (** what stands before a bracket: [Pmax] *)
+  | Measure  (** a word before a bracket: [Pmax] *)
 
+(** A word with its meaning. *)
 type entry = {
   category : category;
   word : string;
@@ -21,4 +23,7 @@ type entry = {
 }
 
 val all : entry list
+(** All words, by category. A word may have entries in several categories. *)
+
 val find : category -> string -> entry option
+(** The entry of a word in a category. *)

@@ -8,16 +8,16 @@ type t = {
   mass : (Rat.t * Span.t) option;  (** positive *)
   velocity : (Vec.t * Span.t) option;
   spin : (Vec.t * Span.t) option;
-  absorb : Span.t option;  (** where it says so *)
+  absorb : Span.t option;  (** the place of the word *)
   at : Placement.t;  (** the identity when not given *)
-  complete : bool;  (** whether all that was written could be read *)
+  complete : bool;  (** true if all attributes could be read *)
 }
 
 val read : Report.t -> Env.t -> Ast.attribute list -> t
-(** Each at most once (SC0212). *)
+(** Reads attributes, each kind at most once (SC0212). Faults are reported; [complete] is then false. *)
 
 val velocity : t -> Vec.t
-(** Zero when not given. *)
+(** The velocity of the centre of mass, in the world; zero if none is given. *)
 
 val spin : t -> Vec.t
-(** Zero when not given. *)
+(** The angular velocity in the world, in radians per unit of time; zero if none is given. *)

@@ -12,10 +12,10 @@ type leaf = {
   parts : Model.part array;
   mass : Rat.t;
   fixed : bool;
-  absorbs : bool;  (** as of {!Model.leaf} *)
-  place : Form.place;  (** of its reference point *)
-  position : Vec.t;  (** the same at {!Context.point} *)
-  velocity : Vec.t;  (** of its own centroid *)
+  absorbs : bool;  (** as in {!Model.leaf} *)
+  place : Form.place;  (** of its reference point, in the world *)
+  position : Vec.t;  (** [place] at {!Context.point} *)
+  velocity : Vec.t;  (** of its own centroid, in the world *)
   spin : Vec.t;
   behaviour : (Env.t * Ast.behaviour) option;
   span : Span.t;
@@ -36,6 +36,8 @@ type t = {
 }
 
 val centroid : leaf -> Vec.t
-(** In the world. *)
+(** The centroid of a leaf in the world, at {!Context.point}. *)
 
 val read : Context.t -> Program.body list -> t
+(** Reads bodies. Leaves and processes are numbered in the order of declaration. A body with faults, which are
+    reported, is [None]. *)

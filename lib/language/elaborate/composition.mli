@@ -1,5 +1,4 @@
-(** The network: which of the declared processes take part, and the bonds, motions and names that go with
-    them. *)
+(** The network: the declared processes that take part, with their bonds, laws of motion and names. *)
 
 open Scc_calculus
 
@@ -10,6 +9,9 @@ type t = {
 }
 
 val read : Context.t -> Program.t -> Bodies.t -> t
+(** Reads [network] and [motion]. Without [network] all declared processes take part. A law for one process goes
+    before one for its family, and that before the general law. *)
 
 val single : Report.t -> Env.t -> Scc_syntax.Ast.path -> (string * Scc_base.Span.t) option
-(** The printed name of a body: one segment, with its indices evaluated. *)
+(** The printed name of a body, with its place: one segment with its indices evaluated. A longer path is
+    SC0210. *)

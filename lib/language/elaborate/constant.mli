@@ -1,52 +1,66 @@
-(** Expressions whose value the text determines: attributes, steps, indices, delays, bounds. All functions
-    report what they cannot evaluate and then give [None]. What depends on parameters of which ranges are known is
-    refused (SC0218), with the reason [why] where one is given, but by {!form}, {!place}, {!value} and
-    {!transform}. *)
+(** Expressions whose value the text determines: attributes, steps, indices, delays, bounds. Each function
+    reports what it cannot evaluate and then gives [None].
+
+    A value that depends on a parameter with a known range is refused (SC0218), with the reason [why] if it is
+    given. Only {!form}, {!place}, {!value} and {!transform} accept such values. *)
 
 open Scc_base
 open Scc_exact
 open Scc_syntax
 
 val of_state : string list
-(** The functions of properties, which are no constants. *)
+(** The functions of properties, whose values depend on the state. *)
 
 val of_shapes : string
-(** Why shapes cannot depend on such parameters. *)
+(** The reason, for SC0218, that shapes cannot depend on parameters with ranges. *)
 
 val truth : ?why:string -> Report.t -> Env.t -> Ast.expr -> bool option
+(** The truth value of a constant expression. [why] is the reason in SC0218 (default: that a constant is
+    expected). *)
 
 val is_constant : Env.t -> Ast.expr -> bool
-(** Only numbers, truth values, constants in scope and operations on them. *)
+(** [is_constant env e] is true if [e] consists of numbers, truth values, constants in scope and operations on
+    them. *)
 
 val is_open : Env.t -> Ast.expr -> bool
-(** It depends on a parameter that is [Unknown]. True as well of what is too large to find out. *)
+(** [is_open env e] is true if [e] depends on a parameter that is [Unknown]. It is also true if more than 10 000
+    expressions would have to be searched. *)
 
 val value : Report.t -> Env.t -> Ast.expr -> Env.value option
-(** A [Number], [Truth], [Vector] or [Affine]. *)
+(** The value as a [Number], [Truth], [Vector] or [Affine]. *)
 
 val number : ?why:string -> Report.t -> Env.t -> Ast.expr -> Rat.t option
+(** The value of a constant number. *)
 
 val form : Report.t -> Env.t -> Ast.expr -> Form.t option
-(** A number that may depend on parameters of which ranges are known. *)
+(** A number that may depend on parameters with known ranges. *)
 
 val positive : ?why:string -> Report.t -> Env.t -> string -> Ast.expr -> Rat.t option
-(** The string names the quantity in the message. *)
+(** [positive report env what e] is a constant greater than zero (SC0208 otherwise). [what] names the quantity
+    in the message. *)
 
 val integer : ?why:string -> Report.t -> Env.t -> string -> Ast.expr -> Z.t option
+(** [integer report env what e] is a constant integer (SC0204 otherwise). [what] names the quantity in the
+    message. *)
+
 val index : Report.t -> Env.t -> Ast.expr -> Z.t option
+(** The constant integer that is an index of a name (SC0204 otherwise). *)
+
 val vector : ?why:string -> Report.t -> Env.t -> Ast.vector -> Vec.t option
+(** The value of a constant vector. *)
 
 val corner : Report.t -> Env.t -> Ast.vector -> Vec.t option
-(** Of a shape. *)
+(** The point of a corner of a shape, in the frame of the shape; its components must be constants. *)
 
 val place : Report.t -> Env.t -> Ast.vector -> Form.place option
-(** A vector whose components may depend on such parameters. *)
+(** A vector whose components may depend on parameters with known ranges. *)
 
 val transform : Report.t -> Env.t -> Ast.transform list -> Placement.t option
-(** [T1 * T2 * …]: the last is applied first. Each has a positive determinant (SC0311 otherwise). *)
+(** The map [T1 * T2 * …], of which the last is applied first. Only its translation may depend on ranges. Each
+    factor has a positive determinant (SC0311 otherwise). *)
 
 val scaling : Report.t -> Env.t -> Span.t -> Ast.vector -> Vec.t option
-(** Factors for the three axes, with a positive product (SC0311 otherwise). *)
+(** Factors along the three axes, with a positive product (SC0311 otherwise). *)
 
 val segment : Report.t -> Env.t -> Ast.segment -> string option
-(** A name with its indices, as it is printed: [c[3]], [g[1,2]]. *)
+(** A name with its indices as it is printed: [c[3]], [g[1,2]]. *)

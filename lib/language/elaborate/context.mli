@@ -1,5 +1,4 @@
-(** What one elaboration shares between its passes: the report, the templates, the solids and obstacles made
-    so far. *)
+(** What the passes of one elaboration share: the report, the templates, and caches of solids and obstacles. *)
 
 open Scc_base
 open Scc_exact
@@ -14,16 +13,16 @@ type template = {
   mutable used : bool;
 }
 
-(** Shapes or compounds with parameters. *)
+(** A family of shapes or compounds: a declaration with indices or parameters. *)
 type family = {
   head : Family.head;
-  make : Family.reference -> Shape.t option;  (** one of them *)
+  make : Family.reference -> Shape.t option;  (** makes an instance *)
   family_span : Span.t;
   family_own : bool;
   mutable instances : int;
 }
 
-(** A shape as it was declared, for those who want its faces even if they enclose no solid. *)
+(** A shape as declared, whose faces may enclose no solid. *)
 type source = {
   scope : Env.t;
   source_head : Family.head;
@@ -34,21 +33,23 @@ type source = {
 type t = {
   report : Report.t;
   read_file : string -> (string, string) result;
-  templates : (string, template) Hashtbl.t;  (** by global names, and by the labels of instances *)
+  templates : (string, template) Hashtbl.t;  (** by their global names, and instances by their labels *)
   families : (string, family) Hashtbl.t;  (** by keys *)
   sources : (string, source) Hashtbl.t;  (** by keys; no compounds *)
-  mutable nesting : int;  (** how many instances are being made, one within another *)
+  mutable nesting : int;  (** the number of instances that are being made, one within another *)
   mutable root : Env.t;  (** of the model: its imports, and no values *)
-  mutable point : Rat.t array;  (** where parameters of which ranges are known stand for the declared state *)
+  mutable point : Rat.t array;  (** the values of parameters with known ranges in the declared state *)
   obstacles : Obstacle_cache.t;
-  fresh : unit -> int;  (** identities, from 0 *)
-  solid : Shape.basic -> Mat.t -> Solid.t;  (** one for each template and linear map *)
+  fresh : unit -> int;  (** the next identity, from 0 *)
+  solid : Shape.basic -> Mat.t -> Solid.t;  (** cached by template and linear map *)
   scaled : Shape.basic -> Vec.t -> Polyhedron.t * int;
-  (** the scaled image and its [id]: one for each template and factors *)
-  touching : Obstacle.t -> Vec.t -> Contact.pair list;  (** {!Contact.touching}, remembered *)
+  (** the scaled image and its [id], cached by template and factors *)
+  touching : Obstacle.t -> Vec.t -> Contact.pair list;  (** {!Contact.touching}, cached by solids and offset *)
 }
 
 val create : read_file:(string -> (string, string) result) -> t
+(** An empty context. [read_file] returns the text of a mesh or an import by its path, or why it cannot be
+    read. *)
 
 val template_names : t -> string list
-(** Sorted. *)
+(** The keys of all templates and families of templates, sorted. *)

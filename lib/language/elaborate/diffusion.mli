@@ -4,11 +4,12 @@ open Scc_exact
 open Scc_calculus
 
 val least_kick : timestep:Rat.t -> Vec.t -> Rat.t
-(** The least power of two that is long enough for diffusion constants (squares of lengths per time, along the
-    axes; none of them negative) at this length of movement steps; 1 where all are 0. *)
+(** [least_kick ~timestep d] is the least power of two that is long enough for the diffusion constants [d] along
+    the axes. The constants are lengths squared per time and not negative. It is 1 if all are 0. *)
 
 val kicks : timestep:Rat.t -> drift:Law.vector -> kick:Rat.t -> Vec.t -> (Law.kick list, Rat.t) result
-(** A choice whose displacements in one movement step have the mean [drift] * [timestep] and the variances 2 D
-    [timestep] along the axes, with D the diffusion constant of each, and no covariances: by one kick of this
-    length (positive) along an axis, this way or that, or none. An error tells the least square of a kick that is
-    long enough. *)
+(** [kicks ~timestep ~drift ~kick d] is a choice of velocities for one movement step. Its displacements have the
+    mean [drift] * [timestep], the variances 2 [d] [timestep] along the axes, and no covariances. Each choice is
+    a kick of the length [kick] > 0 along one axis, in either direction, or none.
+
+    An error is the least square of a kick that is long enough. *)

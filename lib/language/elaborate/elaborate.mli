@@ -1,5 +1,5 @@
-(** From the syntax tree of a model to the terms of the calculus: names, loops, templates, properties, and
-    every static check (rule WellFormed). *)
+(** From the syntax tree of a model to the terms of the calculus: names, loops, templates, properties, and all
+    static checks (rule WellFormed). *)
 
 open Scc_base
 open Scc_exact
@@ -13,12 +13,12 @@ type t = {
   templates : (string * Polyhedron.t) list;  (** in order of declaration *)
   model : Model.t;
   declared : State.t;
-  (** as declared: before {!Scc_semantics} sets clocks and steers. Where parameters have ranges, at simple numbers
-      within them, with {!Behaviour.Wait} in behaviours *)
-  uncertain : Uncertain.t option;  (** where parameters have ranges ({!Model.ranges}): what depends on them *)
+  (** as declared, before {!Scc_semantics} sets clocks and steers. Parameters with ranges have simple numbers
+      within them, and behaviours have {!Behaviour.Wait} *)
+  uncertain : Uncertain.t option;  (** all that depends on the parameters with ranges ({!Model.ranges}) *)
   checks : Property.check list;
   premises : Property.check list;
-  (** what has to come true for the checks to say anything ({!Premises}), each with the name of its check *)
+  (** the premises without which checks hold vacuously ({!Premises}), each with the name of its check *)
   warnings : Diag.t list;
 }
 
@@ -28,6 +28,8 @@ val elaborate :
   ?narrowed:(string * (Ranges.bound * Ranges.bound)) list ->
   Scc_syntax.Ast.model ->
   (t, Diag.t list) result
-(** [read_file] is given the path of a mesh as written (the caller resolves it relative to the model) and
-    returns its bytes or why it cannot be read. [overrides] are the values given by [-D], and [narrowed] the
-    ranges. Errors are sorted; as many as make sense are reported at once. *)
+(** Elaborates a model. [read_file] returns the bytes of a mesh by its path as written, or why it cannot be
+    read; the caller resolves the path relative to the model. [overrides] are the values of [-D], and [narrowed]
+    the ranges.
+
+    Errors are sorted. As many as make sense are reported at once. *)

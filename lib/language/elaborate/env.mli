@@ -1,8 +1,9 @@
-(** What names stand for at a place of the text. Names of values (parameters, loop variables, [let]s, the formal
-    parameters of families, the variables of quantifiers) have lexical scopes: a name may be used after its
-    declaration, and an inner one hides an outer one. Names of shapes and behaviours belong to the text that
-    declares them, the model or a module that it imports: each has a global name, in which that of a module is
-    put before its own. *)
+(** The meanings of names at a place of the text. Values are parameters, loop variables, [let]s, formal
+    parameters of families and variables of quantifiers. Their names have lexical scopes: a name may be used
+    after its declaration, and an inner one hides an outer one.
+
+    Names of shapes and behaviours belong to the text that declares them, which is the model or an imported
+    module. Each has a global name: its own name after the prefix of its module. *)
 
 open Scc_base
 open Scc_exact
@@ -12,18 +13,19 @@ type value =
   | Number of Rat.t
   | Truth of bool
   | Vector of Vec.t
-  | Affine of Form.t  (** what depends on parameters of which ranges are known: no constant *)
+  | Affine of Form.t  (** depends on parameters with known ranges, and is no constant *)
   | Word of string * t
-  (** the argument of a family that is no value: the name of a channel, a feature or a behaviour, and where it was
-      written *)
+  (** the argument of a family that is no value: the name of a channel, a feature or a behaviour, and the scope in
+      which it was written *)
   | Macro of Ast.expr * t  (** a [let] that is no constant, with the scope of its declaration *)
   | Leaf of int  (** a process variable of a quantifier: an index into {!Scc_calculus.Model.leaves} *)
   | Unknown
-  (** the parameter of a family that nothing uses, which is read without arguments: nothing is said of what depends
-      on it *)
+  (** the parameter of a family that nothing uses, which is read without arguments; what depends on it is unknown
+      as well *)
 
 and binding = { value : value; span : Span.t; mutable used : bool }
 
+(** The values in scope at a place, and the text around it. *)
 and t
 
 (** A text: the model, or a module. *)
@@ -37,41 +39,50 @@ and scope = {
 }
 
 val scope : prefix:string -> file:string -> scope
+(** [scope ~prefix ~file] is a text without declarations or imports. *)
 
 val root : scope -> t
-(** No values yet. *)
+(** [root scope] is the environment at the start of a text: no values. *)
 
 val add : string -> binding -> t -> t
+(** [add name binding env] has the new binding, which hides any other of this name. *)
 
 val find : t -> string -> value option
-(** Marks the binding as used. *)
+(** [find env name] is the value of a name in scope. It marks the binding as used. *)
 
 val mem : t -> string -> bool
+(** [mem env name] is true if a value of this name is in scope. It marks nothing as used. *)
 
 val value : t -> Ast.segment list -> (value * Ast.segment list) option
-(** [n], or [m.n] of an imported module, and the segments that follow the name. *)
+(** The value of the name at the start of a path, [n] or [m.n] with an imported module [m], and the segments
+    after it. The binding is marked as used. *)
 
 val is_module : t -> string -> bool
-(** The name qualifies what an import brings, and stands for no value. *)
+(** [is_module env name] is true if an import has this qualifier and no value in scope has this name. *)
 
 val global : t -> string option -> string -> string option
-(** The global name of a shape or behaviour, by its qualifier and name; [None] when the qualifier is unknown.
-    Whether
-    there is one of that name is not looked at. *)
+(** [global env qualifier name] is the global name of a shape or behaviour. It is [None] if the qualifier is
+    unknown; there need not be a declaration of that name. *)
 
 val scope_of : t -> scope
+(** The text to which the environment belongs. *)
 
 val is_own : t -> bool
-(** The text is the model, and no module. *)
+(** [is_own env] is true if the text is the model and not a module. *)
 
 val own : t -> string -> string
-(** The global name of what is declared here. *)
+(** [own env name] is the global name of what this text declares as [name]. *)
 
 val declares : t -> string -> bool
-(** A shape or behaviour of that name is declared or chosen in this text. *)
+(** [declares env name] is true if this text declares a shape or behaviour of this name or chooses one from an
+    import. *)
 
 val names : t -> string list
+(** The names of the values in scope, sorted. *)
+
 val modules : t -> string list
+(** The qualifiers of the imports of this text, sorted. *)
 
 val beside : t -> string -> string
-(** The path of a file that the text names, relative to the folder of the model. *)
+(** [beside env path] is the path, relative to the folder of the model, of a file that the text names. An
+    absolute path is unchanged. *)

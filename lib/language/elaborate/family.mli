@@ -1,52 +1,63 @@
-(** Families: declarations with indices or parameters. [behaviour K[i, j]] is one for all integers, [behaviour
-    K[1, 0]]
-    one of them (and counts before the one for all), [K(a, b)] takes numbers, truth values, vectors and names. Each
-    instance is a declaration of its own, labelled as it would be written: [K[2,3]], [K(1/2,dock)]. *)
+(** Families: declarations with indices or parameters. [behaviour K[i, j]] declares K for all integers, and
+    [behaviour K[1, 0]] for these two, which goes before the general one. [K(a, b)] takes numbers, truth values,
+    vectors and names.
+
+    Each instance is a declaration of its own. Its label is its reference as written: [K[2,3]],
+    [K(1/2,dock)]. *)
 
 open Scc_syntax
 
-(** What a declaration enters. *)
+(** The key and the parameters of a declaration. *)
 type head = {
   key : string;  (** a name by itself, [K[1,2]], or [K[_,_]] and [K(_,_)] for those with formal parameters *)
   formals : Ast.name list;
 }
 
 val head : Report.t -> Env.t -> Ast.head -> head option
-(** An index that is a name without a value here is a formal parameter if all of them are. *)
+(** Reads the left side of a declaration. Indices are formal parameters if each of them is a name without a
+    value. Otherwise they are constant integers. *)
 
+(** A use of a declaration, with its arguments evaluated. *)
 type reference = {
-  label : string;  (** of the instance *)
-  keys : string list;  (** under which it may have been declared, the most special first *)
+  label : string;  (** the label of the instance *)
+  keys : string list;  (** the keys under which it may be declared, the most special first *)
   arguments : Env.value list;
 }
 
 val reference : Report.t -> Env.t -> Ast.reference -> reference option
-(** An argument that is a name without a value is the name of a channel, a feature or a behaviour. *)
+(** Reads a use of a declaration. An argument that is a name without a value is the name of a channel, a feature
+    or a behaviour. An unknown qualifier is SC0201. *)
 
 val unknown : Ast.name list -> Env.value list
-(** Arguments to read a family without any. *)
+(** Arguments, all [Unknown], with which a family is read for its faults alone. *)
 
 val is_open : reference -> bool
-(** An argument depends on what is unknown: there is such a family, or not, but no instance. *)
+(** [is_open r] is true if an argument is unknown. Such a reference has no instance, though its family may
+    exist. *)
 
 val find : (string, 'a) Hashtbl.t -> reference -> 'a option
+(** The declaration of a reference: the first of its keys that the table has. *)
 
 val has : (string, 'a) Hashtbl.t -> reference -> bool
-(** There is one; for what is open, one with as many indices or parameters. *)
+(** [has table r] is true if {!find} has a result. For an open reference with indices, a key with as many
+    indices is enough. *)
 
 val word : Env.t -> string -> string
-(** The name that a formal parameter stands for; any other name itself. *)
+(** [word env name] is the name for which a formal parameter stands, or [name] itself. *)
 
 val bind : Env.t -> Ast.name list -> Env.value list -> Env.t
-(** Formal parameters, if there are any, to as many arguments. *)
+(** [bind env formals arguments] binds each formal parameter to its argument. The lists have equal lengths
+    unless there are no formal parameters. *)
 
 val define : Report.t -> Env.t -> Ast.definitions -> Env.t
-(** The definitions after [where], in order. *)
+(** Adds the definitions after [where] to the scope, in order. *)
 
 val bare : string -> string
-(** A label or key without indices and arguments. *)
+(** The name in a label or key, without indices and arguments. *)
 
 val keys : (string, 'a) Hashtbl.t -> string list
+(** The keys of a table, sorted. *)
 
 val report_unknown : Report.t -> string -> string list -> Ast.reference -> reference -> unit
-(** Reports that there is no such thing ("behaviour"), and which of these keys are near it. *)
+(** [report_unknown report what keys r reference] reports that no declaration fits (SC0201). [what] is its kind,
+    such as ["behaviour"]. The message lists the keys of the same name, or else suggests a similar one. *)

@@ -1,4 +1,4 @@
-(** Features as written to places on a shape. *)
+(** From features as written to places on a shape. *)
 
 open Scc_base
 open Scc_syntax
@@ -14,23 +14,25 @@ type t = {
 and what = Name of string * Span.t | Cycle of (string * Span.t) list
 
 val read : Report.t -> Env.t -> Ast.feature -> t option
-(** Evaluates indices; the vertices of a tuple may carry one common prefix. *)
+(** Evaluates the indices of a feature. The vertices of a tuple may have one common prefix; different prefixes
+    are SC0203. *)
 
-(** What a feature stands for on a shape: one feature of one part, or all that show one of a drawn solid
+(** The meaning of a feature on a shape: one feature of one part, or all that show one feature of a drawn solid
     ({!Scc_concave.Parts}). *)
 type meaning = {
-  listed : Site.t list;  (** as channels list it: of [closed] those that are in the closure of no other one *)
+  listed : Site.t list;  (** the list in channels: those of [closed] that are in the closure of no other one *)
   inside : Site.t list;  (** without the feature's edges and corners *)
-  closed : Site.t list;  (** with them (Definition 4.2) *)
+  closed : Site.t list;  (** with the feature's edges and corners (Definition 4.2) *)
 }
 
 val on_shape : Report.t -> own:string option -> Shape.t -> t -> meaning option
-(** [right] on a basic shape, [left.right] on a compound, where a bare name is SC0408 but for drawn ones. The
-    name of the leaf itself, if given, may come first. SC0203 when the shape has no such feature, SC0336 where
-    it is inside another. *)
+(** The meaning of a feature on a shape: [right] on a basic shape, [left.right] on a compound. The name of the
+    leaf itself, [own], may come first. An unknown feature is SC0203, and one inside another is SC0336. A bare
+    name on a compound is SC0408, unless the compound is a drawn solid. *)
 
 val one : meaning -> Site.t option
-(** Of a feature of one part. *)
+(** The site of a feature that is one feature of one part, and [None] for any other meaning. *)
 
 val closed_by_parts : Shape.t -> meaning -> bool
-(** Whether [closed] is the closure of [listed] part by part, without leaving anything of it out. *)
+(** [closed_by_parts shape m] is true if [m.closed] is exactly the union of the closures of [m.listed], each in
+    its own part. *)

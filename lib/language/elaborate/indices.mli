@@ -1,10 +1,12 @@
-(** The numbers that variables of loops stand for, inside expressions and laws. *)
+(** The numbers of loop variables inside expressions and laws. *)
 
 open Scc_syntax
 
 val numbers : Report.t -> Env.t -> Ast.name -> Ast.bounds -> Env.value list option
-(** Those of a range that its condition admits, in order; [None] where it was reported what is wrong with it. *)
+(** The integers of a range that satisfy its condition, in order. It is [None] after a fault, which is reported;
+    more than {!Limits.items} are SC0111. *)
 
 val scopes : Report.t -> Env.t -> Ast.range list -> Env.t list option
-(** A scope for each choice of numbers from some ranges, of which later ones may use the variables of earlier
-    ones: the last changes first. At most {!Limits.items}; [None] where it was reported what is wrong. *)
+(** A scope for each choice of numbers from some ranges. Later ranges may use the variables of earlier ones, and
+    the last changes fastest. It is [None] after a fault, which is reported; more than {!Limits.items} are
+    SC0111. *)

@@ -1,10 +1,10 @@
-(** Bonds at birth (Definition 5.2): those written within processes and those that join processes declared
+(** Bonds at birth (Definition 5.2): those within processes, and those between processes that are declared
     apart. *)
 
 open Scc_base
 open Scc_calculus
 
-(** Leaves are numbers in the order of declaration. *)
+(** A bond with its two ends. Leaves have their numbers in the order of declaration. *)
 type t = {
   name : string;
   one : int * Site.t;
@@ -13,6 +13,9 @@ type t = {
 }
 
 val read : Context.t -> Program.t -> Bodies.t -> Composition.t -> t list
-(** The bonds of the network. Each pair of features touches (SC0401; it need not be the highest pair), the
-    bonds close no cycle (SC0406), and what they join moves as one (SC0404). No bond joins a process of the
-    network to one that is left out (SC0210). *)
+(** The bonds of the network. The features of each bond touch (SC0401); they need not be the highest pair.
+    Bodies that are bound move as one (SC0404). No bond joins a process of the network to one that is left out
+    (SC0210).
+
+    Bonds close no cycle, unless the model says [bonds cyclic]; two bodies then still have at most one bond
+    (SC0406). A body that absorbs has no bonds (SC0409). *)

@@ -1,4 +1,4 @@
-(** Laws of motion: vectors of expressions over the variables that rule Steer gives them (reading I-10). A
+(** Laws of motion: vectors of expressions over the variables that rule Steer provides (reading I-10). A
     declared value hides a variable of the same name. *)
 
 open Scc_exact
@@ -6,19 +6,21 @@ open Scc_syntax
 open Scc_calculus
 
 val words : string list
-(** The variables of laws, by their names. *)
+(** The names of the variables of laws. *)
 
 val functions : string list
-(** What is called as a function, and gives a whole law. *)
+(** The functions that give a whole law: [diffuse]. *)
 
 val can_read : Typed.budget -> Env.t -> Ast.expr -> bool
-(** Whether an expression makes sense in a law. *)
+(** [can_read budget env e] is true if [e] makes sense in a law. It spends the budget and reports nothing. *)
 
 val check : Report.t -> Typed.budget -> Env.t -> Ast.expr -> unit
-(** Reports what is wrong with an expression as a part of a law. *)
+(** Reports the faults of an expression as a part of a law. *)
 
 val speaks_of_a_law : Env.t -> Ast.expr -> bool
-(** Whether an expression has a variable that only laws have. *)
+(** [speaks_of_a_law env e] is true if [e] has a variable that only laws have. [time] is none, since formulas
+    have it too. *)
 
 val law : Report.t -> Typed.budget -> timestep:Rat.t -> Env.t -> Ast.law -> Law.t option
-(** SC0601 for a choice of nothing, and for a weight that is negative whatever the state. *)
+(** Elaborates a law. A choice without velocities, or with weights that are all 0, is SC0601. So is a weight
+    that is negative in every state. *)

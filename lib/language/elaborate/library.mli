@@ -1,6 +1,7 @@
-(** The modules that come with the program: [import <solids>]. Their texts are part of it. *)
+(** The modules that are part of the program, for [import <solids>]. *)
 
 val names : string list
+(** The names of the modules. *)
 
 val find : string -> string option
 (** The text of a module. *)

@@ -4,7 +4,7 @@
 open Scc_syntax
 open Scc_property
 
-(** How expressions are read where they stand. Each of these reports what is wrong. *)
+(** How expressions are read in their scope. Each function reports what is wrong. *)
 type reader = {
   report : Report.t;
   env : Env.t;
@@ -14,15 +14,16 @@ type reader = {
 }
 
 val words : string list
-(** What may stand before the bracket: [P], [Emin], ... *)
+(** The words that may stand before the bracket: [P], [Pmin], [Pmax], [E], [Emin] and [Emax]. *)
 
 val is_question : Ast.expr -> (Ast.binary * Ast.expr) option -> bool
-(** Whether only a check by itself can say it: what asks for a number, and what compares a mean. *)
+(** [is_question m test] is true if the measure must be a whole check: it requests a number, or it compares a
+    mean. *)
 
 val formula :
   reader -> Scc_base.Span.t -> Ast.expr -> (Ast.binary * Ast.expr) option -> Ast.outcome -> Property.temporal
     option
-(** Of a probability that is compared. *)
+(** The formula of a probability that is compared with a number from 0 to 1. Any other measure is SC0701. *)
 
 val question :
   reader ->
@@ -30,3 +31,5 @@ val question :
   (Ast.binary * Ast.expr) option ->
   Ast.outcome ->
   (Property.asked * Property.temporal) option
+(** The question of a measure that is a whole check, and the formula of its runs. [E = ? [x(p) at 10]] is an
+    example. *)

@@ -10,5 +10,5 @@ val read :
   string Ast.loc ->
   Ast.expr option ->
   Polyhedron.ifs option
-(** The file's set of faces, snapped within the distance if one is given; not checked else. What is wrong is
+(** Reads the faces of a file, snapped within the distance if one is given. Nothing else is checked. Faults are
     reported: SC0101, the codes of {!Scc_mesh.Mesh.read}, SC0322. *)

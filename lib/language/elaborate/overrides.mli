@@ -1,10 +1,11 @@
-(** Values for parameters that come from outside of the text ([-D NAME=VALUE]). The parameter of a module has
-    several names: its global one, which reports use, and those that the model has for it by its imports. *)
+(** Values for parameters from outside of the text ([-D NAME=VALUE]). The parameter of a module has several
+    names: a global one, which reports use, and those of the imports of the model. *)
 
 open Scc_base
 open Scc_exact
 open Scc_calculus
 
+(** Values and ranges from outside, and the parameters read so far. *)
 type t
 
 type given =
@@ -12,15 +13,17 @@ type given =
   | Within of Ranges.bound * Ranges.bound  (** a range that the parameter is narrowed to *)
 
 val create : narrowed:(string * (Ranges.bound * Ranges.bound)) list -> (string * Rat.t) list -> t
+(** [create ~narrowed values] has these values and ranges, by name. No parameters are known yet. *)
 
 val given : t -> Report.t -> name:string -> also:string list -> given option
-(** For the parameter with this global name and these others, if there is something: it is known from here on. A
-    value goes before a range that it is in; of a range that it is not in it is reported (SC0217), and so are two
-    different things under two names (SC0209). *)
+(** The value or range for the parameter with this global name and these other names. The parameter is known
+    from here on. A value goes before a range that contains it.
+
+    A value outside a range of the same name is SC0217. Different values under two names are SC0209. *)
 
 val value : t -> Report.t -> name:string -> also:string list -> Rat.t option
-(** Of a parameter that is a number: {!given}, and a range for it is reported (SC0217). *)
+(** The value for a parameter that is a number, as by {!given}. A range for it is an error (SC0217). *)
 
 val check : t -> Report.t -> Span.t -> unit
-(** When all parameters are known: reports values for parameters that there are not, and names of more than one
-    (SC0209), at this place. *)
+(** Checks the names after all parameters are known. Names of no parameter, and names of more than one, are
+    SC0209 at this place. *)

@@ -1,15 +1,20 @@
-(** Affine maps whose translation may depend on parameters of which ranges are known. *)
+(** Affine maps whose translation may depend on parameters with known ranges. *)
 
 open Scc_exact
 
 type t = { linear : Mat.t; translation : Form.place }
 
 val identity : t
+(** The identity map. *)
+
 val translate : Form.place -> t
+(** The translation by a vector. *)
+
 val of_linear : Mat.t -> t
+(** A linear map, without translation. *)
 
 val compose : t -> t -> t
-(** The second is applied first. *)
+(** [compose f g] applies [g] first. *)
 
 val fixed : t -> Affine.t option
-(** Where it depends on nothing. *)
+(** The map as an affine map of constants, or [None] if its translation depends on a range. *)

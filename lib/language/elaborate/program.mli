@@ -1,6 +1,6 @@
-(** The declarations of a model with loops expanded and scopes attached, in order: what the later passes
-    read. Values and templates are settled here, as they may be used only after their declaration;
-    behaviours and bodies may be used anywhere. *)
+(** The declarations of a model with loops expanded and scopes attached, in order: the input of later passes.
+    Values and templates are settled here, since they may be used only after their declaration. Behaviours and
+    bodies may be used anywhere. *)
 
 open Scc_base
 open Scc_exact
@@ -29,10 +29,10 @@ type behaviour = {
 
 type check = {
   env : Env.t;
-  name : string;  (** with the values of the loops about it: [safe[2]] *)
+  name : string;  (** with the values of the loops around it: [safe[2]] *)
   span : Span.t;
   formula : Ast.expr;
-  written : Ast.expr -> string;  (** a part of it with the values of the loops about it *)
+  written : Ast.expr -> string;  (** a part of it as a text, with the values of the loops around it *)
 }
 
 type motion = { env : Env.t; target : Ast.path option; law : Ast.law; at : Span.t }
@@ -40,8 +40,8 @@ type motion = { env : Env.t; target : Ast.path option; law : Ast.law; at : Span.
 type t = {
   name : string option;
   overrides : Overrides.t;
-  parameters : (string * Rat.t) list;  (** those that are known *)
-  ranges : Ranges.t;  (** of the others, in order *)
+  parameters : (string * Rat.t) list;  (** those with a value *)
+  ranges : Ranges.t;  (** those of the other parameters, in order *)
   shapes : string list;  (** names of shapes and compounds in order *)
   timestep : Rat.t;
   steps : Model.steps;
@@ -62,4 +62,5 @@ val read :
   narrowed:(string * (Ranges.bound * Ranges.bound)) list ->
   Ast.model ->
   t option
-(** [None] when the loops make more than {!Limits.items} declarations, which is reported. *)
+(** Reads the declarations of a model. It is [None] if loops make more than {!Limits.items} declarations, which
+    is reported (SC0111). *)

@@ -8,14 +8,21 @@ type target =
   | Process of int list  (** the leaves of a process that has labels for them *)
   | Family of int list
 
+(** The names of the bodies of a model. *)
 type t
 
 val create : Report.t -> t
+(** No names yet. Names in use are reported to this report. *)
 
 val add : t -> Ast.segment -> string -> target -> unit
-(** A leaf or a process, by its printed name ([c[3]]), and its leaves into the family of an indexed name.
-    SC0202 when the name is taken. *)
+(** [add t segment printed target] enters a leaf or a process by its printed name ([c[3]]). If the name has
+    indices, its leaves also join the family. A name in use is SC0202. *)
 
 val find : t -> string -> target option
+(** The body, process or family of a printed name. *)
+
 val span : t -> string -> Span.t option
+(** The place of the first declaration of a printed name. *)
+
 val names : t -> string list
+(** All names, sorted. *)

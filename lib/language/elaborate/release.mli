@@ -1,12 +1,13 @@
-(** What a split says beside its channel: how hard it pushes, and how likely it is. *)
+(** The force and the odds of a split, which stand beside its channel. *)
 
 open Scc_exact
 open Scc_syntax
 open Scc_calculus
 
 val push : Report.t -> Env.t -> Ast.expr option -> Rat.t option
-(** An impulse (reading I-36), 0 where none is given. SC0208 for a negative one. *)
+(** The impulse of a split (reading I-36), in mass times length per time; 0 if none is given. A negative one is
+    SC0208. *)
 
 val odds : Report.t -> splits:Model.splits -> Env.t -> Ast.odds option -> Odds.t option option
-(** The chance or the rate of a weak split (rule Lot), [Some None] where none is given. SC0208 for what is no
-    probability or no rate, SC0505 where there are no split instants. *)
+(** The chance or the rate of a weak split (rule Lot); [Some None] if none is given. A number that is no
+    probability or no rate is SC0208. Odds without split instants are SC0505. *)

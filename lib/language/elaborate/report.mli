@@ -1,11 +1,13 @@
-(** Where the passes of elaboration put what they find. One report serves one elaboration; a pass that finds
-    a fault reports it and goes on without the thing, so that one run shows as many faults as make sense. *)
+(** The diagnostics of one elaboration. A pass that finds a fault reports it and continues without the faulty
+    part, so one run shows as many faults as make sense. *)
 
 open Scc_base
 
+(** The diagnostics found so far. *)
 type t
 
 val create : unit -> t
+(** An empty report. *)
 
 val error :
   t ->
@@ -16,9 +18,9 @@ val error :
   Span.t ->
   ('a, unit, string, unit) format4 ->
   'a
-(** [error r code span fmt …]. [near] is [(name, candidates)]: the hint proposes the candidate that the name
-    was likely meant to be, and is only looked for when the error is kept. Of the errors with one code at
-    one place (in a loop, say) the first few are kept. *)
+(** [error r code span fmt …] adds an error. [near] is [(name, candidates)]: the hint then suggests the
+    candidate that is most similar to the name. The candidates are computed only if the error is kept. At most 3
+    errors of one code at one place (in a loop, say) are kept, and at most 200 in all. *)
 
 val warning :
   t ->
@@ -28,12 +30,16 @@ val warning :
   Span.t ->
   ('a, unit, string, unit) format4 ->
   'a
+(** [warning r code span fmt …] adds a warning. *)
 
 val add : t -> Diag.t -> unit
+(** Adds a diagnostic as it is, without any limit. *)
+
 val failed : t -> bool
-(** Whether there is an error. *)
+(** [failed r] is true if the report has an error. *)
 
 val errors : t -> Diag.t list
-(** In the order of the text, without repetition. *)
+(** The errors in the order of the text, without repetition. *)
 
 val warnings : t -> Diag.t list
+(** The diagnostics that are no errors, in the order of the text, without repetition. *)

@@ -1,4 +1,4 @@
-(** The indexed face set of one template of a model, whether or not it is accepted. *)
+(** The faces of one template of a model, also if they enclose no solid. *)
 
 open Scc_base
 open Scc_exact
@@ -12,9 +12,9 @@ val find :
   Ast.model ->
   string ->
   (Polyhedron.ifs, Diag.t list) result
-(** Looks at the parameters and templates of the model only. An unknown name, at [asked_at], is
-    SC0201, and a value for a parameter that there is not SC0209. The faults of the
-    polyhedron are not looked for. *)
+(** [find ~read_file ~overrides ~asked_at model name] is the faces of the template [name]. Only the parameters
+    and templates of the model are read, and the faults of the polyhedron are not checked. An unknown name is
+    SC0201 at [asked_at]. A value for an unknown parameter is SC0209, and a compound SC0210. *)
 
 val names : Ast.model -> string list
-(** Of the templates, in order of declaration. *)
+(** The heads of the shapes that the model declares outside loops, in order of declaration. *)

@@ -1,45 +1,49 @@
-(** Solids as written to polyhedra that are accepted (Definition 4.3, reading I-2), and transformations of
+(** From solids as written to accepted polyhedra (Definition 4.3, reading I-2), and from transformations of
     bodies to solids in space. *)
 
 open Scc_syntax
 
 val basic : Context.t -> Env.t -> label:string -> Ast.solid -> Shape.basic option
-(** [label] is the template's name if this solid is not derived from a named one. *)
+(** Elaborates a solid that is no compound (SC0210 otherwise). [label] is the name of the template if the solid
+    is not derived from a named one. *)
 
 val shape : Context.t -> Env.t -> label:string -> Ast.solid -> Shape.t option
-(** The same where a compound is allowed as well. *)
+(** Elaborates a solid that may also be the name of a compound. [label] is as in {!basic}. *)
 
 val find : Context.t -> Env.t -> Ast.reference -> Shape.t option
-(** A template by its name, or one of a family, which is made when it is first asked for. *)
+(** The shape of a template by its name, or an instance of a family, which is made at its first use. An unknown
+    name is SC0201. *)
 
 val declare :
   Context.t -> Env.t -> Ast.head -> Ast.definitions -> (Env.t -> string -> Shape.t option) -> unit
-(** Enters a template or a family of them, each to be made in the scope of its definitions under its label (SC0202
-    when the name is taken). *)
+(** [declare c env head definitions make] enters a template or a family of templates (SC0202 if the name is in
+    use). [make] receives the scope with the definitions and the label. *)
 
 type places
-(** Where the vertices and faces of a solid are written. *)
+(** The places in the text of a solid, its vertices and its faces. *)
 
 val places_of : Scc_base.Span.t -> (Ast.name * 'a) list -> (Ast.name * 'b) list -> places
-(** The whole, its vertices and its faces; none of a mesh. *)
+(** [places_of whole vertices faces] is the places of a solid. A mesh has none for its vertices and faces. *)
 
 val report_fault : Context.t -> places -> Scc_geometry.Polyhedron.ifs -> Scc_geometry.Polyhedron_fault.t -> unit
+(** Reports a fault of a polyhedron, with its own code, at the feature that has it, or at the whole solid. *)
 
 val face_span : places -> int -> Scc_base.Span.t
-(** Of the whole where the face is not written. *)
+(** [face_span places i] is the place of the face [i], or of the whole solid if the face is not written. *)
 
 val listed_set :
   Context.t -> Env.t -> (Ast.name * Ast.vector) list -> (Ast.name * Ast.name list) list ->
   Scc_geometry.Polyhedron.ifs option
-(** Vertices and faces as written: their names, and that faces are of the vertices, are checked and nothing
-    else. *)
+(** Vertices and faces as written. The names must be distinct (SC0202), and the corners of faces must be
+    vertices (SC0203). Nothing else is checked. *)
 
 val declare_shape : Context.t -> Env.t -> Ast.head -> Ast.solid -> Ast.definitions -> unit
-(** [shape NAME = …]. *)
+(** Enters the declaration [shape NAME = …]. *)
 
 val read_unused : Context.t -> unit
-(** Families of which nothing uses an instance are read without arguments, for the faults that do not depend on
-    them. *)
+(** Reads families without any instance, with unknown arguments, for the faults that do not depend on
+    arguments. *)
 
 val warn_off_centre : Context.t -> unit
-(** SC0312 for each declared template in use that is not centred and not an image of another. *)
+(** Warns (SC0312) of each template that the model declares and uses, if its centroid is not the origin. Images
+    of other templates are left out. *)

@@ -1,7 +1,8 @@
-(** Expressions as reports show them: with the values of the loops that they stand in, so that the check about
-    [m[i + 1]] that a loop makes for i = 2 speaks of [m[3]]. *)
+(** Expressions as reports show them, with the values of loop variables. A check about [m[i + 1]] that a loop
+    makes for i = 2 is shown with [m[3]]. *)
 
 open Scc_syntax
 
 val expr : Env.t -> string list -> Ast.expr -> Ast.expr
-(** The values of these loop variables put in for their names, and indices that mention one worked out. *)
+(** [expr env names e] replaces the loop variables [names] in [e] by their values. Indices that contain one are
+    evaluated. *)

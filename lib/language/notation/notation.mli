@@ -1,46 +1,45 @@
-(** The notations in which models are written. Each is read into the syntax tree of [lib/language/syntax], with the
-    places of its own texts, and all that comes after is the same for every one of them; and each is written from
-    such a tree. *)
+(** The notations of models. Each is read into the syntax tree of [lib/language/syntax], with places in its own
+    texts, and is written from such a tree. All later passes are the same for every notation. *)
 
 open Scc_base
 open Scc_syntax
 
 type t = {
-  name : string;  (** what the command line calls it *)
-  told : string;  (** what it is, in a few words *)
+  name : string;  (** its name on the command line *)
+  told : string;  (** a description in a few words *)
   extensions : string list;  (** of its files, with the dot *)
   read : Source.t -> (Ast.model * Trivia.t list, Diag.t list) result;  (** with the comments *)
   write : Ast.model * Trivia.t list -> (string, Diag.t list) result;
-  (** in canonical layout, the comments kept; the error is what the notation cannot say *)
+  (** in canonical layout, with the comments; the error is what the notation cannot express *)
   canonical : Source.t -> (string, Diag.t list) result;
-  (** what was read in canonical layout; where reading loses nothing, what {!write} gives of it *)
-  readable : Source.t -> Ast.model;  (** what can be read of a text that may be full of faults *)
+  (** a text of the notation in canonical layout; {!write} after [read], if reading loses nothing *)
+  readable : Source.t -> Ast.model;  (** what can be read of a text with errors *)
 }
 
 val shape_calculus : t
-(** The language of [specs/language.md]. *)
+(** The language of [specs/language.md], in files [.sc]. *)
 
 val bioshape : t
-(** XML: [specs/bioshape-xml.md]. *)
+(** XML by [specs/bioshape-xml.md], in files [.xml]. *)
 
 val original : t
-(** The original calculus: [specs/original.md]. *)
+(** The original calculus by [specs/original.md], in files [.osc]. *)
 
 val all : t list
-(** The table: another notation is another line of it. *)
+(** The table of all notations; a further notation is a further line of it. *)
 
 val of_source : Source.t -> t
-(** By the extension of its name; without any that is known, by how the text begins. What is nothing else is in the
-    language of [specs/language.md]. *)
+(** The notation of a text, by the extension of its name. With an unknown extension it is XML if the text begins
+    with [<], and the language of [specs/language.md] otherwise. *)
 
 val of_name : string -> t option
-(** By the extension of the name of a file. *)
+(** The notation of a file by the extension of its name. *)
 
 val model : Source.t -> (Ast.model, Diag.t list) result
-(** A whole model, in the notation of {!of_source}. *)
+(** Reads a whole model in the notation of {!of_source}. *)
 
 val readable : Source.t -> Ast.model
-(** What can be read of a text that may be full of faults, as the notation does it. *)
+(** Reads what can be read of a text with errors, in the notation of {!of_source}. *)
 
 val canonical : Source.t -> (string, Diag.t list) result
-(** The same model in canonical layout and in its own notation. *)
+(** The text in canonical layout, in its own notation ({!of_source}). *)

@@ -4,7 +4,8 @@ open Scc_base
 open Scc_syntax
 
 val model : Ast.model -> (Ast.model, Diag.t list) result
-(** A model of the language as a tree of the original notation ({!Tree}): a set of features is the union of the
-    regions that they are; a template given by vertices and faces is the polyhedron of its points, each of its
-    vertices a declared point of it and each face a declared polygon. All else stays as it is. Refused: names
-    that are operators where regions stand (SC0360). *)
+(** [model m] is a model of the language as a tree of the original notation ({!Tree}). A set of features becomes
+    the union of their regions. A template by vertices and faces becomes the polyhedron of its points; each
+    vertex is then a declared point of it and each face a declared polygon. The rest is unchanged.
+
+    A name that is an operator in a region is SC0360. A face with an unknown vertex is SC0203. *)

@@ -1,30 +1,33 @@
-(** A shape cut so that its regions are unions of features. *)
+(** A shape that is cut so that each of its regions is a union of features. *)
 
 open Scc_base
 open Scc_exact
 open Scc_syntax
 
+(** A shape, whole or in pieces. *)
 type t
 
 val max_pieces : int
-(** 256. *)
+(** The greatest number of pieces of one shape: 256. *)
 
 val make : Extent.solid -> Scc_geometry.Polyhedron.t -> at:Span.t -> (Span.t * Extent.t) list -> t
-(** The solid, cut along the planes that its regions ask for. Raises {!Fault.Found}: SC0366 for more than
-    {!max_pieces}. *)
+(** [make solid p ~at regions] is the solid [p], cut along the planes of its regions. Raises {!Fault.Found}:
+    SC0366 at [at] for more than {!max_pieces}. *)
 
 val is_cut : t -> bool
+(** [is_cut t] is true if the shape has more than one piece. *)
 
 val members : t -> Span.t -> Extent.t -> Ast.member list
-(** The features of the pieces that are in the region, which is their union. A feature with all its edges and
-    corners is listed by itself, others with [only]. Empty if no point of the surface is in the region. *)
+(** [members t at region] is the features of the pieces whose union is the region. A feature is listed by itself
+    if all its edges and corners are in the region, and with [only] otherwise. The list is empty if no point of
+    the surface is in the region. *)
 
 val fractions : t -> Rat.t list
 (** The volumes of the pieces as fractions of the whole. *)
 
 val items : t -> Ast.name -> Ast.item list
-(** The shapes that the pieces are, and the compound of that name that they make: with one parameter, the mass. *)
+(** [items t name] is the shapes of the pieces and their compound [name], which has one parameter: the mass. *)
 
 val face_area : t -> int -> Rat.t * Rat.t
-(** For the tests: the square of twice the area of that face of the whole, and of what the pieces have of it
-    together. *)
+(** [face_area t f] is two squares, for the tests. The first is that of twice the area of the face [f] of the
+    whole. The second is that of twice the area that all pieces together have of this face. *)

@@ -1,4 +1,4 @@
-(** The solid that a shape is, where a text says it in plain numbers. *)
+(** The solid of a shape that a text gives in plain numbers. *)
 
 open Scc_geometry
 open Scc_syntax
@@ -9,6 +9,8 @@ type shapes = { plain : Plain.t; setting : Setting.t; shape : string -> Ast.soli
 (** The constants, how curved solids are taken, and the shapes that are declared without parameters. *)
 
 val of_solid : shapes -> Ast.solid -> t
-(** Of a template by vertices and faces, a hull, a box, prism, antiprism or pyramid, a sphere, cylinder or cone, a
-    declared shape, and what is [scaled] of them. Raises {!Fault.Found}: SC0362 for all else, and for what is
-    not told in plain numbers; SC0111 for shapes within one another beyond 100. *)
+(** The solid of a template by vertices and faces, a hull, or a box, prism, antiprism or pyramid. It also reads
+    a sphere, cylinder or cone, a declared shape, and any of these [scaled].
+
+    Raises {!Fault.Found}: SC0362 for other solids and for numbers that are not plain, SC0111 for shapes nested
+    more than 100 deep. *)

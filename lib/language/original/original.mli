@@ -4,13 +4,15 @@ open Scc_base
 open Scc_syntax
 
 val read : Source.t -> (Ast.model * Trivia.t list, Diag.t list) result
-(** The model in the language of [lib/language/syntax], by {!Refine}, whose notes are among the comments. *)
+(** Reads a model of the original notation into the language of [lib/language/syntax], by {!Refine}. The notes
+    of {!Refine} are among the comments. *)
 
 val write : Ast.model * Trivia.t list -> (string, Diag.t list) result
-(** A model of the language, by {!Abstract}. *)
+(** Writes a model of the language in the original notation, by {!Abstract}. *)
 
 val canonical : Source.t -> (string, Diag.t list) result
-(** The same model in canonical layout, its regions as they were written; SC0360 for what is none. *)
+(** Reads a text and writes it in canonical layout, with its regions as they were written. An expression that is
+    no region is SC0360. *)
 
 val readable : Source.t -> Ast.model
-(** What can be read of a text that may be full of faults, without its regions that are no features. *)
+(** Reads what can be read of a text with errors. Regions that are no single feature are left out. *)

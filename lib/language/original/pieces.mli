@@ -3,7 +3,7 @@
 open Scc_exact
 open Scc_geometry
 
-(** What a face of a piece is part of. *)
+(** The origin of a face of a piece. *)
 type face_of =
   | Face of int  (** a face of the whole *)
   | Seam of int  (** the plane of this number *)
@@ -13,22 +13,25 @@ type plane = { normal : Vec.t; offset : Rat.t }  (** the points x with normal.x 
 type piece = { faces : (face_of * Vec.t list) list }  (** corners counter-clockwise, seen from outside *)
 
 val whole : Polyhedron.ifs -> piece
+(** The uncut solid as one piece. *)
 
 val is_cut : plane -> piece -> bool
-(** The plane passes through its interior. *)
+(** [is_cut plane p] is true if the plane passes through the interior of [p]. *)
 
 val cut : most:int -> plane list -> piece -> piece list option
-(** Along all the planes that pass through it: the closures of what is left of the interior without them, which
-    have disjoint interiors. Two of them that have a face in common have all of it in common. [None] for more
-    than [most]. *)
+(** [cut ~most planes p] cuts [p] along all planes that pass through it. The pieces have disjoint interiors, and
+    their union is [p]. Two pieces that share a part of a face share the whole face. It is [None] for more than
+    [most] pieces. *)
 
 val ifs : piece -> vertex:(int -> string) -> face:(face_of -> string) -> Polyhedron.ifs
-(** With its corners numbered from 0, in the order of {!Vec.compare}. *)
+(** The faces of a piece with names. Its corners are numbered from 0, in the order of {!Vec.compare}. *)
 
 val joints : piece array -> (int * int * int) list
-(** Pairs of pieces with a seam in common, and its number: a spanning tree of all pieces. *)
+(** Pairs of pieces with a common seam, and the number of its plane. They are a spanning tree of all pieces. *)
 
 val volume : piece -> Rat.t
+(** The exact volume of a piece. *)
+
 val area : piece -> int -> Vec.t
-(** Twice the area of the piece's part of that face of the whole, as a vector along the normal of the face:
-    these add up over pieces as areas do. *)
+(** [area p f] is twice the area of the part of face [f] of the whole that belongs to [p]. It is a vector along
+    the normal of the face, so that areas add up over pieces. *)

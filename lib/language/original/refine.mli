@@ -1,21 +1,21 @@
-(** From the original calculus to the refined one: regions become features, and named solids polyhedra. *)
+(** From the original calculus to the refined one: regions become features, and named solids become
+    polyhedra. *)
 
 open Scc_base
 open Scc_syntax
 
 val model : Ast.model -> (Ast.model * (Span.t * string) list, Diag.t list) result
-(** Of a tree of the original notation ({!Tree}) the model in the language. Rule *Regions* of the rule book
-    tells how:
+(** Translates a tree of the original notation ({!Tree}) into the language, by rule *Regions* of the rule book.
 
-    - a region that is written as a union of features is the set of them;
-    - a shape that has other regions is cut ({!Cells}), where they are no unions of its features, into the parts
-      of a compound, whose mass is that of the body;
-    - a polyhedron told by its points gets names for its vertices and faces ({!Points});
-    - spheres, cylinders and cones become the polyhedra that the model says ({!Setting}).
+    - A region that is written as a union of features becomes the set of these features.
+    - A shape with other regions, if they are no unions of its features, is cut ({!Cells}). Its pieces become the
+      parts of a compound with the mass of the body.
+    - A polyhedron given by its points gets names for its vertices and faces ({!Points}).
+    - Spheres, cylinders and cones become the polyhedra that the model sets ({!Setting}).
 
-    With it, what of the translation is not seen from it, each with the declaration that it is about: into how many
-    parts a shape is cut, and how near the polyhedra are that stand for curved solids.
+    The second result is notes with the places of declarations. They give the number of parts of each shape that
+    is cut, and the distance of polyhedra from the curved solids that they replace.
 
-    All errors of regions, in order of the text, each once. Codes: those of {!Points}, {!Extent}, {!Setting},
-    {!Cells}, {!Region}; SC0201, SC0202 (shapes that there are not, regions declared twice), SC0210 (regions in
-    loops), SC0363 and SC0367. *)
+    The errors of regions are in the order of the text, each once, at most {!Scc_syntax.Parse.max_errors}. Codes:
+    those of {!Points}, {!Extent}, {!Setting}, {!Cells} and {!Region}; SC0201 (unknown shapes), SC0202 (regions
+    declared twice), SC0210 (regions in loops), SC0363 and SC0367. *)

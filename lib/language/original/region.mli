@@ -21,16 +21,17 @@ and kind =
   | Less of t * t
 
 val read : Ast.expr -> (t, Diag.t) result
-(** SC0360 for what is no region. *)
+(** Reads an expression as a region. Any other expression is SC0360. *)
 
 val members : t -> Ast.member list option
-(** The features whose union it is, if it is written as such a union. *)
+(** The features of a region that is written as a union of features, and [None] for any other region. *)
 
 val of_members : Span.t -> Ast.member list -> (Ast.expr, Diag.t) result
-(** The region of a set of features, which {!members} reads back. SC0360 for a feature whose name is an operator
-    wherever a region stands. *)
+(** The region of a set of features, which {!members} reads back. A feature whose name is an operator in a
+    region is SC0360. *)
 
 val of_feature : Ast.feature -> (Ast.expr, Diag.t) result
+(** The region of one feature, as by {!of_members}. *)
 
 val faults : Ast.model -> Diag.t list
-(** What {!read} refuses of the regions of a tree ({!Tree}). *)
+(** The errors of {!read} for all regions of a tree ({!Tree}). *)

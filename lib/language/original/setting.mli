@@ -1,37 +1,41 @@
-(** How curved solids become polyhedra in a model: what [curved inscribed 1/20] says. *)
+(** How curved solids become polyhedra in a model: the declaration [curved inscribed 1/20]. *)
 
 open Scc_exact
 open Scc_syntax
 
+(** The side and the distance of the polyhedra, or none. *)
 type t
 
 val none : t
+(** No such declaration. *)
 
 val rough : t
-(** What stands for one that was refused, so that no more is said of it. *)
+(** The coarsest setting, for a declaration with an error. So the model has no further errors because of it. *)
 
 val read : Plain.t -> Ast.name -> Ast.expr -> t
-(** The word and the distance, a fraction of the radius. Raises {!Fault.Found}: SC0362 where it is no plain
-    number, SC0365 where it is not from {!Curved.least} up to 1/2. *)
+(** [read plain word e] is the setting of the side [word] and the distance [e], a fraction of the radius. Raises
+    {!Fault.Found}: SC0362 if [e] is no plain number, SC0365 if it is not between {!Curved.least} and 1/2. *)
 
 val notes : t -> string list
-(** How near the polyhedra are that have been asked for, a sentence each. *)
+(** Sentences for the kinds of curved solids used so far: how many corners their polyhedra have, and how near
+    they are. *)
 
-(** What a solid of the original calculus is, in the language. *)
+(** A curved solid with its polyhedron and its lengths. *)
 type curved =
   | Sphere of Curved.t * Ast.expr
   | Cylinder of Curved.t * Ast.expr * Ast.expr  (** radius and height *)
   | Cone of Curved.t * Ast.expr * Ast.expr
 
 val curved : t -> Ast.reference -> curved option
-(** Of [sphere(r)], [cylinder(r, h)] and [cone(r, h)]. Raises {!Fault.Found}: SC0365 if the model does not say
-    how; SC0206 for other arguments. *)
+(** The curved solid of [sphere(r)], [cylinder(r, h)] or [cone(r, h)], and [None] for other names. Raises
+    {!Fault.Found}: SC0365 if the model has no setting, SC0206 for other arguments. *)
 
 val ball_name : int -> string
-(** Of the shape that stands for the ball of radius 1, {!Curved.ball} of so many corners. *)
+(** [ball_name n] is the name of the shape {!Curved.ball}[ n], which replaces the ball of radius 1. *)
 
 val solid : Scc_base.Span.t -> curved -> Ast.solid_kind
-(** The shape {!ball_name} scaled, a [prism] or a [pyramid], with the factor of what is circumscribed. *)
+(** The solid in the language: the shape {!ball_name} scaled, a [prism] or a [pyramid]. Its radius has the
+    factor of a circumscribed polyhedron. *)
 
 val radius : Curved.t -> Rat.t -> Rat.t
-(** Of the corners: the factor times that of the curved solid. *)
+(** [radius c r] is the distance of the corners from the axis or the centre: the factor of [c] times [r]. *)

@@ -1,8 +1,9 @@
-(** The signs of sets that the original notation has and the language of scc has not. *)
+(** The signs of sets, which are part of the original notation and not of the language of scc. *)
 
 val spelt : string -> string
-(** The text with [∪], [∩] and [∖] as [+], [*] and [-], outside of comments and strings. Each takes as many
-    bytes as the sign, so that everything keeps its place. *)
+(** [spelt text] has [+], [*] and [-] in place of [∪], [∩] and [∖], outside of comments and strings. Spaces fill
+    up the bytes of the sign, so that everything keeps its place. *)
 
 val length : string -> int -> int
-(** How many bytes of the text the mark has that {!spelt} has a [+], [*] or [-] for at this place. *)
+(** [length text i] is the number of bytes of the mark at [i] in the original text, where {!spelt} has a [+],
+    [*] or [-]. *)

@@ -1,7 +1,8 @@
-(** Changes of a tree at the places where the original notation differs. *)
+(** Changes of a tree at the places at which the original notation differs. *)
 
 open Scc_syntax
 
+(** A change of channels, features and solids. *)
 type t = {
   channel : Ast.channel -> Ast.channel;
   feature : Ast.feature -> Ast.feature;  (** of bonds and glues *)
@@ -9,13 +10,16 @@ type t = {
 }
 
 val same : t
-(** Nothing. *)
+(** The identity: it changes nothing. *)
 
 val behaviour : t -> Ast.behaviour -> Ast.behaviour
-(** Any number of prefixes and summands. *)
+(** Changes the channels of a behaviour, in all its prefixes and summands. *)
 
 val leaf : t -> Ast.leaf -> Ast.leaf
+(** Changes the solid and the behaviour of a leaf. *)
+
 val bond : t -> Ast.bond -> Ast.bond
+(** Changes the two features of a bond. *)
 
 val item : t -> Ast.item -> Ast.item
-(** The items in a loop as well. *)
+(** Changes all parts of a declaration, and the declarations in a loop. *)

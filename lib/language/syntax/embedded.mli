@@ -1,38 +1,53 @@
-(** Pieces of the language that stand in the text of another notation: a name, a feature or an expression in an
-    attribute of XML, say. They are read by the grammar of the language itself, each as a whole, and have their
-    places, and those of what is wrong with them, in the text that they stand in.
+(** Pieces of the language within the text of another notation, such as a name, a feature or an expression in an
+    attribute of XML. Each piece is read as a whole by the grammar of the language. Places of trees and of
+    errors are places in the text around the piece.
 
-    The codes are those of {!Parse}; SC0110 for what is something else than is asked for. *)
+    Codes: those of {!Parse}, and SC0110 if the piece is something else than the reader expects. *)
 
 open Scc_base
 
 type t = {
-  source : Source.t;  (** what the piece stands in *)
+  source : Source.t;  (** the text around the piece *)
   text : string;  (** the piece itself *)
-  place : int -> int;  (** where each of its bytes stands there, and, for its length, where it ends *)
+  place : int -> int;  (** from an offset in [text] to one in [source]; the length of [text] gives the end *)
 }
 
 type 'a read = t -> ('a, Diag.t list) result
+(** A reader of pieces of one kind. An error lists all that is wrong with the piece. *)
 
 val span : t -> Span.t
+(** [span e] is the place of the piece in [e.source]. *)
+
 val expression : Ast.expr read
+(** Reads a number, vector, truth value, law or formula. *)
+
 val name : Ast.name read
+(** Reads a name that is no word of the language, such as [cube]. *)
 
 val word : Ast.name read
-(** A name that is no word of the language: what a setting is set to. *)
+(** Reads one word to which a setting is set, such as [free_body]. *)
 
 val rounded : Ast.name read
-(** What [round] is said of: such a word, or [velocity]. *)
+(** Reads what [round] is applied to: [orientation] or [velocity]. Any other name is left to elaboration. *)
 
 val path : Ast.path read
+(** Reads a path, such as [p], [c[i, j]] or [c[i].left]. *)
+
 val segment : Ast.segment read
+(** Reads a path of one segment: a name, perhaps with indices. *)
+
 val feature : Ast.feature read
+(** Reads a feature, such as [top], [q.left.top] or [[a, b]]. *)
 
 val member : only:bool -> Ast.member read
-(** A feature as one of an active surface; [only] is no part of the piece. *)
+(** Reads a feature as a member of an active surface. [only] is copied into the result; the piece does not
+    contain it. *)
 
 val template : Ast.reference read
+(** Reads a reference to a shape, such as [Cube], [m.Cube] or [Brick(1, 2)]. *)
+
 val behaviour : Ast.reference read
+(** Reads a reference to a behaviour, such as [K], [m.K(2)] or [K[i]]. *)
 
 val head : Ast.head read
-(** [K], [K[i, 0]], [K(a, b)]: what a behaviour is declared as. *)
+(** Reads the left side of the declaration of a behaviour: [K], [K[i, 0]] or [K(a, b)]. *)

@@ -1,13 +1,14 @@
-(** Numbers as they are written. *)
+(** Numbers as texts of the language. *)
 
 open Scc_exact
 
 val number : Rat.t -> string
-(** Reads back as the same number: a decimal where there is one (every number of a source text is), else
-    ["p/q"]. *)
+(** [number q] is a text that reads back as [q]: a decimal if there is a finite one, otherwise ["p/q"]. Every
+    number of a source text has a finite decimal. *)
 
 val decimal : Rat.t -> string option
-(** Of a number that is not negative; [None]: it has no end. *)
+(** [decimal q] is the finite decimal of [q >= 0], with an exponent if that is much shorter. It is [None] if [q]
+    has no finite decimal. *)
 
 val power_of_two : Rat.t -> string option
-(** ["2^-k"] of 2^-k, for k > 0. *)
+(** [power_of_two q] is ["2^-k"] if [q] is 2^-k for some k > 0, and [None] otherwise. *)

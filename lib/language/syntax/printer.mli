@@ -4,14 +4,15 @@
     Reading back what is printed gives the same tree ({!Ast_equal}), and printing that the same text. *)
 
 val model : ?trivia:Trivia.t list -> Ast.model -> string
-(** Ends with a line end. [trivia] (default: none), from {!Parse.with_trivia} of the text that the tree came
-    from, are put back: every comment, and between declarations one empty line where there were any. *)
+(** [model items] is the text of a model and ends with a line end. [trivia] (default: none) are comments and
+    empty lines by {!Parse.with_trivia} of the text of the tree. Every comment is put back, and between
+    declarations one empty line if there were any. *)
 
 val expr : Ast.expr -> string
-(** A number or formula on one line. *)
+(** [expr e] is a number or formula on one line. *)
 
 val head : Ast.head -> string
-(** [Brick(a, b)]. *)
+(** [head h] is the left side of a declaration, such as [Brick(a, b)]. *)
 
 val behaviour : Ast.behaviour -> string
-(** On one line. *)
+(** [behaviour b] is a behaviour on one line. *)

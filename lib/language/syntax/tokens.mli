@@ -1,5 +1,5 @@
-(** A whole text as an array of tokens, with what the grammar alone cannot see: which brackets match, how
-    deep things nest, and where reading can start again after an error. *)
+(** A whole text as an array of tokens. Three facts come with it that the grammar alone cannot find: which brackets
+    match, how deep the text nests, and where reading can start again after an error. *)
 
 open Scc_base
 
@@ -21,29 +21,33 @@ type t = {
 }
 
 val max_faults : int
-(** Reading stops after this many faults: 20. *)
+(** The number of faults at which reading stops: 20. *)
 
 val max_nesting : int
-(** Brackets may nest this deep: 1 000. *)
+(** The greatest depth of nested brackets: 1 000. *)
 
 val max_depth : int
-(** A syntax tree may be this deep: 10 000. What counts is, at every level of brackets, the operators,
-    prefixes and summands of one declaration, plus the deepest thing in brackets among them. *)
+(** The greatest depth of a syntax tree: 10 000. At each level of brackets it counts the operators, prefixes and
+    summands of one declaration. To these it adds the depth of the deepest bracket among them. *)
 
 val can_be_name : Parser.token -> bool
-(** A name, or one of the words that can be names as well, be it only where no operator can stand. *)
+(** [can_be_name t] is true for a name and for the words that can be names as well. Some of these can be names
+    only where no operator can stand. *)
 
 val read : ?rewrite:(token array -> token array * Diag.t list) -> Source.t -> t
-(** [rewrite] makes tokens of this grammar of those that were read, in another notation's order of words, before
-    brackets are matched; what it cannot make sense of is among the faults. Never fails: what is not of the
-    language is left out of [tokens] and told in [faults] (codes SC0102, SC0104 to SC0107, SC0111). After SC0102
-    or SC0111 the text is not to be parsed: see {!hopeless}. *)
+(** Reads a text into tokens; it never fails. Text that does not belong to the language is left out of [tokens]
+    and reported in [faults] (SC0102, SC0104 to SC0107, SC0111). After SC0102 or SC0111 the text must not be
+    parsed: see {!hopeless}.
+
+    [rewrite] (default: none) translates the tokens of another notation into those of this grammar, before
+    brackets are matched. Its second result is faults. *)
 
 val not_text : string -> string -> Utf8.fault -> Diag.t
-(** What is said (SC0102) of a file by this name, with this text. *)
+(** [not_text file text fault] is the error (SC0102) for a file of this name with this text. *)
 
 val hopeless : t -> bool
-(** The faults are such that parsing makes no sense or could exhaust the stack of a later pass. *)
+(** [hopeless t] is true if the text must not be parsed: it is no text (SC0102), or so deeply nested that a
+    later pass could exhaust the stack (SC0111). *)
 
 val span : t -> int -> Span.t
-(** The place of the token with this index. *)
+(** [span t i] is the place of the token with the index [i]. *)

@@ -1,4 +1,4 @@
-(** What a text holds besides its tokens: comments and empty lines. The printer puts them back. *)
+(** Comments and empty lines: what a text contains besides its tokens. The printer puts them back. *)
 
 type kind =
   | Blank  (** one or more empty lines *)
@@ -14,3 +14,4 @@ type t = {
 }
 
 val is_comment : t -> bool
+(** [is_comment t] is true for comments and false for empty lines. *)

@@ -1,5 +1,6 @@
-(** What [scc check] tells or writes when it is asked to, besides its verdicts, and how it explores. *)
+(** The options of [scc check] for its exploration, and for outputs beside the verdicts. *)
 
+(** The options as given. *)
 type t = {
   witness : string option;  (** a folder for schedules *)
   coverage : bool;
@@ -8,23 +9,24 @@ type t = {
   reductions : Scc_state_space.Reduction.kind list;
   order : Scc_state_space.State_graph.order;
   compact : bool;  (** hash compaction *)
-  where : bool;  (** for which values of the parameters *)
-  smt : string option;  (** a file for that *)
-  draw : string option;  (** a file for a picture of that *)
+  where : bool;  (** report the values of parameters for which properties hold *)
+  smt : string option;  (** a file for these values, as SMT-LIB *)
+  draw : string option;  (** a file for a drawing of these values *)
   axes : string list;  (** the parameters to draw *)
-  slice : (string * Scc_exact.Rat.t) list;  (** values of others there *)
-  prove : bool;  (** look for an invariant first *)
-  invariant : string option;  (** a file for it *)
-  full : bool;  (** runs with all there is *)
-  jobs : int option;  (** processes; [None]: as many as help *)
+  slice : (string * Scc_exact.Rat.t) list;  (** values of other parameters in the drawing *)
+  prove : bool;  (** search for an invariant first *)
+  invariant : string option;  (** a file for the invariant *)
+  full : bool;  (** report runs in full *)
+  jobs : int option;  (** the number of processes; [None]: as many as there are cores, once it pays *)
   store : string option;  (** a folder *)
 }
 
 val term : t Cmdliner.Term.t
+(** All options of this record. *)
 
 val explored : t -> Scc_session.Budget.t -> (string * string) list
-(** By their names, the options on which a graph depends, or which graphs there are, without those that end the
-    work before it is done. *)
+(** The options on which a graph depends, with their values, by name. Options that only end the work early are
+    left out. *)
 
 val reductions : Scc_state_space.Reduction.kind list Cmdliner.Term.t
-(** [--no-reduce]. *)
+(** The option [--no-reduce]: the reductions that remain. *)

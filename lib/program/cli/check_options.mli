@@ -1,28 +1,33 @@
-(** How commands that explore are told their bounds, and explore. *)
+(** Bounds of explorations: the options of commands, and how they are applied. *)
 
 open Scc_graph_search
 open Scc_verify
 open Scc_session
 
 val seconds_conv : float Cmdliner.Arg.conv
+(** A positive, finite number of seconds. *)
 
 val bits : int option Cmdliner.Term.t
-(** [--bits]. *)
+(** The option [--bits]: the greatest size of a number in bits. *)
 
 val budget : Budget.t Cmdliner.Term.t
+(** The options [--depth], [--time], [--states], [--seconds], [--memory] and [--bits]. *)
 
 val default_states : int
+(** The default bound on states: 200 000. *)
 
 val words : ?jobs:int -> Budget.t -> int
-(** Of memory: those that are asked for, or by default those that so many processes (1) share. *)
+(** The limit of memory in words: the given one, or a default that [jobs] processes (default: 1) share. *)
 
 val watch : ?signals:bool -> ?jobs:int -> Budget.t -> Watch.t
-(** Over the seconds and the memory, from now on; [signals] as for {!Watch.start}. *)
+(** A watch over the seconds and the memory of a budget, from now on. [signals] and [jobs] are as for
+    {!Watch.start} and {!words}. *)
 
 val options :
   ?jobs:int ->
   ?attempt:Limits.attempt -> Watch.t -> Budget.t -> progress:(Limits.progress -> unit) -> Check.options
-(** [attempt] is that of the watch if nothing is said; [jobs] as for {!words}. *)
+(** The options of a check with this watch, budget and report of progress. [attempt] (default: {!Watch.attempt})
+    ends work that does not look at the watch; [jobs] is as for {!words}. *)
 
 val starting : ?attempt:Limits.attempt -> Console.t -> Watch.t -> Budget.t -> Check.options
-(** For an exploration that begins now: its progress is shown. *)
+(** The options of a check that begins now, with its progress on the console. *)

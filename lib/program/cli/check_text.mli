@@ -1,30 +1,31 @@
-(** The report of [scc check] for people. *)
+(** The report of [scc check] as text. *)
 
 open Scc_semantics
 open Scc_explain
 open Scc_verify
 
 val property : Console.t -> full:bool -> ?where:Scc_regions.Where.t -> Semantics.t -> Verdict.outcome -> string
-(** A verdict in several lines, with its witness; ended by a newline. Of the run what matters is told, in words
-    that can be read: all of it if [full]. *)
+(** A verdict in several lines with its witness, ended by a newline. The run is reduced to its relevant steps,
+    or complete if [full]. *)
 
 val zeno : full:bool -> Semantics.t -> Witness.t -> string
-(** A run that never leaves an instant. *)
+(** A run that never leaves an instant, as lines. *)
 
 val zeno_left_out : Verdict.truncation -> string
 (** Of one that was not made. *)
 
 val explored : Check.stats -> string
-(** One line, and one for each fault. *)
+(** A line on the extent of the exploration, and one for each fault. *)
 
 val causes : Scc_calculus.Model.t -> Check.stats -> string
-(** Why it is likely not to have closed, and what helps. *)
+(** The likely reasons why an exploration did not end, with remedies. *)
 
 val slices : Check.slice list -> string
-(** A line for each: who was left out for which properties, and what was explored without them. *)
+(** A line for each slice: the bodies that were left out, the properties, and the extent of the exploration
+    without them. *)
 
 val invariants : asked:bool -> Check.report -> string
-(** A line for each invariant that was found; where one was asked for and none was found, why not. *)
+(** A line for each invariant that was found. If [asked] and none was found, the reason. *)
 
 val tally : Console.t -> Verdict.t list -> string
-(** ["4 properties: 3 hold, 1 violated"]. *)
+(** The number of verdicts of each kind: ["4 properties: 3 hold, 1 violated"]. *)

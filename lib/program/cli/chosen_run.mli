@@ -1,4 +1,4 @@
-(** Which run of a model is meant: the options that choose one, and the way to follow it. *)
+(** The options that choose one run of a model, and how the run is made. *)
 
 open Scc_base
 open Scc_exact
@@ -12,18 +12,20 @@ type options
 (** [--schedule], [--choose], [--start], [--steps], [--time]. *)
 
 val options : sampled:string -> options Term.t
-(** [sampled] is the sentence of the manual that says where the values that [--start] takes are told. *)
+(** The options [--schedule], [--choose], [--start], [--steps] and [--time]. [sampled] is the sentence of the
+    manual on where the values of [--start] are reported. *)
 
+(** A chosen run. *)
 type t = {
   loaded : Loaded.t;  (** the ordinary model of one start *)
   sampled : (string * Rat.t) list;  (** the values that the start was chosen to have *)
   policy : Replay.policy;
-  limits : Replay.limits;  (** a schedule is followed to its end unless a limit is asked for *)
+  limits : Replay.limits;  (** a schedule is followed to its end unless a limit is given *)
 }
 
 val prepare : Console.t -> options -> given:Options.definitions -> string -> (t, Diag.t list) result
-(** Reads the schedule, if any, and the model at a path; reports the warnings of the model. SC0903 when parameters
-    with ranges are left open. *)
+(** Reads the schedule, if any, and the model at a path. Warnings of the model are reported. Parameters with
+    ranges that are left open are SC0903. *)
 
 val each :
   Loaded.t ->
@@ -33,7 +35,8 @@ val each :
   start:(State.t -> unit) ->
   leg:(Course.leg -> unit) ->
   (Rat.t * Replay.ending, Replay.failure) result
-(** Follows the run: its initial state, then each leg; how much time passes after the last one. *)
+(** Makes the run: calls [start] with the initial state, then [leg] with each leg. The result has the time that
+    passes after the last one. *)
 
 val follow :
   Loaded.t ->
@@ -41,7 +44,7 @@ val follow :
   Replay.limits ->
   interrupted:(unit -> bool) ->
   (Course.t * Replay.ending, Replay.failure) result
-(** The whole run, kept. *)
+(** Makes the whole run and keeps all its states. *)
 
 val finish : Console.t -> Loaded.t -> (Replay.ending, Replay.failure) result -> Exit_code.t
-(** Says how a run ended, unless all is well. *)
+(** Reports how a run ended, unless it ended regularly. *)

@@ -1,7 +1,8 @@
-(** What [scc compare] says. *)
+(** The report of [scc compare]. *)
 
 open Scc_equivalence
 
+(** The result of a comparison. *)
 type t = {
   relation : Compare.relation;
   first : Compared.t;
@@ -11,9 +12,10 @@ type t = {
 }
 
 val relations : (string * Compare.relation) list
-(** By name. *)
+(** The relations by name: [trace], [weak], [branching], [strong] and [timed]. *)
 
 val text : Console.t -> t -> string
+(** The result as lines of text. *)
 
 val json : Console.t -> t -> Scc_exchange.Json.t
-(** See [specs/schema/compare.schema.json]. *)
+(** The document by [specs/schema/compare.schema.json]. *)

@@ -1,72 +1,78 @@
-(** Where a command speaks: results to standard output, diagnostics and progress to standard error. *)
+(** The output of a command: results to standard output, diagnostics and progress to standard error. *)
 
 open Scc_base
 
+(** When colours are used. *)
 type color = Always | Never | Auto
 
+(** The output of one command. *)
 type t
 
 exception Output_failed of Diag.t
 (** An output that cannot be written (SC0103). *)
 
 exception Output_closed
-(** Standard output is a pipe that nobody reads any more. *)
+(** Standard output is a pipe whose reader has closed it. *)
 
 val output_failed : string -> string -> exn
-(** {!Output_failed}, of what has this name, for this reason. *)
+(** [output_failed name reason] is {!Output_failed} for the output with this name. *)
 
 val make : ?progress:(string -> unit) -> color:color -> json:bool -> unit -> t
-(** With [json], diagnostics are kept for the JSON report instead of being shown. [progress] takes the lines of
-    {!progress} instead of the terminal. *)
+(** A console. With [json], diagnostics are kept for the JSON report instead of being shown. [progress] receives
+    the lines of {!progress} instead of the terminal. *)
 
 val is_terminal : Unix.file_descr -> bool
+(** [is_terminal fd] is true if the descriptor is a terminal. *)
 
 val is_json : t -> bool
+(** [is_json c] is true if the result is a JSON document. *)
 
 val add_source : t -> Source.t -> unit
-(** Makes a text known, so that diagnostics can show excerpts of it. *)
+(** Adds a text, so that diagnostics can show excerpts of it. *)
 
 val source : t -> string -> Source.t option
+(** The text with this name, if it has been added. *)
 
 val print : t -> string -> unit
-(** To standard output. *)
+(** Writes to standard output. Raises {!Output_failed} or {!Output_closed}. *)
 
 val tell : t -> string -> unit
 (** A text for people to standard output, as {!Visible.text} shows it, but for {!styled}. *)
 
 val answer : t -> json:(unit -> Scc_exchange.Json.t) -> text:(unit -> string) -> unit
-(** The result of a command, as one document or for people, and sends it off. *)
+(** Writes the result of a command, as one document or as text, and flushes it. *)
 
 val report : t -> Diag.t list -> unit
-(** Shows diagnostics on standard error (not in [json] mode). *)
+(** Shows diagnostics on standard error (not in [json] mode), and keeps them. *)
 
 val kept : t -> Diag.t list
-(** What [report] was given, in order. *)
+(** The diagnostics of {!report}, in order. *)
 
 val fault : t -> string -> unit
-(** Keeps a fault of scc by which something is missing, while all else is told: see {!Guard.run}. *)
+(** Keeps a fault of scc by which part of a result is missing: see {!Guard.run}. *)
 
 val faults : t -> string list
-(** Those that were kept, in order. *)
+(** The faults that were kept, in order. *)
 
 val note : t -> string -> unit
-(** A line to standard error (not in [json] mode). *)
+(** Writes a line to standard error (not in [json] mode). *)
 
 val progress : t -> string -> unit
-(** Replaces the line of progress: on a terminal alone, unless it goes elsewhere ({!make}). *)
+(** Replaces the line of progress, on a terminal only, or passes it to the function of {!make}. *)
 
 val progress_done : t -> unit
+(** Removes the line of progress. *)
 
-(** How to print a word of a report. *)
+(** The style of a word in a report. *)
 type style = Good | Bad | Doubtful | Strong | Faint
 
 val styled : t -> style -> string -> string
-(** With colours when standard output has them. *)
+(** The text with colours, if standard output has them. *)
 
 val with_output : ?pieces:bool -> t -> path:string option -> ((string -> unit) -> 'a) -> ('a, Diag.t) result
-(** [with_output c ~path f] gives [f] a function that writes to the file ({!Whole_file}), or to standard output
-    without [path], where it raises {!Output_failed} or {!Output_closed}. With [pieces], what is whole of a file
-    stays when it cannot be written to its end ({!Whole_file.with_pieces}). *)
+(** [with_output c ~path f] calls [f] with a function that writes to the file ({!Whole_file}). Without [path] it
+    writes to standard output, and raises {!Output_failed} or {!Output_closed}. With [pieces], the complete
+    pieces of a file are kept if it cannot be written to its end ({!Whole_file.with_pieces}). *)
 
 val flush : t -> unit
-(** Sends off what is printed so far. *)
+(** Flushes standard output. Raises {!Output_failed} or {!Output_closed}. *)

@@ -1,18 +1,20 @@
-(** Commands that answer on standard output what comes in on standard input, until that ends. *)
+(** Commands that answer the lines of standard input on standard output, until the input ends. *)
 
 open Scc_session
 
+(** The output of a conversation, with a buffer. *)
 type t
 
 val hold : (t -> Exit_code.t) -> Exit_code.t
-(** All that was said is sent off at the end. {!Exit_code.Stopped} where nobody reads it any more. An interruption
-    raises {!Scc_system.Interruption.Interrupted}, but never while something is written.
-    {!Console.Output_failed} where it cannot be written. *)
+(** Runs a conversation and sends the rest of its output at the end. The result is {!Exit_code.Stopped} if the
+    reader has closed the output. An interruption raises {!Scc_system.Interruption.Interrupted}, but never
+    during a write. Raises {!Console.Output_failed} if the output cannot be written. *)
 
 val say : t -> string -> unit
-(** A line, given without its end. What is said waits until {!send}, or there is much of it. *)
+(** Adds a line, given without its end. It is sent by {!send}, or when there is much output. *)
 
 val add : t -> (Buffer.t -> 'a) -> 'a
-(** The same of what the function puts at the end of the buffer. *)
+(** Calls a function that appends to the buffer of the output, and sends the buffer when there is much in it. *)
 
 val send : t -> unit
+(** Writes the buffered output. *)

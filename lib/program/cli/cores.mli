@@ -1,4 +1,4 @@
 (** The cores of this machine. *)
 
 val available : unit -> int
-(** Those that this process may use; 1 where the system does not tell. *)
+(** The number of cores that this process may use; 1 if the system does not say. *)

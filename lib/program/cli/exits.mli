@@ -3,4 +3,5 @@
 open Scc_session
 
 val man : ?told:(Exit_code.t * string) list -> ?never:Exit_code.t list -> unit -> Cmdliner.Cmd.Exit.info list
-(** Of a command: with the words of [told] instead of {!Exit_code.meaning}, and without the codes of [never]. *)
+(** The exit codes for the manual of a command. [told] replaces the texts of {!Exit_code.meaning}, and the codes
+    of [never] are left out. *)

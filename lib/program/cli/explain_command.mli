@@ -1,3 +1,4 @@
-(** [scc explain]: which events of a run what it shows depends on. *)
+(** [scc explain]: the events of a run on which its result depends. *)
 
 val command : Scc_session.Exit_code.t Cmdliner.Cmd.t
+(** Explains why a run leads where it does. *)

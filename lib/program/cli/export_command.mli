@@ -4,3 +4,4 @@ open Scc_session
 open Cmdliner
 
 val command : Exit_code.t Cmd.t
+(** Writes a run for other programs: glTF, X3D, VTK, Simularium, OBJ, tables. *)

@@ -1,25 +1,28 @@
-(** What the program takes of the machine, as the system tells; where it does not, what the heap takes. *)
+(** The memory of the program, as the system reports it, or the size of the heap if it does not. *)
 
 val resident : unit -> float
-(** Bytes in memory, but for what files have as well, which the system may drop at any time. *)
+(** The bytes in memory, without pages of files, which the system may drop at any time. *)
 
 (** {1 Limits of the system}
 
-    Where the system limits the addresses of this process ([ulimit -v], RLIMIT_AS) it takes more of them than
-    memory; of its data ([ulimit -d], RLIMIT_DATA) about as much. Where nothing is left it may be ended in the
-    midst of arithmetic, or of collecting garbage. So less than all is used: what is kept is for steps between
-    two looks. *)
+    The system may limit the addresses of a process ([ulimit -v], RLIMIT_AS), of which a program needs more than
+    memory, or its data ([ulimit -d], RLIMIT_DATA), of which it needs about as much. Without any left it may be
+    ended within arithmetic or garbage collection. So only a part of them is used; the rest is for the steps
+    between two measurements. *)
 
 val is_limited : bool
+(** True if the system limits addresses or data. *)
 
 val at_most : int -> int
-(** So many words of memory, or fewer if the limits leave no room for them. *)
+(** The given number of words of memory, or fewer if the limits leave no room for them. *)
 
 val room_below : int -> int option
-(** The limit, in words, that leaves no room for so many: the one that leaves least. *)
+(** [room_below words] is the limit of the system, in words, that leaves no room for so many. If both limits do, it
+    is the one that leaves less. *)
 
 val taken : unit -> float
-(** Of what may be used, the share that is; 1 leaves enough to end well. 0 where nothing is limited. *)
+(** The part of the usable addresses or data that is taken; at 1 there are enough left to end well. It is 0 without
+    a limit. *)
 
 val small_stack : int option
-(** The limit of the system on the stack, in KiB, where it is below the 1 MiB with which everything has to work. *)
+(** The limit of the system on the stack, in KiB, if it is below the 1 MiB with which every command works. *)

@@ -1,25 +1,25 @@
-(** The last net: whatever happens, scc ends with a message and a documented exit code. *)
+(** The last handler of errors: whatever happens, scc ends with a message and a documented exit code. *)
 
 open Scc_base
 open Scc_session
 
 val invalid : Console.t -> Diag.t list -> Exit_code.t
-(** Reports why there can be no result: exit 3, or 74 when it is only that an output could not be written,
-    or 64 when it is only the command line that is wrong ({!Span.command_line}). In JSON mode the
+(** Reports why there is no result. The exit code is 74 if all diagnostics are of outputs that cannot be
+    written, 64 if all are of the command line ({!Span.command_line}), and 3 otherwise. In JSON mode the
     diagnostics are the document. *)
 
 val stopped : Console.t -> string -> Exit_code.t
-(** Tells what ended the work before there was a result: exit 4. In JSON mode there is a document without
+(** Reports why the work ended before there was a result: exit code 4. In JSON mode there is a document without
     diagnostics. *)
 
 val complain : string list -> unit
-(** Lines to standard error, whatever else is written as a document. *)
+(** Writes lines to standard error, also in JSON mode. *)
 
 val complain_of : Console.t -> Diag.t -> unit
 (** Of what is wrong, likewise. *)
 
 val usage : string -> Exit_code.t
-(** Says what is wrong with the command line: exit 64. *)
+(** Reports an error of the command line: exit code 64. *)
 
 val by_ending :
   string ->
@@ -27,13 +27,14 @@ val by_ending :
   what:string ->
   (string -> 'a option) ->
   (string * 'a -> Exit_code.t) -> Exit_code.t
-(** Goes on with a file to be written and what is found for the ending of its name; {!usage} if nothing is. *)
+(** [by_ending path ~endings ~what find go] calls [go] with the path and the format that [find] gives for it.
+    Without one it is {!usage}. *)
 
 val run : Console.t -> (unit -> (Exit_code.t, Diag.t list) result) -> Exit_code.t
-(** Runs a command; diagnostics are {!invalid}. Turns exceptions into exit codes: an output that failed (74), an
-    output that nobody reads any more (4, silently), no memory left (4), our own bugs and everything unforeseen
-    (70). So does a fault that was kept ({!Console.fault}), once the command has told all else. *)
+(** Runs a command; its diagnostics are {!invalid}. Exceptions become exit codes: an output that failed (74), an
+    output whose reader has closed it (4, silently), no memory left (4), bugs and everything unforeseen (70). A
+    fault that was kept ({!Console.fault}) also gives 70, after all other output. *)
 
 val run_on_two :
   Console.t -> string -> string -> (unit -> (Exit_code.t, Diag.t list) result) -> Exit_code.t
-(** The same of a command that reads two files, not both of which can be standard input. *)
+(** Runs a command that reads two files, as {!run} does. Both cannot be standard input (exit code 64). *)

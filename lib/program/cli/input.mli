@@ -4,32 +4,33 @@ open Scc_base
 open Scc_exact
 
 val max_bytes : int
-(** Files larger than this (64 MiB) are refused. *)
+(** The greatest size of a file: 64 MiB. Larger ones are refused. *)
 
 val read : ?max_bytes:int -> string -> (Source.t, Diag.t) result
-(** The bytes of a file; ["-"] is standard input. SC0101 when it cannot be read. Not more than {!max_bytes},
-    unless told otherwise. *)
+(** The content of a file; ["-"] is standard input. A file that cannot be read, or has more than [max_bytes]
+    (default: {!max_bytes}), is SC0101. *)
 
 val standard_input : string
-(** How it is called. *)
+(** The name of standard input in diagnostics. *)
 
 val cannot_read : string -> string -> Diag.t
-(** [cannot_read name reason]: SC0101. *)
+(** [cannot_read name reason] is the error SC0101. *)
 
 val mesh_reader : Console.t -> string -> Scc_session.Loaded.reader
-(** [mesh_reader c model path] reads a mesh file that a model names, relative to the model's place. *)
+(** [mesh_reader c model path] reads a mesh that a model names, relative to the folder of the model. *)
 
 val text : Console.t -> string -> (Source.t, Diag.t list) result
-(** The same, and the text becomes known to the console. *)
+(** Reads a file as {!read} does, and adds its text to the console. *)
 
 val warned : Console.t -> string -> (Source.t, Diag.t list) result
-(** The same, and what {!Direction.warnings} finds is reported: for commands that read a text and load no model. *)
+(** Reads a file as {!text} does, and reports {!Direction.warnings}: for commands that read a text and load no
+    model. *)
 
 val given : Console.t -> name:string -> string -> Source.t
 (** The same of a text that the command line has. *)
 
 val check_overrides : string list -> (unit, Diag.t list) result
-(** Of the names of the parameters that are given values: no two for one (SC0212). *)
+(** Checks the names of parameters with values on the command line. A name that occurs twice is SC0212. *)
 
 val model :
   ?given:Span.t ->
@@ -39,5 +40,5 @@ val model :
   overrides:(string * Rat.t) list ->
   string ->
   (Scc_session.Loaded.t, Diag.t list) result
-(** Reads and loads the file, or [source] as if it were what is in the file. Its texts become known to the console.
-    [given] is where the values of [overrides] come from, the command line if nothing is said. *)
+(** Reads and loads the file, or [source] as its content. Its texts are added to the console. [given] is the
+    place of [overrides] in errors (default: the command line). *)

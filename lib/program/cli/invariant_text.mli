@@ -1,5 +1,5 @@
-(** Invariants for people. *)
+(** Invariants as text. *)
 
 val to_string : Scc_calculus.Model.t -> Scc_symbolic.Invariant.t -> string
-(** Each kind of states with its processes and with what holds of its numbers. Numbers that never change, as the
-    place of a fixed body, are left out. *)
+(** Each kind of states with its processes and the constraints on its numbers. Numbers that never change, such
+    as the position of a fixed body, are left out. *)

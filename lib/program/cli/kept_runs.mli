@@ -1,15 +1,15 @@
-(** Tasks of which each depends on its number alone (runs, points), worked on by several processes
-    ({!Scc_workers.Pool}), and kept in a store, if there is one. *)
+(** Tasks that depend on their number alone (runs, points). Several processes work on them
+    ({!Scc_workers.Pool}), and a store keeps their results, if there is one. *)
 
 open Scc_base
 open Scc_store
 
 type 'a t
-(** What comes of a task, in the order of tasks. It must be something that {!Marshal} takes. *)
+(** Tasks with results of type ['a], in order. {!Marshal} must accept the results. *)
 
 val start : Store.t option -> string -> 'a t
-(** Under this name ({!Store.log}). What the store has of it must be of this type, which its identity ensures: it
-    is of one build, command and set of options. *)
+(** The tasks under this name in the store ({!Store.log}). The results in the store must have this type. Its
+    identity ensures that: it includes the build, the command and the options. *)
 
 val run :
   'a t ->
@@ -20,11 +20,11 @@ val run :
   interrupted:(unit -> bool) ->
   each:(int -> 'a -> unit) ->
   (unit, Scc_workers.Pool.stop) result
-(** As {!Scc_workers.Pool.run}; what was kept is not worked on again. Called again, it goes on: [first] is where it
-    ended. *)
+(** Does the tasks, as {!Scc_workers.Pool.run}, except those with results in the store. A further call
+    continues: [first] is where the last call ended. *)
 
 val loss : fault:bool -> Scc_session.Exit_code.t
-(** Of a run that is lost ({!Scc_workers.Pool.stop}). *)
+(** The exit code of a run that is lost ({!Scc_workers.Pool.stop}). *)
 
 val close : 'a t -> Diag.t list
-(** What went wrong with the store. *)
+(** Closes the store, and returns its error if writing to it failed. *)

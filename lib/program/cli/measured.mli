@@ -1,21 +1,23 @@
-(** What a command takes: seconds of the clock by phase, and memory. It varies from run to run. *)
+(** The resources that a command takes: seconds of the clock by phase, and memory. They vary from run to run. *)
 
+(** The phases so far. *)
 type t
 
 val start : ?clock:(unit -> float) -> unit -> t
-(** [clock] tells seconds, those of the day if nothing is said. *)
+(** No phases yet. [clock] gives seconds (default: the time of day). *)
 
 val phase : t -> string -> (unit -> 'a) -> 'a
-(** Adds the time that the function takes to the phase of this name, without that of phases within it. *)
+(** Calls a function, and adds its time to the phase of this name, without the time of phases within it. *)
 
 val booking : t -> Scc_graph_search.Limits.attempt -> Scc_graph_search.Limits.attempt
-(** What looks for a proof, and what concludes, are phases of their own, [prove] and [conclude]. *)
+(** Attempts with their time added to the phases [prove] (search for an invariant) and [conclude]
+    (everything after the exploration). *)
 
 val seconds : t -> (string * float) list
-(** Of each phase, in the order in which they were begun. *)
+(** The seconds of each phase, in the order in which the phases began. *)
 
 val lines : t -> Scc_verify.Check.report -> string list
-(** For a person. *)
+(** The measurements as lines of text. *)
 
 val json : t -> Scc_verify.Check.report -> Scc_exchange.Json.t
-(** [measured] of [specs/schema/check.schema.json]. *)
+(** The member [measured] of [specs/schema/check.schema.json]. *)

@@ -1,21 +1,22 @@
-(** What is done to a mesh on request before it is looked at or cut ({!Scc_mesh.Mend}). *)
+(** Changes to a mesh on request, before it is examined or cut ({!Scc_mesh.Mend}). *)
 
 open Scc_base
 open Scc_geometry
 
+(** The options as given. *)
 type t
 
 val term : t Cmdliner.Term.t
-(** [--grid], [--weld], [--orient], [--merge]. *)
+(** The options [--grid], [--weld], [--orient] and [--merge]. *)
 
 type told = (string * string) list
-(** The name of each option that was given, with a line on what it did. *)
+(** The name of each option that was given, with a line on its effect. *)
 
 val apply : t -> Polyhedron.ifs -> (Polyhedron.ifs * told, Diag.t list) result
-(** In this order. A surface of one side is SC0303. *)
+(** Applies the options, in this order. A surface of one side is SC0303. *)
 
 val helping : Polyhedron_fault.t list -> string list
-(** Which of these options may do away with some of the faults: [["--weld"; "--orient"]]. *)
+(** The options that may remove some of the faults, such as [["--weld"; "--orient"]]. *)
 
 val text : told -> string
-(** Lines. *)
+(** The effects as lines of text. *)

@@ -1,7 +1,8 @@
-(** The numbers and predicates that [--observe] asks for. *)
+(** The numbers and predicates of the option [--observe]. *)
 
 open Scc_base
 open Scc_session
 
 val all : Console.t -> Loaded.t -> string list -> (Loaded.t * Scc_export.Table.observable list, Diag.t list) result
-(** With the model in which they have their meaning ({!Scc_session.Question.all}). *)
+(** The observables of these texts, with the model in which they have their meaning
+    ({!Scc_session.Question.all}). *)

@@ -4,21 +4,25 @@ open Scc_exact
 open Cmdliner
 
 val rational : Rat.t Arg.conv
+(** A rational number: [3], [1/4], [0.125] or [1e-3]. *)
 
 val not_negative : string -> Rat.t Arg.conv
-(** The text tells what a negative number is not: ["tolerance"]. *)
+(** A rational that is at least zero. The text names its kind in messages, such as ["tolerance"]. *)
 
 val positive : string -> Rat.t Arg.conv
+(** A rational greater than zero. The text names its kind in messages. *)
 
 val integer : ?least:int -> ?most:int -> string -> int Arg.conv
-(** From [least] to [most]; the text tells what anything else is not one of. *)
+(** An integer from [least] to [most]. The text describes it in messages. *)
 
 val transitions : int Arg.conv
-(** A number of them. *)
+(** A number of transitions, at least 0. *)
 
 val model_file : string Term.t
+(** The argument [MODEL]: the path of a model, or ["-"] for standard input. *)
+
 val override : (string * Rat.t) Arg.conv
-(** [name=value]. *)
+(** A value for a parameter: [name=value]. *)
 
 (** Values and ranges for parameters. *)
 type definitions = {
@@ -27,17 +31,23 @@ type definitions = {
 }
 
 val definitions : definitions Term.t
-(** [-D NAME=VALUE], [-D NAME=1..3], [-D NAME=\[1,3)]: for commands that take models with ranges. *)
+(** The option [-D NAME=VALUE], [-D NAME=1..3] or [-D NAME=\[1,3)], for commands that take models with
+    ranges. *)
 
 val overrides : (string * Rat.t) list Term.t
+(** The option [-D NAME=VALUE], repeatable. *)
+
 val color : Console.color Term.t
+(** The option [--color]. *)
+
 val json : bool Term.t
+(** The flag [--json]. *)
 
 val full : string -> bool Term.t
-(** [--full], with what it means for the command. *)
+(** The flag [--full], with its meaning for the command. *)
 
 val sdocs : string
 (** The section of the manual for {!color}. *)
 
 val diagnostics_man : Manpage.block list
-(** What the manual of every command says about diagnostics and files. *)
+(** The section on diagnostics in every manual. *)

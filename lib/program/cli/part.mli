@@ -1,12 +1,15 @@
-(** One of several parts of a list of tasks, so that they can be worked on apart: on many machines, say. *)
+(** One of several parts of a list of tasks, so that the parts can be done separately, on many machines, for
+    example. *)
 
 open Cmdliner
 
+(** A part K of N. *)
 type t
 
 val range : t option -> count:int -> int * int
-(** The first of this part of so many tasks, numbered from 0 on, and the one after its last; without one, all. The
-    parts have every task once, in order, and as many as each other, or one less. *)
+(** The first task of this part of [count] tasks, which are numbered from 0, and the task after its last.
+    Without a part it is all tasks. The parts have every task once, in order, and their sizes differ by at most
+    one. *)
 
 val option : what:string -> t option Term.t
-(** [--part K/N]; [what] there are parts of. *)
+(** The option [--part K/N]; [what] names the tasks. *)

@@ -1,14 +1,18 @@
-(** How pictures in SVG are drawn: the options that commands share. *)
+(** The options for drawings in SVG that commands share. *)
 
 open Scc_exact
 
-(** What was asked for. *)
+(** The options as given. *)
 type t = { from : Vec.t option; up : Vec.t option; width : int option }
 
 val given : t -> bool
-(** Something was asked for. *)
+(** [given t] is true if any of the options is given. *)
 
 val term : t Cmdliner.Term.t
+(** The options [--from], [--up] and [--width]. *)
 
 val of_state : t -> names:bool -> without:string list -> Scc_picture.Picture.options
+(** The options for a drawing of a state; others are those of {!Scc_picture.Picture.default}. *)
+
 val of_solid : t -> Scc_picture.Solid_picture.options
+(** The options for a drawing of a shape; others are those of {!Scc_picture.Solid_picture.default}. *)

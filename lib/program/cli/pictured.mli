@@ -5,5 +5,5 @@ open Scc_exact
 open Scc_calculus
 
 val state : Console.t -> Viewed.options -> Watch.t -> Rat.t -> (Model.t * State.t, Diag.t list) result
-(** The state at a time: of the run of a schedule, of that which shows the verdict of a check, or of that of the
-    first choices. Of several states of one instant the last. SC0208 when the run is over before. *)
+(** The state at a time of a run: that of a schedule, that of the witness of a check, or that of the first
+    choices. If several states have this time, it is the last of them. A run that is over before is SC0208. *)

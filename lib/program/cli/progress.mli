@@ -1,12 +1,12 @@
-(** The line on a terminal that says how far an exploration is. *)
+(** The line on a terminal that shows the progress of an exploration. *)
 
 open Scc_graph_search
 
 val line : bounds:Scc_session.Budget.t -> elapsed:float -> heap:int -> Limits.progress -> string
-(** States and how many of them a second, those still to expand, depth, model time, memory ([heap] in bytes);
-    and for a bound of states or seconds how long it takes to meet it at most, at the rate so far. [elapsed] is
-    in seconds. *)
+(** States and states per second, states still to expand, depth, model time, and memory ([heap] in bytes). With
+    a bound of states or seconds it also has the longest time until the bound is met at the present rate.
+    [elapsed] is in seconds. *)
 
 val show : ?about:string -> Console.t -> Scc_session.Budget.t -> Limits.progress -> unit
-(** Partial application starts the clock; the line is written at most ten times a second, and only if standard
-    error is a terminal. It begins with what it is [about], where there are several explorations. *)
+(** Shows the line, at most ten times a second, and only if standard error is a terminal. Partial application
+    starts the clock. The line begins with [about], if there are several explorations. *)

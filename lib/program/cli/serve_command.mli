@@ -3,3 +3,4 @@
 open Scc_session
 
 val command : Exit_code.t Cmdliner.Cmd.t
+(** Serves an editor for a model, with its documents, to a browser on this machine. *)

@@ -1,5 +1,6 @@
-(** [scc successors]: the states that follow states, for programs ([specs/successors.md]). *)
+(** [scc successors]: the successors of states, for other programs ([specs/successors.md]). *)
 
 open Scc_session
 
 val command : Exit_code.t Cmdliner.Cmd.t
+(** Answers states by their successors until the input ends. *)

@@ -1,12 +1,14 @@
-(** Work that is given up when it takes too long, or the program too much memory. *)
+(** Work that is stopped if it takes too much time, or the program too much memory. *)
 
+(** The alarm, with the limit of memory. *)
 type t
 
 val create : memory_mib:int -> t
-(** Takes the alarm of the program ([SIGALRM]). *)
+(** Installs the alarm of the program ([SIGALRM]). *)
 
 val working : t -> (unit -> 'a) -> 'a
-(** The alarm rings now and then while this is done: {!bounded} is to be called within. *)
+(** Calls a function during which the alarm rings at intervals; {!bounded} must be called inside it. *)
 
 val bounded : t -> seconds:float -> (unit -> 'a) -> ('a, Scc_oracle.Fault.stop) result
-(** An exception may reach whatever was under way: what is left half made has to be thrown away. *)
+(** Calls a function, and stops it by an exception beyond the limits. Data that it was changing may be
+    incomplete and must be discarded. *)

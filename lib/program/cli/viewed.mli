@@ -1,37 +1,41 @@
-(** What [scc view] shows of a model. *)
+(** The documents of [scc view]. *)
 
 open Scc_base
 open Scc_session
 open Scc_verify
 
+(** The checks that are made. *)
 type checks = All | Only of string  (** by its name *) | Unchecked
 
+(** The options of a document. *)
 type options = {
   path : string;
-  source : Source.t option;  (** what is there, if it is not to be read *)
+  source : Source.t option;  (** its content, if the file is not read *)
   given : Options.definitions;
   budget : Budget.t;
-  checks : checks;  (** what is checked *)
-  schedule : string option;  (** the file of a schedule or a trace: then nothing is checked *)
-  graph : int;  (** how many states of all that can happen to carry along, at most *)
-  plots : string list;  (** numbers to plot, besides those that the checks name *)
+  checks : checks;  (** which checks are made *)
+  schedule : string option;  (** the file of a schedule or a trace; nothing is checked then *)
+  graph : int;  (** the greatest number of states in the exploration of the document *)
+  plots : string list;  (** numbers to plot, beside those that the checks name *)
 }
 
 val document : Console.t -> options -> Watch.t -> (Scc_view.Document.t, Diag.t list) result
-(** What is done when the watch stops it is shown. *)
+(** Makes a document. If the watch stops the work, the document has the results so far. *)
 
 (** {1 Parts of it} *)
 
 val read_schedule : Console.t -> options -> (Scc_exchange.Schedule.t option, Diag.t list) result
+(** Reads the schedule of the options, if there is one. *)
 
 val model : Console.t -> options -> Scc_exchange.Schedule.t option -> (Loaded.t, Diag.t list) result
-(** Warnings are reported. *)
+(** Loads the model, with the parameters of the schedule. Warnings are reported. *)
 
 val at_point : Loaded.t -> (Loaded.t, Diag.t list) result
-(** At simple values of the parameters that have ranges. *)
+(** The model at simple values of the parameters that have ranges. *)
 
 val find_check :
   string -> Scc_property.Property.check list -> (Scc_property.Property.check list, Diag.t list) result
+(** The checks with this name. An unknown name is SC0201. *)
 
 val report :
   Console.t ->
@@ -40,4 +44,4 @@ val report :
   Scc_property.Property.check list ->
   Watch.t ->
   (Verdict.outcome list * Scc_regions.Where.t list, Diag.t list) result
-(** The verdicts; and where they hold, of a model with ranges. *)
+(** The verdicts and, for a model with ranges, the values for which they hold. *)

@@ -1,44 +1,47 @@
-(** Keeps work within its limits of time and memory, and stops it when somebody asks for that
+(** Keeps work within its limits of time and memory, and stops it on an interruption
     ({!Scc_system.Interruption}).
 
-    While a watch is kept, a timer looks some hundred times in a second. Work that asks {!stop} ends by
-    itself; work that does not is an {!attempt}, and is given up by an exception wherever it is. What
-    concludes what was explored has a second more, and the part of the memory that explorations leave, so
-    that there is always a report. *)
+    While a watch is active, a timer compares the limits some hundred times a second. Work that calls {!stop}
+    ends by itself. Other work is an {!attempt}, and is ended by an exception wherever it is.
+
+    The conclusions of an exploration have a second more, and the part of the memory that explorations leave. So
+    there is always a report. *)
 
 open Scc_graph_search
 
+(** The limits of some work. *)
 type t
 
 val start : ?clock:(unit -> float) -> ?signals:bool -> ?seconds:float -> ?memory:int -> unit -> t
-(** [memory] in words, of all that the program takes. Without limits only an interruption ends the work. Without
-    [signals] only limits end the work: signals are somebody else's to answer. [clock] tells seconds, those of the
-    day if nothing is said. *)
+(** Starts a watch. [memory] is the limit in words for the whole program. Without limits only an interruption
+    ends the work. Without [signals] (default: true) only limits end it, and signals are left to other handlers.
+    [clock] gives seconds (default: the time of day). *)
 
 val more : t -> float -> unit
-(** So many seconds more, for another work. *)
+(** Adds seconds, for further work. *)
 
 val stop : t -> unit -> Limits.stop option
-(** What ends an exploration now. *)
+(** The reason why an exploration must end now, if there is one. *)
 
 val reason : Limits.stop -> string
-(** In words. *)
+(** The reason in words. *)
 
 val attempt : t -> Limits.attempt
+(** How work that does not call {!stop} is ended. *)
 
 val surroundings : t -> progress:(Limits.progress -> unit) -> attempt:Limits.attempt -> Limits.surroundings
-(** Of work that it keeps within its limits, by [attempt], which makes those of the watch. *)
+(** The surroundings of work within the limits of the watch. [attempt] is {!attempt}, or one around it. *)
 
 val half : t -> unit -> unit -> Limits.stop option
-(** What ends work that is begun now and may take half of the seconds that are left, if it asks. *)
+(** The condition {!stop} for work that begins now and may take half of the remaining seconds. *)
 
 val interrupted : t -> unit -> bool
-(** For work that is stopped by signals alone. *)
+(** [interrupted t ()] is true after an interruption: for work that only signals stop. *)
 
 val finish : ?grace:float -> t -> unit
-(** The work has stopped: what is left to do, such as writing what is known, takes as long as it takes. After an
-    interruption, before or meanwhile, it has so many more seconds of the processor, 1 if nothing is said; then
+(** Ends the limits: the rest, such as writing the results, takes as long as it needs. After an interruption,
+    before or then, it has [grace] more seconds of the processor (default: 1); after these
     {!Scc_system.Interruption.Interrupted} is raised. *)
 
 val dismiss : t -> unit
-(** The work has stopped, and what follows is not the watch's. *)
+(** Ends the watch: the rest has no limits. *)

@@ -7,11 +7,14 @@ type output = string * (Polyhedron.ifs -> (string, string) result)
 (** The name of the file, and its format ({!Scc_mesh.Written.to_file}). *)
 
 val drawn : output -> hint:string -> Polyhedron.ifs -> (unit, Diag.t list) result
-(** A sound solid ({!Scc_concave.Sound}), convex or not; in the language one that is no template is a compound.
-    SC0103 where the file cannot be written, or has no fractions and needs one: with the hint. *)
+(** Writes a sound solid ({!Scc_concave.Sound}), convex or not. In the language of scc, one that is no template
+    becomes a compound. A file that cannot be written, or a format without fractions for a solid that needs one,
+    is SC0103 with the hint. *)
 
 val convex : Console.t -> round:bool -> output -> Polyhedron.ifs -> (unit, Diag.t list) result
-(** One that is accepted; with [round], and a note on what that did, with 64-bit numbers as coordinates. *)
+(** Writes a solid that is accepted. With [round], its coordinates become 64-bit numbers, and a note states the
+    effect. *)
 
 val concave : Console.t -> round:bool -> output -> Polyhedron.ifs -> (unit, Diag.t list) result
-(** One that is not: written if its faces bound a solid nevertheless, with a note on who takes it. *)
+(** Writes a solid that is not accepted, if its faces bound a solid nevertheless, with a note on the commands
+    that accept it. *)

@@ -1,37 +1,44 @@
-(** What a recorded trace tells, against the states and labels of a model. *)
+(** A recorded trace compared with the states and labels of a model. *)
 
 open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
 
+(** A model with a tolerance. *)
 type t
 
 val make : Semantics.t -> tolerance:Rat.t -> t
-(** Numbers agree when they differ by at most the tolerance; with 0, when they are equal. *)
+(** A model with a tolerance. Numbers agree if they differ by at most the tolerance; with 0, if they are
+    equal. *)
 
 val semantics : t -> Semantics.t
+(** The semantics of the model. *)
+
 val model : t -> Model.t
+(** The model. *)
+
 val tolerance : t -> Rat.t
+(** The greatest difference of numbers that agree. *)
 
 val leaf : t -> string -> int option
-(** By its name. *)
+(** The leaf with this name. *)
 
 val names : t -> Recorded.t -> Diag.t list
-(** SC0804 for bodies and features that the model does not have, up to twenty of them. *)
+(** Errors (SC0804) for bodies and features that the model does not have, at most 20 of them. *)
 
 (** {1 Events} *)
 
 val leaves : t -> Recorded.event -> int list
-(** Of the bodies that it names, by its features too. *)
+(** The leaves that an event names, by bodies or features, sorted. *)
 
 val matches : t -> State.t -> Recorded.event -> Transition.label -> bool
-(** Whether it can be this transition of this state. *)
+(** [matches t s e label] is true if the recorded event [e] can be the transition [label] of the state [s]. *)
 
 (** How near a label of a state is to an event. *)
 type nearness =
   | Same
-  | Other_velocity  (** drawn *)
+  | Other_velocity  (** of the same draw *)
   | Other_features  (** of the same kind, channel and bodies *)
   | Other_channel  (** of the same kind and bodies *)
   | Other_kind  (** of the same bodies *)
@@ -39,30 +46,33 @@ type nearness =
   | Unlike
 
 val nearness : t -> State.t -> Recorded.event -> Transition.label -> nearness
+(** [nearness t s e label] compares the recorded event [e] with the transition [label] of the state [s]. *)
 
 val processes_of : t -> State.t -> Recorded.event -> int list
-(** The processes of its bodies, by their first leaves, sorted. *)
+(** The processes of the bodies of an event, by their first leaves, sorted. *)
 
 (** {1 States} *)
 
-(** What differs between a recorded body and the state. *)
+(** A difference between a recorded body and the state. *)
 type difference = {
   body : string;
   quantity : string;  (** ["x"], ["vy"], ["behaviour"], ["bonds"], ["process"], ["clock"], ["turned"], ["step"] *)
   told : string;
   held : string;
-  off : Rat.t option;  (** told less held, of numbers *)
+  off : Rat.t option;  (** for numbers, [told] less [held] *)
 }
 
-(** By how much the numbers that agree differ at most. *)
+(** The greatest differences of numbers that agree. *)
 type deviation = { time : Rat.t; position : Rat.t; velocity : Rat.t }
 
 val no_deviation : deviation
+(** All differences are 0. *)
+
 val later : deviation -> deviation -> deviation
-(** The greater of each. *)
+(** The greater of each difference. *)
 
 val body : t -> State.t -> Recorded.body -> difference list * deviation
-(** Of one body; nothing of one that the model does not have. *)
+(** The differences between a recorded body and the state. A body that the model does not have has none. *)
 
 val differences : t -> State.t -> Recorded.body list -> Recorded.step option -> difference list * deviation
-(** In the order in which they are told. *)
+(** The differences of recorded bodies and of the movement step, in the order of the trace. *)

@@ -1,23 +1,25 @@
-(** Events that were met ahead of what was recorded before them: near-simultaneous ones of separate bodies, which
-    may have been recorded in either order. What is recorded of their bodies meanwhile is from before them or from
-    after. *)
+(** Events that were met ahead of items that were recorded before them. Near-simultaneous events of separate
+    bodies may be recorded in either order. Meanwhile, records of their bodies are from before these events or
+    from after them. *)
 
 open Scc_exact
 open Scc_calculus
 
+(** An event that was met ahead. *)
 type event = private {
-  item : int;  (** of the trace *)
+  item : int;  (** its index in the trace *)
   leaves : int list;  (** of the processes that took part *)
   before : State.t;  (** of these processes alone, just before it *)
-  time : Rat.t;  (** when it happened in the run *)
-  order : int;  (** in which events happened *)
+  time : Rat.t;  (** model time at which it happened in the run *)
+  order : int;  (** its rank in the order in which events happened *)
 }
 
 val met : State.t -> firsts:int list -> time:Rat.t -> item:int -> order:int -> event
-(** An event of this state, of the processes of these leaves. *)
+(** [met s ~firsts ~time ~item ~order] is an event of the state [s] and of the processes of the leaves
+    [firsts]. *)
 
 val equal : event -> event -> bool
-(** But for the order. *)
+(** Equality up to [order]. *)
 
 val differences :
   Against.t ->
@@ -27,6 +29,8 @@ val differences :
   Recorded.body list ->
   Recorded.step option ->
   Against.difference list * Against.deviation
-(** Of what was recorded at that time, when these have been met ahead of it, from the state [now] of the run. A
-    body of theirs may be as it was just before one of its events, there or where it would be at that time without
-    the event; an event has happened to all of its bodies that are told of, or to none. *)
+(** The differences between the state [now] of the run and what was recorded at [time], when these events have
+    been met ahead.
+
+    A body of one of the events may be as it was just before it, at its place then or at the place at [time]
+    without the event. Each event has happened to all of its recorded bodies, or to none. *)

@@ -3,5 +3,5 @@
 open Scc_base
 
 val read : Source.t -> (Recorded.t, Diag.t list) result
-(** Columns [time] and [event], and, in any order, [bodies], [channel], [features], [x], [y], [z], [vx], [vy],
-    [vz], [behaviour]. SC0804 for each row that does not fit, up to twenty of them. *)
+(** Reads columns [time] and [event], and, in any order, [bodies], [channel], [features], [x], [y], [z], [vx],
+    [vy], [vz], [behaviour]. Each row that does not fit is SC0804, up to 20 of them. *)

@@ -1,10 +1,12 @@
-(** The first difference of two recorded traces, in terms of the calculus. No model is needed: what only one of
-    the two tells is not compared, but for events, of which both tell all. *)
+(** The first difference of two recorded traces, in terms of the calculus. No model is needed. Parts that only
+    one of the traces records are not compared, except events, which both record completely. *)
 
 open Scc_exact
 
+(** One of the two traces. *)
 type side = First | Second
 
+(** A difference. *)
 type t =
   | Header of { what : string; first : string; second : string }
   (** ["digest"], or a parameter: the two are not of one model *)
@@ -21,7 +23,7 @@ type t =
       events : int;  (** so many events came before *)
       body : string;
       quantity : string;
-      (** of the body; ["time"], when it is told of; ["name"], where each tells of one that the other does not *)
+      (** of the body; ["time"] of the record; ["name"], if each records a body that the other does not *)
       told : string * string;
       off : Rat.t option;  (** the second less the first *)
     }
@@ -33,6 +35,7 @@ type t =
       off : Rat.t option;
     }
 
+(** How two events differ. *)
 and event_difference =
   | Label  (** something else happens *)
   | Time of Rat.t  (** the same later, in the second, by so much *)
@@ -40,4 +43,4 @@ and event_difference =
   | Rules of string list * string list
 
 val find : Recorded.t -> Recorded.t -> tolerance:Rat.t -> t option
-(** The first difference; [None] when there is none. *)
+(** The first difference of two traces. Numbers that differ by at most the tolerance are equal. *)

@@ -1,8 +1,10 @@
-(** Why a recorded trace is none of the model: what it did first that no run does, and what was allowed. *)
+(** Why a recorded trace is no run of the model: the first item that no run has, and the events that were
+    allowed instead. *)
 
 open Scc_exact
 open Scc_semantics
 
+(** The kind of divergence. *)
 type kind =
   | Wrong_time  (** the event is allowed, at another time; or there is no such time *)
   | Wrong_features
@@ -25,26 +27,30 @@ type kind =
   | Time_back  (** its times decrease *)
 
 val kind_name : kind -> string
-(** ["wrong-time"], … *)
+(** The name of a kind, such as ["wrong-time"]. *)
 
 val all : kind list
+(** All kinds. *)
 
 (** An event that was allowed. *)
 type allowed = { label : Transition.label; rules : Rule.t list; time : Rat.t }
 
+(** A divergence. *)
 type t = {
   kind : kind;
   item : Recorded.item;  (** the first that does not fit *)
-  rules : string list;  (** entries of the rule book that are not kept, the most telling one first *)
+  rules : string list;  (** entries of the rule book that are violated, the most specific one first *)
   why : string;  (** a sentence *)
   closest : allowed option;
-  off : Rat.t option;  (** of the trace's time from that of the closest, later is positive *)
+  off : Rat.t option;  (** the time of the item less that of [closest] *)
   differences : Against.difference list;  (** of a state *)
   allowed : allowed list;  (** those nearest in time, in order of it, at most {!most_allowed} *)
   after : allowed option;  (** the latest transition before it *)
 }
 
 val most_allowed : int
+(** The greatest length of [allowed]: 12. *)
 
 val find :
   Against.t -> Recorded.t -> observed:(Scc_semantics.Transition.label -> bool) -> Search.dead_end -> t
+(** Finds the first divergence of a trace, from a dead end of its search. *)

@@ -1,6 +1,7 @@
-(** Traces as JSON Lines: what [scc trace] writes, with members left out and floats allowed. *)
+(** Traces as JSON Lines, in the format of [scc trace], in which members may be left out and floats are
+    allowed. *)
 
 open Scc_base
 
 val read : Source.t -> (Recorded.t, Diag.t list) result
-(** SC0804 at the first line that does not fit. *)
+(** Reads a trace. The first line that does not fit is SC0804. *)

@@ -1,9 +1,9 @@
-(** Numbers of reports, for people. *)
+(** Numbers in reports. *)
 
 open Scc_exact
 
 val decimal : Rat.t -> string
-(** To nine digits. *)
+(** The number to nine digits. *)
 
 val short : Rat.t -> string
-(** Exact if that is short, else to nine digits. *)
+(** The exact number if it is short, and the number to nine digits otherwise. *)

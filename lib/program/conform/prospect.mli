@@ -1,22 +1,24 @@
-(** The events that a model allows where a recorded trace is none of it, now or after some passing of time. *)
+(** The events that a model allows at the point where a recorded trace diverges, now or after some passing of
+    time. *)
 
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
 
+(** An event that is possible. *)
 type t = {
-  at : State.t;  (** where it is possible *)
+  at : State.t;  (** the state in which it is possible *)
   time : Rat.t;
   taken : Transition.t;
-  from : Search.hypothesis;  (** that it is reached from *)
+  from : Search.hypothesis;  (** the hypothesis from which that state is reached *)
 }
 
 val is_urgent : t -> bool
-(** A collision or a strong split: no time passes before it. *)
+(** [is_urgent t] is true if no time passes before the event: {!Scc_semantics.Transition.is_urgent}. *)
 
 val find : Against.t -> observed:(Transition.label -> bool) -> past:Rat.t -> Search.dead_end -> t list
-(** Observed events that were possible since the last item was met, and those of the instants after that, up to the
-    first after a time at which there are any; each once, in order of time. *)
+(** The observed events that were possible since the last item was met, and those of later instants, each once,
+    in order of time. The search ends at the first instant after [past] that has any. *)
 
 val at_first_instant : Against.t -> observed:(Transition.label -> bool) -> Search.hypothesis -> t list
-(** The events of the first instant from the hypothesis on at which there are any. *)
+(** The observed events of the first instant, from the hypothesis on, that has any. *)

@@ -3,4 +3,5 @@
 open Scc_base
 
 val trace : Source.t -> (Recorded.t, Diag.t list) result
-(** JSON Lines when the text begins with a brace, else CSV. SC0804 when it does not fit. *)
+(** Reads a trace: JSON Lines if the text begins with a brace, and CSV otherwise. A text that does not fit is
+    SC0804. *)

@@ -1,9 +1,10 @@
-(** What {!Verdict} found, for people and as JSON ([specs/schema/conform.schema.json]). *)
+(** The result of {!Verdict}, as text and as JSON ([specs/schema/conform.schema.json]). *)
 
 open Scc_exact
 open Scc_calculus
 open Scc_exchange
 
+(** A result with its model and trace. *)
 type t = {
   file : string;  (** of the model *)
   loaded : Scc_session.Loaded.t;
@@ -13,14 +14,19 @@ type t = {
 }
 
 val text : t -> string
+(** The result as lines of text. *)
 
 val json : t -> exit:int -> diagnostics:Json.t list -> Json.t
+(** The result as a document. *)
 
 val about : Rat.t -> Json.t
-(** [{"exact": "5/4", "about": "1.25"}]: the second is for people. *)
+(** A number as [{"exact": "5/4", "about": "1.25"}]; the second member is for readers. *)
 
 val event_json : Recorded.event -> Json.t
+(** A recorded event as an object. *)
+
 val source_line : Recorded.item -> string
-(** ["line 5, time 2.1"]. *)
+(** The place of an item, such as ["line 5, time 2.1"]. *)
 
 val reason : Model.t -> Search.reason -> string
+(** Why a search ended without a result. *)

@@ -1,36 +1,39 @@
-(** The runs of a model that a recorded trace can be of. The items of the trace are met one after the other, and
-    the set of all states that the model can then be in is kept.
+(** The runs of a model to which a recorded trace can belong. The items of the trace are met one after the
+    other, and the search keeps the set of all states in which the model can then be.
 
-    Time passes by itself between events. A recorded event is met by a transition with a label that fits, at a time
-    that differs by at most the tolerance. It may be met before events that were recorded earlier, if those are met
-    within the tolerance as well and no process takes part in both: near-simultaneous events of separate bodies may
-    have been recorded in either order. Every event of the model has to be recorded, unless it is unobserved. *)
+    Time passes by itself between events. A recorded event is met by a transition with a label that fits, at a
+    time that differs by at most the tolerance. It may be met before events that were recorded earlier, if those
+    are also met within the tolerance and no process takes part in both. So near-simultaneous events of separate
+    bodies may be recorded in either order. Every event of the model must be recorded, unless it is
+    unobserved. *)
 
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
 
+(** Where a search is given up. *)
 type limits = {
-  states : int;  (** looked at for one item of the trace, at most *)
+  states : int;  (** the greatest number of states examined for one item of the trace *)
   interrupted : unit -> bool;
 }
 
 val default_states : int
+(** The default of [limits.states]: 20 000. *)
 
-(** One way in which the trace can be what happened so far. *)
+(** A run that the trace so far can record. *)
 type hypothesis = {
   state : State.t;
   time : Rat.t;
-  next : int;  (** the first item that is not met *)
-  ahead : Burst.event list;  (** later ones that are, in the order of the trace *)
+  next : int;  (** the index of the first item that is not met *)
+  ahead : Burst.event list;  (** later items that are met, in the order of the trace *)
   choices : (int * string) list;  (** numbers and labels of the transitions, the latest first *)
-  last : (Transition.label * Rule.t list * Rat.t) option;  (** the latest transition, and when *)
+  last : (Transition.label * Rule.t list * Rat.t) option;  (** the latest transition with its time *)
   deviation : Against.deviation;
   transitions : (Transition.t list, Transition.fault) result Lazy.t;  (** of the state *)
-  untold : untold option;  (** what the latest transition did beside what has been met, if it is told one by one *)
+  untold : untold option;  (** releases of the latest transition that are left, if recorded one by one *)
 }
 
-(** Bonds that were released at once, and where. *)
+(** Bonds that were released at once, and the hypothesis before. *)
 and untold = { before : hypothesis; labels : Transition.label list }
 
 (** A transition that is possible in a hypothesis. *)
@@ -41,19 +44,20 @@ type misfit = { of_ : hypothesis; differences : Against.difference list }
 
 (** Where no hypothesis meets a further item. *)
 type dead_end = {
-  reached : hypothesis list;  (** all that were looked at since the last item was met *)
+  reached : hypothesis list;  (** all that were examined since the last item was met *)
   possible : possible list;  (** events *)
   misfits : misfit list;
 }
 
+(** The result of a search. *)
 type outcome =
-  | Met of { run : hypothesis; widest : int  (** hypotheses at once, at most *) }
+  | Met of { run : hypothesis; widest : int  (** the greatest number of hypotheses at once *) }
   | Dead_end of dead_end
-  | Unknown of { reason : reason; items : int  (** that were met *) }
+  | Unknown of { reason : reason; items : int  (** the number of items that were met *) }
 
 and reason =
   | Too_many_states
-  | Fault of Transition.fault  (** transitions that cannot be computed might have met it *)
+  | Fault of Transition.fault  (** some transitions, which might have met it, cannot be computed *)
   | Interrupted
 
 val run :
@@ -63,11 +67,11 @@ val run :
   observed:(Transition.label -> bool) ->
   limits ->
   (outcome, Transition.fault) result
-(** From the declared state. [observed] tells which events have to be recorded. *)
+(** Searches from the declared state. [observed] is true for the labels of events that must be recorded. *)
 
 val urgent : Transition.t -> bool
-(** A collision or a strong split: no time passes while there is one. *)
+(** [urgent t] is true if no time passes while [t] is possible: {!Transition.is_urgent}. *)
 
 val beyond : Against.t -> State.t -> Rat.t -> steps:int -> (State.t * Rat.t) list
-(** The states from this one on, at this time, that are reached by the passing of time, and by lots, alone; at
-    most so many, in the order of time. *)
+(** [beyond t s time ~steps] is the states after [s], which is at [time], that are reached by the passing of
+    time and by lots alone. There are at most [steps] of them, in the order of time, with their times. *)

@@ -1,23 +1,24 @@
-(** Whether the semantics of a model allows a recorded trace. *)
+(** The verdict on a recorded trace: whether the semantics of a model allows it. *)
 
 open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
 
+(** The verdict. *)
 type answer =
   | Conforms of {
-      choices : (int * string) list;  (** numbers and labels of a run that it is of *)
+      choices : (int * string) list;  (** numbers and labels of the transitions of a run that it records *)
       ended : Rat.t;  (** the time of the last transition of that run *)
       deviation : Against.deviation;
-      widest : int;  (** states that it could be in at once, at most *)
+      widest : int;  (** the greatest number of states that were possible at once *)
     }
   | Diverges of Divergence.t
-  | Undecided of { reason : Search.reason; items : int  (** that were met *) }
+  | Undecided of { reason : Search.reason; items : int  (** the number of items that were met *) }
 
 val tolerance : Model.t -> Recorded.t -> Rat.t option -> (Rat.t, Diag.t list) result
-(** The tolerance that is asked for; 0 when none is, unless the trace has floats (SC0804). Floats of a rigid model
-    take one that is not less than its resolution, within which its contact times are known. *)
+(** The tolerance of a comparison: the given one, or 0. A trace with floats needs one (SC0804); for a rigid
+    model it is 0 or at least the resolution, within which contact times are known. *)
 
 val check :
   Semantics.t ->
@@ -27,4 +28,5 @@ val check :
   observed:(string -> bool) ->
   Search.limits ->
   (answer, [ `Invalid of Diag.t list | `Fault of Transition.fault ]) result
-(** For the declared state. Invalid when the trace names what the model does not have. *)
+(** Compares a trace with the model from its declared state. [`Invalid] lists the names that the model does not
+    have. [observed] is true for the texts of the labels that must be recorded. *)

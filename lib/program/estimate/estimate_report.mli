@@ -1,7 +1,8 @@
-(** What a command says of estimates. *)
+(** The reports of commands on estimates. *)
 
 open Scc_session
 
+(** The results of an estimation. *)
 type t = {
   origin : Origin.t;
   aim : Estimation.aim;
@@ -12,10 +13,11 @@ type t = {
 }
 
 val word : Estimation.verdict -> string
-(** ["estimated"], ["estimated to hold"], ["estimated to be violated"], ["undecided"]. *)
+(** The verdict in words: ["estimated"], ["estimated to hold"], ["estimated to be violated"] or
+    ["undecided"]. *)
 
 val line : Estimation.answer -> confidence:Scc_exact.Rat.t -> string
-(** What follows the name and the verdict: the interval, rounded outwards, and how many runs there were. *)
+(** The text after name and verdict: the interval, rounded outwards, and the number of runs. *)
 
 val json : t -> exit:Exit_code.t -> Scc_exchange.Json.t
-(** The format [specs/schema/estimate.schema.json]; all numbers are exact. *)
+(** The document by [specs/schema/estimate.schema.json]; all numbers are exact. *)

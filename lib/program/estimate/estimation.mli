@@ -1,56 +1,65 @@
-(** Properties judged by samples: how many runs are needed, and what they say. No answer is a proof. *)
+(** Properties judged by samples: how many runs are needed, and their results. No answer is a proof. *)
 
 open Scc_exact
 
+(** The number of runs. *)
 type size =
   | Exactly of int  (** so many runs, no less and no more *)
   | At_most of int  (** as many as are needed for the width, or to decide *)
 
+(** The precision that is required. *)
 type aim = {
   confidence : Rat.t;  (** of each answer: less than 1 *)
-  width : Rat.t;  (** of the interval of a probability; of that of a mean, as a share of the mean *)
+  width : Rat.t;  (** of the interval of a probability; for a mean, as a share of the mean *)
   size : size;
   free : Sample.free;
 }
 
+(** The result for a number. *)
 type value =
   | Probability of Rat.t * Rat.t
   | Mean of { mean : Rat.t option; low : Rat.t; high : Rat.t }
-  (** of a number that is always in some range; the mean over the runs, if each has come to a number *)
+  (** for a number with a known range; [mean] is that over the runs, if each has a number *)
   | Sample of { mean : Rat.t; deviation : Rat.t option }
-  (** of a number of which no range is known: what the runs came to, from which nothing follows *)
-  | Infinite  (** runs never come to where the number would be known *)
+  (** for a number without a known range: statistics of the runs, from which nothing follows *)
+  | Infinite  (** some runs never reach the event on which the number depends *)
   | Unknown
 
+(** The verdict on a property. *)
 type verdict =
-  | Estimated  (** a number was asked for *)
+  | Estimated  (** the property requests a number *)
   | Holds
   | Violated
   | Undecided
 
+(** The answer to a property. *)
 type answer = {
   path : Path.t;
   verdict : verdict;
   value : value;
   tally : Tally.t;
-  chosen : bool;  (** choices that nothing draws have been taken, evenly *)
-  reasons : string list;  (** why it is undecided, or not as narrow as was asked for *)
+  chosen : bool;  (** choices that are not drawn have been made, uniformly *)
+  reasons : string list;  (** why it is undecided, or wider than required *)
 }
 
+(** An estimation in progress. *)
 type t
 
 val start : aim -> Path.t list -> t
+(** An estimation of these properties without any runs. *)
 
 val next : t -> int option
-(** How many runs there should be in all before the next {!judge}; [None]: nothing is open any more. *)
+(** The total number of runs at which {!judge} is due; [None] if all properties are settled. *)
 
 val add : t -> Sample.outcome list * bool -> unit
-(** The next run. *)
+(** Adds the outcomes of the next run, and whether it made choices that are not drawn. *)
 
 val judge : t -> last:bool -> unit
-(** Looks at what there is. The answers of all looks together are wrong, for one question, with at most the
-    probability that the confidence leaves: look j, from 1 on, has the share 1/(j (j + 1)) of it, and all of them
-    together 1. With
-    {!Exactly} there is one look, which has all. [last]: there will be no more of them. *)
+(** Settles the properties that the runs so far decide. [last] is true if there will be no more runs.
+
+    For each question, the answers of all looks together are wrong with at most the probability that the
+    confidence leaves. Look j, from 1 on, has the share 1/(j (j + 1)) of it; the sum of all shares is 1. With
+    {!Exactly} there is one look, which has all of it. *)
 
 val answers : t -> answer list
+(** The answers of the properties that are settled. *)

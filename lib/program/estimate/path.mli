@@ -1,19 +1,20 @@
-(** What a property asks of one run: a formula about the path alone, a number, or that it cannot be told from a
-    run. *)
+(** The question that a property has about one run: a formula about the path alone, or a number. *)
 
 open Scc_exact
 open Scc_calculus
 open Scc_property
 
+(** The kind of answer of a run. *)
 type question =
-  | Does  (** whether a run does as the formula says *)
+  | Does  (** true if the run satisfies the formula *)
   | Amounts of Property.mean * Range.t option
-  (** what the run comes to, and where that always is, if this is known beforehand *)
+  (** the number of the run, and its range if that is known beforehand *)
 
+(** A property with its question. *)
 type t = {
   check : Property.check;
   question : question;
-  formula : Property.temporal;  (** over all runs of the one that there is *)
+  formula : Property.temporal;  (** over all runs of a chain, which has only one *)
   horizon : Rat.t option;  (** model time after which it is decided; [None]: it may never be *)
 }
 
@@ -21,5 +22,5 @@ val test : t -> (Property.side * Scc_chance.Answer.bound) option
 (** What it is compared with; [None]: a number is asked for. *)
 
 val of_check : Model.t -> Property.check -> (t, string) result
-(** Of a check of the model: of [P ... \[f U g\]] and its like, and of [E ...], where what is inside is about
-    states. Otherwise why it cannot be judged on single runs. *)
+(** The question of a check of the form [P ... \[f U g\]] or [E ...] whose operands are state formulas. The
+    error is the reason why single runs cannot answer any other check. *)

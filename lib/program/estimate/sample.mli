@@ -1,14 +1,15 @@
-(** One run of many, and what it says of each question. *)
+(** One run of many, with its outcome for each question. *)
 
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
 
-(** What is done where several transitions are possible and none of them is drawn. *)
+(** What happens if several transitions are possible and none of them is drawn. *)
 type free =
-  | Apart  (** nothing: what is not known by then stays so, and counts for the worst and for the best *)
-  | Evenly  (** one of them is taken, each as likely *)
+  | Apart  (** the run stops: questions that are open stay open, and count for the worst and for the best *)
+  | Evenly  (** one of them is taken, each equally likely *)
 
+(** What is sampled. *)
 type plan = {
   semantics : Semantics.t;
   declared : State.t;
@@ -18,14 +19,15 @@ type plan = {
   until : Rat.t option;  (** model time at most; the horizon of all questions ends a run as well *)
 }
 
+(** The outcome of a run for one question. *)
 type outcome =
   | Truth of bool
   | Number of Rat.t
-  | Never  (** it never comes to where the number would be known: infinite *)
-  | Free  (** it depends on a choice that nothing draws *)
-  | Too_long  (** it did not come so far *)
+  | Never  (** infinite: the run never reaches the event on which the number depends *)
+  | Free  (** it depends on a choice that is not drawn *)
+  | Too_long  (** the run was stopped before the outcome was known *)
   | No_value of string
 
 val run : plan -> seed:int64 -> int -> outcome list * bool
-(** Of the run of this number, which has the seed {!Scc_simulate.Simulation.seed_of}: of each path in order; and
-    whether a choice that nothing draws was taken, evenly. *)
+(** Makes the run with this number, whose seed is {!Scc_simulate.Simulation.seed_of}. The results are the
+    outcome of each path in order, and true if a choice that is not drawn was made, uniformly. *)

@@ -1,14 +1,15 @@
-(** Tails of the binomial distribution, bounded from above: numbers have 192 binary digits, and every operation is
+(** Upper bounds of tails of the binomial distribution. Numbers have 192 binary digits, and every operation is
     rounded up. *)
 
 open Scc_exact
 
 type coefficient
-(** Of n and k, made once for all chances. *)
+(** The binomial coefficient of n and k, computed once for all chances. *)
 
 val coefficient : n:int -> k:int -> coefficient
-(** 0 <= k <= n. *)
+(** [coefficient ~n ~k] is the binomial coefficient, rounded up, for 0 <= k <= n. *)
 
 val at_most : coefficient -> chance:Rat.t -> Rat.t -> bool
-(** Whether it is proved that of n trials that succeed with this probability, from 0 to 1, at least k do so with a
-    probability of at most the number, which is less than 1/2. *)
+(** [at_most c ~chance limit] is true if this is proved: [n] trials, each of which succeeds with the probability
+    [chance], have at least [k] successes with a probability of at most [limit]. [chance] is from 0 to 1, and
+    [limit] is less than 1/2. *)

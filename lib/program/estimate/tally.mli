@@ -1,39 +1,45 @@
-(** What was found on many runs of one question. *)
+(** The outcomes of many runs for one question. *)
 
 open Scc_exact
 
+(** Numbers of runs by outcome, and sums of numbers. *)
 type t = {
   runs : int;
   yes : int;
   no : int;
-  free : int;  (** it depends on a choice that nothing draws *)
+  free : int;  (** depend on a choice that is not drawn *)
   too_long : int;
   never : int;
   no_value : int;
-  why : string option;  (** of the first that has no value *)
+  why : string option;  (** the reason of the first run without a value *)
   numbers : int;
   sum : Rat.t;  (** of the numbers *)
   squares : Rat.t;
 }
 
 val empty : t
+(** No runs. *)
+
 val add : t -> Sample.outcome -> t
+(** Adds the outcome of a run. *)
 
 val open_ended : t -> int
-(** How many leave the question open. *)
+(** The number of runs that leave the question open. *)
 
 val likelihood : t -> miss:Rat.t -> Rat.t * Rat.t
-(** An interval in which the probability is, whatever is chosen where nothing is drawn. That it is not there has at
-    most the probability [miss], less than 1: what is open counts for no at its lower end, and for yes at its upper
-    one. *)
+(** An interval that contains the probability, whatever is chosen where nothing is drawn. It misses the
+    probability with at most the probability [miss], less than 1. Open runs count as no at its lower end, and as
+    yes at its upper end. *)
 
 val mean : t -> Range.t -> miss:Rat.t -> Rat.t * Rat.t
-(** Likewise for the mean of numbers that are always in the range, of runs of which each comes to a number or is
-    open; an open one counts for the low end of the range at the lower end of the interval, and for the high one at
-    the upper end. Between the ends of a range the tails of sums are at most e times those of the binomial
-    distribution with the same mean (Bentkus, On Hoeffding's inequalities, 2004, Theorem 1.2). *)
+(** An interval that contains the mean of numbers that are always in the range; it misses the mean with at most
+    the probability [miss]. Each run has a number or is open. An open run counts as the low end of the range at
+    the lower end of the interval, and as the high end at the upper one.
+
+    Inside a range, the tails of sums are at most e times those of the binomial distribution with the same mean.
+    This is Theorem 1.2 of Bentkus, On Hoeffding's inequalities, 2004. *)
 
 val spread : t -> (Rat.t * Rat.t option) option
-(** The mean of the numbers, if there are any; and their standard deviation, if there are two or more: from the
-    squares by one less than their number, rounded up by less than 2{^-39} of itself. Nothing follows from them for
-    the mean over all runs where no range is known. *)
+(** The mean of the numbers, if there are any, and their standard deviation, if there are two or more. The
+    deviation divides the sum of squares by the number of values less one. It is rounded up by less than 2{^-39}
+    of itself. If no range is known, nothing follows from them for the mean over all runs. *)

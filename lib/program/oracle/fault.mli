@@ -1,20 +1,21 @@
-(** Why a request has no answer: the errors of [specs/oracle.md]. *)
+(** Errors of requests, as in [specs/oracle.md]. *)
 
 open Scc_base
 open Scc_exchange
 
+(** The resource of which a request needs too much. *)
 type stop = Seconds | Memory
 
-(** Where in the params something is. *)
+(** A place in the params. *)
 type place = Member of string | Item of place * int | Within of place * string
 
 type t =
-  | Parse of int * string  (** the offset of the byte, and why *)
+  | Parse of int * string  (** the offset of the byte, and the reason *)
   | Invalid_request of string
   | No_method of string
   | Invalid_params of place * string
   | Internal of string
-  | Limit of string * int  (** its name and what it is *)
+  | Limit of string * int  (** its name and its value *)
   | Unknown_handle of string
   | Shape_refused of Json.t list  (** faults as in {!Scc_exchange.Shape_json} *)
   | Model_refused of Json.t list  (** diagnostics as in {!Scc_exchange.Diag_json} *)
@@ -25,17 +26,26 @@ type t =
   | Not_in_contact of { at : int; relation : string }
 
 exception Refused of t
-(** How deep functions of this library end a request. It does not leave {!Oracle}. *)
+(** Ends a request from any function of this library. {!Oracle} catches it. *)
 
 val refuse : t -> 'a
+(** Raises {!Refused}. *)
 
 val invalid : place -> ('a, unit, string, 'b) format4 -> 'a
-(** Refuses with [Invalid_params]. *)
+(** Raises {!Refused} with [Invalid_params]. *)
 
 val place : place -> string
-(** ["faces[3][1]"], ["first.mass"]. *)
+(** The place as a text, such as ["faces[3][1]"] or ["first.mass"]. *)
 
 val code : t -> int
+(** The code of JSON-RPC: -32700 and -32603 to -32600 by its standard, and -32000 to -32008 for errors of the
+    service. *)
+
 val message : t -> string
+(** The member [message] of the response. *)
+
 val data : t -> Json.t
+(** The member [data] of the response. *)
+
 val diagnostics : source:(string -> Source.t option) -> Diag.t list -> Json.t list
+(** Diagnostics as objects, as in {!Scc_exchange.Diag_json}. [source] returns the text of a file by its name. *)

@@ -1,36 +1,41 @@
-(** The models of a session, as handles. *)
+(** The models of a session, by handle. *)
 
 open Scc_base
 open Scc_session
 
+(** A model with the states that were visited lately. *)
 type loaded = { model : Loaded.t; network : Network_at.t }
 
+(** The models of a session, with caches. *)
 type store
 
 val store : Quotas.t -> read_file:Loaded.reader -> store
-(** [read_file] is asked for files that a model names, and that are not part of the request. *)
+(** No models yet. [read_file] reads files that a model names and that are not part of the request. *)
 
 val no_files : Loaded.reader
-(** For who has none. *)
+(** A reader without files: every file is an error. *)
 
 val model : store -> loaded Read.reader
-(** Of a handle. *)
+(** Reads a handle as its model. *)
 
 val choices : Read.params -> int array
-(** The param [path]. *)
+(** The param [path], or the empty path. *)
 
 val path : Read.params -> Network_at.t -> Network_at.place
-(** Where it leads. *)
+(** The end of the param [path]. *)
 
 val forget : store -> unit
-(** What was worked out of the models, and may have been left half made. *)
+(** Empties the caches of all models, which may be incomplete. *)
 
 val load : store -> Read.params -> Reply.t
+(** The method [model.load]. *)
+
 val read : store -> more:string list -> Read.params -> Loaded.t * (string -> Source.t option)
-(** The model of a request that gives all of it, as [model.load] does, and has no other members but [more]; and
+(** The model of a request that contains all of it, as in [model.load], and no other members except [more], with
     its texts by name. Its parameters may have ranges, and its bonds may be released at any time. *)
 
 val release : store -> Read.params -> Reply.t
+(** The method [model.release]. *)
 
 (** {1 With a formula} *)
 
@@ -40,7 +45,7 @@ val with_formula :
   formula:string ->
   Question.form ->
   (loaded, Diag.t list) result
-(** The model with the formula, in this form, as its last check. Those asked for lately are kept. *)
+(** The model with the formula, in this form, as its last check. The last 8 results are cached. *)
 
 val sources : store -> string -> formula:string -> string -> Source.t option
-(** The texts of the model of a handle, and of a formula, by name. *)
+(** The texts of the model of a handle and of a formula, by name. *)

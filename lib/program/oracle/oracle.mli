@@ -1,14 +1,15 @@
 (** The service of [specs/oracle.md]: JSON-RPC 2.0, a line in and at most a line out. *)
 
 val methods : string list
+(** The names of the methods, sorted. *)
 
-(** What answers a request: given the seconds that it may take. Refusals are {!Fault.Refused}. *)
+(** An implementation of a method. [seconds] is the time that it may take. It may raise {!Fault.Refused}. *)
 type work = Session.t -> seconds:float -> Read.params -> Reply.t
 
 val handle : ?more:(string * work) list -> Session.t -> string -> string option
-(** The answer to a line (without its end), by the {!methods} and [more], on one line without its end; [None] for
-    notifications, and for a line of blanks. Whatever the line is, there is no exception, unless the surroundings
-    raise one, and the stack that it takes is bounded. *)
+(** The answer to a line, without line ends, by the {!methods} and [more]. It is [None] for notifications and
+    for blank lines. No line causes an exception, except one that the surroundings pass on, and the stack is
+    bounded. *)
 
 val too_long : Session.t -> string
 (** The answer to a line beyond the limit [line_bytes]. *)

@@ -1,6 +1,7 @@
-(** The stated limits of the service (see [specs/oracle.md]): what is beyond one is refused before it is worked
-    on. *)
+(** The limits of the service (see [specs/oracle.md]). A request beyond a limit is refused before any work is
+    done. *)
 
+(** The limits by name. *)
 type t = {
   line_bytes : int;
   batch : int;
@@ -26,9 +27,10 @@ type t = {
 }
 
 val default : t
+(** The limits of [specs/oracle.md]. *)
 
 val listed : t -> (string * int) list
-(** By the names of the fields. *)
+(** The limits with the names of their fields. *)
 
 val default_states : int
-(** Of the exploration of a temporal formula, when the request does not say: 100 000. *)
+(** The limit of states for the exploration of a temporal formula, unless the request sets another: 100 000. *)

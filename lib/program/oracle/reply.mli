@@ -1,19 +1,23 @@
-(** Answers as text. *)
+(** Responses as text. *)
 
 open Scc_exact
 open Scc_exchange
 
+(** A result. *)
 type t =
   | Value of Json.t  (** floats in it are finite *)
   | Fields of (string * t) list
-  | Printed of string list  (** an array of what is JSON already *)
+  | Printed of string list  (** an array of texts that are JSON already *)
 
 val quantity : Rat.t -> Json.t
-(** [{"exact": "5/4", "float": 1.25}]. *)
+(** An object with the exact number and the nearest float: [{"exact": "5/4", "float": 1.25}]. The float is
+    [null] if it is not finite. *)
 
 val nullable : ('a -> Json.t) -> 'a option -> Json.t
+(** The value by the function, or [null] for [None]. *)
 
 val result : Buffer.t -> id:Wire.t -> t -> unit
-(** Adds the response. *)
+(** Appends the response with a result. *)
 
 val error : Buffer.t -> id:Wire.t -> Fault.t -> unit
+(** Appends the response with an error. *)

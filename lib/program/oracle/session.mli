@@ -1,18 +1,19 @@
-(** What one run of the service knows: its limits, and what its handles stand for. Nothing else lasts from one
-    request to the next but what only saves time. *)
+(** The state of one run of the service: its limits and the values of its handles. Apart from these, only caches
+    last from one request to the next. *)
 
-(** How the service talks to its surroundings. *)
+(** The interface of the service to its process. *)
 type surroundings = {
   now : unit -> float;  (** a clock in seconds; only differences count *)
   bounded : 'a. seconds:float -> (unit -> 'a) -> ('a, Fault.stop) result;
-  (** does something, or gives it up when it takes more time, or the program more memory, than there is *)
-  passes : exn -> bool;  (** an exception of theirs (Ctrl-C), which no request stops *)
+  (** calls a function, and stops it if it takes too much time or the program too much memory *)
+  passes : exn -> bool;  (** true for exceptions of the process (Ctrl-C), which the service does not catch *)
   read_file : Scc_session.Loaded.reader;  (** files that a model names, and that are not part of the request *)
 }
 
 val quiet : surroundings
-(** A clock that stands still, nothing is given up, and there are no files. *)
+(** Surroundings for tests: the clock stands still, nothing is stopped, and there are no files. *)
 
+(** A session. *)
 type t = {
   quotas : Quotas.t;
   version : string;  (** of the program *)
@@ -22,7 +23,8 @@ type t = {
 }
 
 val create : ?quotas:Quotas.t -> ?surroundings:surroundings -> version:string -> unit -> t
+(** A session without shapes and models. [quotas] (default: {!Quotas.default}) are its limits. *)
 
 val distrust : t -> unit
-(** After a request that was given up or failed: what only saves time may have been left half made, and is
-    forgotten. *)
+(** Empties all caches. It must be called after a request that was stopped or failed, which may have left them
+    incomplete. *)

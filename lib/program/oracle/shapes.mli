@@ -1,24 +1,34 @@
-(** The methods [shape.*]: shapes as handles, reports on sets of faces, mass properties. *)
+(** The methods [shape.*]: shapes by handle, reports on sets of faces, mass properties. *)
 
 open Scc_geometry
 
 type store
-(** The shapes of a session, and obstacles of pairs of them that were asked for, which only save time. *)
+(** The shapes of a session, with a cache of obstacles of pairs. *)
 
 val store : Quotas.t -> store
+(** No shapes yet. *)
 
 val shape : store -> Solid.t Read.reader
-(** Of a handle. *)
+(** Reads a handle as its shape. *)
 
 val obstacle : store -> Solid.t -> Solid.t -> Obstacle.t
+(** The obstacle of two shapes, from the cache if possible. *)
 
 val tidy : store -> Obstacle.t -> unit
-(** After the use of an obstacle: forgets one that has become large. *)
+(** Removes an obstacle from the cache if it has become large. It must be called after the use of an
+    obstacle. *)
 
 val forget : store -> unit
-(** All obstacles: one may have been left half made. *)
+(** Removes all obstacles from the cache, which may be incomplete. *)
 
 val define : store -> Read.params -> Reply.t
+(** The method [shape.define]. *)
+
 val check : Read.params -> Reply.t
+(** The method [shape.check]. *)
+
 val mass : store -> Read.params -> Reply.t
+(** The method [shape.mass]. *)
+
 val release : store -> Read.params -> Reply.t
+(** The method [shape.release]. *)

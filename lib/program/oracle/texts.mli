@@ -1,6 +1,8 @@
-(** The methods about texts of models that are being written: they need not mean anything yet. *)
+(** The methods about texts of models in an editor, which may still have errors. *)
 
 val format : Read.params -> Reply.t
+(** The method [text.format]. *)
 
 val describe : read_file:Scc_session.Loaded.reader -> Read.params -> Reply.t
-(** Of modules that are imported it tells what they declare, if they can be read. *)
+(** The method [text.describe]. [read_file] reads imported modules, whose declarations are described if they can
+    be read. *)

@@ -1,5 +1,6 @@
-(** JSON as it comes in: strictly that of RFC 8259, with numbers as they are written. *)
+(** JSON as received: strictly that of RFC 8259, with numbers as they are written. *)
 
+(** A value of JSON. *)
 type t =
   | Null
   | Bool of bool
@@ -9,5 +10,5 @@ type t =
   | Object of (string * t) list  (** in order, no name twice *)
 
 val parse : Quotas.t -> string -> (t, Fault.t) result
-(** The whole of a line as one value. Errors: [Parse], and [Limit] of [depth] and [values]. The stack that it takes
-    is bounded by the limit of depth; names of members count as values. *)
+(** The whole of a line as one value. Errors: [Parse], and [Limit] of [depth] and [values]. The stack is bounded
+    by the limit of depth; names of members count as values. *)

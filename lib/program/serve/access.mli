@@ -1,16 +1,16 @@
-(** Who may ask: requests that know the secret, and that no foreign page has sent. *)
+(** Access control: a request needs the secret, and must not come from a page of another server. *)
 
 type t
-(** Of one server. *)
+(** The port and the secret of a server. *)
 
 val make : port:int -> t
-(** With a new secret of 128 bits from the system's source of chance. *)
+(** A server on this port, with a new secret of 128 bits from the random source of the system. *)
 
 val address : t -> string
-(** Where the server is, the secret included: it ends with a slash. *)
+(** The address of the server with the secret. It ends with a slash. *)
 
 val granted :
   t -> resource:string -> host:string option -> origin:string option -> (string, string) result
-(** What of a request's resource comes after the secret, without a query; or why the request is refused: another
-    secret or none, a host that is not this server (a foreign name that leads to this machine), or an origin
-    that is not (a page of another server). *)
+(** The part of a request's resource after the secret, without a query. The error is the reason for a refusal.
+    The secret is wrong or missing, the host is a foreign name that leads to this machine, or the origin is a page
+    of another server. *)

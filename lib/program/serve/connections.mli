@@ -1,20 +1,22 @@
-(** Connections of a socket that listens: how cohttp reads requests from them and writes answers to them.
-    Its own way to do so (cohttp-lwt-unix) loads OpenSSL, and the certificates of the machine, whenever a program
-    starts. *)
+(** Connections of a listening socket: how cohttp reads requests from them and writes answers to them. The
+    module for this purpose in cohttp-lwt-unix loads OpenSSL, and the certificates of the machine, whenever a
+    program starts. *)
 
+(** A connection with the bytes that are read and not used yet. *)
 type conn
 
-(** {1 What cohttp asks for} *)
+(** {1 The interface for cohttp} *)
 
 include Cohttp_lwt.S.IO with type conn := conn and type ic = conn and type oc = Lwt_io.output_channel
 
 val refill : ic -> [ `Ok | `Eof ] Lwt.t
-(** Reads what there is, waiting for it (newer versions of cohttp ask for this and for what follows). *)
+(** Waits for input and reads it. Newer versions of cohttp need this function and the next. *)
 
 val with_input_buffer : ic -> f:(string -> pos:int -> len:int -> 'a * int) -> 'a
-(** What f makes of what was read and is not used yet; f tells how much of it is used then. *)
+(** The result of [f] on the bytes that are read and not used yet. The second result of [f] is the number of
+    bytes that are used then. *)
 
-(** {1 Their lives} *)
+(** {1 Life cycle} *)
 
 val serve :
   stop:unit Lwt.t ->
@@ -23,12 +25,12 @@ val serve :
   Lwt_unix.file_descr ->
   (conn -> ic -> oc -> unit Lwt.t) ->
   unit Lwt.t
-(** Hands on each connection that comes, until [stop]: [most] at a time, while others wait, and each for so many
-    seconds at the most. When a handler fails, the connection ends, and nothing else. *)
+(** Handles each incoming connection until [stop]: at most [most] at a time, while others wait, and each for at
+    most [seconds]. If a handler fails, only its connection ends. *)
 
 val hear_body : conn -> unit
-(** What comes after the head of a request is heard. Before, no more than 64 KiB are; nor is a longer line of the
-    body (of one in parts), so that what is kept of a connection is bounded. *)
+(** Allows the body of a request to be read. Before, at most 64 KiB are read. A line of the body (of one in
+    parts) may be as long at most, so the memory of a connection is bounded. *)
 
 val hear_no_more : conn -> unit
-(** What is not read yet is never read: there is no further request. *)
+(** Ends reading: unread input is discarded, and there is no further request. *)

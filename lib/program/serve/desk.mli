@@ -1,25 +1,26 @@
-(** The model that is worked on: the file that it is in, as the desk reads and writes it. *)
+(** The model in the editor, and its file. *)
 
 open Scc_exchange
 
+(** The model and its file. *)
 type t = {
   name : string;  (** of the model, as shown *)
-  path : string option;  (** none where it is in no file *)
-  read : string -> (string, string) result;  (** the bytes of a file, or why they cannot be had *)
-  write : string -> string -> (unit, string) result;  (** puts these bytes into a file *)
+  path : string option;  (** [None] if it has no file *)
+  read : string -> (string, string) result;  (** the bytes of a file, or why it cannot be read *)
+  write : string -> string -> (unit, string) result;  (** [write path bytes] writes a file *)
   parameters : (string * Json.t) list;
-  (** values and ranges that the command line gives, as [model.load] takes them *)
-  start : string;  (** the text to begin with, where there is no file *)
+  (** values and ranges of the command line, as params of [model.load] *)
+  start : string;  (** the initial text, if there is no file *)
 }
 
 val page_data : t -> Json.t
-(** What the desk's page begins with. *)
+(** The initial data of the editor's page. *)
 
-(** What became of saving. *)
+(** The result of saving. *)
 type saved =
-  | Saved of string  (** the digest of what is in the file now *)
-  | Another of { text : string; digest : string }  (** it is another one than the one that was read *)
+  | Saved of string  (** the digest of the new content of the file *)
+  | Another of { text : string; digest : string }  (** the file has changed since it was read *)
   | Failed of string
 
 val save : t -> text:string -> over:string option -> saved
-(** Writes the text, if the file still has the digest [over], or is still not there ([None]). *)
+(** Writes the text if the file still has the digest [over], or is still missing ([None]). *)

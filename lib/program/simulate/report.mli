@@ -3,47 +3,57 @@
 open Scc_exact
 open Scc_session
 
+(** The format of the output. *)
 type form = Csv | Jsonl
 
 (** How numbers are written. *)
 type digits = Exactly  (** ["1/3"] *) | Rounded of int  (** to so many decimals, halves away from 0: lossy *)
 
+(** What was simulated, and how it is written. *)
 type t = {
   form : form;
   digits : digits;
   origin : Origin.t;
   seed : int64;
-  observables : string list;  (** as they were asked for *)
+  observables : string list;  (** as given on the command line *)
   times : Rat.t array;
 }
 
 (** {1 Each run} *)
 
 val header : t -> string
-(** The first line, with its end: names of columns; in JSON Lines what was asked for, which tells one simulation
-    from another one, and not how many runs there are. *)
+(** The first line with its end: the names of the columns. In JSON Lines it has the model, seed, observables and
+    times, which distinguish one simulation from another; the number of runs is not part of it. *)
 
 val run : t -> Simulation.run -> string
-(** The lines of one run: in CSV one for each time, [run,time,…,ended]; in JSON Lines one, with its own seed. What
-    has no value is empty, or null. *)
+(** The lines of one run. CSV has one for each time, [run,time,…,ended]; JSON Lines has one, with the seed of
+    the run. A missing value is empty, or null. *)
 
 val read : string -> Simulation.run option
-(** A line in JSON Lines that [run] has written with exact numbers. *)
+(** The run of a line of JSON Lines that {!run} has written with exact numbers, and [None] for any other
+    line. *)
 
 (** {1 All together} *)
 
+(** The statistics of all runs so far. *)
 type summary
 
 val nobody : t -> summary
+(** The summary of no runs. *)
+
 val add : summary -> Simulation.run -> summary
+(** Adds a run to the summary. *)
+
 val runs : summary -> int
+(** The number of runs. *)
 
 val cells : summary -> Statistics.t array array
-(** By time, and then by observable. *)
+(** The statistics of the values, by time and then by observable. *)
 
 val early : summary -> int
-(** How many have not come to the last time. *)
+(** The number of runs that ended before the last time. *)
 
 val summary : t -> quantiles:Rat.t list -> decimals:int -> summary -> (string -> unit) -> unit
-(** A line for each time and observable: of how many runs there is a value, their mean, the variance of the sample,
-    its root (rounded to so many decimals), the least, the quantiles and the greatest. *)
+(** Writes a line for each time and observable. It has the number of runs with a value, their mean, the variance of
+    the sample, and its square root, rounded to [decimals] decimals. Then follow the least value, the quantiles and
+    the greatest value. *)

@@ -1,10 +1,11 @@
-(** Independent runs of a model, and what is observed of them at given times. *)
+(** Independent runs of a model, with the values of observables at given times. *)
 
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_export
 
+(** What is simulated. *)
 type plan = {
   semantics : Semantics.t;
   declared : State.t;
@@ -14,25 +15,28 @@ type plan = {
 }
 
 val times : every:Rat.t -> until:Rat.t -> Rat.t array
-(** The multiples of [every] up to [until], and that itself. *)
+(** The multiples of [every] from 0 up to [until], and [until] itself. *)
 
 val too_many : every:Rat.t -> until:Rat.t -> bool
-(** More than {!most_times}. *)
+(** [too_many ~every ~until] is true if there are more than {!most_times} multiples. *)
 
 val most_times : int
+(** The greatest number of times: 1 000 000. *)
 
 val seed_of : int64 -> int -> int64
-(** [seed_of seed k], the seed of run k, from 0 on: the output number k, from 0 on, of the generator SplitMix64
-    that begins with the seed. So what a run is depends on seed and number alone, and [scc trace --choose random:]
-    makes the same. *)
+(** [seed_of seed k] is the seed of run [k], from 0 on: output [k], from 0 on, of the generator SplitMix64 that
+    starts with [seed]. So a run depends on seed and number alone, and [scc trace --choose random:] reproduces
+    it. *)
 
-(** Values are exact: a number, or of a predicate 1 or 0; [None]: it has none there, or the run was over. *)
+(** The values of a run. They are exact; predicates are 1 or 0. [None]: the observable has no value there, or the
+    run was over. *)
 type run = {
   number : int;
   values : Rat.t option array array;  (** by time, and then by observable *)
-  ended : string option;  (** why it did not come to the last time *)
+  ended : string option;  (** why it ended before the last time *)
 }
 
 val run : plan -> seed:int64 -> int -> run
-(** What is observed at a time is so after all that happens at that instant. Draws are by their probabilities, and
-    what is free is chosen evenly among all transitions, as nothing tells how likely it is. *)
+(** Simulates the run with this number. The value at a time is that after all events of the instant. Draws have
+    their probabilities. A choice that is not drawn is made uniformly among all transitions, since it has no
+    probabilities. *)

@@ -1,25 +1,35 @@
-(** What many values of one number look like, exactly. *)
+(** Exact statistics of the values of one number. *)
 
 open Scc_exact
 
+(** The values so far. *)
 type t
 
 val empty : t
-val add : t -> Rat.t -> t
-val count : t -> int
+(** No values. *)
 
-(** All of these of one value or more. *)
+val add : t -> Rat.t -> t
+(** Adds a value. *)
+
+val count : t -> int
+(** The number of values. *)
 
 val mean : t -> Rat.t
+(** The mean; it needs at least one value. *)
 
 val variance : t -> Rat.t option
-(** Of the sample: the sum of squared distances from the mean over one less than there are; of two or more. *)
+(** The variance of the sample: the sum of the squared distances from the mean, divided by the number of values
+    less one. [None] for fewer than two values. *)
 
 val least : t -> Rat.t
+(** The least value; it needs at least one. *)
+
 val greatest : t -> Rat.t
+(** The greatest value; it needs at least one. *)
 
 val quantile : t -> Rat.t -> Rat.t
-(** By the nearest rank: the least value such that a share of all, at least q, is not above it; for 0 the least. *)
+(** [quantile t q] is the quantile by nearest rank: the least value such that a share of at least [q] of all
+    values is not above it. For [q] = 0 it is the least value. It needs at least one value. *)
 
 val root : decimals:int -> Rat.t -> string
-(** The square root of a number that is not negative, rounded to so many decimals, half a unit upwards. *)
+(** The square root of a number that is not negative, rounded to [decimals] decimals, half a unit upwards. *)

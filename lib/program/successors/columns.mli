@@ -1,27 +1,33 @@
-(** What is told of many states at once, in columns: see [specs/successors.md]. *)
+(** The columns of frames about many states: see [specs/successors.md]. *)
 
 open Scc_graph_search
 open Scc_exchange
 
 (** {1 States that are expanded} *)
 
+(** The columns of expanded states. *)
 type states = {
   follows : Buffer.t;
   counts : Buffer.t;
   ahead : Buffer.t;
-  mutable notes : Json.t list;  (** what numbers do not tell, the last first *)
+  mutable notes : Json.t list;  (** texts beside the numbers, the last first *)
 }
 
 val states : unit -> states
+(** Empty columns. *)
+
 val clear : states -> unit
+(** Empties the columns. *)
 
 val read :
   Filter.t -> states -> string -> from:int -> int array -> (int -> int array -> Lts.step list -> unit) -> unit
-(** The states of a frame, by where they begin and their lengths, with what follows them; the transitions of each
-    are handed over, with its index and itself. *)
+(** [read filter columns frame ~from lengths work] reads the states of a frame, which begin at [from] and have
+    these lengths. It adds the columns of what follows each state. [work] receives the index of each state, the
+    state and its transitions. *)
 
 (** {1 Targets} *)
 
+(** The columns of targets of transitions. *)
 type targets = {
   flags : Buffer.t;
   goals : Buffer.t;
@@ -31,8 +37,12 @@ type targets = {
 }
 
 val targets : unit -> targets
+(** Empty columns. *)
+
 val clear_targets : targets -> unit
+(** Empties the columns. *)
 
 val put_target : Filter.t -> targets -> int -> int array -> Keys.fingerprint -> unit
-(** With its index; nothing of the state is kept. *)
+(** [put_target filter columns index tuple print] adds a target with its fingerprint. The tuple may be changed
+    afterwards. *)
 

@@ -1,31 +1,37 @@
-(** Frames of numbers of 32 bits and bytes: what comes in and goes out in batches ([specs/successors.md]). *)
+(** Frames of 32-bit numbers and bytes: the input and output of batches ([specs/successors.md]). *)
 
 open Scc_exchange
 
 exception Lost of string
-(** What comes in does not fit its format. *)
+(** The input does not fit its format. *)
 
 val lost : ('a, unit, string, 'b) format4 -> 'a
+(** Raises {!Lost} with a message. *)
 
 val number : string -> int -> int
-(** At a place. *)
+(** [number frame at] is the unsigned 32-bit number at the offset [at], little-endian. Raises {!Lost} beyond the
+    end. *)
 
 val numbers : string -> int array
-(** Of a request: those that follow its kind and how many they are. *)
+(** The numbers of a request, after its kind and their count. Raises {!Lost} if the frame is too short. *)
 
 val bytes_from : int array -> int
-(** Where its bytes begin. *)
+(** The offset of the bytes of a request, which follow its numbers. *)
 
 val put_number : Buffer.t -> int -> unit
+(** Appends a 32-bit number, little-endian. *)
+
 val put_numbers : Buffer.t -> int array -> unit
+(** Appends 32-bit numbers, little-endian. *)
 
 val put : Buffer.t -> int list -> Buffer.t list -> string -> unit
-(** A frame: numbers, columns and a text. *)
+(** [put out numbers columns text] appends a frame with its length: the numbers, the columns and the text. *)
 
 (** {1 Notes} *)
 
 val note : int -> (string * Json.t) list -> Json.t list -> Json.t list
-(** Of what has this index, if there is anything to be told. *)
+(** [note index members notes] adds a note on the item with this index, unless there are no members. *)
 
 val text : (string * Json.t) list -> Json.t list -> string
-(** With the notes, which come the last first; empty if there is nothing. *)
+(** The members with the notes, which come the last first, as the text of an object. It is empty if there are
+    neither. *)

@@ -1,17 +1,17 @@
-(** Of what follows states, what has not been told before: requests 4, 5 and 6 of batches
-    ([specs/successors.md]). *)
+(** The new ones among the targets of transitions: requests 4, 5 and 6 of batches ([specs/successors.md]). *)
 
+(** The fingerprints met so far, with a mark. *)
 type t
 
 val make : unit -> t
-(** Nothing has been told. *)
+(** No fingerprints. *)
 
 val expand : t -> Filter.t -> string -> Buffer.t -> unit
-(** 4: the states of a frame, and of where their transitions lead, what is not remembered. All is remembered.
-    Raises {!Frame.Lost}, as the others do. *)
+(** Request 4: expands the states of a frame, and writes those targets of their transitions whose fingerprints
+    are new. All fingerprints are stored. Raises {!Frame.Lost}, as the other requests do. *)
 
 val meet : t -> string -> Buffer.t -> unit
-(** 5: which fingerprints are remembered from before the mark. All are remembered. *)
+(** Request 5: writes which fingerprints were stored before the mark. All of them are stored. *)
 
 val keep : t -> string -> Buffer.t -> unit
-(** 6: sets the mark, or forgets. *)
+(** Request 6: sets the mark, or removes fingerprints. *)

@@ -1,5 +1,5 @@
-(** What is asked about the states of a model: one of the explorations that {!Scc_verify.Check.run} makes, and
-    what it searches for. *)
+(** A question about the states of a model: one of the explorations of {!Scc_verify.Check.run}, with the goals
+    of its search. *)
 
 open Scc_base
 open Scc_property
@@ -10,15 +10,16 @@ open Scc_verify
 (** A state formula that a property searches for. *)
 type goal = { within : Scc_exact.Rat.t option; prop : Property.prop }
 
-(** What a verdict is made of: goals by their numbers. *)
+(** How a verdict follows from goals, which are given by their numbers. *)
 type plan =
   | Now of Scc_ctl.Truth.t  (** known in the initial state *)
   | Possibly of int  (** it holds iff some run meets the goal *)
   | Always of int  (** it holds iff no run meets the goal *)
   | All of plan list
   | Any of plan list
-  | Other  (** of a property that searches alone do not decide: never a part of another one *)
+  | Other  (** a property that searches alone do not decide; never a part of another plan *)
 
+(** An exploration with its goals. *)
 type t = {
   loaded : Scc_session.Loaded.t;
   initial : Scc_calculus.State.t;  (** of the whole network *)
@@ -32,18 +33,19 @@ type t = {
 }
 
 val reductions : Reduction.kind list
-(** All but {!Reduction.Order}, which depends on what has been found before. *)
+(** All reductions except {!Reduction.Order}, which depends on the states found before. *)
 
 val make :
   reductions:Reduction.kind list -> bits:int -> names:string list -> number:int -> Scc_session.Loaded.t ->
   (t, Diag.t list) result
-(** For the properties of these names, all of them if there are none. SC0922 where there is no property of a
-    name, or no exploration of this number. *)
+(** The question of the properties with these names, or of all if there are none. An unknown property or
+    exploration is SC0922. *)
 
 val context : t -> Network_lts.context
-(** A new one, without a memory of what was asked before. *)
+(** A new transition system of the exploration, with empty caches. *)
 
 val predicates : t -> Network_lts.context -> Scc_ctl.On_the_fly.predicate array
-(** Of the goals. *)
+(** The predicates of the goals. *)
 
 val semantics : t -> Semantics.t
+(** The semantics of the exploration. *)

@@ -1,25 +1,34 @@
-(** What the filter tells, as JSON ([specs/successors.md]). *)
+(** The output of the filter as JSON ([specs/successors.md]). *)
 
 open Scc_exchange
 
 val version : int
-(** Of the protocol. *)
+(** The version of the protocol: 2. *)
 
 val header : program:string -> framing:string -> Filter.t -> Json.t
+(** The header of a session: the program, the framing, the model, the exploration, its checks and goals, and its
+    initial state. *)
+
 val label : Scc_calculus.Model.t -> Scc_semantics.Transition.label -> (string * Json.t) list
-(** The members [label], [duration] and, of what is drawn, [chance]. *)
+(** The members [label] and [duration], and [chance] for a transition that is drawn. *)
 
 val diagnostic : Scc_base.Diag.t -> Json.t
-(** [code] and [message]. *)
+(** An object with the members [code] and [message]. *)
 
 val refused : Scc_base.Diag.t -> Json.t
-(** The answer to what is no state. *)
+(** The answer to bytes that are no state. *)
 
 val truth : Scc_ctl.Truth.t -> Json.t
+(** A truth value: [true], [false], or an object with the reason why it is undecided. *)
+
 val ahead : Filter.ahead -> Json.t
+(** A goal ahead as an object with the members [met] and [doubt]. *)
 
 val follows : _ Filter.following -> string
-(** Its name. *)
+(** The name of the kind of continuation: ["moves"], ["rests"], ["ends"], ["stops"] or ["fault"]. *)
 
 val answer : Filter.t -> Filter.expanded -> Json.t
+(** The answer to a state: its fingerprint and goals, and its successors. *)
+
 val hex : string -> string
+(** The bytes of a text in hexadecimal digits. *)

@@ -1,22 +1,25 @@
-(** Values of parameters to be gone through, each with each. *)
+(** The points of a sweep: all combinations of values of parameters. *)
 
 open Scc_exact
 
+(** A parameter with its values. *)
 type axis = { name : string; values : Rat.t array  (** one or more *) }
+
+(** All combinations of the values of these parameters. *)
 type t = axis list
 
 val most : int
-(** Of points, and of the values of one axis: a million. *)
+(** The greatest number of points, and of values of one axis: a million. *)
 
 val values : string -> (Rat.t array, string) result
-(** Of ["3"], ["1/2, 1, 5"], ["1..10"] (integers, or by steps of 1 from the first) or ["0:2:1/8"] (from, to, step).
-    What is wrong otherwise. *)
+(** The values of a text: ["3"], ["1/2, 1, 5"], ["1..10"] (integers, or steps of 1 from the first number) or
+    ["0:2:1/8"] (from, to, step). The error is what is wrong with any other text. *)
 
 val size : t -> Z.t
-(** How many points. *)
+(** The number of points. *)
 
 val point : t -> int -> (string * Rat.t) list
-(** From 0 on, the last axis goes fastest. *)
+(** The values of the parameters at a point, from 0 on. The last axis changes fastest. *)
 
 val place : t -> int -> int list
-(** The same by the number of the value on each axis. *)
+(** The indices of the values at a point, one for each axis. *)

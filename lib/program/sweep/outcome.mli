@@ -1,35 +1,41 @@
-(** What is known at one point of a sweep. Plain data, for other processes. *)
+(** The result at one point of a sweep. It is plain data, which processes can exchange. *)
 
 open Scc_exact
 
+(** A number that a check requests, or bounds of it. *)
 type number = {
   over : string;  (** ["least"] or ["greatest"] *)
   low : Rat.t option;
-  high : Rat.t option;  (** none: not known, or infinite *)
+  high : Rat.t option;  (** [None]: unknown, or infinite *)
   infinite : bool;
 }
 
+(** The result of one check. *)
 type check = {
   name : string;
   verdict : string;  (** as in [scc check --json] *)
   numbers : number list;
-  reasons : string list;  (** why it is not known, or not better *)
-  stopped : bool;  (** by a limit of resources, as {!Scc_verify.Verdict.resources} *)
-  faults : string list;  (** of scc, as {!Scc_verify.Verdict.outcome} *)
+  reasons : string list;  (** why it is unknown, or not more precise *)
+  stopped : bool;  (** true if a limit of resources stopped it ({!Scc_verify.Verdict.resources}) *)
+  faults : string list;  (** faults of scc, as in {!Scc_verify.Verdict.outcome} *)
 }
 
+(** The result at a point. *)
 type t =
   | Checked of check list
   | Refused of { code : string; message : string }  (** the model is invalid there *)
 
 val of_outcomes : Scc_verify.Verdict.outcome list -> t
+(** The result of a model that was checked. *)
+
 val of_diagnostics : Scc_base.Diag.t list -> t
+(** The result of an invalid model: its first diagnostic. An empty list is a bug. *)
 
 val faults : t -> string list
-(** Of all checks. *)
+(** The faults of scc in all checks. *)
 
 val is_stopped : t -> bool
-(** A limit of resources keeps something from being better known. *)
+(** [is_stopped t] is true if a limit of resources keeps a check from being decided or known more precisely. *)
 
 val is_known : t -> bool
-(** All is decided, without a default bound that cut it short. *)
+(** [is_known t] is true if all checks are decided, and no default bound cut one of them short. *)

@@ -2,6 +2,7 @@
 
 open Scc_session
 
+(** A sweep, as its table describes it. *)
 type t = {
   name : string option;  (** of the model *)
   digest : string;
@@ -10,15 +11,17 @@ type t = {
 }
 
 val csv_header : t -> string
+(** The names of the columns, in one line. *)
 
 val csv : t -> int -> Outcome.t -> string
-(** A line for each check at the point of this number; one if the model is invalid there. *)
+(** A line for each check at the point of this number, and a single line if the model is invalid there. *)
 
 val json_header : t -> string
-(** What was asked for, which tells one sweep from another one ([specs/schema/sweep.schema.json]). *)
+(** The model, bounds and grid, which distinguish one sweep from another ([specs/schema/sweep.schema.json]), in
+    one line. *)
 
 val json : t -> int -> Outcome.t -> string
-(** The point, in one line. *)
+(** The result at a point, in one line. *)
 
 val origin : Origin.t -> string option * string
-(** Name and digest, which do not depend on the point. *)
+(** The name and the digest of a model, which do not depend on the point. *)

@@ -1,4 +1,4 @@
-(** Numbers over time: what is plotted. *)
+(** Numbers over time, for plots. *)
 
 open Scc_calculus
 open Scc_semantics
@@ -7,7 +7,7 @@ open Scc_ctl
 open Scc_exchange
 
 val of_checks : Property.check list -> Property.num list
-(** The numbers that the checks name and that change while time passes, in order, each once; no more than 8. *)
+(** The numbers that the checks name and that change while time passes: in order, each once, at most 8. *)
 
 val value : Semantics.t -> State.t -> Timeline.extent -> Property.num -> Json.t
-(** From a state on, while nothing happens, as {!Curve_json.number} tells it. *)
+(** The number over time from a state on, while nothing happens, as by {!Curve_json.number}. *)

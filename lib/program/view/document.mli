@@ -1,18 +1,20 @@
-(** What a page shows, as one JSON document (see [specs/schema/view.schema.json]). *)
+(** The content of a page, as one JSON document (see [specs/schema/view.schema.json]). *)
 
 open Scc_property
 open Scc_session
 open Scc_exchange
 
+(** A document. *)
 type t = {
   loaded : Loaded.t;
   name : string;  (** of the file of the model *)
   tables : Tables.t;
   states : States.t;
   plots : Property.num list;
-  graph : Graph.t option;  (** where all that can happen was told, up to a bound *)
+  graph : Graph.t option;  (** the exploration, if the document has all states up to a bound *)
   runs : Json.t list;  (** {!Runs} *)
   where : Json.t option;  (** {!Regions} *)
 }
 
 val write : t -> (string -> unit) -> unit
+(** Writes the document. *)

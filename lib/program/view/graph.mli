@@ -1,23 +1,26 @@
-(** All that can happen in a small model, as states of a document. *)
+(** All states of a small model, as states of a document. *)
 
 open Scc_calculus
 
+(** The extent of an exploration. *)
 type t = {
-  states : int;  (** that are told *)
-  expanded : int;  (** of them, those of which all transitions are told *)
-  complete : bool;  (** every transition of each is told, and leads to a state that is *)
-  bound : int;  (** the most states that would have been told *)
+  states : int;  (** the number of states in the document *)
+  expanded : int;  (** the number of states whose transitions are in the document *)
+  complete : bool;  (** the document has every transition of each state, and its target *)
+  bound : int;  (** the greatest number of states for this model *)
 }
 
 val expand : States.t -> States.world -> most:int -> int * State.t -> (int * State.t) list
-(** Tells what is possible in a state, if that is not told yet: the states that were not known before are the
-    result. Where [most] states are told already, others are not. *)
+(** Adds the transitions of a state, unless the document has them, and returns the states that are new. No state
+    is added beyond [most] states. *)
 
 val reach : States.t -> States.world -> most:int -> int * State.t -> unit
-(** Tells what is possible in a state and where it leads, also where that was not told before for want of space. *)
+(** Adds the transitions of a state and their targets, also those targets for which there was no room before. *)
 
 val explore : States.t -> States.world -> most:int -> interrupted:(unit -> bool) -> State.t -> t
-(** Breadth first from the initial state. *)
+(** Adds states breadth first from the initial state, until all are known, [most] is reached, or [interrupted]
+    is true. *)
 
 val bound : Model.t -> int -> int
-(** How many states to tell of a model at most, when that many are asked for: fewer where each is large. *)
+(** [bound m most] is the greatest number of states for a document: at most [most], and fewer if each state is
+    large. *)

@@ -1,21 +1,25 @@
-(** Runs of networks so large that their states are not looked at one by one: what is told of each is what has
-    changed, which costs about as much as what has happened. *)
+(** Runs of networks with so many bodies that states are not examined one by one. Each state is given by its
+    changes, so the cost is about that of the events. *)
 
 open Scc_calculus
 open Scc_exchange
 
+(** A run so far. *)
 type t
 
 val is_for : Model.t -> bool
-(** Of more than 100 leaves, and of those that run from event to event. *)
+(** [is_for m] is true for models of more than 100 leaves that run from event to event. *)
 
 val start : States.world -> state_after:(int -> State.t) -> State.t -> t
-(** At the initial state. [state_after] finds the state after so many steps anew, for who asks about it as a
-    whole. *)
+(** A run at the initial state. [state_after n] computes the state after [n] steps anew; it is called if that
+    state is needed as a whole. *)
 
 val step : t -> Replay.event -> unit
-(** To be called with each event of a run from event to event ({!Scc_engine.Run.changes}; a bug for another
-    one). *)
+(** Adds an event. It must be called with each event of a run from event to event ({!Scc_engine.Run.changes});
+    another run is a bug. *)
 
 val steps : t -> int
+(** The number of transitions so far. *)
+
 val json : t -> name:string -> finish:string -> ending:string list -> Json.t
+(** The run as a run of the document, with its name, its kind of end and lines about its end. *)

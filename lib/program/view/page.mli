@@ -1,12 +1,13 @@
-(** Pages: files of HTML with all that they need. Their policies let nothing else in, and no text of a model is
-    markup in them. *)
+(** Pages: HTML files with all that they need. Their content security policies block everything else, and no
+    text of a model is markup in them. *)
 
 val write : ?served:bool -> title:string -> ((string -> unit) -> unit) -> (string -> unit) -> unit
-(** [write ~title data put]: the page that shows a document, with what [data] writes, which is JSON. It opens from
-    disk and asks nobody for anything; one that is [served] asks the server that it came from. *)
+(** [write ~title data put] is the page that shows a document; [data] writes it as JSON. The page opens from
+    disk and makes no requests. If [served] (default: false), it sends requests to its server. *)
 
 val desk : title:string -> ((string -> unit) -> unit) -> (string -> unit) -> unit
-(** The page on which a model is written and its documents are shown, likewise. *)
+(** The page of an editor for a model and its documents, with the JSON that [data] writes. It sends requests to
+    its server. *)
 
 val solid : title:string -> ((string -> unit) -> unit) -> (string -> unit) -> unit
-(** The page that shows a solid ({!Solid_page}), likewise. *)
+(** The page that shows a solid ({!Solid_page}), with the JSON that [data] writes. It makes no requests. *)

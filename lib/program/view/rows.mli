@@ -1,18 +1,21 @@
-(** Tables of a document: each row once, known by its number. A row is JSON on one line. *)
+(** Tables of a document. Each row occurs once and is referred to by its number. A row is JSON on one line. *)
 
 open Scc_exchange
 
+(** A table. *)
 type t
 
 val create : unit -> t
+(** An empty table. *)
 
 val add : t -> Json.t -> int
-(** The number of the row, from 0, which is a new one if there is none like it. *)
+(** The number of the row, from 0. The row is added if there is no equal one. *)
 
 val length : t -> int
+(** The number of rows. *)
 
 val since : t -> int -> string list
 (** The rows from that number on, each as JSON. *)
 
 val write : t -> (string -> unit) -> unit
-(** As an array, a row on each line. *)
+(** Writes the table as an array, with a row on each line. *)

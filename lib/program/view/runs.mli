@@ -6,7 +6,7 @@ open Scc_semantics
 open Scc_explain
 open Scc_exchange
 
-(** What a run is shown for. *)
+(** The check that a run illustrates. *)
 type about = {
   formula : string;
   verdict : string;  (** ["holds"], ["violated"], … *)
@@ -15,18 +15,18 @@ type about = {
 
 (** A transition that was taken. *)
 type step = {
-  choice : int option;  (** which it was of those that were possible; of a passing of time in part none *)
+  choice : int option;  (** its number among the successors; [None] for a passing of time in part *)
   label : Transition.label;
   rules : Rule.t list;
   after : State.t;
 }
 
 val none : name:string -> about -> Json.t
-(** For a check of which no single run shows the verdict. *)
-
-(** In the states of a run it is told what was possible, as by {!Graph.expand} with [most]. *)
+(** A check whose verdict no single run shows. *)
 
 val of_witness : States.t -> States.world -> most:int -> name:string -> about option -> Witness.t -> Json.t
+(** A run that is the witness of a check. Its states get their transitions, as by {!Graph.expand} with
+    [most]. *)
 
 val of_steps :
   States.t ->
@@ -40,4 +40,5 @@ val of_steps :
   finish:string ->
   ending:string list ->
   Json.t
-(** A run that was made by choices, and left [offset] after its last transition. *)
+(** A run that was made by choices, and ends [offset] after its last transition. Its states get their
+    transitions, as by {!Graph.expand} with [most]. *)

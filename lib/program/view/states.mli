@@ -1,5 +1,5 @@
-(** The states of a document. Each is told by what has changed since another one: by who has gone and who has come,
-    while time has passed by so much for the others. *)
+(** The states of a document. Each is stored as its changes since another state: the processes that are gone and
+    those that have come. The others have moved on for the time in between. *)
 
 open Scc_exact
 open Scc_calculus
@@ -7,66 +7,89 @@ open Scc_semantics
 open Scc_property
 open Scc_exchange
 
+(** The states of a document, numbered from 0. *)
 type t
 
 val create : unit -> t
+(** No states. *)
 
 (** {1 States of one model} *)
 
 type world
-(** The rules over a model with values for its parameters, with a memory of the states that were told. *)
+(** The rules of a model with values for its parameters, and the numbers of its states. *)
 
 val world :
   t -> Tables.t -> words:(Model.t -> Transition.label -> string) -> plots:Property.num list -> Semantics.t -> world
+(** [world t tables ~words ~plots semantics] adds its states to [t]. [words] describes a label in plain
+    language, and [plots] are the numbers that are plotted. *)
 
 val semantics : world -> Semantics.t
+(** The semantics of the model. *)
 
 val start : world -> State.t -> int
-(** The number of a state that is told in full, unless it is known. *)
+(** The number of a state that is stored in full, unless it is known. *)
 
 val after : world -> int * State.t -> Rat.t -> State.t -> int
-(** [after w (before, state) d next]: the number of a state that is reached from another one in a time d. *)
+(** [after w (before, state) d next] is the number of the state [next], which [state] with the number [before]
+    reaches in the time [d]. It is added if it is not known. *)
 
 val changed : world -> int -> Rat.t -> gone:int list -> come:State.process list -> State.t Lazy.t -> int
-(** A new state, by what has changed since the one of that number in so much time. It is not {!known}. *)
+(** [changed w before d ~gone ~come state] is the number of a new state, by its changes since the state [before]
+    in the time [d]. It is not entered for {!known}. *)
 
 val known : world -> State.t -> int option
+(** The number of a state that {!start} or {!after} has added. *)
 
 val label : world -> Transition.label -> int
+(** The number of a label in the tables. *)
 
 val set_extent : world -> int -> State.t -> Scc_ctl.Timeline.extent -> unit
-(** Tells the numbers that are plotted from the state of that number on, while nothing happens. *)
+(** [set_extent w n state extent] adds the numbers to be plotted from state [n] on, while nothing happens,
+    unless it has some. *)
 
 val set_values : world -> int -> Json.t list -> unit
-(** Tells them as given, one for each of {!plots}. *)
+(** Adds these numbers, one for each of {!plots}. *)
 
 val plots : world -> Property.num list
+(** The numbers that are plotted. *)
 
 (** {1 What is possible there} *)
 
-type possible = { label : int; rules : Rule.t list; target : int option  (** if it is told *) }
+(** A transition. *)
+type possible = { label : int; rules : Rule.t list; target : int option  (** if the document has it *) }
 
 val set_next : t -> int -> possible list -> unit
+(** Sets the transitions of a state. *)
+
 val has_next : t -> int -> bool
+(** [has_next t n] is true if the transitions of state [n] are set. *)
+
 val next : t -> int -> possible list option
+(** The transitions of a state, if they are set. *)
 
 val told : t -> int -> bool
-(** What is possible is told of the state of that number, and where it leads. *)
+(** [told t n] is true if the document has the transitions of state [n] and all their targets. *)
 
 val home : t -> int -> world * State.t
-(** The state of that number, and where it is at home. *)
+(** [home t n] is the state [n] itself, with its world. *)
 
 val set_stuck : t -> int -> string -> unit
+(** Marks a state as stuck, with the reason why its transitions cannot be computed. *)
+
 val set_rests : t -> int -> unit
+(** Marks a state after which nothing happens and time passes for ever. *)
+
 val count : t -> int
+(** The number of states. *)
 
 val all_told : t -> bool
-(** {!told} of each of them. *)
+(** [all_told t] is true if {!told} is true for each state. *)
 
 val json : t -> int -> Json.t
-(** One of them. *)
+(** A state as an object. *)
 
 val write : t -> (string -> unit) -> unit
-(** All of them, as an array. *)
+(** Writes all states as an array. *)
 
 val rules : Rule.t list -> Json.t
+(** The names of rules as an array. *)

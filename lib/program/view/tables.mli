@@ -1,8 +1,9 @@
-(** The tables of a document that its states and runs speak of by number. *)
+(** The tables of a document, to whose rows its states and runs refer by number. *)
 
 open Scc_calculus
 open Scc_semantics
 
+(** The tables. *)
 type t = {
   solids : Rows.t;
   behaviours : Rows.t;
@@ -11,10 +12,11 @@ type t = {
 }
 
 val create : unit -> t
+(** Empty tables. *)
 
 val process : t -> Semantics.t -> State.process -> int
-(** A process as it is: its leaves where they are, their behaviours with the channels that are open, its bonds, and
-    how it moves from then on. *)
+(** The row of a process: the places of its leaves, their behaviours with the channels that are open, its bonds,
+    and its motion from then on. *)
 
 val label : t -> words:(Model.t -> Transition.label -> string) -> Semantics.t -> Transition.label -> int
-(** [words] tells it to a person. *)
+(** The row of a label. [words] describes it in plain language. *)
