@@ -17,7 +17,8 @@ type t = {
   mutable fresh : Formula.t list;  (** what got its value since something was forgotten *)
 }
 
-let create ?(effort = Effort.default) index predicates = { index; predicates; effort; values = Map.empty; fresh = [] }
+let create ?(effort = Effort.default) index predicates =
+  { index; predicates; effort; values = Map.empty; fresh = [] }
 let index t = t.index
 let graph t = Timed_graph.graph t.index
 let effort t = t.effort
@@ -151,7 +152,8 @@ let parts (f : Formula.t) =
   | Until _ | Finally _ | Globally _ ->
     Option.fold ~none:[] ~some:(fun (u, _) -> [ u.left; u.right ]) (as_until f)
 
-(* For each part the number of the last formula that it is part of; and for each number those of which it is that. *)
+(* For each part the number of the last formula that it is part of; and for each number those of which it is that.
+*)
 type uses = { last : int Map.t; ending : Formula.t list array }
 
 let uses formulas =

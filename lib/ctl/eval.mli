@@ -50,8 +50,8 @@ type uses
 val uses : Formula.t array -> uses
 
 val done_with : t -> uses -> int -> unit
-(** After the formula of this number, and after each before it: forgets the values of what is no part of a later one,
-    as they take memory for each state. *)
+(** After the formula of this number, and after each before it: forgets the values of what is no part of a later
+    one, as they take memory for each state. *)
 
 val truth : t -> Formula.t -> Positions.position -> bool option
 (** [None]: undecided. *)

@@ -79,9 +79,9 @@ let alike t zone =
 
 (* {1 What may be around a zone}
 
-   A coordinate that does not depend on earlier ones in a part of a zone does not do so in the zone. So the basis of
-   what is included is part of the basis of what includes it; where they are the same, so are the forms. Where that
-   is wider, its directions leave one choice of constants. *)
+   A coordinate that does not depend on earlier ones in a part of a zone does not do so in the zone. So the basis
+   of what is included is part of the basis of what includes it; where they are the same, so are the forms. Where
+   that is wider, its directions leave one choice of constants. *)
 
 let is_wider basis ~than =
   Array.length basis > Array.length than && Array.for_all (fun i -> Array.exists (Int.equal i) basis) than

@@ -61,7 +61,8 @@ let around =
         if expected <> None then incr in_others;
         let so_far = so_far && Option.equal Int.equal expected (found_by_index index z) in
         let alike = List.filter (fun (_, other) -> Zone.same_forms z other) known in
-        let so_far = so_far && List.equal Int.equal (List.map fst alike) (List.map fst (Zone_index.alike index z)) in
+        let found = Zone_index.alike index z in
+        let so_far = so_far && List.equal Int.equal (List.map fst alike) (List.map fst found) in
         let entry = (List.length known, z) in
         Zone_index.add index z entry;
         (entry :: known, so_far)
