@@ -27,13 +27,6 @@ let alike (a : Model.leaf) (b : Model.leaf) =
   && equal_arrays equal_part a.parts b.parts
   && Rat.equal a.mass b.mass && Law.equal a.law b.law
 
-let swap i j k = if k = i then j else if k = j then i else k
-
-let invariant formulas i j =
-  List.for_all
-    (fun f -> Formula.equal_modulo_order f (Formula.permuted (swap i j) f))
-    formulas
-
 (* To change places with is an equivalence, so that one member speaks for its class. Of several searches each has
    to be the same by itself: two that change places with each other may be met by one state, under two names, and
    in the model by none for the one of them. *)
@@ -44,14 +37,18 @@ let find (m : Model.t) ~(initial : State.t) ~searched ~evaluated =
   List.iter (set apart) (List.concat_map Formula.leaves evaluated);
   List.iter (set apart) (List.concat_map Formula.leaves_of_events (searched @ evaluated));
   List.iter (set named) (List.concat_map Formula.leaves searched);
+  let exchangeable = lazy (List.map Exchangeable.make searched) in
+  let invariant i j = List.for_all (fun f -> Exchangeable.are f i j) (Lazy.force exchangeable) in
   let fits i = function
     | [] -> false
-    | j :: _ -> alike m.leaves.(i) m.leaves.(j) && ((not (named.(i) || named.(j))) || invariant searched i j)
+    | j :: _ -> alike m.leaves.(i) m.leaves.(j) && ((not (named.(i) || named.(j))) || invariant i j)
   in
   let join i = Scc_data.Lists.put (fun group -> if fits i group then Some (i :: group) else None) [ i ] in
   let place groups i = if apart.(i) || m.leaves.(i).fixed then groups else join i groups in
-  let is_there i = Option.is_some (State.home initial i) in
-  let leaves = List.filter is_there (List.init (Array.length m.leaves) Fun.id) in
+  let is_there = Array.make (Array.length m.leaves) false in
+  Array.iter (fun (p : State.process) -> Array.iter (fun l -> is_there.(l.State.leaf) <- true) p.leaves)
+    initial.processes;
+  let leaves = List.filter (fun i -> is_there.(i)) (List.init (Array.length m.leaves) Fun.id) in
   let groups = List.fold_left place [] leaves in
   let classes = List.filter (fun g -> List.compare_length_with g 2 >= 0) groups in
   let members = Array.of_list (List.map (fun g -> Array.of_list (List.rev g)) classes) in

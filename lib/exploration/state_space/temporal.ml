@@ -10,7 +10,7 @@ type asked = {
   predicates : On_the_fly.predicate array;
 }
 
-type t = { asked : asked; graph : Graph.t; eval : Scc_ctl.Eval.t }
+type t = { asked : asked; graph : Graph.t; eval : Scc_ctl.Eval.t; uses : Scc_ctl.Eval.uses }
 
 let ask context temporals =
   let formulas, props = Skeleton.of_temporal temporals in
@@ -74,15 +74,13 @@ let on asked ~rests graph =
       steady = (fun p -> Option.is_none asked.predicates.(p).along);
     }
   in
-  { asked; graph; eval = Scc_ctl.Eval.create (Timed_graph.index (timed_graph asked.context ~rests graph))
-                      predicates }
+  let eval = Scc_ctl.Eval.create (Timed_graph.index (timed_graph asked.context ~rests graph)) predicates in
+  { asked; graph; eval; uses = Scc_ctl.Eval.uses asked.formulas }
 
 let origin = Scc_ctl.Positions.start 0
 let truth t i = Scc_ctl.Eval.truth t.eval t.asked.formulas.(i) origin
 
-let done_with t i =
-  let later = Array.to_list (Array.sub t.asked.formulas (i + 1) (Array.length t.asked.formulas - i - 1)) in
-  Scc_ctl.Eval.retain t.eval later
+let done_with t i = Scc_ctl.Eval.done_with t.eval t.uses i
 
 let explain t i =
   match Explanation.explain t.eval t.asked.formulas.(i) origin with

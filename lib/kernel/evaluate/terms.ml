@@ -27,6 +27,8 @@ module type View = sig
   val is_false : truth -> bool
 end
 
+let few = 16
+
 module Make (V : View) = struct
   let rec num c (n : Property.num) : V.t -> V.number =
     match n with
@@ -45,12 +47,23 @@ module Make (V : View) = struct
       let p = prop c p and a = num c a and b = num c b in
       fun v -> V.choose (p v) (fun () -> a v) (fun () -> b v)
     | Count props ->
-      let zero = V.constant Rat.zero and props = List.map (prop c) props in
-      fun v -> List.fold_left (fun n p -> V.count n (p v)) (zero v) props
+      let props = Array.of_list (List.map (prop c) props) in
+      fun v -> counted v props ~from:0 ~until:(Array.length props)
 
   and both f c a b =
     let a = num c a and b = num c b in
     fun v -> f (a v) (b v)
+
+  (* Many in halves: a number over time has as many pieces as there are instants at which what is counted changes,
+     and to count one more goes through all of them. *)
+  and counted v props ~from ~until =
+    if until - from <= few then
+      List.init (until - from) (fun k -> props.(from + k))
+      |> List.fold_left (fun n p -> V.count n (p v)) (V.constant Rat.zero v)
+    else
+      let middle = (from + until) / 2 in
+      let first = counted v props ~from ~until:middle in
+      V.add first (counted v props ~from:middle ~until)
 
   and prop c (p : Property.prop) : V.t -> V.truth =
     match p with

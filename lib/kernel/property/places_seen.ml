@@ -4,32 +4,50 @@ open Property
 type limits = Between of Rat.t * Rat.t | All
 type place = Distance of int * int | Along of Vec.t * int
 
-(* Each place once. *)
-type t = { seen : (place * limits) list; everything : bool }
+let compare_place a b =
+  match (a, b) with
+  | Distance (i, j), Distance (k, l) ->
+    let c = Int.compare i k in
+    if c <> 0 then c else Int.compare j l
+  | Along (n, i), Along (m, j) ->
+    let c = Int.compare i j in
+    if c <> 0 then c else Vec.compare n m
+  | Distance _, Along _ -> -1
+  | Along _, Distance _ -> 1
 
-let nothing = { seen = []; everything = false }
+let equal_place a b = compare_place a b = 0
+
+module Places = Map.Make (struct
+    type t = place
+
+    let compare = compare_place
+  end)
+
+(* With the number by which each place came: they are told in that order. *)
+type t = { seen : (int * limits) Places.t; everything : bool }
+
+let nothing = { seen = Places.empty; everything = false }
 
 let join_limits a b =
   match (a, b) with
   | All, _ | _, All -> All
   | Between (l, h), Between (k, g) -> Between (Rat.min l k, Rat.max h g)
 
-let equal_place a b =
-  match (a, b) with
-  | Distance (i, j), Distance (k, l) -> i = k && j = l
-  | Along (n, i), Along (m, j) -> i = j && Vec.equal n m
-  | (Distance _ | Along _), _ -> false
+let add seen (place, limits) =
+  let order, limits =
+    match Places.find_opt place seen with
+    | Some (order, known) -> (order, join_limits limits known)
+    | None -> (Places.cardinal seen, limits)
+  in
+  Places.add place (order, limits) seen
 
-let rec add (q, limits) = function
-  | [] -> [ (q, limits) ]
-  | (r, known) :: rest when equal_place q r -> (q, join_limits limits known) :: rest
-  | first :: rest -> first :: add (q, limits) rest
+let in_order seen =
+  Places.bindings seen
+  |> List.sort (fun (_, (i, _)) (_, (j, _)) -> Int.compare i j)
+  |> List.map (fun (place, (_, limits)) -> (place, limits))
 
 let join a b =
-  {
-    seen = List.fold_left (fun seen q -> add q seen) a.seen b.seen;
-    everything = a.everything || b.everything;
-  }
+  { seen = List.fold_left add a.seen (in_order b.seen); everything = a.everything || b.everything }
 
 let join_all f list = List.fold_left (fun seen x -> join seen (f x)) nothing list
 
@@ -42,7 +60,7 @@ let place : quantity -> place option = function
 let is_angular : quantity -> bool = function Angular _ -> true | _ -> false
 
 let whole qs =
-  let seen = List.fold_left (fun seen p -> add (p, All) seen) [] (List.filter_map place qs) in
+  let seen = List.fold_left (fun seen p -> add seen (p, All)) Places.empty (List.filter_map place qs) in
   { seen; everything = List.exists is_angular qs }
 
 (* What is told of a distance, or of all coordinates of one leaf, where nothing else is in it: by which rate each
@@ -66,7 +84,7 @@ let compared m a b =
       | None -> whole qs
       | Some cases ->
         let limits c = Option.map (fun (n, (l, h)) -> (combined n, Between (l, h))) (By_cases.zeros c) in
-        { nothing with seen = List.fold_left (fun seen p -> add p seen) [] (List.filter_map limits cases) })
+        { nothing with seen = List.fold_left add Places.empty (List.filter_map limits cases) })
 
 let rec prop m = function
   | Compare (_, a, b) -> join (compared m a b) (join (conditions m a) (conditions m b))
@@ -87,12 +105,12 @@ let check m (c : Property.check) =
 let checks m list = join_all (check m) list
 
 let distances t =
-  List.filter_map (function Distance (i, j), limits -> Some (i, j, limits) | Along _, _ -> None) t.seen
+  List.filter_map (function Distance (i, j), limits -> Some (i, j, limits) | Along _, _ -> None) (in_order t.seen)
 
 let coordinates t =
-  List.filter_map (function Along (n, i), limits -> Some (n, i, limits) | Distance _, _ -> None) t.seen
+  List.filter_map (function Along (n, i), limits -> Some (n, i, limits) | Distance _, _ -> None) (in_order t.seen)
 
 let everything t = t.everything
 
 let for_ever t =
-  t.everything || List.exists (fun (_, limits) -> match limits with All -> true | Between _ -> false) t.seen
+  t.everything || Places.exists (fun _ (_, limits) -> match limits with All -> true | Between _ -> false) t.seen

@@ -89,8 +89,8 @@ let flatten operands x =
   in
   go [] [ x ]
 
-let summands = function Add (a, b) -> Some [ a; b ] | _ -> None
-let factors = function Mul (a, b) -> Some [ a; b ] | _ -> None
+let summands = flatten (function Add (a, b) -> Some [ a; b ] | _ -> None)
+let factors = flatten (function Mul (a, b) -> Some [ a; b ] | _ -> None)
 let conjuncts = function And ps -> Some ps | _ -> None
 let disjuncts = function Or ps -> Some ps | _ -> None
 let temporal_conjuncts = function Temporal_and fs -> Some fs | _ -> None
@@ -106,8 +106,8 @@ let rec ordered_num n =
   | Quantity q -> Quantity (Atom.renamed_quantity (in_order (Atom.quantity q)) q)
   | Count ps -> Count (sorted_props ps)
   | Neg a -> Neg (ordered_num a)
-  | Add _ -> rebuild (fun a b -> Add (a, b)) (sorted_nums (flatten summands n))
-  | Mul _ -> rebuild (fun a b -> Mul (a, b)) (sorted_nums (flatten factors n))
+  | Add _ -> rebuild (fun a b -> Add (a, b)) (sorted_nums (summands n))
+  | Mul _ -> rebuild (fun a b -> Mul (a, b)) (sorted_nums (factors n))
   | Sub (a, b) -> Sub (ordered_num a, ordered_num b)
   | Div (a, b) -> Div (ordered_num a, ordered_num b)
   | If (p, a, b) -> If (ordered_prop p, ordered_num a, ordered_num b)

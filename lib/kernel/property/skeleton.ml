@@ -1,12 +1,19 @@
+module Numbers = Map.Make (struct
+    type t = Property.prop
+
+    let compare = Order.prop
+  end)
+
 let of_temporal formulas =
-  let found = ref [] and count = ref 0 in
+  let numbers = ref Numbers.empty and found = ref [] and count = ref 0 in
   let number p =
-    match List.find_opt (fun (q, _) -> Formula.equal_prop p q) !found with
-    | Some (_, k) -> k
+    match Numbers.find_opt p !numbers with
+    | Some k -> k
     | None ->
       let k = !count in
-      found := (p, k) :: !found;
       incr count;
+      numbers := Numbers.add p k !numbers;
+      found := p :: !found;
       k
   in
   let rec go (f : Property.temporal) : Scc_ctl.Formula.t =
@@ -23,7 +30,7 @@ let of_temporal formulas =
       Until (q, b, f, go g)
   in
   let formulas = List.map go formulas in
-  (formulas, Array.of_list (List.rev_map fst !found))
+  (formulas, Array.of_list (List.rev !found))
 
 let rec to_temporal prop (f : Scc_ctl.Formula.t) : Property.temporal =
   let go = to_temporal prop in

@@ -14,9 +14,11 @@ type t = {
   predicates : predicates;
   effort : Effort.t;
   mutable values : value Map.t;
+  mutable fresh : Formula.t list;  (** what got its value since something was forgotten *)
 }
 
-let create ?(effort = Effort.default) index predicates = { index; predicates; effort; values = Map.empty }
+let create ?(effort = Effort.default) index predicates =
+  { index; predicates; effort; values = Map.empty; fresh = [] }
 let index t = t.index
 let graph t = Timed_graph.graph t.index
 let effort t = t.effort
@@ -117,6 +119,7 @@ let rec value t (f : Formula.t) =
   | None ->
     let v = compute t f in
     t.values <- Map.add f v t.values;
+    t.fresh <- f :: t.fresh;
     v
 
 and compute t (f : Formula.t) =
@@ -149,10 +152,31 @@ let parts (f : Formula.t) =
   | Until _ | Finally _ | Globally _ ->
     Option.fold ~none:[] ~some:(fun (u, _) -> [ u.left; u.right ]) (as_until f)
 
-let retain t formulas =
-  let rec need known f = if Map.mem f known then known else List.fold_left need (Map.add f () known) (parts f) in
-  let needed = List.fold_left need Map.empty formulas in
-  t.values <- Map.filter (fun f _ -> Map.mem f needed) t.values
+(* For each part the number of the last formula that it is part of; and for each number those of which it is that.
+*)
+type uses = { last : int Map.t; ending : Formula.t list array }
+
+let uses formulas =
+  let ending = Array.make (Array.length formulas) [] in
+  let rec note i last f =
+    if Map.mem f last then last
+    else begin
+      ending.(i) <- f :: ending.(i);
+      List.fold_left (note i) (Map.add f i last) (parts f)
+    end
+  in
+  let last = ref Map.empty in
+  for i = Array.length formulas - 1 downto 0 do
+    last := note i !last formulas.(i)
+  done;
+  { last = !last; ending }
+
+let done_with t uses i =
+  let is_over f = match Map.find_opt f uses.last with Some last -> last <= i | None -> true in
+  let forget f = t.values <- Map.remove f t.values in
+  List.iter forget (List.filter is_over t.fresh);
+  List.iter forget uses.ending.(i);
+  t.fresh <- []
 
 (* At one position, of which a probability is found without those of all others. *)
 let pair_of v position = (Positions.mem v.lower position, Positions.mem v.upper position)

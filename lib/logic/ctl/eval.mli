@@ -44,8 +44,14 @@ val predicates : t -> predicates
 type value = { lower : Positions.t; upper : Positions.t  (** physically the lower one when nothing is in doubt *) }
 
 val value : t -> Formula.t -> value
-val retain : t -> Formula.t list -> unit
-(** Forgets the values of what is no part of these formulas: they take memory for each state. *)
+type uses
+(** Of formulas that are asked about one after the other. *)
+
+val uses : Formula.t array -> uses
+
+val done_with : t -> uses -> int -> unit
+(** After the formula of this number, and after each before it: forgets the values of what is no part of a later
+    one, as they take memory for each state. *)
 
 val truth : t -> Formula.t -> Positions.position -> bool option
 (** [None]: undecided. *)

@@ -107,6 +107,12 @@ let compare c d =
         if order <> 0 then order else Z.compare c.right d.right
 
 let equal c d = c == d || (c.relation = d.relation && Z.equal c.right d.right && compare_normals c d = 0)
+
+let follows c ~from:d =
+  match (c.relation, d.relation) with
+  | Equal, _ | _, Equal | Less, At_most -> equal c d
+  | Less, Less | At_most, (Less | At_most) -> Z.leq d.right c.right && compare_normals c d = 0
+
 let hash c = Array.fold_left (fun h a -> (h * 31) + Z.hash a) ((Z.hash c.right * 3) + rank c.relation) c.normal
 let opposite c relation = { normal = Array.map Z.neg c.normal; relation; right = Z.neg c.right }
 

@@ -45,6 +45,10 @@ val first_variable : t -> int option
 
 val equal : t -> t -> bool
 
+val follows : t -> from:t -> bool
+(** Whether the constraint follows from another one that says no less of the very same normal; false of many that
+    follow by some reckoning. *)
+
 val compare : t -> t -> int
 (** A total order: equalities first, then by normals; of those with one normal, the tightest first. *)
 

@@ -15,6 +15,8 @@ let universe n = with_constraints n (Simplex.universe n) []
 let add p c =
   match p.body with
   | None -> p
+  | Some _ when Constraint.truth c = Some true -> p
+  | Some body when List.exists (fun from -> Constraint.follows c ~from) body.constraints -> p
   | Some body -> (
       match Simplex.add body.simplex c with
       | None -> empty p.dimension

@@ -10,6 +10,7 @@ type way = {
   set : Polyhedron.t;
   here : Linear.t array;  (** the variables of the node *)
   taken : (Zone_steps.step * Linear.t option) list;  (** the last first, with the time that passes *)
+  length : int;  (** of what is taken *)
   names : int array;  (** for each leaf of the node, which one of the root it is (rule Symmetry) *)
 }
 
@@ -19,14 +20,12 @@ let extended dimension f =
 
 (* The way, over as many variables more, the last ones. *)
 let extend way more =
-  let n = Polyhedron.dimension way.set in
-  let dimension = n + more in
-  {
-    set = (if more = 0 then way.set else Polyhedron.embed way.set ~dimension (Array.init n Fun.id));
-    here = Array.map (extended dimension) way.here;
-    taken = List.map (fun (step, time) -> (step, Option.map (extended dimension) time)) way.taken;
-    names = way.names;
-  }
+  if more = 0 then way
+  else
+    let n = Polyhedron.dimension way.set in
+    let dimension = n + more in
+    let set = Polyhedron.embed way.set ~dimension (Array.init n Fun.id) in
+    { way with set; here = Array.map (extended dimension) way.here }
 
 (* Variables of a polyhedron over those of the node, and perhaps one more, as forms. *)
 let enter way guard =
@@ -56,7 +55,8 @@ let along way (edge : Zone_graph.edge) =
   let names = Array.copy way.names in
   let rename image = Array.iteri (fun leaf other -> names.(other) <- way.names.(leaf)) image in
   Option.iter rename edge.renamed;
-  { way with here = Array.map over edge.map; taken = (step, time) :: way.taken; names }
+  let taken = (step, time) :: way.taken in
+  { way with here = Array.map over edge.map; taken; length = way.length + 1; names }
 
 (* Edges that lead to some states of a node, which are found backwards: from where an edge leads into them. *)
 let rec to_root graph (node : Zone_graph.node) states edges =
@@ -76,7 +76,7 @@ let rec to_root graph (node : Zone_graph.node) states edges =
 
 let start (z : Zone.t) set =
   let here = Array.init (Zone.dimension z) (Linear.variable (Zone.dimension z)) in
-  { set; here; taken = []; names = Array.init (Array.length z.places) Fun.id }
+  { set; here; taken = []; length = 0; names = Array.init (Array.length z.places) Fun.id }
 
 let way_to graph (place : Search_sets.place) =
   let n = Zone.dimension place.node.zone in

@@ -26,6 +26,7 @@ type way = {
   here : Scc_polyhedra.Linear.t array;  (** the variables of the node that they have come to *)
   taken : (Zone_steps.step * Scc_polyhedra.Linear.t option) list;
   (** the last first, with the time that passes; forms may know fewer variables than the set has now *)
+  length : int;  (** how many steps have been taken *)
   names : int array;  (** for each leaf of the node, which one of the root it is (rule Symmetry) *)
 }
 

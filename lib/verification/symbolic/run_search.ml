@@ -5,7 +5,7 @@ open State_sets
 type finish = There | Rests | Passes | Repeats of int | Goes_on of int
 type walk = { way : Concrete.way; node : int; inside : (int * Linear.t) option }
 
-let steps w = List.length w.way.taken
+let steps w = w.way.length
 let dimension w = Polyhedron.dimension w.way.set
 let in_set w set = if Polyhedron.is_empty set then None else Some { w with way = { w.way with set } }
 
@@ -143,16 +143,23 @@ let most_again = 300
 (* How often a run that is to come back may go through one node. *)
 let most_rounds = 8
 
-(* A node that was gone through: its variables, and how many steps had been taken. *)
-type passed = { at : int; here : Linear.t array; steps : int }
+module Nodes = Map.Make (Int)
 
+(* How a node was gone through: its variables, and how many steps had been taken. *)
+type passed = { here : Linear.t array; steps : int }
+
+(* Of a walk: for each node how it went through it, the last time first. *)
+let gone_through trail node = Option.value (Nodes.find_opt node trail) ~default:[]
+
+let gone_on trail (w : walk) =
+  Nodes.add w.node ({ here = w.way.here; steps = steps w } :: gone_through trail w.node) trail
 
 (* Where a walk is in the very state again that it was in. *)
 let closes (w : walk) passed ~takes_time =
   let n = dimension w in
   let over = Concrete.extended n in
   let same = Array.map2 (fun a b -> Constraint.equals (over a) (over b)) passed.here w.way.here in
-  let since = List.filteri (fun i _ -> i < steps w - passed.steps) w.way.taken in
+  let since = Scc_data.Lists.take (steps w - passed.steps) w.way.taken in
   let add sum (_, time) = match time with Some t -> Linear.add sum (over t) | None -> sum in
   let zero = Linear.constant n Rat.zero in
   let time = Constraint.greater (List.fold_left add zero since) zero in
@@ -177,7 +184,7 @@ let breadth_first rule ~moves ~win ~ends ~round ~again from =
        end
   in
   let enter trail w =
-    let before = if round then List.filter (fun p -> p.at = w.node) trail else [] in
+    let before = if round then gone_through trail w.node else [] in
     match first_of (List.concat_map (closes w ~takes_time:true) before) with
     | Some _ as found -> found
     | None ->
@@ -195,12 +202,11 @@ let breadth_first rule ~moves ~win ~ends ~round ~again from =
         match ends w with
         | found :: _ -> Some found
         | [] -> (
-            let here = { at = w.node; here = w.way.here; steps = steps w } in
-            let trail = if w.inside = None then here :: trail else trail in
+            let trail = if round && w.inside = None then gone_on trail w else trail in
             let next = List.concat_map (among win) (moves rule w) in
             match List.find_map (enter trail) next with Some _ as found -> found | None -> go ()))
   in
-  Queue.push (from, []) waiting;
+  Queue.push (from, Nodes.empty) waiting;
   let found = go () in
   (found, !at_one_instant, !goes_on)
 

@@ -32,16 +32,9 @@ type visitor = {
   stop : unit -> bool;
 }
 
-module Kinds = Hashtbl.Make (struct
-    type t = Zone.t
-
-    let equal = Zone.same_kind
-    let hash = Zone.hash_kind
-  end)
-
 type t = {
   nodes : node Scc_data.Growable.t;
-  by_kind : node list Kinds.t;
+  index : node Zone_index.t;
   waiting : node Queue.t;
   mutable roots : node list;
 }
@@ -66,7 +59,7 @@ let put e zone parent =
   let parents = Option.to_list parent in
   let node = { number = size g; zone; depth; parents; edges = []; cells = []; late = []; expanded = false } in
   Scc_data.Growable.push g.nodes node;
-  Kinds.replace g.by_kind zone (node :: Option.value (Kinds.find_opt g.by_kind zone) ~default:[]);
+  Zone_index.add g.index zone node;
   Queue.add node g.waiting;
   e.visitor.found node;
   node
@@ -89,14 +82,13 @@ let within_horizon e ~late (z : Zone.t) =
 (* A node that has all of a zone, with its variables by those of the zone: one that is there, or a new one. *)
 let node_of e zone ~parent =
   let canonical, forms = Zone.canonical (if e.displaced then Zone.centred zone else zone) in
-  let known = Option.value (Kinds.find_opt e.graph.by_kind canonical) ~default:[] in
   let sample = lazy (Zone.sample canonical) in
   let holds n =
     if Zone.has n.zone (Lazy.force sample) then
       Option.map (fun map -> (n, map)) (Zone.included canonical n.zone)
     else None
   in
-  match List.find_map holds known with
+  match Zone_index.last_around e.graph.index canonical holds with
   | Some (n, map) ->
     (n, Array.map (fun f -> Linear.compose f ~dimension:(Zone.dimension zone) forms) map)
   | None -> (
@@ -104,7 +96,7 @@ let node_of e zone ~parent =
         if n.expanded || n.parents = [] then None
         else Option.map (fun z -> (n, z)) (Zone.merged n.zone canonical)
       in
-      match List.find_map grown known with
+      match List.find_map grown (Zone_index.alike e.graph.index canonical) with
       | None -> (put e canonical (parent (size e.graph) forms), forms)
       | Some (n, zone) ->
         n.zone <- zone;
@@ -153,7 +145,7 @@ let always work =
 let explore ?(displaced = false) ?visible ?(interchangeable = []) ?(attempt = always) context ~events ~limits
     ~visitor zones =
   let graph =
-    { nodes = Scc_data.Growable.create (); by_kind = Kinds.create 64; waiting = Queue.create (); roots = [] }
+    { nodes = Scc_data.Growable.create (); index = Zone_index.create (); waiting = Queue.create (); roots = [] }
   in
   let e = { graph; context; limits; visitor; displaced; visible; interchangeable } in
   let root zone =

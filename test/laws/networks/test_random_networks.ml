@@ -112,7 +112,8 @@ let suite =
        [
          Alcotest.test_case "every kind of transition comes up" `Quick (varied any all);
          Alcotest.test_case "absorption, too" `Quick (varied absorbing ("absorb" :: all));
-         Alcotest.test_case "draws, too" `Quick (varied drawing [ "bind"; "bounce"; "draw"; "strong"; "time"; "weak" ]);
+         Alcotest.test_case "draws, too" `Quick
+           (varied drawing [ "bind"; "bounce"; "draw"; "strong"; "time"; "weak" ]);
          Alcotest.test_case "with switches, too" `Quick (varied switched more);
        ] );
      ( "laws",

@@ -230,6 +230,11 @@ let renaming =
         Bool.equal (Formula.global f) (Formula.global g)
         && Bool.equal (Formula.has_events f) (Formula.has_events g)
         && Bool.equal (Formula.mentions_next f) (Formula.mentions_next g));
+    test "exchangeable: as the whole in another order" (Gen.triple formula leaf leaf) (fun (f, i, j) ->
+        let as_whole f = Formula.equal_modulo_order f (Formula.permuted (transposition i j) f) in
+        let agrees f = Bool.equal (Exchangeable.are (Exchangeable.make f) i j) (as_whole f) in
+        let other = Formula.permuted (transposition i j) f in
+        agrees f && agrees (Temporal_or [ f; other ]) && agrees (Temporal_and [ other; other; f ]));
     test "nothing changes without the leaves" formula (fun f ->
         List.exists (fun i -> i < 2) (Formula.leaves f)
         || Formula.equal f (Formula.permuted (transposition 0 1) f));
@@ -248,7 +253,8 @@ let happens e = Fact (Event e)
 let symmetric name f expected =
   Alcotest.test_case name `Quick (fun () ->
       Alcotest.(check bool) name expected
-        (Formula.equal_modulo_order f (Formula.permuted (transposition 0 1) f)))
+        (Formula.equal_modulo_order f (Formula.permuted (transposition 0 1) f));
+      Alcotest.(check bool) "by parts" expected (Exchangeable.are (Exchangeable.make f) 0 1))
 
 let symmetries =
   [

@@ -8,8 +8,8 @@ let ints = Alcotest.(list int)
 
 let outcome f = match f () with x -> Ok x | exception Invalid_argument what -> Error what
 
-(* What comes out, and what was asked in which order, unless it is an error: where lists differ in length, versions of the
-   standard library differ in what they ask before they fail. *)
+(* What comes out, and what was asked in which order, unless it is an error: where lists differ in length, versions
+   of the standard library differ in what they ask before they fail. *)
 let same name n mine standard =
   let run f =
     let asked = ref [] in

@@ -4,4 +4,5 @@ let () =
       Test_touching_cells.suite;
       Test_first.suite;
       Test_zone.suite;
+      Test_zone_index.suite;
       Test_cases.suite ]
