@@ -10,5 +10,5 @@ val matches : source:State.t -> Transition.label -> Property.event -> bool
     it releases; a passing of time is none. *)
 
 val each : Transition.label -> Transition.label list
-(** What happens by a transition, one by one (rule Expectation): of a split each bond that it releases, as the split of that bond
-    alone; else the transition itself. Nothing happens by a passing of time. *)
+(** What happens by a transition, one by one (rule Expectation): of a split each bond that it releases, as the split
+    of that bond alone; else the transition itself. Nothing happens by a passing of time. *)
