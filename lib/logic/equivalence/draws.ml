@@ -37,8 +37,8 @@ module Ways = Map.Make (struct
         if c <> 0 then c else List.compare String.compare a.texts b.texts
   end)
 
-(* What a state is left by instead of its transitions: ways by what is drawn, transitions after what is chosen; and whether
-   some are not known. *)
+(* What a state is left by instead of its transitions: ways by what is drawn, transitions after what is chosen; and
+   whether some are not known. *)
 type left = { ways : Rat.t Ways.t; steps : (int * int) list; unknown : bool }
 
 let add way chance ways =

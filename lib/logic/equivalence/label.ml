@@ -93,7 +93,10 @@ let canonical_action s =
     | Some bonds -> Some (Printf.sprintf "%s({%s})" head (sorted (List.map canonical_bond (arguments bonds))))
     | None -> None
   in
-  let bounce () = Option.map (fun all -> Printf.sprintf "bounce(%s)" (sorted (arguments all))) (inside ~head:"bounce" s) in
+  let bounce () =
+    let told all = Printf.sprintf "bounce(%s)" (sorted (arguments all)) in
+    Option.map told (inside ~head:"bounce" s)
+  in
   let first list = List.find_map (fun f -> f ()) list in
   Option.value ~default:s
     (first

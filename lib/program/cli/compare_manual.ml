@@ -14,10 +14,10 @@ let text =
        $(b,time(forever\\)).";
     `P
       "What is drawn at one instant is one transition, since the order of draws says nothing: \
-       $(b,{keep(b, r.top, s.top\\), release(a, p.right, q.left\\)} chance(1/6\\)), with all that is drawn in the order of the \
-       texts, and the product of the chances. $(b,--rename) and $(b,--hide) are of the single draws; what is hidden of them is left \
-       out. Nor is it seen in which order free ends choose how they let go ($(b,choose(...\\))). Draws that have not been \
-       explored to the end of their instant are not known.";
+       $(b,{keep(b, r.top, s.top\\), release(a, p.right, q.left\\)} chance(1/6\\)), with all that is drawn in the \
+       order of the texts, and the product of the chances. $(b,--rename) and $(b,--hide) are of the single draws; \
+       what is hidden of them is left out. Nor is it seen in which order free ends choose how they let go \
+       ($(b,choose(...\\))). Draws that have not been explored to the end of their instant are not known.";
     `P
       "Only labels are compared, and they tell neither places nor motions. So equivalent models are equivalent by \
        themselves, and not in every network: beside a third body, which one of them may hit and the other not, \

@@ -168,7 +168,8 @@ let labels_same (m, ways) =
   List.for_all same ways
 
 let labels =
-  let generate = Gen.bind Gen.bool (fun laws -> Gen.pair (Told_otherwise.model ~laws) (Gen.list_repeat 2 Told_otherwise.way)) in
+  let case laws = Gen.pair (Told_otherwise.model ~laws) (Gen.list_repeat 2 Told_otherwise.way) in
+  let generate = Gen.bind Gen.bool case in
   QCheck2.Test.make ~name:"Impartiality: what labels tell" ~count:40 ~print generate labels_same
 
 (* So that it is about something. *)

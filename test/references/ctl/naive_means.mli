@@ -5,7 +5,9 @@ open Scc_ctl
 val time_until : Naive.t -> Formula.side -> Formula.t -> Scc_chance.Answer.t * Scc_chance.Answer.t
 (** From node 0 on: with all that may end it, and with what surely does. *)
 
-val counts_until : Naive.t -> Formula.side -> (int -> int -> int * int) -> Formula.t -> Scc_chance.Answer.t * Scc_chance.Answer.t
+val counts_until :
+  Naive.t -> Formula.side -> (int -> int -> int * int) -> Formula.t -> Scc_chance.Answer.t * Scc_chance.Answer.t
+(** Of what is counted on each edge of a node, at least and at most. *)
 
 type mean = Never_decided | Is of Scc_chance.Answer.t
 

@@ -41,7 +41,8 @@ let by_hand =
   [
     case "two lots, and who chooses" (graph ~size:11 two)
       [
-        (0, "{release(a, r, s), release(b, p, q)} chance(1/6)", 1); (0, "{keep(a, r, s), release(b, p, q)} chance(1/6)", 2);
+        (0, "{release(a, r, s), release(b, p, q)} chance(1/6)", 1);
+        (0, "{keep(a, r, s), release(b, p, q)} chance(1/6)", 2);
         (0, "{keep(b, p, q), release(a, r, s)} chance(1/3)", 3); (0, "{keep(a, r, s), keep(b, p, q)} chance(1/3)", 4);
         (1, both, 5); (1, both, 6); (2, "weak(b, p, q)", 6); (3, "weak(a, r, s)", 6); (4, "time(1)", 0);
       ];
@@ -49,7 +50,8 @@ let by_hand =
       ~hidden:[ "release(b, p, q) chance(1/3)"; "keep(b, p, q) chance(2/3)" ]
       (graph ~size:11 (List.filter (fun (s, _, _) -> s < 3) two))
       [
-        (0, "release(a, r, s) chance(1/6)", 1); (0, "keep(a, r, s) chance(1/6)", 2); (0, "release(a, r, s) chance(1/3)", 3);
+        (0, "release(a, r, s) chance(1/6)", 1); (0, "keep(a, r, s) chance(1/6)", 2);
+        (0, "release(a, r, s) chance(1/3)", 3);
         (0, "keep(a, r, s) chance(1/3)", 4);
       ];
     case "all is hidden" ~hidden:[ "d(1) chance(1/2)"; "d(2) chance(1/2)" ]
@@ -57,11 +59,17 @@ let by_hand =
       [ (0, "tau", 1); (0, "tau", 2) ];
     case "a name without a chance"
       ~renamed:(fun l -> if String.length l > 4 && String.sub l 0 4 = "d(1)" then "one" else l)
-      (graph ~size:5 [ (0, "d(1) chance(1/2)", 1); (0, "d(2) chance(1/2)", 2); (1, "e chance(1)", 3); (2, "e chance(1)", 4) ])
+      (graph ~size:5
+         [
+           (0, "d(1) chance(1/2)", 1); (0, "d(2) chance(1/2)", 2); (1, "e chance(1)", 3); (2, "e chance(1)", 4);
+         ])
       [ (0, "{e, one}", 1); (0, "{d(2), e} chance(1/2)", 2) ];
     case "two ways to one state"
       (graph ~size:4
-         [ (0, "d(1) chance(1/2)", 1); (0, "d(1) chance(1/3)", 2); (0, "d(2) chance(1/6)", 3); (1, "e chance(1)", 3); (2, "e chance(1)", 3) ])
+         [
+           (0, "d(1) chance(1/2)", 1); (0, "d(1) chance(1/3)", 2); (0, "d(2) chance(1/6)", 3); (1, "e chance(1)", 3);
+           (2, "e chance(1)", 3);
+         ])
       [ (0, "d(2) chance(1/6)", 1); (0, "{d(1), e} chance(5/6)", 1) ];
     case "not known to the end" ~unknown:[ 0 ]
       (graph ~size:5 ~unknown:[ 2 ]
@@ -78,7 +86,7 @@ let by_hand =
 
 (* {1 At random} *)
 
-(* Of each draw the chances of what may come. Where a draw comes in a later round it is by what was drawn before that it has these. *)
+(* Of each draw the weights of what may come, and two orders of the draws. *)
 type draws = { chances : int list list; order : int list; other : int list }
 
 let gen =
@@ -90,7 +98,9 @@ let gen =
 
 let print d =
   let ints l = String.concat " " (List.map string_of_int l) in
-  Printf.sprintf "%s; in the orders %s and %s" (String.concat ", " (List.map ints d.chances)) (ints d.order) (ints d.other)
+  Printf.sprintf "%s; in the orders %s and %s"
+    (String.concat ", " (List.map ints d.chances))
+    (ints d.order) (ints d.other)
 
 (* A tree of draws in an order; after them a transition that tells what all have drawn. *)
 let in_order d order =

@@ -171,12 +171,14 @@ let counts model wanted cases () =
 (* Each of the two bonds by itself. *)
 let counted_of_a_strong_split =
   [
-    ("event strong", 2); ("event split", 2); ("event strong(a)", 1); ("event strong(b, p2)", 1); ("event strong(b, p2, p3)", 1);
+    ("event strong", 2); ("event split", 2); ("event strong(a)", 1); ("event strong(b, p2)", 1);
+    ("event strong(b, p2, p3)", 1);
     ("(event strong(a) or event strong(b))", 2); ("(event strong(a) and event strong(b))", 0);
     ("(event strong and not event strong(a))", 1); ("not event strong(a)", 1); ("not event bind", 2); ("event weak", 0);
   ]
 
-let counted_of_a_bind = [ ("event bind", 1); ("event bind(a, q, p)", 1); ("not event bind", 0); ("not event bounce", 1) ]
+let counted_of_a_bind =
+  [ ("event bind", 1); ("event bind(a, q, p)", 1); ("not event bind", 0); ("not event bounce", 1) ]
 
 (* The pair is hit on both sides at once. *)
 let bouncing_together =
@@ -198,7 +200,8 @@ process p = p1 : Cube mass 1 velocity (1,0,0) at translate (-5,0,0) [nil] <a, {p
 |}
 
 let counted_of_an_absorption =
-  [ ("event absorb", 1); ("event absorb(p1)", 1); ("(event absorb(p1) and event absorb(p2))", 1); ("not event bind", 1) ]
+  [ ("event absorb", 1); ("event absorb(p1)", 1); ("(event absorb(p1) and event absorb(p2))", 1);
+    ("not event bind", 1) ]
 
 let counted_of_time = [ ("event bind", 0); ("not event bind", 0) ]
 

@@ -64,7 +64,8 @@ let told () =
   let ends = " the direction in which it is shown: what is read may not be what is seen" in
   check "several of them, and some twice"
     [
-      "1-4 the characters U+202E, U+2069 on this line change" ^ ends; "12-15 the character U+2069 on this line changes" ^ ends;
+      "1-4 the characters U+202E, U+2069 on this line change" ^ ends;
+      "12-15 the character U+2069 on this line changes" ^ ends;
       "19-22 the character U+202E on this line changes" ^ ends;
     ]
     (Printf.sprintf "a%sb%s%s\n%s%s\n%s" rlo pdi rlo pdi pdi rlo);
