@@ -12,5 +12,5 @@ val matches : source:State.t -> Transition.label -> Property.event -> bool
     leaf of the absorbed process. No other label matches: passing of time, draws and lots. *)
 
 val each : Transition.label -> Transition.label list
-(** [each label] has what happens by a transition, one by one (rule Expectation): for a split each bond that it releases, as
-    the split of that bond alone; otherwise the label itself. The passing of time has none. *)
+(** [each label] has what happens by a transition, one by one (rule Expectation): for a split each bond that it
+    releases, as the split of that bond alone; otherwise the label itself. The passing of time has none. *)

@@ -126,7 +126,8 @@ let name_vertex r name p =
     true
   | Some _ | None -> false
 
-(* Names a face of the hull by its corners in either direction. False if they are none in order, or it has a name. *)
+(* Names a face of the hull by its corners in either direction. False if they are none in order, or it has a name.
+*)
 let name_hull_face r name cycle =
   match Hashtbl.find_opt r.by_corners (key cycle) with
   | Some i when not r.listed.(i) ->

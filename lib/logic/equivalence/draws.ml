@@ -64,7 +64,8 @@ let choose t label target left =
   if not (Graph.known t.graph target) then { left with unknown = true }
   else
     match (t.left.(target), t.phases.(target)) with
-    | Some later, Choosing -> { left with steps = later.steps @ left.steps; unknown = left.unknown || later.unknown }
+    | Some later, Choosing ->
+      { left with steps = later.steps @ left.steps; unknown = left.unknown || later.unknown }
     | _, Releasing ->
       let steps = ref left.steps in
       Graph.iter t.graph target (fun label next -> steps := (label, next) :: !steps);
@@ -121,7 +122,9 @@ let joined ~told (g : Graph.t) =
     let b = Graph.builder () in
     let numbers = Array.map (fun label -> Graph.intern b (told label)) g.labels in
     let add source label target = Graph.add b ~source ~label:numbers.(label) ~target in
-    let add_way source way chance = Graph.add b ~source ~label:(Graph.intern b (text way chance)) ~target:way.target in
+    let add_way source way chance =
+      Graph.add b ~source ~label:(Graph.intern b (text way chance)) ~target:way.target
+    in
     let add_all s = function
       | None -> Graph.iter g s (add s)
       | Some { ways; steps; _ } ->
@@ -129,6 +132,7 @@ let joined ~told (g : Graph.t) =
         List.iter (fun (label, target) -> add s label target) steps
     in
     Array.iteri add_all t.left;
-    let unknown s = (not (Graph.known g s)) || Option.fold ~none:false ~some:(fun left -> left.unknown) t.left.(s) in
+    let is_cut s = Option.fold ~none:false ~some:(fun left -> left.unknown) t.left.(s) in
+    let unknown s = (not (Graph.known g s)) || is_cut s in
     Graph.reachable (Graph.finish b ~size:g.size ~initial:g.initial ~unknown)
   end

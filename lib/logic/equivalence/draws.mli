@@ -10,5 +10,5 @@ val joined : told:(string -> string) -> Graph.t -> Graph.t
     one label to one state the chances add. Where something is only chosen ([choose(...)]) stands what follows the
     choices.
 
-    A state from which some way leads to one that is not known has transitions that are not known. Draws that may go
-    round for ever stay as they are. *)
+    A state from which some way leads to one that is not known has transitions that are not known. Draws that may
+    go round for ever stay as they are. *)

@@ -101,7 +101,9 @@ let canonical_action s =
   Option.value ~default:s
     (first
        ((bounce :: List.map (fun head () -> of_bonds head) [ "weak"; "strong" ])
-        @ List.map (fun head () -> of_bond head) [ "bind"; "close"; "weak"; "release"; "keep"; "first"; "choose" ]))
+        @ List.map
+          (fun head () -> of_bond head)
+          [ "bind"; "close"; "weak"; "release"; "keep"; "first"; "choose" ]))
 
 let without_chance s =
   match cut_number ~word:"push" s with

@@ -19,9 +19,10 @@ val is_of : string -> string -> bool
 (** Whether a label is of a kind: [is_of "weak" s]. *)
 
 val canonical : string -> string
-(** The two ends of [bind(a, p.right, q.left)], [weak(...)], [release(...)] and their like, and of [<a, {...}>], the
-    bodies of [bounce(p, q)], the bonds of [strong({...})] and [weak({...})], and what is in [{...}] ({!Draws}), in
-    the order of their texts: two models may declare their bodies in different orders. Other labels stay. *)
+(** The two ends of [bind(a, p.right, q.left)], [weak(...)], [release(...)] and their like, and of [<a, {...}>],
+    the bodies of [bounce(p, q)], the bonds of [strong({...})] and [weak({...})], and what is in [{...}]
+    ({!Draws}), in the order of their texts: two models may declare their bodies in different orders. Other labels
+    stay. *)
 
 (** {1 Patterns} *)
 

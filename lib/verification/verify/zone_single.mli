@@ -14,5 +14,5 @@ val run :
   Witness.t option
 (** What the ordinary exploration of one start shows of a check that is violated for it: a run of that start, with
     its reasons. [None] where bonds may be released at any time, where there are no ranges, and where it decides
-    nothing within 20 000 states. {!Scc_graph_search.Limits.Over} where the work is to end before. It is a bug if the
-    check holds for that start. *)
+    nothing within 20 000 states. {!Scc_graph_search.Limits.Over} where the work is to end before. It is a bug if
+    the check holds for that start. *)

@@ -1,5 +1,5 @@
-(* Law Additivity: how often something happens in parts that never meet is what it is in each, summed up; also where it
-   happens in several at one instant, by one transition. *)
+(* Law Additivity: how often something happens in parts that never meet is what it is in each, summed up; also
+   where it happens in several at one instant, by one transition. *)
 
 open Scc_exact
 open Scc_semantics
@@ -88,16 +88,18 @@ let over_parts c =
   List.iter note found;
   List.for_all2 same found (List.map sum (transposed (parts c c.events)))
 
-let of_parts = QCheck2.Test.make ~name:"Additivity: over parts that never meet" ~count:60 ~print generate over_parts
+let of_parts =
+  QCheck2.Test.make ~name:"Additivity: over parts that never meet" ~count:60 ~print generate over_parts
 
-(* Of all bonds, each of which is one event of a split. Where there is something to choose one scheduler does not have
-   to make all of them least. *)
+(* Of all bonds, each of which is one event of a split. Where there is something to choose one scheduler does not
+   have to make all of them least. *)
 let over_bonds c =
   let pair k (i, j, _) =
     let name l = Told_otherwise.leaf_name Told_otherwise.as_it_is (k, l) in
     Printf.sprintf "event weak(a, %s, %s)" (name i) (name j)
   in
-  let pairs = List.concat (List.mapi (fun k (x : Told_otherwise.cluster) -> List.map (pair k) x.bonds) c.clusters) in
+  let pairs_of k (x : Told_otherwise.cluster) = List.map (pair k) x.bonds in
+  let pairs = List.concat (List.mapi pairs_of c.clusters) in
   match answers (whole c ("event weak" :: pairs)) with
   | [] -> failwith "no answers"
   | all :: each -> (

@@ -137,11 +137,14 @@ let too_large = ref 0
 
 (* What moves may meet what else there is: then all is turned as a whole. *)
 let moves (m : Told_otherwise.model) =
-  let pushed (s : Told_otherwise.summand) = String.length s.how > 4 && String.equal (String.sub s.how 0 4) "push" in
+  let pushed (s : Told_otherwise.summand) =
+    String.length s.how > 4 && String.equal (String.sub s.how 0 4) "push"
+  in
   let leaf (l : Told_otherwise.leaf) = l.law <> [] || List.exists pushed l.first in
   List.exists (fun (c : Told_otherwise.cluster) -> List.exists leaf c.leaves) m.clusters
 
-let as_a_whole (way : Told_otherwise.way) = { way with place = (fun c -> way.turn (Told_otherwise.as_it_is.place c)) }
+let as_a_whole (way : Told_otherwise.way) =
+  { way with place = (fun c -> way.turn (Told_otherwise.as_it_is.place c)) }
 
 (* Who looks at transitions alone cannot tell which way it is told. *)
 let labels_same (m, ways) =

@@ -1,4 +1,5 @@
-(* Draws of one instant as one transition: by hand; and at random, that it does not matter in which order they come. *)
+(* Draws of one instant as one transition: by hand; and at random, that it does not matter in which order they
+   come. *)
 
 open Scc_exact
 open Scc_equivalence
@@ -25,14 +26,18 @@ let case name g ?hidden ?renamed ?(unknown = []) expected =
       let found = joined ?hidden ?renamed g in
       Alcotest.(check (list (triple int string int))) "transitions" (List.sort compare expected) (edges found);
       let known s = not (List.mem s unknown) in
-      List.iter (fun s -> Alcotest.(check bool) "known" (known s) (Graph.known found s)) (List.init found.size Fun.id))
+      List.iter (fun s -> Alcotest.(check bool) "known" (known s) (Graph.known found s))
+        (List.init found.size Fun.id))
 
 let two =
   [
-    (0, "release(b, q, p) chance(1/3)", 1); (0, "keep(b, p, q) chance(2/3)", 2); (1, "release(a, r, s) chance(1/2)", 3);
-    (1, "keep(a, r, s) chance(1/2)", 4); (2, "release(a, r, s) chance(1/2)", 5); (2, "keep(a, r, s) chance(1/2)", 6);
+    (0, "release(b, q, p) chance(1/3)", 1); (0, "keep(b, p, q) chance(2/3)", 2);
+    (1, "release(a, r, s) chance(1/2)", 3);
+    (1, "keep(a, r, s) chance(1/2)", 4); (2, "release(a, r, s) chance(1/2)", 5);
+    (2, "keep(a, r, s) chance(1/2)", 6);
     (3, "choose(b, p, q)", 7); (3, "choose(b, p, q)", 8); (7, "weak({<b, {q, p}>, <a, {s, r}>})", 9);
-    (8, "weak({<b, {q, p}>, <a, {s, r}>})", 10); (4, "weak(b, p, q)", 10); (5, "weak(a, s, r)", 10); (6, "time(1)", 0);
+    (8, "weak({<b, {q, p}>, <a, {s, r}>})", 10); (4, "weak(b, p, q)", 10); (5, "weak(a, s, r)", 10);
+    (6, "time(1)", 0);
   ]
 
 let both = "weak({<a, {r, s}>, <b, {p, q}>})"
@@ -43,7 +48,8 @@ let by_hand =
       [
         (0, "{release(a, r, s), release(b, p, q)} chance(1/6)", 1);
         (0, "{keep(a, r, s), release(b, p, q)} chance(1/6)", 2);
-        (0, "{keep(b, p, q), release(a, r, s)} chance(1/3)", 3); (0, "{keep(a, r, s), keep(b, p, q)} chance(1/3)", 4);
+        (0, "{keep(b, p, q), release(a, r, s)} chance(1/3)", 3);
+        (0, "{keep(a, r, s), keep(b, p, q)} chance(1/3)", 4);
         (1, both, 5); (1, both, 6); (2, "weak(b, p, q)", 6); (3, "weak(a, r, s)", 6); (4, "time(1)", 0);
       ];
     case "one is hidden"
@@ -67,13 +73,15 @@ let by_hand =
     case "two ways to one state"
       (graph ~size:4
          [
-           (0, "d(1) chance(1/2)", 1); (0, "d(1) chance(1/3)", 2); (0, "d(2) chance(1/6)", 3); (1, "e chance(1)", 3);
+           (0, "d(1) chance(1/2)", 1); (0, "d(1) chance(1/3)", 2); (0, "d(2) chance(1/6)", 3);
+           (1, "e chance(1)", 3);
            (2, "e chance(1)", 3);
          ])
       [ (0, "d(2) chance(1/6)", 1); (0, "{d(1), e} chance(5/6)", 1) ];
     case "not known to the end" ~unknown:[ 0 ]
       (graph ~size:5 ~unknown:[ 2 ]
-         [ (0, "d(1) chance(1/2)", 1); (0, "d(2) chance(1/2)", 2); (1, "e chance(1/2)", 3); (1, "f chance(1/2)", 4) ])
+         [ (0, "d(1) chance(1/2)", 1); (0, "d(2) chance(1/2)", 2); (1, "e chance(1/2)", 3);
+           (1, "f chance(1/2)", 4) ])
       [ (0, "{d(1), e} chance(1/4)", 1); (0, "{d(1), f} chance(1/4)", 2) ];
     case "round for ever"
       (graph ~size:3 [ (0, "d chance(1/2)", 1); (0, "e chance(1/2)", 2); (1, "d chance(1)", 0) ])

@@ -174,7 +174,8 @@ let counted_of_a_strong_split =
     ("event strong", 2); ("event split", 2); ("event strong(a)", 1); ("event strong(b, p2)", 1);
     ("event strong(b, p2, p3)", 1);
     ("(event strong(a) or event strong(b))", 2); ("(event strong(a) and event strong(b))", 0);
-    ("(event strong and not event strong(a))", 1); ("not event strong(a)", 1); ("not event bind", 2); ("event weak", 0);
+    ("(event strong and not event strong(a))", 1); ("not event strong(a)", 1); ("not event bind", 2);
+    ("event weak", 0);
   ]
 
 let counted_of_a_bind =
@@ -190,7 +191,8 @@ process r = Cube mass 1 velocity (-1,0,0) at translate (3,0,0) [nil]
 |}
 
 let counted_of_a_bounce =
-  [ ("event bounce", 1); ("event bounce(q)", 1); ("event hit(q)", 1); ("(event hit(p, q) and event hit(q, r))", 1) ]
+  [ ("event bounce", 1); ("event bounce(q)", 1); ("event hit(q)", 1);
+    ("(event hit(p, q) and event hit(q, r))", 1) ]
 
 let absorbing =
   {|
