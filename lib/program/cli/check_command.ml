@@ -136,6 +136,42 @@ let view (extras : Check_extras.t) (l : Loaded.t) =
     |> Result.map (fun view -> Some (path, view))
     |> Result.map_error (fun text -> [ Diag.error Code.bad_value Span.none "%s" text ])
 
+let options console (budget : Budget.t) (extras : Check_extras.t) ~watch ~measured expanded =
+  let states = Option.value budget.states ~default:Check_options.default_states in
+  let compact = if extras.compact then Some states else None in
+  let attempt = Measured.booking measured (Watch.attempt watch) in
+  {
+    (Check_options.starting ~attempt console watch budget) with
+    reductions = extras.reductions; order = extras.order; compact; prove = extras.prove;
+    expanding = Expanded.expanding expanded; compacting = Expanded.compacting expanded;
+  }
+
+(* Options that the model does not go with. *)
+let fitting (extras : Check_extras.t) (l : Loaded.t) ~zones ~where =
+  (* Coverage lists states one by one. *)
+  let* () = if zones && extras.coverage then Result.map ignore (Ordinary.refuse l) else Ok () in
+  let* () = Verdicts.refused l ~prove:extras.prove in
+  if where then Ordinary.has_ranges l else Ok ()
+
+(* Writes the files that were asked for. The code that the command ends with: a file that cannot be written is reported,
+   and the others are written all the same. *)
+let write_outputs console (extras : Check_extras.t) path (l : Loaded.t) report verdicts ~view expanded =
+  let code = ref (exit_code report verdicts) in
+  let output = function
+    | Ok () -> ()
+    | Error d ->
+      Console.report console [ d ];
+      code := Exit_code.worst [ !code; Unwritten ]
+  in
+  List.iter (fun d -> output (Error d)) (Expanded.close expanded);
+  Option.iter (fun folder -> output (write_witnesses l path folder verdicts)) extras.witness;
+  Option.iter (fun path -> output (write_sarif console path !code (Some (l.model, verdicts)))) extras.sarif;
+  let named = named_where verdicts report and ranges = l.model.ranges in
+  Option.iter (fun path -> output (write_file path (Scc_regions.Smt.script ranges named))) extras.smt;
+  Option.iter (fun path -> output (write_invariant console path l report)) extras.invariant;
+  Option.iter (fun (path, view) -> output (write_file path (Scc_regions.Drawing.svg ranges view named))) view;
+  !code
+
 let check console budget (extras : Check_extras.t) (given : Options.definitions) path =
   (* Coverage explores once more. *)
   let share = Option.map (fun s -> if extras.coverage then s /. 2. else s) budget.Budget.seconds in
@@ -144,11 +180,8 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let* l = Measured.phase measured "read" (fun () ->
       Input.model console ~overrides:given.values ~narrowed:given.narrowed path) in
   let zones = Verdicts.over_zones l in
-  (* Coverage lists states one by one. *)
-  let* () = if zones && extras.coverage then Result.map ignore (Ordinary.refuse l) else Ok () in
-  let* () = Verdicts.refused l ~prove:extras.prove in
   let where = extras.where || Option.is_some extras.smt || Option.is_some extras.draw in
-  let* () = if where then Ordinary.has_ranges l else Ok () in
+  let* () = fitting extras l ~zones ~where in
   let* view = view extras l in
   Console.report console (l.warnings @ Vacuity.impossible l);
   let* initial = Loaded.initial l in
@@ -157,16 +190,7 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
     let memory = Footprint.at_most (Check_options.words budget) in
     Expanded.openly console ~jobs:extras.jobs ~store:extras.store ~memory (Check_extras.explored extras budget) l
   in
-  let options =
-    let states = Option.value budget.Budget.states ~default:Check_options.default_states in
-    let compact = if extras.compact then Some states else None in
-    let attempt = Measured.booking measured (Watch.attempt watch) in
-    {
-      (Check_options.starting ~attempt console watch budget) with
-      reductions = extras.reductions; order = extras.order; compact; prove = extras.prove;
-      expanding = Expanded.expanding expanded; compacting = Expanded.compacting expanded;
-    }
-  in
+  let options = options console budget extras ~watch ~measured expanded in
   (* What an invariant decides need not be explored: then nothing is known of premises. *)
   let premises = if extras.prove && not zones then [] else l.premises in
   let explore () =
@@ -192,23 +216,7 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let verdicts, answers = split_at (List.length l.checks) report.outcomes in
   Console.report console
     (report.stats.faults @ report.stats.dead_ends @ Vacuity.warnings report ~verdicts ~answers);
-  (* An output that cannot be written is told, and keeps nothing else from being told. *)
-  let code = ref (exit_code report verdicts) in
-  let output = function
-    | Ok () -> ()
-    | Error d ->
-      Console.report console [ d ];
-      code := Exit_code.worst [ !code; Unwritten ]
-  in
-  List.iter (fun d -> output (Error d)) (Expanded.close expanded);
-  Option.iter (fun folder -> output (write_witnesses l path folder verdicts)) extras.witness;
-  Option.iter (fun path -> output (write_sarif console path !code (Some (l.model, verdicts)))) extras.sarif;
-  let named = named_where verdicts report in
-  let ranges = l.model.ranges in
-  Option.iter (fun path -> output (write_file path (Scc_regions.Smt.script ranges named))) extras.smt;
-  Option.iter (fun path -> output (write_invariant console path l report)) extras.invariant;
-  Option.iter (fun (path, view) -> output (write_file path (Scc_regions.Drawing.svg ranges view named))) view;
-  let code = !code in
+  let code = write_outputs console extras path l report verdicts ~view expanded in
   let shown = if extras.where then report.where else [] in
   let extra = { covered; measured = (if extras.stats then Some measured else None) } in
   if Console.is_json console then print_json console ~full:extras.full ~where:shown l report verdicts extra code

@@ -108,6 +108,15 @@ let store console o ~digest folder =
 
 let told result = Result.map_error (fun d -> [ d ]) result
 
+let note console o seen outcome =
+  seen.written <- seen.written + 1;
+  (match (outcome : Outcome.t) with
+   | Refused _ -> seen.refused <- seen.refused + 1
+   | Checked _ -> if not (Outcome.is_known outcome) then seen.open_ <- seen.open_ + 1);
+  if Outcome.is_stopped outcome then seen.stopped <- seen.stopped + 1;
+  List.iter (Console.fault console) (Outcome.faults outcome);
+  if Option.is_some o.plot then seen.all <- outcome :: seen.all
+
 let sweep console o ~interrupted =
   let* source = Input.warned console o.path in
   let* first = first_point console source o in
@@ -130,19 +139,10 @@ let sweep console o ~interrupted =
   let points = Kept_runs.start store "the points" in
   let path = match (o.output, o.resume) with None, Some path -> Some path | path, _ -> path in
   let seen = { written = there; open_ = 0; refused = 0; stopped = 0; all = [] } in
-  let note outcome =
-    seen.written <- seen.written + 1;
-    (match (outcome : Outcome.t) with
-     | Refused _ -> seen.refused <- seen.refused + 1
-     | Checked _ -> if not (Outcome.is_known outcome) then seen.open_ <- seen.open_ + 1);
-    if Outcome.is_stopped outcome then seen.stopped <- seen.stopped + 1;
-    List.iter (Console.fault console) (Outcome.faults outcome);
-    if Option.is_some o.plot then seen.all <- outcome :: seen.all
-  in
   let write put =
     put before;
     let each k outcome =
-      note outcome;
+      note console o seen outcome;
       Console.progress console (Printf.sprintf "%d of %d points" seen.written count);
       put (match o.form with Csv -> Table.csv table k outcome | Jsonl -> Table.json table k outcome)
     in

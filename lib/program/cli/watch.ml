@@ -177,7 +177,7 @@ let compacted t stage =
   match over t stage with
   | Some Memory ->
     Critical.run (fun () ->
-        Gc.compact ();
+        Scc_system.Heap.compact ();
         look t)
   | Some (Seconds | Interrupted) | None -> ()
 
@@ -206,7 +206,7 @@ let attempted t stage f =
       | exception Out_of_memory when Option.is_none outer ->
         (* nothing of what may be left half done is used any more *)
         leave ();
-        Gc.compact ();
+        Scc_system.Heap.compact ();
         Error Memory
       | exception e ->
         leave ();

@@ -7,6 +7,7 @@ open Scc_property
 open Scc_state_space
 open Scc_symbolic
 open Scc_regions
+open Zone_explored
 
 let is_for = Zone_scale.leaves_open
 
@@ -40,167 +41,9 @@ let diagnostic (m : Model.t) { at; reason } =
     Diag.error Code.not_touching Span.none "%s and %s do not touch for some starts: for %s"
       (site one) (site two) values
 
-(* {1 One exploration} *)
-
-type group = Zone_groups.t = {
-  keeps_time : bool;
-  part : State.t option;
-  members : (int * Property.check) list;
-  premises : (int * Property.check) list;
-}
-
-type explored = {
-  group : group;
-  graph : Zone_graph.t;
-  answers : Answers.t list;
-  met : Answers.t list;  (** of the premises *)
-  uneventful : bool;  (** all is known, and nothing ever happens *)
-  stopped_by : Verdict.truncation list;
-  fault : string option;
-  decided : bool;
-  edges : int;
-  proof : Zone_proof.end_ option;
-}
-
-let latest answers =
-  let bounds = List.map Answers.bound answers in
-  if List.exists Option.is_none bounds then None
-  else Some (List.fold_left (fun t b -> Rat.max t (Option.get b)) Rat.zero bounds)
-
-let progress (options : Joint_check.options) ~size (node : Zone_graph.node) =
-  options.surroundings.progress
-    {
-      states = size;
-      transitions = 0;
-      waiting = size - node.number - 1;
-      depth = node.depth;
-      model_time = Rat.zero;
-    }
-
-let distinct events =
-  let add kept e = if List.exists (Formula.equal_event e) kept then kept else e :: kept in
-  List.rev (List.fold_left add [] events)
-
-let proofs_of answers = function
-  | Some (Zone_proof.Proved { proofs; _ }) -> List.map Option.some proofs
-  | Some (None_found _ | Given_up _) | None -> List.map (fun _ -> None) answers
-
-(* With what is proved. *)
-let sets answer (proof : Proof.t option) =
-  let { Answers.holds; fails } = Answers.sets answer in
-  match proof with
-  | None -> { Answers.holds; fails }
-  | Some { sets; _ } ->
-    let contradict a b = not (Union.is_empty (Union.inter a b)) in
-    if contradict holds sets.fails || contradict fails sets.holds then
-      Bug.fail __POS__ "what an invariant proves is wrong";
-    { holds = Union.union holds sets.holds; fails = Union.union fails sets.fails }
-
-let is_proved ~exactly all (proof : Proof.t option) =
-  match proof with
-  | None -> false
-  | Some { sets = { holds; fails }; _ } ->
-    let left = Union.difference (Union.difference all holds) fails in
-    Union.is_empty left || ((not exactly) && not (Union.is_empty fails))
-
-let explore (options : Joint_check.options) context (group : group) ~initial zones ~ranges ~exactly ~proof =
-  let formulas_of = List.map (fun (_, (c : Property.check)) -> c.formula) in
-  let formulas = formulas_of (group.members @ group.premises) in
-  let events = Array.of_list (distinct (List.concat_map Formula.events formulas)) in
-  let atoms = Atoms.context context ~events in
-  let parameters = Ranges.box ranges in
-  let answers_to numbered = List.map (Answers.make context atoms ~parameters) (formulas_of numbered) in
-  let answers = answers_to group.members and met = answers_to group.premises in
-  let looking = answers @ met in
-  let all = Union.of_polyhedron parameters in
-  let proved = List.map (is_proved ~exactly all) (proofs_of answers proof) in
-  let asked = if group.keeps_time then latest looking else None in
-  let user = Zone_bounds.given options.bounds.time in
-  let horizon =
-    match (asked, user) with Some a, Some b -> Some (Rat.min a b) | None, t | t, None -> t
-  in
-  let by_user =
-    match (asked, user) with
-    | Some a, Some b -> Rat.compare b a < 0
-    | None, Some _ -> true
-    | _, None -> false
-  in
-  let is_late = ref false and is_beyond = ref false and stop = ref None and size = ref 0 in
-  let depth = Zone_bounds.depth options.bounds in
-  let most = match depth.limit with Depth d -> d | _ -> Zone_bounds.default_depth in
-  let stopped () =
-    stop := options.surroundings.stop ();
-    Option.is_some !stop
-  in
-  let visitor : Zone_graph.visitor =
-    {
-      found = (fun _ -> incr size);
-      expanded =
-        (fun node ->
-           progress options ~size:!size node;
-           List.iter (fun a -> Answers.look a node) looking);
-      late =
-        (fun zone ->
-           is_beyond := true;
-           if by_user then begin
-             is_late := true;
-             List.iter (fun a -> Answers.leave a zone) looking
-           end);
-      enough =
-        (fun () ->
-           answers <> []
-           && List.for_all2 (fun a proved -> proved || Answers.is_known ~exactly a) answers proved);
-      stop = stopped;
-    }
-  in
-  let limits = { Zone_graph.depth = Some most; nodes = Zone_bounds.given options.bounds.states; horizon } in
-  let displaced = Zone_reduction.displaced options (Semantics.model context.Instant.semantics) initial formulas in
-  let visible = Zone_reduction.visible options formulas in
-  let interchangeable =
-    Zone_reduction.interchangeable options (Semantics.model context.Instant.semantics) initial formulas
-  in
-  let graph, end_ =
-    Zone_graph.explore ~displaced ?visible ~interchangeable context ~events ~limits ~visitor zones
-  in
-  let unexpanded f =
-    for i = 0 to Zone_graph.size graph - 1 do
-      let node = Zone_graph.node graph i in
-      if not node.expanded then f node
-    done
-  in
-  unexpanded (fun node -> List.iter (fun a -> Answers.look_around a node) looking);
-  if end_ = Closed && not !is_late then List.iter (fun a -> Answers.conclude a graph) looking;
-  let edges = ref 0 and happens = ref false in
-  for i = 0 to Zone_graph.size graph - 1 do
-    let of_node = (Zone_graph.node graph i).edges in
-    let is_event (e : Zone_graph.edge) = match e.step with Happens _ -> true | Passes _ | Passes_some -> false in
-    edges := !edges + List.length of_node;
-    happens := !happens || List.exists is_event of_node
-  done;
-  let stopped_by : Verdict.truncation list =
-    (match end_ with
-     | Closed | Decided | Not_affine _ -> []
-     | Bounded { depth = deep; nodes } ->
-       (if deep then [ depth ] else []) @ if nodes then [ Zone_bounds.states options.bounds ] else []
-     | Stopped -> List.map (Bounds.stopped options.bounds) (Option.to_list !stop))
-    @ if !is_late then [ { limit = Time (Option.get user); origin = By_user } ] else []
-  in
-  {
-    group;
-    graph;
-    answers;
-    met;
-    uneventful = end_ = Closed && not (!happens || !is_beyond || Option.is_some group.part);
-    stopped_by;
-    fault = (match end_ with Not_affine reason -> Some reason | _ -> None);
-    decided = (match end_ with Decided -> true | _ -> false);
-    edges = !edges;
-    proof;
-  }
-
 (* {1 Verdicts} *)
 
-let verdict options lost semantics u ~declared (e : explored) check answer (where : Where.t) : Verdict.t =
+let verdict options lost semantics u ~declared (e : Zone_explored.t) check answer (where : Where.t) : Verdict.t =
   let rebuilt make = Lost.run lost semantics make in
   let witness (place : Search_sets.place) =
     let sliced = Option.is_some e.group.part in
@@ -253,7 +96,7 @@ let rests_on_proof answer (where : Where.t) (verdict : Verdict.t) =
 
 (* A bound on its size has ended the exploration, or the seconds that it had of those who asked for an invariant,
    and something is not known. *)
-let is_open ~asked ~exactly (e : explored) =
+let is_open ~asked ~exactly (e : Zone_explored.t) =
   let of_size (t : Verdict.truncation) =
     match t.limit with
     | Depth _ | States _ | Time _ -> true
@@ -263,7 +106,7 @@ let is_open ~asked ~exactly (e : explored) =
   let unknown answer = not (Answers.is_known ~exactly answer) in
   e.stopped_by <> [] && List.for_all of_size e.stopped_by && List.exists unknown e.answers
 
-let stats (m : Model.t) (e : explored) : Joint_check.stats =
+let stats (m : Model.t) (e : Zone_explored.t) : Joint_check.stats =
   let deepest = ref 0 in
   for i = 0 to Zone_graph.size e.graph - 1 do
     deepest := Int.max !deepest (Zone_graph.node e.graph i).depth
@@ -287,7 +130,7 @@ let stats (m : Model.t) (e : explored) : Joint_check.stats =
     left_out = None;
   }
 
-let slice m ~initial (e : explored) : Check.slice option =
+let slice m ~initial (e : Zone_explored.t) : Check.slice option =
   let of_part part =
     let names = List.map (fun (_, (c : Property.check)) -> c.name) e.group.members in
     {
@@ -298,7 +141,7 @@ let slice m ~initial (e : explored) : Check.slice option =
   in
   Option.map of_part e.group.part
 
-let outcomes options semantics u ~declared (e : explored) =
+let outcomes options semantics u ~declared (e : Zone_explored.t) =
   let m = Semantics.model semantics in
   let lost = Lost.make options.Joint_check.bounds options.surroundings.attempt in
   let one (i, check) (answer, proof) =
@@ -318,7 +161,7 @@ let outcomes options semantics u ~declared (e : explored) =
   List.map2 one e.group.members (List.combine e.answers (proofs_of e.answers e.proof))
 
 (* What no run meets for any values is met never: of some values nothing is told. *)
-let premises (m : Model.t) (e : explored) =
+let premises (m : Model.t) (e : Zone_explored.t) =
   let all = Ranges.box m.ranges in
   let one (i, check) answer =
     let never = Union.covers (Answers.sets answer).fails all in
@@ -328,73 +171,78 @@ let premises (m : Model.t) (e : explored) =
   in
   List.map2 one e.group.premises e.met
 
-let run (options : Joint_check.options) semantics u ~declared ~exactly ~premises:asked checks =
+(* The bounds of a search for an invariant after the exploration, by what the one before it came to. *)
+let later ~some_check (before : Zone_proof.end_ option) : Zone_proof.effort option =
+  match before with
+  | None -> if some_check then Some Unasked else None
+  | Some (Given_up _) -> Some Longer
+  | Some (Proved _ | None_found _) -> None
+
+let of_group (options : Joint_check.options) semantics context u ~declared ~initial ~exactly (group : group) =
   let m = Semantics.model semantics in
-  let context = Instant.context semantics in
-  let initial = Zone_proof.initial semantics declared in
-  let slicing = List.exists (Reduction.equal Slice) options.reductions && Array.length initial.processes > 1 in
-  let bounded = Option.is_some (Zone_bounds.given options.bounds.time) in
-  let attempt effort (group : Zone_groups.t) =
+  let some_check = group.members <> [] in
+  let attempt effort =
     let declared = Option.value group.part ~default:declared in
     Result.to_option (Zone_proof.attempt options effort semantics u ~declared (List.map snd group.members))
   in
-  let of_group group =
-    let some_check = group.members <> [] in
-    let before = if options.prove && some_check then attempt Briefly group else None in
-    let later : Zone_proof.effort option =
-      match before with
-      | None -> if some_check then Some Unasked else None
-      | Some (Given_up _) -> Some Longer
-      | Some (Proved _ | None_found _) -> None
+  let before = if options.prove && some_check then attempt Briefly else None in
+  let of_zones zones =
+    let within = Zone_proof.leaving_time options before in
+    let e = explore within context group ~initial zones ~ranges:m.ranges ~exactly ~proof:before in
+    match later ~some_check before with
+    | Some effort when is_open ~asked:options.prove ~exactly e -> { e with proof = attempt effort }
+    | Some _ | None -> e
+  in
+  let initial = Option.value group.part ~default:initial in
+  Result.map of_zones (Start.zones context u ~initial ~keeps_time:group.keeps_time)
+
+(* The checks by the slice and the time that they need. What all slices leave out has to be well-formed as well. *)
+let groups (options : Joint_check.options) context u ~initial ~premises checks =
+  let bounded = Option.is_some (Zone_bounds.given options.bounds.time) in
+  let slicing =
+    List.exists (Reduction.equal Slice) options.reductions && Array.length initial.State.processes > 1
+  in
+  if not slicing then Ok (Zone_groups.make ~bounded ~part:(fun _ -> None) ~premises checks)
+  else
+    let formulas (c : Property.check) =
+      let of_it = List.filter (fun (p : Property.check) -> String.equal p.name c.name) premises in
+      List.map (fun (c : Property.check) -> c.formula) (c :: of_it)
     in
-    let of_zones zones =
-      let options = Zone_proof.leaving_time options before in
-      let e = explore options context group ~initial zones ~ranges:m.ranges ~exactly ~proof:before in
-      match later with
-      | Some effort when is_open ~asked:options.prove ~exactly e -> { e with proof = attempt effort group }
-      | Some _ | None -> e
-    in
-    let initial = Option.value group.part ~default:initial in
-    Result.map of_zones (Start.zones context u ~initial ~keeps_time:group.keeps_time)
+    let part zones c = Zone_slice.make context u ~initial (List.hd zones) (formulas c) in
+    Start.zones context u ~initial ~keeps_time:false
+    |> Result.map (fun zones -> Zone_groups.make ~bounded ~part:(part zones) ~premises checks)
+
+let report options semantics u ~declared ~initial explored : Check.report =
+  let m = Semantics.model semantics in
+  let sorted =
+    List.concat_map (outcomes options semantics u ~declared) explored
+    |> List.sort (fun (i, _, _) (j, _, _) -> Int.compare i j)
   in
-  let rec all done_ = function
-    | [] -> Ok (List.rev done_)
-    | group :: rest -> Result.bind (of_group group) (fun e -> all (e :: done_) rest)
+  let by_number l = List.map snd (List.sort (fun (i, _) (j, _) -> Int.compare i j) l) in
+  let stats = List.map (stats m) explored in
+  {
+    outcomes = List.map (fun (_, o, _) -> o) sorted @ by_number (List.concat_map (premises m) explored);
+    stats = List.fold_left Check.add (List.hd stats) (List.tl stats);
+    uneventful = List.exists (fun (e : Zone_explored.t) -> e.uneventful) explored;
+    slices = List.filter_map (slice m ~initial) explored;
+    zeno = None;
+    lost = [];
+    left_out = None;
+    stores = [];
+    where = List.map (fun (_, _, w) -> w) sorted;
+    invariants = List.filter_map (fun (e : Zone_explored.t) -> e.proof) explored;
+    numbers = (fun () -> []);
+  }
+
+let run (options : Joint_check.options) semantics u ~declared ~exactly ~premises checks =
+  let context = Instant.context semantics in
+  let initial = Zone_proof.initial semantics declared in
+  let rec all explored = function
+    | [] -> Ok (List.rev explored)
+    | group :: rest ->
+      Result.bind (of_group options semantics context u ~declared ~initial ~exactly group) (fun e ->
+          all (e :: explored) rest)
   in
-  (* What is left out of all slices has to be well-formed as well. *)
-  let grouped =
-    if not slicing then Ok (Zone_groups.make ~bounded ~part:(fun _ -> None) ~premises:asked checks)
-    else
-      let formulas (c : Property.check) =
-        let of_it = List.filter (fun (p : Property.check) -> String.equal p.name c.name) asked in
-        List.map (fun (c : Property.check) -> c.formula) (c :: of_it)
-      in
-      let part zones c = Zone_slice.make context u ~initial (List.hd zones) (formulas c) in
-      Start.zones context u ~initial ~keeps_time:false
-      |> Result.map (fun zones -> Zone_groups.make ~bounded ~part:(part zones) ~premises:asked checks)
-  in
-  match Result.bind grouped (all []) with
+  match Result.bind (groups options context u ~initial ~premises checks) (all []) with
   | Error { Start.at; reason } -> Error { at; reason }
-  | Ok explored ->
-    let sorted =
-      List.concat_map (outcomes options semantics u ~declared) explored
-      |> List.sort (fun (i, _, _) (j, _, _) -> Int.compare i j)
-    in
-    let by_number l = List.map snd (List.sort (fun (i, _) (j, _) -> Int.compare i j) l) in
-    let stats = List.map (stats m) explored in
-    let report : Check.report =
-      {
-        outcomes = List.map (fun (_, o, _) -> o) sorted @ by_number (List.concat_map (premises m) explored);
-        stats = List.fold_left Check.add (List.hd stats) (List.tl stats);
-        uneventful = List.exists (fun e -> e.uneventful) explored;
-        slices = List.filter_map (slice m ~initial) explored;
-        zeno = None;
-        lost = [];
-        left_out = None;
-        stores = [];
-        where = List.map (fun (_, _, w) -> w) sorted;
-        invariants = List.filter_map (fun e -> e.proof) explored;
-        numbers = (fun () -> []);
-      }
-    in
-    Ok report
+  | Ok explored -> Ok (report options semantics u ~declared ~initial explored)

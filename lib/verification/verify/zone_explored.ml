@@ -1,0 +1,174 @@
+open Scc_base
+open Scc_exact
+open Scc_polyhedra
+open Scc_graph_search
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+open Scc_symbolic
+
+type group = Zone_groups.t = {
+  keeps_time : bool;
+  part : State.t option;
+  members : (int * Property.check) list;
+  premises : (int * Property.check) list;
+}
+
+type t = {
+  group : group;
+  graph : Zone_graph.t;
+  answers : Answers.t list;
+  met : Answers.t list;  (** of the premises *)
+  uneventful : bool;  (** all is known, and nothing ever happens *)
+  stopped_by : Verdict.truncation list;
+  fault : string option;
+  decided : bool;
+  edges : int;
+  proof : Zone_proof.end_ option;
+}
+
+let latest answers =
+  let bounds = List.map Answers.bound answers in
+  if List.exists Option.is_none bounds then None
+  else Some (List.fold_left (fun t b -> Rat.max t (Option.get b)) Rat.zero bounds)
+
+let progress (options : Joint_check.options) ~size (node : Zone_graph.node) =
+  options.surroundings.progress
+    {
+      states = size;
+      transitions = 0;
+      waiting = size - node.number - 1;
+      depth = node.depth;
+      model_time = Rat.zero;
+    }
+
+let distinct events =
+  let add kept e = if List.exists (Formula.equal_event e) kept then kept else e :: kept in
+  List.rev (List.fold_left add [] events)
+
+let proofs_of answers = function
+  | Some (Zone_proof.Proved { proofs; _ }) -> List.map Option.some proofs
+  | Some (None_found _ | Given_up _) | None -> List.map (fun _ -> None) answers
+
+(* With what is proved. *)
+let sets answer (proof : Proof.t option) =
+  let { Answers.holds; fails } = Answers.sets answer in
+  match proof with
+  | None -> { Answers.holds; fails }
+  | Some { sets; _ } ->
+    let contradict a b = not (Union.is_empty (Union.inter a b)) in
+    if contradict holds sets.fails || contradict fails sets.holds then
+      Bug.fail __POS__ "what an invariant proves is wrong";
+    { holds = Union.union holds sets.holds; fails = Union.union fails sets.fails }
+
+let is_proved ~exactly all (proof : Proof.t option) =
+  match proof with
+  | None -> false
+  | Some { sets = { holds; fails }; _ } ->
+    let left = Union.difference (Union.difference all holds) fails in
+    Union.is_empty left || ((not exactly) && not (Union.is_empty fails))
+
+(* {2 What a visitor meets} *)
+
+(* Filled while the graph is explored. *)
+type visited = {
+  mutable size : int;  (** nodes found so far *)
+  mutable late : bool;  (** a zone lies beyond the bound of time of the user *)
+  mutable beyond : bool;  (** a zone lies beyond the horizon *)
+  mutable stop : Limits.stop option;
+}
+
+(* The time up to which zones are explored, and whether it is the bound of the user that ends them. *)
+let horizon (options : Joint_check.options) group looking =
+  let asked = if group.keeps_time then latest looking else None in
+  match (asked, Zone_bounds.given options.bounds.time) with
+  | Some a, Some b -> (Some (Rat.min a b), Rat.compare b a < 0)
+  | None, Some b -> (Some b, true)
+  | a, None -> (a, false)
+
+let visitor (options : Joint_check.options) visited ~by_user ~looking ~enough : Zone_graph.visitor =
+  {
+    found = (fun _ -> visited.size <- visited.size + 1);
+    expanded =
+      (fun node ->
+         progress options ~size:visited.size node;
+         List.iter (fun a -> Answers.look a node) looking);
+    late =
+      (fun zone ->
+         visited.beyond <- true;
+         if by_user then begin
+           visited.late <- true;
+           List.iter (fun a -> Answers.leave a zone) looking
+         end);
+    enough;
+    stop =
+      (fun () ->
+         visited.stop <- options.surroundings.stop ();
+         Option.is_some visited.stop);
+  }
+
+let iter_nodes graph f =
+  for i = 0 to Zone_graph.size graph - 1 do
+    f (Zone_graph.node graph i)
+  done
+
+(* The number of edges, and whether one of them is an event. *)
+let count_edges graph =
+  let edges = ref 0 and happens = ref false in
+  let is_event (e : Zone_graph.edge) = match e.step with Happens _ -> true | Passes _ | Passes_some -> false in
+  iter_nodes graph (fun node ->
+      edges := !edges + List.length node.edges;
+      happens := !happens || List.exists is_event node.edges);
+  (!edges, !happens)
+
+let bounds_met (options : Joint_check.options) visited (end_ : Zone_graph.end_) : Verdict.truncation list =
+  (match end_ with
+   | Closed | Decided | Not_affine _ -> []
+   | Bounded { depth; nodes } ->
+     (if depth then [ Zone_bounds.depth options.bounds ] else [])
+     @ if nodes then [ Zone_bounds.states options.bounds ] else []
+   | Stopped -> List.map (Bounds.stopped options.bounds) (Option.to_list visited.stop))
+  @
+  match Zone_bounds.given options.bounds.time with
+  | Some t when visited.late -> [ { limit = Time t; origin = By_user } ]
+  | _ -> []
+
+let explore (options : Joint_check.options) context (group : group) ~initial zones ~ranges ~exactly ~proof =
+  let formulas_of = List.map (fun (_, (c : Property.check)) -> c.formula) in
+  let formulas = formulas_of (group.members @ group.premises) in
+  let events = Array.of_list (distinct (List.concat_map Formula.events formulas)) in
+  let atoms = Atoms.context context ~events in
+  let parameters = Ranges.box ranges in
+  let answers_to numbered = List.map (Answers.make context atoms ~parameters) (formulas_of numbered) in
+  let answers = answers_to group.members and met = answers_to group.premises in
+  let looking = answers @ met in
+  let proved = List.map (is_proved ~exactly (Union.of_polyhedron parameters)) (proofs_of answers proof) in
+  let enough () =
+    answers <> [] && List.for_all2 (fun a proved -> proved || Answers.is_known ~exactly a) answers proved
+  in
+  let horizon, by_user = horizon options group looking in
+  let depth = match (Zone_bounds.depth options.bounds).limit with Depth d -> d | _ -> Zone_bounds.default_depth in
+  let limits = { Zone_graph.depth = Some depth; nodes = Zone_bounds.given options.bounds.states; horizon } in
+  let visited = { size = 0; late = false; beyond = false; stop = None } in
+  let model = Semantics.model context.Instant.semantics in
+  let graph, end_ =
+    Zone_graph.explore
+      ~displaced:(Zone_reduction.displaced options model initial formulas)
+      ?visible:(Zone_reduction.visible options formulas)
+      ~interchangeable:(Zone_reduction.interchangeable options model initial formulas)
+      context ~events ~limits
+      ~visitor:(visitor options visited ~by_user ~looking ~enough)
+      zones
+  in
+  iter_nodes graph (fun node ->
+      if not node.expanded then List.iter (fun a -> Answers.look_around a node) looking);
+  let is_closed = match end_ with Closed -> true | _ -> false in
+  if is_closed && not visited.late then List.iter (fun a -> Answers.conclude a graph) looking;
+  let edges, happens = count_edges graph in
+  {
+    group; graph; answers; met; edges; proof;
+    uneventful = is_closed && not (happens || visited.beyond || Option.is_some group.part);
+    stopped_by = bounds_met options visited end_;
+    fault = (match end_ with Not_affine reason -> Some reason | _ -> None);
+    decided = (match end_ with Decided -> true | _ -> false);
+  }
