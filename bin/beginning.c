@@ -43,10 +43,11 @@ static void leave(int code, const char *why, const char *detail)
   _exit(code);
 }
 
-/* What the runtime calls fatal is a want of memory, or a fault of the program or of the runtime. */
+/* What the runtime calls fatal is a want of memory, or a fault of the program or of the runtime. A runtime of OCaml 5 that
+   finds no memory before it has a domain says that there is no lock of a domain. */
 static void on_fatal_error(char *format, va_list arguments)
 {
-  static const char *const of_memory[] = { "memory", "allocat", "heap", "initiali", "reserve", "create" };
+  static const char *const of_memory[] = { "memory", "allocat", "heap", "initiali", "reserve", "create", "domain lock" };
   char what[256];
   vsnprintf(what, sizeof what, format, arguments);
   what[strcspn(what, "\n")] = 0;
