@@ -1,10 +1,11 @@
 (** Which leaves may change places in a formula, but for the order of what it joins. *)
 
+(** A formula, prepared for {!are}. *)
 type t
 
 val make : Property.temporal -> t
-(** What {!are} looks at, found once. *)
+(** Prepares a formula, once for all pairs of leaves. *)
 
 val are : t -> int -> int -> bool
-(** Whether the formula with the two leaves in each other's place is {!Formula.equal_modulo_order}. Of what [and],
-    [or], [count], [+] and [*] join, only that is looked at which names one of the two. *)
+(** [are f p q] is true if exchanging the leaves [p] and [q] gives a formula that is {!Formula.equal_modulo_order}. In
+    what [and], [or], [count], [+] and [*] join, only the parts that name [p] or [q] are compared. *)

@@ -12,7 +12,7 @@ val zeno : full:bool -> Semantics.t -> Witness.t -> string
 (** A run that never leaves an instant, as lines. *)
 
 val zeno_left_out : Verdict.truncation -> string
-(** Of one that was not made. *)
+(** A line for a Zeno run that was left out since this bound ended making it. *)
 
 val explored : Check.stats -> string
 (** A line on the extent of the exploration, and one for each fault. *)

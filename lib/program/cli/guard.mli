@@ -16,7 +16,7 @@ val complain : string list -> unit
 (** Writes lines to standard error, also in JSON mode. *)
 
 val complain_of : Console.t -> Diag.t -> unit
-(** Of what is wrong, likewise. *)
+(** Writes a diagnostic, with the place in its text, to standard error, also in JSON mode. *)
 
 val usage : string -> Exit_code.t
 (** Reports an error of the command line: exit code 64. *)

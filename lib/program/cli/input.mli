@@ -27,7 +27,8 @@ val warned : Console.t -> string -> (Source.t, Diag.t list) result
     model. *)
 
 val given : Console.t -> name:string -> string -> Source.t
-(** The same of a text that the command line has. *)
+(** [given c ~name text] makes a source of a text of the command line, adds it to the console, and reports
+    {!Direction.warnings}. *)
 
 val check_overrides : string list -> (unit, Diag.t list) result
 (** Checks the names of parameters with values on the command line. A name that occurs twice is SC0212. *)
