@@ -153,8 +153,8 @@ let fitting (extras : Check_extras.t) (l : Loaded.t) ~zones ~where =
   let* () = Verdicts.refused l ~prove:extras.prove in
   if where then Ordinary.has_ranges l else Ok ()
 
-(* Writes the files that were asked for. The code that the command ends with: a file that cannot be written is reported,
-   and the others are written all the same. *)
+(* Writes the files that were asked for. The code that the command ends with: a file that cannot be written is
+   reported, and the others are written all the same. *)
 let write_outputs console (extras : Check_extras.t) path (l : Loaded.t) report verdicts ~view expanded =
   let code = ref (exit_code report verdicts) in
   let output = function

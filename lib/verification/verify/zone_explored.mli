@@ -37,12 +37,12 @@ val explore :
   proof:Zone_proof.end_ option ->
   t
 (** Explores from these zones, up to the bounds of the options, the bounds of time of the formulas, and until all
-    members are known. With [exactly] a member is known if it is for all values; without, if it fails for some or holds
-    for all. [proof] is what is known beforehand. *)
+    members are known. With [exactly] a member is known if it is for all values; without, if it fails for some or
+    holds for all. [proof] is what is known beforehand. *)
 
 val proofs_of : Answers.t list -> Zone_proof.end_ option -> Proof.t option list
 (** The proof for each member, if the search for an invariant has one. *)
 
 val sets : Answers.t -> Proof.t option -> Answers.sets
-(** The values for which a formula holds and those for which it fails, by the exploration and by a proof. It is a bug
-    if the two contradict each other. *)
+(** The values for which a formula holds and those for which it fails, by the exploration and by a proof. It is a
+    bug if the two contradict each other. *)
