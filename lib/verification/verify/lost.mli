@@ -1,18 +1,19 @@
-(** Runs that belong to a verdict and cannot be made again through the rules, or explained: a fault of scc,
-    which is kept and told, and takes nothing else from the report. *)
+(** Runs of a verdict that cannot be made again through the rules, or explained. That is a fault of scc. It is
+    recorded and reported; the rest of the report is unaffected. *)
 
 open Scc_semantics
 open Scc_explain
 
 type t
-(** What was lost of one check after the other. *)
+(** A mutable list of the faults of one check after the other. *)
 
 val make : unit -> t
+(** A new, empty list. *)
 
 val run : t -> Semantics.t -> (unit -> Witness.t option) -> Witness.t option
-(** The run that the function makes, from a model with these rules, once the state that it leads to has been
-    made as well. If an invariant of scc is broken on the way ({!Scc_base.Bug.broken}) there is no run, and what
-    was broken is kept. All other exceptions pass. *)
+(** [run t m f] is the run [f ()], from a model with the rules [m], once the state at its end has been computed
+    as well. If an invariant of scc is broken on the way ({!Scc_base.Bug.broken}), the result is [None], and
+    the fault is recorded. All other exceptions pass. *)
 
 val taken : t -> string list
-(** What was kept since the last call, each once, in order. *)
+(** The faults recorded since the last call, each once, in order. *)
