@@ -9,5 +9,9 @@ open Scc_property
 type t = { least : int; most : int }
 
 val by : Semantics.t -> source:State.t -> Transition.label -> Property.prop -> t (** [by semantics ~source label p]
-                                                                                     is the number of things for which [p] holds, among those that happen by a transition with this label from the state
-                                                                                     [source] ({!Event.each}). [p] is made of events alone. *)
+                                                                                     is the number of things for
+                                                                                     which [p] holds, among those
+                                                                                     that happen by a transition
+                                                                                     with this label from the state
+                                                                                     [source] ({!Event.each}). [p]
+                                                                                     is made of events alone. *)

@@ -1,6 +1,7 @@
-(** The broad phase for boxes that are all there at once: which of them meet. *)
+(** The broad phase for boxes that are all known at once. *)
 
 open Scc_geometry
 
 val pairs : Float_box.t array -> (int * int) list
-(** [pairs boxes]: every (i, j) with i < j whose boxes {!Float_box.meet}, and no other, in lexicographic order. *)
+(** [pairs boxes] is the list of exactly those (i, j) with i < j whose boxes {!Float_box.meet}, in
+    lexicographic order. *)

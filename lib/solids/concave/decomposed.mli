@@ -8,26 +8,28 @@ type fault =
   | Too_many  (** more parts than the limit, or too long a way to them *)
 
 val message : Polyhedron.ifs -> fault -> Scc_base.Code.t * string
-(** Of one that is about more than single faces; {!Polyhedron_fault} has the words for [Structure] (a bug here). *)
+(** The code and the message of a fault that concerns more than single faces. A fault [Structure] is a bug
+    here: {!Polyhedron_fault} has its messages. *)
 
 val surface : Polyhedron.ifs -> (Drawn.t, fault) result
-(** Of one solid: its faces are sound ({!Sound}), and it is in one piece ({!Shells}). Fails with no [Too_many]. *)
+(** The surface of one solid, whose faces are sound ({!Sound}) and in one piece ({!Shells}). The fault is never
+    [Too_many]. *)
 
-(** How far it is: what was done last. *)
+(** The progress of a decomposition: its last step. *)
 type progress =
-  | Looking of int  (** at so many faces *)
-  | Cutting of int  (** cells, and pairs of them, that were looked at *)
-  | Making of int * int  (** parts of so many *)
-  | Naming of int  (** the faces of parts; so many parts are left *)
+  | Looking of int  (** the number of faces that are checked *)
+  | Cutting of int  (** the number of cells and pairs of cells considered so far *)
+  | Making of int * int  (** the number of the part being made, and the number of all parts *)
+  | Naming of int  (** the number of parts left whose faces need names *)
 
 val parts : ?progress:(progress -> unit) -> Polyhedron.ifs -> (Polyhedron.t list * Drawn.t, fault) result
-(** Disjoint convex polyhedra of which the solid is the union. A prism over a polygon has the parts of
-    {!Scc_polygon.Prism}, any other solid those of {!Scc_decompose.Decompose}. Each is joined to the others by
-    faces. *)
+(** Disjoint convex polyhedra whose union is the solid, and its surface. A prism over a polygon has the parts
+    of {!Scc_polygon.Prism}, any other solid those of {!Scc_decompose.Decompose}. Each part is joined to the
+    others by faces. *)
 
 val make : ?progress:(progress -> unit) -> Polyhedron.ifs -> (Parts.t, fault) result
-(** The same, cut further so that names of the solid's faces are exact, and with these names. What is called for
-    [progress], again and again, may raise. *)
+(** The solid in convex parts, cut further than {!parts} so that names of the solid's faces are exact, with
+    these names. The function [progress] is called again and again, and may raise. *)
 
 val limit : int
-(** 10 000 parts. *)
+(** The greatest number of parts: 10 000. *)

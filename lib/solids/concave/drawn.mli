@@ -1,8 +1,8 @@
 (** The surface of a solid that need not be convex: its faces, edges and corners.
 
-    Faces of the set that are side by side in one plane are one region, and edges between regions that go
-    straight on are one border; so triangles that a program made of a face are that face again. A region need
-    not be convex. *)
+    Adjacent faces of the set in one plane are one region. Edges between regions that continue each other in a
+    straight line are one border. So triangles into which a program has cut a face are one face again. A region
+    need not be convex. *)
 
 open Scc_exact
 open Scc_geometry
@@ -16,7 +16,7 @@ type region = {
 
 type border = {
   segments : (Vec.t * Vec.t) list;
-  between : int list;  (** the regions on its sides *)
+  between : int list;  (** the regions that it bounds *)
   ends : int list;  (** the corners of the solid on it, by vertex *)
 }
 
@@ -30,33 +30,36 @@ type t = private {
   region_of_face : int array;
   border_of_edge : (int * int, int) Hashtbl.t;  (** by the vertices, the lesser one first;
                                                     not of edges inside regions *)
-  corners : bool array;  (** by vertex: whether borders of different directions meet at it *)
+  corners : bool array;  (** by vertex: true if borders of different directions meet at it *)
   corners_of_region : int list array;
   borders_of_region : int list array;
 }
 
 val make : Polyhedron.ifs -> t option
-(** The faces are those of a closed solid without self-intersections, turned outward. [None] where one of them
-    is no simple polygon. *)
+(** The surface of a closed solid without self-intersections, whose faces are turned outward. [None] if one of
+    them is no simple polygon. *)
 
 val closure : t -> feature -> feature list
-(** With the borders and corners of a region, and the corners of a border. *)
+(** The feature itself, and its boundary: the borders and corners of a region, the corners of a border. *)
 
 val normal : Polyhedron.ifs -> int array -> Vec.t
-(** Of a face by its corners: twice its area, outward. *)
+(** [normal set face] is the vector along the outward normal of the face with these vertices whose length is
+    twice the area of the face. *)
 
 val area_vector : (int -> Vec.t) -> int -> Vec.t
-(** [area_vector corner n] of a flat polygon with n corners: twice its area, along its normal. *)
+(** [area_vector corner n] is the vector along the normal of the flat polygon with corners [corner 0] to
+    [corner (n - 1)] whose length is twice its area. *)
 
 val convex_corners : Polyhedron.ifs -> int array -> Vec.t -> int array list option
-(** As {!convex_pieces}, by vertices. *)
+(** [convex_corners set face n] is {!convex_pieces} by vertices in place of points. *)
 
 val convex_pieces : Polyhedron.ifs -> int array -> Vec.t -> Vec.t array list option
-(** Of a flat face with this normal; [None] if it is no simple polygon. *)
+(** [convex_pieces set face n] is the face, flat and with the normal [n], as convex polygons without common
+    inner points. [None] if it is no simple polygon. *)
 
 val volume : Polyhedron.ifs -> Rat.t
-(** Of the solid that the faces bound; negative if they are turned inward. *)
+(** The volume of the solid that the faces bound; negative if they are turned inward. *)
 
 val reflex_edges : t -> int
-(** The number of borders at which the solid is not convex. A solid without any is convex, if it is in one
-    piece; each needs a cut. *)
+(** The number of borders at which the solid is not convex. A solid in one piece is convex if it has none; each
+    of them needs a cut. *)

@@ -1,10 +1,10 @@
-(** Where convex parts of a solid touch each other with whole areas. *)
+(** Contacts of the convex parts of a solid in whole areas. *)
 
 open Scc_geometry
 
 type site = { part : int; face : int }
 
 val forest : Polyhedron.t array -> (site * site) list
-(** Of parts without common inner points: faces that have an area in common, as few pairs as join all parts
-    that hang together so. These faces are the highest touching features of their parts, as convex parts have
-    a plane between them. In the order of the parts. *)
+(** [forest parts], of parts without common inner points, are pairs of faces that share an area. There are as
+    few pairs as needed to join all parts that such pairs connect. The faces of a pair are the highest touching
+    features of their parts, since a plane separates convex parts. In the order of the parts. *)

@@ -11,24 +11,31 @@ type t = private {
 }
 
 val make : ?tick:(left:int -> unit) -> limit:int -> Drawn.t -> Polyhedron.t list -> t option
-(** From convex parts, which are cut further ({!Refined.parts}, where [tick] is told). [None] if
-    there would be more parts than the limit. *)
+(** [make ~limit drawn parts] are the convex parts [parts] of the solid, cut further as {!Refined.parts} does,
+    with names. [tick] gets the number of parts left. [None] if there would be more than [limit] parts. *)
 
 val inside : t -> Drawn.feature -> (int * Feature.t) list
-(** The features of parts that show a region, without its borders and corners, a border without its ends, or a
-    corner. *)
+(** The features of parts that show the relative interior of a feature: a region without its borders and
+    corners, a border without its ends, or a corner. Each is the number of a part and a feature of it. *)
 
 val closed : t -> Drawn.feature -> (int * Feature.t) list
-(** Of its closure. *)
+(** The features of parts that show a feature or its boundary ({!Drawn.closure}). Each is the number of a part
+    and a feature of it. *)
 
 (** What a name of the set stands for. *)
 type found =
   | Shown of Drawn.feature
-  | Flat  (** a vertex or an edge inside a face or an edge that goes straight on: no feature of the solid *)
-  | Turned of string  (** the corners of that face the wrong way round *)
+  | Flat  (** a vertex or an edge inside a region, or a vertex inside a border: no feature of the solid *)
+  | Turned of string  (** the corners of the face of this name, in reverse order *)
   | Nothing
 
 val face_or_vertex : t -> string -> found
+(** [face_or_vertex t name] is the region of the face with this name, else the corner at the vertex with this
+    name. [Flat] if there is no corner at that vertex; [Nothing] if no face or vertex has the name. *)
+
 val vertex : t -> string -> int option
+(** The number of the vertex with this name in the set; [None] if there is none. *)
+
 val tuple : t -> int list -> found
-(** One vertex, the two of an edge, or the corners of a face as the set has it. *)
+(** The feature that a tuple of vertices names: one vertex, the two vertices of an edge, or the corners of a
+    face in the order of the set. *)

@@ -1,22 +1,25 @@
-(** The closed surfaces that faces make, and which of them are within which.
+(** The closed surfaces that faces form, and their nesting.
 
-    Faces are of one shell if they hang together by edges. The solid of sound faces ({!Sound}) is in one piece iff
-    one shell is around all others, turned outward, and these are its hollows, turned into them and beside each
-    other: on either side of a shell, whoever is next to it gets to any other place next to it, past its edges. *)
+    A shell is a set of faces that are connected by edges. The solid of sound faces ({!Sound}) is in one piece
+    iff one shell, turned outward, contains all others, and these are its hollows. Shells of hollows are turned
+    into them and are beside each other. The reason: all places next to one side of a shell are connected, past
+    its edges. *)
 
 open Scc_geometry
 
 type fault =
   | Apart of int * int  (** a face of each of two solids that are beside each other *)
-  | Island of int * int  (** a face of a solid, and one of the solid in a hollow of which it is *)
+  | Island of int * int  (** a face of a solid, and a face of another solid that has the first one in a
+                             hollow *)
   | Outward of int  (** a face of a shell within a solid, whose faces are turned outward *)
 
 val fault : Polyhedron.ifs -> fault option
-(** Of sound faces. *)
+(** [fault set], for sound faces, is a reason why their solid is not in one piece; [None] if it is. *)
 
 val message : Polyhedron.ifs -> fault -> Scc_base.Code.t * string
+(** The code and the message of a fault, with the names of the faces. *)
 
 val oriented : Polyhedron.ifs -> Polyhedron.ifs * int list
-(** Each shell is turned outward that is within no other one or in a hollow, and inward that is within a solid.
-    With the first face of each that had to be turned over. All stays as it is if there is one shell alone, or if
-    faces are not sound for other reasons. Quadratic in the number of shells. *)
+(** [oriented set] has each shell turned outward if it is in no other shell or in a hollow, and inward if it is
+    in a solid. The list has the first face of each shell that was turned over. The set is unchanged if there
+    is only one shell, or if faces are unsound for other reasons. Quadratic in the number of shells. *)

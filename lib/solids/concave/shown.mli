@@ -1,4 +1,4 @@
-(** Which of a drawn solid's faces, edges and corners the features of its convex parts show. *)
+(** The faces, edges and corners of a drawn solid that the features of its convex parts show. *)
 
 open Scc_exact
 open Scc_geometry
@@ -6,16 +6,18 @@ open Scc_geometry
 type t
 
 val make : Drawn.t -> t
+(** An index of the surface for {!features}. *)
 
 val features : t -> Polyhedron.t -> (Feature.t * Drawn.feature list) list
-(** Of a part of the solid: each feature that is seen from outside, with what it shows. That is more than one where
-    a face shows pieces of several regions, or an edge comes out of a border into a region; an edge or a corner
-    inside a region shows that region. What is glued to other parts and seen nowhere is not listed. *)
+(** [features t part] has each feature of a part of the solid that is seen from outside, with what it shows. It
+    shows several features if a face has pieces of several regions, or an edge continues from a border into a
+    region. An edge or a corner inside a region shows that region. Features that other parts hide completely
+    are not listed. *)
 
 val share : Vec.t -> Vec.t array -> Vec.t array -> bool
-(** Two convex polygons of a plane with this normal, the first counter-clockwise about it, the other one
-    clockwise, have an area in common. *)
+(** [share n p q] is true if two convex polygons of a plane with the normal [n] have an area in common. The
+    first is counter-clockwise about [n], the second clockwise. *)
 
 val overlap : Drawn.region -> Vec.t array -> bool
-(** A convex polygon in the plane of the region, counter-clockwise as seen from outside, has an area in common
-    with it. *)
+(** [overlap region polygon] is true if a convex polygon in the plane of the region has an area in common with
+    it. The polygon is counter-clockwise as seen from outside. *)

@@ -3,8 +3,9 @@
 open Scc_exact
 
 val compound : name:string -> mass:Rat.t -> Parts.t -> string
-(** In the modelling language: a template for each part, and a compound of them all. The parts have their
-    shares of the mass, by volume; each is glued to others where they touch ({!Joints}). *)
+(** A text in the modelling language: a template for each part, and a compound of all. The parts have shares of
+    the mass by their volumes; each is glued to others where they touch ({!Joints}). *)
 
 val obj : Parts.t -> string
-(** As OBJ, each part an object with corners of its own. Coordinates are integers or fractions p/q. *)
+(** A text in the format OBJ: each part is an object with corners of its own. Coordinates are integers or
+    fractions p/q. *)

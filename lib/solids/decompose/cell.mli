@@ -8,17 +8,18 @@ type facet = { plane : Plane.t; corners : Place.t array }
 type t = facet list
 
 val box : Vec.t -> Vec.t -> t
-(** From the least and the greatest corner, which differ in all coordinates. *)
+(** [box low high] is the box with these least and greatest corners, which differ in all coordinates. *)
 
 val clip : t -> Plane.t -> t option
-(** What is behind the plane, [None] if there is nothing but a piece of the boundary. *)
+(** The part of the cell behind the plane; [None] if that is at most a piece of the cell's boundary. *)
 
 val corners : t -> Place.t list
+(** The corners of all facets, sorted by {!Place.compare}, each once. *)
 
 type position = Behind | In_front | On | Across
 
 val position : Plane.t -> Place.t array -> position
-(** Of the convex hull of points. *)
+(** The position of the convex hull of points relative to a plane. *)
 
 val behind : Plane.t -> Place.t array -> Place.t array
-(** Of a convex polygon that is {!Across} the plane, what is behind it. *)
+(** The part behind the plane of a convex polygon that is {!Across} it. *)

@@ -1,19 +1,22 @@
-(** Reflex edges of a solid, at which it is not convex, or what is left of them in a cell. *)
+(** Reflex edges of a solid, at which it is not convex, or the pieces of them that are in a cell. *)
 
 type t
 
 val of_surface : Plane.t array -> (int * Place.t array) array -> t array
-(** Of convex polygons, each with the number of its plane, in front of which is the outside. An edge is found where
-    two polygons have both its corners. *)
+(** [of_surface planes polygons] are the reflex edges of the surface. Each convex polygon comes with the index
+    of its plane, in front of which is the outside. An edge is found where two polygons have both its corners.
+*)
 
 val split : Plane.t -> t array -> t array * t array
-(** What is behind the plane, and what is in front of it; what is in the plane is in neither. *)
+(** [split plane notches] are the pieces behind the plane, and those in front of it. Pieces in the plane are
+    dropped. *)
 
 val plane : Plane.t array -> t array -> Plane.t option
-(** [None] if there are none; else a plane through one of them: one that is strictly between the two polygons
-    there, or that of one of the two with its front. A cut by it leaves convex angles.
+(** [plane planes notches] is a plane through one of the reflex edges, or [None] if there are no edges. It is
+    strictly between the two polygons at the edge, or the plane of one of them with its orientation. A cut
+    along it leaves convex angles at the edge.
 
-    Many are tried: planes of polygons, and those through the ends of an edge and a third corner, to which an
-    edge of the surface goes from there, or at which a reflex edge elsewhere ends. So the numbers are as short
-    as in planes of faces. What is taken goes through many, as through the edges of a furrow one after the
-    other, cuts few others in two, and has about as many in front as behind. *)
+    The candidates are planes of polygons, and planes through the ends of an edge and a third corner. From that
+    corner an edge of the surface leads to the edge, or a reflex edge elsewhere ends at it. So the numbers are
+    as short as in planes of faces. The best candidate goes through many edges, as through those of a furrow
+    one after the other. It cuts few others in two, and has about as many in front as behind. *)

@@ -1,19 +1,25 @@
-(** Points of space as four integers, (x/w, y/w, z/w) with w > 0 and no common divisor: what planes cut out of
-    planes stays as short as it can be. *)
+(** Points of space as four integers, (x/w, y/w, z/w), with w > 0 and without a common divisor. So the numbers
+    of points where planes intersect are as short as possible. *)
 
 open Scc_exact
 
 type t = private { x : Z.t; y : Z.t; z : Z.t; w : Z.t }
 
 val of_vec : Vec.t -> t
+(** The point with these rational coordinates. *)
+
 val to_vec : t -> Vec.t
+(** The rational coordinates of a point. *)
+
 val equal : t -> t -> bool
+(** [equal p q] is true if both are the same point. *)
 
 val compare : t -> t -> int
-(** Some order; not that of coordinates. *)
+(** A total order: that of the numbers (x, y, z, w), not that of coordinates. *)
 
 val hash : t -> int
+(** A hash that is compatible with {!equal}. *)
 
 val crossing : t -> Z.t -> t -> Z.t -> t
-(** [crossing p (Plane.height s p) q (Plane.height s q)], of points on different sides of the plane s: where the
-    segment between them meets it. *)
+(** [crossing p (Plane.height s p) q (Plane.height s q)] is the point where the segment from [p] to [q] crosses
+    the plane [s]. The two points are strictly on different sides of it. *)

@@ -5,16 +5,24 @@ open Scc_exact
 type t = private { a : Z.t; b : Z.t; c : Z.t; d : Z.t }  (** a x + b y + c z <= d, without a common divisor *)
 
 val make : Ivec.t -> Place.t -> t
-(** With that normal, not zero, through the point. *)
+(** The plane with this normal, which is not zero, through the point. *)
 
 val through : Place.t -> Place.t -> Place.t -> t option
-(** They run counter-clockwise as seen from in front. [None] if they are on a line. *)
+(** The plane through three points that run counter-clockwise as seen from in front; [None] if they are on a
+    line. *)
 
 val opposite : t -> t
+(** The plane with front and back exchanged. *)
+
 val equal : t -> t -> bool
+(** [equal s t] is true if both planes and their orientations are the same. *)
+
 val hash : t -> int
+(** A hash that is compatible with {!equal}. *)
 
 val height : t -> Place.t -> Z.t
-(** A number with the sign of the side on which the point is: positive in front, 0 on the plane. *)
+(** A number with the sign of the side on which the point is: positive in front, negative behind, 0 on the
+    plane. *)
 
 val side : t -> Place.t -> int
+(** The sign of {!height}: 1 in front, -1 behind, 0 on the plane. *)

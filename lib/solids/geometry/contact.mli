@@ -1,4 +1,4 @@
-(** The contact of two touching solids: its region, and which features touch (readings I-3 and I-4,
+(** The contact of two touching solids: its region, and the features that touch (readings I-3 and I-4,
     Definition 4.5). *)
 
 open Scc_exact
@@ -10,18 +10,20 @@ type pair = {
 }
 
 val region : Obstacle.t -> Vec.t -> Vec.t list
-(** The corners of A n B about the reference point of A, for touching bodies at an offset: one for a point,
-    two for a segment, the corners of a convex polygon in order otherwise. *)
+(** [region o r] are the corners of the intersection of A and B, relative to the reference point of A, for
+    touching bodies at offset [r]. A point has one corner, a segment two, and a convex polygon has its corners
+    in order. *)
 
 val touching : Obstacle.t -> Vec.t -> pair list
-(** Rule Touching: every touching pair of features, those whose relative interiors intersect. Sorted. *)
+(** Rule Touching: every pair of features whose relative interiors intersect, for touching bodies at an offset.
+    Sorted. *)
 
 val highest : Obstacle.t -> Vec.t -> pair
-(** Rule Highest: the one pair that has the whole relative interior of the contact region in the relative
-    interiors of both its features. *)
+(** Rule Highest: the one pair of features whose relative interiors both contain the whole relative interior of
+    the contact region. *)
 
 (** {1 Of flat features} *)
 
 val pairs : (Feature.t * Flat.shape) list -> (Feature.t * Flat.shape) list -> pair list
-(** All pairs of a feature of A and one of B whose relative interiors intersect, given as shapes of one plane.
-    Sorted. *)
+(** All pairs of a feature of A and one of B whose relative interiors intersect. The shapes of the features are
+    in one plane. Sorted. *)

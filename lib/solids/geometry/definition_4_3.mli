@@ -1,13 +1,13 @@
-(** The seven conditions of Definition 4.3 as the paper prints them, each by itself, with a witness. They
-    decide nothing: a template is accepted by {!Polyhedron.of_ifs} (reading I-2), which implies them, while
-    they admit sets that bound no convex solid.
+(** The seven conditions of Definition 4.3 as the paper prints them, each by itself, with a witness. They are
+    for reports only. Templates are accepted by {!Polyhedron.of_ifs} (reading I-2), which implies the seven
+    conditions. These conditions also admit sets that bound no convex solid.
 
-    Readings: a face is a convex polygon (condition 4) when it is planar, simple and strictly convex; the
-    angle of condition 6 is the dihedral angle at each edge that exactly two faces share, on the inner side
-    of the surface, so that coplanar neighbours fail it; as no condition speaks of orientation, the inner
-    side is that, in front of all faces or behind them all, on which fewer edges fail (an edge along which
-    both faces run the same way has none, and fails). The edges of condition 7 are unordered (reading I-1).
-    Faces that name vertices outside V fail condition 2 and are left out of 4 to 7. *)
+    Readings: a face is a convex polygon (condition 4) when it is planar, simple and strictly convex. The angle
+    of condition 6 is the dihedral angle, on the inner side, at each edge that exactly two faces share. So
+    coplanar neighbours fail it. No condition mentions orientation. The inner side is either in front of all
+    faces or behind them all, whichever makes fewer edges fail. An edge along which both faces run the same way
+    has no inner side, and fails. The edges of condition 7 are unordered (reading I-1). Faces that name
+    vertices outside V fail condition 2 and are ignored in 4 to 7. *)
 
 type witness =
   | Too_few  (** 1: of vertices or of faces; the numbers are in {!t} *)
@@ -30,19 +30,19 @@ type t = {
 }
 
 val check : Polyhedron.ifs -> t
-(** Near linear in the size of the set. *)
+(** The results of all seven conditions for a set. Near linear in the size of the set. *)
 
 val holds : t -> bool
-(** All seven hold. *)
+(** [holds t] is true if all seven conditions hold. *)
 
 val euler : t -> int
 (** |V| - |dg(F)| + |F| with unordered edges. *)
 
 val euler_ordered : t -> int
-(** The same with ordered pairs, in which a closed surface counts each edge twice. *)
+(** |V| - |dg(F)| + |F| with ordered pairs for edges: a closed surface counts each edge twice. *)
 
 val statement : int -> string
-(** What condition 1 … 7 asks, in a few words. *)
+(** [statement k] is the text of condition k, 1 to 7, in a few words. *)
 
 val explain : t -> vertex:(int -> string) -> face:(int -> string) -> witness -> string
-(** Why it fails, naming vertices and faces. *)
+(** [explain t ~vertex ~face w] is the reason why a condition fails, with the names of vertices and faces. *)

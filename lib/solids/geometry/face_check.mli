@@ -1,21 +1,20 @@
-(** One face of an indexed face set: is it a planar, simple, strictly convex polygon (E4, condition 4 of
-    Definition 4.3)? All arithmetic is on integers. *)
+(** The check that a face of an indexed face set is a planar, simple, strictly convex polygon (E4, condition 4
+    of Definition 4.3). All arithmetic is on integers. *)
 
 open Scc_exact
 
 type problem =
   | Off_plane of int list
-  (** the places in the tuple of the corners that may be blamed: without any one of them the others lie
-      in one plane; when no single corner is to blame, the first one off the plane of the first three
-      that are not collinear *)
+  (** the places in the tuple of corners such that the others lie in one plane without that one. If there are
+      none, it is the first corner off the plane of the first three that are not collinear. *)
   | Not_left of int  (** the place of a corner at which the tuple does not turn left strictly *)
   | Crossing  (** sides that cross, or a polygon that winds more than once *)
 
 val normal : Ivec.t array -> int array -> Ivec.t
-(** [normal points corners] is twice the area vector: for a planar simple polygon, twice its area times the
-    unit normal towards the side from which the tuple runs counter-clockwise. *)
+(** [normal points corners] is twice the area vector. For a planar simple polygon it is the unit normal times
+    twice the area, towards the side from which the tuple runs counter-clockwise. *)
 
 val check : Ivec.t array -> int array -> (Ivec.t, problem) result
 (** The {!normal} of a planar, simple, strictly convex polygon, or the first problem in the order of the
-    constructors. The tuple has at least three entries, in range. Linear in their number, save for the
-    search of crossing sides, which is quadratic and done for at most 64 corners. *)
+    constructors. The tuple has at least three entries, in range. Linear in their number, but for the search
+    for crossing sides: it is quadratic, and done for at most 64 corners. *)

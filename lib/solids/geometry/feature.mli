@@ -6,11 +6,13 @@ type t =
   | Face of int  (** index into {!Polyhedron.faces} *)
 
 val dimension : t -> int
-(** 0, 1 or 2. *)
+(** The dimension of a feature: 0 for a vertex, 1 for an edge, 2 for a face. *)
 
 val equal : t -> t -> bool
+(** [equal f g] is true if both are features of one kind with one index. *)
 
 val compare : t -> t -> int
-(** By dimension, then by index. *)
+(** A total order: by dimension, then by index. *)
 
 val hash : t -> int
+(** A hash that is compatible with {!equal}. *)

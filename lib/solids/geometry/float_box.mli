@@ -1,40 +1,43 @@
-(** Boxes with edges along the axes, in floats that are rounded outward: each holds the exact box that it stands
-    for, so that two exact boxes that meet are never seen as apart. Coordinates may be infinite. *)
+(** Boxes with edges along the axes, in floats that are rounded outward. Each contains the exact box that it
+    represents. So boxes that are apart here prove that the exact boxes are apart. Coordinates may be infinite.
+*)
 
 open Scc_exact
 
 type t
 
 val down : Rat.t -> float
-(** A float at most the number; never [infinity]; 0 for 0. *)
+(** A float at most the number; never [infinity]; the number itself if it is a float. *)
 
 val up : Rat.t -> float
-(** A float at least the number; never [neg_infinity]; 0 for 0. *)
+(** A float at least the number; never [neg_infinity]; the number itself if it is a float. *)
 
 val of_corners : Vec.t -> Vec.t -> t
-(** From the least and the greatest corner. *)
+(** [of_corners low high] is the box with these least and greatest corners, rounded outward. *)
 
 val at : Vec.t -> t -> t
-(** The box, given about a point, when that is at a place. *)
+(** [at p b] is the box [b], which is relative to a point, when that point is at [p]. *)
 
 val swept : Vec.t -> until:float -> t -> t
-(** Holds the box wherever it is from now to a time, [until] > 0, with a velocity. *)
+(** [swept v ~until b] contains the box at all times from 0 to [until] > 0 when it moves with velocity [v]. *)
 
 val make : low:float array -> high:float array -> t
-(** From the coordinates of the corners; none is a NaN. *)
+(** [make ~low ~high] is the box with these coordinates of its corners, none of which is a NaN. *)
 
 val low : t -> int -> float
-(** The least coordinate along an axis, 0 to 2. *)
+(** [low b axis] is the least coordinate along an axis, 0 to 2. *)
 
 val high : t -> int -> float
+(** [high b axis] is the greatest coordinate along an axis, 0 to 2. *)
 
 val meet : t -> t -> bool
-(** Whether the closed boxes have a point in common. *)
+(** [meet a b] is true if the closed boxes have a common point. *)
 
 val hull : t array -> t
-(** Holds all of them, of which there is one at least. *)
+(** The least box that contains all boxes, of which there is at least one. *)
 
 val equal : t -> t -> bool
+(** [equal a b] is true if all coordinates are the same. *)
 
 val extent : t -> float
-(** The length of the longest edge; infinite or a NaN when a coordinate is infinite. *)
+(** The length of the longest edge; infinite or a NaN if a coordinate is infinite. *)

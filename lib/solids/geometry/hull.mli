@@ -3,6 +3,6 @@
 open Scc_exact
 
 val triangles : Vec.t array -> int array list option
-(** The surface of the hull as triangles of indices, counter-clockwise from outside, in no order to rely on;
-    several of one plane make a face. Points may coincide: the first of them is meant. [None] when all are in one
-    plane. Near linear in the number of points, unless they are made to be slow. *)
+(** The surface of the hull as triangles of indices, counter-clockwise from outside, in no fixed order. A face
+    of the hull may consist of several triangles. If points coincide, the first of them is used. [None] if all
+    points are in one plane. Near linear in the number of points, except for adversarial input. *)

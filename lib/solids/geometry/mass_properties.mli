@@ -11,11 +11,12 @@ type t = {
 }
 
 val of_surface : Ivec.t array -> Z.t -> int array array -> t
-(** [of_surface points denominator faces]: the points [points / denominator] and the planar faces of a closed
-    surface whose volume is not zero (a bug otherwise). *)
+(** [of_surface points denominator faces] are the properties of the uniform solid with the vertices [points /
+    denominator]. The faces are planar and form a closed surface whose volume is not zero (a bug otherwise). *)
 
 val of_polyhedron : Polyhedron.t -> t
-(** In body space. *)
+(** The mass properties of a polyhedron, in body space. *)
 
 val inertia : mass:Rat.t -> t -> Mat.t
-(** The inertia tensor about the centroid of the uniform solid of that mass. *)
+(** [inertia ~mass t] is the inertia tensor about the centroid of the uniform solid of that mass, along the
+    axes of the frame. *)

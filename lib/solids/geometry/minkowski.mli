@@ -10,5 +10,5 @@ type facet = {
 }
 
 val facets : Solid.t -> Solid.t -> facet array
-(** Exactly the facets of A - B, each once; the order depends only on the solids. The work is the number of
+(** Exactly the facets of A - B, each once. Their order depends only on the solids. The work is the number of
     edges of A times that of B. *)

@@ -20,15 +20,17 @@ type t =
   | Separate_solids of int * int  (** a face of each of two solids that share no edge *)
 
 val equal : t -> t -> bool
+(** [equal f g] is true if both are one fault with one witness. *)
 
 val kind : t -> string
-(** The name of the constructor in lower case, with hyphens: ["open-edge"], … Stable: for machines. *)
+(** The name of the constructor in lower case, with hyphens: ["open-edge"], …. It is stable, for use by
+    programs. *)
 
 val code : t -> Scc_base.Code.t
-(** The code of the diagnostic. *)
+(** The diagnostic code of a fault. *)
 
 val message : vertex:(int -> string) -> face:(int -> string) -> t -> string
-(** One sentence for a person, without the final full stop, given the names of vertices and faces. *)
+(** One sentence for readers, without the final full stop, with the names of vertices and faces. *)
 
 val hint : vertex:(int -> string) -> face:(int -> string) -> t -> string option
-(** What to do about it, where that is clear. *)
+(** Advice how to repair the fault, where that is clear. *)

@@ -1,13 +1,13 @@
-(** Portals: where a line enters the obstacle A - B of two solids, or a plane between the two, sought in
-    floats. Which vertices and which direction are found is a guess and nothing more: {!Certificate} proves it,
-    over integers where floats cannot, and all that a wrong guess can cost is time. *)
+(** Portals: the place where a line enters the obstacle A - B of two solids, or a plane between the two,
+    searched in floats. The vertices and the direction found are a guess. {!Certificate} proves them, over
+    integers where floats cannot. A wrong guess costs time only. *)
 
 type triangle = { p : Point.t; q : Point.t; r : Point.t }
 
 type edge = { right : Point.t; left : Point.t }
 (** Seen along the line, the ray from the centre of the obstacle through the line passes between the two. *)
 
-(** Of a line, from its infinite past on. *)
+(** A guess about a line, from its infinite past on. *)
 type line =
   | Apart of Shadow.floats  (** this direction seems to separate, and to be orthogonal to the line *)
   | Beside of edge  (** the line seems to pass along or outside of this edge of the silhouette *)
@@ -15,7 +15,7 @@ type line =
   (** the line seems to enter through the portal, which carries a facet; it passes inside of the edge *)
   | Lost
 
-(** Of the origin. *)
+(** A guess about the origin. *)
 type place =
   | Apart of Shadow.floats  (** this direction seems to separate *)
   | Inside of triangle  (** the origin seems to be between the centre and this portal *)
@@ -31,4 +31,4 @@ type guess = {
 }
 
 val guess : guess
-(** Portal ray-shooting. *)
+(** Guesses by portal ray-shooting. *)

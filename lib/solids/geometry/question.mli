@@ -1,6 +1,6 @@
-(** What is asked of the obstacle A - B of two solids, in floats: B stands at the offset r and moves at the
-    velocity w, as seen from A. Everything is about the offset: a point of the obstacle is p = a - b - r, and the
-    line runs from the origin along w. *)
+(** A question about the obstacle A - B of two solids, in floats. B is at the offset r and moves at the
+    velocity w, as seen from A. Coordinates are relative to the offset: a point of the obstacle is p = a - b -
+    r, and the line runs from the origin along w. *)
 
 type t = private {
   a : Solid.t;
@@ -11,8 +11,9 @@ type t = private {
 }
 
 val make : Solid.t -> Solid.t -> Shadow.floats -> Shadow.floats -> t option
-(** [make a b r w], with the floats of r and w; [None] where floats would overflow or the solids are too thin for
-    them. *)
+(** [make a b r w] is the question with the floats of r and w. [None] if floats would overflow or the solids
+    are too thin for them. *)
 
 val bound_on : Solid.t -> Solid.t -> Shadow.floats -> float
-(** The bound for the offset r. *)
+(** [bound_on a b r] is a bound on all coordinates at offset r: the sum of those on the coordinates of A, of B
+    and of r. *)

@@ -1,20 +1,20 @@
-(** A solid seen through floats, about its reference point. Every number here is close to an exact one, as said, or
-    a bound on exact ones that holds, so that filters can be built on it. *)
+(** A solid in floats, relative to its reference point. Each number here is close to an exact one, within the
+    stated error, or a proved bound on exact ones. Filters are built on these numbers. *)
 
 open Scc_exact
 
 type floats = { x : float; y : float; z : float }
 
 val floats : Vec.t -> floats
-(** Floats within 3 * 2^-53 of the coordinates, relatively; a NaN for a coordinate that is too small for that, an
-    infinity for one that is too great. *)
+(** Floats within a relative error of 3 * 2^-53 of the coordinates. A coordinate that is too small for that
+    gives a NaN, and one that is too great gives an infinity. *)
 
 val greatest : floats -> float
-(** The greatest size of a coordinate; a NaN if one of them is. *)
+(** The greatest absolute value of a coordinate; a NaN if a coordinate is a NaN. *)
 
 val sane : float -> bool
-(** Whether a coordinate is 0 or of a size between 2^-120 and 2^120: then no product of a few of them overflows or
-    loses digits for being small. False for a NaN. *)
+(** [sane x] is true if x is 0 or its absolute value is between 2^-120 and 2^120. Then no product of a few such
+    numbers overflows or loses digits by underflow. It is false for a NaN. *)
 
 type t = private {
   count : int;  (** vertices *)
@@ -38,5 +38,6 @@ type t = private {
 }
 
 val make : Ivec.t array -> Z.t -> centroid:Vec.t -> normals:Ivec.t array -> corners:Ivec.t array -> t
-(** [make vertices denominator ~centroid ~normals ~corners]: [corners] has a vertex of each face, over the
+(** [make vertices denominator ~centroid ~normals ~corners] is the solid with the vertices [vertices /
+    denominator]. For each face, [normals] has its normal and [corners] one of its vertices, over the
     denominator too. *)

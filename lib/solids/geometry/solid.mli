@@ -22,14 +22,15 @@ type t = private {
 }
 
 val make : id:int -> Polyhedron.t -> Mat.t -> t
-(** The determinant of the map is positive (a bug otherwise). *)
+(** [make ~id polyhedron m] is the image of the template under the linear map [m]. The determinant of [m] is
+    positive (a bug otherwise). *)
 
 val vertex : t -> int -> Vec.t
-(** The rational position of a vertex about the reference point. *)
+(** [vertex s i] is the rational position of vertex i relative to the reference point. *)
 
 val corners : t -> Feature.t -> int list
 (** The vertices of a feature; those of a face in its order. *)
 
 val highest : t -> float array -> float -> int
-(** [highest s direction sign]: the vertex that is highest in the direction, which the first three numbers are,
-    times [sign]; up to rounding, and any vertex if these are no numbers. *)
+(** [highest s direction sign] is the vertex that is highest in the direction of the first three numbers times
+    [sign], up to rounding. It is any vertex if one of these is a NaN. *)

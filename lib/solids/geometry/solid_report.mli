@@ -1,5 +1,5 @@
-(** All that there is to say about an indexed face set as a template: both verdicts, kept apart (reading
-    I-2), sizes and mass properties. *)
+(** A report on an indexed face set as a template: both verdicts, kept apart (reading I-2), sizes and mass
+    properties. *)
 
 open Scc_exact
 
@@ -15,24 +15,32 @@ type t = {
 }
 
 val make : Polyhedron.ifs -> t
+(** The report on a set: its check by {!Polyhedron.of_ifs}, the conditions of Definition 4.3, and its mass
+    properties. *)
+
 val accepted : t -> bool
+(** [accepted r] is true if the set is a convex closed polyhedron. *)
 
 val off_centre : t -> Vec.t option
-(** The centroid of an accepted set, when it is not the origin of body space: the paper wants it there, and
-    nothing here depends on it. *)
+(** The centroid of an accepted set, if it is not the origin of body space. The paper wants it there; nothing
+    here depends on it. *)
 
 val vertex_name : t -> int -> string
+(** The name of the vertex with this index in the set. *)
+
 val face_name : t -> int -> string
+(** The name of the face with this index in the set. *)
 
 val faults : t -> Scc_base.Diag.t list
-(** One diagnostic without a place for each fault, in their order, or the warning SC0312 when {!off_centre}
-    gives an offset. *)
+(** One diagnostic without a place for each fault, in their order. For an accepted set it is the warning SC0312
+    if {!off_centre} gives a centroid, else the list is empty. *)
 
 val max_faults : int
-(** So many faults are listed in text; then how many more there are. *)
+(** The number of faults that a text lists, 20; the others are only counted. *)
 
 val names : (string * 'a) array -> string
-(** Of vertices or faces, in order; of many the first, and how many more there are. *)
+(** The names of vertices or faces, in order, separated by commas. Beyond 40, the rest is only counted;
+    ["none"] for no name. *)
 
 val to_text : name:string -> t -> string
-(** Several lines for a person, the last ended by a newline. *)
+(** Several lines for readers, the last ended by a newline. *)

@@ -1,4 +1,4 @@
-(** How the vertices, edges and faces of a polyhedron hang together: what a walk over its surface needs. *)
+(** The incidence of the vertices, edges and faces of a polyhedron, for walks over its surface. *)
 
 type edge = {
   tail : int;
@@ -15,10 +15,11 @@ type t = private {
 }
 
 val make : int -> int array array -> (int * int) array -> t
-(** [make vertex_count faces edges], of a closed surface (E1, E2). Linear, up to the numbers of neighbours. *)
+(** [make vertex_count faces edges] is the incidence of a closed surface (E1, E2). Linear time, up to the
+    numbers of neighbours. *)
 
 val edge_between : t -> int -> int -> int option
-(** The edge with these two ends, if there is one. *)
+(** The edge with these two ends, in either order; [None] if there is none. *)
 
 val common_face : t -> int -> int -> int -> int option
-(** The face that has all three corners, if there is one; the corners are distinct. *)
+(** The face that has all three corners, which are distinct; [None] if there is none. *)

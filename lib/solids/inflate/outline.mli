@@ -1,4 +1,4 @@
-(** The outline of a shape as polygons, and the same with fewer corners. Places as in {!Front}. *)
+(** The outline of a shape as polygons, and its simplification to fewer corners. Places as in {!Front}. *)
 
 type place = int * int
 
@@ -7,18 +7,18 @@ type place = int * int
 type loop = place array
 
 val trace : Silhouette.t -> loop list
-(** Simple and pairwise disjoint: the outer one, and one for each hole. They have a corner half-way between each
-    pixel of the shape and each of its neighbours outside. The outer one comes first. *)
+(** The outlines of a shape, simple and pairwise disjoint: the outer one first, then one for each hole. They
+    have a corner half-way between each pixel of the shape and each of its neighbours outside. *)
 
 val corners : loop list -> int
-(** In all. *)
+(** The number of corners of all loops together. *)
 
 type simplified = {
   loops : loop list;  (** corners are some of those before *)
-  off : int;  (** the two outlines are nowhere farther apart, in 1/256 of a pixel *)
+  off : int;  (** a bound on the distance of the two outlines anywhere, in 1/256 of a pixel *)
 }
 
 val simplify : Silhouette.t -> most:int -> loop list -> simplified
-(** Takes away corners, first those that matter least, until [most] are left in all, but never so that loops would
-    touch each other or themselves: there may be more than [most]. Corners that do not matter at all go in any
-    case. *)
+(** [simplify shape ~most loops] removes corners, the least important ones first, until [most] are left in all.
+    Loops never touch each other or themselves, so there may be more than [most]. Corners without any effect
+    are always removed. *)

@@ -1,5 +1,5 @@
-(** The heights of an inflated shape over the centres of its pixels: small numbers, and how far they are from the
-    exact ones, which is proved. *)
+(** The heights of an inflated shape over the centres of its pixels, as small numbers with a proved bound on
+    their error. *)
 
 open Scc_exact
 
@@ -10,7 +10,7 @@ type profile =
   | Round  (** the root of v: a sphere over a disc *)
 
 val quanta : int
-(** 256: heights are multiples of 1/256 of a pixel. *)
+(** The number of quanta in a pixel, 256: heights are multiples of 1/256 of a pixel. *)
 
 type t = {
   shape : Silhouette.t;
@@ -18,14 +18,15 @@ type t = {
   (** of the pixels of the rectangle, in quanta: 0 outside of the shape, and more than 0 in it *)
   radius : Rat.t;  (** in pixels *)
   highest : int;  (** in quanta *)
-  off : Rat.t;  (** no height is farther than this, in pixels, from what it is exactly *)
+  off : Rat.t;  (** a bound on the error of all heights, in pixels *)
 }
 
 val root_up : Z.t -> Z.t
-(** The least integer whose square is not less. *)
+(** The least integer whose square is at least the number, which is not negative. *)
 
 val most : int
-(** Shapes higher than this are refused, in pixels: 2{^16}. *)
+(** The greatest height of a shape that is not refused, in pixels: 2{^16}. *)
 
 val make : profile -> Silhouette.t -> Diffusion.t -> greatest:Rat.t -> t option
-(** [greatest] is the greatest strength. [None] when it would be too high. *)
+(** [make profile shape v ~greatest] are the heights for the fixed point [v], where [greatest] is the greatest
+    strength. [None] if one is greater than {!most}. *)

@@ -1,4 +1,4 @@
-(** Which pixels of a picture belong to the drawn shape. *)
+(** The pixels of a picture that belong to the drawn shape. *)
 
 open Scc_pixels
 
@@ -14,7 +14,7 @@ type t = {
   picture : Raster.t;
 }
 
-(** A set of pixels that hang together by their edges. *)
+(** A set of pixels that are connected by their edges. *)
 type piece = { pixels : int; at : int * int  (** column and row in the picture of its first pixel, from 0 *) }
 
 type fault =
@@ -23,20 +23,22 @@ type fault =
   | No_such_piece of piece list
 
 val find : ?background:int -> ?piece:int -> Raster.t -> (t, fault) result
-(** A pixel is of the shape when it is at least half opaque and, in a picture without transparency or with a given
-    background, when its red, green or blue is at least half of the whole range away from that of the background,
-    which is white if not given. Pixels that only touch at a corner do not hang together. [piece] chooses one of
-    several, from 1, by size. *)
+(** [find picture] is the shape that is drawn. A pixel belongs to it if it is at least half opaque. In a
+    picture without transparency or with a given background, its red, green or blue must also differ enough
+    from the background: by half of the range at least. The background is white if it is not given. Pixels that
+    only touch at a corner are not connected. If there are several pieces, [piece] chooses one, from 1, by
+    size. *)
 
 val is_inside : t -> int -> int -> bool
-(** Also of places beyond the rectangle. *)
+(** [is_inside t x y] is true if the pixel at column x and row y is in the shape. Places beyond the rectangle
+    are not. *)
 
 val colour : t -> int -> int
-(** Of the pixel of an index, which is of the shape. *)
+(** [colour t i] is the colour, 0xRRGGBB, of the pixel with index [i], which is in the shape. *)
 
 val colours : t -> (int * int) list
 (** The colours of the shape, each with the number of its pixels, the most frequent first. *)
 
 val depth : t -> int
-(** The squared distance from the centre of some pixel of the shape to the nearest centre of one that is not, at
-    its greatest. *)
+(** The greatest squared distance, in pixels, from the centre of a pixel of the shape to the nearest centre of
+    a pixel outside. *)

@@ -1,5 +1,6 @@
-(** Numbers in the buffers of a glTF file (sections 3.6.1 and 3.6.2 of the specification 2.0 of Khronos): buffers
-    inside of the file, as base64 or as the binary chunk; views, accessors, and sparse accessors. *)
+(** Numbers in the buffers of a glTF file (sections 3.6.1 and 3.6.2 of the specification 2.0 of Khronos).
+    Buffers are inside the file, as base64 or as the binary chunk. Views, accessors and sparse accessors are
+    supported. *)
 
 open Scc_base
 open Scc_exact
@@ -7,14 +8,16 @@ open Scc_exact
 type t
 
 val make : path:string -> binary:string option -> budget:int ref -> Gltf_json.t -> (t, Diag.t) result
-(** [binary] is the binary chunk of a GLB file. [budget] is how many elements may yet be read: it bounds the memory
-    that a small file can ask for by naming one accessor often. Reading takes from it, and so may others. *)
+(** [make ~path ~binary ~budget root] gives access to the data of a file, where [binary] is the binary chunk of
+    a GLB file. The budget is the number of elements that may still be read. It bounds the memory that a small
+    file can ask for by naming one accessor often. Reading subtracts from it; callers may subtract too. *)
 
 val spend : t -> Gltf_json.t -> int -> (unit, Diag.t) result
-(** Takes from the budget; beyond it is a fault at the value. *)
+(** [spend t v n] subtracts [n] elements from the budget. If fewer are left, it is a fault at the value [v]. *)
 
 val positions : t -> Gltf_json.t -> (Vec.t array, Diag.t) result
-(** Of the accessor that the value names: 32-bit numbers in threes, exactly. *)
+(** The points of the accessor whose index the value is: triples of 32-bit numbers, exactly. *)
 
 val indices : t -> Gltf_json.t -> below:int -> (int array, Diag.t) result
-(** Whole numbers of 1, 2 or 4 bytes, each less than [below]. *)
+(** [indices t v ~below] are the numbers of the accessor whose index [v] is: integers of 1, 2 or 4 bytes, each
+    less than [below]. *)

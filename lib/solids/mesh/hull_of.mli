@@ -3,13 +3,14 @@
 open Scc_geometry
 
 val hull : Polyhedron.ifs -> Polyhedron.ifs option
-(** Its faces are maximal, and named [f0], [f1], …; vertices keep their names, but those that are no corners go.
-    [None] when all vertices are in one plane. *)
+(** The convex hull of the vertices. Its faces are maximal, and named [f0], [f1], …. Vertices keep their names;
+    those that are no corners are dropped. [None] if all vertices are in one plane. *)
 
 val flattened : within:float -> Polyhedron.ifs -> Polyhedron.ifs
-(** Of such a hull: neighbouring faces that are flat within the distance are one ({!Nearly_flat}), and vertices
-    that are not on three faces any more go. Faces are [f0], [f1], … again. What comes out need not be flat. *)
+(** [flattened ~within hull] unites neighbouring faces of a {!hull} that are flat within the distance
+    ({!Nearly_flat}). Vertices that are on fewer than three faces then are dropped. Faces are named [f0], [f1],
+    … again. The new faces need not be flat. *)
 
 val named : (string * Scc_exact.Vec.t) list -> Polyhedron.ifs option
-(** The hull of points, as the language has it: its faces are f1, f2, … in the order of the first three of their
-    corners, without numbers that a point has. *)
+(** The hull of named points, as in the language. Its faces are f1, f2, … in the order of the first three of
+    their corners, without names that a point has. [None] if all points are in one plane. *)

@@ -1,10 +1,10 @@
-(** Which neighbouring faces of a convex surface are meant to be one: rounding bends a face of more than three
-    corners. Guessed in floats; whether a solid has such faces is for others to find out. The same on all
-    machines. *)
+(** Groups of neighbouring faces of a convex surface that are likely to be one face, bent by rounding. The
+    groups are a guess, in floats, with the same result on all machines. A caller must check that a solid with
+    such faces exists. *)
 
 open Scc_geometry
 
 val groups : within:float -> Polyhedron.ifs -> int array
-(** Of each face the least face of its group. Groups grow by neighbours, the flattest union first, as long as
-    some plane (that of all their corners, by Newell's method) has all corners within the distance. Faces of a
-    closed surface; on [n] of them some [n log n] unions are tried. *)
+(** [groups ~within set] has, for each face of a closed surface, the least face of its group. Groups grow by
+    neighbours, the flattest union first. A union is made if all its corners are within the distance of some
+    plane across its normal (by Newell's method). For [n] faces about [n log n] unions are tried. *)

@@ -1,9 +1,10 @@
-(** OFF files (Geomview): the word [OFF], the numbers of vertices, faces and edges, then a line for each
-    vertex [x y z] and for each face [k i1 … ik], from 0. [COFF], [NOFF], [STOFF] and their combinations are
-    read without their colours, normals and texture coordinates; a colour after a face is skipped. The
-    number of edges, which many writers leave 0, is not used. *)
+(** OFF files (Geomview). They have the word [OFF], the numbers of vertices, faces and edges, then a line for
+    each vertex and each face. A vertex is [x y z], a face [k i1 … ik], with indices from 0. [COFF], [NOFF],
+    [STOFF] and their combinations are read without their colours, normals and texture coordinates; a colour
+    after a face is skipped. The number of edges, which many writers leave 0, is not used. *)
 
 open Scc_base
 open Scc_geometry
 
 val read : path:string -> string -> (Polyhedron.ifs, Diag.t) result
+(** [read ~path text] is the set of faces of a file. Errors (SC0320) are located in the file. *)

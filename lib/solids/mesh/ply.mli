@@ -6,3 +6,4 @@ open Scc_base
 open Scc_geometry
 
 val read : path:string -> string -> (Polyhedron.ifs, Diag.t) result
+(** [read ~path text] is the set of faces of a file. Errors (SC0320) are located in the file. *)

@@ -1,4 +1,4 @@
-(** Triangles as they come in files that do not tell which corners are one vertex. *)
+(** Triangles from files that do not identify equal corners as one vertex. *)
 
 open Scc_exact
 open Scc_geometry
@@ -6,12 +6,15 @@ open Scc_geometry
 type t
 
 val create : unit -> t
+(** A new set without triangles. *)
 
 val number : t -> Vec.t -> int
-(** Of the vertex at this very point: the same for equal points, in the order in which they are first met. *)
+(** [number soup x] is the number of the vertex at the point [x]. Equal points have one number; numbers are in
+    the order of first calls, from 0. *)
 
 val add : t -> int -> int -> int -> unit
-(** The triangle of three such vertices; one with two equal corners is no triangle, and is left out. *)
+(** [add soup a b c] adds the triangle of three vertices. If two of them are equal, the triangle is dropped. *)
 
 val solid : t -> Polyhedron.ifs
-(** With maximal faces ({!Merge_coplanar}); without any triangle it is a cloud of all the points. *)
+(** The set of faces, made maximal by {!Merge_coplanar}. Without any triangle it is a cloud of all the
+    points. *)

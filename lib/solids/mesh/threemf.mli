@@ -1,18 +1,18 @@
-(** 3MF, the 3D Manufacturing Format: the core specification, 1.4, of the 3MF Consortium. A package (a ZIP file) in
-    which a part of XML tells objects, as triangles or as components made of other objects, and which of them are
-    built. *)
+(** 3MF, the 3D Manufacturing Format: the core specification, 1.4, of the 3MF Consortium. A file is a package
+    (a ZIP file) with a part of XML. That part defines objects, as triangles or as components made of other
+    objects, and lists those that are built. *)
 
 open Scc_base
 open Scc_geometry
 
 val read : path:string -> string -> (Polyhedron.ifs, Diag.t) result
-(** The triangles of the items to be built, moved by their transforms and those of components; all numbers are the
-    decimals that are written. As for STL and glTF, equal points are one vertex, and {!Merge_coplanar} makes faces;
-    a mirror turns faces over, so that they stay outside. The unit of length is not looked at. Supports are left
-    out.
+(** The triangles of the items to be built, moved by their transforms and those of components. All numbers are
+    the decimals that are written. As for STL and glTF, equal points are one vertex, and {!Merge_coplanar}
+    makes faces. A mirror turns faces over, so that they still face outside. The unit of length is ignored.
+    Supports are dropped.
 
-    Refused (SC0320): extensions that the file says are required, but those that leave triangles as they are
-    (colours, names of parts, sets of triangles); parts of a model in other parts of the package; objects that are
-    used before they are told, so that none is inside of itself; components upon components that have many times
-    the triangles that the size of the file has room for, or get too long numbers; and what {!Archive} and
-    {!Xml_part} refuse. *)
+    Refused (SC0320): required extensions, but for those that leave triangles as they are (colours, names of
+    parts, sets of triangles). Parts of a model in other parts of the package are refused, and so are objects
+    that are used before they are defined. So no object contains itself. Nested components with many times the
+    triangles that the size of the file can hold, or with too long numbers, are refused. So are all inputs that
+    {!Archive} and {!Xml_part} refuse. *)

@@ -1,5 +1,5 @@
-(** An XML part of a package, read from its start to its end by Xmlm. Document types, and with them entities of
-    their own, are refused, and so are elements that are nested more than 100 deep. *)
+(** An XML part of a package, read from its start to its end by Xmlm. Document types, and so their own
+    entities, are refused. Elements that are nested more than 100 deep are refused too. *)
 
 open Scc_base
 
@@ -9,19 +9,21 @@ exception Refused of Diag.t
 type t
 
 val fail : t -> ('a, unit, string, 'b) format4 -> 'a
-(** Raises {!Refused}: something is wrong here. *)
+(** Raises {!Refused}, at the current line. *)
 
 val read : path:string -> part:string -> string -> (t -> Xmlm.tag -> 'a) -> 'a
-(** Gives the root to a function that reads all of it ({!children}); nothing but blanks and comments may follow. *)
+(** [read ~path ~part text f] calls [f] with the tag of the root; [f] reads the whole root ({!children}). Only
+    blanks and comments may follow the root. *)
 
 val children : t -> (Xmlm.tag -> unit) -> unit
-(** The elements in the one whose tag was given last, one by one; each has to be read too, by {!children} or
-    {!skip}. Text is skipped. *)
+(** [children t f] calls [f] for each element inside the one whose tag was given last. Each element has to be
+    read too, by {!children} or {!skip}. Text is skipped. *)
 
 val skip : t -> unit
-(** The rest of the element whose tag was given last. *)
+(** Skips the rest of the element whose tag was given last. *)
 
 val attribute : Xmlm.tag -> string -> string option
-(** Of no namespace, without blanks around it. *)
+(** [attribute tag name] is the value of the attribute without a namespace, without blanks around it. *)
 
 val needed : t -> Xmlm.tag -> string -> string
+(** [needed t tag name] is the value of an {!attribute}; raises {!Refused} if it is missing. *)

@@ -3,5 +3,5 @@
 type rule = Nonzero | Even_odd
 
 val polygons : Raster.t -> rule -> colour:int -> Svg_path.polygon list -> unit
-(** Makes opaque, in that colour, the pixels whose centres are within by the rule, exactly; of centres on the line
-    those of which the inside is to the right or below. *)
+(** [polygons picture rule ~colour polygons] paints the pixels whose centres are inside by the rule, exactly,
+    in an opaque colour. A centre on an edge is inside if the inside is to the right of it or below. *)

@@ -1,13 +1,14 @@
-(** Pictures that shapes are made of, from files: PNG, Netpbm (PBM, PGM, PPM) and SVG, told apart by what is in
-    them. *)
+(** Pictures for shapes, from files: PNG, Netpbm (PBM, PGM, PPM) and SVG, which are recognised by their
+    contents. *)
 
 open Scc_base
 
 val read : ?resolution:int -> path:string -> string -> (Raster.t, Diag.t) result
-(** [resolution] is how many pixels the longer side of an SVG drawing has, 128 if not told; other pictures have
-    theirs. Faults: {!Picture_fault}. *)
+(** The picture of a file. [resolution] is the number of pixels of the longer side of an SVG drawing,
+    {!default_resolution} if it is not given; other pictures have their own. Faults: {!Picture_fault}. *)
 
 val default_resolution : int
+(** The number of pixels of the longer side of an SVG drawing: 128. *)
 
 val is_text : string -> bool
-(** A drawing whose faults have places in its text. *)
+(** [is_text text] is true for an SVG drawing, whose faults have places in its text. *)

@@ -8,22 +8,31 @@ type t = { a : Rat.t; b : Rat.t; c : Rat.t; d : Rat.t; e : Rat.t; f : Rat.t }
 (** (x, y) becomes (a x + c y + e, b x + d y + f). *)
 
 val identity : t
+(** The map that leaves each point where it is. *)
+
 val apply : t -> point -> point
+(** [apply m p] is the image of the point [p]. *)
 
 val compose : t -> t -> t
-(** [compose m n] applies [n] first. *)
+(** [compose m n] is the map that applies [n], then [m]. *)
 
 val scaling : Rat.t -> Rat.t -> t
+(** [scaling x y] multiplies the coordinates by [x] and [y]. *)
+
 val translation : Rat.t -> Rat.t -> t
+(** [translation x y] adds [x] and [y] to the coordinates. *)
 
 val cos_sin : Rat.t -> point
-(** Of an angle in degrees, each within 2{^-50}, and exact for multiples of 90 degrees. *)
+(** The cosine and the sine of an angle in degrees, each within 2{^-50}, and exact for multiples of 90
+    degrees. *)
 
 val rotation : Rat.t -> t
-(** By degrees. *)
+(** The rotation by an angle in degrees, with the numbers of {!cos_sin}. It takes the x axis towards the y
+    axis. *)
 
 val skewing : [ `X | `Y ] -> Rat.t -> t option
-(** By degrees; [None] for right angles. *)
+(** The skewing along an axis by an angle in degrees; [None] for right angles. *)
 
 val stretch : t -> Rat.t
-(** No vector gets longer than this times its length. *)
+(** A bound on the factor by which the map lengthens any vector: the sum of the absolute values of a, b, c and
+    d. *)

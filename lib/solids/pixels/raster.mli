@@ -8,17 +8,19 @@ type t = {
 }
 
 val max_side : int
-(** 2 048 pixels: then all that is asked about places in a picture fits in native integers. *)
+(** The greatest width and height, 2 048 pixels: all computations with places in a picture then fit in native
+    integers. *)
 
 val max_pixels : int
-(** 2{^18}, as 512 x 512 has: more takes minutes to inflate, and says no more about a shape of a few hundred
-    faces. *)
+(** The greatest number of pixels, 2{^18}, as 512 x 512 has. More pixels take minutes to inflate, without a
+    visible effect on a shape of a few hundred faces. *)
 
 val too_large : width:int -> height:int -> bool
-(** Whether such a picture is refused, before memory is taken for it. *)
+(** [too_large ~width ~height] is true if a picture of this size is refused, before memory is allocated for
+    it. *)
 
 val create : width:int -> height:int -> t
-(** Of a size that is not refused: transparent and black. *)
+(** A transparent and black picture of a size that is not {!too_large}. *)
 
 val colour_text : int -> string
-(** ["#ff8000"]. *)
+(** A colour 0xRRGGBB as a text: ["#ff8000"]. *)

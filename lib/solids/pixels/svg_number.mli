@@ -3,27 +3,28 @@
 open Scc_exact
 
 exception Bad of string
-(** What is wrong with an attribute. *)
+(** An attribute that violates the format; the text is the reason. *)
 
 exception Unread of string
-(** What it says, and scc does not read. *)
+(** An attribute with a feature that is not supported; the text names it. *)
 
 type cursor = { text : string; mutable at : int }
 
 val skip : cursor -> unit
-(** Blanks and commas. *)
+(** Skips blanks and commas. *)
 
 val ended : cursor -> bool
-(** After blanks and commas. *)
+(** [ended c] skips blanks and commas, and is true if nothing follows. *)
 
 val number : cursor -> Rat.t
-(** The next one, exactly, after blanks and commas: of at most 40 characters and 10{^±9}. *)
+(** The next number, exactly, after blanks and commas. It has at most 40 characters and an exponent of at most
+    10{^±9}. *)
 
 val flag : cursor -> bool
-(** The next one of 0 and 1, which need not be parted from what follows. *)
+(** The next flag, 0 or 1, after blanks and commas. It need not be separated from the text after it. *)
 
 val all : string -> Rat.t list
-(** At most a million. *)
+(** All numbers of a text, at most a million. *)
 
 val length : string -> Rat.t
-(** One number with a unit: in pixels, of which 96 are an inch. *)
+(** A number with a unit, in pixels: an inch has 96 pixels. *)

@@ -1,4 +1,4 @@
-(** How an element of SVG is painted: what it says itself, and what it inherits. *)
+(** The style of an element of SVG: its own properties, and those that it inherits. *)
 
 open Scc_exact
 
@@ -12,9 +12,12 @@ type t = {
 }
 
 val initial : t
+(** The style outside of all elements: a black fill by the rule [Nonzero], visible, opaque, without a
+    stroke. *)
 
 val of_element : t -> (string * string) list -> t
-(** Of one with these attributes within one of that style. {!Svg_number.Bad} and {!Svg_number.Unread}. *)
+(** [of_element around attributes] is the style of an element with these attributes within an element of the
+    style [around]. Raises {!Svg_number.Bad} and {!Svg_number.Unread}. *)
 
 val transform : string -> Plane_map.t
-(** Of the attribute. *)
+(** The map of the attribute [transform]. Raises {!Svg_number.Bad}. *)

@@ -1,5 +1,6 @@
-(** Convex pieces made one where they stay convex, as in Hertel and Mehlhorn (1983). *)
+(** The union of convex pieces into larger convex pieces, as in Hertel and Mehlhorn (1983). *)
 
 val merged : Grid.t -> int array list -> int array list
-(** Pieces by their corners, counter-clockwise, side by side at whole edges: of two that have an edge in common and
-    whose union is convex one is made, until there are no such two. *)
+(** Convex pieces, after all possible unions. The pieces are given by their corners, counter-clockwise, and are
+    adjacent along whole edges. Two pieces with a common edge and a convex union become one, until there are no
+    such two. *)

@@ -13,8 +13,9 @@ type fault =
   | Outside of int  (** a hole that is not inside the outer ring, or is inside another hole *)
 
 val make : Grid.point array -> int array list -> (t, fault) result
-(** [make points rings]: the outer ring first; each in either direction. Corners may have straight angles. Every
-    point is in one ring at most. Near linear time for rings of which few edges are side by side. *)
+(** [make points rings] is the polygon with these rings, the outer one first, each in either direction. Corners
+    may have straight angles. Every point is in one ring at most. Near linear time for rings of which few edges
+    are side by side. *)
 
 val edges : int array -> (int * int) list
-(** Of a ring, in its order. *)
+(** The edges of a ring of points, in its order; the last one leads back to the first point. *)

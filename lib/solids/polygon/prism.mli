@@ -3,8 +3,9 @@
 open Scc_exact
 
 val pieces : vertices:Vec.t array -> faces:int array array -> int array list option
-(** Of a closed polyhedron (faces with their corners counter-clockwise as seen from outside, flat, without
-    self-intersections; faces of a plane may be cut into triangles): if it is a prism over a polygon, with holes or
-    without, right or oblique, the vertices of convex prisms that it consists of, as many as {!Partition.convex}
-    has pieces. Each is the hull of these vertices, which need not all be corners of it. [None] if it is no
-    prism, if not every corner of one cap has its like on the other, or if it is not in one piece. *)
+(** [pieces ~vertices ~faces] are convex prisms whose union is a prism over a polygon, with holes or without,
+    right or oblique. The faces are those of a closed polyhedron: flat, counter-clockwise as seen from outside,
+    without self-intersections. Faces of a plane may be cut into triangles. Each piece is the hull of these
+    vertices, which need not all be corners of it; there are as many pieces as {!Partition.convex} has. [None]
+    if the polyhedron is no prism, if a corner of one cap has no counterpart on the other, or if it is not in
+    one piece. *)

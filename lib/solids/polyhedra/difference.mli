@@ -1,5 +1,5 @@
-(** What is left of a polyhedron without another. *)
+(** Differences of polyhedra. *)
 
 val pieces : Polyhedron.t -> Polyhedron.t -> Polyhedron.t list
-(** [pieces p q]: disjoint polyhedra, none empty, whose union is p without q. One constraint of q after the other
-    is negated, where those before it hold. *)
+(** [pieces p q] are disjoint polyhedra, none empty, whose union is [p] without [q]. Each piece satisfies the
+    negation of one constraint of [q] and the constraints before that one. *)

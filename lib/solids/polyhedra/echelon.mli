@@ -1,21 +1,24 @@
-(** Systems of linear equalities in reduced echelon form: each gives its first variable, which occurs in no other
-    one. A solvable system has exactly one such form. *)
+(** Systems of linear equalities in reduced echelon form: the first variable of an equality occurs in no other
+    equality. A solvable system has exactly one such form. *)
 
 type t
 
 val empty : t
+(** The system without equalities. *)
 
 val add : t -> Constraint.t -> t option
-(** One more equality; [None] if the system has no solution with it. *)
+(** The system with one more equality; [None] if it then has no solution. A constraint that is no equality is a
+    bug. *)
 
 val of_list : Constraint.t list -> t option
-(** Of equalities. *)
+(** The reduced echelon form of a list of equalities; [None] if they have no common solution. *)
 
 val to_list : t -> Constraint.t list
-(** By their first variables. *)
+(** The equalities of the reduced form, in the order of their first variables. *)
 
 val rank : t -> int
-(** The number of equalities. *)
+(** The number of equalities of the reduced form. *)
 
 val reduce : t -> Constraint.t -> Constraint.t
-(** The constraint, where the equalities hold, without the variables that they give. *)
+(** [reduce t c] is [c] without the first variables of the equalities of [t]. It is equivalent to [c] where
+    these hold. *)

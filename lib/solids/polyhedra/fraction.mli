@@ -1,7 +1,8 @@
-(** The simplest fraction of a range. *)
+(** The simplest fraction of an open interval. *)
 
 open Scc_exact
 
 val simplest : above:Rat.t option -> below:Rat.t option -> Rat.t
-(** Of the numbers strictly between the bounds, each of which may be missing, that of the least denominator; of
-    several the one nearest to 0, and of two the positive one. The range is not empty. *)
+(** [simplest ~above ~below] is the number strictly between the bounds with the least denominator. Among
+    several it is the one nearest to 0, and of two such the positive one. A bound may be missing; an empty
+    interval is a bug. *)

@@ -1,6 +1,7 @@
 (** Convex polyhedra, not necessarily closed: the solutions of finitely many linear constraints, strict or not,
-    over the variables 0 .. n - 1 of a space of dimension n. Everything is exact. A value is never changed; what
-    it takes to know is found once and kept with it, such as whether there is a point, or the minimal form.
+    over the variables 0 .. n - 1 of a space of dimension n. Everything is exact. Values are immutable.
+    Emptiness is decided when a polyhedron is made; the minimal form is computed once, at its first use, and
+    kept.
 
     Two polyhedra, forms and constraints that are used together have the same dimension (a bug otherwise). *)
 
@@ -11,116 +12,133 @@ type t
 (** {1 Making} *)
 
 val universe : int -> t
-(** All points. *)
+(** All points of the space of dimension n. *)
 
 val empty : int -> t
+(** The set without points, in the space of dimension n. *)
+
 val of_constraints : int -> Constraint.t list -> t
+(** [of_constraints n constraints] is the set of the points that satisfy all of them. *)
 
 val of_point : Rat.t array -> t
-(** This point alone. *)
+(** The polyhedron with this point as its only one, in the space of as many dimensions as it has coordinates.
+*)
 
 val box : (Rat.t * Rat.t) array -> t
-(** The points whose coordinates are in these ranges, the ends included. *)
+(** [box ranges] has the points whose coordinate i is between the two ends of [ranges.(i)], both included. *)
 
 (** {1 What it is} *)
 
 val dimension : t -> int
-(** Of the space. *)
+(** The dimension of the space: the number of variables. *)
 
 val is_empty : t -> bool
-(** At once. *)
+(** [is_empty p] is true if [p] has no point. Takes constant time. *)
 
 val is_universe : t -> bool
+(** [is_universe p] is true if [p] has all points of its space. *)
 
 val constraints : t -> Constraint.t list
-(** The minimal form: equalities in reduced echelon form, also those that only inequalities together imply, and
-    inequalities that do not mention what these give, none of which follows from the rest. For a closed polyhedron
-    there is one such form; one that is not closed may have several, so compare polyhedra by {!equal}. Of the
-    empty one 0 < 0 alone. *)
+(** The minimal form: equalities in reduced echelon form, including those that follow from inequalities alone,
+    then inequalities. The inequalities do not mention the first variables of the equalities, and none follows
+    from the rest. A closed polyhedron has one such form; others may have several, so compare polyhedra by
+    {!equal}. The empty one has 0 < 0 alone. *)
 
 val minimal : t -> t
-(** The same polyhedron, kept by its minimal form alone: quicker to work with. *)
+(** The polyhedron as a value that is kept by its minimal form: later operations are quicker. *)
 
 val equalities : t -> Constraint.t list
-(** Those of the minimal form. *)
+(** The equalities of the minimal form; none for the empty set. *)
 
 val affine_dimension : t -> int
-(** Of its affine hull; -1 when it is empty. *)
+(** The dimension of the affine hull; -1 for the empty set. *)
 
 val mem : t -> Rat.t array -> bool
+(** [mem p x] is true if the point [x] is in [p]. A point of another dimension is a bug. *)
 
 val point : t -> Rat.t array option
-(** A point of it; [None] when it is empty. *)
+(** Some point of the polyhedron; [None] if it is empty. *)
 
 val corner : t -> Rat.t array option
-(** A point of the closure on as many borders as any: a vertex of it, if it has vertices. *)
+(** A point of the closure that lies on as many borders as possible: a vertex, if there are any. [None] if the
+    polyhedron is empty. *)
 
 val interior_point : t -> Rat.t array option
-(** A point of its relative interior, with simple coordinates: each is the simplest fraction that is left, first
-    that of variable 0. {b Simplest} is the least denominator, then the least size; where that denominator is more
-    than 100, it is the simplest one of the middle half of what is left. [None] when it is empty. *)
+(** A point of the relative interior with simple coordinates; [None] if the polyhedron is empty. Coordinates
+    are chosen one after the other, from variable 0 on, each the simplest fraction that is left. {b Simplest}
+    is the least denominator, then the least absolute value. Where that denominator exceeds 100, the choice is
+    limited to the middle half of the interval. *)
 
 type bound = Simplex.bound = Unbounded | Bound of { value : Rat.t; attained : bool }
 
 val supremum : t -> Linear.t -> bound option
-(** The least number that the form does not exceed on it, and whether a point attains it; [None] when it is
+(** [supremum p f] is the least upper bound of [f] on [p], and whether a point attains it; [None] if [p] is
     empty. *)
 
 val infimum : t -> Linear.t -> bound option
+(** [infimum p f] is the greatest lower bound of [f] on [p], and whether a point attains it; [None] if [p] is
+    empty. *)
 
 val is_bounded : t -> bool
-(** Whether it is in some box, as the empty one is. *)
+(** [is_bounded p] is true if some box contains [p]. The empty set is bounded. *)
 
 val implies : t -> Constraint.t -> bool
-(** Whether all its points satisfy the constraint. *)
+(** [implies p c] is true if all points of [p] satisfy [c]. *)
 
 val is_closed : t -> bool
-(** Whether no strict constraint is needed to describe it. *)
+(** [is_closed p] is true if [p] contains its closure, so that it can be described without strict constraints.
+*)
 
 (** {1 Comparing} *)
 
 val included : t -> t -> bool
-(** [included p q]: whether each point of p is one of q. *)
+(** [included p q] is true if each point of [p] is a point of [q]. *)
 
 val equal : t -> t -> bool
-(** The same points. *)
+(** [equal p q] is true if both have the same points. *)
 
 val disjoint : t -> t -> bool
+(** [disjoint p q] is true if no point is in both. *)
 
 val hash_of_closure : t -> int
-(** The same for equal polyhedra, and for those that differ in whether their borders belong to them. *)
+(** A hash of the closure: equal for polyhedra whose closures are equal. *)
 
 (** {1 Others that it gives rise to} *)
 
 val add : t -> Constraint.t -> t
-(** Where the constraint holds as well. *)
+(** [add p c] has the points of [p] that satisfy [c]. *)
 
 val add_all : t -> Constraint.t list -> t
+(** [add_all p constraints] has the points of [p] that satisfy all constraints. *)
+
 val inter : t -> t -> t
+(** The intersection of both. *)
 
 val closure : t -> t
-(** With its borders; the closure of the empty one is empty. *)
+(** The topological closure: all strict constraints of the minimal form become non-strict. The closure of the
+    empty set is empty. *)
 
 val relative_interior : t -> t
+(** The interior within the affine hull: all inequalities of the minimal form become strict. *)
 
 val preimage : t -> dimension:int -> Linear.t array -> t
-(** [preimage p ~dimension forms], forms over so many variables: the points that they map into p. This is
-    substitution of forms for the variables. *)
+(** [preimage p ~dimension forms] has the points of a space of [dimension] variables that the forms map into
+    [p]. It is computed by substitution of the forms for the variables. *)
 
 val substitute : t -> int -> Linear.t -> t
-(** [substitute p i f]: the points that are in p once their coordinate i has been set to f of them. *)
+(** [substitute p i f] has the points x for which the point with f(x) in place of x{_i} is in [p]. *)
 
 val embed : t -> dimension:int -> int array -> t
-(** [embed p ~dimension at]: in a space of so many variables, where x{_i} has the number [at.(i)], different for
-    each, and nothing is said of the other variables. *)
+(** [embed p ~dimension at] is [p] in a space of [dimension] variables, where x{_i} gets the number [at.(i)].
+    These numbers are distinct; the other variables are unconstrained. *)
 
 val project : t -> int array -> t
-(** [project p onto]: what p says of some variables alone, where [onto.(k)], all different, is the one that gets
-    number k: the points (x{_onto.(0)}, x{_onto.(1)}, ...) of all points x of p. With all variables this is a
-    permutation. *)
+(** [project p onto] has the points (x{_onto.(0)}, x{_onto.(1)}, ...) for all points x of [p]. The variables in
+    [onto] are distinct (a bug otherwise). With all variables it is a permutation of the coordinates. *)
 
 val eliminate : t -> int list -> t
-(** The points that get into p if the coordinates of these numbers may be changed. *)
+(** [eliminate p variables] has the points that are in [p] after a suitable change of the coordinates with
+    these numbers. *)
 
 val image : t -> Linear.t array -> t
-(** The points to which forms over its variables, one for each coordinate, map it. *)
+(** [image p forms] has the points (forms.(0)(x), forms.(1)(x), ...) for all points x of [p]. *)

@@ -1,8 +1,8 @@
-(** Whether linear constraints have a common solution, and how great a linear function gets under them. Variables
-    that no constraint has together, directly or by others, are in systems of their own ({!Tableau}): what is
-    asked of hundreds of variables takes as long as what it takes for those that have to do with each other.
+(** Feasibility of linear constraints, and bounds of linear functions under them. Variables that no chain of
+    constraints joins are in separate systems ({!Tableau}). So the time of a query depends on the variables
+    that are joined to those of the query, not on all.
 
-    A value is never changed: constraints are added to a system that has a solution, which stays where it is. *)
+    Values are immutable: adding a constraint returns a new system, and the old one remains valid. *)
 
 open Scc_exact
 
@@ -10,38 +10,44 @@ type t
 (** Constraints on x{_0}, ..., x{_n-1}, all of which some point satisfies; the solver stands at such a point. *)
 
 val universe : int -> t
-(** No constraints on so many variables. *)
+(** [universe n] is the system over n variables without constraints. *)
 
 val dimension : t -> int
+(** The number n of variables. *)
 
 val add : t -> Constraint.t -> t option
-(** One more constraint, which gets the next number, from 0 on. [None] if no point satisfies all. *)
+(** The system with one more constraint, whose number is the count of those before it, from 0 on. [None] if no
+    point satisfies all. *)
 
 val of_constraints : int -> Constraint.t list -> t option
-(** All of them, in this order. *)
+(** [of_constraints n constraints] is the system of these constraints, numbered in this order from 0; [None] if
+    no point satisfies all. *)
 
 val satisfies : t -> Constraint.t -> bool
-(** Whether the point at which the solver stands satisfies the constraint. If not, there is a point of the system
-    that does not; if so, nothing follows for others. *)
+(** [satisfies t c] is true if the current point of the solver satisfies [c]. If it is false, some point of the
+    system violates [c]; if it is true, nothing follows for other points. *)
 
 val implies : t -> Constraint.t -> bool
-(** Whether all points of the system satisfy the constraint. *)
+(** [implies t c] is true if all points of the system satisfy [c]. *)
 
 val is_redundant : t -> int -> bool
-(** Whether the constraint of this number, which is no equality, follows from the others. *)
+(** [is_redundant t k] is true if constraint number [k], which is no equality, follows from the others. *)
 
 val without : t -> int -> t
-(** Forgets the constraint of this number, which is no equality. The others keep their numbers. *)
+(** [without t k] is the system without constraint number [k], which is no equality. The others keep their
+    numbers. *)
 
 val point : t -> Rat.t array
-(** A point that satisfies all constraints. *)
+(** A point that satisfies all constraints, strict ones included. *)
 
 val closed_point : t -> Rat.t array
-(** A point that satisfies all constraints if strict ones are taken as not strict: a vertex, if there are any. *)
+(** A point that satisfies all constraints when strict ones are taken as not strict: a vertex, if there are
+    any. *)
 
 type bound = Tableau.bound = Unbounded | Bound of { value : Rat.t; attained : bool }
 
 val supremum : t -> Linear.t -> bound
-(** The least number that the form does not exceed, and whether some point of the system reaches it. *)
+(** [supremum t f] is the least upper bound of [f] on the system, and whether some point attains it. *)
 
 val infimum : t -> Linear.t -> bound
+(** [infimum t f] is the greatest lower bound of [f] on the system, and whether some point attains it. *)

@@ -1,11 +1,12 @@
-(** Whether linear constraints have a common solution, and how great a linear function gets under them: the general
-    simplex method of B. Dutertre and L. de Moura, {e A fast linear-arithmetic solver for DPLL(T)} (CAV 2006), with
-    Bland's rule, by which it ends. Strict constraints are constraints on numbers q + k delta, where delta is
-    positive and as small as need be. All is done in integers over one common denominator, after J. Edmonds:
-    no greatest common divisors are taken.
+(** Feasibility of linear constraints, and bounds of linear functions under them. This is the general simplex
+    method of B. Dutertre and L. de Moura, {e A fast linear-arithmetic solver for DPLL(T)} (CAV 2006). Bland's
+    rule guarantees that it ends. Strict constraints are constraints on numbers q + k delta, where delta is
+    positive and as small as need be. All numbers are integers over one common denominator, after J. Edmonds:
+    no greatest common divisors are computed.
 
-    A value is never changed: constraints are added to a system that has a solution, which stays where it is. All
-    variables are in one dictionary: {!Simplex} has one for each block of variables that constraints join. *)
+    Values are immutable: adding a constraint returns a new system, and the old one remains valid. All
+    variables are in one dictionary; {!Simplex} has one dictionary for each block of variables that constraints
+    join. *)
 
 open Scc_exact
 
@@ -26,50 +27,56 @@ type t = private {
 (** Constraints on x{_0}, ..., x{_n-1}, all of which some point satisfies; the solver stands at such a point. *)
 
 val universe : int -> t
-(** No constraints on so many variables. *)
+(** [universe n] is the system over n variables without constraints. *)
 
 val dimension : t -> int
+(** The number n of variables, without slacks. *)
 
 val add : t -> Constraint.t -> t option
-(** One more constraint, which gets the next number, from 0 on. [None] if no point satisfies all. *)
+(** The system with one more constraint, whose number is the count of those before it, from 0 on. [None] if no
+    point satisfies all. *)
 
 val join : t list -> t
-(** Several systems that have no variable in common as one: the variables of the first come first, then those of
-    the second, and so on, and so do the constraints. *)
+(** Several systems without common variables as one system. The variables of the first come first, then those
+    of the second, and so on; the constraints are numbered alike. *)
 
 val value : t -> Z.t array -> Rat.t * Rat.t
-(** normal.x where the solver stands: q and k of q + k delta. *)
+(** [value t normal] is the value of normal.x at the current point of the solver: the q and the k of q + k
+    delta. *)
 
 val satisfies : t -> Constraint.t -> bool
-(** Whether the point at which the solver stands satisfies the constraint. If not, there is a point of the system
-    that does not; if so, nothing follows for others. *)
+(** [satisfies t c] is true if the current point of the solver satisfies [c]. If it is false, some point of the
+    system violates [c]; if it is true, nothing follows for other points. *)
 
 val implies : t -> Constraint.t -> bool
-(** Whether all points of the system satisfy the constraint. *)
+(** [implies t c] is true if all points of the system satisfy [c]. *)
 
 val is_redundant : t -> int -> bool
-(** Whether the constraint of this number, which is no equality, follows from the others. *)
+(** [is_redundant t k] is true if constraint number [k], which is no equality, follows from the others. *)
 
 val without : t -> int -> t
-(** Forgets the constraint of this number, which is no equality. The others keep their numbers. *)
+(** [without t k] is the system without constraint number [k], which is no equality. The others keep their
+    numbers. *)
 
 val point : t -> Rat.t array
-(** A point that satisfies all constraints. *)
+(** A point that satisfies all constraints, strict ones included. *)
 
 val cornered : t -> t
-(** The same, standing at a vertex, if there are any, as far as strict constraints are taken as not strict: then
-    all of x{_0}, ..., x{_n-1} are basic. *)
+(** [cornered t] is the system [t] whose current point is a vertex of the closure, if there are any. All of
+    x{_0}, ..., x{_n-1} are basic then. *)
 
 val pivot : t -> int -> int -> t
-(** [pivot t r c]: the variable of row r and that of column c, whose entry there is not 0, change places. It may
-    leave the solver where constraints do not hold. *)
+(** [pivot t r c] exchanges the variable of row r and that of column c, whose entry there is not 0. The new
+    current point may violate constraints. *)
 
 val closed_point : t -> Rat.t array
-(** A point that satisfies all constraints if strict ones are taken as not strict: a vertex, if there are any. *)
+(** A point that satisfies all constraints when strict ones are taken as not strict: a vertex, if there are
+    any. *)
 
 type bound = Unbounded | Bound of { value : Rat.t; attained : bool }
 
 val supremum : t -> Linear.t -> bound
-(** The least number that the form does not exceed, and whether some point of the system reaches it. *)
+(** [supremum t f] is the least upper bound of [f] on the system, and whether some point attains it. *)
 
 val infimum : t -> Linear.t -> bound
+(** [infimum t f] is the greatest lower bound of [f] on the system, and whether some point attains it. *)

@@ -1,25 +1,34 @@
-(** Constraints and sets as texts. Variables are called by the function [name]. *)
+(** Constraints and sets as texts. The function [name] gives the names of the variables. *)
 
 val form : name:(int -> string) -> Linear.t -> string
-(** ["2x + 1/2 y - 3"]: variables by their numbers, the constant last. *)
+(** A form as ["2x + 1/2 y - 3"]: the variables in the order of their numbers, the constant last. *)
 
 val constraint_ : name:(int -> string) -> Constraint.t -> string
-(** Without minus signs before variables: ["x <= 2"], ["2x + 3y < 5"], ["x = y"], ["x + 1 <= 2y"]; of one
-    variable with a fraction, ["x > 3/2"]. Of none, ["true"] or ["false"]. *)
+(** A constraint without minus signs before variables: ["x <= 2"], ["2x + 3y < 5"], ["x = y"], ["x + 1 <= 2y"].
+    With one variable the bound may be a fraction: ["x > 3/2"]. With no variable, it is ["true"] or ["false"].
+*)
 
 val polyhedron : name:(int -> string) -> Polyhedron.t -> string
-(** The minimal form, separated by commas, equalities first: ["x = y, z < 2"]; ["true"] or ["false"] for all
-    points or none. *)
+(** The constraints of the minimal form, separated by commas, equalities first: ["x = y, z < 2"]. All points
+    are ["true"], none are ["false"]. *)
 
 val union : name:(int -> string) -> Union.t -> string
-(** The pieces, separated by [" or "], in brackets if there are several. *)
+(** The pieces, separated by [" or "], in parentheses if there are several; ["false"] for no piece. *)
 
 (** {1 SMT-LIB}
 
-    Terms of sort Bool over constants of sort Real, of SMT-LIB 2.6; names that are no simple symbols of it are
-    quoted (they have no ['|'] or ['\\']). *)
+    Terms of sort Bool over constants of sort Real, of SMT-LIB 2.6. Names that are no simple symbols of SMT-LIB
+    are quoted; they have no ['|'] or ['\\']. *)
 
 val smt_symbol : string -> string
+(** [smt_symbol name] is [name], between bars if it is no simple symbol of SMT-LIB 2.6 or a reserved word. *)
+
 val smt_constraint : name:(int -> string) -> Constraint.t -> string
+(** A constraint as a term: a relation between a sum of multiples of variables and a constant. Without
+    variables it is [true] or [false]. *)
+
 val smt_polyhedron : name:(int -> string) -> Polyhedron.t -> string
+(** The conjunction of the constraints of the minimal form; [true] for all points. *)
+
 val smt_union : name:(int -> string) -> Union.t -> string
+(** The disjunction of the pieces; [false] for no piece. *)

@@ -1,10 +1,11 @@
-(** Two solids that move and turn, in floats, with bounds on the errors: what the search for their contact works
-    with. World axes; B's centre of turning is seen from that of A; times count from now. *)
+(** Two solids that move and turn, in floats, with bounds on the errors, for the search for their contact.
+    World axes; the centre of turning of B is seen from that of A; times count from now. *)
 
 open Scc_geometry
 
-(** How a solid is turned at an instant: the rotation that takes {!Shadow} coordinates to the world, where the
-    reference point is as seen from the centre of turning, and the angular velocity. *)
+(** The turn of a solid at an instant. [xx] to [zz] are the rotation from {!Shadow} coordinates to the world,
+    by rows. [ex], [ey], [ez] are the reference point as seen from the centre of turning. [wx], [wy], [wz] are
+    the angular velocity. *)
 type turn = {
   mutable xx : float;
   mutable xy : float;
@@ -23,7 +24,7 @@ type turn = {
   mutable wz : float;
 }
 
-(** Upper bounds of lengths, but for [since]. *)
+(** Upper bounds of lengths, except for [since]. *)
 type sizes = {
   since : float;
   spin : float;
@@ -40,7 +41,7 @@ type body = {
   sizes : sizes;
 }
 
-(** The same for both. *)
+(** Bounds for both solids together. *)
 type scales = {
   length : float;  (** S of the error bounds below *)
   whirl : float;  (** neither |spin| is greater *)
@@ -57,14 +58,17 @@ type t = {
 }
 
 val make : Motion.t -> Motion.t -> float -> t option
-(** [make a b span]: [None] when coordinates are too great, too small or too fine for the bounds to hold. *)
+(** [make a b span] is the flight of two motions over times from 0 to [span]. [None] if coordinates are too
+    great, too small or too fine for the bounds to hold. *)
 
 val move : t -> float -> unit
-(** To an instant from 0 to the span. *)
+(** [move t s] sets [now] and [here] to the instant [s], from 0 to the span. *)
 
 val apart_forever : t -> bool
-(** Whether the balls that the solids turn in are seen to be apart throughout the span. *)
+(** [apart_forever t] is true if the balls that the solids turn in are proved to be apart throughout the
+    span. *)
 
 val epsilon : float
-(** Coordinates of a vertex of B less those of one of A, at the instant moved to, are within [epsilon] S of the
-    exact ones; so is the product of that difference with a vector of a length <= 1. *)
+(** The relative error bound. Coordinates of a vertex of B less those of one of A, at the current instant, are
+    within [epsilon] S of the exact ones. So is the product of that difference with a vector of length at most
+    1. *)

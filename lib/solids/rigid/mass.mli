@@ -1,5 +1,5 @@
-(** Masses of rigid bodies and what they keep when they move: momentum, angular momentum and kinetic energy
-    (rule Mass). World frame; exact. *)
+(** Masses of rigid bodies, and their conserved quantities: momentum, angular momentum and kinetic energy (rule
+    Mass). World frame; exact. *)
 
 open Scc_exact
 
@@ -13,31 +13,33 @@ type t = {
 }
 
 val of_part : part -> t
-(** The inertia of a turned solid is R I R^T. *)
+(** The mass, the centre and the inertia of one part. The inertia of a turned solid is R I R^T. *)
 
 val join : t list -> t
-(** The whole of at least one body, by the parallel axis theorem. *)
+(** The mass of the whole of at least one body (a bug otherwise), by the parallel axis theorem. *)
 
 val of_parts : part list -> t
-(** The compound of at least one part. *)
+(** The mass of the compound of at least one part. *)
 
 val inertia_about : t -> Vec.t -> Mat.t
-(** The inertia about any point (the parallel axis theorem). *)
+(** [inertia_about b x] is the inertia about the point [x] (the parallel axis theorem). *)
 
 val inverse_inertia : t -> Mat.t
+(** The inverse of the inertia about the centre of mass. *)
 
 val scale : t -> Rat.t
-(** The greatest power of two that is at most the trace of the inertia, which does not change as the body turns. *)
+(** The greatest power of two that is at most the trace of the inertia. It is constant as the body turns. *)
 
 val turn_rate : t -> Vec.t -> Vec.t
-(** The spin of a body with this angular momentum about its centre. *)
+(** [turn_rate b l] is the spin of a body with the angular momentum [l] about its centre. *)
 
 (** {1 Of a body whose centre has a velocity and that spins} *)
 
 val momentum : t -> velocity:Vec.t -> Vec.t
+(** The mass times the velocity of the centre. *)
 
 val angular_momentum : t -> velocity:Vec.t -> spin:Vec.t -> about:Vec.t -> Vec.t
-(** About a point at rest. *)
+(** The angular momentum about a point at rest. *)
 
 val energy : t -> velocity:Vec.t -> spin:Vec.t -> Rat.t
-(** Kinetic. *)
+(** The kinetic energy, of translation and of rotation. *)

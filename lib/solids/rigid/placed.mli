@@ -1,4 +1,4 @@
-(** A solid where it stands: turned, then moved. World frame. *)
+(** A solid in the world: turned, then moved. World frame. *)
 
 open Scc_exact
 open Scc_geometry
@@ -10,22 +10,27 @@ type t = {
 }
 
 val of_motion : Motion.t -> Rat.t -> t
-(** Where a moving solid is at a time. *)
+(** [of_motion m t] is the moving solid at the time [t]. *)
 
 val point : t -> Vec.t -> Vec.t
-(** Where the point of the solid is that is at a vector from its reference point before any turn. *)
+(** [point b p] is the place of the point of the solid that is at [p] relative to its reference point before
+    any turn. *)
 
 val vertices : t -> Vec.t array
+(** The places of all vertices, in the world. *)
+
 val integers : t -> Ivec.t array * Z.t
-(** The vertices over one denominator, which is positive but need not be the least. *)
+(** The places of the vertices over one denominator, which is positive but need not be the least. *)
 
 val over_one : t -> t -> Ivec.t array * Ivec.t array * Z.t
-(** The vertices of both over one denominator. *)
+(** The places of the vertices of both over one positive denominator. *)
 
 val corners : t -> Feature.t -> Vec.t list
+(** The places of the vertices of a feature; those of a face in its order. *)
 
 val centroid : t -> Vec.t
+(** The place of the centroid of the uniform solid, in the world. *)
 
 val fixed_solid : t -> Solid.t
-(** The solid, turned: with {!field-at} as its place, what the queries of {!Scc_geometry} take. Not cheap, unless
-    it is not turned. *)
+(** The solid, turned. Together with {!field-at} it is an argument of the queries of {!Scc_geometry}. Its [id]
+    is that of the solid before the turn. Not cheap, unless the solid is not turned. *)

@@ -1,4 +1,4 @@
-(** Proofs, in floats, that a plane that turns keeps two flying solids apart for a while. *)
+(** Proofs, in floats, that a turning plane keeps two flying solids apart for some time. *)
 
 type t = {
   flight : Flight.t;
@@ -12,11 +12,12 @@ type t = {
 }
 
 val make : Flight.t -> t
+(** A separation for the flight, with zero for the direction and its rate, which are to be set before use. *)
 
 val acceleration : t -> float -> float
-(** At most this much the gap accelerates along the direction, times its length, anywhere until s later, beyond
-    what the turning of the direction does. *)
+(** [acceleration p s] is a bound on the acceleration of the gap along the direction, times its length, until
+    [s] later. The effect of the turning of the direction is not included. *)
 
 val holds : t -> float -> bool
-(** [holds p s]: the interiors are disjoint from the instant that the flight is moved to, until s >= 0 later. False
-    only means that this plane does not prove it. *)
+(** [holds p s] is true if it is proved that the interiors are disjoint from the current instant of the flight
+    until [s] >= 0 later. False only means that this plane does not prove it. The bounds are left in [low]. *)

@@ -1,5 +1,6 @@
-(** The point of B - A nearest to the origin, guessed in floats by the way of Gilbert, Johnson and Keerthi: the set
-    of all vectors from a point of A to one of B at the instant of the flight. Nothing here is proved. *)
+(** The point of B - A nearest to the origin, guessed in floats by the method of Gilbert, Johnson and Keerthi.
+    B - A is the set of all vectors from a point of A to one of B at the instant of the flight. Nothing here is
+    proved. *)
 
 type t = {
   flight : Flight.t;
@@ -13,21 +14,23 @@ type t = {
 }
 
 val make : Flight.t -> t
+(** A search for the flight, without corners. *)
 
 type found =
   | Apart of float  (** at this distance, in the direction of [n]; there are at most three corners *)
   | Near  (** too near to tell, or the origin lies in the set *)
 
 val search : t -> found
-(** At the instant that the flight was moved to; begins with the corners found last. *)
+(** The search at the current instant of the flight. It begins with the corners found last. *)
 
 val between : Flight.t -> float array -> unit
-(** Sets three coordinates to the vector from a point well inside A to one well inside B. *)
+(** [between flight x] sets the three coordinates of [x] to the vector from a point well inside A to one well
+    inside B. *)
 
 val miss : t -> float -> float
-(** [miss s k] searches in the set displaced by k times the vector {!between}, and
-    says how far from the origin the point is that it finds: a point of the displaced set, up to an error of
-    [Flight.epsilon] (1 + k) S. The search ends as soon as that is within [Flight.epsilon] S. *)
+(** [miss s k] searches in the set displaced by k times the vector {!between}. It returns the distance from the
+    origin of the point found: a point of the displaced set, up to an error of [Flight.epsilon] (1 + k) S. The
+    search ends as soon as that is within [Flight.epsilon] S. *)
 
 val depth : t -> float
-(** A ball of this radius around the vector {!between} lies in the set. *)
+(** The radius of a ball around the vector {!between} that lies in the set. *)

@@ -1,4 +1,4 @@
-(** How fast two turning solids can move as seen from each other: short numbers on the safe side, found exactly. *)
+(** Bounds on the speed of two turning solids as seen from each other: short upper bounds, computed exactly. *)
 
 open Scc_exact
 open Scc_geometry
@@ -7,10 +7,11 @@ val length : Vec.t -> Rat.t
 (** The length of a vector, rounded up to ten bits or so. *)
 
 val reach : Solid.t -> Vec.t -> Rat.t
-(** [reach solid arm]: no point of a solid with its centroid at [arm] from a centre is farther from that centre. *)
+(** [reach solid arm] is a bound on the distance of all points of a solid from a centre, when its centroid is
+    at [arm] from that centre. *)
 
 val bound : Motion.t -> Motion.t -> Rat.t
-(** See {!Cast.speed_bound}. *)
+(** The bound {!Cast.speed_bound}. *)
 
 val grid : Motion.t -> Motion.t -> resolution:Rat.t -> int
-(** See {!Cast.grid}. *)
+(** The grid {!Cast.grid}. *)

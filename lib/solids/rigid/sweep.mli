@@ -1,10 +1,9 @@
-(** When two turning convex solids first interpenetrate, exactly: the reference that every faster answer is held
-    against, and what decides near contact, in resting and in sliding contact (rule Turn).
+(** The exact first penetration of two turning convex solids (rule Turn). It is the reference for every faster
+    answer, and decides near contact, and resting and sliding contact.
 
-    The interiors of two convex solids are disjoint at an instant iff some axis of {!Axis} separates them
-    then. Each axis does so on a finite union of closed intervals whose ends are roots of polynomials, hence
-    the first instant after which no axis goes on is found by going from the end of one interval to that of
-    another. *)
+    The interiors of two convex solids are disjoint at an instant iff some axis of {!Axis} separates them then.
+    Each axis does so on a finite union of closed intervals whose ends are roots of polynomials. So the search
+    goes from the end of one interval to that of another, until no axis goes on. *)
 
 open Scc_exact
 open Scc_geometry
@@ -12,13 +11,15 @@ open Scc_geometry
 type outcome =
   | Never  (** the interiors are disjoint on all of [from, until] *)
   | At of Algebraic.t
-  (** The last t in [from, until) such that the interiors are disjoint on [from, t]: they meet right after it. *)
+  (** the last t, [from] <= t < [until], such that the interiors are disjoint from [from] to t: they meet right
+      after it *)
 
 val first_penetration : Motion.t -> Motion.t -> from:Rat.t -> until:Rat.t -> outcome
-(** For 0 <= from <= until, times from now as in {!Motion}; the solids do not interpenetrate at [from] (if they
-    do, the answer is [At from], or [Never] for [from = until]). A graze, sliding and resting contact are no
-    penetration. Exact for every input. The number is a function of the two motions, in either order; the
-    polynomial that it is told by need not be. *)
+(** [first_penetration a b ~from ~until], for 0 <= from <= until, where times count from now as in {!Motion}.
+    The solids do not interpenetrate at [from]; if they do, the answer is [At from], or [Never] for [from =
+    until]. A graze, sliding and resting contact are no penetration. Exact for every input. The number is a
+    function of the two motions, in either order; the polynomial that represents it need not be. *)
 
 val relation : Motion.t -> Motion.t -> Rat.t -> Obstacle.relation
-(** Rule Contact at an instant. Not cheap: both solids are made anew. *)
+(** [relation a b t] is the relation of the two solids at the time [t] (rule Contact). Not cheap: both solids
+    are made anew. *)

@@ -1,5 +1,5 @@
-(** Which vertices lie on which faces. Vertices and faces are elements of one kind: with the plane of a face as
-    n . x = 1, a vertex x and a plane n lie on each other in the same way round. *)
+(** The incidence of vertices and faces. Vertices and faces are elements of one kind. With the plane of a face
+    as n . x = 1, the relation is symmetric in the vertex x and the plane n. *)
 
 type t = private {
   vertices : int;
@@ -9,10 +9,10 @@ type t = private {
 }
 
 val make : vertices:int -> int array array -> t
-(** Of faces as tuples of vertices, in range and each once. *)
+(** [make ~vertices faces] is the incidence of faces, given as tuples of vertices, in range and each once. *)
 
 val size : t -> int
-(** How many elements there are. *)
+(** The number of elements: vertices and faces together. *)
 
 val pairs : t -> int
-(** How many pairs of a vertex and a face that lie on each other. *)
+(** The number of pairs of a vertex and a face that lie on each other. *)

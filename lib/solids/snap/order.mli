@@ -1,6 +1,7 @@
-(** In which order vertices and faces are placed, so that each lies on at most three earlier ones. There always is
-    such an order where the faces are those of a polyhedron: vertices and faces make a planar graph with two sides,
-    some element of which has at most three neighbours. How long numbers get depends on the order. *)
+(** Orders in which vertices and faces are placed, such that each lies on at most three earlier ones. Such an
+    order exists if the faces are those of a polyhedron. The reason: vertices and faces form a planar bipartite
+    graph, and some element of such a graph has at most three neighbours. The length of numbers depends on the
+    order. *)
 
 type t = private {
   placed : int array;  (** the elements, the first one first *)
@@ -9,5 +10,6 @@ type t = private {
 }
 
 val best : Incidence.t -> grid:int -> count:int -> t list
-(** So many of the best that were tried (layer by layer, and by chance), the best first, when free coordinates have
-    [grid] bits. Empty when there is none. *)
+(** [best incidence ~grid ~count] are the best orders that were tried, at most [count], the best first. Free
+    coordinates have [grid] bits. Layers and chance generate the orders. The list is empty if no order
+    exists. *)

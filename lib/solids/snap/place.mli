@@ -1,5 +1,6 @@
-(** Vertices and planes that lie on each other exactly, near a guess. They are placed one after the other: what the
-    earlier ones leave open of an element is rounded to a grid, and the rest is solved for. *)
+(** Vertices and planes that lie on each other exactly, near a guess. They are placed one after the other.
+    Coordinates of an element that the earlier ones leave free are rounded to a grid; the others are solved
+    for. *)
 
 type element
 
@@ -8,8 +9,8 @@ type guess = int -> float array
 
 val place :
   Order.t -> grid:int -> guess -> keep:(int -> element -> bool) -> element array option
-(** By elements; free coordinates are multiples of 2^-grid. [None] when some element has no place or more than one,
-    or [keep] does not want it. *)
+(** [place order ~grid guess ~keep] are the places by elements; free coordinates are multiples of 2^-grid.
+    [None] if some element has no place or several, or if [keep] rejects it. *)
 
 val vector : element -> Scc_exact.Vec.t
-(** The vertex x, or the n of the plane n . x = 1. *)
+(** The point x of a vertex, or the n of a plane n . x = 1. *)

@@ -1,5 +1,5 @@
-(** A solid near another one, in floats: as few and as small moves of vertices as make all faces flat. What comes
-    out is a guess, which {!Place} makes exact. The same on all machines. *)
+(** A solid near another one, in floats: moves of vertices, as few and as small as possible, that make all
+    faces flat. The result is a guess, which {!Place} makes exact. It is the same on all machines. *)
 
 type t = {
   points : float array;  (** x, y, z of each vertex in turn *)
@@ -11,6 +11,7 @@ type failure =
   | Too_large  (** for this method *)
 
 val polish : Incidence.t -> ease:float array -> float array -> (t, failure) result
-(** [polish incidence ~ease points]: [ease] tells for each axis how easily vertices move along it, as the square of
-    a length. Weighted Gauss-Newton steps for n . x = 1 at all pairs of a vertex and a face that lie on each
-    other, until only rounding is left. *)
+(** [polish incidence ~ease points] are the moved vertices and the planes. For each axis, [ease] is the square
+    of a length: the greater it is, the more easily vertices move along that axis. The method is weighted
+    Gauss-Newton steps for n . x = 1, until only rounding is left. There is an equation for each pair of a
+    vertex and a face that lie on each other. *)

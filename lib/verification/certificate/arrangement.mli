@@ -1,5 +1,5 @@
-(** Cuts a set of states until all that the discrete rules look at is the same in each piece: by brute force,
-    along every plane that could matter. *)
+(** Cuts of a set of states into pieces, by brute force, along every plane that could matter. All inputs of the
+    discrete rules are the same throughout a piece. *)
 
 open Scc_polyhedra
 open Scc_semantics
@@ -11,9 +11,11 @@ type context = {
 }
 
 val context : Semantics.t -> context
+(** A context for the rules of a model, with a new cache of obstacles. *)
 
 val by_signs : Linear.t list -> Polyhedron.t list -> Polyhedron.t list
-(** Cut by where each form is 0, positive and negative. *)
+(** [by_signs forms regions] cuts the regions by the signs of all forms: where each is 0, positive or negative.
+    No piece is empty. *)
 
 type part = {
   leaf : int;
@@ -25,17 +27,18 @@ type part = {
 }
 
 val parts : context -> Zone.t -> part list
+(** All parts of all processes, with their places as forms over the variables of the zone. *)
 
 val rooms : context -> part * part -> (Linear.t * Scc_exact.Rat.t) list
-(** For each plane of the obstacle of two parts: how far inside of it the second one is, and how fast that falls:
-    negative where it enters. *)
+(** [rooms c (a, b)] has, for each plane of the obstacle of two parts, how far inside of it [b] is, in units of
+    its normal. The number is the speed along the normal: negative where the offset moves inwards. *)
 
 val well_formed : context -> Zone.t -> Polyhedron.t list
-(** Regions that have all states in which no two bodies interpenetrate. *)
+(** Regions that contain all states of the zone in which no two bodies interpenetrate. *)
 
 val bonds_touch : context -> Zone.t -> Constraint.t list
-(** That the features that a bond joins touch. *)
+(** Constraints which say that the features touch that bonds join. *)
 
 val cells : context -> Zone.t -> Polyhedron.t list
-(** Regions that make up the zone. On each the same parts touch by the same planes, and of those that touch the
-    same features do. *)
+(** Regions whose union is the zone. Throughout each of them the same parts touch, by the same planes, and the
+    same features of them touch. *)

@@ -1,17 +1,19 @@
-(** Whether a set of states is one that no run leaves, and has nothing in it that should never come (rule
-    Invariants): checked by cutting it along every plane that could matter, asking the ordinary rules
-    ({!Scc_semantics.Network}) for single states, in as many points of each piece as it takes to know all of it,
-    and by linear arithmetic. The search that found it has no part in this. *)
+(** The independent check of an invariant (rule Invariants): no run leaves the set of states, and no state in
+    it satisfies a predicate that should never hold. The set is cut along every plane that could matter. The
+    ordinary rules ({!Scc_semantics.Network}) are then applied to single states, at as many points of each
+    piece as determine the whole piece. The rest is linear arithmetic. The code of the search for invariants is
+    not used. *)
 
 open Scc_calculus
 open Scc_semantics
 open Scc_symbolic
 
 val not_for : Model.t -> string option
-(** Why invariants of this model cannot be checked, for a person. *)
+(** A reason, for readers, why invariants of this model cannot be checked; [None] if they can. *)
 
 val check :
   Semantics.t -> Uncertain.t -> declared:State.t -> Invariant.t -> Proof.claim list -> stop:(unit -> bool) ->
   (unit, string) result
-(** The error: what does not hold, or cannot be seen this way, for a person. [stop] is asked now and then: so is an
-    answer that it did not wait for. *)
+(** [Ok ()] if the invariant and all claims are proved. The error is a reason for readers: a condition that
+    does not hold, or that cannot be decided in this way. [stop] is called regularly; if it returns true, that
+    is also an error. *)

@@ -1,4 +1,4 @@
-(** How time passes in a set of states, as relations between a state and a time. *)
+(** The passing of time in a set of states, as relations between a state and a time. *)
 
 open Scc_polyhedra
 open Scc_symbolic
@@ -10,17 +10,19 @@ type t = {
 }
 
 val delays : Arrangement.context -> Zone.t -> Linear.t list
-(** What is left of each delay that waits. *)
+(** The remaining time of each delay that waits, as forms over the variables of the zone. *)
 
 val clocks : Arrangement.context -> Zone.t -> Linear.t list
-(** What is left until each next split instant, where there is a grid of them. *)
+(** The time until each next split instant, if split instants are on a grid; else none. *)
 
 val passings : Arrangement.context -> Zone.t -> Polyhedron.t -> t list
-(** Together all passings of time from a region of the zone in which nothing collides, by times that are not
-    longer than any delay that waits, any split instant that is to come, and any way to a collision: they may
-    overlap. Two convex solids that move in straight lines have not collided up to an instant iff, of the times at
-    which one has got in by each plane and not out by it, two planes have none in common, or one has none (E.
-    Helly's theorem on a line). *)
+(** [passings c z region] are, taken together, all passings of time from a region in which nothing collides.
+    Their times are at most those of any delay that waits, of any next split instant, and of any collision.
+    They may overlap.
+
+    Each plane of an obstacle gives an interval of times at which the offset is inside of it. Two convex solids
+    that move in straight lines have not collided up to an instant in exactly two cases. Either two of these
+    intervals are disjoint up to then, or one of them is empty (E. Helly's theorem on a line). *)
 
 val contacts : Arrangement.context -> t -> Polyhedron.t list
-(** Where two parts collide at the end. *)
+(** The regions of [states] where two parts collide at the end. *)

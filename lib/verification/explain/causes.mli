@@ -1,10 +1,9 @@
-(** The causal story of a run: which of its events each event, and a fact about its end, depend on.
+(** The causes in a run: the events on which each event, and a fact about the end of the run, depend.
 
-    An event depends on the earlier events that last changed what takes part in it: how the processes move,
-    of what they consist, what their leaves do, since when a split clock runs. That is enough: the rules look
-    at nothing else of a process (a law of motion looks at its own body alone, so that a steer is no event).
-    What they look at beside is the absence of others, which no list of events can show; {!Omission} tries it
-    out. *)
+    An event depends on the earlier events that last changed its participants: the motion of processes, their
+    structure, the behaviour of leaves, the start of a split clock. That is complete: the rules use nothing
+    else of a process. A law of motion uses its own body alone, so a steer is no event. The rules also depend
+    on the absence of other bodies, which no list of events can show; {!Omission} tests it. *)
 
 open Scc_exact
 open Scc_calculus
@@ -12,16 +11,16 @@ open Scc_semantics
 open Scc_motion
 open Scc_property
 
-(** A run that has been made, until the instant of the fact. *)
+(** A completed run, until the instant of the fact. *)
 type run = {
   declared : State.t;  (** before the initial steer, see {!Network.initial} *)
   course : Course.t;
   over : int list option;
-  (** of a run whose fact is, too, that it ends in a dead end: the processes in persistent contact, by their first
+  (** if the fact includes that the run ends in a dead end: the processes in persistent contact, by their first
       leaves *)
 }
 
-(** What of a leaf a later event depends on. *)
+(** The aspect of a leaf on which a later event depends. *)
 type aspect =
   | Motion  (** velocity and line of flight of its process *)
   | Structure  (** which leaves and bonds its process has *)
@@ -47,31 +46,38 @@ type event = {
 type t
 
 val tell : run -> t
+(** The events of a run with their reasons. *)
+
 val run : t -> run
+(** The run of these events. *)
+
 val model : t -> Model.t
+(** The model of the run. *)
 
 val events : t -> event array
-(** In order. Times that merely pass are no events. *)
+(** All events, in order. A passing of time is an event only if a delay expires at its end. *)
 
 val duration : t -> Rat.t
-(** Model time of the instant of the fact. *)
+(** The model time of the instant of the fact. *)
 
-(** What a fact about the end of the run depends on. *)
+(** The dependencies of a fact about the end of the run. *)
 type basis = {
   reasons : reason list;
-  leaves : int list;  (** that it speaks of, or whose contribution it counts *)
+  leaves : int list;  (** the leaves that the fact mentions, or whose contributions it counts *)
 }
 
 val of_formula : t -> Property.temporal -> basis
-(** The truth of the atoms of a formula at the end of the run. *)
+(** The dependencies of the atoms of a formula at the end of the run. *)
 
 val of_last_event : t -> basis
-(** That the last event happened; nothing when there is none. *)
+(** The dependencies of the last event; none if there is no event. *)
 
 val of_dead_end : t -> basis
-(** That the run is over (rule DeadEnd); nothing when that is no part of the fact. *)
+(** The dependencies of the end of the run (rule DeadEnd); none if the fact does not include a dead end. *)
 
 val union : basis list -> basis
+(** All dependencies together, sorted, each once. *)
 
 val closure : t -> int list -> bool array
-(** By event: whether it is one of those given, or one of the events that these depend on, transitively. *)
+(** [closure t events] is true for the events given, and for all events on which these depend, directly or
+    indirectly. The array is indexed by event. *)

@@ -4,10 +4,11 @@ open Scc_calculus
 open Scc_semantics
 
 val timed : Semantics.t -> initial:State.t -> Witness.t -> Witness.t
-(** [timed m ~initial w], for a witness [w] of a slice of the state [initial] that ends [At_state] or [During] a
-    time transition, at an instant up to the horizon of the slice: the same discrete transitions at the same
-    times, and the same instant at the end. The processes that were left out make their urgent transitions, the
-    first one of the instant, when time could not pass otherwise, and never a weak split; time stops wherever
-    the whole network stops. Facts and argument stay. When the interval at the end (see {!Witness.finish})
-    begins before the last state, the sample is shown as the instant itself. It is a bug if this cannot be done.
-*)
+(** [timed m ~initial w] is the run of the whole network for a witness [w] of a slice of the state [initial].
+    The witness ends [At_state] or [During] a time transition, at an instant up to the horizon of the slice.
+    The lifted run has the same discrete transitions at the same times, and the same instant at the end.
+
+    The processes outside of the slice make their urgent transitions when time could not pass otherwise: always
+    the first one of the instant. They never make a weak split. Time stops wherever the whole network stops.
+    Facts and argument are those of [w]. If the interval at the end (see {!Witness.finish}) begins before the
+    last state, the sample is shown as the instant itself. It is a bug if this cannot be done. *)

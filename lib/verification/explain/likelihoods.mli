@@ -3,20 +3,27 @@
 open Scc_ctl
 
 val number : Scc_exact.Rat.t -> string
+(** The exact number if it is short. A longer one is followed by a decimal in parentheses, and a very long one
+    is only its decimal, as ["about 0.333333"]. *)
 
 val answer : Scc_chance.Answer.t -> string
-(** ["1/3"], ["123456789/987654321 (about 0.125)"], ["in [1/4, 1/2]"] with decimals that are rounded outwards. *)
+(** An answer as ["1/3"], ["123456789/987654321 (about 0.125)"], or ["in [1/4, 1/2]"] with decimals that are
+    rounded outwards. *)
 
 val measured : Eval.measured -> string
-(** The same of what is known below and above. *)
+(** The interval from the lower bound of the least value to the upper bound of the greatest, in the words of
+    {!answer}. *)
 
 val known : Scc_property.Property.side -> Eval.measured -> string
-(** ["the least probability is 1/3"]. *)
+(** A measured probability as ["the least probability is 1/3"]. *)
 
 val is_exact : Eval.measured -> bool
+(** [is_exact m] is true if one value is known exactly, or if the value is known to be infinite. *)
 
 val values : (Scc_property.Property.side * Eval.measured) list -> string
-(** ["1/3"] where all schedulers have the same, ["least 1/4, greatest 1/2"]. *)
+(** A list of measured values: ["1/3"] if least and greatest are the same exact value, else ["least 1/4,
+    greatest 1/2"]. *)
 
 val of_run : Scc_exact.Rat.t -> string
-(** Before what happens on one run: with which probability it comes to be. *)
+(** The introduction to a shown run that attains a probability, with the probability of this run if it is less
+    than 1. *)

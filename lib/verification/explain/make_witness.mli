@@ -1,5 +1,5 @@
-(** Witnesses from what was found on a graph of states: each run is followed through the rules afresh, from the
-    initial state, before anyone is shown it. *)
+(** Witnesses of results on a graph of states. Each run is followed through the rules again, from the initial
+    state, before it is shown. *)
 
 open Scc_ctl
 open Scc_exact
@@ -9,21 +9,25 @@ open Scc_property
 open Scc_state_space
 
 val of_trace : Network_lts.context -> State_graph.t -> Property.prop option -> Search.trace -> Witness.t
-(** With the facts of the predicate where the run leads. *)
+(** The run of a trace, with the facts of the predicate at its end. *)
 
 val of_met : Network_lts.context -> Property.prop -> Compact_search.met -> Witness.t
-(** With the facts of the predicate where the run leads. *)
+(** The run to a state that a search with hash compaction has met, with the facts of the predicate at its
+    end. *)
 
 val of_path : Network_lts.context -> State_graph.t -> int -> Witness.t
-(** The shortest run to a state. *)
+(** The shortest run to the state of a number. *)
 
 val of_explanation : Network_lts.context -> State_graph.t -> Temporal.t -> Explanation.t -> Witness.t option
-(** The run that the explanation begins with, with the whole of it in words; [None] when there is no run in it. *)
+(** The run with which the explanation begins, and the whole explanation in words. [None] if the explanation
+    has no run. *)
 
 (** {1 Runs that come back} *)
 
 val moved : State.t -> State.t -> Vec.t option
-(** [moved from state]: by how much the second is the first one moved as a whole, whatever time it is, if it is. *)
+(** [moved from state] is the vector by which [state] is [from] moved as a whole, at whatever time. [None] if
+    it is not. *)
 
 val puts_off : Semantics.t -> Witness.step list -> from:State.t -> Transition.label option
-(** A weak split that is enabled somewhere on a cycle, which begins in a state, and never made on it. *)
+(** [puts_off m steps ~from] is a weak split that is enabled somewhere on a cycle of steps from the state
+    [from], and never made on it. [None] if there is none. *)

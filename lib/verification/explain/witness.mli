@@ -1,4 +1,4 @@
-(** Runs that show why a verdict is as it is, in a form that can be replayed. *)
+(** Runs that show the reason for a verdict, in a form that can be replayed. *)
 
 open Scc_exact
 open Scc_calculus
@@ -11,16 +11,16 @@ type step = {
   time : Rat.t;  (** model time after it *)
 }
 
-(** What a round of a run leads to, beside the state that it began in. *)
+(** The displacement that a round of a run makes, in an otherwise equal state. *)
 type moved =
   | Together of Vec.t  (** everything is moved by this *)
   | Apart of (int * Vec.t) list
-  (** processes are moved by this each, one told by the first of its leaves: those that never meet again by
-      different vectors (rule Drift) *)
+  (** each process, given by its first leaf, is moved by its vector. Those that never meet again have different
+      vectors (rule Drift). *)
 
-(** Where the run is taken to after its steps. *)
+(** The end of the run, after its steps. *)
 type finish =
-  | At_state  (** to the state they lead to *)
+  | At_state  (** in the state after the steps *)
   | During of {
       choice : int option;  (** the time transition that is under way; [None] in the last ray of a run *)
       offset : Algebraic.t;  (** the instant, from the start of it *)
@@ -33,15 +33,15 @@ type finish =
   (** nothing happens any more, and time passes for ever; a weak split that is enabled is put off *)
   | Stops  (** the run is over: neither time nor anything else can go on *)
   | Repeats of { cycle : int; moved : moved; puts_off : Transition.label option }
-  (** the steps from the index [cycle] on are repeated for ever, each time with everything [moved] from
-      where it was; on the way, a weak split that is enabled is put off each time *)
+  (** the steps from the index [cycle] on are repeated for ever. Each time everything is [moved] from its
+      place. On the way, a weak split that is enabled is put off each time. *)
   | Passes of { choice : int option }
   (** the bound of time of the property is passed in the middle of this time transition, or of the ray *)
   | Goes_on of { cycle : int }
-  (** over zones (rule Zones): the state is one of the set of states that the step of the index [cycle] began in;
-      that some run goes on from there for ever is known of the set, and no state was found that comes back *)
+  (** over zones (rule Zones): the state is in the set of states in which the step of the index [cycle] began.
+      Some run goes on for ever from the set. No single state was found that comes back. *)
 
-(** Why a formula holds, or does not: a tree of claims. *)
+(** The reason why a formula holds or fails: a tree of claims. *)
 type argument = {
   where : string option;
   (** on the run of the claim that it is a part of; [None]: where that run leads, or there *)
@@ -54,7 +54,7 @@ type argument = {
   parts : argument list;
 }
 
-(** What a run is one of: the rules over a model with values for its parameters. *)
+(** The rules over a model with values for its parameters. *)
 type fixed = { values : (string * Rat.t) list; semantics : Semantics.t }
 
 type t = {
@@ -67,37 +67,38 @@ type t = {
   fixed : fixed option;  (** where parameters of the model have ranges *)
 }
 
-(** How time ends on the run, when it does: a run in which it goes on and on needs no word. *)
+(** The way in which time ends on a run, if it does. *)
 type halt =
   | Dead_end  (** the run is over in a state without transitions *)
   | One_instant  (** the run goes round for ever within one instant *)
 
 val halt : t -> halt option
+(** The way in which time ends on the run; [None] if time goes on. *)
 
 val semantics : Semantics.t -> t -> Semantics.t
-(** Whose run it is: of {!field-fixed}, or else of the one that is given. *)
+(** [semantics m w] are the rules of the run: those of {!field-fixed} if there are any, else [m]. *)
 
 val choices : t -> int list
-(** The choices of the steps. *)
+(** The choices of the steps, in order. *)
 
 val time : t -> Rat.t
-(** Model time after the steps. *)
+(** The model time after the steps. *)
 
 val instant : t -> Algebraic.t
-(** Model time of the instant that the witness is about. *)
+(** The model time of the instant that the witness is about. *)
 
 val at_rational_instant : t -> bool
-(** Whether the run ends at a rational instant, so that {!offset} is exact. *)
+(** [at_rational_instant w] is true if the run ends at a rational instant, so that {!offset} is exact. *)
 
 val offset : t -> Rat.t option
-(** For a schedule: the time to let pass after the steps. At an irrational instant, a rational within
-    10^-12 of it. *)
+(** The time to let pass after the steps, for a schedule. At an irrational instant it is a rational within
+    10^-12 of it. [None] if the run does not end [During] a time transition. *)
 
 val there : Semantics.t -> t -> State.t
-(** The state at the instant that the witness is about, or at the rational one close by ({!offset}). *)
+(** The state at the instant that the witness is about, or at the rational one close to it ({!offset}). *)
 
 val lines : Model.t -> t -> string list
 (** The run in words: the steps, and the {!ending}. *)
 
 val ending : Model.t -> t -> string list
-(** Where the run leads, the facts there, and the argument. *)
+(** The end of the run in words, the facts there, and the argument. *)

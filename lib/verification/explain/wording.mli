@@ -4,21 +4,22 @@ open Scc_ctl
 open Scc_state_space
 
 val facts : Network_lts.context -> State_graph.t -> Temporal.t -> Explanation.t -> string list
-(** What holds where the run of an explanation ({!Explanation.chain}) leads, a sentence for each atom. *)
+(** The facts at the end of the run of an explanation ({!Explanation.chain}), a sentence for each atom. *)
 
 val argument : Network_lts.context -> State_graph.t -> Temporal.t -> Explanation.t -> Witness.argument option
-(** The whole tree; [None] when it is but one run, with what holds at its end. *)
+(** The explanation as a tree. [None] if it is only one run, with facts at its end. *)
 
 (** {1 Parts of sentences}
 
-    For runs that come from elsewhere. *)
+    For runs that other modules find. *)
 
 val listed : string list -> string list
-(** The first of some events in one line. *)
+(** The first twelve of some events in one line, with the number of the others. The empty list for no event. *)
 
 val going_round : int -> silent:bool -> Scc_exact.Rat.t -> string
-(** Of a run that repeats its steps from this index on, so long after it began; [silent]: none of them is an
-    event. *)
+(** [going_round k ~silent t] is the sentence for a run that repeats its steps from index [k] on, which begin
+    at the time [t] of the run. With [silent], none of these steps is an event. *)
 
 val beyond : string -> bool -> string -> string option
-(** What a fact says that the claim does not, which holds or fails. *)
+(** [beyond claim holds fact] is the part of [fact] that goes beyond the sentence that the claim holds, or
+    fails. [None] if there is none. *)

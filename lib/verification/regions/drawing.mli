@@ -1,11 +1,11 @@
-(** A picture of where checks hold, in SVG: the plane of two parameters, or the line of one, in one colour for each
-    combination of outcomes, with a legend. The side of a border on which it belongs to the region has a whole
-    line, the other one a dashed line; what has no area is drawn as lines and points; corners tell their exact
-    coordinates when pointed at, in the colour of the region that they belong to. *)
+(** A picture of where checks hold, in SVG: the plane of two parameters, or the line of one, in one colour for
+    each combination of outcomes, with a legend. A border has a solid line on the side of the region that it
+    belongs to, and a dashed line on the other side. Sets without area are drawn as lines and points. Corners
+    show their exact coordinates under the pointer, in the colour of their region. *)
 
 open Scc_calculus
 
 val svg : Ranges.t -> Plane.view -> (string * Where.t) list -> string
-(** A whole file, light or dark as whoever looks at it prefers. The checks have different names, and these ranges.
-    Everything is found in exact numbers, and its place in the picture is rounded to 1/100 of a pixel: the file
-    says so. The same input gives the same bytes. *)
+(** A whole file, light or dark as the viewer prefers. The checks have different names, and these ranges. All
+    computations are exact; places in the picture are rounded to 1/100 of a pixel, as the file says. The same
+    input gives the same bytes. *)

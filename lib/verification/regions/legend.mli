@@ -1,4 +1,4 @@
-(** What the regions of a drawing are called, and their colours. *)
+(** The names of the regions of a drawing, and their colours. *)
 
 open Scc_calculus
 
@@ -8,14 +8,15 @@ type t = {
   hatched : bool;  (** an outcome is not known *)
   name : string;  (** short: ["meets, binds"], ["none"]; of one check ["holds"], ["fails"] *)
   share : string;  (** of the area, in words *)
-  told : string;  (** in full, as shown when pointed at *)
+  told : string;  (** in full, as shown under the pointer *)
 }
 
 val make : Ranges.t -> Plane.view -> string list -> Plane.region list -> t list
-(** Of regions of checks of these names. *)
+(** [make ranges view names regions] has an entry for each region, where [names] are those of the checks. *)
 
 val caption : Ranges.t -> Plane.view -> string
-(** What is fixed, and what is projected: ["z = 1, any w in [0, 1]"]; [""] if nothing is. *)
+(** The parameters that are fixed, and those that are projected: ["z = 1, any w in [0, 1]"]; [""] if there are
+    none. *)
 
 val shown : Ranges.t -> Plane.view -> Ranges.t
-(** The ranges of the picture; of a line there is a second one, from 0 to 1, without a name. *)
+(** The ranges of the picture. A line has a second one, from 0 to 1, without a name. *)

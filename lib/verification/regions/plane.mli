@@ -1,4 +1,4 @@
-(** A plane of two parameters, or a line of one, parted by which of several checks hold there. *)
+(** A plane of two parameters, or a line of one, divided by the outcomes of several checks. *)
 
 open Scc_exact
 open Scc_polyhedra
@@ -7,21 +7,22 @@ open Scc_calculus
 type view = private {
   across : int;  (** the parameter from left to right *)
   up : int option;  (** that from below; none for a line *)
-  fixed : (int * Rat.t) list;  (** the value of others; what is neither shown nor fixed is projected *)
+  fixed : (int * Rat.t) list;  (** the values of other parameters; those that are neither shown nor fixed are
+                                   projected *)
 }
 
 val view :
   Ranges.t -> axes:string list -> fixed:(string * Rat.t) list -> (view, string) result
-(** The one or two parameters to be shown; if [axes] is empty, the first ones that are not fixed. An error, in
-    words, if there is no parameter of such a name or none at all, if one is named twice, or if a value is not in
-    its range. *)
+(** The view of the one or two parameters in [axes]; if [axes] is empty, of the first ones that are not fixed.
+    The error, in words, is one of these: a parameter that does not exist, no parameter at all, a parameter
+    named twice, or a value out of its range. *)
 
 val hidden : Ranges.t -> view -> int list
 (** The parameters that are projected. *)
 
 type outcome =
   | Holds
-  | Varies  (** it holds for some values of what is projected, and fails for others *)
+  | Varies  (** it holds for some values of the projected parameters, and fails for others *)
   | Unknown
   | Fails
 

@@ -4,7 +4,7 @@
 open Scc_calculus
 
 val script : Ranges.t -> (string * Where.t) list -> string
-(** Declares the parameters, asserts that they are in their ranges, and defines for the check [meets] the truth
-    values [meets-holds], [meets-fails] and [meets-unknown], of which exactly one is true in the ranges. The checks
-    have different names, and these ranges. A parameter with the name of a function of SMT-LIB, as [abs], is called
-    [param-abs]. It asks nothing: a solver is asked by what is written behind it. *)
+(** A script that declares the parameters and asserts that they are in their ranges. For a check [meets] it
+    defines the truth values [meets-holds], [meets-fails] and [meets-unknown]. Exactly one of them is true in
+    the ranges. The checks have different names, and these ranges. A parameter with the name of a function of
+    SMT-LIB, as [abs], is called [param-abs]. The script has no query: users append their own. *)

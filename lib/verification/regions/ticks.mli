@@ -6,5 +6,5 @@ open Scc_calculus
 type mark = { at : Rat.t; label : string; exact : string  (** the number *) }
 
 val marks : Ranges.range -> mark list
-(** Multiples of 1, 2 or 5 times a power of 10, four to eight or so, with short decimals; where those are not
-    short, the two ends, as ["low"] and ["high"]. *)
+(** Multiples of 1, 2 or 5 times a power of 10, about four to eight, with short decimals. If those are not
+    short, the marks are the two ends, as ["low"] and ["high"]. *)

@@ -1,29 +1,31 @@
-(** Where a check holds, in words. *)
+(** The values for which a check holds, in words. *)
 
 open Scc_exact
 open Scc_polyhedra
 open Scc_calculus
 
 val number : Rat.t -> string
-(** The exact number, and the decimal: ["4/25 = 0.16"]; ["7/18, about 0.3889"] where that is rounded; ["3"]. *)
+(** The exact number, and its decimal: ["4/25 = 0.16"]; ["7/18, about 0.3889"] if that is rounded; ["3"]. *)
 
 val probability : Where.probability -> string
-(** ["4/25 = 0.16"]; ["at least 1/9, about 0.1111, and at most 1/2 = 0.5"]. *)
+(** A probability as ["4/25 = 0.16"], or ["at least 1/9, about 0.1111, and at most 1/2 = 0.5"]. *)
 
 val piece : Ranges.t -> Polyhedron.t -> string
-(** What describes the piece within the box of the ranges, separated by commas, two borders of one form
-    together: ["x = y, -2 < z < 2"]; ["everywhere"] if it is all of the box. What the ranges say is left out. *)
+(** The constraints of the piece within the box of the ranges, separated by commas, two bounds of one form
+    together: ["x = y, -2 < z < 2"]. All of the box is ["everywhere"]. Constraints that the ranges imply are
+    left out. *)
 
 val without_extent : int -> string
-(** What a piece of a smaller dimension lacks among so many parameters: ["no length"], ["no area"],
-    ["no volume"]. *)
+(** The remark for a piece of a smaller dimension than the number of parameters: ["no length"] for 1, ["no
+    area"] for 2, ["no volume"] for more. *)
 
 val lines : Where.t -> string list
-(** Of a report, in lines to be indented by whoever prints them:
+(** The lines of a report, without indentation:
     {v
     holds where
       -2 < y < 2, -2 < z < 2
     fails elsewhere
     probability 4/25 = 0.16
     v}
-    Of the two the one with fewer pieces is told, the other one is what is left. Pieces without volume say so. *)
+    Only the set with fewer pieces is described in full; the other one is the rest. Pieces without volume are
+    marked. *)

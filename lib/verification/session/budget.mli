@@ -1,4 +1,4 @@
-(** What an exploration may take: what was asked for, and what it gets where nothing was. *)
+(** The bounds of an exploration: those that were given, and defaults for the others. *)
 
 open Scc_exact
 open Scc_verify
@@ -19,4 +19,5 @@ type defaults = {
 }
 
 val bounds : defaults -> t -> Bounds.t
-(** What was asked for is {!Bounds.Given}; of the rest, states and memory are bounded by default. *)
+(** [bounds defaults t] has the bounds of [t] as {!Bounds.Given}. States and memory, if they are not given,
+    have bounds by default. *)

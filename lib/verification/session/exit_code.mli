@@ -1,4 +1,4 @@
-(** The exit codes, the same for every command, and what leads to which. *)
+(** The exit codes, the same for every command, and the results that lead to them. *)
 
 open Scc_semantics
 open Scc_verify
@@ -14,26 +14,31 @@ type t =
   | Unwritten  (** 74: an output could not be written *)
 
 val all : t list
-(** In the order of their numbers. *)
+(** All exit codes, in the order of their numbers. *)
 
 val to_int : t -> int
+(** The number that the process returns, as listed at the constructors. *)
+
 val equal : t -> t -> bool
+(** [equal a b] is true if both are one code. *)
 
 val meaning : t -> string
-(** When a command ends with it, unless it says otherwise: ["if …"]. *)
+(** The condition under which a command ends with the code, unless its manual says otherwise: ["if …"]. *)
 
 val worst : t list -> t
-(** The code of a run in which several apply: a bug, a wrong command line or an invalid input first, then
-    1, 4, 2 and 0. *)
+(** The code of a run in which several apply: the first of 70, 74, 64, 3, 1, 4 and 2 that applies, else 0. *)
 
 val of_bounds : Verdict.truncation list -> t
-(** Of something that is known up to these bounds: a limit of resources stopped it, a default bound leaves it
-    undecided, and other bounds are what was asked for. *)
+(** The code of a result that is known up to these bounds. A limit of resources gives [Stopped], a default
+    bound [Undecided]. Bounds that the user gave leave [Holds]. *)
 
 val of_verdict : Verdict.t -> t
+(** The code of a verdict. A question for numbers gives [Holds] if its answer has no reasons for doubt. A
+    verdict that is undecided for a limit of resources gives [Stopped]. *)
 
 val of_exploration : complete:bool -> faults:Scc_base.Diag.t list -> stopped_by:Verdict.truncation list -> t
-(** What an exploration alone tells. *)
+(** The code of an exploration without properties: [Holds] if it is complete, [Undecided] if it has faults,
+    else {!of_bounds}. *)
 
 val of_fault : Transition.fault -> t
-(** Of a run that went on until its transitions could not be computed. *)
+(** The code of a single run that ended because its transitions could not be computed. *)

@@ -4,5 +4,5 @@ open Scc_base
 open Scc_verify
 
 val diagnostics : Loaded.t -> Zone_check.fault -> Diag.t list
-(** What is wrong (SC0403, SC0401), for which values, and at the places in the text where the model of just these
-    values is refused. *)
+(** The diagnostics of a fault (SC0403, SC0401), with the values of parameters. Their places in the text are
+    those at which the model with just these values is refused. *)

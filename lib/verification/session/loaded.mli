@@ -1,4 +1,4 @@
-(** Models that are ready to be worked on: what every command and every request starts from. *)
+(** Models that are ready for use: the start of every command and every request. *)
 
 open Scc_base
 open Scc_exact
@@ -9,23 +9,24 @@ open Scc_semantics
 type t = {
   source : Source.t;
   origin : Origin.t;
-  semantics : Semantics.t;  (** with a memory of its own *)
+  semantics : Semantics.t;  (** with a cache of its own *)
   model : Model.t;
   declared : State.t;
   (** as declared: before {!Scc_semantics} sets clocks and steers; at simple values of parameters with ranges *)
-  uncertain : Uncertain.t option;  (** where parameters have ranges ({!Model.ranges}): what depends on them *)
+  uncertain : Uncertain.t option;  (** where parameters have ranges ({!Model.ranges}): the numbers that depend
+                                       on them *)
   checks : Property.check list;
   premises : Property.check list;
-  (** What has to come true for the checks to say anything, each with the name of its check: to be decided beside
-      them. They keep no exploration going, as a check is never decided before its premise has been met or all is
-      explored. *)
+  (** The premises of the checks, each with the name of its check: a check whose premise never comes true is
+      vacuous. They are decided beside the checks, and prolong no exploration. A check is never decided before
+      its premise has been met or all is explored. *)
   warnings : Diag.t list;
   again : Scc_syntax.Ast.model -> (string * Rat.t) list -> (t, Diag.t list) result;
   (** see {!at} and {!with_items} *)
 }
 
 type reader = string -> (string, string) result
-(** Given the path of a mesh as the model writes it: its bytes, or why it cannot be read. *)
+(** From the path of a mesh, as written in the model, to its bytes, or the reason why it cannot be read. *)
 
 val load :
   read_file:reader ->
@@ -33,8 +34,8 @@ val load :
   ?narrowed:(string * (Ranges.bound * Ranges.bound)) list ->
   Source.t ->
   (t, Diag.t list) result
-(** In the notation of the text ({!Scc_notation.Notation.of_source}), with the values of [overrides] for
-    parameters, and the ranges of [narrowed] for those that have ranges. *)
+(** The model of a text, in its notation ({!Scc_notation.Notation.of_source}). Parameters have the values of
+    [overrides]. Parameters with ranges have those of [narrowed] if they are listed there. *)
 
 val of_tree :
   read_file:reader ->
@@ -43,14 +44,15 @@ val of_tree :
   Source.t ->
   Scc_syntax.Ast.model ->
   (t, Diag.t list) result
-(** Of a syntax tree that the text was read into, perhaps with more in it than the text says. *)
+(** The model of a syntax tree of the text. The tree may have more items than the text. *)
 
 val at : t -> (string * Rat.t) list -> (t, Diag.t list) result
-(** The same model where parameters have these values as well: of one point, if all that have ranges are among
-    them. The error is why there is no such model, a value out of its range (SC0217) for one. *)
+(** [at l values] is the model with these values for parameters as well. It has no ranges if all parameters
+    with ranges are among them. The errors say why there is no such model, as SC0217 for a value out of its
+    range. *)
 
 val with_items : t -> Scc_syntax.Ast.model -> (t, Diag.t list) result
-(** The same model with more in it than its text says, after all else. *)
+(** [with_items l items] is the model with these items after those of its text. *)
 
 val initial : t -> (State.t, Diag.t list) result
-(** The initial state. The error is why a law of motion has no value there. *)
+(** The initial state. It is an error if a law of motion has no value there. *)

@@ -1,4 +1,4 @@
-(** A formula about a model that somebody writes beside it: a number, a state predicate or a temporal formula. *)
+(** A formula about a model that is given apart from it: a number, a state predicate or a temporal formula. *)
 
 open Scc_base
 open Scc_syntax
@@ -9,20 +9,21 @@ type t = State of Property.prop | Number of Property.num | Temporal of Property.
 (** {1 Of a loaded model} *)
 
 val all : Loaded.t -> Source.t list -> (Loaded.t * t list, Diag.t list) result
-(** What the formulas are, and the model in which they have their meaning: that one has them as its last checks,
-    and keeps in its states what they speak of (the time, for one). Its runs are those of the model, with the same
-    labels in the same order. *)
+(** The formulas, and the model in which they have their meaning. That model has them as its last checks, and
+    its states contain what the formulas mention (the time, for one). Its runs are those of the given model,
+    with the same labels in the same order. *)
 
-(** {1 By who loads models in another way} *)
+(** {1 For other ways of loading models} *)
 
-(** As what a formula is looked at: what a check takes, a state predicate, a number. *)
+(** The form in which a formula is tried: a formula of a check, a state predicate, or a number. *)
 type form
 
 val name : form -> string
-(** Tells the forms apart. *)
+(** A name that distinguishes the forms: ["check"], ["state"] or ["number"]. *)
 
 val item : form -> Ast.expr -> Ast.item
-(** The check to add to a model. *)
+(** [item form e] is the check to add to a model. *)
 
 val ask : model:('m -> Loaded.t) -> (form -> ('m, Diag.t list) result) -> ('m * t, Diag.t list) result
-(** Given how to load the model with the {!item} of a form as its last one: the formula, and the model with it. *)
+(** [ask ~model load] is the formula, and the model with it. [load form] loads the model with the {!item} of a
+    form as its last one. The forms are tried in order; errors are those of the first. *)

@@ -1,5 +1,5 @@
-(** For which values of the parameters a formula holds: what searches decide ({!Scc_property.Plan}), from what was
-    found while zones were explored, and all else from the whole graph ({!Branching}). *)
+(** The values of the parameters for which a formula holds. Searches ({!Scc_property.Plan}) are decided while
+    zones are explored, other formulas on the whole graph ({!Branching}). *)
 
 open Scc_exact
 open Scc_polyhedra
@@ -8,47 +8,52 @@ open Scc_property
 type t
 
 val make : Instant.context -> Atoms.context -> parameters:Polyhedron.t -> Property.temporal -> t
-(** [parameters] are all values that they may have. *)
+(** [make c atoms ~parameters formula] is the open question, where [parameters] are all values of the
+    parameters. *)
 
 val bound : t -> Rat.t option
-(** The latest instant that it asks about; [None]: there is none. *)
+(** The latest instant that the formula mentions; [None] if there is none. *)
 
 val needs_time : Property.temporal -> bool
-(** Whether model time has to be a coordinate of zones for it. *)
+(** [needs_time formula] is true if the formula mentions model time or has a bound of time. Model time then has
+    to be a coordinate of zones. *)
 
 (** {1 While zones are explored} *)
 
 val look : t -> Zone_graph.node -> unit
-(** At a node that has been expanded. *)
+(** Updates the searches with a node that has been expanded. *)
 
 val look_around : t -> Zone_graph.node -> unit
-(** At a node that will never be. *)
+(** Updates the searches with a node that will never be expanded. *)
 
 val leave : t -> Zone.t -> unit
-(** What the horizon left out. *)
+(** Updates the searches with states that are beyond the horizon. *)
 
 val is_known : t -> exactly:bool -> bool
-(** Whether it is known that it holds for all values, or that it does not; with [exactly], for which. *)
+(** [is_known t ~exactly] is true if it is known that the formula holds for all values, or that it does not.
+    With [exactly], it is true if the set of values is known. *)
 
 (** {1 Afterwards} *)
 
 val conclude : t -> Zone_graph.t -> unit
-(** All is known of the graph, up to the latest bound. *)
+(** Decides the other formulas on the whole graph, in which all is known up to the latest bound. *)
 
-type sets = { holds : Union.t; fails : Union.t  (** disjoint; elsewhere it is not known *) }
+type sets = { holds : Union.t; fails : Union.t  (** disjoint; for all other values it is not known *) }
 
 val sets : t -> sets
+(** The values for which the formula holds, and those for which it fails, as far as is known. *)
 
 val safe_so_far : t -> bool
-(** It says that nothing bad happens, and what was seen is not bad: where it is not known, it is for what was not
-    explored. *)
+(** [safe_so_far t] is true if the formula says that nothing bad happens, and nothing bad was found. Doubts
+    then come only from unexplored states. *)
 
 val reasons : t -> string list
-(** Why something could not be judged. *)
+(** The reasons why something could not be decided, sorted, each once. *)
 
 val shown_by : t -> holds:bool -> Search_sets.place option
-(** A place that a run leads to which shows that it holds, or does not, for some values; [None]: no single run of
-    those that were searched for does. *)
+(** A place to which a run leads that shows that the formula holds, or fails, for some values. [None] if no
+    single run of the searches does. *)
 
 val run : t -> Zone_graph.t -> holds:bool -> Shown_run.t option
-(** After {!conclude}: a run that shows it, of a formula that no search decides. *)
+(** A run that shows that the formula holds, or fails, after {!conclude}. It is for formulas that no search
+    decides. *)

@@ -1,9 +1,9 @@
-(** State predicates on zones: where they hold. *)
+(** State predicates on zones: the regions on which they hold. *)
 
 open Scc_polyhedra
 open Scc_property
 
-(** Where one looks: at all states of a zone. *)
+(** The states on which a predicate is evaluated: all states of a zone. *)
 type view = {
   zone : Zone.t;
   passing : bool;  (** the zone is a trajectory ({!Passing.trajectory}): nothing has just happened *)
@@ -13,7 +13,9 @@ type view = {
 type context
 
 val context : Instant.context -> events:Property.event array -> context
+(** The context for predicates whose events are numbered as in the array. *)
 
 val truth : context -> Property.prop -> view -> (Polyhedron.t * Scc_ctl.Truth.t) list
-(** Disjoint regions, none empty, that make up the set of the zone. Undecided, with the reason, where a number is
-    compared that is not affine, or undefined. *)
+(** [truth c prop view] are disjoint regions, none empty, whose union is the set of the zone, with the truth of
+    the predicate on each. It is undecided, with a reason, where a number is compared that is not affine, or
+    undefined. *)

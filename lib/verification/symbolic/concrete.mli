@@ -1,12 +1,11 @@
-(** One run out of many: values of the parameters, and instants of splits, for which a run goes along the nodes of
-    a graph to a certain place. *)
+(** One run of many along the nodes of a graph to a place: values of the parameters, and instants of splits. *)
 
 open Scc_exact
 open Scc_semantics
 
 type step =
   | Happens of Transition.label
-  (** as leaves are called at the start; processes are told by some leaf of theirs *)
+  (** with the names of leaves at the start; a process is given by one of its leaves *)
   | Passes of Rat.t  (** until what comes next *)
   | Passes_some of Rat.t  (** less than that, to a weak split; more than 0 *)
 
@@ -18,12 +17,12 @@ type t = {
 
 (** {1 Ways}
 
-    Many runs that take the same steps: over the variables of the root that they start in, and the times that they
-    wait for splits, in order. *)
+    A way is a set of runs that take the same steps. Its variables are those of the root, then the times of
+    waiting for splits, in order. *)
 
 type way = {
   set : Scc_polyhedra.Polyhedron.t;
-  here : Scc_polyhedra.Linear.t array;  (** the variables of the node that they have come to *)
+  here : Scc_polyhedra.Linear.t array;  (** the variables of the current node *)
   taken : (Zone_steps.step * Scc_polyhedra.Linear.t option) list;
   (** the last first, with the time that passes; forms may know fewer variables than the set has now *)
   length : int;  (** how many steps have been taken *)
@@ -31,29 +30,32 @@ type way = {
 }
 
 val extended : int -> Scc_polyhedra.Linear.t -> Scc_polyhedra.Linear.t
-(** A form over the first variables, as one over so many. *)
+(** [extended n f] is a form over the first variables as a form over [n] variables. *)
 
 val start : Zone.t -> Scc_polyhedra.Polyhedron.t -> way
-(** In a root, from a part of it. *)
+(** [start root set] is the way without steps from a part of a root. *)
 
 val extend : way -> int -> way
-(** Over as many variables more, the last ones, of which nothing is said. *)
+(** [extend way n] has [n] more variables, the last ones, which are unconstrained. *)
 
 val enter : way -> Scc_polyhedra.Polyhedron.t -> way * Scc_polyhedra.Linear.t array
-(** Where its node is in a set over the variables of the node, and perhaps others, which are new variables: these
-    variables as forms. *)
+(** [enter way set] restricts the way to those runs whose node is in the set. The set is over the variables of
+    the node, and perhaps others, which become new variables of the way. It also returns the variables of the
+    set as forms. *)
 
 val along : way -> Zone_graph.edge -> way
+(** [along way edge] is the way after one more step, for the runs that satisfy the guard of the edge. *)
 
 val sample : way -> Rat.t array option
-(** One run: with weak splits at once where they may be, the first ones first, and else in the relative
-    interior. *)
+(** One run of the way: with weak splits at once where possible, the first ones first, and otherwise in the
+    relative interior. The array has a value for each variable. [None] if the way has no runs. *)
 
 (** {1 Runs to a place} *)
 
 val run : Zone_graph.t -> Search_sets.place -> t
-(** By the way that the node was found first, with weak splits at once where they may be, to a point in the
-    relative interior of all that lead there. *)
+(** A run along the path by which the node was found first. Weak splits are made at once where possible. The
+    end is in the relative interior of all states that this path leads to. *)
 
 val run_within : Zone_graph.t -> Search_sets.place -> Scc_polyhedra.Polyhedron.t -> t option
-(** The same for values of the parameters in a polyhedron over them, if there are any. *)
+(** [run_within graph place values] is {!run} restricted to values of the parameters in a polyhedron. [None] if
+    there are none. *)

@@ -1,26 +1,28 @@
-(** What comes first, of events whose times depend on what is not known. *)
+(** The first of several events whose times are affine in variables. *)
 
 open Scc_polyhedra
 
 (** A region on which the next of all events is known. *)
 type 'a cell = {
   region : Polyhedron.t;  (** not empty *)
-  time : Linear.t option;  (** when the next of all events comes, if any does *)
-  due : 'a list;  (** those that come then, all of them, in the order in which they were given *)
+  time : Linear.t option;  (** the time of the next of all events; [None] if no event comes *)
+  due : 'a list;  (** all events at that time, in the order in which they were added *)
 }
 
 val start : Polyhedron.t -> 'a cell list
-(** No event yet. *)
+(** [start set] is one region without events; none if the set is empty. *)
 
 val at : Linear.t -> 'a -> 'a cell list -> 'a cell list
-(** One event more, which comes at this time, at least 0, everywhere. *)
+(** [at time e cells] adds an event that comes at this time, which is at least 0, everywhere. *)
 
 val on :
   (limit:Linear.t option -> Polyhedron.t -> (Polyhedron.t * Linear.t) list * Polyhedron.t list) -> 'a ->
   'a cell list -> 'a cell list
-(** One event more. On a region in which the others come no earlier than the limit, if at all, it says where it
-    comes at the limit or before, and when; and where not. Both are disjoint pieces, together the region. *)
+(** [on comes e cells] adds an event by the function [comes ~limit region]. On a region where the other events
+    come no earlier than the limit, it returns two lists. The first has the pieces where [e] comes at the limit
+    or before, with its time; the second has the others. All pieces are disjoint, and their union is the
+    region. *)
 
 val merged : ('a -> 'a -> bool) -> 'a cell list -> 'a cell list
-(** The same with fewer regions, where the union of some with the same time and events is convex. Events are
-    compared by the function. *)
+(** [merged equal cells] has fewer regions, where the union of some with equal time and events is convex.
+    Events are compared by [equal]. *)

@@ -1,5 +1,5 @@
-(** What may happen at one instant to the states of a region of {!Instant.cells}: the rules are asked of one of its
-    states, and what they make of it they make of all. *)
+(** The events that may happen at one instant to the states of a region of {!Instant.cells}. The rules are
+    applied to one state of the region; the result is the same for all of its states. *)
 
 open Scc_polyhedra
 open Scc_semantics
@@ -13,5 +13,6 @@ type all = {
 }
 
 val all : Instant.context -> events:Property.event array -> Zone.t -> Polyhedron.t -> all
-(** Of a zone that is not {!Zone.t.halted} all, in the order of {!Network.successors}; else weak splits alone.
-    Targets know which of the events they have been reached by. *)
+(** [all c ~events z region] are the events on the region, in the order of {!Network.successors}. For a
+    {!Zone.t.halted} zone they are only weak splits. Each target contains the numbers of those of [events] by
+    which it was reached. *)

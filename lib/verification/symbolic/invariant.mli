@@ -1,8 +1,8 @@
-(** Sets of states that no run leaves: the abstract domain of rule Invariants. A set is finitely many locations,
-    each a kind of states (processes, bonds, velocities, behaviours as they were when they were set) with a
-    polyhedron over all numbers of such a state. It stands for the well-formed states whose kind is that of a
-    location and whose numbers are in its polyhedron: bodies that interpenetrate are in no run (rule WellFormed),
-    and a convex set cannot leave them out. *)
+(** Sets of states that no run leaves: the abstract domain of rule Invariants. A set consists of finitely many
+    locations. A location is a kind of states with a polyhedron over all numbers of such a state. A kind
+    consists of processes, bonds, velocities, and behaviours as they were when they were set. The set contains
+    the well-formed states whose kind is that of a location and whose numbers are in its polyhedron. In no run
+    do bodies interpenetrate (rule WellFormed), but a convex set cannot exclude such states. *)
 
 open Scc_polyhedra
 open Scc_calculus
@@ -16,18 +16,19 @@ type location = {
 
 type t = {
   events : Property.event array;
-  locations : location list;  (** those of one kind, if there are several, together *)
+  locations : location list;  (** locations of one kind are adjacent *)
 }
 
 val dimension : Model.t -> int
-(** How many coordinates. *)
+(** The number of coordinates: one for each parameter with a range, five for each leaf. *)
 
 val name : Model.t -> int -> string
-(** Of a coordinate: the parameter, or ["age(p)"], ["clock(p)"], ["x(p)"], ["y(p)"], ["z(p)"], where time since a
-    behaviour was set, or a split clock, and the place of the reference point of a body are meant. *)
+(** The name of a coordinate: a parameter, or ["age(p)"], ["clock(p)"], ["x(p)"], ["y(p)"] or ["z(p)"] of a
+    leaf. An age is the time since a behaviour was set, a clock is a split clock. The others are the place of
+    the reference point. *)
 
 val zone : Model.t -> location -> Zone.t
-(** The same with a variable for each coordinate; not canonical. *)
+(** The location as a zone with a variable for each coordinate. The zone is not canonical. *)
 
 val set_of : Zone.t -> Polyhedron.t
-(** What a canonical zone without time says of all coordinates. *)
+(** The set of a canonical zone without time, as a polyhedron over all coordinates. *)

@@ -1,7 +1,7 @@
-(** Looks for sets of states that no run leaves, by convex envelopes: what comes of a location is put into a
-    polyhedron around it and what is there ({!Scc_polyhedra.Hull.join}), which is widened where it does not come
-    to rest, and then narrowed. What it finds is larger than what is reached: it can show that something never
-    comes, and never that something does (rule Invariants). *)
+(** The search for sets of states that no run leaves, by convex envelopes. Successors of a location are joined
+    with the states of their kind in one polyhedron ({!Scc_polyhedra.Hull.join}). It is widened where the
+    iteration does not converge, and then narrowed. The result contains all reachable states, and usually more.
+    So it can prove that a state never comes, and never that one comes (rule Invariants). *)
 
 open Scc_property
 
@@ -9,10 +9,10 @@ type visitor = { stop : unit -> bool; looked_at : locations:int -> waiting:int -
 
 type end_ =
   | Found of Invariant.t
-  | No_end of string  (** why none was found, for a person *)
+  | No_end of string  (** the reason, for readers, why none was found *)
   | Stopped
 
 val find :
   Instant.context -> events:Property.event array -> most:int -> visitor:visitor -> Zone.t list -> end_
-(** From zones that do not keep time, with at most so many locations. How long it takes is bounded by
-    {!Scc_polyhedra.Effort}. *)
+(** [find c ~events ~most ~visitor zones] searches from zones without time, with at most [most] locations. The
+    work is bounded by {!Scc_polyhedra.Effort}. *)

@@ -1,6 +1,6 @@
-(** Reading I-33 where the offset of two solids is not known but for what it depends on: when two features of them,
-    which are closed, come to have a point in common as the solids go on. They do at the offsets of a closed
-    polyhedron, into which the offset goes on a straight line. *)
+(** Reading I-33 for an offset of two solids that is a form over variables: the time at which two features,
+    which are closed, first have a common point. They have one at the offsets of a closed polyhedron, which the
+    offset enters on a straight line. *)
 
 open Scc_exact
 open Scc_polyhedra
@@ -9,7 +9,7 @@ val make :
   Polyhedron.t -> offset:Linear.t * Linear.t * Linear.t -> velocity:Vec.t -> limit:Linear.t option ->
   Polyhedron.t ->
   (Polyhedron.t * Linear.t) list * Polyhedron.t list
-(** [make offsets ~offset ~velocity ~limit within]: of the offsets at which they meet, which are closed; the
-    offset now and its velocity as for {!Contact_cells.make}. Where they first meet, now or later and not later
-    than the limit, with the time at which they do; and where they do not: disjoint pieces, none empty, that make
-    up [within]. *)
+(** [make offsets ~offset ~velocity ~limit within], where [offsets] is the closed set of offsets at which the
+    features meet. The offset now and its velocity are as for {!Contact_cells.make}. The first list has the
+    regions where they first meet, now or later and not after the limit, with the time. The second list has the
+    regions where they do not. All pieces are disjoint, none is empty, and their union is [within]. *)

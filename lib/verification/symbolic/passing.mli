@@ -1,41 +1,42 @@
-(** Rule Time for zones: what comes first, and what time makes of them until then. *)
+(** Rule Time for zones: the next events, and the effect of time until then. *)
 
 open Scc_polyhedra
 
-(** What ends a passing of time, or happens at its end. *)
+(** An event that ends a passing of time, or happens at its end. *)
 type due =
   | Contact of int
-  (** of the two parts that have this place among {!Instant.pairs}: they collide, or open features of them come to
-      meet (reading I-33) *)
+  (** the two parts at this place among {!Instant.pairs} collide, or open features of them meet (reading
+      I-33) *)
   | Expiry of int * Linear.t
   (** the eps of a leaf whose duration is this form over the parameters (rule TimeBehaviour) *)
   | Split_instant of int  (** the next one of the process whose first leaf it is (reading I-9) *)
 
 val cells : Instant.context -> Zone.t -> Polyhedron.t -> due First.cell list
-(** On a region of the zone on which nothing urgent is to be done, what comes first. *)
+(** [cells c z region] divides a region without urgent events by the events that come first. *)
 
 val until : Instant.context -> Zone.t -> due First.cell -> Zone.t list
-(** What the zone has become on the region of a cell at the time that the cell says (there is one): after the
-    delays that expire then. Several, where delays that begin then may have the length 0. Over the same variables;
-    not canonical. *)
+(** [until c z cell] are the states of the cell's region at the cell's time, which exists, after the delays
+    that expire then. There are several zones if delays that begin then may have the length 0. They have the
+    same variables, and are not canonical. *)
 
 val within : Instant.context -> Zone.t -> due First.cell -> Zone.t
-(** All states from now until before the time of the cell (all that come, where it has none), {!Zone.t.halted}:
-    over one variable more, the last one, which says how much time has passed. *)
+(** [within c z cell] are all states from now until before the cell's time (all later states, if it has none),
+    as a {!Zone.t.halted} zone. The zone has one more variable, the last one: the time that has passed. *)
 
 val trajectory : Instant.context -> Zone.t -> due First.cell -> Zone.t
-(** The same states as they pass by, strictly after now. *)
+(** [trajectory c z cell] are all states strictly after now and before the cell's time, as they pass by. The
+    zone has one more variable, the last one: the time that has passed. *)
 
 val may_split : Zone.t -> bool
-(** A weak split is enabled in some process. *)
+(** [may_split z] is true if a weak split is enabled in some process. *)
 
 val on_grid : Instant.context -> bool
-(** Weak splits happen at instants of a grid alone ({!Scc_calculus.Model.Every}). *)
+(** [on_grid c] is true if weak splits happen only at instants of a grid ({!Scc_calculus.Model.Every}). *)
 
 val settled : Instant.context -> Zone.t -> Zone.t list
-(** Where delays that have just begun may have the length 0, the zone is cut in two, and they expire in one part
-    (rule Eps0). *)
+(** The zone, cut in two where a delay that has just begun may have the length 0. In one part it expires (rule
+    Eps0). *)
 
 val not_over : Instant.context -> Zone.t -> Constraint.t list
-(** What time says of all zones that are {!settled}: ages are not negative and less than all delays that wait, and
-    so are clocks, on a grid, which may be at its next instant. *)
+(** The constraints that the passing of time implies for all zones that are {!settled}. Ages are not negative,
+    and less than all delays that wait. Clocks on a grid are not negative, and at most the step. *)

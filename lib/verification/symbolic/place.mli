@@ -1,4 +1,4 @@
-(** Points of space whose coordinates are affine forms over what is not known. World frame, units of length. *)
+(** Points of space whose coordinates are affine forms over variables. World frame, units of length. *)
 
 open Scc_exact
 open Scc_polyhedra
@@ -6,24 +6,32 @@ open Scc_polyhedra
 type t = Linear.t * Linear.t * Linear.t
 
 val constant : int -> Vec.t -> t
-(** [constant n v]: v, with coordinates over n variables. *)
+(** [constant n v] is [v], with coordinates over n variables. *)
 
 val add : t -> t -> t
+(** [add p q] is the sum, coordinate by coordinate. *)
+
 val sub : t -> t -> t
+(** [sub p q] is p - q: the vector from [q] to [p]. *)
 
 val moved : t -> Vec.t -> Linear.t -> t
-(** [moved p v t]: where a point is that moves with the velocity v, after the time t. *)
+(** [moved p v t] is the place of a point at [p] that moves with the velocity [v], after the time [t]. *)
 
 val is_constant : t -> bool
+(** [is_constant p] is true if no variable occurs in any coordinate. *)
 
 val eval : t -> Rat.t array -> Vec.t
-(** At a point of the space of what is not known. *)
+(** [eval p x] is the place for the values [x] of the variables. *)
 
 val map : (Linear.t -> Linear.t) -> t -> t
+(** [map f p] applies [f] to each coordinate. *)
+
 val coordinates : t -> Linear.t list
+(** The list of x, y and z. *)
+
 val compose : t -> dimension:int -> Linear.t array -> t
-(** Coordinate by coordinate ({!Linear.compose}). *)
+(** [compose p ~dimension forms] applies {!Linear.compose} to each coordinate. *)
 
 val of_part : dimension:int -> Linear.t array -> Scc_calculus.Model.part -> t
-(** How far the reference point of a part is from that of its leaf, where the parameters are these forms over so
-    many variables. *)
+(** [of_part ~dimension parameters part] is the vector from the reference point of the leaf to that of the
+    part. The parameters are these forms over [dimension] variables. *)

@@ -1,4 +1,4 @@
-(** What an invariant proves (rule Invariants): that something never comes. *)
+(** The consequences of an invariant (rule Invariants): predicates that never hold. *)
 
 open Scc_polyhedra
 open Scc_property
@@ -7,14 +7,15 @@ type claim = { never : Property.prop; values : Union.t }
 (** For these values of the parameters no state of any run satisfies the predicate. *)
 
 type t = {
-  sets : Answers.sets;  (** where a check holds, and where it does not, for sure *)
-  claims : claim list;  (** that this rests on *)
+  sets : Answers.sets;  (** the values for which a check surely holds, and those for which it surely fails *)
+  claims : claim list;  (** the claims on which [sets] rest *)
 }
 
 val views : Instant.context -> Invariant.t -> Zone_graph.node list
-(** All states of an invariant, and all that pass by from them. *)
+(** All states of an invariant, and all states that pass by from them, as nodes for {!make}. *)
 
 val make :
   Instant.context -> Atoms.context -> parameters:Polyhedron.t -> Zone_graph.node list -> Property.temporal -> t
-(** Of a check that is made of [always] and [possibly], with or without bounds of time; of others nothing. Nor of
-    predicates that speak of model time, or ask for rest ([quiescent]): a larger set of states knows neither. *)
+(** [make c atoms ~parameters views formula] is what the invariant proves of a formula. Only parts with
+    [always] and [possibly], with or without bounds of time, are proved. Predicates with model time or
+    [quiescent] are not: the larger set of states knows neither. *)

@@ -3,7 +3,8 @@
 open Scc_polyhedra
 
 val where : Polyhedron.t -> Constraint.t list -> Polyhedron.t list
-(** Where the constraints hold: one region, or none. *)
+(** [where p constraints] is the region where all constraints hold, if it is not empty. *)
 
 val split : Polyhedron.t -> Constraint.t list -> Polyhedron.t option * Polyhedron.t list
-(** Where the constraints hold, if they do somewhere, and disjoint pieces of where they do not; none is empty. *)
+(** [split p constraints] is the region where all constraints hold, if it is not empty, and disjoint pieces of
+    the rest. No piece is empty. *)

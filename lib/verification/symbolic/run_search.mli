@@ -1,4 +1,5 @@
-(** Runs over zones as {!Branching} has found them to exist: forwards, from states from which there is one. *)
+(** The forward search for runs over zones that {!Branching} has proved to exist, from states from which there
+    is one. *)
 
 open Scc_exact
 open Scc_polyhedra
@@ -10,31 +11,34 @@ type walk = {
   inside : (int * Linear.t) option;  (** which of its stretches, and the time since the node *)
 }
 
-(** Where a run leads; steps are counted from 0, those that take no time for a weak split as well. *)
+(** The end of a run. Steps are counted from 0, including those that wait no time for a weak split. *)
 type finish =
-  | There  (** to where the walk is *)
+  | There  (** the run leads to the end of the walk *)
   | Rests  (** nothing happens any more, and time passes for ever *)
-  | Passes  (** what comes next comes after the bound of time *)
-  | Repeats of int  (** the steps from this one on bring it back to where it was, but for where the whole is *)
+  | Passes  (** the next event is after the bound of time *)
+  | Repeats of int  (** the steps from this one on bring it back to its state, up to a displacement of the
+                        whole *)
   | Goes_on of int
-  (** it is in a state of the zone that it was in before this step, and some run goes on from there; none was found
-      that comes back to a state *)
+  (** The run is in a state of the zone in which it was before this step. Some run goes on from there. No run
+      was found that comes back to a state. *)
 
 val dimension : walk -> int
-(** Of what its forms are over. *)
+(** The number of variables of the forms of a walk. *)
 
 val steps : walk -> int
-(** How many have been taken. *)
+(** The number of steps of a walk. *)
 
 val among : State_sets.sets -> walk -> walk list
-(** The parts of it that are in a set of states. *)
+(** [among set walk] are the parts of the walk that end in a set of states. *)
 
 val right_after : State_sets.model -> State_sets.sets -> walk -> walk list
-(** Within the stretch that comes next, where all states from there on are in a set of states. *)
+(** [right_after m set walk] are the parts of the walk within the next stretch, such that all states from there
+    on are in a set of states. *)
 
 val some_run :
   State_sets.model -> Branching.search -> win:State_sets.sets -> high:Rat.t option -> walk ->
   (walk * finish) option
-(** A run that a search is for, which goes on from a walk; [win]: the states from which there is one. One that
-    is to go on for ever need not be followed beyond the time [high]. Breadth-first; one in which time goes on
-    is preferred. [None]: none was found among the first few thousand. *)
+(** [some_run m search ~win ~high walk] is a run for the search that continues the walk. The set [win] has the
+    states from which there is one. A run that goes on for ever need not be followed beyond the time [high].
+    The search is breadth-first; runs in which time goes on are preferred. [None] if none was found among the
+    first few thousand. *)

@@ -1,15 +1,16 @@
-(** For which values of the parameters some reachable state satisfies a predicate: collected while zones are
-    explored. *)
+(** The values of the parameters for which some reachable state satisfies a predicate. They are collected while
+    zones are explored. *)
 
 open Scc_exact
 open Scc_polyhedra
 open Scc_property
 
-(** Where a run is taken to for it, and what holds there: to some states of a node, or to some while time passes
-    after it. *)
+(** The end of a run, and the predicate that holds there: some states of a node, or states that pass by after
+    it. *)
 type place = {
   node : Zone_graph.node;
-  states : Polyhedron.t;  (** over the variables of the node; and of the time that has passed, the last one *)
+  states : Polyhedron.t;  (** over the variables of the node; if [passing], also over the time that has passed,
+                              the last variable *)
   passing : bool;
   prop : Property.prop;
 }
@@ -17,35 +18,37 @@ type place = {
 type t
 
 val make : Atoms.context -> parameters:int -> bound:Rat.t option -> Property.prop -> t
-(** Of the states up to a bound of time since the start. *)
+(** [make atoms ~parameters ~bound prop] is the search for states up to a bound of time since the start, over
+    the values of [parameters] parameters. *)
 
 val look : Instant.context -> t -> Zone_graph.node -> unit
-(** At a node that is expanded, and at what time makes of it. *)
+(** Searches a node that is expanded, and the states that pass by after it. *)
 
 val look_at : t -> Zone_graph.node -> unit
-(** At the node alone. *)
+(** Searches the states of the node alone. *)
 
 val look_around : t -> Zone_graph.node -> unit
-(** At a node that is not, and never will be: beyond it nothing is known. *)
+(** Searches a node that is never expanded. Later states are unknown. *)
 
 val leave : t -> Zone.t -> unit
-(** What was left out, and matters. *)
+(** Notes states that were left out, as far as they are within the bound of time. *)
 
 val found : t -> Union.t
-(** Values for which there is such a state. *)
+(** The values for which there is such a state. *)
 
 val open_ : t -> Union.t
-(** Values for which there may be one that was not seen, or that could not be judged; others of them may be
-    {!found} all the same. *)
+(** The values for which there may be a state that was not explored, or could not be decided. Some of them may
+    be {!found} all the same. *)
 
 val reasons : t -> string list
-(** Why something could not be judged. *)
+(** The reasons why something could not be decided. *)
 
 val covers : t -> Polyhedron.t -> bool
-(** Whether all values of a set are {!found}. *)
+(** [covers t set] is true if all values of the set are {!found}. *)
 
 val first : t -> place option
-(** Where one was found first. *)
+(** The place that was found first. *)
 
 val asks_for_rest : Property.prop -> bool
-(** Whether it asks for what is only known of nodes that are expanded: that nothing ever happens again. *)
+(** [asks_for_rest prop] is true if the predicate has the atom [quiescent]: that nothing ever happens again. It
+    is known only for nodes that are expanded. *)

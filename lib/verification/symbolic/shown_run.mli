@@ -1,5 +1,5 @@
-(** A run over zones that decides a formula: the one that {!Branching} has found to exist, with what holds where it
-    leads. It begins in a sample of the starts for which the formula is so. *)
+(** A run over zones that decides a formula, which {!Branching} has proved to exist, with the claims at its
+    end. It begins in a sample of the starts for which the formula has this truth value. *)
 
 open Scc_exact
 open Scc_property
@@ -13,18 +13,18 @@ type spot = { steps : int; since : Rat.t option }
 type claim = { formula : Property.temporal; holds : bool; spot : spot; because : because }
 
 and because =
-  | Given  (** of a state predicate *)
-  | Everywhere  (** all runs from there were looked at; or the reason is not looked for *)
+  | Given  (** the claim is about a state predicate *)
+  | Everywhere  (** all runs from there were considered; or the reason is not searched for *)
   | Parts of claim list
   | Run of { finish : finish; until : spot; goal : spot; along : along option; parts : claim list }
-  (** the run goes on to the goal, where the parts are so, as they are at all positions from [until], excluded, to
-      the goal, if these are not the same; or it ends otherwise, after the steps to the goal *)
+  (** The run goes on to the goal, where the parts hold. If [until] differs from the goal, they hold at all
+      positions after [until], up to the goal. Or the run ends otherwise, after the steps to the goal. *)
 
-(** What is so at all positions of a run before [until], or at all of them. *)
+(** A formula with one truth value at all positions of a run before [until], or at all of them. *)
 and along = { what : Property.temporal; so : bool; bound : Property.bound  (** from the start *) }
 
 type t = { run : Concrete.t; finish : finish; claim : claim }
 
 val make : Zone_graph.t -> Branching.t -> Property.temporal -> holds:bool -> t option
-(** Why the formula holds, or does not, for some start for which that is so, if there is one. [None]: there is no
-    such run, or none was found among the first few thousand. *)
+(** [make graph b formula ~holds] is a run that shows why the formula holds, or fails, for some start. [None]
+    if there is no such start or run, or if none was found among the first few thousand. *)

@@ -1,16 +1,17 @@
-(** Sets of the states of a graph of zones, at instants and between them, and how they follow each other: what
-    {!Branching} computes formulas with. *)
+(** Sets of the states of a graph of zones, at instants and between them, with their predecessors. {!Branching}
+    computes formulas with them. *)
 
 open Scc_polyhedra
 open Scc_property
 
 exception Not_known of string
-(** Why something is not known, for a person. *)
+(** The reason, for readers, why something is not known. *)
 
 val not_known : string -> 'a
+(** [not_known reason] raises {!Not_known}. *)
 
-(** What time makes of a region of a node until what comes next: the states (y, d) that are strictly between, where
-    y are the variables of the node, and d > 0 says how much time has passed. *)
+(** The effect of time on a region of a node until the next event: the states (y, d) strictly between. The
+    variables of the node are y, and d > 0 is the time that has passed. *)
 type stretch = {
   region : Polyhedron.t;  (** of the node *)
   zone : Zone.t;  (** the trajectory *)
@@ -23,7 +24,7 @@ type node = {
   happens : Zone_graph.edge list;  (** at once *)
   passes : Zone_graph.edge list;
   splits : (Zone_graph.edge * Zone_graph.edge list) list;
-  (** to a halted node, with what may happen there: from the node, or from states of stretches *)
+  (** edges to a halted node, each with the events there: from the node, or from states of stretches *)
 }
 
 type sets = {
@@ -31,71 +32,90 @@ type sets = {
   along : Union.t list array;  (** of each of its stretches *)
 }
 
-type model = { nodes : node array; atoms : Atoms.context; before : int list array  (** who comes before a node *) }
+type model = { nodes : node array; atoms : Atoms.context; before : int list array  (** for each node, those
+                                                                                       from which an event leads to
+                                                                                       it *) }
 
 val of_graph : Instant.context -> Atoms.context -> Zone_graph.t -> model
+(** The model of a graph: its nodes with their stretches and their edges by kinds. *)
 
 (** {1 Sets} *)
 
 val of_prop : model -> Property.prop -> sets
-(** Where a predicate is true; {!Not_known} where it is undecided somewhere. *)
+(** The states where a predicate is true. Raises {!Not_known} if it is undecided somewhere. *)
 
 val everything : model -> sets
+(** All states of nodes that are not halted, and of their stretches. *)
+
 val complement : model -> sets -> sets
+(** The states of nodes and stretches that are not in the sets. *)
+
 val map2 : (Union.t -> Union.t -> Union.t) -> sets -> sets -> sets
-(** Set by set. *)
+(** [map2 f a b] applies [f] to each two sets of one node or stretch. *)
 
 val tidy : Union.t -> Union.t
-(** The same by fewer pieces. *)
+(** The set, by fewer pieces where possible ({!Union.merged}). *)
 
 val some : Polyhedron.t -> Union.t
+(** The set with one polyhedron as its only piece. *)
+
 val all_along : stretch -> Union.t
+(** All states of a stretch. *)
+
 val union : Union.t -> Union.t -> Union.t
+(** The union, by fewer pieces where possible. *)
+
 val inter : Union.t -> Union.t -> Union.t
+(** The intersection, by fewer pieces where possible. *)
+
 val project : Union.t -> dimension:int -> Union.t
-(** To the first variables. *)
+(** [project u ~dimension] is the projection to the first [dimension] variables. *)
 
 val restrict : Union.t -> Constraint.t list -> Union.t
+(** [restrict u constraints] has the states of [u] that satisfy the constraints. *)
 
 (** {1 Backwards}
 
-    From where a set of states of nodes is reached. *)
+    The states from which a set of states of nodes is reached; the array has a set for each node. *)
 
 val at_once : node -> Union.t array -> Union.t
-(** By an event, from the node itself. *)
+(** The states of the node from which an event leads into the set without delay. *)
 
 val halts : node -> stretch -> Union.t array -> Union.t
-(** By a weak split, from states of a stretch. *)
+(** The states of a stretch from which a weak split leads into the set. *)
 
 val ends : node -> stretch -> Union.t array -> Union.t
-(** At the end of a stretch: over the variables of the node. *)
+(** The states of the node for which the end of a stretch leads into the set, over the variables of the
+    node. *)
 
 val late : node -> stretch -> Union.t
-(** What is beyond the horizon at the end of a stretch: likewise. *)
+(** The states of the node for which the end of a stretch is beyond the horizon, over the variables of the
+    node. *)
 
 (** {1 Along a stretch} *)
 
 val before_ : dimension:int -> int -> int -> Constraint.t
-(** That one variable is less than another one. *)
+(** [before_ ~dimension i j] is the constraint that variable [i] is less than variable [j]. *)
 
 val clear_until : stretch -> Union.t -> Union.t
-(** The (y, d, d'), d <= d', such that no state strictly between is in the set. *)
+(** [clear_until s bad] are the (y, d, d'), d <= d', such that no state strictly between is in [bad]. *)
 
 val clear_to_end : stretch -> Union.t -> Union.t
-(** The (y, d) such that no later state is in the set. *)
+(** [clear_to_end s bad] are the (y, d) such that no later state is in [bad]. *)
 
 val reach : stretch -> bad:Union.t -> Union.t -> Union.t
-(** The (y, d) from which a state of a set is reached, itself or later, with none in [bad] before it but perhaps
-    the first one. *)
+(** [reach s ~bad target] are the (y, d) from which a state of [target] is reached, itself or later. No state
+    before it is in [bad], except perhaps the first one. *)
 
 val not_after : stretch -> bad:Union.t -> Union.t -> Union.t
-(** Those (y, d) of a set that no state in [bad] is before. *)
+(** [not_after s ~bad states] are those (y, d) of [states] that no earlier state in [bad] precedes. *)
 
 val reach_from_start : stretch -> bad:Union.t -> Union.t -> Union.t
-(** The y from which a state of a set is reached without one of [bad] before it. *)
+(** [reach_from_start s ~bad target] are the y from which a state of [target] is reached without an earlier
+    state in [bad]. *)
 
 val clear_from_start : stretch -> bad:Union.t -> Union.t
-(** The y from which the whole stretch has no state in [bad]. *)
+(** [clear_from_start s ~bad] are the y for which no state of the stretch is in [bad]. *)
 
 val extend_over : stretch -> Union.t -> Union.t
-(** The (y, d) with y in a set. *)
+(** [extend_over s u] are the (y, d) of the stretch with y in [u]. *)

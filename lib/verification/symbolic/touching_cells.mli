@@ -1,13 +1,14 @@
-(** Rule Contact where the offset of two solids is not known but for what it depends on. *)
+(** Rule Contact for an offset of two solids that is a form over variables. *)
 
 open Scc_geometry
 open Scc_polyhedra
 
 type relation =
   | Apart
-  | Touching of int list  (** the facets of the obstacle that hold the offset, by their indices, increasing *)
+  | Touching of int list  (** the indices, increasing, of the facets of the obstacle that contain the offset *)
   | Interpenetrating
 
 val make : Obstacle.t -> offset:Linear.t * Linear.t * Linear.t -> Polyhedron.t -> (Polyhedron.t * relation) list
-(** [make o ~offset within]: regions, none empty, that are disjoint and make up [within], with how the solids
-    stand to each other there. Touching on two regions may be by the same facets only if it is one region. *)
+(** [make o ~offset within] are regions, disjoint and not empty, whose union is [within], with the relation of
+    the solids on each. Two regions with [Touching] by the same facets may occur only if they are one
+    region. *)

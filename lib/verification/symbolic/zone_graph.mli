@@ -1,64 +1,71 @@
-(** The zones that a network reaches from all its starts, and how: breadth-first, up to zones in others. *)
+(** The zones that a network reaches from all its starts, with the edges between them. They are found
+    breadth-first; a zone that is contained in another one is not a node of its own. *)
 
 open Scc_exact
 open Scc_polyhedra
 open Scc_property
 
-(** Zones that are not expanded yet take in what makes a convex set with them, so that fewer are to be expanded. *)
+(** A zone that is not expanded yet is merged with new states if their union is convex, so that fewer zones are
+    expanded. *)
 
-(** From where the guard holds of the variables of the source. *)
+(** An edge is taken from those states of the source for which the guard holds. *)
 type edge = {
   guard : Polyhedron.t;
-  (** over the variables of the source, and of a {!Passes_some} over one more, the last one: the time that passes
-  *)
+  (** over the variables of the source, and of a {!Passes_some} over one more, the last one: the time that
+      passes *)
   step : Zone_steps.step;
   target : int;
   map : Linear.t array;  (** the variables of the target, as forms over those of the guard *)
   renamed : int array option;
-  (** by what names the target knows the leaves of the source, if not by the same (rule Symmetry) *)
+  (** the names in the target of the leaves of the source, if they differ (rule Symmetry) *)
 }
 
 type node = {
   number : int;
   mutable zone : Zone.t;  (** canonical *)
-  depth : int;  (** how many edges from a root, at least *)
+  depth : int;  (** the least number of edges from a root *)
   mutable parents : (int * edge) list;
-  (** edges that it was found by, from nodes that were expanded before; together they lead to all of it. None to a
-      root. *)
+  (** The edges by which it was found, from nodes that were expanded before. Together they lead to all of its
+      states. A root has none. *)
   mutable edges : edge list;
   mutable cells : Passing.due First.cell list;
-  (** regions on which time passes, with what comes first: until then it does so undisturbed *)
+  (** regions on which time passes undisturbed until the first events, with these events *)
   mutable late : Polyhedron.t list;
-  (** from where what comes next comes after the horizon: over the variables of the node *)
+  (** the states whose next event comes after the horizon, over the variables of the node *)
   mutable expanded : bool;
 }
 
 type t
 
 val size : t -> int
-val node : t -> int -> node
-val roots : t -> node list
+(** The number of nodes, which are numbered from 0. *)
 
-(** How far it goes; [None]: no bound. *)
+val node : t -> int -> node
+(** The node of a number. *)
+
+val roots : t -> node list
+(** The nodes of the starts. *)
+
+(** The bounds of the exploration; [None]: no bound. *)
 type limits = {
   depth : int option;
   nodes : int option;
-  horizon : Rat.t option;  (** of time, where zones know it: what comes later is left out *)
+  horizon : Rat.t option;  (** of time, if it is a coordinate of zones: later events are left out *)
 }
 
 type end_ =
   | Closed  (** all is known *)
-  | Decided  (** whoever looked on wanted no more *)
+  | Decided  (** the visitor's [enough] was true *)
   | Bounded of { depth : bool; nodes : bool }  (** some nodes were not expanded, for these bounds *)
-  | Stopped  (** somebody wanted it *)
-  | Not_affine of string  (** what comes of some node is not affine, or not known, for this reason *)
+  | Stopped  (** the visitor's [stop] was true, or an attempt was given up *)
+  | Not_affine of string  (** the successors of some node are not affine, or not known, for this reason *)
 
 type visitor = {
   found : node -> unit;
   expanded : node -> unit;
-  late : Zone.t -> unit;  (** what the horizon left out, in part at least *)
-  enough : unit -> bool;  (** asked before each node *)
-  stop : unit -> bool;  (** likewise *)
+  late : Zone.t -> unit;  (** called with states that the horizon leaves out, at least in part *)
+  enough : unit -> bool;  (** called before each node *)
+  stop : unit -> bool;  (** called before each node; true stops the exploration *)
 }
 
 val explore :
@@ -72,10 +79,9 @@ val explore :
   visitor:visitor ->
   Zone.t list ->
   t * end_
-(** From zones, which need not be canonical: the roots are their canonical forms. With [displaced] each zone that
-    is reached is {!Zone.centred} first: where the whole is does not matter. With [visible], independent events of
-    one instant are followed in one order where nobody looks at who makes them (rule Order): for searches alone.
-    Of [interchangeable] leaves, class by class with the members increasing, it does not matter which of them is
-    where (rule Symmetry); the roots are as they are.
-    Each node is expanded by [attempt], which may give it up wherever it is, and answer false: then the
-    exploration is stopped, and the node is not expanded. *)
+(** Explores from zones, which need not be canonical: the roots are their canonical forms. With [displaced]
+    each zone that is reached is {!Zone.centred} first: the place of the whole does not matter. With [visible],
+    independent events of one instant are followed in one order where no visible leaf takes part (rule Order);
+    for searches only. Leaves of a class of [interchangeable] may be exchanged (rule Symmetry); the members of
+    each class are increasing. Roots are never changed so. Each node is expanded by [attempt], which may give
+    it up at any point and return false. Then the exploration is stopped, and the node is not expanded. *)

@@ -2,16 +2,16 @@
     time. *)
 
 val join : Instant.context -> Zone.t -> Zone.t -> Zone.t
-(** A zone that has all states of two of one kind: it is as large as the planes that bound it allow
-    ({!Scc_polyhedra.Hull.join}). Besides those of the borders of both these are in the directions of the
-    coordinates, and of how far two places along an axis, or two ages, are from each other: the order of bodies is
-    of this kind, and which delay is over first. What is on one side of a plane of an obstacle in both stays
-    there. *)
+(** [join c a b] is a zone that contains all states of two zones of one kind. It is as small as the planes
+    permit that may bound it ({!Scc_polyhedra.Hull.join}). Their directions are those of the borders of both
+    and those of the coordinates. Differences of two places along an axis, or of two ages, are directions, too.
+    So the order of bodies, and of the ends of delays, is kept. Planes of obstacles that have both zones on one
+    side bound the result as well. *)
 
 val widen : Instant.context -> Zone.t -> Zone.t -> Zone.t
-(** [widen c old joined]: with fewer borders, so that a sequence in which each is widened by a {!join} with it
-    comes to rest; but up to planes of obstacles (N. Halbwachs, Y.-E. Proy and P. Roumanoff, {e Verification of
-    real-time systems using linear relation analysis}, 1997). *)
+(** [widen c old joined] is [joined] with fewer borders, so that a sequence becomes constant in which each zone
+    is widened by a {!join} with it. Planes of obstacles are kept (N. Halbwachs, Y.-E. Proy and P. Roumanoff,
+    {e Verification of real-time systems using linear relation analysis}, 1997). *)
 
 val meet : Zone.t -> Zone.t -> Zone.t
-(** All states of the first that are in the second, which has some. *)
+(** [meet a b] are all states of [a] that are in [b]; there are some. *)

@@ -1,11 +1,11 @@
-(** Bounds on an exploration, and what it means that one was met. *)
+(** Bounds on an exploration, and the consequences of meeting one. *)
 
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_graph_search
 
-(** A bound, and whose it is. *)
+(** A bound, and its origin. *)
 type 'a bound = Unbounded | Default of 'a | Given of 'a
 
 type t = {
@@ -21,27 +21,30 @@ type t = {
 }
 
 val default : t
-(** None but an instant of 10 000 transitions, and numbers of 100 000 bits (both by default). *)
+(** No bounds except 10 000 transitions in an instant and 100 000 bits for a number, both by default. *)
 
 val limits : t -> horizon:Rat.t option -> Limits.t
-(** [horizon] is the time up to which the properties look. *)
+(** [limits b ~horizon] are the limits of an exploration, where [horizon] is the time up to which the
+    properties look. *)
 
-(** Why a state was not expanded. *)
+(** The reason why a state was not expanded. *)
 type cause =
   | Bound of Verdict.truncation
   | Fault of Scc_base.Diag.t
   | Early  (** everything was decided *)
 
 val dead_end : Scc_base.Diag.t -> Scc_base.Diag.t
-(** Of the error that a model is given up, the warning that runs end there. *)
+(** The warning that runs end in a state, from the error for which the model is given up there. *)
 
 val long_number : Model.t -> State.t -> depth:int -> Scc_base.Diag.t
-(** SC0705 of a state that so many transitions led to: which of its numbers is the longest, and what helps. *)
+(** SC0705 for a state, at this number of transitions from the start: its longest number, and a remedy. *)
 
 val dead_ends : Scc_state_space.Network_lts.context -> Scc_base.Diag.t list
-(** A warning for each reason for which runs end in what was explored (rule Persistent). *)
+(** A warning for each reason for which runs end in the explored states (rule Persistent). *)
 
 val stopped : t -> Limits.stop -> Verdict.truncation
-(** What ended the work. *)
+(** The truncation for a stop of the exploration. *)
 
 val cause : t -> Model.t -> horizon:Rat.t option -> Transition.fault Explore.reason -> cause
+(** [cause b model ~horizon reason] is the cause for which a state was not expanded. The bound of time is that
+    of the properties if theirs is the lesser. *)

@@ -21,6 +21,7 @@ type options = Joint_check.options = {
 }
 
 val default : options
+(** The default options, {!Joint_check.default}. *)
 
 type stats = Joint_check.stats = {
   states : int;
@@ -38,11 +39,11 @@ type stats = Joint_check.stats = {
   growth : Scc_base.Diag.t option;  (** a number that was too long (SC0705) *)
   shared : Scc_base.Diag.t option;  (** a bond on an edge that open faces share (SC0706) *)
   causes : Growth.cause list;  (** what is likely to keep it from closing *)
-  left_out : Verdict.truncation option;  (** what ended the search for such, before all was looked at *)
+  left_out : Verdict.truncation option;  (** the bound that ended the search for causes early *)
 }
-(** Of several explorations: sums, and the greatest depth and time. *)
+(** For several explorations: sums of the numbers, and the greatest depth and time. *)
 
-(** An exploration of a part of the network, which does for some of the properties (rule Slice). *)
+(** An exploration of a part of the network that decides some of the properties (rule Slice). *)
 type slice = {
   properties : string list;  (** their names *)
   left_out : string list;  (** leaves, in order *)
@@ -57,44 +58,49 @@ type report = {
   zeno : Witness.t option;
   (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)
   lost : string list;  (** faults of scc, by which that could not be rebuilt (as {!Verdict.outcome}) *)
-  left_out : Verdict.truncation option;  (** what ended the making of that *)
-  stores : (string * int) list;  (** what the explored graphs take, by name, in bytes *)
+  left_out : Verdict.truncation option;  (** the bound that ended making the Zeno run *)
+  stores : (string * int) list;  (** the memory of the explored graphs, by name, in bytes *)
   where : Scc_regions.Where.t list;
-  (** of an exploration over zones: for which values of the parameters each property holds, as far as was asked *)
-  invariants : Zone_proof.end_ list;  (** likewise, what was looked for to prove them (rule Invariants) *)
-  numbers : unit -> (string * int) list;  (** how far numbers have grown: {!Catalogue.longest} *)
+  (** of an exploration over zones: the values of the parameters for which each property holds, as far as
+      requested *)
+  invariants : Zone_proof.end_ list;  (** of an exploration over zones: the results of the searches for
+                                          invariants that prove them (rule Invariants) *)
+  numbers : unit -> (string * int) list;  (** the lengths of the longest numbers: {!Catalogue.longest} *)
 }
 
 val faults : report -> string list
-(** All faults of scc that are told in it, each once. A report with any has all but the runs that they are about,
-    and is to end with exit code 70. *)
+(** All faults of scc in the report, each once. A report with any of them lacks only the runs that they
+    concern; the command ends with exit code 70. *)
 
 val run : options -> Semantics.t -> initial:State.t -> Property.check list -> report
-(** One exploration serves all properties that need the same: those that do with a part of the network (rule
-    Slice), and those that see no time, or time up to a constant (rule AbsoluteTime), are explored apart from
-    others. [initial] is the initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are
-    replayed before they are returned, and are runs of the whole network. *)
+(** [run options m ~initial checks] checks the properties. One exploration serves all properties with the same
+    needs. Separate explorations are made for those that a part of the network decides (rule Slice), and for
+    those that see no time, or time up to a constant (rule AbsoluteTime). The initial state is
+    {!Scc_semantics.Network.initial} of the declared state. Witnesses are replayed before they are returned,
+    and are runs of the whole network. *)
 
-(** What {!run} explores for some of the properties, for whoever explores by other means. *)
+(** An exploration of {!run} for some of the properties, for other ways of exploring. *)
 type exploration = {
   semantics : Semantics.t;
-  start : State.t;  (** the initial state, or the part of it that does *)
+  start : State.t;  (** the initial state, or the part of it that is enough *)
   members : Property.check list;
   left_out : string list;  (** leaves, in order *)
   lift : Witness.t -> Witness.t option;
-  (** the run as one of the whole network; [None] of one that goes on later than anything is asked about *)
+  (** the run as one of the whole network; [None] for a run that goes on beyond the horizon of the
+      properties *)
 }
 
 val explorations : options -> Semantics.t -> initial:State.t -> Property.check list -> exploration list
-(** In the order of {!run}, without hash compaction. *)
+(** The explorations in the order of {!run}, without hash compaction. *)
 
 val add : stats -> stats -> stats
-(** Of two explorations together. *)
+(** The statistics of two explorations together. *)
 
 val unexplored : options -> Scc_property.Property.check list -> Scc_graph_search.Limits.stop -> report
-(** What is told where nothing came of an exploration before it had to end. *)
+(** The report if the exploration was stopped before it had any result: all checks are undecided. *)
 
 val run_without :
   options -> Semantics.t -> initial:State.t -> Scc_property.Property.check list ->
   decided:(Scc_property.Property.check -> Verdict.outcome option) -> report
-(** {!run} for those that are not decided in another way already; nothing is explored if all are. *)
+(** [run_without options m ~initial checks ~decided] is the report of {!run}, where checks with an outcome in
+    [decided] are not explored. Nothing is explored if all have one. *)

@@ -5,11 +5,11 @@ open Scc_semantics
 open Scc_property
 
 val serves : Property.check -> bool
-(** Whether it will do for a property: searches (EF, AG) for state predicates without a bound of time, and what
-    [not], [and] and [or] make of them. *)
+(** [serves check] is true if hash compaction can decide the property. It can for searches (EF, AG) for state
+    predicates without a bound of time, and for combinations of them with [not], [and] and [or]. *)
 
 val check :
   Joint_check.options -> capacity:int -> Semantics.t -> initial:State.t -> Property.check list ->
   Joint_check.result
-(** Of properties that it serves. What is found is as sure as ever; what is not may have been left out. Cycles
-    without duration are not looked for. *)
+(** The result for properties that it {!serves}. A state that is found is found for certain; other states may
+    have been omitted. Cycles without duration are not searched. *)

@@ -1,5 +1,6 @@
-(** What of a model ever came to be: which summands of its behaviours fired, which behaviours were reached, which
-    channels and rules were used. A count of 0 is sure: where two summands do the same, both count. *)
+(** The coverage of a model: the summands of its behaviours that fired, the behaviours that were reached, the
+    channels and rules that were used. A count of 0 is certain: if two summands have the same effect, both are
+    counted. *)
 
 open Scc_calculus
 open Scc_semantics
@@ -7,20 +8,22 @@ open Scc_semantics
 type t
 
 val create : Model.t -> initial:State.t -> t
+(** An empty count for the model, whose summands and behaviours come from the text and the initial state. *)
 
 val state : t -> State.t -> unit
-(** Takes in a state (once; again does no harm but costs time). *)
+(** Counts a state. Counting it again changes nothing, and costs time. *)
 
 val transition : t -> Transition.t -> unit
-(** Takes in a transition of a state that was taken in. *)
+(** Counts a transition from a state that was counted. *)
 
 val explore :
   ?time_seen:Scc_property.Time_seen.t -> Check.options -> Semantics.t -> initial:State.t -> Explored.t * t
-(** Takes in everything that is explored while it is explored, within the bounds of the options: what they leave
-    unexpanded, and what is given up, is not counted. *)
+(** Counts all states and transitions while they are explored, within the bounds of the options. States that
+    were not expanded, or given up, are not counted. *)
 
 val looked_at : t -> int
-(** How many states were taken in with their transitions: of fewer states than were found, more may fire. *)
+(** The number of states that were counted with their transitions. If more states were found, more summands may
+    fire. *)
 
 (** A prefix in the body of a definition, or in a behaviour that was written at a body itself. *)
 type summand = {
@@ -31,20 +34,21 @@ type summand = {
 }
 
 val summands : t -> summand list
-(** In the order of the definitions; those that are equal within one are one. Those of definitions that no leaf
-    could ever come to are not among them. *)
+(** All summands, in the order of the definitions; equal summands of one definition are one. Definitions that
+    no leaf can ever come to are left out. *)
 
-(** A behaviour that the leaves of a species (a template) may come to, as far as their text tells. *)
+(** A behaviour that the leaves of a species (a template) may come to, according to their text. *)
 type behaviour = { definition : int; species : string; leaf : int;  (** the first of them *) reached : bool }
 
 val behaviours : t -> behaviour list
+(** All such behaviours, in the order of the definitions, then of species. *)
 
-(** How often bonds of a name were made, and released by the two kinds of split. *)
+(** The numbers of bonds of a name that were made, and that were released by the two kinds of split. *)
 type channel = { name : string; made : int; weak : int; strong : int }
 
 val channels : t -> channel list
-(** Of all the names in behaviours, sorted. *)
+(** The counts for all names in behaviours, sorted by name. *)
 
 val rules : t -> (Rule.t * int) list
-(** In the order of {!Rule.all}, how many transitions each rule took part in. Eps0 is left out: canonical forms
-    have it behind them. *)
+(** The number of transitions that each rule of the model took part in, in the order of {!Rule.all}. Eps0 and
+    Round are left out, as the graph does not show their use. *)

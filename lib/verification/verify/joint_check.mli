@@ -14,17 +14,17 @@ type options = {
   compact : int option;
   (** hash compaction with room for so many states, for searches without a bound of time *)
   order : State_graph.order;
-  (** of the exploration: with [By_steps] runs that decide a search are as short as can be, with [By_time] as
-      early *)
+  (** of the exploration: with [By_steps] runs that decide a search have as few steps as possible, with
+      [By_time] they end as early as possible *)
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;  (** called with each new state, in order *)
   prove : bool;
-  (** over zones, an invariant is looked for before anything is explored, and not only where nothing else proves it
-      (rule Invariants), in half of the time *)
+  (** an invariant is searched for before anything is explored, in half of the time (rule Invariants).
+      Otherwise, over zones, one is searched for only where exploration leaves a check open. *)
   expanding : about:string -> State_graph.expanding;
   compacting : about:string -> State_fingerprints.expanding;
-  (** the same with hash compaction: asked for with each exploration; what it is about and the options determine
-      it, and explorations that are about the same come in the same order *)
+  (** the way of expanding with hash compaction. Both functions are called for each exploration. Its checks
+      ({!about}) and the options determine it. Explorations with equal checks come in the same order. *)
 }
 
 val default : options
@@ -40,8 +40,10 @@ type stats = {
   decided_early : bool;  (** the exploration ended because every property was decided *)
   split_step : Rat.t option;  (** a weak split was enabled in a state: {!Network_lts.split_step} *)
   stopped_by : Verdict.truncation list;  (** the bounds that left states unexpanded *)
-  faults : Scc_base.Diag.t list;  (** why transitions of states could not be computed, each text once *)
-  dead_ends : Scc_base.Diag.t list;  (** why runs end in states without transitions, as warnings (rule Run) *)
+  faults : Scc_base.Diag.t list;  (** the reasons why transitions of states could not be computed, each text
+                                      once *)
+  dead_ends : Scc_base.Diag.t list;  (** the reasons why runs end in states without transitions, as warnings
+                                         (rule Run) *)
   converges : Verdict.convergence option;  (** what event times did before a bound ended it *)
   growth : Scc_base.Diag.t option;  (** a number that was too long (SC0705) *)
   shared : Scc_base.Diag.t option;  (** a bond on an edge that open faces share (SC0706) *)
@@ -55,34 +57,38 @@ type result = {
   stats : stats;
   zeno : Witness.t option;
   (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)
-  lost : Lost.taken;  (** what kept that from being shown *)
-  stores : (string * int) list;  (** what the explored graph takes: states, labels and edges, in bytes *)
-  numbers : unit -> (string * int) list;  (** how far numbers have grown: {!Catalogue.longest} *)
+  lost : Lost.taken;  (** why the Zeno run is missing, if it is *)
+  stores : (string * int) list;  (** the memory of the explored graph: states, labels and edges, in bytes *)
+  numbers : unit -> (string * int) list;  (** the lengths of the longest numbers: {!Catalogue.longest} *)
 }
 
 val horizon : Property.check list -> Rat.t option
-(** The time beyond which none of the properties looks; [None]: one looks at all times. *)
+(** The time beyond which no property looks; [None] if one looks at all times, or if there are no
+    properties. *)
 
 val about : Property.check list -> string
-(** What an exploration for some checks is about. *)
+(** A text that identifies an exploration for some checks: their names and formulas. *)
 
 val system : options -> Semantics.t -> initial:State.t -> Property.check list -> Plan.t list -> Network_lts.context
-(** The system to explore for some checks, of which these are the plans, with the reductions that keep them. *)
+(** The system to explore for some checks, with their plans and the reductions that preserve them. *)
 
 val plan : Property.check -> Plan.t
+(** The plan of a check; a question for numbers has the plan of its formula as a whole. *)
 
 val questions : Network_lts.context -> Plan.t -> Search.question list
-(** What is searched for, in the order of the searches of the plan. *)
+(** The questions of the searches of a plan, in their order. *)
 
 val check : options -> Semantics.t -> initial:State.t -> Property.check list -> result
-(** [initial] is the initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are
-    replayed before they are returned. *)
+(** The result of one exploration for all checks. The initial state is {!Scc_semantics.Network.initial} of the
+    declared state. Witnesses are replayed before they are returned. *)
 
 val may_have_events : options -> Semantics.t -> initial:State.t -> bool
-(** False when it is known, after a look at no more than some thousands of states, that nothing ever happens. *)
+(** [may_have_events options m ~initial] is false if it is known, from at most 5 000 states, that no event ever
+    happens. *)
 
 val explore :
   ?time_seen:Time_seen.t -> ?visitor:(Network_lts.context -> State_graph.visitor) ->
   options -> Semantics.t -> initial:State.t ->
   Network_lts.context * State_graph.t * stats
-(** The exploration alone; [time_seen] is that of {!Network_lts.make}, and [visitor] is told what is found. *)
+(** The exploration alone, with its statistics. [time_seen] is that of {!Network_lts.make}; the functions of
+    [visitor] are called while states are found. *)

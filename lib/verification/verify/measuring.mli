@@ -4,12 +4,13 @@ open Scc_property
 open Scc_state_space
 
 val probability : Unsettled.t -> Temporal.t -> int -> Property.side list -> Verdict.t
-(** Of what the formula of this index says of a run. *)
+(** The verdict for the probability of the path formula with this index, for each of the sides. *)
 
 val mean :
   Unsettled.t -> Temporal.t -> int -> Property.side list -> Property.mean -> Scc_chance.Answer.bound option ->
   Verdict.t
-(** The formula of the index is that of the check. Compared with a bound, it holds or not. *)
+(** The verdict for the mean of a quantity until the formula with this index, that of the check, comes true.
+    Compared with a bound, it holds or not. *)
 
 val intervals : Temporal.t -> int -> Verdict.reason list
-(** What is known of the probabilities that an undecided formula depends on at once. *)
+(** The known intervals of the probabilities on which an undecided formula directly depends, as reasons. *)

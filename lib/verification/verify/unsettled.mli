@@ -1,4 +1,4 @@
-(** An exploration that is over, and why it leaves something open. *)
+(** A finished exploration, and the reasons why it leaves something open. *)
 
 open Scc_exact
 open Scc_calculus
@@ -12,36 +12,45 @@ type t = {
   model : Model.t;
   context : Network_lts.context;
   graph : State_graph.t;
-  horizon : Rat.t option;  (** the time beyond which nothing is asked *)
+  horizon : Rat.t option;  (** the time beyond which no property looks *)
   lost : Lost.t;
 }
 
 val run : t -> (unit -> Scc_explain.Witness.t option) -> Scc_explain.Witness.t option
-(** A run that is shown, unless it is lost ({!Lost.run}). *)
+(** A run that is shown. [None] if it is lost ({!Lost.run}). *)
 
 val cause : t -> Transition.fault Explore.reason -> Bounds.cause
+(** The cause for which a state was not expanded ({!Bounds.cause}). *)
 
 val reasons : t -> int Seq.t -> Transition.fault Explore.reason list
-(** Why these states were not expanded: all faults, and each other reason once, in the order of the states. *)
+(** The reasons why these states were not expanded: all faults, and each other reason once, in the order of the
+    states. *)
 
 val first : t -> Transition.fault Explore.reason -> int option
 (** The first state that was not expanded for a reason that is no fault. *)
 
 val met : t -> Bounds.cause list
-(** Why states were not expanded at all, each cause once. *)
+(** The causes for which states were not expanded, each once. *)
 
 val stopped_by : Bounds.cause list -> Verdict.truncation list
-(** The bounds among them. *)
+(** The bounds among causes, as truncations. *)
 
 val evaluated : t -> (unit -> 'a) -> ('a, Verdict.reason list) result
-(** What is found on the graph, or why there was too little time or memory for it. *)
+(** [evaluated t f] is the result of [f], which evaluates something on the graph, or the reason why there was too
+    little time or memory for it. *)
 
 val causes : t -> int Seq.t -> Verdict.reason list
-(** Why these states were not expanded. *)
+(** The reasons of a verdict why these states were not expanded: bounds, then faults, each once. *)
 
 val unexplored : t -> int Seq.t -> Verdict.reason list
-(** The same, with a run to the nearest of them, unless it is lost. *)
+(** The {!causes} for these states, and a run to the nearest of them, unless it is lost. *)
 
 val search_doubts : t -> Search.doubts -> Verdict.reason list
+(** The reasons why a search is open: an undefined predicate, and the {!unexplored} states that matter. *)
+
 val undefined : Search.doubts -> Verdict.reason list
+(** The reason that the predicate of a search is undefined somewhere, if it is. *)
+
 val doubts : t -> Scc_ctl.Doubts.t -> Verdict.reason list
+(** The reasons why a formula is open: undefined predicates, sorted, and the {!unexplored} states that
+    matter. *)

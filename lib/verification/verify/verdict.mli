@@ -1,4 +1,4 @@
-(** Verdicts: what is known of a property, and how well (rule Verdict). *)
+(** Verdicts: the knowledge of a property, and its certainty (rule Verdict). *)
 
 open Scc_exact
 open Scc_calculus
@@ -17,7 +17,7 @@ type limit =
   | Omission of float
   (** hash compaction: some state may have been left out unseen, with a probability of at most this *)
 
-(** Whose bound. *)
+(** The origin of a bound. *)
 type origin = By_default | By_user | By_property | By_system
 
 type truncation = { limit : limit; origin : origin }
@@ -26,7 +26,7 @@ type reason =
   | Truncated of truncation  (** the exploration did not go far enough *)
   | Unevaluated of truncation  (** it was not evaluated to the end on what was explored *)
   | Unexplored of { count : int; nearest : Witness.t }
-  (** so many of the states that were not expanded matter; a shortest run to one of them *)
+  (** the number of unexpanded states that matter, and a shortest run to one of them *)
   | Undefined of string  (** the property has no truth value somewhere: a division by zero *)
   | Fault of string  (** the transitions of a state cannot be computed *)
 
@@ -37,38 +37,40 @@ type t =
           it *)
       witness : Witness.t option;
     }
-  | Violated of { witness : Witness.t option  (** [None] when all of what counts was explored in vain *) }
+  | Violated of { witness : Witness.t option  (** [None] if the property fails because an exhaustive search
+                                                  found nothing *) }
   | Measured of {
       values : (Scc_property.Property.side * Scc_ctl.Eval.measured) list;
-      reasons : reason list;  (** why they are not better known than that; empty: nothing was left out *)
+      reasons : reason list;  (** the reasons why they are not known better; empty: nothing was left out *)
       witness : Witness.t option;  (** of the last of them, a run that counts *)
     }  (** the answer to a question for numbers *)
   | Undecided of reason list  (** not empty *)
 
-(** What a verdict is about at once: all that is not known of a model. *)
+(** The range of a verdict over zones: all that a model leaves open. *)
 type over = {
   instants : bool;  (** all instants at which weak splits may happen *)
   ranges : Ranges.t;  (** all values of these parameters *)
-  example : (string * Rat.t) list;  (** where it is violated, and no run shows it: values for which it is *)
+  example : (string * Rat.t) list;  (** if it is violated, and no run shows it: values for which it is
+                                        violated *)
   by_invariant : bool;
-  (** it rests on a set of states that no run leaves, and not on what was explored alone (rule Invariants) *)
+  (** it rests on a set of states that no run leaves, and not on exploration alone (rule Invariants) *)
 }
 
-(** What a decided verdict is meant at, and says nothing about anything finer. *)
+(** The scale of a decided verdict, which says nothing about anything finer. *)
 type scale = {
   resolution : Rat.t option;  (** of a rigid model: contacts are known within it *)
   split_step : Rat.t option;
-  (** where the exploration saw weak splits enabled: they happen at multiples of it only, and the calculus lets
-      them happen at any time (reading I-9) *)
+  (** if the exploration saw weak splits enabled: they happen only at multiples of it. In the calculus they
+      happen at any time (reading I-9). *)
   over : over option;  (** of explorations over zones (rule Zones) *)
 }
 
-(** Runs in which time does not go on are runs (rule Run); what rests on one of them says so. *)
+(** Runs in which time does not go on are runs (rule Run). A verdict that rests on one of them says so. *)
 type rest =
   | By of Witness.halt  (** the run that decides is such a run *)
   | Among of Witness.halt  (** no run decides by itself, and among all there are such runs *)
 
-(** What is known of runs whose instants converge: from what they look like, or for certain (rule Run). *)
+(** The knowledge of runs whose instants converge: by their appearance, or for certain (rule Run). *)
 type convergence = Named of Slowing.t | Proved of Quickening.t
 
 type outcome = {
@@ -76,71 +78,82 @@ type outcome = {
   verdict : t;
   scale : scale;
   rests : rest list;
-  converges : convergence option;  (** where a bound kept it from being decided *)
+  converges : convergence option;  (** if a bound prevented a decision *)
   lost : string list;
   (** faults of scc, by which a run that belongs to the verdict could not be rebuilt, and is not shown *)
-  left_out : truncation option;  (** what ended the making of a run that belongs to it, and is not shown *)
+  left_out : truncation option;  (** the bound that ended making a run of the verdict, which is not shown *)
 }
 
 val distinct : truncation list -> truncation list
-(** Each kind of limit once. *)
+(** The truncations with each kind of limit once: the first of it. *)
 
 val together : truncation list -> truncation list -> truncation list
-(** Of two explorations, likewise: the chances that a state was left out add up. *)
+(** The truncations of two explorations, each kind of limit once. Probabilities that a state was omitted add
+    up, to 1 at most. *)
 
 val by_invariant : outcome -> bool
+(** [by_invariant o] is true if the verdict rests on an invariant (rule Invariants). *)
 
 val over_zones : outcome -> bool
-(** Of all starts, or all instants of splits, at once. *)
+(** [over_zones o] is true if the verdict is about all starts, or all instants of splits, at once. *)
 
 val is_open : t -> bool
-(** Undecided, or holds up to a bound. *)
+(** [is_open v] is true if [v] is undecided, or holds only up to a bound. *)
 
 val exhaustive : t -> bool
-(** Holds, as a proof. *)
+(** [exhaustive v] is true if [v] holds without bounds, as a proof. *)
 
 val conjunction : t list -> t
+(** The verdict for the conjunction: violated if one is, else undecided if one is, else it holds within all
+    bounds. A measured value is a bug. The conjunction of none holds. *)
+
 val disjunction : t list -> t
+(** The verdict for the disjunction: the best of them. It holds if one does, else it is undecided if one is,
+    else violated. A measured value is a bug. The disjunction of none is violated. *)
 
 val truncated : t -> truncation list
-(** The limits that kept it from being decided, or from being a proof. *)
+(** The limits that prevented a decision or a proof. *)
 
 val resources : t -> bool
-(** A limit of the machine or an interruption (seconds, memory, Ctrl-C) has kept it from being better
-    known. *)
+(** [resources v] is true if a limit of the machine or an interruption (seconds, memory, Ctrl-C) is among
+    {!truncated}. *)
 
 val by_default : t -> bool
-(** It holds up to a bound that nobody gave. *)
+(** [by_default v] is true if [v] holds up to a default bound. *)
 
 val at_most : float -> string
-(** A probability, rounded up to one digit. *)
+(** A probability as text, rounded up to one digit. *)
 
 val truncation_to_string : truncation -> string
-(** E.g. ["the depth bound 100 (a default)"]. *)
+(** A truncation as ["the depth bound 100 (a default)"]. *)
 
 val reason_to_string : reason -> string
+(** A reason as a clause: ["3 unexplored states matter"]. *)
 
 val scale_to_string : scale -> string
-(** [", at resolution 1/1024, at split step 1"], or nothing. *)
+(** A scale as [", at resolution 1/1024, at split step 1"], or the empty text. *)
 
 val values_to_string : (string * Rat.t) list -> string
-(** ["x = 3, y = 1/2"]. *)
+(** Values of parameters as ["x = 3, y = 1/2"]. *)
 
 val unshown : outcome -> string
-(** Why a run that belongs to it is not shown: ["; its run could not be rebuilt: this is a fault of scc"],
-    ["; its run is left out: making it ended at the interruption"], or nothing. *)
+(** Why a run of the outcome is not shown, as a clause: ["; its run could not be rebuilt: this is a fault of scc"],
+    ["; its run is left out: making it ended at the interruption"], or the empty
+    text. *)
 
 val rest_to_string : rest -> string
-(** [" by a run that goes round within one instant"], [", of runs some of which end in a dead end"]. *)
+(** A rest as [" by a run that goes round within one instant"] or [", of runs some of which end in a dead
+    end"]. *)
 
 val to_string : t -> string
-(** ["holds (exhaustive)"], ["holds up to the bound: ..."], ["violated"], ["undecided: ..."]. *)
+(** A verdict as ["holds (exhaustive)"], ["holds up to the bound: ..."], ["violated"] or ["undecided: ..."]. *)
 
 val outcome_to_string : outcome -> string
-(** The same with what it rests on and its scale, unless it is undecided. *)
+(** The verdict of an outcome as a text, with the runs it rests on and its scale, unless it is undecided.
+    Convergence and lost runs are always added. *)
 
 val shown : t -> Witness.t option
-(** The run that shows it, or of an undecided one a run to where exploring has ended. *)
+(** The run that shows a verdict. For an undecided one it is a run to an unexplored state. *)
 
 val if_unshown : t -> truncation option -> truncation option
-(** What ended the making of a run, unless there is another one that is shown. *)
+(** [if_unshown v bound] is [bound], which ended making a run, unless [v] shows another run. *)

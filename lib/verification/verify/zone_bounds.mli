@@ -1,12 +1,13 @@
-(** Bounds on an exploration of zones, and what is told where one was met. *)
+(** Bounds on an exploration of zones, and the truncations for them. *)
 
 val default_depth : int
-(** In transitions: there is always a bound on depth. *)
+(** The bound on the depth if none is given: 1 000 transitions. There is always a bound on depth. *)
 
 val given : 'a Bounds.bound -> 'a option
-(** [None]: there is none. *)
+(** [given b] is the value of a bound, given or default; [None] if there is none. *)
 
 val depth : Bounds.t -> Verdict.truncation
+(** The truncation by the bound on the depth: the given one, or {!default_depth}. *)
 
 val states : Bounds.t -> Verdict.truncation
-(** It is a bug if there is no bound on them. *)
+(** The truncation by the bound on the number of states. It is a bug if there is none. *)

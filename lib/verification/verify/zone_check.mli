@@ -7,14 +7,15 @@ open Scc_property
 open Scc_symbolic
 
 val is_for : Model.t -> declared:State.t -> bool
-(** The model has parameters of which a range is known, or bonds that may be released at any time. *)
+(** [is_for m ~declared] is true if the model has parameters with ranges, or bonds that may be released at any
+    time. *)
 
-(** What a model is wanted for. *)
-type use = Zones  (** it has numbers that are not known *) | Invariants  (** a proof is asked for *)
+(** The use of a model that needs affine numbers. *)
+type use = Zones  (** the model leaves numbers open *) | Invariants  (** a proof is asked for *)
 
 val refused : Model.t -> use -> Scc_base.Diag.t list
-(** Why numbers of such a model are not affine in what is not known, if they are not (SC0901): bodies turn, a law
-    of motion steers them, velocities are rounded, or they bind on contact. *)
+(** The reasons (SC0901) why numbers of such a model are not affine in its variables; none if they are. Reasons
+    are bodies that turn, a law of motion, rounded velocities, and bonds on contact. *)
 
 type fault = {
   at : (string * Rat.t) list;  (** values of the parameters *)
@@ -22,14 +23,14 @@ type fault = {
 }
 
 val diagnostic : Model.t -> fault -> Scc_base.Diag.t
-(** That for these values bodies interpenetrate (SC0403), or what is bound does not touch (SC0401). It knows no
-    places in the text. *)
+(** The error that for these values bodies interpenetrate (SC0403), or bound features do not touch (SC0401). It
+    has no place in the text. *)
 
 val run :
   Joint_check.options -> Semantics.t -> Uncertain.t -> declared:State.t -> exactly:bool ->
   premises:Property.check list -> Property.check list -> (Check.report, fault) result
-(** A verdict for each check, over all values, and for which of them it holds ({!Check.report.where}): all that
-    can be known of that with [exactly], else as much as the verdict takes. After the outcomes of the checks come
-    those of premises, which have the names of checks: violated where it is known that no run ever meets it, for
-    whatever values, else undecided. They keep no exploration going. The error: for these values the declared state
-    is not well-formed. *)
+(** [run options m u ~declared ~exactly ~premises checks] is a verdict for each check, over all values, and the
+    values for which it holds ({!Check.report.where}). With [exactly] these are as complete as possible, else
+    as complete as the verdict needs. Outcomes of premises, which have the names of checks, come after those of
+    the checks. A premise is violated if it is known that no run meets it for any values, else undecided.
+    Premises prolong no exploration. The error has values for which the declared state is not well-formed. *)

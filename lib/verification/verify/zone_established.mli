@@ -1,6 +1,6 @@
-(** Whether a run that the ordinary rules have followed is what it is shown for (rule Zones): every state predicate
-    that a claim is about is looked at again, at all instants of the run that it is about. That all runs from a
-    position were looked at is known of the zones alone. *)
+(** The check that a run, followed by the ordinary rules, proves its claims (rule Zones). Every state predicate
+    of a claim is evaluated again, at all instants of the run that it concerns. Claims about all runs from a
+    position rest on the zones alone. *)
 
 open Scc_calculus
 open Scc_semantics
@@ -14,15 +14,21 @@ open Scc_explain
 type t = { semantics : Semantics.t; values : Rat.t array; initial : State.t; steps : Witness.step array }
 
 val state : t -> int -> State.t
-(** After so many steps. *)
+(** [state r k] is the state after [k] steps. *)
 
 val clock : t -> int -> Rat.t
-(** How much time has passed then. *)
+(** [clock r k] is the time after [k] steps. *)
 
 val trajectory : t -> int -> Trajectory.t
-(** From the state after so many steps, until what comes next on the run, or until anything could. *)
+(** [trajectory r k] is the trajectory from the state after [k] steps, until the next step of the run, or until
+    any event could happen. *)
 
 val extent : t -> int -> Timeline.extent
+(** [extent r k] is the time that the run spends in the state after [k] steps: that of the next step, or one
+    instant if it takes none. After the last step it is the time until an event could happen. *)
+
 val arrived : t -> int -> Scc_property.Property.event -> bool
+(** [arrived r k e] is true if step number [k], counted from 1, was the event [e]. *)
 
 val claim : t -> Shown_run.claim -> bool
+(** [claim r c] is true if the claim and all its parts are confirmed on the run. *)

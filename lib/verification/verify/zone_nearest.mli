@@ -1,4 +1,4 @@
-(** What an exploration of zones left open, and a run to the nearest of it. *)
+(** The zones that an exploration left open, and a run to the nearest of them. *)
 
 open Scc_calculus
 open Scc_semantics
@@ -8,6 +8,6 @@ open Scc_symbolic
 val reason :
   Lost.t -> Semantics.t -> Uncertain.t -> declared:State.t -> sliced:bool -> Zone_graph.t ->
   unknown:Union.t -> Verdict.reason option
-(** Of the zones that were not expanded, those that are reached for values for which a verdict is [unknown]: how
-    many, and a run to the first of them, for some of these values. [None]: there are none, they are too many to be
-    asked which values lead there, there was no time left, or the run was lost. *)
+(** The number of unexpanded zones that are reached for values with an [unknown] verdict, and a run to the
+    first of them, for some of these values. [None] if there are none, if they are too many to compute their
+    values, if no time was left, or if the run was lost. *)

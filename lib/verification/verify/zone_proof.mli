@@ -1,5 +1,6 @@
-(** Verdicts by invariants (rule Invariants): an invariant is looked for, what it proves of some checks is found,
-    and all of this is checked afresh ({!Scc_certificate.Certificate}) before it counts. *)
+(** Verdicts by invariants (rule Invariants). An invariant is searched for, and its consequences for some
+    checks are computed. All of this is verified independently ({!Scc_certificate.Certificate}) before it
+    counts. *)
 
 open Scc_calculus
 open Scc_semantics
@@ -13,29 +14,31 @@ type t = {
 
 type end_ =
   | Proved of t
-  | None_found of string  (** why, for a person *)
-  | Given_up of string  (** likewise: more work might find one *)
+  | None_found of string  (** the reason, for readers *)
+  | Given_up of string  (** the reason, for readers: more work might find one *)
 
-(** How much work is done ({!Scc_polyhedra.Effort}), for each state that the bounds allow, or for 200 000 if they
-    allow fewer; and how many kinds of states there may be. *)
+(** The work that is permitted ({!Scc_polyhedra.Effort}), for each state that the bounds allow, or for 200 000
+    if they allow fewer; and the number of kinds of states. *)
 type effort =
   | Briefly  (** 50, about a second: before anything is explored, in half of the seconds that are left *)
-  | Longer  (** 1000: of those who asked for an invariant, where exploring has not decided all *)
-  | Unasked  (** 250, and 200 kinds of states: of others *)
+  | Longer  (** 1000: if an invariant was requested, and exploration has not decided all *)
+  | Unasked  (** 250, and 200 kinds of states: if none was requested *)
 
 val initial : Semantics.t -> State.t -> State.t
-(** Of a declared state that no law of motion steers (a bug otherwise). *)
+(** The initial state of a declared state that no law of motion steers (a bug otherwise). *)
 
 val attempt :
   Joint_check.options -> effort -> Semantics.t -> Uncertain.t -> declared:State.t -> Property.check list ->
   (end_, Start.fault) result
-(** Of all starts, or an error if the declared state is not well-formed for some. *)
+(** The result of the search for an invariant of all starts. It is an error if the declared state is not
+    well-formed for some values. *)
 
 val leaving_time : Joint_check.options -> end_ option -> Joint_check.options
-(** For what is explored after a search that ended so, and before a longer one: half of the seconds that are left,
-    if there will be one. *)
+(** The options for an exploration after a search with this result. If a longer search will follow, the
+    exploration has half of the seconds that are left. *)
 
 val decide :
   Joint_check.options -> effort -> Semantics.t -> Uncertain.t -> declared:State.t -> Property.check list ->
   (Property.check -> Verdict.outcome option) * end_
-(** Of an ordinary model: what an invariant decides of some checks. *)
+(** The outcomes that an invariant decides for an ordinary model, and the result of the search. A declared
+    state that is not well-formed gives [None_found]. *)

@@ -1,14 +1,17 @@
-(** What a run over zones shows, in words: as {!Scc_explain.Wording} tells it of runs of ordinary models. *)
+(** The claims of a run over zones, in words, as {!Scc_explain.Wording} has them for runs of ordinary
+    models. *)
 
 open Scc_calculus
 open Scc_symbolic
 open Scc_explain
 
 val facts : Zone_established.t -> Shown_run.claim -> string list
-(** What is so where the run leads; or of a run without a goal, what was so when it came to its last state. *)
+(** The facts at the end of the run. For a run without a goal, they are the facts when it came to its last
+    state. *)
 
 val right_after : Zone_established.t -> Shown_run.claim -> Scc_exact.Rat.t option
-(** Where what the run leads to is so on an open interval: when that begins, from the last state on. *)
+(** The beginning of the open interval on which the goal holds, relative to the last state. [None] if the goal
+    holds at an instant of its own. *)
 
 val argument : Model.t -> Zone_established.t -> Shown_run.claim -> Witness.argument option
-(** Why: of a formula with operators within operators. *)
+(** The argument for a formula with operators within operators; [None] for other formulas. *)

@@ -1,14 +1,14 @@
-(** Which reductions are used of an exploration over zones for some formulas, slices apart ({!Zone_slice}). *)
+(** The reductions of an exploration over zones for some formulas, except slices ({!Zone_slice}). *)
 
 open Scc_calculus
 open Scc_property
 
 val displaced : Joint_check.options -> Model.t -> State.t -> Property.temporal list -> bool
-(** Where the whole is does not matter (rule Translation). *)
+(** [displaced options m s formulas] is true if the place of the whole does not matter (rule Translation). *)
 
 val visible : Joint_check.options -> Property.temporal list -> (int -> bool) option
-(** The leaves that can be seen, where independent events of one instant need only be followed in one order (rule
-    Order). *)
+(** The leaves that can be observed, if independent events of one instant need only be followed in one order
+    (rule Order). [None] if all orders are needed. *)
 
 val interchangeable : Joint_check.options -> Model.t -> State.t -> Property.temporal list -> int list list
-(** Classes of leaves of which it does not matter which is where (rule Symmetry): for searches alone. *)
+(** Classes of leaves that may be exchanged (rule Symmetry), for searches only; else none. *)

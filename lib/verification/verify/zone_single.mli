@@ -1,4 +1,4 @@
-(** One start of many, as the ordinary model that it is. *)
+(** The ordinary model of one start of many. *)
 
 open Scc_exact
 open Scc_calculus
@@ -7,12 +7,12 @@ open Scc_property
 open Scc_explain
 
 val named : Model.t -> Rat.t array -> (string * Rat.t) list
-(** Values of the parameters, with their names. *)
+(** The values of the parameters, with their names. *)
 
 val run :
   Joint_check.options -> Semantics.t -> Uncertain.t -> declared:State.t -> Property.check -> Rat.t array ->
   Witness.t option
-(** What the ordinary exploration of one start shows of a check that is violated for it: a run of that start, with
-    its reasons. [None] where bonds may be released at any time, where there are no ranges, and where it decides
-    nothing within 20 000 states. {!Scc_graph_search.Limits.Over} where the work is to end before. It is a bug if
-    the check holds for that start. *)
+(** The run of one start, with its reasons, for a check that is violated for it. The ordinary exploration of that
+    start finds it. [None] if bonds may be released at any time, if there are no ranges, or if 20 000 states decide
+    nothing. It raises {!Scc_graph_search.Limits.Over} if the work has to end before. It is a bug if the check
+    holds for that start. *)
