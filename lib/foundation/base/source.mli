@@ -13,9 +13,9 @@ val text : t -> string
 (** The whole text, with any byte order mark. *)
 
 val position : t -> int -> int * int
-(** [position s offset] is the line and column of a byte offset, both from 1. Columns count Unicode code points: each
-    byte counts as one, unless it has the form of a continuation byte. A byte order mark at the beginning does not
-    count. An offset past the end gives the position of the end. *)
+(** [position s offset] is the line and column of a byte offset, both from 1. Columns count Unicode code points:
+    each byte counts as one, unless it has the form of a continuation byte. A byte order mark at the beginning does
+    not count. An offset past the end gives the position of the end. *)
 
 val line : t -> int -> string
 (** [line s n] is the text of line [n] (from 1) without its line end, and without a byte order mark. It is [""] if
