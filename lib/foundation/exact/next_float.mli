@@ -8,9 +8,9 @@ val pred : float -> float
 (** [pred x] is the greatest float less than [x]; minus infinity and NaN are returned unchanged. *)
 
 val sum_below : float -> float -> float
-(** [sum_below a b] is a + b if that is a float, and otherwise the greatest float below it. If something is
-    infinite, it is the float before the rounded sum. *)
+(** [sum_below a b] is a + b if that is a float, and otherwise the greatest float below it. If the
+    rounded sum is infinite, it is {!pred} of that. *)
 
 val sum_above : float -> float -> float
-(** [sum_above a b] is a + b if that is a float, and otherwise the least float above it. If something is infinite,
-    it is the float after the rounded sum. *)
+(** [sum_above a b] is a + b if that is a float, and otherwise the least float above it. If the
+    rounded sum is infinite, it is {!succ} of that. *)
