@@ -1,19 +1,21 @@
-(** What the texts of labels mean to a comparison. *)
+(** The meaning of labels for comparisons: passings of time, canonical forms, patterns and renaming. *)
 
 open Scc_exact
 
-(** A passing of time: [time(3/2)], or [time(forever)] where nothing happens any more. *)
+(** A passing of time: [time(3/2)], or [time(forever)] after which nothing happens. *)
 type passing = For of Rat.t  (** positive *) | Forever
 
 val passing : string -> passing option
-(** [None] for every other label. *)
+(** [passing text] is the passing of time that a label stands for; [None] for any other label. *)
 
 val of_passing : passing -> string
+(** [of_passing p] is the label [time(d)] or [time(forever)]. *)
 
 val canonical : string -> string
-(** The two ends of [bind(a, p.right, q.left)], [weak(...)], [bounce(p, q)] and [<a, {...}>], and the bonds of
-    [strong({...})], in the order of their texts: two models may declare their bodies in different orders.
-    Other labels stay. *)
+(** [canonical text] is the label with its ends sorted as texts, since two models may declare their bodies in
+    different orders. That holds for the two ends of [bind(a, p.right, q.left)], [close(...)], [weak(...)] and
+    [bounce(p, q)]. In [strong({...})] the bonds are sorted, and the ends of each bond [<a, {...}>]. Other labels
+    stay. *)
 
 (** {1 Patterns} *)
 
@@ -21,23 +23,26 @@ type pattern
 (** A text in which each [*] stands for any text, also for none. *)
 
 val pattern : string -> pattern
+(** [pattern text] is the pattern of [text]; all characters but [*] stand for themselves. *)
 
 val matches : pattern -> string -> string list option
-(** The whole label: what each [*] stands for, the first ones as short as possible. *)
+(** [matches p text] is the text that each [*] stands for, if the pattern matches all of [text]. Earlier stars
+    stand for texts that are as short as possible. *)
 
 (** {1 Renaming} *)
 
 type rule
 
 val rule : string -> string -> rule
-(** [rule from into]. With [*] or a bracket [(] in [from], a pattern of whole labels: what its stars stand for
-    takes the places of the stars of [into], in order (no more stars in [into] than in [from]). Else a name of
-    a body, a part, a channel or of something indexed: everywhere in a label where it stands as a whole name or
-    as the beginning of one ([p] in [p.right] and [p[1]], not in [pq] or [q.p]). *)
+(** [rule from into] renames [from] to [into]. If [from] has a star [*] or an opening bracket, it is a pattern of
+    whole labels. The texts of its stars replace the stars of [into] in order; [into] has no more stars than
+    [from]. Otherwise [from] is the name of a body, a part, a channel or an indexed thing. It is replaced wherever
+    it stands as a whole name or as the beginning of a path: [p] in [p.right] and [p[1]], but not in [pq] or [q.p].
+*)
 
 val stars : string -> int
-(** How many stars the text has. *)
+(** [stars text] is the number of stars [*] in the text. *)
 
 val rename : rule list -> string -> string
-(** The first pattern that matches decides; without one, all names are replaced at once, the longest first. The
-    result is {!canonical}. *)
+(** [rename rules label] applies the first pattern that matches. If none matches, all names are replaced
+    simultaneously; where several fit, the longest is. The result is {!canonical}. *)
