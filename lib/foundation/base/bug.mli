@@ -8,6 +8,6 @@ val fail : string * int * int * int -> string -> 'a
 (** [fail __POS__ what] raises {!Bug}. *)
 
 val broken : exn -> string option
-(** What was broken, where the exception tells of a fault of the program: {!Bug}, or what the language and its
-    library raise when they are asked for what cannot be. [None] of all others: limits, interruptions, no
-    memory. *)
+(** [broken e] is the text of an exception that shows a fault of the program: {!Bug}, or one that the language and
+    its library raise after a wrong call, such as [Invalid_argument]. It is [None] for all others: limits,
+    interruptions, lack of memory. *)

@@ -71,7 +71,7 @@ val unknown_parameter : t
 (** SC0209: an override of a parameter that the model does not have. *)
 
 val wrong_kind : t
-(** SC0210: a name that stands for something else than is needed here. *)
+(** SC0210: a name whose kind is not the kind that is needed where it stands. *)
 
 val unused : t
 (** SC0211: a declaration that nothing uses. *)
@@ -86,7 +86,7 @@ val coarse_resolution : t
 (** SC0214: a resolution that is coarse for the bodies (a warning). *)
 
 val unstated_dynamics : t
-(** SC0215: a spin in a model that does not say its dynamics (a warning). *)
+(** SC0215: a spin in a model that does not state its dynamics (a warning). *)
 
 val import_cycle : t
 (** SC0216: an import that leads back to itself. *)
@@ -197,7 +197,7 @@ val unknown_points : t
 (** SC0362: a region to be cut out of a shape whose points are not plain numbers. *)
 
 val region_of_what : t
-(** SC0363: a region of which it is not known on which shape it is. *)
+(** SC0363: a region whose shape is not known. *)
 
 val not_common : t
 (** SC0364: a bond or glue that is not on the common surface of two regions. *)
@@ -241,9 +241,10 @@ val fixed_motion : t
 (** SC0407: a fixed body that is given a motion or a mass. *)
 
 val bare_feature : t
-val bad_absorber : t
 (** SC0408: a bare feature name on a compound. *)
 
+val bad_absorber : t
+(** SC0409: an absorbing body that moves, behaves or is bound. *)
 
 (** {1 Behaviours (Definition 5.1)} *)
 
@@ -260,8 +261,8 @@ val wrong_template : t
 (** SC0504: a behaviour used on another template than its own. *)
 
 val chance_at_any_time : t
-(** SC0505: a chance of a split where bonds may be released at any time, so that there are no instants to draw
-    at. *)
+(** SC0505: a chance of a split where bonds may be released at any time, so that there are no instants at which to
+    draw. *)
 
 (** {1 Motion} *)
 
@@ -281,7 +282,7 @@ val not_a_formula : t
 (** SC0701: a check that is not a temporal formula. *)
 
 val vacuous : t
-(** SC0702: a check that says nothing, since its premise never holds (a warning). *)
+(** SC0702: a check that holds vacuously, since its premise never holds (a warning). *)
 
 val uneventful : t
 (** SC0703: a model in which no event ever happens (a warning). *)
@@ -290,10 +291,10 @@ val impossible_event : t
 (** SC0704: an event that no behaviour can bring about (a warning). *)
 
 val long_number : t
-(** SC0705: a state is not explored further, since a number of it is too long (a warning). *)
+(** SC0705: a state that is not explored further, since one of its numbers is too long (a warning). *)
 
 val shared_edge : t
-(** SC0706: a bond was made on an edge or a corner that several open faces of a body share (a warning). *)
+(** SC0706: a bond made on an edge or a corner that several open faces of a body share (a warning). *)
 
 (** {1 Schedules and traces} *)
 
@@ -316,7 +317,7 @@ val not_yet : t
 (** SC0901: a feature of the language that this version does not execute. *)
 
 val any_time : t
-(** SC0902: weak splits at any time, where a grid of instants is looked at. *)
+(** SC0902: weak splits at any time, where only a grid of instants is explored. *)
 
 val not_known : t
 (** SC0903: parameters with ranges, where their values are needed. *)

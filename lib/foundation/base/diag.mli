@@ -27,18 +27,21 @@ val warning :
   Span.t ->
   ('a, unit, string, t) format4 ->
   'a
+(** [warning code span fmt ...] is a warning with the message [fmt ...]. *)
 
 val is_error : t -> bool
+(** [is_error d] is true for an error, and false for a warning. *)
 
 val compare : t -> t -> int
-(** The order of the text; then errors before warnings, then by code and message. *)
+(** The order by file and start of the span; then errors before warnings, then by code and message. *)
 
 val suggest : string -> string list -> string option
-(** [suggest name candidates] is the hint ["did you mean `c`?"] for the candidate nearest to [name] in
-    edit distance, if one is near enough to be a likely slip. *)
+(** [suggest name candidates] is the hint ["did you mean `c`?"] for the candidate nearest to [name] in edit
+    distance, if one is near enough to be a likely slip: within a third of the length of [name], or 1. Names of
+    more than 64 bytes get no hint. *)
 
 val render : source:(string -> Source.t option) -> t -> string
-(** Several lines for a person, the last ended by a newline: the place [file:line:column], severity and
-    code, the message, the lines of the text with carets under the span, notes and hint. Columns count
-    Unicode code points from 1. What would change how a terminal shows the rest is written out
-    ({!Visible}). [source] finds the text of a file by the name in the span. *)
+(** [render ~source d] is the text of [d] for people, of several lines that each end with a newline. It has the
+    place [file:line:column], severity and code, the message, the first line of the span with carets under it,
+    notes and hint. Columns count Unicode code points from 1. Characters that change how a terminal shows the rest
+    are written out ({!Visible}). [source] finds the text of a file by the name in the span. *)

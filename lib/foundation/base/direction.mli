@@ -1,5 +1,6 @@
-(** Warnings of texts that are not what they look like: {!Bidirectional}. *)
+(** Warnings of texts in which characters that change direction ({!Bidirectional}) show another text than is read.
+*)
 
 val warnings : Source.t -> Diag.t list
-(** Where they are in a text: one warning (SC0113) for each line, of the first 20 such lines, and then one for all
-    that follow. Of what is no text, such as a mesh in binary, nothing is said. *)
+(** [warnings source] is one warning (SC0113) for each line with such a character, for the first 20 such lines, and
+    one more for all that follow. It is empty for data that are not text, such as a mesh in binary. *)

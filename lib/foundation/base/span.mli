@@ -7,17 +7,21 @@ type t = private {
 }
 
 val make : file:string -> start:int -> stop:int -> t
-(** [make ~file ~start ~stop]; a [stop] before [start] is read as [start]. *)
+(** [make ~file ~start ~stop] is the span of the bytes from [start] to before [stop]. A [stop] before [start] is
+    read as [start]. *)
 
 val merge : t -> t -> t
-(** The least span that covers both; both must be of one file (the first's is kept). *)
+(** [merge a b] is the least span that covers both. Both must be of one file; that of [a] is kept. *)
 
 val none : t
-(** The span of what no text wrote. *)
+(** The span of a thing that no text contains. *)
 
 val is_none : t -> bool
+(** [is_none s] is true if [s] is {!none}. *)
 
 val command_line : t
-(** Of what the command line says wrongly: a value given by [-D] to a parameter that there is not, say. *)
+(** The span of errors in command line options, such as a value given by [-D] to a parameter that does not exist.
+*)
 
 val equal : t -> t -> bool
+(** [equal a b] is true if file, start and stop are equal. *)

@@ -6,7 +6,7 @@ val text : ?kept:string list -> string -> string
 (** Line ends and tabs stay, and so do these sequences. *)
 
 val line : string -> string
-(** The same of what stands in one line: line ends and tabs are written out, too. *)
+(** [line text] is {!text} for a text that has to stay in one line: line ends and tabs are written out, too. *)
 
 val at : string -> int -> (int * int) option
 (** The code point and the bytes of a character that is written out, where one begins; line ends and tabs are among

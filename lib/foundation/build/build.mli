@@ -1,6 +1,6 @@
-(** What this program was built from. *)
+(** The sources from which this program was built. *)
 
 val digest : string
-(** Of the sources and of the versions of the compiler and the libraries whose arithmetic and storage it uses, in
-    hexadecimal digits: two programs with the same one do the same. It is made when the program is built, as
-    reading a program of 30 MB takes longer than many an exploration. *)
+(** The digest, in hexadecimal digits, of the sources, the version of the compiler, and the versions of the
+    libraries for arithmetic and storage. Two programs with equal digests behave alike. It is computed at build
+    time, as reading a program of 30 MB takes longer than many an exploration. *)

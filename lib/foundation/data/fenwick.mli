@@ -1,17 +1,18 @@
-(** Counts of things in boxes that are numbered, which change, and the question in which box the k-th thing is:
-    both take O(log n) steps for n boxes (Fenwick, A new data structure for cumulative frequency tables, 1994). *)
+(** Fenwick trees: counts of items in numbered boxes, and the box of the k-th item. Changes and searches take O(log
+    n) steps for n boxes (Fenwick, A new data structure for cumulative frequency tables, 1994). *)
 
 type t
 
 val create : int -> t
-(** So many boxes, from number 0 on, with nothing in them. *)
+(** [create n] is [n] empty boxes, numbered from 0. *)
 
 val add : t -> int -> int -> unit
-(** [add t box more]: so many more in this box, or less, where it is negative; no box has less than none. *)
+(** [add t box more] adds [more] items to the box, or removes them if [more] is negative. No count becomes
+    negative: the caller ensures it. *)
 
 val total : t -> int
-(** In all boxes. *)
+(** [total t] is the number of items in all boxes. *)
 
 val find : t -> int -> int * int
-(** [find t k], for [k] from 0 to [total t - 1] (a bug otherwise): the box of the k-th thing, counted from 0
-    through all boxes in order, and which one it is of that box. *)
+(** [find t k] is the box of the [k]-th item, counted from 0 through all boxes in order, and the index of the item
+    within that box. [k] is from 0 to [total t - 1] (a bug otherwise). *)

@@ -1,24 +1,30 @@
-(** Things of which the least can be taken out. It is ours since no library that is packaged everywhere lets
-    floats stand before exact keys, without which the times of events are slow to compare. *)
+(** Priority queues, as heaps in which each node has four children.
+
+    The module is our own, since no library that is packaged everywhere compares a float before the exact key.
+    Without that, the exact times of events are slow to compare. *)
 
 type 'a t
 
 val create : near:('a -> float) -> compare:('a -> 'a -> int) -> 'a t
-(** In the order of [compare]. [near] is asked once for each and compared first, so it must never be in another
-    order: [compare x y <= 0] implies [near x <= near y]. Rounding a number to the nearest float is so, and so is
-    a constant. *)
+(** [create ~near ~compare] is an empty heap in the order of [compare]. [near] is called once for each entry, and
+    its floats are compared first. So [near] must be monotone: [compare x y <= 0] implies [near x <= near y].
+    Rounding to the nearest float is monotone, and so is a constant. *)
 
 val size : 'a t -> int
+(** [size h] is the number of entries. *)
+
 val add : 'a t -> 'a -> unit
+(** [add h x] inserts [x], in logarithmic time. *)
 
 val first : 'a t -> 'a option
-(** One that is least; of several, which one is not said, but it is the same in every run. *)
+(** [first h] is a least entry, in constant time; [None] if the heap is empty. Of several least entries it is not
+    specified which one, but it is the same in every run. *)
 
 val drop_first : 'a t -> unit
-(** Does nothing when there is none. *)
+(** [drop_first h] removes {!first}, in logarithmic time. An empty heap stays as it is. *)
 
 val take : 'a t -> 'a option
-(** The {!first} one, which leaves. *)
+(** [take h] is {!first}, which it removes. *)
 
 val keep : 'a t -> ('a -> bool) -> unit
-(** Drops all others, in linear time. *)
+(** [keep h wanted] removes all entries that do not pass [wanted], in linear time. *)

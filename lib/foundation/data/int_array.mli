@@ -1,5 +1,5 @@
-(** Arrays of small integers, four bytes each: graphs of 10^7 edges live in these, outside of the heap that
-    the collector walks. *)
+(** Arrays of small integers, four bytes each, outside of the heap of the garbage collector: graphs of 10^7 edges
+    are stored in them. Indices are checked ([Invalid_argument]), except by {!unsafe_get}. *)
 
 type t
 
@@ -7,39 +7,54 @@ val max_value : int
 (** 2^31 - 1: the greatest value. Values are from -2^31 to this. *)
 
 val make : int -> int -> t
-(** [make n x]: n times [x]. *)
+(** [make n x] is an array of length [n] in which each element is [x]. *)
 
 val length : t -> int
+(** [length a] is the number of elements. *)
+
 val get : t -> int -> int
+(** [get a i] is element [i], from 0. *)
+
 val set : t -> int -> int -> unit
+(** [set a i x] replaces element [i] by [x], of which it keeps the lowest 32 bits. *)
 
 val unsafe_get : t -> int -> int
-(** Without a look at the index: for the innermost loops, over indices that were made to be right. *)
+(** [unsafe_get a i] is {!get} without a check of the index: for the innermost loops, over indices that are in
+    range by construction. *)
 
 val fill : t -> int -> unit
+(** [fill a x] sets all elements to [x]. *)
 
 val prefix : t -> int -> t
-(** The first so many, sharing their place with the array. *)
+(** [prefix a n] is the first [n] elements. It shares memory with [a]. *)
 
 (** {1 Growing}
 
-    In one piece, twice as long when it is full: quicker than {!Int_vector}, which takes less memory and never
-    moves. *)
+    A buffer is one array, which doubles when it is full. It is quicker than {!Int_vector}, which takes less memory
+    and never moves its elements. *)
 
 type buffer
 
 val buffer : unit -> buffer
+(** [buffer ()] is a new empty buffer. *)
+
 val size : buffer -> int
+(** [size b] is the number of elements. *)
+
 val nth : buffer -> int -> int
+(** [nth b i] is element [i], from 0 to [size b - 1]. *)
+
 val put : buffer -> int -> int -> unit
-(** Changes what was pushed. *)
+(** [put b i x] replaces element [i], from 0 to [size b - 1]. *)
 
 val push : buffer -> int -> unit
+(** [push b x] appends [x], in amortised constant time. *)
 
 val pop : buffer -> int
-(** The last one, taken off. The buffer is not empty. *)
+(** [pop b] is the last element, which it removes. The buffer is not empty. *)
 
 val clear : buffer -> unit
+(** [clear b] removes all elements, and keeps the memory. *)
 
 val contents : buffer -> t
-(** What was pushed so far; a copy. *)
+(** [contents b] is a copy of all elements. *)

@@ -4,15 +4,19 @@
 type t
 
 val create : unit -> t
+(** [create ()] is a new empty vector. *)
+
 val length : t -> int
+(** [length v] is the number of elements. *)
 
 val get : t -> int -> int
-(** The index is in range (a bug otherwise). *)
+(** [get v i] is element [i], from 0. The index is in range (a bug otherwise). *)
 
 val push : t -> int -> unit
-(** A number in [-2{^31}, 2{^31}) (a bug otherwise). *)
+(** [push v x] appends [x], a number in [-2{^31}, 2{^31}) (a bug otherwise). *)
 
 val set : t -> int -> int -> unit
+(** [set v i x] replaces element [i]. The index is in range, and [x] is in [-2{^31}, 2{^31}) (a bug otherwise). *)
 
 val bytes : t -> int
-(** About how much memory it takes. *)
+(** [bytes v] is about how much memory the vector takes, in bytes. *)

@@ -1,17 +1,18 @@
-(** What several modules do with lists. All of it takes constant stack. *)
+(** Functions on lists that several modules use. All of them take constant stack. *)
 
 val pairs : 'a list -> ('a * 'a) list
-(** Each two elements once, the earlier one first; in the order of the first, then of the second. *)
+(** [pairs [a; b; c]] is [[(a, b); (a, c); (b, c)]]: each two elements once, the earlier one first. *)
 
 val neighbours : 'a list -> ('a * 'a) list
-(** Each element with the next one; none for the last. *)
+(** [neighbours [a; b; c]] is [[(a, b); (b, c)]]: each element but the last with the next one. *)
 
 val ring : 'a list -> ('a * 'a) list
-(** As {!neighbours}, and the last with the first: of one element, it with itself. *)
+(** [ring [a; b; c]] is [[(a, b); (b, c); (c, a)]]: {!neighbours}, then the last element with the first. A single
+    element is paired with itself. *)
 
 val take : int -> 'a list -> 'a list
-(** The first so many, or all if there are fewer. *)
+(** [take n list] is the first [n] elements, or all if there are fewer. *)
 
 val put : ('a -> 'a option) -> 'a -> 'a list -> 'a list
-(** [put joined x list]: the first [y] for which [joined y] is [Some z] becomes [z]; if there is none, [x] comes
-    last. *)
+(** [put joined x list] replaces the first [y] for which [joined y] is [Some z] by [z]. If there is none, it
+    appends [x]. *)

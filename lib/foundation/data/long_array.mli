@@ -1,11 +1,11 @@
 (** Arrays that may be long, made of new values.
 
-    Before OCaml makes an array of more than 256 words of a value that it has just allocated, as all functions of
-    the standard library do that begin with a first element, it empties its minor heap and goes on with a major
-    collection: for an array of a thousand that takes longer than all the rest. These put short arrays together. *)
+    An array of more than 256 words whose first element was just allocated is expensive in OCaml: the minor heap is
+    emptied, and a major slice follows. The functions of the standard library pay this price: for an array of a
+    thousand elements it takes longer than all the rest. The functions of this module join short arrays instead. *)
 
 val init : int -> (int -> 'a) -> 'a array
-(** As [Array.init], of a length >= 0: the function is asked in order. *)
+(** [init n f] is as [Array.init], for [n >= 0]. [f] is called in increasing order. *)
 
 val of_list : 'a list -> 'a array
-(** As [Array.of_list]. *)
+(** [of_list list] is as [Array.of_list]. *)

@@ -1,23 +1,26 @@
-(** Large tables of numbers, in memory, or beyond some size in files that are mapped: what is not needed of those
-    the system keeps on disk alone, and fetches again when it is. The files have no names and end with the
-    process.
+(** Large tables of numbers in memory, or beyond some size in mapped files: the system keeps pages that are not in
+    use on disk, and reads them again when they are needed. The files have no names and end with the process.
 
-    A process that is forked has the same files, and what it writes to a table of before shows on the other side:
-    it must not write to any, and begins with {!nowhere}. *)
+    A forked process shares the mapped files: its writes to a table from before the fork show in its parent. So
+    it must not write to such a table, and calls {!nowhere} first. *)
 
 open Bigarray
 
 val to_folder : string -> beyond:int -> unit
-(** From now on tables are made in files of this folder, once those in memory have so many bytes together. *)
+(** [to_folder path ~beyond] lets later tables be made in files of the folder [path], once the tables in memory
+    have [beyond] bytes together. A table is made in memory if no file can be made, as on a full disk. *)
 
 val nowhere : unit -> unit
-(** From now on they are made in memory. *)
+(** [nowhere ()] lets later tables be made in memory; this is also how the program starts. *)
 
 val ints : int -> (int, int_elt, c_layout) Array1.t
-(** A table of so many numbers, whatever they are. *)
+(** [ints n] is a new table of [n] numbers of 8 bytes, with unspecified contents. *)
 
 val int32s : int -> (int32, int32_elt, c_layout) Array1.t
+(** [int32s n] is a new table of [n] numbers of 4 bytes, with unspecified contents. *)
+
 val int16s : int -> (int, int16_signed_elt, c_layout) Array1.t
+(** [int16s n] is a new table of [n] numbers of 2 bytes, with unspecified contents. *)
 
 val on_disk : unit -> int
-(** The bytes of all files made so far. *)
+(** [on_disk ()] is the size of all files made so far, in bytes. *)

@@ -1,5 +1,6 @@
-(** Arrays gone through in an order that comes from everywhere. *)
+(** Iteration over arrays in an order that mixes their parts. *)
 
 val iter : ('a -> unit) -> 'a array -> unit
-(** Each element once. The first ones to come are from everywhere: what comes in rows makes a bad start for a tree
-    that is built one by one, and has long nodes near its root, for ever. *)
+(** [iter f a] calls [f] once for each element, in steps of about the golden section of the length. A tree that is
+    built by single insertions in the order of rows gets long nodes near its root, which stay. This order avoids
+    them. *)

@@ -3,10 +3,10 @@
 type t
 
 val create : int -> t
-(** Each number alone. *)
+(** [create n] has each of [n] numbers in a set of its own. *)
 
 val find : t -> int -> int
-(** The representative of the set of a number: the least of the set. *)
+(** [find t i] is the representative of the set of [i]: its least element. *)
 
 val union : t -> int -> int -> bool
-(** Joins the two sets; [false] when they are one already. *)
+(** [union t i j] joins the sets of [i] and [j]. It returns [false] if they were one set already. *)

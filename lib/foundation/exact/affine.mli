@@ -4,11 +4,19 @@
 type t = { linear : Mat.t; translation : Vec.t }
 
 val identity : t
+(** The map that keeps every point. *)
+
 val translate : Vec.t -> t
+(** [translate v] is x -> x + v. *)
+
 val of_linear : Mat.t -> t
+(** [of_linear m] is x -> m x. *)
+
 val apply : t -> Vec.t -> Vec.t
+(** [apply f x] is the image of the point [x], translation included. *)
 
 val compose : t -> t -> t
 (** [compose f g] is x -> f (g x). *)
 
 val equal : t -> t -> bool
+(** [equal f g] is true if linear part and translation are equal. *)

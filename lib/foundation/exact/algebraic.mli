@@ -3,44 +3,51 @@
 type t = private
   | Rational of Rat.t
   | Irrational of { polynomial : Polynomial.t; low : Rat.t; high : Rat.t }
-  (** The one root in the open interval of a square-free primitive polynomial, which vanishes at neither
-      end; never a rational number. *)
+  (** The only root of a square-free primitive polynomial in the open interval (low, high). It is irrational, and
+      the polynomial vanishes at neither end. *)
 
 val of_rat : Rat.t -> t
+(** [of_rat r] is the rational number [r]. *)
+
 val zero : t
+(** The number 0. *)
 
 val roots : Polynomial.t -> low:Rat.t -> high:Rat.t option -> t list
-(** The real roots of a non-zero polynomial in the open interval (low, high), increasing, each once;
-    [high = None] is infinity. *)
+(** [roots p ~low ~high] is the real roots of [p] in the open interval (low, high), increasing, each once; [high =
+    None] is infinity. [p] is not zero (a bug otherwise). *)
 
 val isolated : Polynomial.t -> low:Rat.t -> high:Rat.t -> t
-(** The root in the open interval (low, high) of a polynomial that has one only there, and has different signs, not
-    zero, at the ends. *)
+(** [isolated p ~low ~high] is the only root of [p] in the open interval (low, high). At the ends [p] has opposite
+    signs, neither of them 0. *)
 
 val to_rat : t -> Rat.t option
-(** The number, when it is rational. *)
+(** [to_rat a] is the number as a rational; [None] if it is irrational. *)
 
 val compare : t -> t -> int
+(** The order of the real numbers, decided exactly. *)
+
 val equal : t -> t -> bool
+(** [equal a b] is true if both are the same real number, whatever polynomials and intervals represent it. *)
 
 val compare_rat : t -> Rat.t -> int
 (** [compare_rat a r] is [compare a (of_rat r)]. *)
 
 val sign_at : Polynomial.t -> t -> int
-(** The exact sign of the polynomial at the number. *)
+(** [sign_at p a] is the exact sign of p(a): -1, 0 or 1. *)
 
 val between : t -> t -> Rat.t
-(** A rational strictly between two numbers, the lesser first (a bug if they are not in this order). *)
+(** [between a b] is a rational number strictly between [a] and [b], for [a < b] (a bug otherwise). *)
 
 val enclose : t -> width:Rat.t -> Rat.t * Rat.t
-(** Rational bounds, at most [width > 0] apart: the number twice when it is rational, and otherwise an open
-    interval around it. *)
+(** [enclose a ~width] is rational bounds of [a], at most [width > 0] apart: [a] twice if it is rational, and
+    otherwise an open interval around it. *)
 
 val add_rat : Rat.t -> t -> t
-(** The sum with a rational. *)
+(** [add_rat r a] is r + a. *)
 
 val to_decimal : ?digits:int -> t -> string
-(** The nearest decimal fraction of so many places (6 by default): {!Decimal.padded}. *)
+(** [to_decimal ~digits a] is the nearest decimal fraction with [digits] places after the point, 6 by default, in
+    the form of {!Decimal.padded}. *)
 
 val to_string : t -> string
-(** ["5/4"], or e.g. ["root of 2t^2 - 3 in (6/5, 13/10), about 1.224745"]. *)
+(** [to_string a] is ["5/4"], or e.g. ["root of 2t^2 - 3 in (6/5, 13/10), about 1.224745"]. *)

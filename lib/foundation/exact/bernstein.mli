@@ -1,9 +1,9 @@
 (** Polynomials over an interval by their Bernstein coefficients, and the instants at which they change sign.
 
-    A polynomial p of degree at most n over [low, high] is sum b_i C(n, i) (1 - x)^(n - i) x^i with x = (t -
-    low) / (high - low). p lies between the least and the greatest b_i; b_0 and b_n are its values at the ends;
-    and by the rule of Descartes it has at most as many roots in the open interval, each counted as often as it
-    is multiple, as the b_i have changes of sign (zeros left out), and the difference is even. *)
+    A polynomial p of degree at most n over [low, high] is sum b_i C(n, i) (1 - x)^(n - i) x^i with x = (t - low) /
+    (high - low). p lies between the least and the greatest b_i, and b_0 and b_n are its values at the ends. By the
+    rule of Descartes, p has at most as many roots in the open interval, counted with multiplicity, as the b_i have
+    changes of sign (zeros left out). The difference of the two counts is even. *)
 
 type t = private {
   polynomial : Polynomial.t;
@@ -13,19 +13,20 @@ type t = private {
 }
 
 val make : Polynomial.t -> low:Rat.t -> high:Rat.t -> t
-(** Over an interval with low < high (a bug otherwise). *)
+(** [make p ~low ~high] is [p] over the interval, for [low < high] (a bug otherwise). *)
 
 val halve : t -> t * t
-(** The same over both halves of the interval. *)
+(** [halve p] is the polynomial over the lower and over the upper half of the interval. *)
 
 val variations : t -> int
-(** How often the coefficients change sign. *)
+(** [variations p] is the number of changes of sign of the coefficients, zeros left out. *)
 
 val sign_after_low : t -> int
-(** Of the polynomial at all points of the interval that are close enough to, and greater than, its low end; 0
-    for zero only. *)
+(** [sign_after_low p] is the sign of the polynomial right after the low end: at all points of the interval that
+    are greater than it and close enough to it. It is 0 for the zero polynomial only. *)
 
 val sign_before_high : t -> int
+(** [sign_before_high p] is the sign of the polynomial right before the high end, as {!sign_after_low}. *)
 
 (** {1 Roots} *)
 
@@ -33,37 +34,41 @@ val sign_before_high : t -> int
 type root = private
   | Exactly of Rat.t
   | Inside of t
-  (** The only root in the open interval: it is simple, there is one change of sign, and the polynomial vanishes at
-      neither end. It may be rational. *)
+  (** The only root in the open interval. It is simple, the coefficients have one change of sign, and the
+      polynomial vanishes at neither end. The root may be rational. *)
 
 val rational : Rat.t -> root
+(** [rational r] is the number [r]. *)
 
 val roots : Polynomial.t -> low:Rat.t -> high:Rat.t -> root list
-(** The roots in the open interval (low, high), each once, increasing. The polynomial is not zero (a bug
-    otherwise). *)
+(** [roots p ~low ~high] is the roots of [p] in the open interval (low, high), each once, increasing. [p] is not
+    zero (a bug otherwise). *)
 
 val low : root -> Rat.t
+(** [low x] is a lower bound of the number: [x] itself if it is [Exactly], and less than [x] otherwise. *)
+
 val high : root -> Rat.t
-(** The number lies between these: strictly, unless they are equal. *)
+(** [high x] is an upper bound of the number: [x] itself if it is [Exactly], and more than [x] otherwise. *)
 
 val narrow : root -> width:Rat.t -> root
-(** The same number, with bounds at most [width > 0] apart. *)
+(** [narrow x ~width] is the number [x] with bounds at most [width > 0] apart. *)
 
 val compare : root -> root -> int
+(** The order of the real numbers, decided exactly. *)
 
 val to_algebraic : root -> scale:Rat.t -> shift:Rat.t -> Algebraic.t
-(** [scale x + shift] for the number x and [scale > 0]. *)
+(** [to_algebraic x ~scale ~shift] is [scale x + shift], for [scale > 0]. *)
 
 (** {1 Changes of sign} *)
 
-(** When a polynomial is negative first. *)
+(** The first instant at which a polynomial becomes negative. *)
 type first =
   | Nowhere
   | At_once  (** right after the start *)
-  | Later of root  (** not between the start and this instant, which is later, but right after it *)
+  | Later of root  (** right after this instant, which is later than the start, and not before it *)
 
 val first_negative : Polynomial.t -> after:root -> until:Rat.t -> first
-(** The greatest lower bound of the t in [after, until] at which the polynomial is negative. A root at which it
-    does not change sign is passed over; the zero polynomial is negative nowhere. Where [after] is a root that
-    this module has found in an interval, the interval ends by [until]; the answer, which then is before
-    [until], has that property too. *)
+(** [first_negative p ~after ~until] is the infimum of the instants from [after] to [until] at which [p] is
+    negative. A root without a change of sign does not count; the zero polynomial is negative nowhere. If [after]
+    is an isolated root ([Inside]), its interval must end by [until]. The result lies before [until], and if it is
+    isolated, its interval ends by [until] too. *)

@@ -1,27 +1,28 @@
-(** Decimals for people: short, and so rounded as a rule, always to the nearest; of two, to the one farther from
-    zero. Computed from rationals without floats, so that a number of any size has its digits. *)
+(** Decimals for people: short, and rounded to the nearest; of two equally near ones, to the one farther from zero.
+    They are computed from rationals without floats, so that the digits of a number of any size are right. *)
 
 val fixed : places:int -> Rat.t -> string
-(** Rounded to so many places after the point; zeros at the end are left out: ["12.35"], ["-3"], ["0"]. *)
+(** [fixed ~places x] is [x] rounded to [places] places after the point, without zeros at the end: ["12.35"],
+    ["-3"], ["0"]. *)
 
 val padded : places:int -> Rat.t -> string
-(** The same with these zeros: ["12.350000"]. *)
+(** [padded ~places x] is [x] rounded to [places] places after the point, with zeros at the end: ["12.350000"]. *)
 
 val significant : digits:int -> Rat.t -> string
-(** Rounded to so many digits from the first that is not 0 on: ["0.1667"], ["1.5e-300"]; zeros at the end are left
-    out. *)
+(** [significant ~digits x] is [x] rounded to [digits] digits from the first that is not 0 on, without zeros at the
+    end of a fraction: ["0.1667"], ["1.5e-300"]. It has a power of ten below 10{^-5} and from 10{^9} on. *)
 
 val significant_above : digits:int -> Rat.t -> string
-(** The same of a number >= 0, rounded up. *)
+(** [significant_above ~digits x] is as {!significant}, but rounded up. [x] is at least 0 (a bug otherwise). *)
 
 val marked : Rat.t -> string
-(** ["~"] and six places after the point, or seven digits and a power of ten below 1/1000 and from 10{^9} on:
-    ["~0.333333"], ["~-2.000000e9"]. The number itself is at most half a unit of the last digit away from it. Where
-    it is that very number, there is no ["~"], and no zeros at the end: ["0.5"], ["1e60"]. *)
+(** [marked x] is ["~"] and [x] with six places after the point, or with seven digits and a power of ten below
+    1/1000 and from 10{^9} on: ["~0.333333"], ["~-2.000000e9"]. The error is at most half a unit of the last digit.
+    A text that is exact has no ["~"], and no zeros at the end: ["0.5"], ["1e60"]. *)
 
 val exact : Rat.t -> string option
-(** All digits, of a number that has finitely many and needs no more than twelve places: [Some "0.125"], [None] for
+(** [exact x] is all digits of [x], if it has at most twelve places after the point: [Some "0.125"], but [None] for
     1/3. *)
 
 val order_of_magnitude : Rat.t -> int
-(** The greatest n with 10{^n} <= x, for x > 0. *)
+(** [order_of_magnitude x] is the greatest n with 10{^n} <= x, for x > 0. *)

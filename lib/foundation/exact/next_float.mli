@@ -1,14 +1,16 @@
-(** The floats next to a float, as {!Stdlib.Float.succ} and [pred] tell them, without a call into C: filters round
-    outward by them in each step. *)
+(** The floats next to a float, as those of {!Stdlib.Float.succ} and [pred], but without a call into C. Float
+    filters round outward with them in each step. *)
 
 val succ : float -> float
-(** The least float that is greater; the same of infinity and of what is no number. *)
+(** [succ x] is the least float greater than [x]; infinity and NaN are returned unchanged. *)
 
 val pred : float -> float
-(** The greatest float that is less; the same of minus infinity and of what is no number. *)
+(** [pred x] is the greatest float less than [x]; minus infinity and NaN are returned unchanged. *)
 
 val sum_below : float -> float -> float
-(** The sum, if it is a float, or else one of the two floats next to it: that below it, unless it is infinite. *)
+(** [sum_below a b] is a + b if that is a float, and otherwise the greatest float below it. If the
+    rounded sum is infinite, it is {!pred} of that. *)
 
 val sum_above : float -> float -> float
-(** Likewise that above it. *)
+(** [sum_above a b] is a + b if that is a float, and otherwise the least float above it. If the
+    rounded sum is infinite, it is {!succ} of that. *)

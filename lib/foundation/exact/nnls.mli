@@ -6,8 +6,8 @@ val solve : gram:Rat.t array array -> target:Rat.t array -> Rat.t array
     semi-definite [gram] = G^T G with [target] = G^T b. *)
 
 val project_cone : Vec.t list -> Vec.t -> Vec.t
-(** The point of the cone spanned by the vectors that is nearest to a point. *)
+(** [project_cone vectors point] is the point nearest to [point] in the cone that the vectors span. *)
 
 val nearest_in_cone : most:(Vec.t -> Vec.t) -> Vec.t -> Vec.t
-(** The same, of a cone that is spanned by finitely many vectors of which nobody needs a list: [most v] is one of
-    them that is farthest along v. *)
+(** [nearest_in_cone ~most point] is the point nearest to [point] in a cone that finitely many vectors span,
+    without a list of them: [most v] is one of the vectors whose product with [v] is greatest. *)

@@ -2,64 +2,87 @@
     variable is the time since the start of a time transition. *)
 
 type t
-(** Always in canonical form: equal polynomials have equal coefficients. *)
+(** A polynomial in canonical form: the leading coefficient is not zero. *)
 
 val zero : t
+(** The polynomial 0. *)
+
 val one : t
+(** The constant polynomial 1. *)
 
 val variable : t
 (** The polynomial t. *)
 
 val constant : Rat.t -> t
+(** [constant c] is the constant polynomial c. *)
 
 val of_coefficients : Rat.t list -> t
 (** [of_coefficients [c0; c1; c2]] is c0 + c1 t + c2 t^2. *)
 
 val coefficients : t -> Rat.t list
-(** From the constant one up; the last is not zero. [[]] for the zero polynomial. *)
+(** [coefficients p] is the coefficients from the constant one up; the last is not zero. It is [[]] for the zero
+    polynomial. *)
 
 val degree : t -> int
-(** -1 for the zero polynomial. *)
+(** [degree p] is the greatest exponent; -1 for the zero polynomial. *)
 
 val is_zero : t -> bool
+(** [is_zero p] is true for the zero polynomial. *)
 
 val to_constant : t -> Rat.t option
-(** The value of a constant polynomial. *)
+(** [to_constant p] is the value of a constant polynomial; [None] if the degree is at least 1. *)
 
 val add : t -> t -> t
+(** [add p q] is p + q. *)
+
 val sub : t -> t -> t
+(** [sub p q] is p - q. *)
+
 val neg : t -> t
+(** [neg p] is -p. *)
+
 val mul : t -> t -> t
+(** [mul p q] is p q. *)
+
 val scale : Rat.t -> t -> t
+(** [scale k p] is k p. *)
+
 val derivative : t -> t
+(** [derivative p] is the derivative dp/dt. *)
+
 val eval : t -> Rat.t -> Rat.t
+(** [eval p x] is the exact value p(x). *)
 
 val sign_at : t -> Rat.t -> int
-(** The sign of the value: -1, 0 or 1. *)
+(** [sign_at p x] is the sign of p(x): -1, 0 or 1. *)
 
 val equal : t -> t -> bool
+(** [equal p q] is true if all coefficients are equal. *)
 
 val divide : t -> t -> t * t
-(** [divide a b] is [(q, r)] with a = q b + r and degree r < degree b; [b] is not zero. *)
+(** [divide a b] is [(q, r)] with a = q b + r and degree r < degree b. [b] is not zero (a bug otherwise). *)
 
 val primitive : t -> t
-(** The positive multiple whose coefficients are integers without a common factor. *)
+(** [primitive p] is the positive multiple of [p] whose coefficients are integers without a common factor; zero for
+    zero. *)
 
 val gcd : t -> t -> t
-(** A greatest common divisor, primitive with a positive leading coefficient; zero when both are zero. *)
+(** [gcd p q] is the greatest common divisor that is primitive with a positive leading coefficient; zero if both
+    are zero. *)
 
 val square_free : t -> t
-(** A primitive polynomial with the same roots, each of them simple. *)
+(** [square_free p] is a primitive polynomial with the same roots as [p], each of them simple. *)
 
 val odd_part : t -> t
-(** A primitive polynomial, with simple roots only, that has the same sign everywhere but at finitely many
-    points: its roots are those at which the polynomial changes sign. Zero for zero. *)
+(** [odd_part p] is a primitive polynomial with simple roots, which has the sign of [p] at all points but finitely
+    many. Its roots are those at which [p] changes sign. It is zero for zero. *)
 
 val substitute : t -> scale:Rat.t -> shift:Rat.t -> t
 (** [substitute p ~scale ~shift] is p(scale t + shift). *)
 
 val root_bound : t -> Rat.t
-(** A positive bound that every real root of a non-zero polynomial is strictly below, in magnitude. *)
+(** [root_bound p] is greater than the magnitude of every real root of [p], by Cauchy's bound. [p] is not zero (a
+    bug otherwise). *)
 
 (** {1 Counting roots: Sturm's theorem} *)
 
@@ -67,7 +90,7 @@ type sturm
 (** A Sturm chain. *)
 
 val sturm : t -> sturm
-(** Of a square-free polynomial that is not zero. *)
+(** [sturm p] is the Sturm chain of a square-free polynomial [p] that is not zero. *)
 
 val count : sturm -> Rat.t -> Rat.t -> int
 (** [count c a b] for a <= b is the number of roots in (a, b]. *)
@@ -77,16 +100,16 @@ val count : sturm -> Rat.t -> Rat.t -> int
 type root =
   | Exactly of Rat.t
   | Within of { polynomial : t; low : Rat.t; high : Rat.t }
-  (** The irrational root of a square-free primitive polynomial that is alone in the open interval; the
-      polynomial vanishes at neither end. *)
+  (** The only root of a square-free primitive polynomial in the open interval (low, high). It is irrational, and
+      the polynomial vanishes at neither end. *)
 
 val roots : t -> low:Rat.t -> high:Rat.t option -> root list
-(** The real roots in the open interval (low, high), each once, increasing; [high = None] is infinity. The
-    polynomial is not zero (a bug otherwise). *)
+(** [roots p ~low ~high] is the real roots of [p] in the open interval (low, high), each once, increasing; [high =
+    None] is infinity. [p] is not zero (a bug otherwise). *)
 
 val isolated : t -> low:Rat.t -> high:Rat.t -> root
-(** The root in the open interval (low, high) of a polynomial that has one only there, and has different signs, not
-    zero, at the ends. *)
+(** [isolated p ~low ~high] is the only root of [p] in the open interval (low, high). At the ends [p] has opposite
+    signs, neither of them 0. *)
 
 val to_string : ?variable:string -> t -> string
-(** E.g. ["2t^2 - 3"]. *)
+(** [to_string p] is e.g. ["2t^2 - 3"]; the variable is ["t"] by default. *)

@@ -4,71 +4,99 @@
 type t = Q.t
 
 val zero : t
+(** The number 0. *)
+
 val one : t
+(** The number 1. *)
+
 val of_int : int -> t
+(** [of_int n] is the integer [n]. *)
 
 val make : Z.t -> Z.t -> t
 (** [make n d] is n/d in lowest terms; [d] is not zero. *)
 
 val add : t -> t -> t
+(** [add x y] is x + y. *)
+
 val sub : t -> t -> t
+(** [sub x y] is x - y. *)
+
 val mul : t -> t -> t
+(** [mul x y] is x y. *)
 
 val div : t -> t -> t
-(** The divisor is not zero. *)
+(** [div x y] is x/y. The divisor is not zero (a bug otherwise). *)
 
 val neg : t -> t
+(** [neg x] is -x. *)
+
 val abs : t -> t
+(** [abs x] is the magnitude |x|. *)
+
 val min : t -> t -> t
+(** [min x y] is the lesser of the two numbers. *)
+
 val max : t -> t -> t
+(** [max x y] is the greater of the two numbers. *)
+
 val sign : t -> int
+(** [sign x] is -1, 0 or 1. *)
+
 val equal : t -> t -> bool
+(** [equal x y] is true if the numbers are equal. *)
+
 val compare : t -> t -> int
+(** The order of the rational numbers. *)
+
 val hash : t -> int
+(** A hash that is equal for equal numbers. *)
+
 val is_integer : t -> bool
+(** [is_integer x] is true if the denominator is 1. *)
 
 val floor : t -> Z.t
-(** The greatest integer at most the number. *)
+(** [floor x] is the greatest integer that is at most [x]. *)
 
 val round_to : t -> quantum:t -> t
-(** [round_to x ~quantum] is the multiple of [quantum] (positive) nearest to [x]; of two, the one farther
-    from zero. *)
+(** [round_to x ~quantum] is the multiple of [quantum] nearest to [x]; halves are rounded away from zero. [quantum]
+    is positive. *)
 
 val modulo : t -> t -> t
 (** [modulo x m] is x - m floor(x/m), in [0, m), for positive [m]. *)
 
 val to_string : t -> string
-(** ["p/q"] in lowest terms, or ["p"] when q = 1. *)
+(** [to_string x] is ["p/q"] in lowest terms, or ["p"] if q = 1. *)
 
 val to_float : t -> float
-(** The nearest float (lossy: for people and for filters, never for a decision). *)
+(** [to_float x] is the nearest float. It is lossy: for people and for filters, never for a decision. *)
 
 val is_float : t -> bool
-(** Whether {!to_float} is the number itself, as far as that is seen at once: of numbers of at most 2{^53} over a
-    power of two that is an [int]. *)
+(** [is_float x] is true if a quick check shows that {!to_float} is exact: the numerator is at most 2{^53} in
+    magnitude, and the denominator is a power of two that fits an [int]. *)
 
 val near_float : t -> float
-(** A float within 3 * 2^-53 of the number, relatively, unless that is too great or too small for a float: faster
-    than {!to_float} for long numbers. *)
+(** [near_float x] is a float with a relative error of at most 3 * 2^-53, unless [x] is too great or too small for
+    a float. It is faster than {!to_float} for long numbers. *)
 
 val bits : t -> int
-(** Bits of numerator and denominator together: how much the number has grown. *)
+(** [bits x] is the number of bits of numerator and denominator together. *)
 
 val max_digits : int
-(** A literal may have at most this many digits, written out (exponents included): 4 000. *)
+(** 4 000: the greatest number of digits of a literal, with its power of ten written out. *)
 
 type literal_error = Malformed | Too_large | Zero_denominator
 
 val of_literal : string -> (t, literal_error) result
-(** Reads ["3"], ["0.125"], ["1e-3"], ["-1/4"], ["+2"]: exact. [Too_large] is found before the number is
-    built. *)
+(** [of_literal text] is the exact value of ["3"], ["0.125"], ["1e-3"], ["-1/4"] or ["+2"]. [Too_large] (beyond
+    {!max_digits}) is found before the number is built. *)
 
 val short_above : t -> t
-(** A number >= 0, rounded up to ten bits or one more. *)
+(** [short_above x] is [x] rounded up to ten or eleven bits, for [x >= 0]. *)
 
 val root : t -> t
-(** The square root of a number >= 0, if that is rational; else more than it by less than two in forty bits. *)
+(** [root x], for [x >= 0], is the square root if it is rational. Otherwise it is greater than the square root, by
+    less than two units in the last of forty bits. *)
 
 val sqrt_above : Z.t -> Z.t -> t
-(** [sqrt_above n d], for n >= 0 and d > 0: at least the square root of n/d, and more by less than two in ten bits;
-    a short number. *)
+(** [sqrt_above n d], for n >= 0 and d > 0, is a short number that is at least the square root of n/d. It exceeds
+    the root by less than two units in the last of ten bits. *)

@@ -1,36 +1,37 @@
-(** Charts of numbers over a number, as SVG. What is drawn is rounded; numbers beside the axes are exact. *)
+(** Charts of one number over another, as SVG. Coordinates in the picture are rounded. The numbers beside the axes
+    are exact, if they have at most twelve places. *)
 
 open Scc_exact
 
 type point = {
   x : Rat.t;
   y : Rat.t;
-  band : (Rat.t * Rat.t) option;  (** from the first to the second, around y: drawn pale *)
+  band : (Rat.t * Rat.t) option;  (** an interval around y, from the first to the second: drawn pale *)
 }
 
 type curve = {
-  name : string;  (** said beside it, if there are several *)
-  pieces : point list list;  (** joined within a piece, by increasing x; not from one to the next *)
+  name : string;  (** shown beside the title, if there are several curves *)
+  pieces : point list list;  (** by increasing x; points are joined within a piece only *)
 }
 
 type panel = { title : string; curves : curve list }
 
 val ticks : least:Rat.t -> greatest:Rat.t -> about:int -> Rat.t list
-(** Multiples of 1, 2 or 5 times a power of ten from the one number to the other, at most so many and two more. Of
-    a range that is empty the number itself. *)
+(** [ticks ~least ~greatest ~about] is the multiples, from [least] to [greatest], of 1, 2 or 5 times a power of
+    ten. They are at most [about + 2]. For an empty range it is [least] alone. *)
 
 (** {1 Maps} *)
 
 type amount =
   | Nothing
-  | Named of string  (** with a colour of its own *)
-  | Amount of Rat.t  (** darker, the greater among those of its map *)
+  | Named of string  (** drawn in the colour of this name *)
+  | Amount of Rat.t  (** the darker, the greater it is among the amounts of its map *)
 
-type cell = { said : string;  (** while the pointer is over it *) amount : amount }
+type cell = { said : string;  (** shown while the pointer is over the cell *) amount : amount }
 
 type map = {
   title : string;
-  rows : string array;  (** what is beside each, from below *)
+  rows : string array;  (** the labels of the rows, from below *)
   columns : string array;
   cells : cell array array;  (** by row and column *)
 }
@@ -43,5 +44,5 @@ val sheet :
   panel list ->
   map list ->
   string
-(** A document: the panels one below the other over the same x axis, which bears that name, and the maps below
-    them. [named] are the colours of names. *)
+(** [sheet ~title ~caption ~x ~named panels maps] is an SVG document. The panels stand one below the other over one
+    x axis with the label [x], and the maps below them. [named] is the colour of each name of a {!Named} cell. *)

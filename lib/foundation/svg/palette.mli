@@ -1,8 +1,8 @@
-(** Colours that people who confuse some colours can tell as well. *)
+(** Colours that people with colour blindness can distinguish as well. *)
 
 val colour : int -> string
-(** The colour with a number from 0 on, as SVG and CSS write it. Of middle lightness, so that a wash of it is
-    pale on white and deep on black. *)
+(** [colour i] is the colour with number [i >= 0], in the notation of SVG and CSS. Its lightness is medium, so that
+    a transparent wash of it is pale on white and deep on black. *)
 
 (** {1 Mixtures} *)
 
@@ -10,13 +10,17 @@ type rgb = float * float * float
 (** Red, green and blue, from 0 to 1. *)
 
 val body : int -> rgb
-(** The colours of families of bodies, the same as on the page of [scc view]; after ten they come again. *)
+(** [body i] is the colour of the family of bodies with number [i >= 0], as on the page of [scc view]. Ten colours
+    repeat cyclically. *)
 
 val white : rgb
+(** White: (1, 1, 1). *)
+
 val black : rgb
+(** Black: (0, 0, 0). *)
 
 val mix : rgb -> rgb -> float -> rgb
-(** [mix a b x] is so much of b, from 0 to 1, and the rest of a. *)
+(** [mix a b x] is the mixture of the share [x] of [b], from 0 to 1, and the share [1 - x] of [a]. *)
 
 val hex : rgb -> string
-(** ["#4477aa"]. *)
+(** [hex c] is the colour in the notation of CSS, such as ["#4477aa"]. Components are clamped to 0 .. 1. *)

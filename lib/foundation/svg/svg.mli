@@ -3,23 +3,25 @@
 open Scc_exact
 
 val escape : string -> string
-(** Text of an element or of an attribute, in UTF-8.
-    It is shown as {!Scc_base.Visible.text} shows it: XML has no control characters. *)
+(** [escape text] is [text], in UTF-8, as the content of an element or of an attribute. Control characters, which
+    XML excludes, are written out by {!Scc_base.Visible.text}. *)
 
 val number : Rat.t -> string
-(** Rounded to two places. *)
+(** [number x] is [x] rounded to two places. *)
 
 val tag : string -> (string * string) list -> string list -> string list
-(** An element with attributes (which it escapes) and what is in it, indented. *)
+(** [tag name attributes inside] is an element whose lines [inside] are indented. Attribute values are escaped;
+    [inside] is not. *)
 
 val text : (string * string) list -> string -> string list
-(** A [text] element with that text. *)
+(** [text attributes content] is a [text] element with this content, which is escaped. *)
 
 val title : string -> string list
-(** What is shown while the pointer is over the element that it is in; nothing for [""]. *)
+(** [title text] is a [title] element: browsers show its text while the pointer is over the parent element. It is
+    empty for [""]. *)
 
 val closed : (Rat.t * Rat.t) list list -> string
-(** The data of a path: polygons. *)
+(** [closed polygons] is the data of a path that consists of closed polygons, each given by its corners. *)
 
 val segments : ((Rat.t * Rat.t) * (Rat.t * Rat.t)) list -> string
-(** Of one that consists of segments. *)
+(** [segments all] is the data of a path that consists of separate segments, each given by its two ends. *)

@@ -1,9 +1,11 @@
-(** The outermost guard: how the program begins and ends, whatever happens.
+(** The outermost guard: how the program begins and ends, in all cases.
 
-    An exception that nobody has caught gives the exit code 2 in OCaml, which here is a verdict. It may come before
-    the first line of the program, from a library that is being set up, and after the last one, from a channel
-    that is flushed. This module is linked before all others, and leaves nothing to be done at the end. *)
+    OCaml ends a program after an uncaught exception with exit code 2, which is a verdict of scc. Such an exception
+    may come before the first line of the program, from the initialisation of a library. It may also come after the
+    last one, from a channel that is flushed. So this module is linked before all others, and ends the program
+    without the functions of [at_exit]. *)
 
 val run : (unit -> int) -> 'a
-(** Ends the program with this exit code; with 4 after {!Interruption.Interrupted} or for want of what the system
-    gives, with 70 after any other exception. *)
+(** [run main] ends the program with the exit code [main ()]. The exit code is 4 after {!Interruption.Interrupted}
+    or if the system refuses a resource ({!Resources.refused}), and 70 after any other exception. The message of an
+    exception goes to standard error. *)

@@ -1,44 +1,49 @@
-(** Wishes that the program ends: the signals of Ctrl-C, of [kill], of a terminal that is closed and of a limit of
-    the system on processor time ([ulimit -t]), all alike.
+(** Requests to end the program: the signals of Ctrl-C, of [kill], of a terminal that is closed and of a limit of
+    the system on processor time ([ulimit -t]). All are treated alike.
 
-    The first one raises {!Interrupted} wherever the program is, unless somebody answers, who then sees to it that
-    there is a report of what is known. While the program waits for others it raises in any case. A later one, as
-    from somebody who will not wait, ends the program by that signal at once. The state is one for the process, as
-    its signals are. *)
+    The first request raises {!Interrupted} at any point of the program, unless a handler is installed
+    ({!answered}). A handler ensures a report of the results so far. While the program waits for other processes
+    ({!at_once}), a request raises in any case. A later request ends the program by its signal at once, if it comes
+    more than half a second after the first. The state is global to the process, as signals are. *)
 
 exception Interrupted of string
-(** Why, in words. Whoever catches it ends its work. *)
+(** The reason, in words. Code that catches it must end its work. *)
 
 val signals : int list
-(** SIGINT, SIGTERM, SIGHUP and SIGXCPU, which comes every second and ends nothing when it comes again. *)
+(** SIGINT, SIGTERM, SIGHUP and SIGXCPU. SIGXCPU comes every second, and its repetitions end nothing. *)
 
 val listen : unit -> unit
-(** From now on they are heard. SIGHUP is not where it was ignored when the program began ([nohup]). *)
+(** [listen ()] installs the handlers of {!signals}, once. SIGHUP stays ignored if it was ignored when the program
+    began ([nohup]). *)
 
 val heard : unit -> bool
+(** [heard ()] is true once a request has come. *)
 
 val answered : (unit -> unit) -> unit
-(** From now on the function is called at the first one, instead of an exception. *)
+(** [answered react] lets the first request call [react] instead of raising an exception. It also calls {!listen}.
+*)
 
 val break_off : unit -> unit
-(** Raises {!Interrupted}, now or once no section is {!Scc_base.Critical} any more. *)
+(** [break_off ()] raises {!Interrupted} now, or after the present critical section ({!Scc_base.Critical}). *)
 
 val check : unit -> unit
-(** Raises {!Interrupted} if that is still to be done. *)
+(** [check ()] raises {!Interrupted} if {!break_off} was called. *)
 
 val at_once : (unit -> 'a) -> 'a
-(** Waits for others: whoever answers is not waited for. Raises {!Interrupted}. *)
+(** [at_once f] is [f ()], which waits for others. A request before or during it raises {!Interrupted}, even if a
+    handler is installed. *)
 
 val expire : string -> unit
-(** Raises {!Interrupted} for this reason within {!at_once}, and does nothing elsewhere. *)
+(** [expire reason] raises {!Interrupted} for this reason within {!at_once}, outside of critical sections.
+    Elsewhere it does nothing. *)
 
 val ignored : unit -> unit
-(** From now on none is heard: the program ends. *)
+(** [ignored ()] ignores all {!signals} from now on: the program is ending. *)
 
 val leave_to_parent : unit -> unit
-(** In a process that this program has started: what comes to all of a terminal's is the parent's to answer, and
-    SIGTERM ends it at once. *)
+(** [leave_to_parent ()] is for a process that this program has started. It ignores SIGINT and SIGHUP, which a
+    terminal sends to the parent as well. SIGTERM and SIGXCPU end the process at once. *)
 
 val fork : (unit -> int) -> int
-(** Another process, which leaves signals to this one ({!leave_to_parent}) and does the work. That must not return.
-    The number of the process. [Unix.Unix_error]. *)
+(** [fork work] starts a process that leaves signals to this one ({!leave_to_parent}) and runs [work], which must
+    not return. The result is the number of the process. [Unix.Unix_error] if the system refuses it. *)

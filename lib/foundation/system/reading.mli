@@ -1,18 +1,21 @@
-(** Reading what others may have to write first: files, pipes, terminals. A signal breaks nothing off, unless its
-    handler raises an exception. *)
+(** Reading from sources that may have to be waited for: files, pipes, terminals. A signal does not end a wait,
+    unless its handler raises an exception. *)
 
 val open_file : string -> Unix.file_descr
-(** For reading; a named pipe is waited for until somebody writes. [Unix.Unix_error]. *)
+(** [open_file path] opens a file for reading. A named pipe is waited for until another process opens it for
+    writing. [Unix.Unix_error]. *)
 
 val create_file : string -> Unix.open_flag list -> int -> Unix.file_descr
-(** With these flags and permissions; a named pipe is waited for until somebody reads. [Unix.Unix_error]. *)
+(** [create_file path flags mode] opens a file with these flags and permissions, closed on [exec]. A named pipe is
+    waited for until another process opens its other end. [Unix.Unix_error]. *)
 
 val some : Unix.file_descr -> bytes -> int -> int -> int
-(** [some file bytes from most] reads at most so many bytes to this place, at least one, or 0 at the end. It waits
-    for them even where a file would rather tell that there are none. [Unix.Unix_error]. *)
+(** [some file bytes from most] reads at least one and at most [most] bytes to offset [from] of [bytes]. It returns
+    how many, which is 0 at the end. It waits for data even if the descriptor is non-blocking. [Unix.Unix_error].
+*)
 
 exception Failed of string
 (** Standard input cannot be read, for this reason. *)
 
 val input : bytes -> int -> int -> int
-(** {!some} of standard input. {!Failed}. *)
+(** [input bytes from most] is {!some} for standard input. Errors of the system raise {!Failed}. *)

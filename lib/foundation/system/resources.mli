@@ -1,4 +1,5 @@
-(** What the system has no more of to give: memory, processes, places for open files. *)
+(** Resources of which the system has no more: memory, processes, descriptors of files. *)
 
 val refused : exn -> string option
-(** Of an exception that tells so, what it is, in words. *)
+(** [refused e] is the resource that is lacking, in words, if [e] is an exception for the lack of one; otherwise
+    [None]. *)

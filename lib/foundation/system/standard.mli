@@ -1,31 +1,34 @@
 (** Writing to standard output and standard error.
 
-    The channels of OCaml are not used for them: what these could not write they try again at the end of the
-    program, and an error there would be its exit code. *)
+    It replaces the channels of OCaml. A channel tries again at the end of the program to write what it could not
+    write, and an error of that would change the exit code. *)
 
 exception Closed
-(** Nobody reads what is written. *)
+(** The reader of the output has closed it, or has read nothing for two seconds after a request to end the program.
+*)
 
 exception Failed of string
 (** Standard output cannot be written, for this reason. *)
 
 val print : string -> unit
-(** To standard output, at {!flush} or when there is much of it. {!Closed}, {!Failed}: what is printed after one of
-    them is dropped. *)
+(** [print text] buffers [text] for standard output, until {!flush} or until the buffer has 64 KiB. It raises
+    {!Closed} or {!Failed}; after either of them all output is dropped. *)
 
 val print_buffer : Buffer.t -> unit
-(** All that is in a buffer, at once. {!Closed}, {!Failed}. *)
+(** [print_buffer buffer] writes all contents of a buffer to standard output at once. {!Closed}, {!Failed}. *)
 
 val flush : unit -> unit
-(** Sends off what was printed. {!Closed}, {!Failed}. *)
+(** [flush ()] writes what {!print} has buffered. {!Closed}, {!Failed}. *)
 
 val withdraw : unit -> bool
-(** Drops what was printed and not sent off. Whether that is all that ever was printed. *)
+(** [withdraw ()] drops what is buffered. It returns true if nothing was ever written; otherwise all later output
+    is dropped too. *)
 
 val complain : string -> unit
-(** To standard error, at once, as {!Scc_base.Visible.text} shows it. Where that cannot be written nothing can be
-    told: no error either. *)
+(** [complain text] writes [text] to standard error at once, with control characters written out by
+    {!Scc_base.Visible.text}. It ignores errors: where standard error cannot be written, nothing can be reported.
+*)
 
 val control : string -> unit
-(** The same of bytes as they are: for what controls a terminal, and for texts that are {!Scc_base.Visible} and
-    have colours. *)
+(** [control bytes] writes bytes as they are to standard error at once: for sequences that control a terminal, and
+    for texts that have colours and are {!Scc_base.Visible} already. It ignores errors. *)

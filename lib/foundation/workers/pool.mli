@@ -1,21 +1,22 @@
-(** Tasks that do not depend on each other, worked on by several processes; what comes of them is taken up in
-    order.
+(** A pool of worker processes for independent tasks. Their results are handled in the order of the tasks.
 
-    Processes, and not threads, so that all of this works with OCaml 4.13 to 5.3 and nothing is shared. Task k is
-    worked on by process k mod n; a process that is far ahead waits until what it has found is asked for.
+    Workers are processes and not threads, so that all of this works with OCaml 4.13 to 5.3 and nothing is shared.
+    The tasks are dealt out in turn: task [first + k] goes to worker k mod n. A worker that is far ahead waits
+    until its results are read.
 
-    A process that dies is replaced by another one, which goes on with the task that was lost: nothing but time is
-    lost. Where the system gives fewer processes or descriptors than were asked for, fewer work; where it gives
-    none, this one works alone, and an interruption ends it after the task that is under way. *)
+    A worker that dies is replaced by another one, which goes on with the task that was lost: only time is lost. If
+    the system gives fewer processes or descriptors than [jobs], the pool is smaller. If it gives none, this
+    process works alone, and an interruption ends it after the present task. *)
 
 type stop =
   | Interrupted
   | Lost of { task : int; how : string; fault : bool }
-  (** The task that brought its process to an end, {!most_deaths} times or by an exception, and how, as a sentence
-      about "it". [fault]: the program is wrong, and not short of memory or ended from outside. *)
+  (** The task that failed. Its work raised an exception, or its worker died {!most_deaths} times in a row, or no
+      process could replace a worker that died. [how] says how, in a clause that calls the task [it]. [fault] is
+      true for an error of the program itself, and false for a lack of memory or an end from outside. *)
 
 val most_deaths : int
-(** So many processes in a row may be lost over one task. *)
+(** 10: the number of workers in a row that one task may bring to an end before the pool gives up. *)
 
 val run :
   jobs:int ->
@@ -25,8 +26,12 @@ val run :
   interrupted:(unit -> bool) ->
   each:(int -> 'a -> unit) ->
   (unit, stop) result
-(** Tasks [first] to [count] - 1. [work] is called in another process, also of one, so that a task that takes long
-    can be left, and may be called again for a task whose process died. What it gives must be something that
-    {!Marshal} takes. An exception of it ends all, at its task. [each] is called in this process, by
-    increasing numbers, and for no task after the one at which it stops. Nothing that was printed before is printed
-    twice, if it was flushed. *)
+(** [run ~jobs ~first ~count ~work ~interrupted ~each] works on the tasks [first] to [count - 1] with [jobs]
+    workers.
+
+    [work] is called in a worker, even if [jobs] is 1, so that a long task can be abandoned. It may be called again
+    for a task whose worker died. {!Marshal} must accept its results. An exception of it ends the run at its task.
+
+    [each] is called in this process, with the task and its result, by increasing tasks, up to the task at which
+    the run stops. [interrupted] is called a few times a second; when it is true the run stops. Output that was
+    flushed before is not printed twice. *)

@@ -1,13 +1,16 @@
-(** The branches of an MDP the other way round: which choices lead to a state. Made once for all questions,
-    and when it is first asked for: many need none of it. *)
+(** The reversed branches of an MDP: which choices lead to a state. Each table is made when it is first used, since
+    many questions need none of them, and serves all later questions. *)
 
 type t
 
 val make : Mdp.t -> t
+(** [make m] is the reversed branches of [m], not computed yet. *)
+
 val mdp : t -> Mdp.t
+(** [mdp b] is the MDP given to {!make}. *)
 
 val owner : t -> int -> int
-(** The state that has the choice. *)
+(** [owner b c] is the state that has choice [c]. *)
 
 val iter : t -> int -> (int -> unit) -> unit
-(** [iter b s f] calls [f] for each choice that has a branch to [s], once. *)
+(** [iter b s f] calls [f] once for each choice that has a branch to state [s]. *)

@@ -4,20 +4,22 @@
 open Scc_data
 
 val strong : Mdp.t -> inside:(int -> bool) -> Strong_components.t
-(** Of the graph of all branches between states that are inside. *)
+(** [strong m ~inside] is the strong components of the graph of all branches between states that pass [inside]. *)
 
-(** Maximal end components: sets of states with choices of theirs such that no choice of these leaves the set, and
-    by them each state of it can be reached from each. *)
+(** Maximal end components: sets of states with some of their choices. These choices stay in the set, and connect
+    each of its states to each other one. *)
 type ends = {
   count : int;
-  number : int array;  (** of each state: its component, from 0 on, or -1 when it is in none *)
-  internal : Bits.t;  (** the choices that belong to a component: exactly those which stay in that of their state
-                      *)
+  number : int array;  (** the component of each state, from 0 on; -1 for a state in none *)
+  internal : Bits.t;
+  (** The choices that belong to a component: exactly the allowed ones that stay in the component of their state.
+  *)
 }
 
 val ends : Backwards.t -> inside:(int -> bool) -> allowed:(int -> bool) -> ends
-(** Of the part that has the states inside, and of their choices those that are allowed. Strong components are
-    taken again and again, each time of what has changed. *)
+(** [ends b ~inside ~allowed] is the maximal end components of the states that pass [inside], with those of their
+    choices that pass [allowed]. Strong components are computed repeatedly, each time of the parts that have
+    changed. *)
 
 val none : Mdp.t -> ends
-(** No component at all. *)
+(** [none m] has no component. *)

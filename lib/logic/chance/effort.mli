@@ -1,21 +1,22 @@
-(** How values are worked out, and how far. *)
+(** How values are computed, and to which precision. *)
 
 open Scc_exact
 
 type engine =
-  | Exactly  (** rationals; what passes the limits is given up *)
-  | Nearly  (** intervals, proved in floats *)
-  | Either  (** exactly where that is within the limits, nearly elsewhere *)
+  | Exactly  (** in rationals; beyond the limits the computation is given up *)
+  | Nearly  (** as intervals that are proved in floats *)
+  | Either  (** exactly within the limits, and nearly beyond them *)
 
 type t = {
   engine : engine;
-  component : int;  (** of exact values: the greatest strong component of which a linear system is solved *)
-  bits : int;  (** of exact values: the greatest length of one (numerator and denominator together) *)
-  width : Rat.t;  (** of intervals, positive: one that is not wider is good enough *)
+  component : int;  (** for exact values: the greatest strong component whose linear system is solved, in nodes *)
+  bits : int;  (** for exact values: their greatest length (numerator and denominator together) *)
+  width : Rat.t;  (** for intervals, positive: an interval of at most this width is good enough *)
   relative : bool;  (** the width is a share of the lower end *)
-  bound : Answer.bound option;  (** of intervals: one that decides this is good enough, too *)
-  interrupted : unit -> bool;  (** asked now and then: to end with what is known then *)
+  bound : Answer.bound option;  (** for intervals: one that decides this bound is good enough, too *)
+  interrupted : unit -> bool;  (** called now and then: [true] ends the computation with its present results *)
 }
 
 val default : t
-(** [Either]; components of 1 000, numbers of 20 000 bits; 10^-6, absolutely, and no bound; never interrupted. *)
+(** [Either], with components of 1 000 nodes and numbers of 20 000 bits. Intervals have an absolute width of 10^-6
+    and no bound. It is never interrupted. *)

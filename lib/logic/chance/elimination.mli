@@ -1,9 +1,11 @@
-(** Sparse linear systems x = b + P x over the rationals, where P is a matrix of probabilities (its rows have sums
-    at most 1) and from each unknown a way leads to a row with a sum below 1. Unknown by unknown is eliminated, as
-    are states of a Markov chain (Daws, "Symbolic and Parametric Model Checking of Discrete-Time Markov Chains",
-    2004): next the one that has the least product of unknowns that ask for it and unknowns that it asks for
-    (Markowitz). The pivots are on the diagonal, and never 0, since 1 minus what leads back to an unknown is the
-    probability, or more, that it is left for ever. *)
+(** Sparse linear systems x = b + P x over the rationals, solved by elimination. P is a matrix of probabilities:
+    its rows have sums of at most 1, and from each unknown a path leads to a row with a sum below 1.
+
+    Unknowns are eliminated one by one, as states of a Markov chain (Daws, "Symbolic and Parametric Model Checking
+    of Discrete-Time Markov Chains", 2004). The next one has the least product of the number of unknowns that
+    depend on it and the number of unknowns that it depends on (Markowitz). Pivots are on the diagonal. They are
+    positive: 1 minus the coefficient of an unknown in its own row is at least the probability that the unknown is
+    left for ever. *)
 
 open Scc_exact
 
@@ -18,4 +20,6 @@ val solve :
   bits:int ->
   interrupted:(unit -> bool) ->
   (Rat.t array, given_up) result
-(** Row [i] of P as pairs of a column and what is there, each column once at most; and [b]. *)
+(** [solve ~size ~row ~constant ~bits ~interrupted] is the solution x. [row i] is row [i] of P as pairs of a column
+    and its entry, each column at most once; [constant i] is b(i). [bits] limits the length of each number
+    ({!Rat.bits}). [interrupted] is called before each elimination. *)

@@ -1,23 +1,25 @@
-(** The equations, solved in rationals: component by component, from those that lead nowhere else on. A component
-    of one node is worked out from what is known; of others, a scheduler is improved until none is better (Howard's
-    policy iteration), its values being found by {!Elimination}. The first scheduler leaves the component from
-    everywhere with probability 1, and so does each that is better. It is guessed by iteration in floats, so that
-    as a rule one system is solved, and another question asked of its solution. *)
+(** {!Equations} solved in rationals, component by component: each after the components that it leads to.
+
+    A component of one node is computed directly. In any other, a scheduler is improved until none is better
+    (Howard's policy iteration), and {!Elimination} finds its values. The first scheduler leaves the component from
+    every node with probability 1, and so does each better one. It is guessed by value iteration in floats. So one
+    system is solved as a rule, and one test shows that no scheduler is better. *)
 
 open Scc_exact
 
 type solution = {
-  value : Rat.t array;  (** of each node *)
-  row : int array;  (** of each node, one of those that attain it; all of them together do *)
+  value : Rat.t array;  (** for each node *)
+  row : int array;  (** for each node one of its rows: the scheduler of these rows attains all values *)
 }
 
-(** Why there is none. *)
+(** Why there is no solution. *)
 type given_up =
-  | Component of int  (** of so many nodes: more than allowed *)
+  | Component of int  (** a component of so many nodes, which is more than allowed *)
   | Elimination of Elimination.given_up
 
 val greatest_component : Equations.t -> int
-(** Its nodes. *)
+(** [greatest_component e] is the number of nodes of the greatest component; 0 without nodes. *)
 
 val solve : Equations.t -> Effort.t -> (solution, given_up) result
-(** The engine does not matter, nor do width and bound. *)
+(** [solve e effort] is the solution, within the limits [component] and [bits] of [effort], or the reason why it
+    was given up. Its engine, width and bound do not matter. *)

@@ -1,19 +1,22 @@
 (** Finite Markov decision processes with rational probabilities (Puterman, "Markov Decision Processes"; Baier and
-    Katoen, "Principles of Model Checking", chapter 10). States are 0 .. states - 1. Each has one choice or more,
-    each choice a reward (of no sign but positive, or zero: a duration, a cost) and a distribution over states, its
-    branches. Choices are numbered through, state by state, and branches choice by choice, so that 10^6 states with
-    some 10^7 branches are a few arrays. *)
+    Katoen, "Principles of Model Checking", chapter 10).
+
+    States are 0 .. states - 1. Each has one choice or more. Each choice has a reward of at least 0 (a duration, a
+    cost) and a distribution over states: its branches. Choices are numbered through, state by state, and branches
+    choice by choice. So 10^6 states with some 10^7 branches are a few arrays. *)
 
 open Scc_exact
 
 type t
 
 val states : t -> int
+(** [states m] is the number of states. *)
+
 val choices : t -> int
-(** Of all states together. *)
+(** [choices m] is the number of choices of all states together. *)
 
 val branches : t -> int
-(** Of all choices together. *)
+(** [branches m] is the number of branches of all choices together. *)
 
 val first_choice : t -> int -> int
 (** The choices of state [s] are those from [first_choice m s] to [first_choice m (s + 1) - 1]. *)
@@ -23,53 +26,59 @@ val first_branch : t -> int -> int
     targets, each target once. *)
 
 val target : t -> int -> int
-(** Of a branch. *)
+(** [target m b] is the state that branch [b] leads to. *)
 
 val probability : t -> int -> Rat.t
-(** Of a branch: positive; those of a choice have the sum 1. *)
+(** [probability m b] is the probability of branch [b]: positive. The probabilities of each choice have the sum 1.
+*)
 
 val reward : t -> int -> Rat.t
-(** Of a choice, at least 0: what is earned, or paid, when it is taken. *)
+(** [reward m c] is earned, or paid, when choice [c] is taken. It is at least 0. *)
 
 val near : t -> float array
-(** The probabilities of all branches, each as the nearest float. Not to be changed. *)
+(** [near m] is the float nearest to the probability of each branch. The array must not be changed. *)
 
 val leads_into : t -> int -> Scc_data.Bits.t -> bool
-(** Whether a target of the choice is in the set. *)
+(** [leads_into m c set] is true if some target of choice [c] is in the set. *)
 
 val stays_in : t -> int -> Scc_data.Bits.t -> bool
-(** Whether all are. *)
+(** [stays_in m c set] is true if all targets of choice [c] are in the set. *)
 
 val some_branch : t -> int -> (int -> bool) -> bool
-(** Whether a target of the choice passes the test. *)
+(** [some_branch m c test] is true if some target of choice [c] passes the test. *)
 
 val every_branch : t -> int -> (int -> bool) -> bool
+(** [every_branch m c test] is true if all targets of choice [c] pass the test. *)
 
 (** {1 Building} *)
 
-(** What is wrong with what was given. *)
+(** An error in the states and choices given to a builder. *)
 type fault =
-  | No_choice  (** of the state *)
-  | No_such_target of int
-  | Not_positive of Rat.t  (** a probability *)
-  | Sum of Rat.t  (** of the probabilities of a choice: it is not 1 *)
-  | Negative_reward of Rat.t
+  | No_choice  (** the state has no choice *)
+  | No_such_target of int  (** a branch leads to this number, which is no state *)
+  | Not_positive of Rat.t  (** this probability is not positive *)
+  | Sum of Rat.t  (** the probabilities of the choice have this sum, which is not 1 *)
+  | Negative_reward of Rat.t  (** this reward is negative *)
 
-type error = { state : int; choice : int;  (** of the state, from 0 on *) fault : fault }
+type error = { state : int; choice : int;  (** among the choices of the state, from 0 on *) fault : fault }
 
 val describe : error -> string
+(** [describe e] is the error as a clause in words, such as ["state 3 has no choice"]. *)
 
 type builder
 
 val builder : unit -> builder
+(** [builder ()] is a builder without states. *)
 
 val add_state : builder -> int
-(** The next state, which is the first, 0, or one more than the one before. The choices that are added from now on
-    are of this state. *)
+(** [add_state b] adds a state and returns its number: 0 for the first, then one more each time. The choices that
+    are added next belong to this state. *)
 
 val add_choice : builder -> ?reward:Rat.t -> (int * Rat.t) list -> unit
-(** Of the state that was added last (a bug if there is none). Targets may be states that are added later; of
-    several branches to one target the probabilities are added up. Without [reward] it is 0. *)
+(** [add_choice b ~reward branches] adds a choice to the last state (a bug if there is none). [branches] are
+    targets with their probabilities. Targets may be states that are added later. Probabilities of several branches
+    to one target are added up. [reward] is 0 by default. *)
 
 val finish : builder -> (t, error) result
-(** Everything is checked here; the first fault is told. The builder is not used any more. *)
+(** [finish b] is the MDP, or the first error in it: all checks are made here. The builder must not be used again.
+*)

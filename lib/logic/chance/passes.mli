@@ -1,8 +1,9 @@
-(** Sets of states that grow until nothing changes, found by looking at all states in turn, up and down. Models are
-    numbered as they are explored, so that a few such passes find all as a rule; and they read the branches one
-    after the other, where a search backwards jumps. *)
+(** Fixed points over all states by passes, up and down by turns. States are numbered in the order of exploration,
+    so that a few passes suffice as a rule. Passes read the branches one after the other, whereas a backward search
+    jumps. *)
 
 val run : size:int -> (int -> bool) -> bool
-(** [run ~size look] looks at each number below the size again and again; [look] tells whether that changed
-    anything. Whether nothing changes any more: it is given up when passes are many and change little, so that the
-    time is that of a bounded number of passes. *)
+(** [run ~size look] calls [look] for each number below [size] in repeated passes; [look i] is true if it changed
+    something. The result is true if the last pass changed nothing. It is false if passes were given up: after 64
+    passes, when one changes at most a sixteenth of the numbers. So the time is that of a bounded number of passes.
+*)

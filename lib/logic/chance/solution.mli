@@ -1,29 +1,32 @@
-(** The values of the states of an MDP, worked out as far as was asked, and a scheduler. *)
+(** The values of the states of an MDP, as far as they were wanted, and a scheduler. *)
 
 type t
 
 type asked =
-  | All
-  | States of int list  (** some 10^6 others cost nothing when these do not lead to them *)
+  | All  (** all states *)
+  | States of int list  (** these states; states that they do not lead to cost nothing *)
 
 val value : t -> int -> Answer.t
-(** Of a state. What was neither asked for nor is reached from that, and is not known from the graph, is only known
-    to be possible. *)
+(** [value t s] is the value of state [s]. For a state that was neither wanted nor is reached from a wanted one,
+    and whose value the graph does not decide, it is the interval of all possible values. *)
 
 val scheduler : t -> int array
-(** A choice for each state, among the choices of that state and from 0 on: taken whenever it is visited, it
-    attains the values, where those are exact; where they are intervals, its values are at least the lower ends for
-    the greatest values, and at most the upper ends for the least ones (if those are known). Among the states that
-    were asked for and what these lead to. *)
+(** [scheduler t] is a choice for each state, numbered from 0 among the choices of the state. It counts for the
+    states that were wanted and those that they lead to. Taken at each visit, these choices attain exact values.
+    For intervals, their values are at least the lower ends for greatest values. For least values they are at most
+    the upper ends, where these are known. *)
 
-(** How the values were found that the graph does not tell. *)
+(** How the values that the graph does not decide were computed. *)
 type found =
-  | By_graph  (** it told all *)
-  | In_rationals
+  | By_graph  (** the graph decides all values *)
+  | In_rationals  (** by {!Exact_solver} *)
   | In_intervals of { sweeps : int; not_exact : Exact_solver.given_up option }
-  | Given_up of Exact_solver.given_up
+  (** By {!Interval_solver}, in so many sweeps; [not_exact] is the reason why exact values were given up, for the
+      engine [Either]. *)
+  | Given_up of Exact_solver.given_up  (** {!Exact_solver} gave up, and values are the possible ones *)
 
 val found : t -> found
+(** [found t] is the way in which the values were computed. *)
 
 (** {1 For questions} *)
 
@@ -39,7 +42,7 @@ val solve :
   rewards:bool ->
   choice:(int -> int) ->
   t
-(** As {!Equations.make}. [elsewhere] is the value of the states with that status; [choice] says of a state of
-    known
-    value which choice attains that (numbered through), or -1 when any does. Without [rewards] values are at most
-    1. *)
+(** [solve b direction effort ~asked ~status ~elsewhere ~allowed ~merged ~rewards ~choice] solves
+    {!Equations.make}. [elsewhere] is the value of the states with the status [Elsewhere]. [choice s] is the
+    choice, numbered through, that attains the known value of state [s], or -1 if any does. Without [rewards]
+    values are at most 1. *)

@@ -1,44 +1,46 @@
-(** What a run goes through, position by position: nodes, and the cells of flows in which nothing changes that a
-    formula speaks of. *)
+(** The course of a run: the nodes, instants and intervals of flows that it passes, such that no part of given
+    formulas changes within an interval. *)
 
 open Scc_exact
 
 (** A node, an instant inside a flow, or an open interval of a flow. *)
 type place = {
-  step : int;  (** the steps of the run that are made before it *)
-  position : Positions.position;  (** the node or the instant; of an interval a position inside *)
-  low : Algebraic.t;
-  high : Algebraic.t option;
-  (** offsets: where the interval begins and ends ([None]: it lasts for ever); both that of the instant *)
+  step : int;  (** the number of steps of the run before it *)
+  position : Positions.position;  (** the node or the instant; for an interval a position inside *)
+  low : Algebraic.t;  (** the offset at which the interval begins, or that of the node or instant *)
+  high : Algebraic.t option;  (** the offset at which it ends; [None] if it lasts for ever *)
   clock : Rat.t;
-  (** when the node of the place was entered, from the time on at which the start's node was: that of the
-      position is this and its offset *)
+  (** The time at which the node of the place was entered, counted from when the first node was. The time of the
+      position is this plus its offset. *)
 }
 
 val is_interval : place -> bool
+(** [is_interval p] is true for an open interval, and false for a node or an instant. *)
 
 type t = private {
   run : Run.t;
-  places : place array;  (** up to the goal of the run: that itself is not among them, unless in an interval *)
-  again : int option;  (** of a run that repeats itself: from this place on *)
-  period : Rat.t;  (** how long that takes each time; 0 of a run that does not *)
+  places : place array;
+  (** In order, before the goal of the run. A goal inside an interval belongs to the last place. *)
+  again : int option;  (** for a run that repeats itself: the index of the place from which it repeats *)
+  period : Rat.t;  (** the time of each repetition; 0 for a run that does not repeat itself *)
 }
 
 val make : Eval.t -> Formula.t list -> Run.t -> t
-(** Nothing changes in an interval that is a part of the formulas, at any depth. *)
+(** [make e formulas run] is the course of [run]. In each interval all parts of the formulas, at any depth, are
+    constant. *)
 
 val within : t -> Formula.bound -> int list
-(** The places, by their indices, at which the time that has passed since the start of the run can be within the
-    bound. Of a run that repeats itself nothing is beyond the bound's end, and what comes again and again comes
-    after its low end. *)
+(** [within t bound] is the indices of the places at which the time since the start of the run can be within the
+    bound. For a run that repeats itself the high end of the bound is ignored. Places that repeat in positive time
+    count as after the low end. *)
 
 (** {1 The rest of a run} *)
 
-(** A position of the run: in the place of this index. *)
+(** A position of the run, within the place of this index. *)
 type spot = { course : t; index : int; at : Positions.position }
 
 val follow : Eval.t -> Eval.until -> spot -> (Run.t * spot option) option
-(** A run that shows of the until what its quantifier lets a run show ([E]: that it holds, [A]: that it does not),
-    by going on from the spot as the run of the course does, and the spot that it leads to ([None]: it goes on as
-    the run does, without end, or past the bound). [None]: the run does not show it there, or it is not easily
-    seen. *)
+(** [follow e u spot] is a run from the spot that continues as the run of the course, and decides [u] at the spot:
+    for [E] it shows that [u] holds, and for [A] that it does not. With it comes the spot to which it leads. The
+    spot is [None] if the run goes on without end, or past the bound. The result is [None] if the continuation does
+    not decide [u], or not within a few repetitions, and for probabilities and irrational offsets. *)

@@ -4,14 +4,15 @@ type undefined = { predicate : int; position : Positions.position; reason : stri
 
 type t = {
   unexplored : int list;
-  (** the nodes that are not known and matter, increasing: reached through positions at which the sub-formulas
-      are undecided, and in time. Some of them may turn out not to matter once others are known. *)
+  (** The nodes that are not known and matter, increasing. They are reached in time, through positions at which the
+      sub-formulas are undecided. Some of them may turn out not to matter once others are known. *)
   undefined : undefined list;
-  (** predicates that are undecided where it matters, each predicate and reason once *)
+  (** Predicates that are undecided at positions that matter, each predicate and reason once. *)
 }
 
 val possible : Eval.t -> Formula.t -> Positions.position -> t
-(** Whether or not it is decided there: what keeps a probability that it asks for from being known. *)
+(** [possible e f p] is as {!find}, but also if [f] is decided at [p]: it shows why a probability in [f] is not
+    known exactly. *)
 
 val find : Eval.t -> Formula.t -> Positions.position -> t
-(** All empty where it is decided, and only there. *)
+(** [find e f p] is the reasons why [f] is undecided at [p]. Both lists are empty iff [f] is decided there. *)

@@ -1,67 +1,81 @@
 (** Timed CTL over a timed graph: for each formula the set of positions at which it surely holds, and the set of
-    those at which it perhaps does.
+    those at which it perhaps holds.
 
     {1 Runs}
 
-    A position is a node, or an offset strictly inside the flow of a node; the end of a flow is the node it
-    leads to. A run goes from a node by one of its edges, in no time, or lets time pass through its flow, when
-    it has one, to one of the targets; inside a flow nothing else can happen. It goes on as long as it can: it
-    ends at a dead end, stays in a flow that lasts for ever, or takes infinitely many transitions, whether or not
-    time goes on and on (rule Run). No fairness is assumed.
+    A position is a node, or an offset strictly inside the flow of a node; the end of a flow is the node to which
+    it leads. A run leaves a node by one of its edges, in no time, or passes through its flow, if it has one, to
+    one of the targets. Inside a flow nothing else can happen. A run goes on as long as it can: it ends at a dead
+    end, stays in a flow that lasts for ever, or takes infinitely many transitions, in bounded time or not (rule
+    Run). No fairness is assumed.
 
     {1 Operators} (rule Next, rule Until, rule Intervals)
 
-    - EX f: some run takes an edge at last, if need be after time has passed, and f holds where its first edge
-      leads. AX f is not EX not f, so that it holds where no run takes any edge.
-    - E(f U[a,b] g): some run has a position at which g holds and the elapsed time is in [a, b], and f holds at
-      all its positions before. Where an open interval of a flow begins there is no first position: to meet g by
-      going into one, f must hold there as well. A(f U g): every run does.
+    - EX f: some run takes an edge, possibly after time has passed, and f holds after its first edge. AX f is not
+      EX not f, so it holds at a position from which no run takes an edge.
+    - E(f U[a,b] g): some run has a position at which g holds and the elapsed time is in [a, b], and f holds at all
+      its positions before. An open interval of a flow has no first position: to meet g by entering one, f must
+      hold there as well. A(f U g): every run has such a position.
     - F g is (true U g); G f is not F not f, with the other quantifier.
 
     {1 Three values} (rule Truncated)
 
-    The lower set takes what is not known for false (from the point of view of the formula: under "not" for
-    true), the upper one for true: what follows nodes that are not known, and predicates that are undecided. *)
+    Unknown are the successors of nodes that are not known, and predicates that are undecided. The lower set takes
+    unknown truth for false, and the upper set for true; under "not" it is the other way round. *)
 
 type predicates = {
-  at : int -> int -> Truth.t;  (** predicate and node *)
+  at : int -> int -> Truth.t;  (** [at p s] is predicate [p] at node [s] *)
   along : int -> int -> Timeline.extent -> Truth.t Timeline.t;
-  (** predicate and a node that is known, with the extent of its flow *)
+  (** [along p s extent] is predicate [p] along the flow of a known node [s], which has this extent. *)
   steady : int -> bool;
-  (** the predicate is the same along the flow of each node as in the node; [along] is not asked *)
+  (** [steady p] is true if [p] is constant along each flow, with its value at the node. Then [along] is not
+      called. *)
 }
 
 type t
 
 val create : ?effort:Scc_chance.Effort.t -> Timed_graph.index -> predicates -> t
-(** Sub-formulas are evaluated once for all formulas that are asked. The effort is that for probabilities. *)
+(** [create ~effort index predicates] is an evaluator with a cache of the sets of all sub-formulas. [effort] is
+    that for probabilities. *)
 
 val index : t -> Timed_graph.index
-val graph : t -> Timed_graph.t
-val effort : t -> Scc_chance.Effort.t
-val predicates : t -> predicates
+(** [index e] is the graph with its reversed edges, as given to {!create}. *)
 
-type value = { lower : Positions.t; upper : Positions.t  (** physically the lower one when nothing is in doubt *) }
+val graph : t -> Timed_graph.t
+(** [graph e] is the graph. *)
+
+val effort : t -> Scc_chance.Effort.t
+(** [effort e] is the effort for probabilities. *)
+
+val predicates : t -> predicates
+(** [predicates e] is the predicates given to {!create}. *)
+
+(** The positions at which a formula surely holds, and those at which it perhaps holds. *)
+type value = { lower : Positions.t; upper : Positions.t  (** physically the lower set if all is decided *) }
 
 val value : t -> Formula.t -> value
+(** [value e f] is the value of [f] at all positions, from the cache or computed now. *)
+
+(** For each part of formulas that are evaluated one after the other, the last formula that needs it. *)
 type uses
-(** Of formulas that are asked about one after the other. *)
 
 val uses : Formula.t array -> uses
+(** [uses formulas] is the table for formulas that are evaluated in this order. *)
 
 val done_with : t -> uses -> int -> unit
-(** After the formula of this number, and after each before it: forgets the values of what is no part of a later
-    one, as they take memory for each state. *)
+(** [done_with e uses n] drops from the cache the values that no formula after number [n] needs. It is called with
+    increasing [n]. Each value takes memory for each state. *)
 
 val truth : t -> Formula.t -> Positions.position -> bool option
-(** [None]: undecided. *)
+(** [truth e f p] is the truth of [f] at position [p]; [None] if it is undecided. *)
 
-(** A probability; where not all is known, what it is not below, and what it is not above. *)
+(** A probability: it is at least [least] and at most [most], which are equal if all is known. *)
 type measured = { least : Scc_chance.Answer.t; most : Scc_chance.Answer.t }
 
 val probability : t -> decide:bool -> Formula.side -> Formula.t -> Positions.position -> measured
-(** Of an operator F, G or U, whatever its quantifier: the probability that a run from there does as it says. To
-    [decide] is to stop as soon as the test of that quantifier is. *)
+(** [probability e ~decide side f p] is the least or greatest probability that a run from [p] satisfies the
+    operator F, G or U at the top of [f] (a bug for others), whatever its quantifier. With [decide] the computation
+    stops once the test of a [Chance] quantifier is decided. *)
 
 (** {1 The one operator behind F, G and U} *)
 
@@ -73,8 +87,8 @@ type until = {
 }
 
 val as_until : Formula.t -> (until * bool) option
-(** An F, G or U as an U, and whether its truth is the opposite of that. *)
+(** [as_until f] is an F, G or U as a U, and true if [f] is the negation of that; [None] for other formulas. *)
 
 val likely_run : t -> until -> Positions.position -> (Run.t * Scc_exact.Rat.t) option
-(** Of an until with a probability, a run that surely satisfies it, of a scheduler that attains the probability
-    ({!Likelihood.run}). *)
+(** [likely_run e u p] is a run from [p] that surely satisfies the until, of a scheduler that attains the
+    probability, with the probability of the run ({!Likelihood.run}). It is [None] for other quantifiers. *)

@@ -1,4 +1,4 @@
-(** Why a formula holds at a position, or why it does not: a tree with runs in it. *)
+(** Explanations why a formula holds at a position, or why it does not: trees with runs in them. *)
 
 type t = {
   formula : Formula.t;
@@ -8,41 +8,45 @@ type t = {
 }
 
 and because =
-  | Given  (** a predicate: it is so *)
-  | Parts of t list  (** of not, and, or: the parts that decide it *)
+  | Given  (** a predicate: no further reason *)
+  | Parts of t list  (** for not, and, or: the parts that decide it *)
   | Run of { run : Run.t; way : way; parts : t list; along : along option }
-  (** a run from the position decides it, with what is so where it leads, and on the way. Of "f until g" that
-      holds on some run: g holds there, and f before. Of "f until g" that does not hold on every run: f does not
-      hold there, nor does g (but on an open interval that begins so, or before the time of the bound), and g did
-      not before; or the run goes on without end, or past the bound, and never meets g. F and G are read as U. For
-      X, the last step is the edge. *)
+  (** A run from the position decides it. [parts] explain its goal, and [along] its way. F and G are read as U. For
+      X, the last step is the edge.
+
+      If "f until g" holds on some run, g holds at the goal, and f before. If it does not hold on every run, either
+      f does not hold at the goal, or the run is endless or goes past the bound. In both cases g does not hold
+      before the goal. Nor does it there, unless an open interval begins or the window of the bound has not begun.
+  *)
   | Everywhere of int Lazy.t
-  (** no run decides it otherwise: all of them together go through these many nodes (0: they do not leave the flow
-      of the position) *)
+  (** No run decides otherwise. All runs together visit this number of nodes; it is 0 if they do not leave the flow
+      of the position. *)
   | Likelihood of { side : Formula.side; measured : Eval.measured; run : (Run.t * Scc_exact.Rat.t) option; parts :
                       t list }
-  (** the probability of the operator, over that side; and of a scheduler that attains it a run that does as F or U
-      say, or not as G says, with the probability that it comes to be, and what is so where it leads *)
+  (** The probability of the operator for that side. [run] is a run of a scheduler that attains it, with its own
+      probability. The run satisfies F or U, or violates G. [parts] explain its goal. *)
 
-(** Where a run comes from. *)
+(** The origin of a run. *)
 and way =
-  | Own  (** searched for *)
+  | Own  (** found by a search of its own *)
   | Onward of Course.place option
-  (** it goes on as the run does along which the formula is explained, to this place of that one ([None]: without
-      end, or past the bound) *)
+  (** The continuation of the run along which the formula is explained, to this place of its course; [None] if it
+      is endless or goes past the bound. *)
 
-(** What is so on the way of a run: at each of these places, one after the other, by itself. *)
+(** The claim that a formula holds, or does not ([claimed]), at places on the way of a run, with an explanation at
+    each. *)
 and along = { claim : Formula.t; claimed : bool; course : Course.t; stretches : stretch list }
 
 and stretch = { place : Course.place; why : t Lazy.t }
 
 val explain : Eval.t -> Formula.t -> Positions.position -> t option
-(** [None]: undecided there. *)
+(** [explain e f p] is why [f] holds at position [p], or why it does not; [None] if it is undecided. *)
 
 val goes_on : Run.t -> bool
-(** Whether a run is worth following from where another leads. One that only stays in the flow in which it begins,
-    to rest there or to pass a bound, would hide the instant at which it begins. *)
+(** [goes_on run] is true if the run should be appended to a run that leads to its start. It is false if the run
+    only stays in the flow in which it begins, to rest there or to pass a bound: it would hide the instant at which
+    it begins. *)
 
 val chain : t -> Run.t option
-(** The run of the explanation, followed by that of what is so where it leads, and so on: one run from the
-    position of the whole explanation (where runs have parts, the first that has a run). *)
+(** [chain t] is one run from the position of the explanation: its run, followed by the run of the first part that
+    has one, and so on. It is [None] if no part has a run. *)

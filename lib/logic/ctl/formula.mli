@@ -2,16 +2,17 @@
 
 open Scc_exact
 
-(** Over all that can be chosen where nothing is drawn. *)
+(** The least or the greatest value over all schedulers. *)
 type side = Least | Greatest
 
-(** Of the probability of the runs of which something is so. *)
+(** A test of the least or the greatest probability of the runs that satisfy a formula. *)
 type chance = { side : side; test : Scc_chance.Answer.bound }
 
-(** Over runs: all of them, some of them, or as many. *)
+(** Quantifiers over runs: all runs, some run, or a test of their probability. *)
 type quantifier = All | Exists | Chance of chance
 
-(** Of model time, [[low, high]] or, without [high], [[low, infinity)]; [low] is 0 but for [[a, b]]. *)
+(** An interval of model time from [low] to [high], both included; without [high] it has no end. [low] is 0 unless
+    the bound is written [a, b]. *)
 type bound = { low : Rat.t; high : Rat.t option }
 
 type t =
@@ -25,18 +26,22 @@ type t =
   | Globally of quantifier * bound * t
 
 val compare : t -> t -> int
-(** A total order on formulas: structure, with bounds as numbers. *)
+(** A total order on formulas by their structure; bounds are compared as numbers. *)
 
 val dual : quantifier -> quantifier
-(** Q runs satisfy f exactly when it is not so that the dual of Q satisfy "not f". *)
+(** [dual q] is the quantifier such that q runs satisfy f iff not (dual q) runs satisfy "not f". *)
 
 val other_side : side -> side
+(** [other_side side] is [Greatest] for [Least], and [Least] for [Greatest]. *)
 
 val chance : chance -> string
-(** ["Pmin >= 1/2"]. *)
+(** [chance c] is the text of the test, such as ["Pmin >= 1/2"]. *)
 
 val compare_quantifier : quantifier -> quantifier -> int
+(** A total order on quantifiers. *)
+
 val compare_bound : bound -> bound -> int
+(** A total order on bounds: by [low], then by [high], with [None] first. *)
 
 val to_string : (int -> string) -> t -> string
-(** With the predicates as given; for messages of tests. *)
+(** [to_string name f] is the text of [f], with [name p] for predicate [p]; for messages of tests. *)

@@ -1,14 +1,14 @@
-(** The operators with a bound [a, b], a > 0: f at all positions with elapsed time below a, and phi = "f U[0, b
-    - a] g" at the first position at which a has elapsed. For each node, what is left to a (the rest r) decides:
-      truth is piecewise constant in r, and these functions solve
+(** The operators with a bound [a, b], a > 0: f at all positions with elapsed time below a, and phi = "f U[0, b -
+    a] g" at the first position at which a has elapsed. For each node, the truth depends on the time that is left
+    to a (the rest r). It is piecewise constant in r, and these functions X solve
 
     - X(s, 0) = phi(s);
-    - X(s, r) = f(s) and Q over the ways from s, for r > 0: an edge to t gives X(t, r), a flow of time d gives
+    - X(s, r) = f(s) and Q over the ways from s, for r > 0. An edge to t gives X(t, r). A flow of time d gives
       "f on (0, r) and phi at s after r" for r < d, and "f on (0, d) and X(t, r - d)" from d on.
 
-    Q is "some", or "all, and there is one". Theirs is the least solution: the rest gets less along any cycle that
-    takes time, so that runs on which it does not reach 0 end, or go round within one instant, and those have no
-    position at which a has elapsed (rule Run). *)
+    Q is "some", or "all, and there is one". X is the least solution. The rest decreases along any cycle that takes
+    time. So runs on which it does not reach 0 end, or repeat within one instant: they have no position at which a
+    has elapsed (rule Run). *)
 
 open Scc_exact
 
@@ -24,9 +24,12 @@ val solve :
   f:Positions.t ->
   phi:Positions.t ->
   solution
+(** [solve index q ~generous ~from ~f ~phi] is the functions X for a = [from], by fixed-point iteration from false.
+    [generous] is as in {!Until}. *)
 
 val at : solution -> int -> Algebraic.t -> bool
-(** X of a node and a rest in [0, a]. *)
+(** [at x s r] is X(s, r), for a rest [r] in [0, a]. *)
 
 val set : solution -> Positions.t
-(** Where X holds of the whole rest a, at nodes and inside flows. *)
+(** [set x] is the positions, nodes and inside flows, at which X holds for the whole rest a: those of the operator.
+*)

@@ -1,11 +1,10 @@
-(** Probabilities of "f until g", within a window of time, over all schedulers: the least and the greatest (rule
+(** The least and the greatest probability of "f until g" within a window of time, over all schedulers (rule
     Probability).
 
-    A timed graph with draws is a Markov decision process. In a node in which something is drawn the one choice is
-    to draw. In any other a scheduler chooses one of the edges, or to let time pass, and if it passes into several
-    nodes, into which. Where there is nothing to choose the run is over, and has not met g. A scheduler may
-    remember all that has happened; what it needs of that is the time that has passed, which becomes a part of the
-    states where there is a bound of time (and nothing else does). *)
+    A timed graph with draws is a Markov decision process. A node with a draw has one choice: to draw. In any other
+    node a scheduler chooses an edge or the flow, and one of the targets of the flow. At a node without edges and
+    flow the run is over, and has not met g. A scheduler may depend on the whole past. Of that only the elapsed
+    time matters, which becomes a part of the states if there is a bound of time. *)
 
 open Scc_exact
 open Scc_chance
@@ -17,16 +16,17 @@ type question = Decisions.question = {
   f : Positions.t;
   g : Positions.t;
   generous : bool;
-  (** Nodes of which it is not known what follows them satisfy what they can when it is true, and nothing
-      otherwise: for a number that the probability is not above, and for one that it is not below. *)
+  (** The value of nodes whose successors are not known. With [true] they satisfy f until g if they can, for an
+      upper bound of the probability. With [false] they do not, for a lower bound. *)
 }
 
 val at : question -> Effort.t -> Positions.position -> Answer.t
-(** From this position on. *)
+(** [at q effort p] is the probability from position [p] on. *)
 
 val set : question -> Effort.t -> (Answer.t -> bool) -> Positions.t
-(** The positions from which on the probability passes the test. *)
+(** [set q effort test] is the positions from which on the probability passes the test. *)
 
 val run : question -> Effort.t -> Positions.position -> (Run.t * Rat.t) option
-(** Of a scheduler that attains the probability, a run to g with as few steps as can be, and the probability that
-    it comes to be that one; [None]: the probability is 0, or nothing is known of it but bounds. *)
+(** [run q effort p] is a run from [p] to g with the fewest steps, of a scheduler that attains the probability, and
+    the probability of this run. It is [None] if the probability is 0, and may be [None] if only bounds of it are
+    known. *)

@@ -1,58 +1,58 @@
-(** Questions about all the runs of a timed transition system, answered while it is explored. The system is
-    abstract: what holds where is judged by functions that come with each question. *)
+(** Reachability on the fly: questions about the runs of a timed transition system, answered during its
+    exploration. The system is abstract; each question has functions for the truth of its goal. *)
 
 open Scc_exact
 open Scc_graph_search
 
-(** A predicate on the instants of runs. The tuples that are asked about are not kept. *)
+(** A predicate on the instants of runs. Its functions must not keep the tuples that they get. *)
 type predicate = {
-  at : int array -> Truth.t;  (** in a state *)
+  at : int array -> Truth.t;  (** the truth in a state *)
   along : (int array -> Timeline.extent -> Truth.t Timeline.t) option;
-  (** along the trajectory that starts in a state; [None] when it is what it is at the start *)
+  (** The truth along the trajectory that starts in a state; [None] if it is constant along trajectories. *)
 }
 
-(** Of a goal along a trajectory, what a search asks: the first moments after the start at which it holds for
-    certain, and at which it holds or cannot be decided. *)
+(** The first moments of a goal along a trajectory, after its start. *)
 type phases = {
-  surely : Timeline.moment option;
-  perhaps : Timeline.moment option;
-  why : string option;  (** of what cannot be decided *)
+  surely : Timeline.moment option;  (** the first moment at which the goal holds *)
+  perhaps : Timeline.moment option;  (** the first moment at which the goal holds or is undecided *)
+  why : string option;  (** the reason, if it is undecided at [perhaps] *)
 }
 
 val phases : Truth.t Timeline.t -> phases
+(** [phases timeline] is the first moments of the goal with this truth along a trajectory. *)
 
 module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) : sig
-  (** Does some run meet the goal: EF. *)
+  (** The question if some run meets the goal: EF. *)
   type question = {
-    within : Rat.t option;  (** only the instants in [0, b] count *)
+    within : Rat.t option;  (** with [Some b], only the instants in [0, b] count *)
     goal : predicate;
   }
 
-  (** Where a trace leads after its steps. *)
+  (** The end of a trace after its steps. *)
   type finish =
     | At_state  (** to its last state *)
     | During of { choice : int option; moment : Timeline.moment; sample : Algebraic.t }
-    (** to a moment in the middle of the time transition of this choice (of the ray of the last state,
-        when [None]); the sample is an offset at which the goal's value is the one met *)
+    (** to a moment within the time transition of this choice, or within the ray of the last state for [None]. At
+        the offset [sample] the goal has the truth that was met. *)
     | Repeats of int  (** back to the state before the step of this index, for ever *)
 
   type trace = { steps : Graph.step list; last : int; finish : finish }
 
-  (** Why there is no answer; not both empty. *)
+  (** The reasons for no answer; not both are empty. *)
   type doubts = {
     unexplored : int Seq.t;  (** the states that were not expanded and could matter *)
-    undefined : string option;  (** the goal could not be decided somewhere where it matters *)
+    undefined : string option;  (** the reason why the goal is undecided at an instant that matters *)
   }
 
-  type answer =
-    | Met of trace  (** by this run: with the fewest steps, or the earliest when there is a bound of time *)
-    | Never  (** the whole of what counts was explored *)
-    | Open of doubts
+  type answer = | Met of trace  (** this run meets the goal: with the fewest steps, or the earliest if there is a
+                                    bound of time *)
+                | Never  (** no run meets the goal: all that counts was explored *)
+                | Open of doubts
 
   type result = {
     graph : Graph.t;
     answers : answer list;  (** in the order of the questions *)
-    zeno : trace option;  (** a reachable cycle without duration, whatever was asked *)
+    zeno : trace option;  (** a reachable cycle without duration, whatever the questions are *)
   }
 
   val run :
@@ -67,8 +67,8 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) : sig
     L.context ->
     question list ->
     result
-    (** [rests] says of a state without transitions whether time passes there for ever. [observe] is called with
-        each new state. [settled] says whether what else is asked has an answer that will stay; it is asked each
-        time that the graph has doubled. The exploration ends as soon as everything is answered, when anything is
-        asked. *)
+    (** [run ~rests limits surroundings context questions] explores the system and answers the questions. [rests
+        tuple] is true if time passes for ever in a state without transitions. [observe] is called with each new
+        state. [settled] is true if all other questions about the graph have final answers; it is called each time
+        the graph has doubled. If there is any question, the exploration ends once all are answered. *)
 end

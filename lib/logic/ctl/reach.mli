@@ -1,4 +1,4 @@
-(** What can be reached. *)
+(** Nodes that can be reached, within a time or without a bound. *)
 
 open Scc_exact
 
@@ -10,6 +10,7 @@ val visit :
   passes:(Positions.position -> bool) ->
   (int -> unit) ->
   unit
-(** Calls the function once for each node that can be reached from one of the positions (within the time), these
-    included, going on from nodes that it may go [through], and to the ends of flows that it [passes]. Of
-    positions inside flows the greatest offset is taken for all, where the time counts. *)
+(** [visit g ~within positions ~through ~passes f] calls [f] once for each node that can be reached from one of the
+    positions, nodes among these included. The search goes on from nodes that pass [through], and to the ends of
+    flows from positions that pass [passes]. With [within] only nodes that are reached in this time count. For
+    positions inside flows, the greatest offset of them is then added to the time for all. *)

@@ -4,12 +4,12 @@ open Scc_exact
 
 type step = { source : int; move : Timed_graph.move }
 
-(** Where a run is taken to after its steps. *)
+(** The end of a run after its steps. *)
 type finish =
   | At_state  (** to its last node *)
   | During of { moment : Timeline.moment; sample : Algebraic.t }
-  (** to a moment inside the flow of the last node; the sample is an offset at which what begins at the moment
-      holds *)
+  (** To a moment inside the flow of the last node. [sample] is the offset of the moment, or one shortly after it
+      if an open interval begins there. *)
   | Rests  (** the flow of the last node lasts for ever, and the run stays in it *)
   | Stops  (** the last node is a dead end: the run is over *)
   | Repeats of int  (** back to the node before the step of this index, for ever *)
@@ -17,15 +17,15 @@ type finish =
 
 type t = {
   start : Positions.position;
-  (** when it is inside a flow, the first step, if any, is the end of that flow, and otherwise the finish is
-      in it *)
+  (** If it is inside a flow, the first step, if any, is the end of that flow. Without a step the finish is in that
+      flow. *)
   steps : step list;
-  last : int;
+  last : int;  (** the node after all steps *)
   finish : finish;
 }
 
 val goal : t -> Positions.position option
-(** The position to which the run is taken, when it ends in one. *)
+(** [goal r] is the position at which the run ends; [None] if it is over, endless or goes past the bound. *)
 
 val during :
   Timed_graph.t ->
@@ -35,11 +35,11 @@ val during :
   int ->
   Timeline.moment ->
   finish
-(** To a moment inside the flow of a node; where an open interval begins there, to an offset in it at which neither
-    of the sets has changed, and before the limit. *)
+(** [during g ~f ~g ~limit s moment] is the finish at a moment inside the flow of node [s]. If an open interval
+    begins there, its sample is an offset in it before [limit], such that neither set changes in between. *)
 
 val append : t -> t -> t
-(** The second run begins where the first one ends ({!goal}). *)
+(** [append a b] is run [a], then run [b], which begins at the {!goal} of [a]. *)
 
 (** {1 Search} *)
 
@@ -47,19 +47,19 @@ val append : t -> t -> t
 type place = {
   position : Positions.position;
   left : Algebraic.t;
-  (** the offset, inside the flow of the node, at which the bound is met: what is left of it at a node, and for
-      a start inside a flow that and the offset together. Without a bound, of 0. *)
+  (** The offset in the flow of the node at which the bound is met. At a node it is the rest of the bound. For a
+      start inside a flow it is the rest plus the offset of the start. Without a bound, the bound counts as 0. *)
 }
 
 type 'r judgement =
-  | Found of 'r
+  | Found of 'r  (** the search ends at this place with this result *)
   | Follow of { edge : int -> bool; flow : int -> bool }
-  (** the targets to go on to; from a start inside a flow only by the flow *)
+  (** The search goes on to the targets that pass. From a start inside a flow only the flow counts. *)
 
 type 'r found = { steps : step list; last : int; result : 'r }
 
 type region
-(** What a search has seen. *)
+(** The places that a search without a result has met. *)
 
 val search :
   Timed_graph.t ->
@@ -68,9 +68,10 @@ val search :
   Positions.position ->
   (place -> 'r judgement) ->
   ('r found, region) result
-(** Breadth-first, so that the steps are as few as can be. Each node is looked at once, or, with [by_time], once
-    for each time at which it is met. *)
+(** [search g ~by_time ~bound start judge] is a breadth-first search, so that its result has the fewest steps.
+    [judge] is called once for each node, or with [by_time] once for each node and time at which it is met. *)
 
 val lasso : region -> prefer:(Timed_graph.move -> bool) -> t option
-(** A run along the ways that the search followed that ends in a cycle: through a move (the first such) that is
-    preferred, if there is one, or else the first cycle. *)
+(** [lasso region ~prefer] is a run along the ways of the search that ends in a cycle. The cycle contains the first
+    move that passes [prefer] and lies on a cycle, or else the first move on any. It is [None] if there is no
+    cycle. *)

@@ -1,39 +1,40 @@
-(** A finite timed graph as the evaluation of formulas sees it: nodes and what follows them, nothing of what they
-    are. Made for millions of nodes: nothing here is kept as a list. *)
+(** Finite timed graphs, on which formulas are evaluated: numbered nodes, with edges and flows of time. They are
+    made for millions of nodes. *)
 
 open Scc_exact
 
 (** The time transition of a node. It has one trajectory, which all targets share. *)
 type flow =
   | No_flow
-  | Lasts of Rat.t * int array  (** a positive time, and where it may lead: normally one node, never none *)
+  | Lasts of Rat.t * int array  (** a positive time, and the nodes at its end: usually one, never none *)
   | Forever  (** time passes for ever *)
 
 type t = {
   size : int;  (** nodes are 0 .. size - 1; runs begin in node 0 *)
-  known : int -> bool;  (** [false]: what follows the node was not explored *)
+  known : int -> bool;  (** [false] if the successors of the node were not explored *)
   edges : int -> int array;  (** the targets of its discrete transitions, which take no time *)
   drawn : int -> Rat.t array option;
-  (** Of a node that it is left by lot: the probability of each edge, positive and with the sum 1; it has no flow.
+  (** For a node with a draw: the probability of each edge, positive and with the sum 1. Such a node has no flow.
   *)
-  flow : int -> flow;
+  flow : int -> flow;  (** the time transition of the node *)
 }
-(** A node may have edges and a flow. One that is known and has neither is a dead end: the run is over, and no
-    time passes any more. [edges], [drawn] and [flow] are only asked of nodes that are
-    known. *)
+(** A node may have edges and a flow. A known node with neither is a dead end: the run is over, and no time passes
+    any more. [edges], [drawn] and [flow] may be called only for known nodes. *)
 
 val edges : t -> int -> int array
-(** Empty where it is not known. *)
+(** [edges g s] is the targets of the edges of node [s]; empty if it is not known. *)
 
 val flow : t -> int -> flow
-(** [No_flow] where it is not known. *)
+(** [flow g s] is the flow of node [s]; [No_flow] if it is not known. *)
 
 val targets : flow -> int array
+(** [targets flow] is the nodes at the end of the flow; empty for [No_flow] and [Forever]. *)
 
 val is_dead_end : t -> int -> bool
-(** Known, without edges and without flow. *)
+(** [is_dead_end g s] is true if node [s] is known and has neither edges nor a flow. *)
 
 val extent : flow -> Timeline.extent
+(** [extent flow] is the length of the trajectory: [Instant] for [No_flow]. *)
 
 (** How a run leaves a node. *)
 type move =
@@ -41,20 +42,25 @@ type move =
   | Flow of int  (** at the end of its flow, to the target of this index *)
 
 val target : t -> int -> move -> int
+(** [target g s move] is the node that the move from node [s] leads to. *)
 
 val duration : t -> int -> move -> Rat.t
-(** 0 for an edge, the time of the flow otherwise. *)
+(** [duration g s move] is the time of a move from node [s]: 0 for an edge, and the time of its flow otherwise. *)
 
 (** {1 Backwards} *)
 
 type index
-(** The edges the other way round, made once for all formulas: 8 bytes for each edge and node at most. *)
+(** A graph with its reversed edges, made once for all formulas: 4 bytes for each node, edge and target of a flow.
+*)
 
 val index : t -> index
+(** [index g] is [g] with its reversed edges. [g] has less than 2{^30} nodes (a bug otherwise). *)
+
 val graph : index -> t
+(** [graph index] is the graph. *)
 
 val complete : index -> bool
-(** Every node is known. *)
+(** [complete index] is true if every node is known. *)
 
 val iter_sources : index -> int -> (int -> bool -> unit) -> unit
 (** [iter_sources index t f] calls [f s timed] for each way from [s] to [t], once for each edge (not [timed]) or

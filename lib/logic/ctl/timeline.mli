@@ -1,42 +1,44 @@
-(** What varies piece by piece along a trajectory: a value at its start (offset 0), and then alternately on
-    open intervals and at the cuts between them. The end of the trajectory is not part of it: it is the
-    start of what comes next. *)
+(** Piecewise constant functions along a trajectory: a value at its start (offset 0), then alternately on open
+    intervals and at the cuts between them. The end of the trajectory is not a part: it is the start of the next
+    one. *)
 
 open Scc_exact
 
-(** How long a trajectory is. *)
+(** The length of a trajectory. *)
 type extent =
-  | Instant  (** a single instant: all that counts is the start *)
+  | Instant  (** a single instant: only the start counts *)
   | Lasts of Rat.t  (** positive: the offsets in [0, d) *)
   | Forever  (** the offsets in [0, infinity) *)
 
 type 'a piece = {
   cut : Algebraic.t;
-  at : 'a;  (** at the cut *)
-  after : 'a;  (** from the cut to the next one, or to the end; both excluded *)
+  at : 'a;  (** the value at the cut *)
+  after : 'a;  (** the value from the cut to the next one, or to the end; both excluded *)
 }
 
 type 'a t = private {
   extent : extent;
-  start : 'a;
-  first : 'a;  (** from the start to the first cut, both excluded *)
+  start : 'a;  (** the value at offset 0 *)
+  first : 'a;  (** the value from the start to the first cut, both excluded *)
   rest : 'a piece list;  (** increasing cuts, strictly inside the extent *)
 }
 
 val constant : extent -> 'a -> 'a t
+(** [constant extent v] is [v] at all offsets of the extent. *)
 
 val after_start : extent -> 'a -> 'a -> 'a t
-(** What it is at the start, and what it is from then on. *)
+(** [after_start extent a b] is [a] at the start and [b] at all later offsets. *)
 
 val of_cuts :
   extent -> Rat.t list -> ('a -> 'a -> bool) -> (Rat.t -> 'a) -> 'a t
-(** [of_cuts extent cuts equal f] is the function [f] when it changes at most at the cuts (in any order;
-    those outside the extent do not matter). *)
+(** [of_cuts extent cuts equal f] is the function [f], which changes at most at the cuts. They may be in any order;
+    those outside the extent are ignored. *)
 
 val map : ('a -> 'b) -> 'a t -> 'b t
+(** [map f t] is [f] of each value, with the same cuts. *)
 
 val map2 : ('a -> 'b -> 'c) -> 'a t -> 'b t -> 'c t
-(** Both have one extent. *)
+(** [map2 f a b] is [f] of the values of [a] and [b] at each offset. Both have one extent. *)
 
 val refine :
   roots:('a -> Algebraic.t list) ->
@@ -44,26 +46,28 @@ val refine :
   inside:(Rat.t -> 'a -> 'b) ->
   'a t ->
   'b t
-(** Cuts each piece further at those of the [roots] of its value that lie in it. The new value is [at r v]
-    at an instant [r], and [inside r v] on an open piece that has the rational [r] inside. *)
+(** [refine ~roots ~at ~inside t] cuts each open piece of value [v] further at those of [roots v] that lie in it;
+    they are increasing. The new value is [at r v] at an instant [r], and [inside r v] on an open piece that
+    contains the rational [r]. *)
 
 val simplify : ('a -> 'a -> bool) -> 'a t -> 'a t
-(** Without the cuts at which nothing changes. *)
+(** [simplify equal t] is [t] without the cuts at which nothing changes. *)
 
 (** {1 First instants} *)
 
-(** The least offset of a set of offsets, or its infimum when that is not one of them ([attained] is
-    false: the set begins right after it). *)
+(** The infimum of a set of offsets. [attained] is true if it belongs to the set, and false if the set begins right
+    after it. *)
 type moment = { offset : Algebraic.t; attained : bool }
 
 val compare_moment : moment -> moment -> int
+(** The order in time; at equal offsets, an attained moment comes first. *)
 
 val first_after_start : ('a -> bool) -> 'a t -> moment option
-(** When, after the start, the value first satisfies the predicate. *)
+(** [first_after_start test t] is the first moment after the start at which the value passes the test, if any. *)
 
 val sample : 'a t -> moment -> Algebraic.t
-(** An offset at which the value is the one that begins at the moment: the moment itself when attained, and
-    a rational inside the open piece otherwise. *)
+(** [sample t m] is an offset with the value that begins at moment [m]: that of [m] itself if it is attained, and
+    otherwise a rational inside the open piece after it. *)
 
 val at : 'a t -> Algebraic.t -> 'a
-(** The value at an offset of the extent. *)
+(** [at t offset] is the value at an offset of the extent. *)

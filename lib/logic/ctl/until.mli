@@ -1,21 +1,22 @@
-(** The operators without a bound of time, each in time proportional to the graph. [generous] says how to take
-    what is not known: nodes that were not explored satisfy what they can if [generous], and nothing otherwise. *)
+(** The operators without a bound of time, each in time proportional to the graph. [generous] decides for nodes
+    that were not explored: with [true] they satisfy an operator if they can, and with [false] they do not. *)
 
-(** What becomes of "f until g" on the way into the flow of each node. *)
+(** The result of "f until g" along the flow of a node: g is met, or f fails, or the end is reached. *)
 type way = Reached | Lost | Passes
 
 val ways : Timed_graph.t -> f:Positions.t -> g:Positions.t -> int -> way
-(** Computed once for all nodes. [Lost] where there is no flow, and where one lasts for ever without g. *)
+(** [ways g ~f ~g] is the result for each node, computed once for all nodes. It is [Lost] for a node without a
+    flow, and for a flow that lasts for ever without g. *)
 
 val successors : Timed_graph.t -> (int -> way) -> int -> int array
-(** The targets of the edges, and those of the flow when it is passed. *)
+(** [successors g way s] is the targets of the edges of node [s], and those of its flow if [way s] is [Passes]. *)
 
 val some : Timed_graph.index -> generous:bool -> f:Positions.t -> g:Positions.t -> Positions.t
-(** E(f U g). *)
+(** [some index ~generous ~f ~g] is the positions of E(f U g). *)
 
 val every : Timed_graph.index -> generous:bool -> f:Positions.t -> g:Positions.t -> Positions.t
-(** A(f U g), of all runs (rule Run): one that ends in a dead end, or goes round for ever, within one instant or
-    not, counts against it if it has not met g. *)
+(** [every index ~generous ~f ~g] is the positions of A(f U g), over all runs (rule Run). A run that ends in a dead
+    end, or repeats a cycle for ever, within one instant or not, counts against it if it has not met g. *)
 
 val next : Timed_graph.index -> generous:bool -> Positions.t -> Positions.t
-(** EX f. *)
+(** [next index ~generous f] is the positions of EX f. *)

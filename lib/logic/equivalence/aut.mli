@@ -6,16 +6,18 @@
       (1, tau, 2)
     v}
 
-    A header with the initial state, the number of transitions and the number of states; then one transition to a
-    line, with quotes around the label or without. [tau] and [i] are the silent action. A transition [unexplored]
-    says that not all transitions of its source are known; it is no transition itself. Empty lines are skipped. At
-    most 200 million states. *)
+    The header has the initial state, the number of transitions and the number of states. Each further line has one
+    transition, with or without quotes around the label. [tau] and [i] are the silent action. A line [unexplored]
+    marks its source as a state whose transitions are not all known; it is no transition. Empty lines are skipped.
+    A graph has at most 200 million states. *)
 
 open Scc_base
 
 val read : file:string -> string -> (Graph.t, Diag.t) result
-(** SC0803, at its place, for what does not fit. The states keep their numbers. *)
+(** [read ~file text] is the graph in [text], or SC0803 at the place that does not fit the format. [file] is the
+    name for diagnostics. States keep their numbers. *)
 
 val write : ?cadp:bool -> Graph.t -> (string -> unit) -> unit
-(** Piece by piece. Silent labels are ["tau"], or [i] without quotes with [cadp] (off by default); unknown states
-    get a loop ["unexplored"]. *)
+(** [write ~cadp g put] passes the text of the graph to [put] piece by piece. Silent labels are ["tau"], or [i]
+    without quotes with [cadp], which is off by default. States that are not fully known get a loop ["unexplored"].
+*)

@@ -1,13 +1,16 @@
-(** Weak steps, searched for anew each time: [tau*] and [tau* a tau*]. *)
+(** Weak steps, [tau*] and [tau* a tau*], by a new search each time: no results are stored. *)
 
 type t
 
 val make : Effort.t -> Graph.t -> Graph.backwards -> t
-(** Room for a search in the graph; one search at a time. *)
+(** [make effort g back] is working memory for searches in [g], one at a time. [back] is the reversed edges of [g].
+*)
 
 val weak_steps : t -> int -> (int -> int -> unit) -> unit
-(** [weak_steps c s f] is [f label target] for each weak step of [s]: [label] 0 with what [tau*] reaches, [s]
-    among them; any other label a with what [tau* a tau*] reaches. Each pair once. *)
+(** [weak_steps c s f] calls [f label target] once for each weak step of state [s]: with label 0 for each state
+    that [tau*] reaches, [s] included, and with any other label a for each state that [tau* a tau*] reaches. Raises
+    {!Effort.Exhausted}. *)
 
 val weak_sources : t -> int list -> (int -> unit) -> unit
-(** Each state that has a weak step to one of the list, once. *)
+(** [weak_sources c states f] calls [f] once for each state that has a weak step to a state of the list. Raises
+    {!Effort.Exhausted}. *)

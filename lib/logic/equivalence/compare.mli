@@ -1,53 +1,59 @@
-(** Whether two graphs are equivalent, and if not, why.
+(** The test of two graphs for equivalence, with a proof of a difference.
 
-    - [Trace]: the same sequences of labels can be observed, silent actions and the passing of time not being seen
+    - [Trace] compares the sequences of labels that can be observed, without silent actions and the passing of time
       (weak trace equivalence).
-    - [Weak], [Branching]: bisimilarity with silent steps, time passing being one; divergence is not looked at.
-    - [Strong]: bisimilarity; silent actions are actions like others, and so is the passing of time, [time],
-      whatever its duration, once consecutive passings are merged ({!Passing.merge}).
-    - [Timed]: bisimilarity over dense time: silent actions are actions like others, time passes by exact durations
-      and is additive.
+    - [Weak] and [Branching] are bisimilarity with silent steps; the passing of time is silent. Divergence is
+      ignored.
+    - [Strong] is bisimilarity in which silent actions are actions like others. The passing of time is the action
+      [time], whatever its duration, after consecutive passings are merged ({!Passing.merge}).
+    - [Timed] is bisimilarity over dense time. Silent actions are actions like others; time passes by exact
+      durations and is additive.
 
-    Graphs not all of whose states are known are never said to be equivalent; that they differ is said only when
-    it holds whatever the unknown states can do. *)
+    Graphs with states that are not fully known are never found equivalent. They are found different only if that
+    holds whatever the unknown states can do. *)
 
 type relation = Trace | Weak | Branching | Strong | Timed
 
-(** What one graph can do and the other cannot. *)
+(** A behaviour of one graph that the other one lacks. *)
 type difference = {
   trace : (string list * bool) option;
-  (** a shortest trace of the first graph (of the second, when false) that the other does not have; [None] if
-      there is none, or {!trace_open} *)
-  trace_open : bool;  (** whether there is one could not be found out *)
-  formula : Formula.t option;  (** true of the first, false of the second; checked on both; [None] if too large *)
+  (** A shortest trace that one graph has and the other lacks; with [true] the first graph has it, with [false] the
+      second. [None] if there is none, or if none was found ([trace_open]). *)
+  trace_open : bool;  (** the search for a trace was given up *)
+  formula : Formula.t option;
+  (** A formula that holds for the first graph and not for the second, checked on both; [None] if it is too large.
+  *)
 }
 
 type reason =
-  | Unknown_states  (** the difference, if there is one, lies beyond what is known *)
-  | Effort_spent  (** {!Effort} *)
-  | Too_many_sets  (** {!Traces.to_decide} *)
-  | Too_many_pairs  (** {!Game.most_pairs}: only when time passes in two ways from one state *)
+  | Unknown_states  (** any difference depends on states that are not fully known *)
+  | Effort_spent  (** the comparison was stopped ({!Effort}) *)
+  | Too_many_sets  (** the limits {!Traces.to_decide} were reached *)
+  | Too_many_pairs  (** {!Game.most_pairs} was reached: only if time passes in two ways from one state *)
 
 type verdict = Equivalent | Different of difference | Undecided of reason
 
 type side = {
-  states : int;  (** of the graph as it was compared: see {!prepare} *)
-  transitions : int;
-  classes : int option;  (** of equivalent states, when they were computed *)
+  states : int;  (** the states of the graph as it was compared: see {!prepare} *)
+  transitions : int;  (** the transitions of that graph *)
+  classes : int option;  (** the number of classes of bisimilar states, if they were computed *)
 }
 
 type report = {
   verdict : verdict;
   first : side;
   second : side;
-  show : Formula.t -> string;
+  show : Formula.t -> string;  (** the text of a formula with the labels of the graphs *)
 }
 
 val prepare : relation -> Graph.t -> Graph.t
-(** What is compared: the reachable part, with the passing of time as the relation sees it. *)
+(** [prepare relation g] is the graph that is compared: the reachable part of [g], with the passing of time as the
+    relation sees it. *)
 
 val run : Effort.t -> relation -> Graph.t -> Graph.t -> report
-(** Compares the initial states of two graphs that {!prepare} has made. *)
+(** [run effort relation g h] compares the initial states of two graphs from {!prepare}. If [effort] stops it, the
+    verdict is [Undecided Effort_spent], or a difference that may lack a formula or a trace. *)
 
 val given_up : report
-(** Of work that was broken off from outside: as if {!Effort} were spent before anything was compared. *)
+(** The report of a comparison that was interrupted from outside: undecided, as if the {!Effort} were spent at the
+    beginning. *)

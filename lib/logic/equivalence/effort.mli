@@ -1,4 +1,4 @@
-(** How much work a comparison may do. *)
+(** Limits of the work of a comparison. *)
 
 type t
 
@@ -6,9 +6,10 @@ exception Exhausted
 (** Raised by {!spend} and caught by {!Compare.run}. *)
 
 val unlimited : unit -> t
+(** [unlimited ()] is an effort that is never exhausted. *)
 
 val make : stop:(unit -> bool) -> t
-(** [stop] is asked now and then; once it says yes, {!spend} raises. *)
+(** [make ~stop] is an effort that ends once [stop ()] is true. {!spend} calls [stop] every 100 000 steps. *)
 
 val spend : t -> int -> unit
-(** So many small steps were made. *)
+(** [spend t n] counts [n] more small steps. It raises {!Exhausted} if the effort has ended. *)

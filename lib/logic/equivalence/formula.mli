@@ -1,54 +1,68 @@
-(** Formulas of Hennessy and Milner, with the modalities that fit each relation: what one of two systems can do
-    and the other cannot. *)
+(** Formulas of Hennessy-Milner logic, with the modalities that fit each relation. They describe what one of two
+    systems can do and the other cannot. *)
 
 open Scc_exact
 
 type t
 
 type modality =
-  | Now of int  (** [<a>]: by the action a *)
-  | Weakly of int  (** [<<a>>]: by [tau* a tau*]; for tau by [tau*] *)
-  | Wait of Rat.t  (** [<time(d)>]: by letting d pass, over any instants on the way *)
+  | Now of int  (** [<a>]: after the action a *)
+  | Weakly of int  (** [<<a>>]: after [tau* a tau*]; for tau after [tau*] *)
+  | Wait of Rat.t  (** [<time(d)>]: after a time d, over any instants on the way *)
 
 (** {1 Making}
 
-    Formulas share their parts; a store numbers them. *)
+    Formulas share their parts; a store numbers them. All parts of a formula are made in one store. *)
 
 type store
 
 val store : unit -> store
+(** [store ()] is a new empty store. *)
+
 val yes : store -> t
+(** [yes s] is the formula that always holds. *)
+
 val negation : store -> t -> t
+(** [negation s f] is "not f". A double negation cancels. *)
+
 val conjunction : store -> t list -> t
+(** [conjunction s list] holds if all formulas of the list hold. It is {!yes} for the empty list. *)
 
 val can : store -> modality -> t -> t
-(** After which the formula holds. Two [Wait]s in a row are one. *)
+(** [can s modality f] holds if the modality is possible such that [f] holds afterwards. Two successive [Wait]s are
+    merged into one. *)
 
 val until : store -> t -> int -> t -> t
-(** [until phi a psi]: silent steps through states of [phi], the last one included, and then the action a to
-    a state of [psi]. With tau for a: silent steps, also none, to a state of [psi], those before it of [phi]
-    (the modality of branching bisimilarity). *)
+(** [until s phi a psi] holds if silent steps lead through states of [phi], and then the action a leads from a
+    state of [phi] to a state of [psi]. With tau for a it holds if zero or more silent steps lead to a state of
+    [psi], all states before being of [phi] (the modality of branching bisimilarity). *)
 
 val size : t -> int
-(** Operators, each part counted as often as it is printed; never more than {!large}. *)
+(** [size f] is the number of operators in the text of [f], at most {!large}. Shared parts count as often
+    as they are printed. *)
 
 val large : int
+(** 1 000 000: sizes beyond it are not counted. *)
 
 (** {1 Truth} *)
 
 type evaluator
-(** Remembers what it has found out. *)
+(** A system with a cache of the truth of formulas at positions. *)
 
 exception Too_much
+(** The limit of steps of an evaluator was reached. *)
 
 val evaluator : ?most:int -> System.t -> evaluator
-(** With [most], evaluation raises {!Too_much} after so many steps. *)
-
+(** [evaluator ~most m] is an evaluator without results. Evaluation raises {!Too_much} after [most] steps, without
+    limit by default. *)
 
 val certainly : evaluator -> t -> System.position -> bool
-(** The formula holds, whatever the unknown states can do. The recursion is as deep as the formula. *)
+(** [certainly e f p] is true if [f] holds at position [p], whatever the unknown states can do. The recursion is as
+    deep as the formula. *)
 
 val possibly : evaluator -> t -> System.position -> bool
-(** Some behaviour of the unknown states makes it hold. Without unknown states, the same as {!certainly}. *)
+(** [possibly e f p] is true if some behaviour of the unknown states may make [f] hold at position [p]. Without
+    unknown states it is {!certainly}. *)
 
 val to_string : label:(int -> string) -> t -> string
+(** [to_string ~label f] is the text of [f], with [label a] for each action a. *)

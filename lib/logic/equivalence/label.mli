@@ -1,28 +1,31 @@
-(** What the texts of labels mean to a comparison. *)
+(** The meaning of labels for comparisons: passings of time, canonical forms, patterns and renaming. *)
 
 open Scc_exact
 
-(** A passing of time: [time(3/2)], or [time(forever)] where nothing happens any more. *)
+(** A passing of time: [time(3/2)], or [time(forever)] after which nothing happens. *)
 type passing = For of Rat.t  (** positive *) | Forever
 
 val passing : string -> passing option
-(** [None] for every other label. *)
+(** [passing text] is the passing of time that a label stands for; [None] for any other label. *)
 
 val of_passing : passing -> string
+(** [of_passing p] is the label [time(d)] or [time(forever)]. *)
 
 val chance : string -> (string * Rat.t) option
-(** Of a label that ends in [chance(c)], as draws and lots do: the text before it, and c. *)
+(** [chance text] is the text before [chance(c)] and the number c, for a label that ends so, as draws and lots do.
+*)
 
 val with_chance : string -> Rat.t -> string
+(** [with_chance text c] is the label of a draw with this chance. {!chance} takes it apart. *)
 
 val is_of : string -> string -> bool
-(** Whether a label is of a kind: [is_of "weak" s]. *)
+(** [is_of kind text] is true if the label is of this kind: [is_of "weak" text]. *)
 
 val canonical : string -> string
-(** The two ends of [bind(a, p.right, q.left)], [weak(...)], [release(...)] and their like, and of [<a, {...}>],
-    the bodies of [bounce(p, q)], the bonds of [strong({...})] and [weak({...})], and what is in [{...}]
-    ({!Draws}), in the order of their texts: two models may declare their bodies in different orders. Other labels
-    stay. *)
+(** [canonical text] is the label with these parts sorted as texts, since two models may declare their bodies in
+    different orders: the two ends of [bind(a, p.right, q.left)], [weak(...)], [release(...)] and their like, and
+    of [<a, {...}>]; the bodies of [bounce(p, q)]; the bonds of [strong({...})] and [weak({...})]; and the draws in
+    [{...}] ({!Draws}). Other labels stay. *)
 
 (** {1 Patterns} *)
 
@@ -30,23 +33,26 @@ type pattern
 (** A text in which each [*] stands for any text, also for none. *)
 
 val pattern : string -> pattern
+(** [pattern text] is the pattern of [text]; all characters but [*] stand for themselves. *)
 
 val matches : pattern -> string -> string list option
-(** The whole label: what each [*] stands for, the first ones as short as possible. *)
+(** [matches p text] is the text that each [*] stands for, if the pattern matches all of [text]. Earlier stars
+    stand for texts that are as short as possible. *)
 
 (** {1 Renaming} *)
 
 type rule
 
 val rule : string -> string -> rule
-(** [rule from into]. With [*] or a bracket [(] in [from], a pattern of whole labels: what its stars stand for
-    takes the places of the stars of [into], in order (no more stars in [into] than in [from]). Else a name of
-    a body, a part, a channel or of something indexed: everywhere in a label where it stands as a whole name or
-    as the beginning of one ([p] in [p.right] and [p[1]], not in [pq] or [q.p]). *)
+(** [rule from into] renames [from] to [into]. If [from] has a star [*] or an opening bracket, it is a pattern of
+    whole labels. The texts of its stars replace the stars of [into] in order; [into] has no more stars than
+    [from]. Otherwise [from] is the name of a body, a part, a channel or an indexed thing. It is replaced wherever
+    it stands as a whole name or as the beginning of a path: [p] in [p.right] and [p[1]], but not in [pq] or [q.p].
+*)
 
 val stars : string -> int
-(** How many stars the text has. *)
+(** [stars text] is the number of stars [*] in the text. *)
 
 val rename : rule list -> string -> string
-(** The first pattern that matches decides; without one, all names are replaced at once, the longest first. The
-    result is {!canonical}. *)
+(** [rename rules label] applies the first pattern that matches. If none matches, all names are replaced
+    simultaneously; where several fit, the longest is. The result is {!canonical}. *)

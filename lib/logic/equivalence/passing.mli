@@ -1,18 +1,19 @@
-(** Graphs in which time passes: labels that {!Label.passing} knows. *)
+(** Graphs in which time passes, by labels that {!Label.passing} recognises. *)
 
 val merge : Graph.t -> Graph.t
-(** Consecutive passings of time that nothing observes become one: a state at which nothing can happen but one
-    passing of time is only a place on the way, since time is additive ([time(1).time(2) = time(3)]). A way
-    that passes time for ever without anything else is [time(forever)], to a state that has
-    no other move than that. The initial state stays, and
-    is state 0; states that are not reached any more are dropped. Labels of time that mean the same duration
-    become one. A loop of silent or other labels is something that can happen. *)
+(** [merge g] is the graph in which consecutive passings of time are merged into one, since time is additive
+    ([time(1).time(2) = time(3)]). A state whose only move is one passing of time is skipped. A path on which time
+    passes for ever and nothing else can happen becomes [time(forever)], to a state whose only move is that. Silent
+    loops, and loops of other labels, count as moves.
+
+    The initial state stays, and becomes state 0. States that cannot be reached any more are dropped. Labels of
+    equal durations become one label. *)
 
 val deterministic : Graph.t -> bool
-(** No state has two different passings of time. *)
+(** [deterministic g] is true if no state has two edges that pass time. *)
 
 val hide : Graph.t -> Graph.t
-(** Every passing of time becomes silent. *)
+(** [hide g] is the graph in which each passing of time is silent. *)
 
 val without_durations : Graph.t -> Graph.t
-(** Every passing of time becomes the action [time]. *)
+(** [without_durations g] is the graph in which each passing of time is the action [time]. *)

@@ -3,10 +3,10 @@
 type kind = Refine.kind = Strong | Branching | Weak
 
 val blocks : Effort.t -> kind -> Graph.t -> Refine.partition
-(** Two states of any graph are in one block iff they are bisimilar. For [Branching] and [Weak], divergence is
-    not looked at: a state that can make silent steps for ever is equivalent to one that cannot. Raises
-    {!Effort.Exhausted}. *)
+(** [blocks effort kind g] is the partition of the states of any graph in which two states are in one block iff
+    they are bisimilar. For [Branching] and [Weak], divergence is ignored: a state that can make silent steps for
+    ever may be equivalent to one that cannot. Raises {!Effort.Exhausted}. *)
 
 val make : kind -> Graph.t -> Refine.partition -> Graph.t
-(** One state for each block: a graph equivalent to the given one, state by state. Inert silent steps of
-    [Branching] and [Weak] are gone. *)
+(** [make kind g p] is the graph with one state for each block of [p]; each state is equivalent to those it stands
+    for. For [Branching] and [Weak], silent steps within a block are dropped. *)

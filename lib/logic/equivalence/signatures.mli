@@ -1,24 +1,30 @@
-(** Sets of numbers, each distinct set once: what {!Refine} tells states apart by. Sets live until {!clear}. *)
+(** Hash-consed sets of numbers: {!Refine} distinguishes states by them. Each distinct set has a number until
+    {!clear}. *)
 
 type t
 
 val create : unit -> t
+(** [create ()] is an empty table of sets. *)
 
 val clear : t -> unit
-(** Forgets every set, at a cost in proportion to them. *)
+(** [clear t] removes all sets, in time proportional to their number. *)
 
 (** {1 Writing a set}
 
     Numbers are added in any order, with repetitions. *)
 
 val start : t -> unit
+(** [start t] begins a new draft: an empty set. *)
+
 val add : t -> int -> unit
+(** [add t x] adds [x] to the draft. *)
 
 val within : t -> except:int -> int -> bool
-(** Whether what was added so far, but for the number [except], are members of a set that has a number. *)
+(** [within t ~except set] is true if all numbers of the draft, except the number [except], are members of the set
+    with number [set]. *)
 
 val finish : t -> int
-(** The number of the set that was written, from 0 in the order of first appearance. *)
+(** [finish t] is the number of the set in the draft. Sets are numbered from 0 in the order of first appearance. *)
 
 val count : t -> int
-(** How many distinct sets there are. *)
+(** [count t] is the number of distinct sets. *)

@@ -1,49 +1,54 @@
-(** A graph as something that moves: by actions and, when it is timed, by letting time pass. *)
+(** A graph as a transition system: it moves by actions and, if it is timed, by the passing of time. *)
 
 open Scc_exact
 
 type t
 
 type position = int
-(** A state of the graph, or a place on the way of a passing of time. Positions are numbered as they are met;
-    states keep their numbers. *)
+(** A state of the graph, or a place on the way of a passing of time. States keep their numbers; other positions
+    are numbered in the order in which they are first reached. *)
 
 val untimed : Graph.t -> t
-(** Every label is an action. *)
+(** [untimed g] is the system in which every label is an action. *)
 
 val timed : Graph.t -> t
-(** Labels that {!Label.passing} knows pass time: a state with [time(d)] can wait for any time up to d, and
-    nothing but the rest of d can happen before that is over. After any wait by [time(forever)], wherever the graph
-    says that it leads, nothing happens any more and time passes for ever. *)
+(** [timed g] is the system in which labels that {!Label.passing} recognises pass time. A state with [time(d)] can
+    wait for any time up to d; until d is over, only the rest of d can pass. After any wait by [time(forever)],
+    whatever its target in the graph, time passes for ever and nothing else happens. *)
 
 val graph : t -> Graph.t
+(** [graph m] is the graph of the system. *)
 
 val known : t -> position -> bool
-(** Every move is there. *)
+(** [known m p] is true if all moves of position [p] are known. *)
 
 val actions : t -> position -> (int -> position -> unit) -> unit
-(** [actions m p f] is [f label target] for each action. *)
+(** [actions m p f] calls [f label target] for each action of position [p]. A place on the way of a passing of time
+    has none. *)
 
 val after : t -> position -> int -> position list
-(** Where an action leads to. *)
+(** [after m p a] is the positions that action [a] leads to from [p]. *)
 
 val silent_closure : t -> position list -> position list
-(** What [tau*] reaches, the given ones first, each once. *)
+(** [silent_closure m positions] is the positions that [tau*] reaches from these, each once. *)
 
-(** For how long time can pass before a decision. *)
+(** How long time can pass from a position before the next decision. *)
 type patience = Never | For of Rat.t  (** the shortest passing of time *) | Forever
 
 val patience : t -> position -> patience
+(** [patience m p] is the shortest passing of time from [p]; [Never] if time cannot pass. *)
 
 val shorter : patience -> patience -> patience
-(** The lesser; [Never] says nothing. *)
+(** [shorter a b] is the lesser of the two; [Never] is ignored if the other one can wait. *)
 
 val common : patience -> patience -> Rat.t option
-(** The longest time for which neither side meets an instant of its own; [None] when neither can wait. *)
+(** [common a b] is the longest time for which neither side meets an instant of its own. It is 1 if no side ever
+    does, and [None] if no side can wait. *)
 
 val wait : t -> position -> Rat.t -> position list
-(** Where one can be after exactly so long, over any instants on the way. Time is additive. *)
+(** [wait m p d] is the positions that [p] can reach after exactly the time [d], over any instants on the way. Time
+    is additive. *)
 
 val stuck_waiting : t -> position -> Rat.t -> bool
-(** Whether some way of waiting so long meets a state whose moves are not all known before it is over, so that
-    {!wait} may lack something. *)
+(** [stuck_waiting m p d] is true if some wait of [d] from [p] passes, before its end, a state whose moves are not
+    all known. Then {!wait} may be incomplete. *)

@@ -1,6 +1,6 @@
-(** States that reach each other by silent steps: they are equivalent under every relation for which silent
-    steps are hard to see, and without them the silent steps make no cycle. *)
+(** Cycles of silent steps. States that reach each other by silent steps are equivalent under every relation with
+    silent steps. *)
 
 val collapse : Graph.t -> Graph.t * Scc_data.Int_array.t
-(** One state for each component of the silent steps, without silent loops, and the new number of each old state. A
-    silent step then leads to a lower number. *)
+(** [collapse g] is the graph with one state for each strong component of the silent steps, without silent loops,
+    and the new number of each old state. In the graph each silent step leads to a lower number. *)

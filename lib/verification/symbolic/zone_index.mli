@@ -1,16 +1,20 @@
-(** Canonical zones by what one that has another, or merges with it, must share with it: so that none of the others
-    is looked at. *)
+(** An index of canonical zones by what two zones must share if one contains the other or they merge. Lookups consider
+    few of the other zones. *)
 
+(** An index from zones to values of type ['a]. *)
 type 'a t
 
 val create : unit -> 'a t
+(** An empty index. *)
 
 val add : 'a t -> Zone.t -> 'a -> unit
-(** What goes by a canonical zone. The zone may grow later, by {!Zone.merged}. *)
+(** [add index zone x] enters [x] under a canonical zone, which may grow later by {!Zone.merged}. *)
 
 val alike : 'a t -> Zone.t -> 'a list
-(** What goes by zones of the kind that have the {!Zone.same_forms}, the last one first. *)
+(** [alike index zone] is the values under zones of the same kind that have the {!Zone.same_forms}, the last one
+    first. *)
 
 val last_around : 'a t -> Zone.t -> ('a -> 'b option) -> 'b option
-(** Of what goes by zones that may have all of this canonical one ({!Zone.included}), the last for which there is
-    an answer. All zones that have all of it are looked at, until then. *)
+(** [last_around index zone test] is the answer of [test] for the last value that has one, among those under zones
+    that may include the canonical [zone] ({!Zone.included}). It tries every value under a zone that does include it,
+    until there is an answer. *)
