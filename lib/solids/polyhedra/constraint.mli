@@ -59,8 +59,8 @@ val equal : t -> t -> bool
     constraints. *)
 
 val follows : t -> from:t -> bool
-(** [follows c ~from:d] is true if [c] follows from [d] at a glance: both have the same normal, and the bound of [d]
-    is at least as strong. False does not mean that [c] does not follow. *)
+(** [follows c ~from:d] is true if [c] follows from [d] at a glance: both have the same normal, and the bound of
+    [d] is at least as strong. False does not mean that [c] does not follow. *)
 
 val compare : t -> t -> int
 (** A total order: equalities first, then by normals without their common factors. Among constraints of one

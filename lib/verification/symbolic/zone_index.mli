@@ -1,5 +1,5 @@
-(** An index of canonical zones by what two zones must share if one contains the other or they merge. Lookups consider
-    few of the other zones. *)
+(** An index of canonical zones by what two zones must share if one contains the other or they merge. Lookups
+    consider few of the other zones. *)
 
 (** An index from zones to values of type ['a]. *)
 type 'a t
@@ -16,5 +16,5 @@ val alike : 'a t -> Zone.t -> 'a list
 
 val last_around : 'a t -> Zone.t -> ('a -> 'b option) -> 'b option
 (** [last_around index zone test] is the answer of [test] for the last value that has one, among those under zones
-    that may include the canonical [zone] ({!Zone.included}). It tries every value under a zone that does include it,
-    until there is an answer. *)
+    that may include the canonical [zone] ({!Zone.included}). It tries every value under a zone that does include
+    it, until there is an answer. *)
