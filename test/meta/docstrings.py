@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Counts the values of interfaces whose documentation is missing, or cannot be read alone.
 
-    docstrings.py [--list] FOLDER…
+    docstrings.py [--list | --strict] FOLDER…
 
 A value has documentation if a comment (** … *) stands right behind it, or right before it. It cannot be read alone if it
 begins with "Of", "The same" or "Whether" (DEVEL.md, "Words"). The last line is
-'N values: N without documentation, N that cannot be read alone'; --list names them.
+'N values: N without documentation, N that cannot be read alone'; --list names them; --strict as well, and ends with an
+error if there are any.
 """
 import pathlib
 import re
@@ -52,7 +53,7 @@ def values(lines):
 
 
 def main(arguments):
-    listed = '--list' in arguments
+    listed = '--list' in arguments or '--strict' in arguments
     without = elliptic = count = 0
     for folder in (a for a in arguments if not a.startswith('--')):
         for file in sorted(pathlib.Path(folder).rglob('*.mli')):
@@ -69,6 +70,7 @@ def main(arguments):
                     if listed:
                         print(f'{file}: {name}: cannot be read alone')
     print(f'{count} values: {without} without documentation, {elliptic} that cannot be read alone')
+    return '--strict' in arguments and (without or elliptic or not count)
 
 
-main(sys.argv[1:])
+sys.exit(1 if main(sys.argv[1:]) else 0)

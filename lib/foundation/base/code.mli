@@ -166,7 +166,7 @@ val several_pieces : t
 (** SC0344: a picture of several pieces, of which none or another one is chosen. *)
 
 val cannot_inflate : t
-(** SC0345: a drawing that cannot be inflated as asked for. *)
+(** SC0345: a drawing that cannot be inflated with the given settings. *)
 
 (** {1 Models in XML} *)
 

@@ -36,9 +36,9 @@ val compare : t -> t -> int
 (** The order by file and start of the span; then errors before warnings, then by code and message. *)
 
 val suggest : string -> string list -> string option
-(** [suggest name candidates] is the hint ["did you mean `c`?"] for the candidate nearest to [name] in edit
-    distance, if one is near enough to be a likely slip: within a third of the length of [name], or 1. Names of
-    more than 64 bytes get no hint. *)
+(** [suggest name candidates] is the hint ["did you mean `c`?"] for the candidate nearest to [name]. Its edit
+    distance must be that of a likely slip: at most a third of the length of [name], or 1. Names of more than 64
+    bytes get no hint. *)
 
 val render : source:(string -> Source.t option) -> t -> string
 (** [render ~source d] is the text of [d] for people, of several lines that each end with a newline. It has the

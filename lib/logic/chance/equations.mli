@@ -76,9 +76,9 @@ val make :
   rewards:bool ->
   asked:(int -> bool) option ->
   t
-(** [make b direction ~status ~allowed ~merged ~rewards ~asked] is the equations of the open states that can be
-    reached by [allowed] choices from those that pass [asked], or of all open states for [None]. With [rewards] the
-    constants contain the rewards of choices.
+(** [make b direction ~status ~allowed ~merged ~rewards ~asked] is the equations of the open states that [allowed]
+    choices reach from those that pass [asked]; for [None], of all open states. With [rewards] the constants
+    contain the rewards of choices.
 
     The states of a component of [merged], all of them open, become one node, and its internal choices disappear. A
     row that leads to its own node with probability p < 1 is divided by 1 - p. A row with p = 1 is left out. That

@@ -1,6 +1,6 @@
-(** The least and the greatest expected sum of rewards until "stay until goal" is satisfied, over all schedulers,
-    as in PRISM and Storm (Forejt, Kwiatkowska, Norman and Parker, "Automated Verification Techniques for
-    Probabilistic Systems", 2011).
+(** The least and the greatest expected sum of rewards until "stay until goal" is satisfied, over all schedulers.
+    The definition is that of PRISM and Storm (Forejt, Kwiatkowska, Norman and Parker, "Automated Verification
+    Techniques for Probabilistic Systems", 2011).
 
     A run that never satisfies the formula has an infinite sum, whatever it earns. So the least value is infinite
     if no scheduler satisfies the formula with probability 1, and the greatest if some scheduler does not. A choice

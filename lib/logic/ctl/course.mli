@@ -40,7 +40,7 @@ val within : t -> Formula.bound -> int list
 type spot = { course : t; index : int; at : Positions.position }
 
 val follow : Eval.t -> Eval.until -> spot -> (Run.t * spot option) option
-(** [follow e u spot] is a run from the spot that continues as the run of the course, and decides [u] at the spot:
-    for [E] it shows that [u] holds, and for [A] that it does not. With it comes the spot to which it leads. The
-    spot is [None] if the run goes on without end, or past the bound. The result is [None] if the continuation does
-    not decide [u], or not within a few repetitions, and for probabilities and irrational offsets. *)
+(** [follow e u spot] is a run that continues from the spot as the run of the course, and decides [u] there. For
+    [E] it shows that [u] holds, and for [A] that it does not. With it comes the spot to which it leads. The spot
+    is [None] if the run goes on without end, or past the bound. The result is [None] if the continuation does not
+    decide [u], or not within a few repetitions, and for probabilities and irrational offsets. *)

@@ -5,9 +5,9 @@
 
     A position is a node, or an offset strictly inside the flow of a node; the end of a flow is the node to which
     it leads. A run leaves a node by one of its edges, in no time, or passes through its flow, if it has one, to
-    one of the targets. Inside a flow nothing else can happen. A run goes on as long as it can: it ends at a dead
-    end, stays in a flow that lasts for ever, or takes infinitely many transitions, in bounded time or not (rule
-    Run). No fairness is assumed.
+    one of the targets. Inside a flow nothing else can happen. A run goes on as long as it can (rule Run). It ends
+    at a dead end, stays in a flow that lasts for ever, or takes infinitely many transitions, in bounded time or
+    not. No fairness is assumed.
 
     {1 Operators} (rule Next, rule Until, rule Intervals)
 
@@ -73,9 +73,9 @@ val truth : t -> Formula.t -> Positions.position -> bool option
 type measured = { least : Scc_chance.Answer.t; most : Scc_chance.Answer.t }
 
 val probability : t -> decide:bool -> Formula.side -> Formula.t -> Positions.position -> measured
-(** [probability e ~decide side f p] is the least or greatest probability that a run from [p] satisfies the
-    operator F, G or U at the top of [f] (a bug for others), whatever its quantifier. With [decide] the computation
-    stops once the test of a [Chance] quantifier is decided. *)
+(** [probability e ~decide side f p] is the least or greatest probability that a run from [p] satisfies the top
+    operator of [f], whatever its quantifier. The operator is F, G or U (a bug otherwise). With [decide] the
+    computation stops once the test of a [Chance] quantifier is decided. *)
 
 (** {1 The one operator behind F, G and U} *)
 

@@ -7,8 +7,8 @@ val make : Effort.t -> Graph.t -> Graph.backwards -> t
 *)
 
 val weak_steps : t -> int -> (int -> int -> unit) -> unit
-(** [weak_steps c s f] calls [f label target] once for each weak step of state [s]: with label 0 for each state
-    that [tau*] reaches, [s] included, and with any other label a for each state that [tau* a tau*] reaches. Raises
+(** [weak_steps c s f] calls [f label target] once for each weak step of state [s]. Label 0 leads to each state
+    that [tau*] reaches, [s] included. Any other label a leads to each state that [tau* a tau*] reaches. Raises
     {!Effort.Exhausted}. *)
 
 val weak_sources : t -> int list -> (int -> unit) -> unit

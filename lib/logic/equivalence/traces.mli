@@ -18,7 +18,7 @@ type outcome =
 
 type limits = {
   pairs : int;  (** the greatest number of pairs of sets *)
-  members : int;  (** the greatest number of members of all sets that are made, repeated ones included *)
+  members : int  (** the greatest number of members of all sets that are made, repeated ones included *)
 }
 
 val to_decide : limits

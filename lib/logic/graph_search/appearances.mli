@@ -1,15 +1,19 @@
-(** Numbers of components by the order in which they first appear in what is found, whatever numbers a process has
-    given to them: two processes that find the same have the same numbers. *)
+(** Canonical numbers of components: by the order in which they first appear in an exploration. They do not depend
+    on the numbers in this process, so two processes that explore the same states have the same canonical numbers.
+*)
 
 type t
 
 val create : width:int -> family:(int -> int) -> t
-(** Of tuples of this width. [family]: of a slot; slots of one family share their numbers. *)
+(** [create ~width ~family] is a table without numbers, for tuples of this width. [family slot] is the family of a
+    slot; slots of one family share their numbers. *)
 
 val changes : t -> Tuples.changes -> Tuples.changes
-(** With numbers by appearance. What has not appeared before does so now. *)
+(** [changes t c] is the changes [c] with canonical numbers. A component that has not appeared before gets the next
+    number of its family. *)
 
 val tuple : t -> int array -> int array
-(** The tuple, of which these are the numbers by appearance, with those of the process. *)
+(** [tuple t numbers] is the tuple with the numbers of this process, for a tuple of canonical numbers. *)
 
 val bytes : t -> int
+(** [bytes t] is about how much memory the table takes, in bytes. *)

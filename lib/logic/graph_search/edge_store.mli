@@ -3,21 +3,22 @@
 type t
 
 val create : unit -> t
+(** [create ()] has no states. *)
 
 val make_room : t -> unit
-(** For one state more, without edges as yet. *)
+(** [make_room s] adds the next state, without edges yet. *)
 
 val set : t -> int -> labels:int array -> targets:int array -> unit
-(** The labels and targets of the edges of a state, once. *)
+(** [set s i ~labels ~targets] stores the edges of state [i]; it is called once for a state. *)
 
 val get : t -> int -> (int -> int -> 'edge) -> 'edge array
-(** [get s i edge]: the edges of a state, made from labels and targets. *)
+(** [get s i edge] is the edges of state [i] in order, each made by [edge label target]. *)
 
 val targets : t -> int -> (int -> bool) -> int array
-(** The targets of those edges of a state whose labels satisfy the test. *)
+(** [targets s i test] is the targets of those edges of state [i] whose labels pass the test, in order. *)
 
 val find_label : t -> int -> (int -> bool) -> int option
-(** The first label of the edges of a state that satisfies the test. *)
+(** [find_label s i test] is the first label of an edge of state [i] that passes the test. *)
 
 val bytes : t -> int
-(** About how much memory it takes. *)
+(** [bytes s] is about how much memory the store takes, in bytes. *)

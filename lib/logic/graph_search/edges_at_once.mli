@@ -1,15 +1,18 @@
-(** The edges without duration of some states of a graph that keeps no edges: the first ones that are told, so many
-    that they take little memory. *)
+(** A cache of edges without duration, for a graph that keeps no edges. It takes the first 262 144 numbers that it
+    is given, and then no more states, so that it takes little memory. *)
 
 type t
 
 val create : unit -> t
+(** [create ()] is an empty cache. *)
 
 val keep : t -> int -> ((int -> int -> unit) -> unit) -> unit
-(** [keep t i each]: those of a state, once; [each put] tells of them in order, each as its place among all edges
-    of the state, and its target. *)
+(** [keep t i each] stores the edges without duration of state [i], once. [each put] calls [put place target] for
+    each of them in order; the place is the index among all edges of the state. *)
 
 val find : t -> int -> (int * int) list option
-(** Places and targets. [None]: they are not kept, or there are none. *)
+(** [find t i] is the places and targets of these edges of state [i]. It is [None] if they are not stored, or if
+    there are none. *)
 
 val bytes : t -> int
+(** [bytes t] is about how much memory the cache takes, in bytes. *)

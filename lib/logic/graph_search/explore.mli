@@ -1,20 +1,20 @@
-(** Breadth-first exploration of a timed transition system. Deterministic: the same system and bounds give the same
-    graph, unless a clock, the memory or an interruption ends it. States take about 20 bytes each and edges 8;
-    without its edges, a graph makes them anew when they are asked for. *)
+(** Exploration of a timed transition system, breadth-first or in the order of time. It is deterministic: equal
+    systems and bounds give equal graphs, unless a clock, the memory or an interruption ends it. States take about
+    20 bytes each and edges 8. A graph that keeps no edges computes them again when they are needed. *)
 
 open Scc_exact
 
 (** Why a state has not been expanded. *)
 type 'fault reason = 'fault Statuses.reason =
-  | Depth
-  | Time
-  | Instant
-  | States
-  | Bits
-  | Seconds
-  | Memory
-  | Interrupted
-  | Stopped  (** the visitor had seen enough *)
+  | Depth  (** beyond the bound on transitions *)
+  | Time  (** beyond the bound on model time *)
+  | Instant  (** beyond the bound on transitions within one instant *)
+  | States  (** the bound on the number of states was met *)
+  | Bits  (** it has a number that is too long *)
+  | Seconds  (** the exploration ended for its time *)
+  | Memory  (** the exploration ended for its memory *)
+  | Interrupted  (** the exploration was interrupted *)
+  | Stopped  (** the visitor ended the exploration, or the state does not matter *)
   | Fault of 'fault  (** its transitions cannot be computed *)
 
 type 'fault status = 'fault Statuses.status =
@@ -23,6 +23,7 @@ type 'fault status = 'fault Statuses.status =
   | Unexpanded of 'fault reason
 
 val of_stop : Limits.stop -> 'fault reason
+(** [of_stop stop] is the reason for the states that are left when [stop] ends an exploration. *)
 
 module Make (L : Lts.S) : sig
   type t
@@ -30,142 +31,167 @@ module Make (L : Lts.S) : sig
 
   type edge = { label : int; target : int }
 
-  (** Who is told what is found, each once the graph shows it. *)
+  (** The callbacks of an exploration. Each is called once the graph shows the event. *)
   type visitor = {
     found : t -> int -> int array -> unit;  (** a new state, with its tuple *)
     opened : (t -> int -> int array -> edge array -> unit) option;
-    (** a state has been expanded: its tuple and edges, whose targets are all found. Not when the edges are made
-        anew *)
-    earlier : t -> int -> unit;  (** a shorter time to a known state *)
-    enough : unit -> bool;  (** asked before each expansion: whether to stop *)
+    (** A state has been expanded: its number, tuple and edges, whose targets are all found. It is not called when
+        edges are computed again. *)
+    earlier : t -> int -> unit;  (** an earlier arrival at a known state *)
+    enough : unit -> bool;  (** called before each expansion: [true] ends the exploration *)
     matters : Rat.t -> bool;
-    (** whether a state that is reached at this time, and no earlier, has to be expanded; once it has not, it never
-        has *)
+    (** It is true if a state that is reached at this time, and no earlier, has to be expanded. Once it is false
+        for a time, it stays false. *)
   }
 
   val blind : visitor
+  (** The visitor that does nothing: all states matter. *)
 
   (** The order in which states are expanded. *)
   type order =
-    | By_steps  (** those found first first: breadth-first *)
-    | By_time  (** by their earliest arrivals, then as found *)
+    | By_steps  (** in the order in which they are found: breadth-first *)
+    | By_time  (** by their earliest arrivals, then in the order in which they are found *)
 
-  (** {1 Where transitions come from} *)
+  (** {1 The source of transitions} *)
 
-  (** An edge of a state that is expanded: to one that is new, or to one that is there by then. *)
+  (** An edge of a state that is expanded: to a new state, or to one that is known by then. *)
   type arrow = New of Lts.step | Known of edge
 
-  type steps = { steps : Lts.step list; reduced : bool  (** there are more, which will do later *) }
+  type steps = { steps : Lts.step list; reduced : bool  (** further transitions are postponed *) }
 
-  (** What is found at a state: its transitions, or, where it was expanded before in the same graph, those
-      that change anything, and how many there are. *)
+  (** The result of an expansion: the transitions of a state. For a state that was expanded before in the same
+      graph, it may be only those that change something, with the number of all. *)
   type expansion = Found of steps | Noted of { arrows : arrow list; count : int }
 
-  (** Who is told what came of a state that was expanded and looked at to the end. *)
+  (** The receiver of the results of one state that was expanded completely. *)
   type told = {
     asks : int -> bool;
-    (** whether edges of this label are told that lead to known states and have not changed anything; others are *)
-    tell : int -> count:int -> arrow list -> unit;  (** the state, how many edges it has, and those, in order *)
+    (** [asks label] is true if edges of this label are passed on even if they lead to known states and have
+        changed nothing. All other edges are passed on. *)
+    tell : int -> count:int -> arrow list -> unit;
+    (** [tell i ~count arrows] gets the state, the number of its edges, and the edges passed on, in order. *)
   }
 
-  (** Who finds the transitions of states. What a graph is does not depend on it. *)
+  (** The way in which transitions of states are computed. The graph does not depend on it. *)
   type expander = {
     expand : int -> int array -> (expansion, L.fault) result;
-    (** of a state and its tuple. Called within an attempt, which may be given up wherever it is *)
-    expanded : unit -> told option;  (** asked after {!expand}: who wants to know what comes of it *)
-    finish : unit -> unit;  (** at the end, whatever that is *)
+    (** The transitions of a state, given its number and its tuple. It is called within an attempt, which may be
+        given up at any point. *)
+    expanded : unit -> told option;  (** called after {!expand}: the receiver of the results, if any *)
+    finish : unit -> unit;  (** called at the end of the exploration, also after an exception *)
   }
 
   type expanding = t -> all_edges:bool -> waits:(int -> bool) -> expander
-  (** Of an exploration that begins. [all_edges]: edges are kept or looked at, also those that change nothing.
-      [waits i]: whether the state is to be expanded as far as can be told now. *)
+  (** The expander of an exploration that begins. With [all_edges] all edges are kept or visited, also those that
+      change nothing. [waits i] is true if state [i] is queued and within the bounds at present. *)
 
   val here : expanding
-  (** By {!successors}. *)
+  (** The expander that calls {!successors} in this process. *)
 
   val successors : t -> int array -> (steps, L.fault) result
-  (** What {!expander.expand} is to find: the reduced transitions of a tuple if all of them lead to states that are
-      not known, and else all. *)
+  (** [successors g tuple] is the result that [expand] of an expander must find. It is the reduced transitions of
+      the tuple ({!Lts.S.reduced}) if all of them lead to states that are not known, and otherwise all transitions.
+  *)
 
   val all_or_some :
     t -> some:Lts.step list option -> all:(unit -> (Lts.step list, L.fault) result) -> (steps, L.fault) result
-  (** The same of the state that is expanded, when both are known. *)
+  (** [all_or_some g ~some ~all] is {!successors} of the state that is being expanded, if [some] is its reduced
+      transitions and [all ()] is all of them. *)
 
   val run :
     ?visitor:visitor -> ?order:order -> ?keep_edges:bool -> ?expanding:expanding ->
     Limits.t -> Limits.surroundings -> L.context -> t
-  (** Explores until nothing is left to expand within the bounds, or a bound on the resources is met, or
-      the visitor has seen enough. Edges are kept unless told otherwise. *)
+  (** [run limits surroundings context] explores the system until no state within the bounds is left, or a bound on
+      the resources is met, or [visitor] ends it. The order is [By_steps] by default, and edges are kept by
+      default. *)
 
   val context : t -> L.context
+  (** [context g] is the context given to {!run}. *)
+
   val size : t -> int
+  (** [size g] is the number of states. *)
+
   val tuple : t -> int -> int array
+  (** [tuple g i] is the tuple of state [i], as a new array. *)
 
   val read_tuple : t -> int -> int array -> unit
-  (** Puts the {!tuple} into an array as long as it, for who asks about many states and keeps none. *)
+  (** [read_tuple g i room] puts the tuple of state [i] into an array of its length, so that reading many states
+      allocates nothing. *)
 
   val status : t -> int -> L.fault status
+  (** [status g i] is the status of state [i]. *)
 
   val edges : t -> int -> edge array
-  (** In the order of {!Lts.S.successors}; empty while the state is not expanded. *)
+  (** [edges g i] is the edges of state [i], in the order of {!Lts.S.successors}; empty while it is not expanded.
+  *)
 
   val edges_at_once : t -> int -> (int * int) list
-  (** The places among the {!edges} of those without duration, each with its target. *)
+  (** [edges_at_once g i] is the edges of state [i] without duration: for each its index among {!edges}, and its
+      target. *)
 
   val targets : t -> timed:bool -> int -> int array
-  (** Those of the edges of a state that take time, or of those that take none, in order. *)
+  (** [targets g ~timed i] is the targets of the edges of state [i] that take time, or of those that take none, in
+      order. *)
 
   val passing : t -> int -> Rat.t option
-  (** The duration of the first edge of a state that takes time. *)
+  (** [passing g i] is the duration of the first edge of state [i] that takes time. *)
 
   val duration : t -> edge -> Rat.t
+  (** [duration g e] is the model time that the edge takes; 0 for a discrete transition. *)
 
   val transitions : t -> int
-  (** The number of edges. *)
+  (** [transitions g] is the number of edges of all expanded states. *)
 
-  (** Where cycles may be along which no time passes. *)
+  (** Where cycles without duration may be. *)
   type turning =
-    | At of Scc_data.Int_vector.t  (** each of them leads through one of these states *)
-    | Anywhere
+    | At of Scc_data.Int_vector.t  (** each such cycle leads through one of these states *)
+    | Anywhere  (** nothing is known of their places *)
 
   val turning : t -> turning
+  (** [turning g] is where cycles without duration may be. *)
 
   val depth : t -> int -> int
-  (** The least number of transitions from the initial state. *)
+  (** [depth g i] is the least number of transitions from the initial state to [i], in the explored graph. *)
 
   val arrival : t -> int -> Rat.t
-  (** The earliest arrival: the least model time from the initial state. Both are exact with respect to
-      the explored graph. *)
+  (** [arrival g i] is the earliest arrival: the least model time from the initial state to [i], in the explored
+      graph. *)
 
   val greatest_depth : t -> int
+  (** [greatest_depth g] is the greatest {!depth} of a state, in linear time. *)
+
   val greatest_arrival : t -> Rat.t
+  (** [greatest_arrival g] is the greatest {!arrival} of a state, in linear time. *)
 
   val unexpanded : t -> (int * L.fault reason) Seq.t
-  (** In the order of states, and there may be millions; states that are still queued are left out. *)
+  (** [unexpanded g] is the states that are not expanded, in order, with the reasons. It may have millions of
+      elements. States that are still queued are left out. *)
 
   val left : t -> int
-  (** How many states are unexpanded; answered at once, as {!left_for} is. *)
+  (** [left g] is the number of states that are not expanded, in constant time. *)
 
   val left_for : t -> L.fault reason -> int
-  (** How many are for this reason; for any fault, where it is one. *)
+  (** [left_for g reason] is the number of states that are not expanded for this reason, in constant time. All
+      faults count together. *)
 
   val complete : t -> bool
-  (** Every state is expanded. *)
+  (** [complete g] is true if every state is expanded. *)
 
   (** A step of a path: the choice (an index into the edges) made at a state. *)
   type step = { source : int; choice : int }
 
   val ancestors : t -> int -> int list
-  (** The states of the path of {!shortest_path}, with the state itself. *)
+  (** [ancestors g i] is the states of [shortest_path g i], from the initial state to [i], both included. *)
 
   val shortest_path : t -> int -> step list
-  (** From the initial state, with the fewest transitions. *)
+  (** [shortest_path g i] is a path from the initial state to [i] with the fewest transitions. *)
 
   val earliest_path : t -> int -> step list
-  (** From the initial state, in the least model time. *)
+  (** [earliest_path g i] is a path from the initial state to [i] in the least model time. *)
 
-  (** What the graph takes, in bytes. *)
+  (** The memory of a graph, in bytes: for tuples, for distances and statuses, and for edges. *)
   type memory = { states : int; labels : int; edges : int }
 
   val memory : t -> memory
+  (** [memory g] is about how much memory the graph takes. *)
 end

@@ -1,56 +1,60 @@
-(** How far an exploration goes, and how it talks to its surroundings. *)
+(** The limits of an exploration, and its connection to its surroundings: progress, interruption, attempts. *)
 
 open Scc_exact
 
 (** Each bound is off when [None]. A state is expanded iff its least depth and its earliest arrival are
     within the bounds, whatever the order in which paths to it are found. *)
 type t = {
-  depth : int option;  (** greatest number of transitions from the initial state to an expanded state *)
-  time : Rat.t option;  (** greatest earliest arrival, in model time, of an expanded state *)
+  depth : int option;  (** the greatest number of transitions from the initial state to an expanded state *)
+  time : Rat.t option;  (** the greatest earliest arrival, in model time, of an expanded state *)
   instant : int option;
-  (** greatest number of transitions without passing time that a path to an expanded state ends in: the
-      guard against a run that goes on for ever within one instant *)
-  states : int option;  (** greatest number of states kept *)
-  bits : int option;  (** greatest length of a number in an expanded state *)
+  (** The greatest number of transitions without time at the end of a path to an expanded state. It guards against
+      a run that goes on for ever within one instant. *)
+  states : int option;  (** the greatest number of states kept *)
+  bits : int option;  (** the greatest length of a number in an expanded state, in bits *)
 }
 
 val unlimited : t
+(** No bounds. *)
 
 val too_long : t -> longest:int -> bits:(unit -> int) -> bool
-(** Whether a state of so many [bits] is not to be expanded, where no number so far is longer than [longest]. *)
+(** [too_long limits ~longest ~bits] is true if a state whose longest number has [bits ()] bits must not be
+    expanded. No number so far is longer than [longest]; [bits] is called only if that exceeds the limit. *)
 
 type progress = {
-  states : int;
-  transitions : int;
-  waiting : int;
-  depth : int;
-  model_time : Rat.t;  (** the earliest arrival in the state that is looked at *)
+  states : int;  (** states found so far *)
+  transitions : int;  (** transitions found so far *)
+  waiting : int;  (** states that wait to be expanded *)
+  depth : int;  (** the depth of the present state *)
+  model_time : Rat.t;  (** the earliest arrival at the present state *)
 }
 
-(** Why work is to end that has more to do: the seconds are over, the memory is used up, or somebody wants it. *)
+(** The reason for work to end early: its seconds are over, its memory is used up, or it was interrupted. *)
 type stop = Seconds | Memory | Interrupted
 
-(** What work is part of. What concludes has a little more time and memory than what explores or looks for a proof,
-    and what reports a little more than that, so that something can always be told of what was explored. *)
+(** The stage of work. Conclusions have a little more time and memory than the exploration and the search for a
+    proof, and reports a little more than that. So the explored part can always be reported. *)
 type stage = Exploring | Proving | Concluding | Reporting
 
-(** Does something that may take long, and does not ask whether it is to stop. It may be given up wherever it is,
-    but in a {!Scc_base.Critical} section. *)
+(** A way to run work that may take long and does not call [stop] itself. The work may be given up at any point
+    outside of {!Scc_base.Critical} sections. *)
 type attempt = { run : 'a. stage -> (unit -> 'a) -> ('a, stop) result }
 
 type surroundings = {
-  stop : unit -> stop option;  (** asked before each state *)
+  stop : unit -> stop option;  (** called before each state: the reason to end, if any *)
   half : unit -> surroundings;
-  (** of work that begins now and may take half of the seconds that are left, for something to be done after it:
-      where it explores or looks for a proof it is given up in the middle *)
+  (** [half ()] is the surroundings of work that begins now and may take half of the seconds that are left, so that
+      time is left for later work. Work that explores or searches for a proof is given up then. *)
   progress : progress -> unit;  (** called now and then *)
-  attempt : attempt;
+  attempt : attempt;  (** runs work that may have to be given up *)
 }
 
 val quiet : surroundings
-(** Nothing stops, no progress is shown, and nothing is given up. *)
+(** The surroundings in which nothing stops, no progress is shown, and no work is given up. *)
 
 exception Over of stop
+(** The exploration ends, for this reason. *)
 
 val within : surroundings -> (unit -> 'a) -> 'a
-(** An attempt of an exploration; {!Over} ends the exploration, at a state that was not looked at to the end. *)
+(** [within surroundings f] is [f ()], run as an attempt in the stage [Exploring]. If the attempt is given up, it
+    raises {!Over}, which ends the exploration at a state that was not completed. *)

@@ -1,41 +1,54 @@
-(** Pairs of small integers, each numbered when it is first seen: 8 bytes for each, 4 where the numbers are less
-    than 2{^16}, and 5 to 11 for the index. *)
+(** Tables of pairs of small integers, numbered in the order of insertion. A pair takes 8 bytes, or 4 if its
+    numbers are less than 2{^16}, and 5 to 11 bytes in the index. *)
 
 type t
 
 val create : in_files:bool -> t
-(** With [in_files], tables may be made in files ({!Scc_data.Spill}): then no other process may have them. *)
+(** [create ~in_files] is an empty table. With [in_files] its memory may be in files ({!Scc_data.Spill}): then no
+    other process may share it. *)
 
 val size : t -> int
+(** [size p] is the number of pairs. *)
 
 val intern : t -> int -> int -> int
-(** The number of a pair of numbers in [0, 2{^31}): numbers run from 0 in the order of first sight, so that a
-    pair is new iff its number is the {!size} before. *)
+(** [intern p a b] is the number of the pair (a, b), which is inserted if it is new. [a] and [b] are in [0, 2{^31})
+    (a bug otherwise). Pairs are numbered from 0 in the order of insertion, so a pair is new iff its number is the
+    {!size} before. *)
 
 val find : t -> int -> int -> int
-(** -1 when it has not been seen. *)
+(** [find p a b] is the number of the pair (a, b); -1 if it is not in the table. *)
 
 (** {1 Many at once} *)
 
 val pack : int -> int -> int
-(** A pair as one number. *)
+(** [pack a b] is the pair (a, b) as one number, its key. [a] and [b] are in [0, 2{^31}) (a bug otherwise). *)
 
 val intern_key : t -> int -> int
+(** [intern_key p key] is {!intern} of a packed pair. *)
+
 val find_key : t -> int -> int
+(** [find_key p key] is {!find} of a packed pair. *)
 
 val find_keys : t -> int array -> int array -> int -> unit
-(** [find_keys p keys ids n] puts the numbers of the first [n] packed pairs into [ids], -1 where one has not been
-    seen: of those that are far apart in memory, all are fetched at the same time. *)
+(** [find_keys p keys ids n] puts the numbers of the first [n] packed pairs into [ids], -1 for a pair that is not
+    in the table. Their places, which are far apart in memory, are fetched at the same time. *)
 
 (** {1 Reading} *)
 
 val key : t -> int -> int
-(** The packed pair of a number. *)
+(** [key p i] is the packed pair with number [i], which must exist: it is not checked. *)
 
 val unpack_left : int -> int
+(** [unpack_left key] is the first number of a packed pair. *)
+
 val unpack_right : int -> int
+(** [unpack_right key] is the second number of a packed pair. *)
+
 val left : t -> int -> int
+(** [left p i] is the first number of the pair with number [i], which must exist (a bug otherwise). *)
+
 val right : t -> int -> int
+(** [right p i] is the second number of the pair with number [i], which must exist (a bug otherwise). *)
 
 val bytes : t -> int
-(** About how much memory it takes. *)
+(** [bytes p] is about how much memory the table takes, in bytes. *)

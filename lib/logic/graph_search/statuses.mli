@@ -1,47 +1,52 @@
-(** What has become of each state of a graph: a byte for each, and next to nothing where neighbours are alike. *)
+(** The status of each state of a graph, in one byte for each, and next to nothing where neighbours are alike. *)
 
 (** Why a state has not been expanded. *)
 type 'fault reason =
-  | Depth
-  | Time
-  | Instant
-  | States
+  | Depth  (** beyond the bound on transitions *)
+  | Time  (** beyond the bound on model time *)
+  | Instant  (** beyond the bound on transitions within one instant *)
+  | States  (** the bound on the number of states was met *)
   | Bits  (** it has a number that is too long *)
-  | Seconds
-  | Memory
-  | Interrupted
-  | Stopped  (** the visitor had seen enough *)
+  | Seconds  (** the exploration ended for its time *)
+  | Memory  (** the exploration ended for its memory *)
+  | Interrupted  (** the exploration was interrupted *)
+  | Stopped  (** the visitor ended the exploration, or the state does not matter *)
   | Fault of 'fault  (** its transitions cannot be computed *)
 
 val of_stop : Limits.stop -> 'fault reason
+(** [of_stop stop] is the reason for the states that are left when [stop] ends an exploration. *)
 
 type 'fault status =
-  | Expanded
-  | Queued
-  | Unexpanded of 'fault reason
+  | Expanded  (** its transitions are in the graph *)
+  | Queued  (** it waits to be expanded *)
+  | Unexpanded of 'fault reason  (** it was not expanded, for this reason *)
 
 type 'fault t
 
 val create : unit -> 'fault t
+(** [create ()] has no states. *)
 
 val get : 'fault t -> int -> 'fault status
-(** Of a state whose status has been set. *)
+(** [get s i] is the status of state [i], which must have been set. *)
 
 val set : 'fault t -> int -> 'fault status -> unit
+(** [set s i status] sets the status of state [i]. *)
 
 val unexpanded : 'fault t -> int
-(** How many states are. *)
+(** [unexpanded s] is the number of states that are [Unexpanded], in constant time. *)
 
 val count : 'fault t -> 'fault reason -> int
-(** How many are for this reason; all faults count together. *)
+(** [count s reason] is the number of states that are [Unexpanded] for this reason, in constant time. All faults
+    count together. *)
 
 val is_expanded : 'fault t -> int -> bool
+(** [is_expanded s i] is true if state [i] is [Expanded]. *)
 
 val note_timed : 'fault t -> int -> unit
-(** A state that has been expanded has no edges but such as take time. *)
+(** [note_timed s i] notes that all edges of the expanded state [i] take time. *)
 
 val is_timed : 'fault t -> int -> bool
-(** Whether that has been noted. *)
+(** [is_timed s i] is true if {!note_timed} was called for state [i], and its status was not set since. *)
 
 val bytes : 'fault t -> int
-(** About how much memory it takes. *)
+(** [bytes s] is about how much memory the table takes, in bytes. *)

@@ -1,74 +1,83 @@
-(** Tuples of one width, numbered as they are first seen, in a tree of pairs: a tuple is the pair of its two
-    halves, each of which is stored once, whatever tuples share it. A new tuple that shares most of itself with
-    known ones takes about 15 bytes (Laarman, van de Pol and Weber, Parallel Recursive State Compression for
-    Free, 2011). *)
+(** Tables of tuples of one width, numbered in the order of insertion and stored in a tree of pairs. A tuple is the
+    pair of its two halves; each half is stored once, whatever tuples share it. A new tuple that shares most of
+    itself with known ones takes about 15 bytes (Laarman, van de Pol and Weber, Parallel Recursive State
+    Compression for Free, 2011). *)
 
 type t
 
 val create : width:int -> t
-(** At least 1. *)
+(** [create ~width] is an empty table for tuples of [width] numbers. [width] is at least 1 (a bug otherwise). *)
 
 val width : t -> int
-val size : t -> int
+(** [width t] is the number of slots of each tuple. *)
 
-(** A tuple spread out: its numbers, and those of its parts. *)
+val size : t -> int
+(** [size t] is the number of tuples. *)
+
+(** Working memory for a tuple with the numbers of all its parts. *)
 type spread
 
 val spread : t -> spread
-(** Room for one, which has no tuple yet. *)
+(** [spread t] is new working memory, without a tuple yet. *)
 
 val load : t -> spread -> int -> unit
-(** Spreads out the tuple of a number. *)
+(** [load t s i] loads the tuple with number [i] into [s]. *)
 
 val slots : spread -> int array
-(** A fresh array of the tuple's numbers. *)
+(** [slots s] is the numbers of the loaded tuple, as a new array. *)
 
 val read_slots : spread -> int array -> unit
-(** Puts them into an array of as many, without making one. *)
+(** [read_slots s room] puts the numbers of the loaded tuple into [room], which has [width] elements (a bug
+    otherwise). *)
 
-(** What a tuple has in other places than another: places and numbers in [0, 2{^31}) by turns, each place once. *)
+(** The difference of a tuple from another: slots and their new numbers in [0, 2{^31}) by turns, each slot at most
+    once. *)
 type changes = int array
 
 val apply : changes -> int array -> int array
-(** A fresh array. *)
+(** [apply changes tuple] is the tuple after the changes, as a new array. *)
 
 val difference : int array -> int array -> changes
-(** From the first to the second. *)
+(** [difference a b] is the changes from tuple [a] to tuple [b], by increasing slots. *)
 
 val intern : t -> near:spread -> changes -> int
-(** The number of the tuple that differs by the changes from the one that has been loaded into [near] (if none
-    has been, all places are given). It is new iff its number is the {!size} before. What the two share is not
-    looked up. *)
+(** [intern t ~near changes] is the number of the tuple that differs by the changes from the one loaded into
+    [near]. If none is loaded, the changes give all slots. The tuple is inserted if it is new, which holds iff its
+    number is the {!size} before. Parts that the two tuples share are not looked up. *)
 
 val find : t -> near:spread -> changes -> int
-(** -1 when it has not been seen. *)
+(** [find t ~near changes] is the number of the tuple that {!intern} would return; -1 if it is not in the table. *)
 
 (** {1 Without numbers} *)
 
 val key : t -> near:spread -> changes -> int
-(** A tuple as one number: the pair of its two halves, which are interned. The tuple is not. *)
+(** [key t ~near changes] is the tuple as one number: the pair of its two halves, which are inserted. The tuple
+    itself is not inserted. *)
 
 val load_key : t -> spread -> int -> unit
+(** [load_key t s key] loads the tuple of a {!key} into [s]. *)
 
 (** {1 Several at once}
 
-    The same as {!intern} of each in turn, in three rounds, so that what is far apart in memory is fetched at
-    the same time. *)
+    Several tuples are interned in three rounds, with the results of {!intern} of each in turn. Places that are far
+    apart in memory are then fetched at the same time. *)
 
 val begin_round : t -> near:spread -> int -> unit
-(** There will be at most so many, all near the same one. *)
+(** [begin_round t ~near count] begins with at most [count] tuples, all near the one loaded into [near]. *)
 
 val prepare : t -> near:spread -> lasting:bool -> changes -> int -> unit
-(** [prepare t ~near ~lasting changes n]: the tuple of this number, from 0, of those that are to come. [lasting]:
+(** [prepare t ~near ~lasting changes n] gives the changes of the [n]-th tuple of the round, from 0. With [lasting]
     the same array of changes may come again, near other tuples. *)
 
 val fetch : t -> int -> unit
-(** So many have been prepared. *)
+(** [fetch t count] looks up the tuples of the round, [count] of which have been prepared. *)
 
 val prepared : t -> int -> int
-(** The number, once it has been fetched; -1 of a tuple that was not known then. *)
+(** [prepared t n] is the number of the [n]-th tuple of the round after {!fetch}; -1 if it was not in the table
+    then. *)
 
 val intern_prepared : t -> int -> int
-(** Of one that was not known. *)
+(** [intern_prepared t n] is the number of the [n]-th tuple of the round, which is inserted if it is still new. *)
 
 val bytes : t -> int
+(** [bytes t] is about how much memory the table takes, in bytes. *)
