@@ -29,6 +29,7 @@ let start c = c.initial
 let codec c = Lazy.force c.codec
 let width c = Catalogue.width (catalogue c)
 let initial c = Quotient.representative c.quotient (Catalogue.encode (catalogue c) c.initial)
+let names_differ c = Quotient.renames c.quotient
 let representative c tuple = Quotient.representative c.quotient tuple
 
 let same_but_for_places c (s : State.t) (t : State.t) =

@@ -79,6 +79,10 @@ val representative : context -> int array -> int array
 (** The representative of a state in its class modulo the quotient. Events may lead from a representative to
     states that are none, if {!Quotient.t.drift} finds that more bodies are apart for ever. *)
 
+val names_differ : context -> bool
+(** [names_differ c] is true if a state of the graph may have other names of leaves than the states that it stands
+    for. *)
+
 val same_but_for_places : context -> State.t -> State.t -> bool
 (** [same_but_for_places c s t] is {!Quotient.same_but_for_places} of the two states. *)
 

@@ -37,6 +37,7 @@ let within quotient catalogue =
   let names = Recent.create ~number:(fun n -> place_of_name n.number n.leaf) ~none:no_names ~most:memory in
   { quotient; catalogue; is_held; names }
 
+let renames w = not (Symmetry.is_none w.quotient.symmetry)
 let process w number = (Catalogue.body w.catalogue number).process
 
 let iter_present w f (tuple : int array) =

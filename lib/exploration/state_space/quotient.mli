@@ -26,6 +26,9 @@ val within : t -> Catalogue.t -> within
 val is_none : within -> bool
 (** [is_none w] is true if each state is a class of its own. *)
 
+val renames : within -> bool
+(** [renames w] is true if a representative may have other names of leaves than the states of its class. *)
+
 val representative : within -> int array -> int array
 (** The representative of the class of a state. If it is the state itself, the result may be the same array. *)
 

@@ -7,40 +7,7 @@ open Scc_evaluate
 open Scc_state_space
 module Graph = State_graph
 
-(** {2 Following a run} *)
-
-(* The real states that the steps on the graph lead through: a state of the graph may stand for several. *)
-type followed = { last : State.t; steps : Witness.step list  (** the last first *) }
-
-(* Of the choices the one that was made on the graph is looked at first: as a rule nobody needs the others. *)
-let follow context from wanted target =
-  match Network_lts.choices context from.last with
-  | Error _ -> Bug.fail __POS__ "a witness does not replay: a fault on its way"
-  | Ok choices ->
-    let standing = lazy (Network_lts.representative context target) in
-    let leads_there (_, t) =
-      let t = Lazy.force t in
-      t = target || t = Lazy.force standing
-    in
-    let rec first k = function
-      | [] -> Bug.fail __POS__ "a witness does not replay"
-      | choice :: rest -> if leads_there choice then (k, choice) else first (k + 1) rest
-    in
-    let choice, (transition, _) =
-      match List.nth_opt choices wanted with
-      | Some made when leads_there made -> (wanted, made)
-      | Some _ | None -> first 0 choices
-    in
-    let before = match from.steps with [] -> Rat.zero | s :: _ -> s.time in
-    let time = Rat.add before (Transition.duration transition) in
-    { last = transition.target; steps = { Witness.choice; transition; time } :: from.steps }
-
-let start context = { last = Network_lts.start context; steps = [] }
-
-let follow_all context graph =
-  List.fold_left (fun from (step : Graph.step) ->
-      let target = Graph.tuple graph (Graph.edges graph step.source).(step.choice).target in
-      follow context from step.choice target)
+(** {2 Runs that come back} *)
 
 let rec drop n l = match l with _ :: rest when n > 0 -> drop (n - 1) rest | _ -> l
 
@@ -77,9 +44,9 @@ let most_rounds = 100_000
 
 let follow_lasso context graph steps cycle =
   let stem = List.filteri (fun i _ -> i < cycle) steps and round = drop cycle steps in
-  let entry = follow_all context graph (start context) stem in
+  let entry = Followed.along context graph (Followed.start context) stem in
   let rec again n from =
-    let next = follow_all context graph from round in
+    let next = Followed.along context graph from round in
     match what_moved context entry.last next.last with
     | Some moved -> (next, moved)
     | None -> if n >= most_rounds then Bug.fail __POS__ "a round that never comes back" else again (n + 1) next
@@ -101,7 +68,7 @@ let puts_off semantics (cycle : Witness.step list) ~from =
   in
   List.find_map at (from :: List.map (fun (s : Witness.step) -> s.transition.target) cycle)
 
-let repeats context (run, moved) cycle : Witness.finish =
+let repeats context ((run : Followed.t), moved) cycle : Witness.finish =
   let steps = List.rev run.steps in
   let from =
     match if cycle = 0 then None else List.nth_opt steps (cycle - 1) with
@@ -130,7 +97,7 @@ let extent context state =
   | Some (_, d) -> Timeline.Lasts d
   | None -> Timeline.Forever
 
-let witness context run finish facts : Witness.t =
+let witness context (run : Followed.t) finish facts : Witness.t =
   {
     initial = Network_lts.start context;
     steps = List.rev run.steps;
@@ -158,10 +125,10 @@ let of_trace context graph predicate (trace : Search.trace) =
   in
   match trace.finish with
   | At_state ->
-    let run = follow_all context graph (start context) trace.steps in
+    let run = Followed.along context graph (Followed.start context) trace.steps in
     witness context run At_state (facts run.last Timeline.Instant Algebraic.zero)
   | During { moment; sample; _ } ->
-    let run = follow_all context graph (start context) trace.steps in
+    let run = Followed.along context graph (Followed.start context) trace.steps in
     let finish = during context run.last moment sample in
     witness context run finish (facts run.last (extent context run.last) sample)
   | Repeats cycle ->
@@ -182,8 +149,8 @@ let targets context choices =
 
 let of_met context p (met : Compact_search.met) =
   let last, reached = targets context met.choices in
-  let on from (choice, target) = follow context from choice target in
-  let run = List.fold_left on (start context) reached in
+  let on from (choice, target) = Followed.step context from choice target in
+  let run = List.fold_left on (Followed.start context) reached in
   let arrived event = Network_lts.arrived context event last in
   let facts extent offset = Facts.at ~arrived (Network_lts.semantics context) run.last extent offset p in
   match met.during with
@@ -205,7 +172,7 @@ let of_run context graph temporal (run : Scc_ctl.Run.t) =
     let ((followed, _) as lasso) = follow_lasso context graph steps cycle in
     witness context followed (repeats context lasso cycle) []
   | At_state | During _ | Rests | Stops | Passes ->
-    let followed = follow_all context graph (start context) steps in
+    let followed = Followed.along context graph (Followed.start context) steps in
     let finish : Witness.finish =
       match run.finish with
       | At_state | Repeats _ -> At_state

@@ -91,26 +91,55 @@ let facts context graph temporal e =
 let duration context graph (s : Graph.step) =
   Catalogue.duration (Network_lts.catalogue context) (Graph.edges graph s.source).(s.choice).label
 
+(* The real state in which a run begins, if names differ between it and the state of the graph that stands for it. *)
+type here = Scc_calculus.State.t option
+
+let steps_of temporal (run : Scc_ctl.Run.t) = List.map (Temporal.choice temporal) run.steps
+
+(* The real state after so many steps of a run. *)
+let after context graph temporal (here : here) (run : Scc_ctl.Run.t) count : here =
+  let go state =
+    let steps = List.filteri (fun i _ -> i < count) (steps_of temporal run) in
+    (Followed.along context graph (Followed.from state) steps).last
+  in
+  Option.map go here
+
+let at_end context graph temporal here (run : Scc_ctl.Run.t) =
+  after context graph temporal here run (List.length run.steps)
+
+let labels context graph temporal (here : here) (run : Scc_ctl.Run.t) =
+  let steps = steps_of temporal run in
+  match here with
+  | None ->
+    let label (s : Graph.step) =
+      Catalogue.label_of (Network_lts.catalogue context) (Graph.edges graph s.source).(s.choice).label
+    in
+    List.map label steps
+  | Some state ->
+    List.rev_map
+      (fun (s : Witness.step) -> s.transition.label)
+      (Followed.along context graph (Followed.from state) steps).steps
+
 (* Passing time is told by the clock alone. *)
-let event context graph (s : Graph.step) =
-  match Catalogue.label_of (Network_lts.catalogue context) (Graph.edges graph s.source).(s.choice).label with
+let event context (label : Transition.label) =
+  match label with
   | Time _ -> None
-  | (Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _) as label ->
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ ->
     Some (Transition.label_to_string (Network_lts.model context) label)
 
 (* What happens on a run, seen from where it starts. *)
-let story context graph temporal (run : Scc_ctl.Run.t) =
-  let steps = List.map (Temporal.choice temporal) run.steps in
+let story context graph temporal here (run : Scc_ctl.Run.t) =
   let start = Algebraic.to_rat run.start.offset in
   let clock, events =
-    List.fold_left
-      (fun (clock, events) step ->
+    List.fold_left2
+      (fun (clock, events) step label ->
          let clock = Rat.add clock (duration context graph step) in
-         match event context graph step with
+         match event context label with
          | None -> (clock, events)
          | Some e -> (clock, Printf.sprintf "%s after %s" e (Rat.to_string clock) :: events))
       (Rat.neg (Option.value start ~default:Rat.zero), [])
-      steps
+      (steps_of temporal run)
+      (labels context graph temporal here run)
   in
   (clock, List.rev events)
 
@@ -131,12 +160,12 @@ let going_round k ~silent clock =
   | _, false ->
     Printf.sprintf "the run then repeats what happens after time %s from here, for ever" (Rat.to_string clock)
 
-let again context graph temporal (run : Scc_ctl.Run.t) k =
+let again context graph temporal here (run : Scc_ctl.Run.t) k =
   let first = { run with steps = List.filteri (fun i _ -> i < k) run.steps } in
-  let clock, before = story context graph temporal first and _, all = story context graph temporal run in
+  let clock, before = story context graph temporal here first and _, all = story context graph temporal here run in
   going_round k ~silent:(List.compare_lengths before all = 0) clock
 
-let finish_text context graph temporal (run : Scc_ctl.Run.t) clock =
+let finish_text context graph temporal here (run : Scc_ctl.Run.t) clock =
   let at offset = Algebraic.to_string (Algebraic.add_rat clock offset) in
   match run.finish with
   | At_state when run.steps = [] -> "here"
@@ -146,7 +175,7 @@ let finish_text context graph temporal (run : Scc_ctl.Run.t) clock =
     Printf.sprintf "right after time %s from here, for example after %s" (at moment.offset) (at sample)
   | Rests -> "the run then rests for ever"
   | Stops -> "the run then is over"
-  | Repeats k -> again context graph temporal run k
+  | Repeats k -> again context graph temporal here run k
   | Passes -> "the run then passes the bound of time"
 
 (* Where something is on the way of a run, from where the run begins. *)
@@ -173,7 +202,7 @@ let onward (course : Course.t option) (place : Course.place option) =
       (if recurs then ", and each time round" else "")
 
 (* [course] is the run on whose way it is explained. *)
-let because context graph temporal ~shown course (e : Explanation.t) =
+let because context graph temporal ~shown here course (e : Explanation.t) =
   match e.because with
   | Given -> (
       match e.formula with
@@ -189,13 +218,13 @@ let because context graph temporal ~shown course (e : Explanation.t) =
     Likelihoods.known side measured
     :: List.concat_map
       (fun (run, chance) ->
-         let clock, events = story context graph temporal run in
-         Likelihoods.of_run chance :: (listed events @ [ finish_text context graph temporal run clock ]))
+         let clock, events = story context graph temporal here run in
+         Likelihoods.of_run chance :: (listed events @ [ finish_text context graph temporal here run clock ]))
       (Option.to_list run)
   | Run { way = Onward place; _ } -> [ onward course place ]
   | Run { run; _ } ->
-    let clock, events = story context graph temporal run in
-    listed events @ [ finish_text context graph temporal run clock ]
+    let clock, events = story context graph temporal here run in
+    listed events @ [ finish_text context graph temporal here run clock ]
 
 (* That "not p" fails is told as that p holds. *)
 let affirmed temporal (e : Explanation.t) =
@@ -224,8 +253,8 @@ let rec is_searched (e : Explanation.t) =
   | Given | Everywhere _ | Likelihood _ | Run { way = Onward _; _ } -> false
 
 (* When a run is where it leads, by the time since its start, if it leads somewhere. *)
-let end_of context graph temporal (run : Scc_ctl.Run.t) =
-  let clock, _ = story context graph temporal run in
+let end_of context graph temporal here (run : Scc_ctl.Run.t) =
+  let clock, _ = story context graph temporal here run in
   match run.finish with
   | At_state -> Some clock
   | During { moment; sample } ->
@@ -234,30 +263,35 @@ let end_of context graph temporal (run : Scc_ctl.Run.t) =
   | Rests | Stops | Repeats _ | Passes -> None
 
 (* [shown]: a run of this claim is the one that the witness shows. [at]: the time on the shown run that the claim
-   is about, if it is on that one. *)
-let rec tree context graph temporal ~shown ~at ~depth course (e : Explanation.t) : Witness.argument =
+   is about, if it is on that one. [here]: the real state at the position of the explanation, or before it in the flow.
+   [course]: the run on whose way it is explained, with the real state in which that one begins. *)
+let rec tree context graph temporal ~shown ~at ~depth here course (e : Explanation.t) : Witness.argument =
   let tree_of = tree context graph temporal ~shown:false ~depth in
+  let end_ run = if shown then end_of context graph temporal here run else None in
   let parts =
     match e.because with
     | Given | Everywhere _ -> []
-    | Parts parts -> List.map (tree_of ~at course) parts
+    | Parts parts -> List.map (tree_of ~at here course) parts
     | Likelihood { run; parts; _ } ->
-      let there = Option.bind run (fun (run, _) -> if shown then end_of context graph temporal run else None) in
-      List.map (tree_of ~at:there None) parts
+      let there = Option.bind run (fun (run, _) -> end_ run) in
+      let here = Option.fold ~none:here ~some:(fun (run, _) -> at_end context graph temporal here run) run in
+      List.map (tree_of ~at:there here None) parts
     | Run { run; parts; along; way } ->
-      let here = match way with Own -> None | Onward _ -> course in
-      let there = if shown then end_of context graph temporal run else None in
-      let told = Option.bind along (on_the_way context graph temporal ~shown ~depth) in
-      List.map (tree_of ~at:there here) parts @ Option.to_list told
+      let on = match way with Own -> None | Onward _ -> course in
+      let told = Option.bind along (on_the_way context graph temporal ~shown ~depth here) in
+      List.map (tree_of ~at:(end_ run) (at_end context graph temporal here run) on) parts @ Option.to_list told
   in
   let formula, holds = affirmed temporal e in
   let claim = Show.temporal (Network_lts.model context) formula in
-  let because = List.filter_map (beyond claim holds) (because context graph temporal ~shown course e) in
+  let because = List.filter_map (beyond claim holds) (because context graph temporal ~shown here (Option.map fst course) e) in
   { where = None; time = at; claim; holds; because; parts }
 
 (* What is so on the way of a run, when it takes more than a look at each position. *)
-and on_the_way context graph temporal ~shown ~depth (along : Explanation.along) =
-  let tree_of = tree context graph temporal ~shown:false ~depth:(depth + 1) (Some along.course) in
+and on_the_way context graph temporal ~shown ~depth here (along : Explanation.along) =
+  let tree_of ~at (place : Course.place) =
+    let there = after context graph temporal here along.course.run place.step in
+    tree context graph temporal ~shown:false ~depth:(depth + 1) there (Some (along.course, here)) ~at
+  in
   (* Reasons that differ, each with the first place that it is told of: without times, so that they are seen to be
      the same. *)
   let rec reasons found left = function
@@ -265,7 +299,7 @@ and on_the_way context graph temporal ~shown ~depth (along : Explanation.along) 
     | rest when left = 0 -> (List.rev found, List.length rest)
     | (s : Explanation.stretch) :: rest ->
       let why = Lazy.force s.why in
-      let found = note (s.place, why) (tree_of ~at:None why) found in
+      let found = note (s.place, why) (tree_of ~at:None s.place why) found in
       reasons found (if is_searched why then left - 1 else left) rest
   and note place argument = function
     | [] -> [ (place, argument) ]
@@ -291,7 +325,7 @@ and on_the_way context graph temporal ~shown ~depth (along : Explanation.along) 
           in
           let instant = instant_of along.course place place.position.offset in
           let at = if shown then Some (rational instant) else None in
-          { (tree_of ~at why) with where = Some where }
+          { (tree_of ~at place why) with where = Some where }
         in
         let first = List.filteri (fun i _ -> i < told depth) reasons in
         Some
@@ -320,7 +354,8 @@ let rec is_plain (e : Explanation.t) =
 
 (* Of the initial state. *)
 let argument context graph temporal (e : Explanation.t) =
-  let tree = tree context graph temporal ~at:(Some Rat.zero) ~depth:0 None in
+  let here = if Network_lts.names_differ context then Some (Network_lts.start context) else None in
+  let tree = tree context graph temporal ~at:(Some Rat.zero) ~depth:0 here None in
   let is_told (a : Explanation.along) = is_state a.claim || a.stretches = [] in
   match e.because with
   | Run { parts; along; _ }
