@@ -84,11 +84,37 @@ let line json = written ~comma:"," ~colon:":" json
 (* What fits in so many bytes is written on one line. *)
 let width = 88
 
-let rec add_pretty b indent (json : t) =
-  let short = match json with
-    | `List _ | `Assoc _ -> written ~comma:", " ~colon:": " json
-    | _ -> line json
+exception Too_long
+
+(* The text on one line, if it has at most so many bytes; most of a longer one is never written. *)
+let short_line ~most json =
+  let b = Buffer.create 128 in
+  let checked f x =
+    f x;
+    if Buffer.length b > most then raise_notrace Too_long
   in
+  let rec add_checked (json : t) =
+    match json with
+    | `List items ->
+      Buffer.add_char b '[';
+      between b ", " (checked add_checked) items;
+      Buffer.add_char b ']'
+    | `Assoc members ->
+      let member (key, value) =
+        add_string b key;
+        Buffer.add_string b ": ";
+        add_checked value
+      in
+      Buffer.add_char b '{';
+      between b ", " (checked member) members;
+      Buffer.add_char b '}'
+    | _ -> add b ~comma:"," ~colon:":" json
+  in
+  match checked add_checked json with
+  | () -> Some (Buffer.contents b)
+  | exception Too_long -> None
+
+let rec add_pretty b ~written_some indent (json : t) =
   let deeper = indent ^ "  " in
   let block opening closing write items =
     Buffer.add_char b opening;
@@ -96,28 +122,39 @@ let rec add_pretty b indent (json : t) =
       (fun i x ->
          Buffer.add_string b (if i > 0 then ",\n" else "\n");
          Buffer.add_string b deeper;
-         write x)
+         write x;
+         written_some ())
       items;
     Buffer.add_string b ("\n" ^ indent);
     Buffer.add_char b closing
   in
-  if String.length indent + String.length short <= width then Buffer.add_string b short
-  else
-    match json with
-    | `List items -> block '[' ']' (add_pretty b deeper) items
-    | `Assoc members ->
-      block '{' '}'
-        (fun (key, value) ->
-           add_string b key;
-           Buffer.add_string b ": ";
-           add_pretty b deeper value)
-        members
-    | _ -> Buffer.add_string b short
+  match (short_line ~most:(width - String.length indent) json, json) with
+  | Some short, _ -> Buffer.add_string b short
+  | None, `List items -> block '[' ']' (add_pretty b ~written_some deeper) items
+  | None, `Assoc members ->
+    block '{' '}'
+      (fun (key, value) ->
+         add_string b key;
+         Buffer.add_string b ": ";
+         add_pretty b ~written_some deeper value)
+      members
+  | None, _ -> add b ~comma:"," ~colon:":" json
+
+let piece = 65536
+
+let pretty_pieces put json =
+  let b = Buffer.create (2 * piece) in
+  let send () =
+    put (Buffer.contents b);
+    Buffer.clear b
+  in
+  add_pretty b ~written_some:(fun () -> if Buffer.length b >= piece then send ()) "" json;
+  Buffer.add_char b '\n';
+  send ()
 
 let pretty json =
   let b = Buffer.create 1024 in
-  add_pretty b "" json;
-  Buffer.add_char b '\n';
+  pretty_pieces (Buffer.add_string b) json;
   Buffer.contents b
 
 let max_depth = 200

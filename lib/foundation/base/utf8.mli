@@ -1,7 +1,8 @@
 (** UTF-8, as far as readers and reports need it. *)
 
 val length : string -> int -> int
-(** The bytes of the well-formed sequence at an offset, or 0. *)
+(** [length s i] is the number of bytes, 1 to 4, of the well-formed sequence that begins at byte [i]; 0 if there is
+    none. [i] is an index of [s]. *)
 
 type fault =
   | Invalid of int  (** offset of the first byte that is not part of well-formed UTF-8 *)
@@ -9,7 +10,8 @@ type fault =
 
 val check : string -> fault option
 (** [check s] is the first fault of a text. Tab, line feed, form feed and carriage return are allowed; other
-    control characters and DEL are not. Overlong forms, surrogates and code points past U+10FFFF are invalid. *)
+    control characters below U+0020 and DEL are not. Those from U+0080 to U+009F are allowed. Overlong forms,
+    surrogates and code points past U+10FFFF are invalid. *)
 
 val code_point : string -> int
 (** [code_point s] is the first code point of the well-formed, non-empty [s]. *)

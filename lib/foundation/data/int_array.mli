@@ -1,5 +1,5 @@
 (** Arrays of small integers, four bytes each, outside of the heap of the garbage collector: graphs of 10^7 edges
-    are stored in them. Indices are checked ([Invalid_argument]), except by {!unsafe_get}. *)
+    are stored in them. Indices of arrays are checked ([Invalid_argument]), except by {!unsafe_get}. *)
 
 type t
 
@@ -42,10 +42,11 @@ val size : buffer -> int
 (** [size b] is the number of elements. *)
 
 val nth : buffer -> int -> int
-(** [nth b i] is element [i], from 0 to [size b - 1]. *)
+(** [nth b i] is element [i], from 0 to [size b - 1]. The caller ensures this range: only the capacity is
+    checked. *)
 
 val put : buffer -> int -> int -> unit
-(** [put b i x] replaces element [i], from 0 to [size b - 1]. *)
+(** [put b i x] replaces element [i], from 0 to [size b - 1], with the check of {!nth}. *)
 
 val push : buffer -> int -> unit
 (** [push b x] appends [x], in amortised constant time. *)

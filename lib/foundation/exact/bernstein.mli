@@ -1,9 +1,9 @@
 (** Polynomials over an interval by their Bernstein coefficients, and the instants at which they change sign.
 
-    A polynomial p of degree at most n over [low, high] is sum b_i C(n, i) (1 - x)^(n - i) x^i with x = (t - low) /
-    (high - low). p lies between the least and the greatest b_i, and b_0 and b_n are its values at the ends. By the
-    rule of Descartes, p has at most as many roots in the open interval, counted with multiplicity, as the b_i have
-    changes of sign (zeros left out). The difference of the two counts is even. *)
+    Over [low, high], let x = (t - low) / (high - low). A polynomial p of degree at most n is
+    sum b_i C(n, i) (1 - x)^(n - i) x^i. p lies between the least and the greatest b_i, and b_0 and b_n are its
+    values at the ends. By the rule of Descartes, p has at most as many roots in the open interval, counted with
+    multiplicity, as the b_i have changes of sign (zeros left out). The difference of the two counts is even. *)
 
 type t = private {
   polynomial : Polynomial.t;

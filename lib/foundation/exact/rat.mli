@@ -82,7 +82,8 @@ val bits : t -> int
 (** [bits x] is the number of bits of numerator and denominator together. *)
 
 val max_digits : int
-(** 4 000: the greatest number of digits of a literal, with its power of ten written out. *)
+(** 4 000: the greatest number of digits of a literal, with its power of ten written out. It holds for
+    the numerator and the denominator of a fraction each. *)
 
 type literal_error = Malformed | Too_large | Zero_denominator
 

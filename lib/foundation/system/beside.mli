@@ -2,10 +2,10 @@
 
 val fork :
   (unit -> Unix.file_descr * Unix.file_descr) -> (Unix.file_descr -> Unix.file_descr -> 'a) -> 'a option
-(** [fork pair start] makes a pair, this process's end first, and starts a process that has the other end
-    ({!Interruption.fork}), which is closed here. [None] where the system gives no descriptor, none that [select]
-    takes, or no process. *)
+(** [fork pair start] is the result of [start ours theirs] for the descriptors [(ours, theirs)] of [pair ()].
+    [start] starts a process by {!Interruption.fork}, which uses [theirs]; this process then closes [theirs]. The
+    result is [None] if the system refuses descriptors or a process, or if [select] does not accept [ours]. *)
 
 val labour : (unit -> unit) -> 'a
-(** What such a process does, without what its parent would do at its end: exit code 0, or 70 after an exception,
-    which is told. *)
+(** [labour work] calls [work ()] and ends the process without the functions of [at_exit]. The exit code is 0, or
+    70 after an exception, which is written to standard error. *)

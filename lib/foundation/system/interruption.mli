@@ -1,5 +1,5 @@
 (** Requests to end the program: the signals of Ctrl-C, of [kill], of a terminal that is closed and of a limit of
-    the system on processor time ([ulimit -t]). All are treated alike.
+    the system on processor time ([ulimit -St]). All are treated alike.
 
     The first request raises {!Interrupted} at any point of the program, unless a handler is installed
     ({!answered}). A handler ensures a report of the results so far. While the program waits for other processes

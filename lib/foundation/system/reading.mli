@@ -1,5 +1,6 @@
 (** Reading from sources that may have to be waited for: files, pipes, terminals. A signal does not end a wait,
-    unless its handler raises an exception. *)
+    unless its handler raises an exception. The opening of a named pipe is different: a
+    request to end the program ends this wait ({!Interruption.break_off}). *)
 
 val open_file : string -> Unix.file_descr
 (** [open_file path] opens a file for reading. A named pipe is waited for until another process opens it for

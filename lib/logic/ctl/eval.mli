@@ -63,8 +63,8 @@ val uses : Formula.t array -> uses
 (** [uses formulas] is the table for formulas that are evaluated in this order. *)
 
 val done_with : t -> uses -> int -> unit
-(** [done_with e uses n] drops from the cache the values that no formula after number [n] needs. It is called with
-    increasing [n]. Each value takes memory for each state. *)
+(** [done_with e uses n] drops from the cache the values that no formula after number [n] needs. It is called after
+    each formula, in order. Each value takes memory for each state. *)
 
 val truth : t -> Formula.t -> Positions.position -> bool option
 (** [truth e f p] is the truth of [f] at position [p]; [None] if it is undecided. *)

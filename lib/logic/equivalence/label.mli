@@ -22,10 +22,10 @@ val is_of : string -> string -> bool
 (** [is_of kind text] is true if the label is of this kind: [is_of "weak" text]. *)
 
 val canonical : string -> string
-(** [canonical text] is the label with these parts sorted as texts, since two models may declare their bodies in
-    different orders: the two ends of [bind(a, p.right, q.left)], [weak(...)], [release(...)] and their like, and
-    of [<a, {...}>]; the bodies of [bounce(p, q)]; the bonds of [strong({...})] and [weak({...})]; and the draws in
-    [{...}] ({!Draws}). Other labels stay. *)
+(** [canonical text] is the label with some of its parts sorted as texts, since two models may declare their bodies
+    in different orders. Sorted are the two ends of [bind(a, p.right, q.left)], and those of [close], [weak],
+    [release], [keep], [first], [choose] and [<a, {...}>]. So are the bodies of [bounce(p, q)], the bonds of
+    [strong({...})] and [weak({...})], and the draws in [{...}] ({!Draws}). Other labels stay. *)
 
 (** {1 Patterns} *)
 

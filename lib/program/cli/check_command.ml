@@ -71,7 +71,7 @@ let print_json console ~full ~where:shown_where loaded report verdicts extra cod
           @ Option.to_list (Option.map measured extra.measured);
       }
   in
-  Console.print console (Json.pretty json)
+  Json.pretty_pieces (Console.print console) json
 
 let shows_zeno (o : Verdict.outcome) =
   List.exists (function Verdict.By One_instant -> true | By Dead_end | Among _ -> false) o.rests

@@ -166,6 +166,11 @@ let finish ?(grace = grace) t =
   t.deadline <- infinity;
   t.memory <- infinity;
   t.since <- None;
+  (* A report is written as one text. Among few addresses the heap has to grow by no more than that takes. *)
+  if Footprint.is_limited then begin
+    if Footprint.taken () > 0.5 then Scc_system.Heap.compact ();
+    Gc.set { (Gc.get ()) with major_heap_increment = 1 lsl 17 }
+  end;
   if t.signalled then timer interval
 
 let dismiss t =
@@ -201,7 +206,12 @@ let attempted t stage f =
       with
       | x -> left (Ok x)
       | exception Given_up stop ->
-        leave ();
+        (* What comes next may need memory, and is no attempt that could be given up. *)
+        Critical.run (fun () ->
+            leave ();
+            match (outer, stop) with
+            | None, Memory -> Scc_system.Heap.compact ()
+            | _ -> ());
         left (Error stop)
       | exception Out_of_memory when Option.is_none outer ->
         (* nothing of what may be left half done is used any more *)

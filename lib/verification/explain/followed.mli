@@ -1,5 +1,6 @@
-(** Runs on a graph of states, followed through the rules. A state of the graph may stand for several, which differ by
-    the names of interchangeable bodies or by their place; the real states of a run are found one after the other. *)
+(** Runs on a graph of states, followed through the rules. A state of the graph may stand for several, which differ
+    by the names of interchangeable bodies or by their place; the real states of a run are found one after the
+    other. *)
 
 open Scc_calculus
 open Scc_state_space

@@ -91,7 +91,8 @@ let facts context graph temporal e =
 let duration context graph (s : Graph.step) =
   Catalogue.duration (Network_lts.catalogue context) (Graph.edges graph s.source).(s.choice).label
 
-(* The real state in which a run begins, if names differ between it and the state of the graph that stands for it. *)
+(* The real state in which a run begins, if names differ between it and the state of the graph that stands for it.
+*)
 type here = Scc_calculus.State.t option
 
 let steps_of temporal (run : Scc_ctl.Run.t) = List.map (Temporal.choice temporal) run.steps
@@ -263,8 +264,8 @@ let end_of context graph temporal here (run : Scc_ctl.Run.t) =
   | Rests | Stops | Repeats _ | Passes -> None
 
 (* [shown]: a run of this claim is the one that the witness shows. [at]: the time on the shown run that the claim
-   is about, if it is on that one. [here]: the real state at the position of the explanation, or before it in the flow.
-   [course]: the run on whose way it is explained, with the real state in which that one begins. *)
+   is about, if it is on that one. [here]: the real state at the position of the explanation, or before it in the
+   flow. [course]: the run on whose way it is explained, with the real state in which that one begins. *)
 let rec tree context graph temporal ~shown ~at ~depth here course (e : Explanation.t) : Witness.argument =
   let tree_of = tree context graph temporal ~shown:false ~depth in
   let end_ run = if shown then end_of context graph temporal here run else None in
@@ -283,7 +284,8 @@ let rec tree context graph temporal ~shown ~at ~depth here course (e : Explanati
   in
   let formula, holds = affirmed temporal e in
   let claim = Show.temporal (Network_lts.model context) formula in
-  let because = List.filter_map (beyond claim holds) (because context graph temporal ~shown here (Option.map fst course) e) in
+  let because = because context graph temporal ~shown here (Option.map fst course) e in
+  let because = List.filter_map (beyond claim holds) because in
   { where = None; time = at; claim; holds; because; parts }
 
 (* What is so on the way of a run, when it takes more than a look at each position. *)

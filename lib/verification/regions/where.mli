@@ -60,8 +60,9 @@ type probability =
 
 val probability : t -> probability
 (** The probability that the check holds, for parameters that are independent and uniform in their ranges. It
-    is the volume where it holds, divided by that of the box. If volume is unknown, the bounds are those for
-    failing there and for holding there. [Not_computed] if a measure that it needs is not computed. *)
+    is the volume where it holds, divided by that of the box. If the outcome is unknown on a set of positive
+    volume, the bounds are those for failing there and for holding there. [Not_computed] if a measure that it
+    needs is not computed. *)
 
 (** {1 Judging} *)
 

@@ -33,8 +33,9 @@ val of_bounds : Verdict.truncation list -> t
     bound [Undecided]. Bounds that the user gave leave [Holds]. *)
 
 val of_verdict : Verdict.t -> t
-(** The code of a verdict. A question for numbers gives [Holds] if its answer has no reasons for doubt. A
-    verdict that is undecided for a limit of resources gives [Stopped]. *)
+(** The code of a verdict. A question for numbers gives [Holds] if its answer has no reasons for doubt.
+    Other answers and undecided verdicts give [Stopped] if a limit of resources is among their reasons, else
+    [Undecided]. A verdict that holds up to bounds gives {!of_bounds}. *)
 
 val of_exploration : complete:bool -> faults:Scc_base.Diag.t list -> stopped_by:Verdict.truncation list -> t
 (** The code of an exploration without properties: [Holds] if it is complete, [Undecided] if it has faults,

@@ -26,7 +26,8 @@ type t = {
 }
 
 type reader = string -> (string, string) result
-(** From the path of a mesh, as written in the model, to its bytes, or the reason why it cannot be read. *)
+(** A function from the path of a mesh, as written in the model, to its bytes. The error says why it cannot be
+    read. *)
 
 val load :
   read_file:reader ->

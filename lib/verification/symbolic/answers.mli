@@ -30,8 +30,8 @@ val leave : t -> Zone.t -> unit
 (** Updates the searches with states that are beyond the horizon. *)
 
 val is_known : t -> exactly:bool -> bool
-(** [is_known t ~exactly] is true if it is known that the formula holds for all values, or that it does not.
-    With [exactly], it is true if the set of values is known. *)
+(** [is_known t ~exactly] is true if it is known that the formula holds for all values, or that it fails for
+    some. With [exactly], it is true if the set of values is known. *)
 
 (** {1 Afterwards} *)
 

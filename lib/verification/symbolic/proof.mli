@@ -4,7 +4,7 @@ open Scc_polyhedra
 open Scc_property
 
 type claim = { never : Property.prop; values : Union.t }
-(** For these values of the parameters no state of any run satisfies the predicate. *)
+(** The claim that no state of any run satisfies the predicate [never], for these values of the parameters. *)
 
 type t = {
   sets : Answers.sets;  (** the values for which a check surely holds, and those for which it surely fails *)
@@ -18,4 +18,4 @@ val make :
   Instant.context -> Atoms.context -> parameters:Polyhedron.t -> Zone_graph.node list -> Property.temporal -> t
 (** [make c atoms ~parameters views formula] is what the invariant proves of a formula. Only parts with
     [always] and [possibly], with or without bounds of time, are proved. Predicates with model time or
-    [quiescent] are not: the larger set of states knows neither. *)
+    [quiescent] are not proved, since the larger set of states determines neither. *)

@@ -41,7 +41,7 @@ type stats = Joint_check.stats = {
   causes : Growth.cause list;  (** what is likely to keep it from closing *)
   left_out : Verdict.truncation option;  (** the bound that ended the search for causes early *)
 }
-(** For several explorations: sums of the numbers, and the greatest depth and time. *)
+(** The statistics of one exploration or several: sums of the numbers, and the greatest depth and time. *)
 
 (** An exploration of a part of the network that decides some of the properties (rule Slice). *)
 type slice = {

@@ -141,13 +141,15 @@ let at_most p =
   in
   if p <= 0. then "0" else if p >= 1. then "1" else digit p 0
 
+let plural n = if n = 1 then "" else "s"
+
 let limit_to_string = function
   | Depth n -> Printf.sprintf "the depth bound %d" n
   | Time t -> Printf.sprintf "the time bound %s" (Rat.to_string t)
-  | Instant n -> Printf.sprintf "the bound of %d transitions within one instant" n
-  | States n -> Printf.sprintf "the bound of %d states" n
-  | Bits n -> Printf.sprintf "the bound of %d bits for a number" n
-  | Seconds s -> Printf.sprintf "the limit of %g seconds" s
+  | Instant n -> Printf.sprintf "the bound of %d transition%s within one instant" n (plural n)
+  | States n -> Printf.sprintf "the bound of %d state%s" n (plural n)
+  | Bits n -> Printf.sprintf "the bound of %d bit%s for a number" n (plural n)
+  | Seconds s -> Printf.sprintf "the limit of %g second%s" s (if s = 1. then "" else "s")
   | Memory w -> Printf.sprintf "the memory limit of %d MiB" (Memory.bytes_of_words w / Memory.mib)
   | Interrupted -> "the interruption"
   | Omission p ->

@@ -33,7 +33,7 @@ type reason =
 type t =
   | Holds of {
       bounds : truncation list;
-      (** empty: exhaustively, as a proof; otherwise up to these bounds, within which nothing speaks against
+      (** empty: exhaustively, as a proof; otherwise up to these bounds, within which nothing refutes
           it *)
       witness : Witness.t option;
     }

@@ -11,7 +11,7 @@ val is_for : Model.t -> declared:State.t -> bool
     time. *)
 
 (** The use of a model that needs affine numbers. *)
-type use = Zones  (** the model leaves numbers open *) | Invariants  (** a proof is asked for *)
+type use = Zones  (** the model leaves numbers open *) | Invariants  (** a proof is requested *)
 
 val refused : Model.t -> use -> Scc_base.Diag.t list
 (** The reasons (SC0901) why numbers of such a model are not affine in its variables; none if they are. Reasons

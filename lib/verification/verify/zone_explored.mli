@@ -7,8 +7,8 @@ open Scc_symbolic
 
 (** Checks and premises on one graph, each with its number among all of the model. *)
 type group = Zone_groups.t = {
-  keeps_time : bool;  (** zones tell absolute times apart *)
-  part : State.t option;  (** the slice of the declared state that the group is about; all of it if [None] *)
+  keeps_time : bool;  (** zones with different absolute times are different *)
+  part : State.t option;  (** the slice of the declared state to explore; [None]: the whole network *)
   members : (int * Property.check) list;
   premises : (int * Property.check) list;
 }
@@ -20,8 +20,8 @@ type t = {
   met : Answers.t list;  (** of the premises *)
   uneventful : bool;  (** all is known, and nothing ever happens *)
   stopped_by : Verdict.truncation list;  (** the bounds that were met *)
-  fault : string option;  (** why numbers stopped being affine in the parameters, if they did *)
-  decided : bool;  (** the exploration ended since every check was decided *)
+  fault : string option;  (** the reason why successors of a zone are not affine, or not known, if so *)
+  decided : bool;  (** the exploration ended because every member was known *)
   edges : int;  (** of the graph *)
   proof : Zone_proof.end_ option;  (** the end of the search for an invariant, if there was one *)
 }
@@ -36,13 +36,14 @@ val explore :
   exactly:bool ->
   proof:Zone_proof.end_ option ->
   t
-(** Explores from these zones, up to the bounds of the options, the bounds of time of the formulas, and until all
-    members are known. With [exactly] a member is known if it is for all values; without, if it fails for some or
-    holds for all. [proof] is what is known beforehand. *)
+(** Explores the group from these zones, up to the bounds of the options and of time in the formulas, or until all
+    members are known. With [exactly] a member is known if its outcome is known for all values. Otherwise it is
+    enough that it holds for all values or fails for some. [proof] is the result of an earlier search for an
+    invariant; what it proves counts as known. *)
 
 val proofs_of : Answers.t list -> Zone_proof.end_ option -> Proof.t option list
-(** The proof for each member, if the search for an invariant has one. *)
+(** [proofs_of answers end_] has the proof for each member, or [None] for each if no invariant was found. *)
 
 val sets : Answers.t -> Proof.t option -> Answers.sets
-(** The values for which a formula holds and those for which it fails, by the exploration and by a proof. It is a
-    bug if the two contradict each other. *)
+(** [sets answer proof] has the values for which a formula holds, and those for which it fails, by the exploration
+    or by the proof. It is a bug if the two contradict each other. *)
