@@ -381,7 +381,7 @@ An evaluation that takes too long leaves its own formula open, and no other.
   $ scc check far.sc --seconds 1 > ended
   [4]
   $ grep '^far' ended
-  far: undecided: its evaluation on what was explored ended at the limit of 1 seconds
+  far: undecided: its evaluation on what was explored ended at the limit of 1 second
   $ python3 -B interrupt.py 1 scc check far.sc | grep ': '
   near: holds (exhaustive)
   far: undecided: its evaluation on what was explored ended at the interruption
