@@ -7,7 +7,8 @@
     coplanar neighbours fail it. No condition mentions orientation. The inner side is either in front of all
     faces or behind them all, whichever makes fewer edges fail. An edge along which both faces run the same way
     has no inner side, and fails. The edges of condition 7 are unordered (reading I-1). Faces that name
-    vertices outside V fail condition 2 and are ignored in 4 to 7. *)
+    vertices outside V fail condition 2 and are ignored in 4 to 6. In condition 7 their edges are ignored, and
+    they count in |F|. *)
 
 type witness =
   | Too_few  (** 1: of vertices or of faces; the numbers are in {!t} *)

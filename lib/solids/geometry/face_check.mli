@@ -15,6 +15,7 @@ val normal : Ivec.t array -> int array -> Ivec.t
     twice the area, towards the side from which the tuple runs counter-clockwise. *)
 
 val check : Ivec.t array -> int array -> (Ivec.t, problem) result
-(** The {!normal} of a planar, simple, strictly convex polygon, or the first problem in the order of the
-    constructors. The tuple has at least three entries, in range. Linear in their number, but for the search
-    for crossing sides: it is quadratic, and done for at most 64 corners. *)
+(** The {!normal} of a planar, simple, strictly convex polygon, or its problem. A face off its plane is
+    [Off_plane], whatever else is wrong. One that does not turn left somewhere is [Crossing] if its sides cross,
+    and [Not_left] otherwise. Crossing sides are searched for up to 64 corners, in quadratic time; larger faces
+    are [Not_left] then. The rest is linear. The tuple has at least three entries, in range. *)
