@@ -108,10 +108,39 @@ let compare c d =
 
 let equal c d = c == d || (c.relation = d.relation && Z.equal c.right d.right && compare_normals c d = 0)
 
-let follows c ~from:d =
-  match (c.relation, d.relation) with
-  | Equal, _ | _, Equal | Less, At_most -> equal c d
-  | Less, Less | At_most, (Less | At_most) -> Z.leq d.right c.right && compare_normals c d = 0
+(* Positive p and q with p c.normal = q d.normal, or -q d.normal: [Some (p, q, along)]. Stops at the first
+   coefficient that shows that there are none. Zero is an immediate value, as all small numbers of Zarith are. *)
+let multiples c d =
+  let a = c.normal and b = d.normal in
+  let n = Array.length a in
+  let rec first i =
+    if i >= n then None
+    else if a.(i) == Z.zero && b.(i) == Z.zero then first (i + 1)
+    else
+      match (Z.sign a.(i), Z.sign b.(i)) with
+      | 0, _ | _, 0 -> None
+      | s, s' ->
+        let along = s = s' in
+        let p = Z.abs b.(i) and q = if along then Z.abs a.(i) else Z.neg (Z.abs a.(i)) in
+        let rec rest j = j >= n || (Z.equal (Z.mul p a.(j)) (Z.mul q b.(j)) && rest (j + 1)) in
+        if rest (i + 1) then Some (p, Z.abs q, along) else None
+  in
+  first 0
+
+type glance = Follows | Implies | Excludes | Unrelated
+
+(* The bounds as those of one normal: n.x <= p c.right, and n.x <= q d.right or n.x >= -q d.right. *)
+let glance c d =
+  if c.relation = Equal || d.relation = Equal then if equal c d then Follows else Unrelated
+  else
+    match multiples c d with
+    | None -> Unrelated
+    | Some (p, q, true) ->
+      let order = Z.compare (Z.mul q d.right) (Z.mul p c.right) in
+      if order < 0 || (order = 0 && (c.relation = At_most || d.relation = Less)) then Follows else Implies
+    | Some (p, q, false) ->
+      let room = Z.sign (Z.add (Z.mul p c.right) (Z.mul q d.right)) in
+      if room < 0 || (room = 0 && (c.relation = Less || d.relation = Less)) then Excludes else Unrelated
 
 let hash c = Array.fold_left (fun h a -> (h * 31) + Z.hash a) ((Z.hash c.right * 3) + rank c.relation) c.normal
 let opposite c relation = { normal = Array.map Z.neg c.normal; relation; right = Z.neg c.right }

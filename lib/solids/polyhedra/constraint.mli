@@ -58,9 +58,13 @@ val equal : t -> t -> bool
 (** [equal c d] is true if normals, relations and right sides are the same. Equal half-spaces are equal
     constraints. *)
 
-val follows : t -> from:t -> bool
-(** [follows c ~from:d] is true if [c] follows from [d] at a glance: both have the same normal, and the bound of
-    [d] is at least as strong. False does not mean that [c] does not follow. *)
+type glance = Follows | Implies | Excludes | Unrelated
+
+val glance : t -> t -> glance
+(** [glance c d] is what two constraints show of each other without a system being solved. [Follows]: all points of
+    [d] satisfy [c]. [Implies]: all points of [c] satisfy [d]. [Excludes]: no point satisfies both. [Unrelated]:
+    none of these is seen. All is seen of two inequalities whose normals are multiples of each other; of equalities
+    only that they are equal. Takes linear time in the dimension. *)
 
 val compare : t -> t -> int
 (** A total order: equalities first, then by normals without their common factors. Among constraints of one

@@ -33,8 +33,18 @@ let without_face whole piece =
 let all_some options =
   if List.exists Option.is_none options then None else Some (List.filter_map Fun.id options)
 
+(* Mostly two inequalities show that they are apart. *)
+let seen_apart p q =
+  let excluded c d =
+    Constraint.(glance (closed c) d = Excludes) && Constraint.(glance c (closed d) = Excludes)
+  in
+  let others = Polyhedron.constraints q in
+  List.exists (fun c -> List.exists (excluded c) others) (Polyhedron.constraints p)
+
 (* A convex union of two has a point of one on the border of the other. *)
-let apart p q = Polyhedron.disjoint (Polyhedron.closure p) q && Polyhedron.disjoint p (Polyhedron.closure q)
+let apart p q =
+  seen_apart p q
+  || (Polyhedron.disjoint (Polyhedron.closure p) q && Polyhedron.disjoint p (Polyhedron.closure q))
 
 (* Some points between one of each, which a convex union has all. *)
 let between =

@@ -2,7 +2,8 @@ open Scc_exact
 
 type body = { constraints : Constraint.t list; simplex : Simplex.t; minimal : Minimal.t Lazy.t }
 
-(* No body: no point. The constraints are those of the simplex, the last one first. *)
+(* No body: no point. The constraints are those of the simplex that no later one makes superfluous at a glance, the
+   last one first. *)
 type t = { dimension : int; body : body option }
 
 let empty dimension = { dimension; body = None }
@@ -12,15 +13,28 @@ let with_constraints dimension simplex constraints =
 
 let universe n = with_constraints n (Simplex.universe n) []
 
+(* The constraints that still tell something beside c; or that c tells nothing, or leaves no point. *)
+let rec beside c told = function
+  | [] -> `New (List.rev told)
+  | d :: rest -> (
+      match Constraint.glance c d with
+      | Follows -> `Known
+      | Excludes -> `No_point
+      | Implies -> beside c told rest
+      | Unrelated -> beside c (d :: told) rest)
+
 let add p c =
   match p.body with
   | None -> p
   | Some _ when Constraint.truth c = Some true -> p
-  | Some body when List.exists (fun from -> Constraint.follows c ~from) body.constraints -> p
   | Some body -> (
-      match Simplex.add body.simplex c with
-      | None -> empty p.dimension
-      | Some simplex -> with_constraints p.dimension simplex (c :: body.constraints))
+      match beside c [] body.constraints with
+      | `Known -> p
+      | `No_point -> empty p.dimension
+      | `New others -> (
+          match Simplex.add body.simplex c with
+          | None -> empty p.dimension
+          | Some simplex -> with_constraints p.dimension simplex (c :: others)))
 
 let add_all = List.fold_left add
 let of_constraints n constraints = add_all (universe n) constraints

@@ -71,28 +71,9 @@ let around =
 
 let some_are () = Alcotest.(check bool) "some zones were in others" true (!in_others > 100)
 
-let follows =
-  QCheck2.Test.make ~name:"what follows at once follows" ~count:2000
-    (Gen.pair (constraint_of 2) (constraint_of 2)) (fun (c, d) ->
-        (not (Constraint.follows c ~from:d)) || Polyhedron.implies (Polyhedron.of_constraints 2 [ d ]) c)
-
-let follows_by_hand () =
-  let x = Linear.variable 1 0 in
-  let less k = Constraint.less x (Linear.constant 1 (Rat.of_int k)) in
-  let at_most k = Constraint.at_most x (Linear.constant 1 (Rat.of_int k)) in
-  let check name expected c d = Alcotest.(check bool) name expected (Constraint.follows c ~from:d) in
-  check "the same" true (less 1) (less 1);
-  check "wider" true (at_most 2) (at_most 1);
-  check "narrower" false (at_most 1) (at_most 2);
-  check "with its border" true (at_most 1) (less 1);
-  check "without its border" false (less 1) (at_most 1);
-  check "the other way" false (Constraint.at_least x (Linear.constant 1 Rat.zero)) (at_most 0)
-
 let suite =
   ( "zone index",
     [
       ( "zones",
         Scc_test_support.Property.cases [ around ] @ [ Alcotest.test_case "some are in others" `Quick some_are ] );
-      ( "constraints",
-        Scc_test_support.Property.cases [ follows ] @ [ Alcotest.test_case "by hand" `Quick follows_by_hand ] );
     ] )

@@ -38,6 +38,68 @@ let at_points what law =
 let ( => ) a b = (not a) || b
 let mem = Polyhedron.mem
 
+(* {1 What is seen at a glance}
+
+   Constraints of one parameter, of whose normals many are multiples of each other, and some of two. *)
+
+let pair_of_constraints =
+  let parallel = Gen.map2 (fun k c -> (c, k)) Gen.(oneofl [ -3; -2; -1; 1; 2; 3 ]) (constraint_ 2) in
+  let both ((c, k), d, own) =
+    if not own then (c, d)
+    else
+      let scaled = Array.map (Z.mul (Z.of_int k)) c.Constraint.normal in
+      (c, Constraint.make scaled d.Constraint.relation d.right)
+  in
+  Gen.map both (Gen.triple parallel (constraint_ 2) (Gen.frequencyl [ (3, true); (1, false) ]))
+
+let of_constraint c = Polyhedron.of_constraints 2 [ c ]
+
+(* The glance against the solver, which is told the constraint's complement, piece by piece. *)
+let solver_follows c d =
+  List.for_all (fun piece -> Option.is_none (Simplex.of_constraints 2 [ piece; d ])) (Constraint.negation c)
+
+let is_inequality (c : Constraint.t) = c.relation <> Equal
+
+let glances =
+  let law what holds =
+    let print (c, d) = print_two (of_constraint c, of_constraint d) in
+    Test.make ~name:what ~count:4000 ~print pair_of_constraints holds
+  in
+  [ law "a constraint that is seen to follow does" (fun (c, d) ->
+        match Constraint.glance c d with
+        | Follows -> solver_follows c d
+        | Implies -> solver_follows d c
+        | Excludes | Unrelated -> true);
+    law "inequalities that are seen to exclude each other do" (fun (c, d) ->
+        Constraint.glance c d = Excludes => Option.is_none (Simplex.of_constraints 2 [ c; d ]));
+    law "of two parallel inequalities everything is seen" (fun (c, d) ->
+        let parallel = Constraint.first_variable c <> None && is_inequality c && is_inequality d in
+        let times sign = Constraint.make (Array.map (Z.mul sign) d.normal) d.relation d.right in
+        let along sign = Constraint.same_normal c (times sign) in
+        let empty = Option.is_none (Simplex.of_constraints 2 [ c; d ]) in
+        let expected : Constraint.glance =
+          if empty then Excludes
+          else if along Z.one then if solver_follows c d then Follows else Implies
+          else Unrelated
+        in
+        (parallel && (along Z.one || along Z.minus_one)) => (Constraint.glance c d = expected)) ]
+
+let glances_by_hand () =
+  let x = Linear.variable 1 0 in
+  let less k = Constraint.less x (Linear.constant 1 k) in
+  let at_most k = Constraint.at_most x (Linear.constant 1 k) in
+  let at_least k = Constraint.at_least x (Linear.constant 1 k) in
+  let half = Rat.make Z.one (Z.of_int 2) and third = Rat.make Z.one (Z.of_int 3) in
+  let check name expected c d = Alcotest.(check bool) name true (Constraint.glance c d = expected) in
+  check "the same" Constraint.Follows (less half) (less half);
+  check "wider, another denominator" Follows (at_most half) (at_most third);
+  check "narrower" Implies (at_most third) (at_most half);
+  check "with its border" Follows (at_most half) (less half);
+  check "without its border" Implies (less half) (at_most half);
+  check "the other way, with a point" Unrelated (at_least third) (at_most third);
+  check "a gap" Excludes (at_most third) (at_least half);
+  check "without the point between" Excludes (less half) (at_least half)
+
 let set_laws =
   let u p = Union.of_polyhedron p in
   [ at_points "intersection, point by point" (fun p q x ->
@@ -179,5 +241,6 @@ let volumes =
 let () =
   let cases = Scc_test_support.Property.cases in
   Alcotest.run "laws of systems"
-    [ ("sets", cases set_laws); ("algebra", cases algebra); ("projections", cases projections);
+    [ ("sets", cases set_laws); ("glances", Alcotest.test_case "by hand" `Quick glances_by_hand :: cases glances);
+      ("algebra", cases algebra); ("projections", cases projections);
       ("brute force", cases brute_force); ("volumes", cases volumes) ]
