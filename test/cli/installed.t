@@ -109,7 +109,7 @@ fish, where it is there, tells what each is for:
   >   printf 'shape\treport on a polyhedron\n'
   > fi
   --states	Keeps at most N states
-  --stats	Tells what the run took: seconds of each phase, states and transitions a second, memory
+  --stats	Prints what the run cost: seconds of each phase, states and transitions a second, memory
   shape	report on a polyhedron
 
 Installing again replaces what is there, also what an earlier version had beside it; nothing else is touched.

@@ -251,83 +251,82 @@ let man =
   [
     `S Manpage.s_description;
     `P
-      "Reads and validates a model, explores what can happen in it over every non-deterministic choice, and \
-       tells for each of its $(b,check)s whether it holds. Properties speak of every instant of a run, not \
-       only of its events.";
+      "Reads and validates a model, explores all its runs over every non-deterministic choice, and prints a \
+       verdict for each of its $(b,check)s. Properties are about every instant of a run, not only about its \
+       events.";
     `P "A verdict is one of";
     `I ("$(b,holds (exhaustive\\))", "a proof: all that counts was explored.");
-    `I ("$(b,holds up to the bound)", "nothing speaks against it within the bounds that are named.");
+    `I ("$(b,holds up to the bound)", "no counterexample exists within the named bounds.");
     `I ("$(b,violated)", "with a run that shows it.");
     `I ("$(b,undecided)", "with the reason.");
     `S "BOUNDS";
     `P
-      "Without bounds the exploration ends when every property is decided or nothing is left to explore, and \
-       at the default bounds. A default bound that cut the exploration short makes the exit code 2; a bound \
-       that you gave does not, but a limit of seconds or of memory makes it 4.";
+      "The exploration ends when every property is decided, when nothing is left to explore, or at a bound; some \
+       bounds have defaults. If a default bound ended the exploration, the exit code is 2. A bound that you gave \
+       does not change the exit code, but a limit of seconds or of memory makes it 4.";
     `P
-      "A state takes some 20 to 30 bytes. Where operators are nested, or time is bounded, its transitions are \
-       kept too, at 8 bytes each. $(b,--stats) tells what a run took.";
+      "A state takes some 20 to 30 bytes. Nested operators and bounds of time also store its transitions, at 8 \
+       bytes each. $(b,--stats) prints what a run cost.";
     `S "REDUCTIONS";
     `P
-      "What is asked tells what can be left unexplored. Each of these is used where it changes no verdict, and \
-       can be switched off with $(b,--no-reduce).";
-    `I ("$(b,symmetry)", "bodies that differ by their names alone are told apart by their places alone.");
+      "Depending on the properties, much need not be explored. Each reduction is used only where it changes no \
+       verdict, and can be switched off with $(b,--no-reduce).";
+    `I ("$(b,symmetry)", "bodies that differ only by name are distinguished only by their places.");
     `I
       ( "$(b,translation)",
-        "where the whole network is does not matter, unless a property, a law of motion or a fixed body makes it \
-         matter." );
+        "the place of the whole network does not matter, unless a property, a law of motion or a fixed body \
+         depends on it." );
     `I
       ( "$(b,order)",
-        "events of one instant that cannot influence each other, nor what is asked, happen in one order. Only for \
-         $(b,possibly) and $(b,always) of bodies that are named." );
+        "events of one instant happen in one order, if they cannot influence each other or the property. Only \
+         for $(b,possibly) and $(b,always) about named bodies." );
     `I
       ( "$(b,slice)",
-        "bodies that cannot come near those that are asked about, before the time that is asked about, are left \
-         out. Only for $(b,possibly) and $(b,always) of bodies that are named." );
+        "bodies are left out if they cannot come near those in the property before its bound of time. Only for \
+         $(b,possibly) and $(b,always) about named bodies." );
     `I
       ( "$(b,time)",
-        "$(b,time) counts for the properties and laws of motion that speak of it only, and up to the greatest \
-         constant that they compare it with." );
+        "$(b,time) counts only for the properties and laws of motion that use it, and up to the greatest \
+         constant with which they compare it." );
     `I
       ( "$(b,drift)",
-        "how far bodies are from each other that never meet again does not matter, beyond all constants that \
-         places and distances are compared with. Not with laws of motion, nor of bodies that turn." );
+        "the distance of bodies that never meet again does not matter beyond all constants with which places and \
+         distances are compared. Not with laws of motion, and not for bodies that turn." );
     `I ("$(b,jump)", "without a law of motion, time passes over the ends of movement steps at once.");
     `P
-      "Models with parameters of which ranges are known, or with $(b,split_step any), are explored by sets of \
-       states, for which $(b,slice), $(b,order) and $(b,translation) are used, and no other of these; nor do \
-       $(b,--shortest) and $(b,--hash-compact) apply to them. They have a bound of 1000 transitions by default \
-       ($(b,--depth)).";
+      "Models with ranges of parameters, or with $(b,split_step any), are explored by sets of states. For these \
+       only $(b,slice), $(b,order) and $(b,translation) are used, and $(b,--shortest) and $(b,--hash-compact) do \
+       not apply. They have a default bound of 1000 transitions ($(b,--depth)).";
     `P
-      "With $(b,order) and $(b,slice) a run that is shown may contain events of other bodies, which the fact does \
-       not need; $(b,scc explain) tells which of them matter. Without reductions it is the shortest of all runs \
-       that show the fact: that with the fewest steps, or with $(b,--shortest time) the earliest one. Runs of \
-       nested formulas are as short as can be from each operator to the next.";
+      "With $(b,order) and $(b,slice) a run that is shown may contain irrelevant events of other bodies; $(b,scc \
+       explain) finds those that matter. Without reductions it is the shortest of all runs that show the fact: \
+       the one with the fewest steps, or with $(b,--shortest time) the earliest. Runs of nested formulas are as \
+       short as possible from each operator to the next.";
     `S "STORES";
     `P
-      "With $(b,--store) an exploration is kept in a folder while it goes on. After Ctrl-C, the end of its \
-       seconds, a kill or a power cut, the same command goes on from there; its report is that of a run that \
-       was never interrupted. Only what ends the work before it is done may be different (limits of seconds and \
-       of memory, the number of processes), and what is written of it; a store of something else is refused, \
-       and so is one that is damaged or in use. When it cannot be written any more, as on a full disk, a \
-       warning tells so at once, the exploration goes on without it, and the exit code is 74.";
+      "With $(b,--store) an exploration is stored in a folder while it proceeds. After Ctrl-C, the end of its \
+       seconds, a kill or a power cut, the same command resumes; its report is that of a run that was never \
+       interrupted. Options that end the work early may change (limits of seconds and of memory, the number of \
+       processes), and so may the options of the output. A store of something else is refused, and so is one \
+       that is damaged or in use. If the store cannot be written any more, as on a full disk, a warning says so \
+       at once. The exploration then continues without it, and the exit code is 74.";
     `P
-      "Models with parameters of which ranges are known, or with $(b,split_step any), have no store: they are \
-       explored by sets of states. $(b,specs/large-models.md) tells more.";
+      "Models with ranges of parameters, or with $(b,split_step any), have no store: they are explored by sets \
+       of states. See $(b,specs/large-models.md).";
     `S "PROOFS";
     `P
-      "Where states never recur, exploring comes to no end. $(b,--prove) looks for an invariant: a set of states, \
-       with inequalities between their numbers, that has the initial ones and that no run leaves. If nothing in \
-       it is bad, $(b,always) holds, and if nothing in it is good, $(b,possibly) is violated: $(b,proved by an \
-       invariant). It decides nothing else. Before it counts it is checked afresh, by other means than those that \
-       found it; $(b,--invariant) shows it. How long it is looked for is counted in steps of arithmetic, and \
-       so is the same on every machine: 10 million before anything is explored, and 200 million where a bound \
-       ended this; for each state that $(b,--states) allows beyond its default, 50 and 1000 more. \
-       $(b,--seconds) and $(b,--memory) end it as well: the search before has half of the seconds, and where it \
-       was given up, what is explored after it has half of those that are left then. Of \
-       models with parameters of which ranges are known, or with $(b,split_step any), one is looked for by itself \
-       where a bound has kept a verdict from being a proof. \
-       Bodies that turn, laws of motion, rounded velocities and $(b,binding contact) have none.";
+      "Where states never recur, exploring does not end. $(b,--prove) searches for an invariant: a set of \
+       states, with inequalities between their numbers, that contains the initial ones and that no run leaves. \
+       If no state in it breaks $(b,always), the property holds. If no state in it satisfies $(b,possibly), the \
+       property is violated. The verdict says $(b,proved by an invariant). An invariant decides nothing else. \
+       Independent code checks it before it counts; $(b,--invariant) shows it. The work of a search is counted \
+       in steps of arithmetic, and so is the same on every machine. It is 10 million steps before anything is \
+       explored, and 200 million where a bound ended the exploration. For each state that $(b,--states) allows \
+       beyond its default, 50 and 1000 steps are added. $(b,--seconds) and $(b,--memory) end the search as well. \
+       The search before the exploration has half of the seconds; if it was given up, the exploration after it \
+       has half of the remaining ones. For models with ranges of parameters, or with $(b,split_step any), scc \
+       searches without this option, where a bound has kept a verdict from being a proof. Models with bodies \
+       that turn, laws of motion, rounded velocities or $(b,binding contact) have no invariants.";
   ]
   @ Options.diagnostics_man
   @ [

@@ -67,9 +67,9 @@ let seconds =
 let memory =
   let doc =
     Printf.sprintf
-      "Uses at most about $(docv) MiB of memory. The default is %d. Where the system limits what this process \
-       may have ($(b,ulimit -v), $(b,ulimit -d)) it is no more than about half of what is left when the program \
-       has begun."
+      "Uses at most about $(docv) MiB of memory. The default is %d. If the system limits this process \
+       ($(b,ulimit -v), $(b,ulimit -d)), the default is no more than about half of what is left when the program \
+       has started."
       default_mib
   in
   Arg.(value & opt (some (positive "MiB")) None & info [ "memory" ] ~docv:"N" ~doc ~docs)
@@ -78,8 +78,8 @@ let most_bits = Scc_calculus.Law.longest
 
 let bits =
   let doc =
-    "Expands only states none of whose numbers takes more than $(docv) bits, numerator and denominator together. \
-     The default is 100000."
+    "Expands only states whose numbers all have at most $(docv) bits, numerator and denominator together. The \
+     default is 100000."
   in
   let number = Options.integer ~least:1 ~most:most_bits (Printf.sprintf "number of bits from 1 to %d" most_bits) in
   Arg.(value & opt (some number) None & info [ "bits" ] ~docv:"N" ~doc ~docs)

@@ -113,8 +113,8 @@ let finish console (l : Loaded.t) (result : (Replay.ending, Replay.failure) resu
 
 let schedule =
   let doc =
-    "Makes the choices of $(docv): a schedule, as $(b,scc check --witness) writes it, or a trace, whose \
-     schedule is taken. It is followed to its end. A choice that is not possible where it is made is refused."
+    "Makes the choices of $(docv): a schedule, as $(b,scc check --witness) writes it, or a trace, whose schedule \
+     is used. The run follows it to its end. An impossible choice is an error."
   in
   Arg.(value & opt (some string) None & info [ "schedule" ] ~docv:"FILE" ~doc)
 
@@ -146,17 +146,17 @@ let start_conv : Sample.how Arg.conv =
 
 let choose =
   let doc =
-    "How to choose between transitions: $(b,first), the first one, or $(b,random:SEED), each equally \
-     likely, by the generator SplitMix64 from the integer $(b,SEED): the same on every machine."
+    "How to choose between transitions: $(b,first), the first one, or $(b,random:SEED), each equally likely, by \
+     the generator SplitMix64 from the integer $(b,SEED): the same on every machine."
   in
   Arg.(value & opt choose_conv First & info [ "choose" ] ~docv:"POLICY" ~doc)
 
 let start ~sampled =
   let doc =
-    "Which start to run from where parameters have ranges: $(b,simple), simple numbers within the ranges, or \
-     $(b,random:SEED), by the generator SplitMix64 from the integer $(b,SEED) for each one of the 1023 values \
-     that divide its range into 1024 equal parts. Values that $(b,-D) or a schedule gives are kept, and a range \
-     that $(b,-D) narrows is the one that is sampled. "
+    "Which start to use where parameters have ranges: $(b,simple), simple numbers within the ranges, or \
+     $(b,random:SEED). The latter takes for each parameter one of the 1023 values that divide its range into \
+     1024 equal parts, by the generator SplitMix64 from the integer $(b,SEED). Values that $(b,-D) or a schedule \
+     gives are kept, and a range that $(b,-D) narrows is the one that is sampled. "
     ^ sampled
   in
   Arg.(value & opt (some start_conv) None & info [ "start" ] ~docv:"START" ~doc)
@@ -170,7 +170,7 @@ let steps =
   Arg.(value & opt (some Options.transitions) None & info [ "steps" ] ~docv:"N" ~doc)
 
 let time =
-  let doc = "Ends the run at the model time $(docv), between events if need be." in
+  let doc = "Ends the run at the model time $(docv), between events if necessary." in
   Arg.(value & opt (some (Options.not_negative "model time")) None & info [ "time" ] ~docv:"T" ~doc)
 
 let options ~sampled =

@@ -96,12 +96,12 @@ let input index docv =
 
 let relation =
   let doc =
-    "What equivalent means: $(b,trace), $(b,weak), $(b,branching), $(b,strong) or $(b,timed) (see RELATIONS)."
+    "The equivalence: $(b,trace), $(b,weak), $(b,branching), $(b,strong) or $(b,timed) (see RELATIONS)."
   in
   Arg.(value & opt (enum Compare_report.relations) Compare.Branching & info [ "modulo" ] ~docv:"RELATION" ~doc)
 
 let definitions names what =
-  let doc = Printf.sprintf "As $(b,-D), for the %s model alone. Repeatable." what in
+  let doc = Printf.sprintf "As $(b,-D), for the %s model only. Repeatable." what in
   Arg.(value & opt_all Options.override [] & info names ~docv:"NAME=VALUE" ~doc)
 
 let overrides =
@@ -123,17 +123,16 @@ let renaming =
 
 let renamed =
   let doc =
-    "Changes the labels of the first model before they are compared. $(i,FROM) is a name of a body, a part \
-     or a channel, which is replaced wherever it stands in a label ($(b,p=left)); or, with a bracket or a \
-     $(b,*) in it, a pattern for whole labels: what its stars stand for takes the places of the stars of \
-     $(i,TO) ($(b,'bind(a, *\\)=bind(b, *\\)')). The first pattern that fits decides; else all names are \
-     replaced at once. Repeatable."
+    "Changes the labels of the first model before the comparison. $(i,FROM) is a name of a body, a part or a \
+     channel, which is replaced wherever it occurs in a label ($(b,p=left)). If it has a bracket or a $(b,*), it \
+     is a pattern for whole labels: the texts that match its stars replace the stars of $(i,TO) ($(b,'bind(a, \
+     *\\)=bind(b, *\\)')). The first matching pattern decides; else all names are replaced at once. Repeatable."
   in
   Arg.(value & opt_all renaming [] & info [ "rename" ] ~docv:"FROM=TO" ~doc)
 
 let write =
   let doc =
-    "Writes the two graphs as they are compared, renamed, hidden and with time as the relation sees it, to \
+    "Writes the two graphs as they are compared, renamed, hidden and with the relation's treatment of time, to \
      $(docv)-1.aut and $(docv)-2.aut."
   in
   Arg.(value & opt (some string) None & info [ "write" ] ~docv:"PREFIX" ~doc)
@@ -156,11 +155,11 @@ let exits =
         (Undecided, "if that is not known.");
         (Invalid, "if a model or a graph is invalid.");
         ( Stopped,
-          "if it is not known since a limit of seconds or memory, or an interruption, ended the work." );
+          "if the answer is unknown since a limit of seconds or memory, or an interruption, ended the work." );
       ]
 
 let command =
   Cmd.v
-    (Cmd.info "compare" ~doc:"tell whether two models are equivalent, and why not" ~man:Compare_manual.text
+    (Cmd.info "compare" ~doc:"decide whether two models are equivalent, and why not" ~man:Compare_manual.text
        ~exits)
     Term.(const run $ Options.color $ Options.json $ options)

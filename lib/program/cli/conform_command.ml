@@ -116,30 +116,30 @@ let trace =
 
 let tolerance =
   let doc =
-    "How far off the times, positions, velocities and other numbers of the trace may be, each by itself. With \
-     0, the default, they have to be equal. A trace with floats (numbers with a point or an exponent) needs one; \
-     in a rigid model not less than its resolution, unless it is 0."
+    "The tolerance of times, positions, velocities and other numbers of the trace, each by itself. With 0, the \
+     default, they must be equal. A trace with floats (numbers with a point or an exponent) needs a tolerance; \
+     in a rigid model it is not less than the resolution, unless it is 0."
   in
   Arg.(value & opt (some (Options.not_negative "tolerance")) None & info [ "tolerance" ] ~docv:"T" ~doc)
 
 let unobserved =
   let doc =
-    "Events that the trace need not tell: a kind ($(b,bounce), $(b,bind), $(b,weak), $(b,strong)), or the text \
-     of a label, in which $(b,*) stands for any characters: $(b,'bounce(p, *\\)'). Repeatable. Every other event \
-     has to be told."
+    "Events that the trace may omit: a kind ($(b,bounce), $(b,bind), $(b,weak), $(b,strong)), or the text of a \
+     label, in which $(b,*) stands for any characters: $(b,'bounce(p, *\\)'). Repeatable. The trace must have \
+     every other event."
   in
   Arg.(value & opt_all Hide.pattern [] & info [ "unobserved" ] ~docv:"PATTERN" ~doc)
 
 let states =
   let doc =
-    "Looks at no more than $(docv) states for each line of the trace. When that does not do, the trace is \
-     undecided, unless it conforms all the same."
+    "Explores at most $(docv) states for each line of the trace. If that is not enough, the trace is undecided, \
+     unless it conforms anyway."
   in
   let count = Options.integer ~least:1 "number of states" in
   Arg.(value & opt count Search.default_states & info [ "states" ] ~docv:"N" ~doc)
 
 let run_file =
-  let doc = "Writes a run that the trace is of to $(docv), as a schedule for $(b,scc trace --schedule)." in
+  let doc = "Writes a run that agrees with the trace to $(docv), as a schedule for $(b,scc trace --schedule)." in
   Arg.(value & opt (some string) None & info [ "run" ] ~docv:"FILE" ~doc)
 
 let options =
@@ -153,18 +153,17 @@ let man =
   [
     `S Manpage.s_description;
     `P
-      "Tells whether a trace that somebody else recorded, another simulator say, is one of the model: each of its \
-       events is matched to a transition that is allowed. Where the trace leaves a choice open (which candidate \
-       bound, in which order things happened that happened at once), all are followed. Otherwise the first thing \
-       is told that no run does: what the trace did, what was allowed there, which rules say so, how far off it \
-       is.";
+      "Decides whether a trace that another program recorded, such as a simulator, is a run of the model: each \
+       of its events is matched to an allowed transition. Where the trace leaves a choice open (which candidate \
+       bound, the order of simultaneous events), all choices are followed. If no run agrees, the report has the \
+       first item that no run does: the event of the trace, the allowed events there, the rules, and the \
+       difference.";
     `P
-      "A trace is the JSON Lines of $(b,scc trace), most of whose members may be left out, or CSV with the \
-       columns $(b,time), $(b,event), $(b,bodies), $(b,features) and some more. Both are described, with \
-       examples, in $(b,specs/conform.md).";
+      "A trace has the JSON Lines of $(b,scc trace), most of whose members may be left out, or is CSV with the \
+       columns $(b,time), $(b,event), $(b,bodies), $(b,features) and some more. $(b,specs/conform.md) describes \
+       both, with examples.";
     `P
-      "Events that happen at times that differ by no more than the tolerance, to separate bodies, may stand in \
-       either order.";
+      "Events of separate bodies whose times differ by no more than the tolerance may stand in either order.";
   ]
   @ Options.diagnostics_man
   @ [
@@ -179,7 +178,7 @@ let exits =
   Exits.man ()
     ~told:
       [
-        (Holds, "if the trace is one of the model, within the tolerance.");
+        (Holds, "if the trace is a run of the model, within the tolerance.");
         (Violated, "if it is not.");
         (Undecided, "if that is not known: a limit was reached.");
         (Invalid, "if the model or the trace is invalid.");
@@ -188,5 +187,5 @@ let exits =
 
 let command =
   Cmd.v
-    (Cmd.info "conform" ~doc:"tell whether a recorded trace is one of a model, and where not" ~man ~exits)
+    (Cmd.info "conform" ~doc:"decide whether a recorded trace is a run of a model, and where not" ~man ~exits)
     Term.(const run $ Options.color $ Options.json $ options)

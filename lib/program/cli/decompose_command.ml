@@ -154,8 +154,8 @@ let mesh =
 
 let output =
   let doc =
-    "Writes the parts to $(docv), exactly. The ending of the name tells the format: $(b,.sc), a compound of the \
-     language with a template for each part, glued where they touch; or $(b,.obj), each part an object."
+    "Writes the parts to $(docv), exactly. The ending of the name selects the format: $(b,.sc), a compound of \
+     the language with a template for each part, glued where they touch; or $(b,.obj), each part an object."
   in
   Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
 
@@ -173,19 +173,19 @@ let man =
   [
     `S Manpage.s_description;
     `P
-      "Cuts a closed polyhedron into convex parts, exactly: they have no inner point in common, and are together \
-       the solid, to the last digit. It need not be convex, and may have holes and hollows; faces that cross each \
-       other, that are not flat, or that leave a gap are refused, with the place. Meshes of other programs can be \
-       mended before: $(b,--grid), $(b,--weld), $(b,--orient) and $(b,--merge), in this order, as for $(b,scc \
-       shape).";
+      "Cuts a closed polyhedron into convex parts, exactly: they have no inner point in common, and their union \
+       is the solid, to the last digit. The solid need not be convex, and may have holes and hollows. Faces that \
+       cross each other, that are not flat, or that leave a gap are refused, with the place. Meshes of other \
+       programs can be repaired first: $(b,--grid), $(b,--weld), $(b,--orient) and $(b,--merge), in this order, \
+       as for $(b,scc shape).";
     `P
-      "A prism over a polygon without holes has as few parts as cuts between its corners allow. Any other solid \
-       is cut by planes through its reflex edges, which are those of its faces or go through a third corner, and \
-       parts are joined while they stay convex: as a rule there are no more parts than reflex edges, but some \
-       solids need about as many as the square of that, and no such bound holds here. Parts are cut further where \
+      "A prism over a polygon without holes is cut into as few parts as cuts between its corners allow. Any \
+       other solid is cut by planes through its reflex edges, which are those of its faces or go through a third \
+       corner, and parts are joined while they stay convex. As a rule there are no more parts than reflex edges. \
+       Some solids need about the square of that number, so there is no such bound. Parts are cut further where \
        one of their faces would lie in two faces of the solid, so that a name of a face means that face.";
     `P
-      "In a model, $(b,compound C = decompose \"FILE\" mass 1) is the same, and the names of the faces of the \
+      "In a model, $(b,compound C = decompose \"FILE\" mass 1) does the same, and the names of the faces of the \
        file are names of features.";
   ]
   @ Options.diagnostics_man

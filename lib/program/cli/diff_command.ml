@@ -51,8 +51,8 @@ let trace index docv =
 
 let tolerance_option =
   let doc =
-    "How far the numbers of the two may be apart, each by itself. With 0, the default, they have to be equal. A \
-     trace with floats needs one."
+    "The tolerance of the numbers of the two traces, each by itself. With 0, the default, they must be equal. A \
+     trace with floats needs a tolerance."
   in
   Arg.(value & opt (some (Options.not_negative "tolerance")) None & info [ "tolerance" ] ~docv:"T" ~doc)
 
@@ -64,11 +64,11 @@ let man =
   [
     `S Manpage.s_description;
     `P
-      "Tells the first difference of two traces in terms of the calculus: whether they are of one model, with the \
-       same parameters; the first event that is another, at another time, or another choice; the first state in \
-       which a body differs, in which quantity, by how much; how they end. What only one of the two tells \
-       (features, states, behaviours) is not compared. The formats are those of $(b,scc conform), which tells \
-       whether a trace is allowed; two different traces may both be.";
+      "Prints the first difference of two traces in terms of the calculus. It compares the models and their \
+       parameters; then the events, with their times and choices; then the states, in which a body may differ in \
+       some quantity; and then the ends. Data that only one of the two has (features, states, behaviours) are \
+       not compared. The formats are those of $(b,scc conform), which decides whether a trace is allowed; two \
+       different traces may both be.";
   ]
   @ Options.diagnostics_man
   @ [

@@ -240,19 +240,21 @@ let run color json o =
 (* {1 The command line} *)
 
 let checks =
-  let doc = "Estimates the check $(docv) alone. May be given several times." in
+  let doc = "Estimates only the check $(docv). May be given several times." in
   Arg.(value & opt_all string [] & info [ "check" ] ~docv:"NAME" ~doc)
 
 let properties =
   let doc =
-    "Estimates $(docv), which the model has not: $(b,P = ? [ eventually f ]). May be given several times."
+    "Estimates $(docv), a property that is not in the model: $(b,P = ? [ eventually f ]). May be given several \
+     times."
   in
   Arg.(value & opt_all string [] & info [ "property" ] ~docv:"PROPERTY" ~doc)
 
 let count = Options.integer ~least:1 "number of runs"
 
 let runs =
-  let doc = "Makes $(docv) runs, and looks once: the intervals are narrower than after as many by $(b,--width)." in
+  let doc = "Makes $(docv) runs, and evaluates once: the intervals are narrower than after as many runs by \
+             $(b,--width)." in
   Arg.(value & opt (some count) None & info [ "runs" ] ~docv:"N" ~doc)
 
 let most =
@@ -271,8 +273,8 @@ let confidence =
 
 let width =
   let doc =
-    "Makes runs until the interval of a probability is not wider than $(docv), and that of a mean not wider than \
-     this share of it, where it has one; of a comparison, until it is decided."
+    "Makes runs until the interval of a probability is at most $(docv) wide, and that of a mean at most this \
+     share of its range; of a comparison, until it is decided."
   in
   Arg.(
     value
@@ -281,10 +283,10 @@ let width =
 
 let free =
   let doc =
-    "What becomes of a run where several things are possible and none of them is drawn. $(b,apart): it is left \
-     there; what is not known by then counts for no at the lower end of the interval, and for yes at the \
-     upper end, so that the least and the greatest probability are in it. $(b,evenly): each is taken as often; \
-     what comes of it is a probability of that alone."
+    "The treatment of a run where several things are possible and none of them is drawn. With $(b,apart) the run \
+     stops there. What is still unknown then counts for no at the lower end of the interval, and for yes at the \
+     upper end. So the interval contains the least and the greatest probability. With $(b,evenly) each \
+     possibility has the same probability; the result is valid only for these choices."
   in
   Arg.(
     value
@@ -296,14 +298,14 @@ let steps =
   Arg.(value & opt Options.transitions 10_000 & info [ "steps" ] ~docv:"N" ~doc)
 
 let until =
-  let doc = "Leaves a run at the model time $(docv), if not all is decided by then." in
+  let doc = "Stops a run at the model time $(docv), if not all is decided by then." in
   Arg.(value & opt (some (Options.positive "model time")) None & info [ "until" ] ~docv:"TIME" ~doc)
 
 let store_option =
   Kept.option
     ~doc:
-      "Keeps the runs in the folder $(docv) while they are made, which is made if need be. The same command goes \
-       on from there; so does one with another $(b,--runs), $(b,--most), $(b,--confidence), $(b,--width), \
+      "Stores the runs in the folder $(docv), which is created if necessary, while they are made. The same \
+       command resumes, and so does one with another $(b,--runs), $(b,--most), $(b,--confidence), $(b,--width), \
        $(b,--seconds) or $(b,--jobs). See STORES."
 
 let options =
@@ -327,22 +329,22 @@ let man =
   [
     `S Manpage.s_description;
     `P
-      "Makes runs of a model, and tells from them how likely the properties of its checks are, and what is to be \
-       expected: $(b,P) and $(b,E), where what is in the brackets is about states. Each run is judged exactly; \
-       that there are only so many of them is all that is not exact. An answer says $(b,estimated), and is no \
-       proof; $(b,scc check) proves, where it gets to the end.";
+      "Makes runs of a model, and estimates from them the probabilities and means in its checks: $(b,P) and \
+       $(b,E), if the formula in the brackets is about states. Each run is judged exactly; the only error is \
+       that of the sample. An answer says $(b,estimated), and is no proof; $(b,scc check) proves, if it \
+       finishes.";
     `P
       "Intervals of probabilities are those of Clopper and Pearson, with proved bounds, and hold for any number \
-       of runs. Without $(b,--runs) they are looked at again and again, with a share of what the confidence \
-       leaves for each look, so that it holds for all of them together.";
+       of runs. Without $(b,--runs) they are evaluated again and again, each time with a share of the remaining \
+       error probability, so that the confidence holds for all evaluations together.";
     `P
-      "A mean has such an interval if its number is in a range, whatever the run: counts, numbers of bonds, of \
-       processes and of shapes at a time, and what is made of them. Other means are undecided: a value too rare \
-       to be among the runs may move the mean by any amount. The mean and the standard deviation of the runs are \
-       shown, and nothing follows from them; $(b,--runs) makes more of them.";
+      "A mean has such an interval if its number has a known range for every run: counts, numbers of bonds, of \
+       processes and of shapes at a time, and expressions of these. Other means are undecided: a value too rare \
+       to be among the runs may move the mean by any amount. Their sample mean and standard deviation are shown, \
+       and prove nothing; $(b,--runs) makes more runs.";
     `P
-      "The same options give the same answers, however many processes work at it, but for $(b,--seconds) and \
-       interruptions, after which there is an answer from the runs that were made.";
+      "The same options give the same answers, for any number of processes, except after $(b,--seconds) and \
+       interruptions; then the answer rests on the runs that were made.";
   ]
   @ Kept.man
   @ Options.diagnostics_man
@@ -359,9 +361,9 @@ let command =
       (Exit_code.Holds, "if every comparison is estimated to hold, and every number is estimated. No proof.");
       (Exit_code.Violated, "if some comparison is estimated to be violated.");
       ( Exit_code.Undecided,
-        "if some property is undecided, as is the mean of a number without a range, or some number is not as \
-         narrow as was asked for." );
-      (Exit_code.Stopped, "if it was stopped: what is said rests on the runs that were made.");
+        "if some property is undecided, such as the mean of a number without a range, or some interval is wider \
+         than requested." );
+      (Exit_code.Stopped, "if it was stopped: the answers rest on the runs that were made.");
     ]
   in
   let exits = Exits.man ~told () in

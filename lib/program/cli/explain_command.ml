@@ -108,23 +108,23 @@ let run color json o =
 
 let witness =
   let doc =
-    "The run: a schedule, as $(b,scc check --witness) writes it, or a trace, whose schedule is taken."
+    "The run: a schedule, as $(b,scc check --witness) writes it, or a trace, whose schedule is used."
   in
   Arg.(required & pos 0 (some string) None & info [] ~docv:"WITNESS" ~doc)
 
 let model =
-  let doc = "The model. A schedule that $(b,scc check) wrote names its own, by the path given then." in
+  let doc = "The model. A schedule of $(b,scc check) names its model, by the path given then." in
   Arg.(value & pos 1 (some string) None & info [] ~docv:"MODEL" ~doc)
 
 let check =
   let doc =
-    "Explains the facts that the check $(docv) of the model is about. By default it is the check that the \
-     schedule is a witness for; without one, the last event of the run is explained."
+    "Explains the facts in the check $(docv) of the model. By default it is the check for which the schedule is \
+     a witness; without one, the last event of the run is explained."
   in
   Arg.(value & opt (some string) None & info [ "check" ] ~docv:"NAME" ~doc)
 
 let options =
-  let full = Options.full "Tells every step of the run, and all digits of numbers." in
+  let full = Options.full "Prints every step of the run, and all digits of numbers." in
   let make witness model check given full = { witness; model; check; given; full } in
   Term.(const make $ witness $ model $ check $ Options.definitions $ full)
 
@@ -132,18 +132,18 @@ let man =
   [
     `S Manpage.s_description;
     `P
-      "Follows a run and tells which of its events the facts at its end depend on: the atoms of a check, or \
-       the last event. An event depends on the earlier ones that last changed what takes part in it: how it \
-       moves, its bonds, its behaviour, since when its split clock runs; and on what these depend on. The \
-       steps that matter are marked with $(b,*), each with its reasons.";
+      "Replays a run and finds the events on which the facts at its end depend: the atoms of a check, or the \
+       last event. An event depends on the earlier ones that last changed its bodies: their motion, bonds, \
+       behaviour, or the start of their split clock; and on the causes of these. The steps that matter are \
+       marked with $(b,*), each with its reasons.";
     `P
-      "What does not matter is tried, not assumed: a body that takes no part in the causes could have pushed \
-       another out of the way. The run is made again without all such bodies. If the same happens (the same \
-       causes at the same times, the same facts at the end), it says so; otherwise it tells which of them \
-       matter by what they keep away, and counts their collisions among the causes.";
+      "Irrelevance is tried, not assumed: a body that takes no part in the causes could have pushed another out \
+       of the way. The run is made again without all such bodies. If the same happens (the same causes at the \
+       same times, the same facts at the end), the report says so. Otherwise it names the bodies that matter by \
+       what they keep away, and counts their collisions among the causes.";
     `P
-      "A run may end in a dead end (SC0602, a warning here): it is explained up to there. That it is over is one \
-       of the facts then, unless the check looks for something that the run has met ($(b,possibly), $(b,always)).";
+      "A run may end in a dead end (SC0602, a warning here): it is explained up to there. The end is then one of \
+       the facts, unless the check searches for something that the run has met ($(b,possibly), $(b,always)).";
   ]
   @ Options.diagnostics_man
   @ [

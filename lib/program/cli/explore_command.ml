@@ -174,8 +174,8 @@ let run color o =
 
 let output =
   let doc =
-    "Writes to $(docv), whose extension tells the format; $(b,-) is standard output. A file is there as a whole \
-     or not at all."
+    "Writes to $(docv), whose extension selects the format; $(b,-) is standard output. A file is written as a \
+     whole or not at all."
   in
   Arg.(required & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
 
@@ -187,32 +187,32 @@ let format =
   Arg.(value & opt (some (enum formats)) None & info [ "format" ] ~docv:"FORMAT" ~doc)
 
 let dialect =
-  let doc = "Whose explicit files to write: $(b,prism) or $(b,storm). For the format $(b,tra)." in
+  let doc = "The dialect of the explicit files: $(b,prism) or $(b,storm). For the format $(b,tra)." in
   let dialects = [ ("prism", Explicit_files.Prism); ("storm", Explicit_files.Storm) ] in
   Arg.(value & opt (enum dialects) Explicit_files.Prism & info [ "dialect" ] ~docv:"TOOL" ~doc)
 
 let cadp =
   let doc =
-    "Writes the invisible action as $(b,i), as CADP does, and not as $(b,\"tau\"). For the format $(b,aut)."
+    "Writes the invisible action as $(b,i), as CADP does, instead of $(b,\"tau\"). For the format $(b,aut)."
   in
   Arg.(value & flag & info [ "cadp" ] ~doc)
 
 let all_steps =
   let doc =
-    "Keeps passings of time apart that follow each other with nothing else possible between them: every state \
-     is in the file, under its number. For the format $(b,aut)."
+    "Keeps consecutive passings of time apart that have nothing else possible between them: every state is in \
+     the file, under its number. For the format $(b,aut)."
   in
   Arg.(value & flag & info [ "all-steps" ] ~doc)
 
 let instants =
   let doc =
-    "Makes states of the instants, and of the times between them, at which a predicate of some check changes \
-     while time passes, so that the labels tell all of a run. For the formats $(b,tra) and $(b,drn)."
+    "Adds states for the instants, and for the times between them, at which a predicate of some check changes \
+     while time passes, so that the labels describe whole runs. For the formats $(b,tra) and $(b,drn)."
   in
   Arg.(value & flag & info [ "instants" ] ~doc)
 
 let positions =
-  let doc = "Shows where things are and how they move. For the format $(b,dot)." in
+  let doc = "Shows the places and motions of bodies. For the format $(b,dot)." in
   Arg.(value & flag & info [ "positions" ] ~doc)
 
 let options =

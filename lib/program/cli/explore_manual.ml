@@ -4,60 +4,59 @@ let text =
   [
     `S Manpage.s_description;
     `P
-      "Explores what can happen in a model, over every non-deterministic choice, and writes the graph of \
-       states and transitions for other tools. The bytes are the same from run to run.";
+      "Explores a model over every non-deterministic choice, and writes the graph of states and transitions for \
+       other tools. The bytes are the same from run to run.";
     `P
-      "What was cut short by a bound is no less honest than a verdict: it is told on standard error and in the \
-       output (states whose transitions are not known have the label, or a loop, $(b,unexplored)), and by the \
-       exit code, which is that of $(b,scc check) for the exploration.";
+      "If a bound ended the exploration, a message on standard error and the output say so (states with unknown \
+       transitions have the label, or a loop, $(b,unexplored)). So does the exit code, which is that of $(b,scc \
+       check) for the exploration.";
     `S "FORMATS";
     `I
       ( "$(b,aut)",
-        "Aldebaran's labelled transition systems, for CADP, mCRL2 and merc. Labels are those of $(b,scc \
-         trace), such as $(b,time(1/2\\)) and $(b,bind(a, p.right, q.left\\)). $(b,--hide) makes some \
-         invisible. Passings of time that follow each other, with nothing else possible between them, are \
-         one ($(b,--all-steps) keeps them apart); where nothing will ever happen again there \
-         is the loop $(b,time(forever\\))." );
+        "Aldebaran's labelled transition systems, for CADP, mCRL2 and merc. Labels are those of $(b,scc trace), \
+         such as $(b,time(1/2\\)) and $(b,bind(a, p.right, q.left\\)). $(b,--hide) makes some invisible. \
+         Consecutive passings of time, with nothing else possible between them, are one ($(b,--all-steps) keeps \
+         them apart). A state in which nothing will ever happen again has the loop $(b,time(forever\\))." );
     `I
       ( "$(b,dot)",
         "A picture for Graphviz, for small graphs. Nodes show the bonds and behaviours that differ between \
-         states; red and green tell where a check is violated, and where it is met. A chain of passings of \
-         time is one edge." );
+         states. Red nodes violate a check, and green nodes satisfy its formula. A chain of passings of time is \
+         one edge." );
     `I
       ( "$(b,tra)",
         "The explicit files of PRISM, or of Storm with $(b,--dialect storm): $(i,FILE).tra, .lab and .sta (and \
          .clab for Storm, with actions). The graph is a Markov decision process in which each transition is an \
-         action with probability 1, but where a velocity is drawn: all draws of a state are one action (the \
-         probabilities are floats here). States without transitions get a loop: $(b,rest) where time passes \
-         for ever, $(b,stuck) where not even time passes, $(b,unexplored). $(i,FILE).names.json tells what \
-         the names stand for." );
+         action with probability 1. Where a velocity is drawn, all draws of a state are one action (the \
+         probabilities are floats here). States without transitions get a loop: $(b,rest) where time passes for \
+         ever, $(b,stuck) where not even time passes, $(b,unexplored). $(i,FILE).names.json maps the names to \
+         their meanings." );
     `I
       ( "$(b,drn)",
         "The same for Storm in one file, with exact probabilities, and exact durations as the reward model \
-         $(b,time). Comments tell what the names stand for." );
-    `I ("$(b,json)", "All there is: states in full. The schema is $(b,specs/schema/graph.schema.json).");
+         $(b,time). Comments explain the names." );
+    `I ("$(b,json)", "The whole graph, with states in full. The schema is $(b,specs/schema/graph.schema.json).");
     `P
-      "Of a model with parameters of which ranges are known ($(b,-D x=LOW..HIGH) narrows them), or with \
-       $(b,split_step any), the graph is one of sets of states, as $(b,scc check) explores it without reductions, \
-       for $(b,dot) and $(b,json): each with its constraints, edges with where they are taken and how long time \
-       passes. The schema is $(b,specs/schema/zones.schema.json). The other formats list single states, and \
-       refuse such models. A depth of 1000 is the default bound.";
+      "For a model with ranges of parameters ($(b,-D x=LOW..HIGH) narrows them), or with $(b,split_step any), \
+       $(b,dot) and $(b,json) have a graph of sets of states, as $(b,scc check) explores it without reductions. \
+       Each set has its constraints, and each edge the values for which it is taken and its duration. The schema \
+       is $(b,specs/schema/zones.schema.json). The other formats list single states, and refuse such models. A \
+       depth of 1000 is the default bound.";
     `P
-      "In $(b,tra) and $(b,drn), a state has the labels $(b,init), $(b,deadlock) (nothing can happen, not \
-       even the passing of time), $(b,quiescent) (nothing will ever happen again), $(b,unexplored), and one \
-       for each predicate of the model's checks that holds in it: $(b,bound_p_q) for $(b,bound(p, q\\)), and \
+      "In $(b,tra) and $(b,drn), a state has the labels $(b,init), $(b,deadlock) (nothing can happen, not even \
+       the passing of time), $(b,quiescent) (nothing will ever happen again) and $(b,unexplored). It also has \
+       one for each predicate of the model's checks that holds in it: $(b,bound_p_q) for $(b,bound(p, q\\)), and \
        $(b,check_NAME) for the whole predicate of the check $(b,NAME).";
     `P
-      "A predicate may change while time passes, and be true for an instant only. Labels of states do not tell \
-       that; a note on standard error says where it is so. With $(b,--instants) there are states \
-       for it (with the label $(b,right_after) where one begins right after an instant, and not at it), and \
-       what a tool then says of $(b,F), $(b,G) and $(b,U) is said of whole continuous runs.";
+      "A predicate may change while time passes, and be true for an instant only. Labels of states do not show \
+       that; a note on standard error says where it happens. With $(b,--instants) there are states for it, with \
+       the label $(b,right_after) where a predicate begins to hold right after an instant, and not at it. Then \
+       the answers of a tool about $(b,F), $(b,G) and $(b,U) are about whole continuous runs.";
     `P "Runs are written for Apalache by $(b,scc trace --itf).";
     `S "BOUNDS";
-    `P "Without bounds the exploration ends when nothing is left to explore, and at the default bounds.";
+    `P "The exploration ends when nothing is left to explore, or at a bound; some bounds have defaults.";
     `P
-      "After an interruption (Ctrl-C) what is known is written, if that takes no more than half a second of the \
-       processor; else nothing is. After $(b,--seconds) and other bounds it is written to its end.";
+      "After an interruption (Ctrl-C) the explored part is written, if that takes no more than half a second of \
+       the processor; else nothing is. After $(b,--seconds) and other bounds it is written to its end.";
   ]
   @ Options.diagnostics_man
   @ [

@@ -154,15 +154,15 @@ let run color o =
 
 let format =
   let doc =
-    "What to write: $(b,glb) (glTF), $(b,x3d), $(b,vtp) (a series for ParaView), $(b,simularium), $(b,obj) (one \
-     state) or $(b,csv) (a table of numbers). By default the ending of $(b,-o) tells."
+    "The format to write: $(b,glb) (glTF), $(b,x3d), $(b,vtp) (a series for ParaView), $(b,simularium), $(b,obj) \
+     (one state) or $(b,csv) (a table of numbers). By default the ending of $(b,-o) selects it."
   in
   Arg.(value & opt (some (enum formats)) None & info [ "format" ] ~docv:"FORMAT" ~doc)
 
 let output =
   let doc =
-    "Writes to $(docv) instead of standard output. The series of $(b,vtp) and the meshes of $(b,simularium) go to \
-     files beside it, so that these formats need a name."
+    "Writes to $(docv) instead of standard output. The series of $(b,vtp) and the meshes of $(b,simularium) go \
+     to files beside it, so these formats need a name."
   in
   Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
 
@@ -172,9 +172,9 @@ let at =
 
 let every =
   let doc =
-    "With $(b,vtp), $(b,simularium) and $(b,csv): the states at the multiples of $(docv). By default $(b,vtp) has \
-     each instant at which something happens, $(b,csv) each state after a transition, and $(b,simularium) a \
-     hundred steps of the same length."
+    "With $(b,vtp), $(b,simularium) and $(b,csv): the states at the multiples of $(docv). By default $(b,vtp) \
+     has each instant with an event, $(b,csv) each state after a transition, and $(b,simularium) a hundred steps \
+     of the same length."
   in
   Arg.(value & opt (some (Options.positive "step")) None & info [ "every" ] ~docv:"STEP" ~doc)
 
@@ -223,41 +223,41 @@ let man =
   [
     `S Manpage.s_description;
     `P
-      "Runs one behaviour of a model, chosen as by $(b,scc trace), and writes it for programs that show, \
-       render or plot: glTF, X3D, ParaView, Simularium, Wavefront OBJ, and tables. Bodies have the colours of \
-       their templates, and fixed ones can be seen through; bodies that are absorbed vanish. The same run \
-       gives the same bytes.";
+      "Makes one run of a model, chosen as by $(b,scc trace), and writes it for programs that show, render or \
+       plot: glTF, X3D, ParaView, Simularium, Wavefront OBJ, and tables. Bodies have the colours of their \
+       templates, and fixed ones are transparent; bodies that are absorbed vanish. The same run gives the same \
+       bytes.";
     `P
-      "All of these formats but $(b,csv) hold floats: each number is the nearest one to the exact number, \
-       found at the end. Animations ($(b,glb), $(b,x3d)) have a key wherever the motion of a body changes. \
-       Between keys players go on evenly, which is right for what goes straight. Bodies that turn have more \
-       keys, so that none turns by more than a tenth of a radian between two of them, and are only near their \
-       way in between; the files say so. The exact run is that of $(b,scc trace).";
+      "All of these formats except $(b,csv) use floats: each number is rounded to the nearest one on output. \
+       Animations ($(b,glb), $(b,x3d)) have a key wherever the motion of a body changes. Between keys players \
+       interpolate linearly, which is exact for straight motion. Bodies that turn have more keys, so that none \
+       turns by more than a tenth of a radian between two of them. Their motion between keys is approximate, and \
+       the files say so. The exact run is that of $(b,scc trace).";
     `I
       ( "$(b,glb)",
-        "glTF 2.0, binary, with an animation: a unit of time lasts a second. A node for each body, below it \
-         one for each part of a compound; $(b,asset.extras) has the events with their exact times. Coordinates \
-         are told from a point near the bodies. The root turns z up into y up, as glTF wants it." );
+        "glTF 2.0, binary, with an animation: a unit of time lasts a second. There is a node for each body, \
+         below it one for each part of a compound; $(b,asset.extras) has the events with their exact times. \
+         Coordinates are relative to a point near the bodies. The root turns z up into y up, as glTF requires." );
     `I
       ( "$(b,x3d)",
-        "X3D 3.3 (XML, profile Interchange): interpolators of place, orientation and, for what vanishes, \
+        "X3D 3.3 (XML, profile Interchange): interpolators of place, orientation and, for bodies that vanish, \
          scale, driven by one TimeSensor." );
     `I
       ( "$(b,vtp)",
         "A series for ParaView: $(i,FILE).pvd, and in the folder $(i,FILE) a file $(b,.vtp) for each time. The \
-         faces of all bodies and a line for each bond, in the coordinates of the world, with the numbers of \
-         leaf, part, family and process, the bond's channel, and the velocity. What the numbers stand for is \
-         field data." );
+         files have the faces of all bodies and a line for each bond, in the coordinates of the world, with the \
+         numbers of leaf, part, family and process, the bond's channel, and the velocity. Field data give the \
+         names for these numbers." );
     `I
       ( "$(b,simularium)",
-        "A trajectory for Simularium: bodies as agents with a mesh for each kind, in files $(b,.obj) beside \
-         it, which are to be loaded with it; bonds as fibers between centroids; events so far as a plot. Its \
-         times are evenly spaced, so that events lie between them. Its units are called metre and second, \
-         which a model need not mean." );
+        "A trajectory for Simularium: bodies as agents with a mesh for each kind, in files $(b,.obj) beside it, \
+         which must be loaded with it; bonds as fibers between centroids; events so far as a plot. Its times are \
+         evenly spaced, so that events lie between them. Its units are called metre and second, whatever the \
+         units of the model are." );
     `I ("$(b,obj)", "One state, $(b,--at) a time: an object for each part, with its faces as groups.");
     `I
       ( "$(b,csv)",
-        "A table: time, event, and each $(b,--observe), exactly (p/q) and beside it as a float. What has no \
+        "A table: time, event, and each $(b,--observe), exactly (p/q) and beside it as a float. A cell without a \
          value is empty." );
   ]
   @ Options.diagnostics_man
@@ -274,7 +274,7 @@ let man =
 let command =
   let told =
     [
-      (Exit_code.Holds, "if the run is written to its end, or to a limit that was asked for.");
+      (Exit_code.Holds, "if the run is written to its end, or to a requested limit.");
       (Undecided, "if the run ends in a dead end: it is written up to there; the error is SC0602.");
     ]
   in

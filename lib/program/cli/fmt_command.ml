@@ -61,8 +61,8 @@ let man =
   [
     `S Manpage.s_description;
     `P
-      "Prints models in canonical layout: one way to write each thing, comments kept where they are. \
-       Formatting what is formatted changes nothing.";
+      "Prints models in canonical layout: each construct is written in one way, and comments are kept in their \
+       places. Formatting a formatted model changes nothing.";
   ]
   @ Options.diagnostics_man
   @ [ `S Manpage.s_examples; `Pre "  scc fmt --inplace *.sc"; `Pre "  scc fmt --check *.sc" ]

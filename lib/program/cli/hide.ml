@@ -18,9 +18,9 @@ let pattern =
 
 let patterns ?(also = "") () =
   let doc =
-    "Makes the transitions invisible whose labels fit $(docv): a kind ($(b,time), $(b,bounce), $(b,bind), \
-     $(b,weak), $(b,strong)), or the text of a label, in which $(b,*) stands for any characters: \
-     $(b,'bind(glc, *\\)'). Repeatable."
+    "Makes the transitions invisible whose labels match $(docv): a kind ($(b,time), $(b,bounce), $(b,bind), \
+     $(b,weak), $(b,strong)), or the text of a label, in which $(b,*) stands for any characters: $(b,'bind(glc, \
+     *\\)'). Repeatable."
     ^ also
   in
   Arg.(value & opt_all pattern [] & info [ "hide" ] ~docv:"PATTERN" ~doc)

@@ -125,9 +125,9 @@ let strength_conv =
 
 let strengths =
   let doc =
-    "How strongly the shape is inflated: a number, 1 if not given, or $(i,COLOUR)$(b,=)$(i,NUMBER), as in \
-     $(b,'#ff0000=2'), for the pixels of exactly that colour. Repeatable, with one for each colour. 0 leaves a \
-     region to what is around it, as a skin."
+    "The strength of the inflation: a number, 1 by default, or $(i,COLOUR)$(b,=)$(i,NUMBER), as in \
+     $(b,'#ff0000=2'), for the pixels of exactly that colour. Repeatable, with one for each colour. A region \
+     with 0 is a skin over its surroundings."
   in
   Arg.(value & opt_all strength_conv [] & info [ "strength" ] ~docv:"STRENGTH" ~doc)
 
@@ -151,9 +151,9 @@ let shaded =
 
 let profile =
   let doc =
-    "What becomes of the fixed point v of diffusion, which is the height (of a paraboloid, over a disc): \
-     $(b,diffused), as in Repenning's icons, v/r with r the radius of about the largest disc in the shape; or \
-     $(b,round), the root of v, which makes a sphere of a disc and has steep sides."
+    "The height as a function of the fixed point v of diffusion (a paraboloid, over a disc). $(b,diffused), as \
+     in Repenning's icons, is v/r with r the radius of about the largest disc in the shape. $(b,round) is the \
+     root of v, which makes a sphere of a disc and has steep sides."
   in
   let choices = [ ("diffused", Relief.Diffused); ("round", Relief.Round) ] in
   Arg.(value & opt (enum choices) Relief.Diffused & info [ "profile" ] ~docv:"PROFILE" ~doc)
@@ -162,8 +162,8 @@ let faces =
   let least = 6 and most = 20_000 and default = 200 in
   let doc =
     Printf.sprintf
-      "Simplifies the solid to at most $(docv) triangles, from %d to %d; $(b,all) keeps what the pixels make. The \
-       report tells how far the simplified surface is from that."
+      "Simplifies the solid to at most $(docv) triangles, from %d to %d; $(b,all) keeps all triangles of the \
+       pixels. The report has the distance of the simplified surface from these."
       least most
   in
   let parse = function
@@ -177,25 +177,25 @@ let faces =
   Arg.(value & opt (conv ~docv:"N" (parse, print)) (Some default) & info [ "faces" ] ~docv:"N" ~doc)
 
 let scale =
-  let doc = "The length of a pixel in the solid, 1 if not given." in
+  let doc = "The length of a pixel in the solid, 1 by default." in
   Arg.(value & opt (Options.positive "length") Rat.one & info [ "scale" ] ~docv:"LENGTH" ~doc)
 
 let background =
   let doc =
-    "The colour of what is not of the shape, as #ff8000. Without it, a picture with transparent pixels has the \
-     opaque ones as its shape, and in another one the shape is what is far from white."
+    "The colour of the background, as #ff8000. By default, the shape is the opaque part of a picture with \
+     transparent pixels, and in other pictures the part that is far from white."
   in
   Arg.(value & opt (some colour) None & info [ "background" ] ~docv:"COLOUR" ~doc)
 
 let piece =
   let doc =
-    "Of a drawing in several pieces takes this one: 1 is the largest. Pixels hang together by their edges."
+    "Takes this piece of a drawing in several pieces: 1 is the largest. Pixels are connected by their edges."
   in
   Arg.(value & opt (some (Options.integer ~least:1 "number of a piece")) None & info [ "piece" ] ~docv:"N" ~doc)
 
 let resolution =
   let doc =
-    Printf.sprintf "How many pixels the longer side of an SVG drawing gets, %d if not given."
+    Printf.sprintf "The number of pixels of the longer side of an SVG drawing, %d by default."
       Scc_pixels.Icon.default_resolution
   in
   let most = Scc_pixels.Raster.max_side in
@@ -204,7 +204,7 @@ let resolution =
 
 let output =
   let doc =
-    Printf.sprintf "Writes the solid to $(docv), exactly. The ending of the name tells the format: %s."
+    Printf.sprintf "Writes the solid to $(docv), exactly. The ending of the name selects the format: %s."
       (String.concat ", " (List.map (fun e -> "$(b," ^ e ^ ")") Scc_mesh.Written.endings))
   in
   Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
@@ -226,13 +226,13 @@ let man =
     `S Manpage.s_description;
     `P
       "Makes a solid of a drawn silhouette, as inflatable icons do (section 6 of the paper; Repenning 2005). The \
-       height over the centre of each pixel is the fixed point of a diffusion: the mean of its four neighbours' \
-       and, besides, its strength over the radius; outside of the shape it is 0. The back is the mirror image of \
-       the front. The solid is closed, does not meet itself, and its coordinates are exact; holes in the drawing \
-       become holes in it.";
+       height over the centre of each pixel is the fixed point of a diffusion: the mean of the heights of its \
+       four neighbours, plus its strength over the radius; outside of the shape it is 0. The back is the mirror \
+       image of the front. The solid is closed, does not intersect itself, and its coordinates are exact; holes \
+       in the drawing become holes in it.";
     `P
-      "The heights are multiples of 1/256 of a pixel. The report tells how far they are from the exact solution \
-       at most, which is proved, and how far the simplified surface is from that over all pixels.";
+      "The heights are multiples of 1/256 of a pixel. The report has a proved bound on their distance from the \
+       exact solution, and the distance of the simplified surface from that over all pixels.";
   ]
   @ Options.diagnostics_man
   @ [

@@ -25,10 +25,10 @@ let man =
   [
     `S "STORES";
     `P
-      "With $(b,--store) what is done goes to a folder at once. After Ctrl-C, $(b,kill -9) or a power cut the \
-       same command goes on from there, and ends with the bytes of a run that was never interrupted. At most a \
-       second of work is lost. When the store cannot be written any more, as on a full disk, a warning tells so \
-       at once, the work goes on without it, and the exit code is 74. A store is of one model, one build of scc \
-       and one set of options; one of something else is refused, and what differs is told. One process at a time \
-       has it.";
+      "With $(b,--store) finished work goes to a folder at once. After Ctrl-C, $(b,kill -9) or a power cut the \
+       same command resumes, and ends with the bytes of a run that was never interrupted. At most a second of \
+       work is lost. If the store cannot be written any more, as on a full disk, a warning says so at once. The \
+       work then continues without it, and the exit code is 74. A store belongs to one model, one build of scc \
+       and one set of options. A store of something else is refused, with the difference. Only one process at a \
+       time can use it.";
   ]

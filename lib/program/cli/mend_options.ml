@@ -9,8 +9,8 @@ type t = { grid : Rat.t option; weld : bool; orient : bool; merge : bool }
 
 let grid =
   let doc =
-    "Rounds every coordinate to the nearest multiple of $(docv), and tells how many vertices moved and how far. \
-     With $(b,--weld), points that fall together become one vertex."
+    "Rounds every coordinate to the nearest multiple of $(docv), and prints how many vertices moved and how far. \
+     With $(b,--weld), points that become equal become one vertex."
   in
   let positive = function
     | Some d when Rat.sign d <= 0 -> Error "the distance of --grid is to be greater than 0"
@@ -23,14 +23,15 @@ let flag name doc = Arg.(value & flag & info [ name ] ~doc)
 
 let weld =
   flag "weld"
-    "Makes equal points one vertex, as many programs give every face corners of its own, and leaves out faces \
-     that have fewer than three corners then."
+    "Makes equal points one vertex, as many programs give every face corners of its own, and removes faces that \
+     then have fewer than three corners."
 
 let orient =
   flag "orient"
-    "Turns faces over so that all are counter-clockwise from outside, and tells which. What is within a solid is \
-     taken for a hollow of it, whose faces look into the hollow, and what is in a hollow for a solid. Where faces \
-     cross each other this is not known: what is inside out, and within the box of another piece, stays so."
+    "Turns faces over so that all are counter-clockwise from outside, and names them. A piece within a solid is \
+     taken for a hollow of it, whose faces look into the hollow, and a piece in a hollow for a solid. Where \
+     faces cross each other this is unknown: a piece that is inside out, and within the box of another piece, \
+     stays so."
 
 let merge =
   flag "merge"

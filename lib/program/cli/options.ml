@@ -108,9 +108,9 @@ type definitions = {
 
 let definitions =
   let doc =
-    "Gives the parameter $(i,NAME) of the model the value $(i,VALUE), a rational; or narrows the range of one \
-     that has a range: to $(b,1..3), with both ends, or to $(b,[1,3\\)), where brackets say which ends belong to \
-     it. Repeatable."
+    "Gives the parameter $(i,NAME) of the model the value $(i,VALUE), a rational. If the parameter has a range, \
+     it can be narrowed instead: to $(b,1..3), with both ends, or to $(b,[1,3\\)), where a round bracket \
+     excludes an end. Repeatable."
   in
   let given = for_name ~docv:"NAME=VALUE" parse_given given_to_string in
   let values = List.filter_map (function name, Value q -> Some (name, q) | _, Within _ -> None) in
@@ -127,16 +127,16 @@ let color =
 
 let json =
   let doc =
-    "Prints one JSON document to standard output: the report, or the diagnostics when there can be no \
-     report. Nothing is printed to standard error. The schemas are in $(b,specs/schema)."
+    "Prints one JSON document to standard output: the report, or the diagnostics if there can be no report. \
+     Nothing is printed to standard error. The schemas are in $(b,specs/schema)."
   in
   Arg.(value & flag & info [ "json" ] ~doc)
 
 let full doc =
   let doc =
     doc
-    ^ " Without it long numbers are decimals: after $(b,~) the nearest with so many digits, at most half a unit \
-       of the last one away; without $(b,~) the number itself."
+    ^ " Without it long numbers are decimals: after $(b,~) the nearest one with so many digits, with an error of \
+       at most half a unit of the last digit; without $(b,~) the number itself."
   in
   Arg.(value & flag & info [ "full" ] ~doc)
 
@@ -144,6 +144,6 @@ let diagnostics_man =
   [
     `S "DIAGNOSTICS";
     `P
-      "What is wrong with an input is told on standard error with its place, a stable code such as \
-       $(b,SC0201), an excerpt of the text and, where it helps, a hint. Several faults are told in one run.";
+      "Faults of an input are reported on standard error with their place, a stable code such as $(b,SC0201), an \
+       excerpt of the text and, where it helps, a hint. One run reports several faults.";
   ]

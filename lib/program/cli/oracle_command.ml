@@ -51,20 +51,18 @@ let seconds =
 
 let memory =
   option "memory" "MIB" ~most:1_000_000 Quotas.default.memory_mib
-    "Gives a request up with which the program takes more than $(docv) MiB."
+    "Gives a request up if with it the program takes more than $(docv) MiB."
 
 let man =
   [
     `S Manpage.s_description;
     `P
-      "Answers questions about shapes and models to other programs: JSON-RPC 2.0 over standard input and output, \
-       one message a line, batches included. Shapes and models are defined once and asked about by handle: \
-       contact, first time of contact, response; transitions, runs, formulas. Numbers are exact, as texts \
-       $(b,\"p/q\").";
+      "Answers questions of other programs about shapes and models: JSON-RPC 2.0 over standard input and output, \
+       one message a line, batches included. Shapes and models are defined once and used by handle: contact, \
+       first time of contact, response; transitions, runs, formulas. Numbers are exact, as texts $(b,\"p/q\").";
     `P
-      "Methods, errors and limits are told in $(b,specs/oracle.md), and the messages are described by \
-       $(b,specs/schema/oracle.schema.json). Whatever comes in, each request gets its answer. The service ends \
-       with the input.";
+      "$(b,specs/oracle.md) describes methods, errors and limits, and $(b,specs/schema/oracle.schema.json) the \
+       messages. Each request gets its answer, even if it is malformed. The service ends with the input.";
     `S Manpage.s_examples;
     `Pre {|  echo '{"jsonrpc":"2.0","id":1,"method":"service.describe"}' | scc oracle|};
   ]
@@ -76,7 +74,7 @@ let command =
         [
           (Holds, "at the end of the input.");
           (Invalid, "if standard input cannot be read.");
-          (Stopped, "if an interruption ended the service, or nobody reads its answers any more.");
+          (Stopped, "if an interruption ended the service, or the reader of its answers has ended.");
         ]
   in
   Cmd.v

@@ -21,7 +21,7 @@ let part_conv =
 let option ~what =
   let doc =
     Printf.sprintf
-      "Makes part $(i,K) of $(i,N) parts of the %s alone, $(i,K) from 1 on. The lines of all parts, one part \
+      "Makes only part $(i,K) of $(i,N) parts of the %s, with $(i,K) from 1 on. The lines of all parts, one part \
        after the other, without the first line of each but the first, are those of the whole."
       what
   in

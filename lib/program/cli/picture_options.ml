@@ -26,20 +26,20 @@ let direction =
 
 let from =
   let doc =
-    "With $(b,--svg): shows what is seen from that side, to which the vector $(docv) points: $(b,0,1,0) is from \
-     above. Write $(b,--from=-1,0,0) if it begins with a minus."
+    "With $(b,--svg): looks from the side to which the vector $(docv) points: $(b,0,1,0) is from above. Write \
+     $(b,--from=-1,0,0) if it begins with a minus."
   in
   Arg.(value & opt (some direction) None & info [ "from" ] ~docv:"X,Y,Z" ~doc)
 
 let up =
   let doc =
-    "With $(b,--svg): the direction that is upwards in the picture, the y axis unless $(docv) is given. If it is \
-     seen from there, another axis."
+    "With $(b,--svg): the direction that is upwards in the picture, by default the y axis, or another axis if \
+     the view is along it."
   in
   Arg.(value & opt (some direction) None & info [ "up" ] ~docv:"X,Y,Z" ~doc)
 
 let width =
-  let doc = "With $(b,--svg): how wide the picture is, in pixels." in
+  let doc = "With $(b,--svg): the width of the picture, in pixels." in
   let least, most = Sheet.width_limits in
   Arg.(value & opt (some (Options.integer ~least ~most "width")) None & info [ "width" ] ~docv:"PIXELS" ~doc)
 

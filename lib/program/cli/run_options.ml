@@ -11,8 +11,8 @@ let seed_conv =
 let seed =
   let doc =
     "An integer. Run $(i,k) has the seed that is the output number $(i,k), from 0 on, of SplitMix64 from this \
-     one, and makes its choices by it as $(b,scc trace --choose random:) does: the same runs, whatever \
-     $(b,--jobs) is, on every machine."
+     integer, and makes its choices by it as $(b,scc trace --choose random:) does. The runs are the same for any \
+     $(b,--jobs) and on every machine."
   in
   Arg.(value & opt seed_conv 0L & info [ "seed" ] ~docv:"SEED" ~doc)
 

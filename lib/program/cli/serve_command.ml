@@ -154,13 +154,13 @@ let run color (budget : Budget.t) o =
 
 let model =
   let doc =
-    "The model, a $(b,.sc) file, which may still have to be written. Without one, the page begins with a small \
-     model and saves nothing."
+    "The model, a $(b,.sc) file, which need not exist yet. Without a file, the page begins with a small model \
+     and saves nothing."
   in
   Arg.(value & pos 0 (some string) None & info [] ~docv:"MODEL" ~doc)
 
 let port =
-  let doc = "Listens on this port of the machine's own address 127.0.0.1, instead of one that is free." in
+  let doc = "Listens on this port of the machine's own address 127.0.0.1, instead of a free one." in
   let number = Options.integer ~least:1 ~most:65535 "port, a number from 1 to 65535" in
   Arg.(value & opt (some number) None & info [ "port" ] ~docv:"PORT" ~doc)
 
@@ -177,12 +177,12 @@ let man =
   [
     `S Manpage.s_description;
     `P
-      "Serves a page on which a model is written, checked and looked at: the text on the left, with what is wrong \
-       in it told as one types, and on the right the page of $(b,scc view), where what else is possible is worked \
-       out when it is asked for. So a state space may be of any size.";
+      "Serves a page on which a model is written, checked and shown. On the left is the text, with errors shown \
+       while you type. On the right is the page of $(b,scc view), where other possibilities are computed on \
+       request. So a state space may have any size.";
     `P
-      "The service is for this machine alone: it listens on the loopback, and answers only who knows the secret \
-       that is part of the printed address. Ctrl-C ends it. Each model that is shown is a process of its own, \
+      "The service is for this machine only: it listens on the loopback, and answers only requests with the \
+       secret that is part of the printed address. Ctrl-C ends it. Each shown model has a process of its own, \
        bounded by the options below.";
     `S Manpage.s_examples;
     `Pre "  scc serve specs/models/hexokinase.sc";

@@ -241,17 +241,17 @@ let argument =
 let snap_option =
   let doc =
     "Makes the solid exact: finds a convex closed polyhedron with the same vertices, faces and names, no vertex \
-     of which is farther than $(docv) from where it was, and tells how far they moved. For solids whose decimals \
-     are rounded, so that the corners of faces are not quite in one plane."
+     of which is farther than $(docv) from its original place, and prints how far they moved. For solids with \
+     rounded decimals, so that the corners of faces are not quite in one plane."
   in
   Arg.(value & opt (some Options.rational) None & info [ "snap" ] ~docv:"DISTANCE" ~doc)
 
 let hull_option =
   let doc =
-    "Takes the convex hull of the vertices, exactly, whatever the faces of $(i,FILE) are: it may be a cloud of \
+    "Takes the convex hull of the vertices, exactly, whatever the faces of $(i,FILE) are; it may be a cloud of \
      points. With $(b,--snap), neighbouring faces that are flat within the distance become one face, whose \
-     corners are moved into one plane, so that rounded points make the solid that they were made of; no point is \
-     farther than the distance in front of a face."
+     corners are moved into one plane, so that rounded points give the original solid. No point is farther than \
+     the distance in front of a face."
   in
   Arg.(value & flag & info [ "hull" ] ~doc)
 
@@ -259,10 +259,10 @@ let faces_option =
   let least = 4 and most = 1000 in
   let doc =
     Printf.sprintf
-      "A solid of at most $(docv) faces, from %d to %d, that contains the $(b,--hull), so all points: faces of \
-       the hull, in directions rounded to some fifteen bits, without which it grows most; each touches the \
-       hull. The report tells how far the solid goes beyond the hull at most: the greatest distance of a point \
-       of the one from the other. Not with $(b,--snap)."
+      "A solid of at most $(docv) faces, from %d to %d, that contains the $(b,--hull), and so all points. It has \
+       faces of the hull, in directions rounded to some fifteen bits, chosen such that leaving one out would \
+       enlarge the solid most; each touches the hull. The report has the greatest distance of a point of the \
+       solid from the hull. Not with $(b,--snap)."
       least most
   in
   let parse s =
@@ -275,35 +275,36 @@ let faces_option =
 
 let output =
   let doc =
-    "Writes the shape to $(docv), exactly, if it is accepted, or else if its faces bound a solid all the \
-     same: closed, in one piece, and without cutting each other, but not convex, or with faces that \
-     $(b,--merge) would join. That is told, and the exit code is still that of a refused shape; $(b,scc \
-     decompose) takes such a file, and so does $(b,decompose \"OUT\") in a model. The ending of the name \
-     tells the format: $(b,.off), $(b,.obj) (which keeps the names of faces), $(b,.stl), $(b,.ply), or \
-     $(b,.sc), a template for a model, or a compound. Coordinates are decimals; where a number has none, as \
-     1/3, there is a fraction p/q, which other programs may not read, and STL and PLY are not written."
+    "Writes the shape to $(docv), exactly, if it is accepted. A refused shape is written too if its faces bound \
+     a solid: closed, in one piece, and without cutting each other, but not convex, or with faces that \
+     $(b,--merge) would join. The report says so, and the exit code is still that of a refused shape; $(b,scc \
+     decompose) reads such a file, and so does $(b,decompose \"OUT\") in a model. The ending of the name selects \
+     the format: $(b,.off), $(b,.obj) (which keeps the names of faces), $(b,.stl), $(b,.ply), or $(b,.sc), a \
+     template for a model, or a compound. Coordinates are decimals. A number without a decimal, such as 1/3, is \
+     a fraction p/q, which other programs may not read; STL and PLY are then not written."
   in
   Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
 
 let round =
   let doc =
-    "What $(b,-o) writes has the nearest 64-bit numbers as coordinates, for other programs; how many changed and \
-     by how much at most is told."
+    "Rounds the coordinates in the output of $(b,-o) to the nearest 64-bit numbers, for other programs; the \
+     report says how many changed and by how much at most."
   in
   Arg.(value & flag & info [ "round" ] ~doc)
 
 let svg =
   let doc =
-    "Draws the shape into $(docv), from two opposite sides, with the names of its faces and vertices. Of a shape \
-     that is refused it shows the witness of each fault, and of each condition of Definition 4.3 that fails, at \
-     its place. What hides what is found exactly; places in the picture are rounded."
+    "Draws the shape into $(docv), from two opposite sides, with the names of its faces and vertices. For a \
+     refused shape it shows the witness of each fault, and of each condition of Definition 4.3 that fails, at \
+     its place. Hidden surfaces are computed exactly; places in the picture are rounded."
   in
   Arg.(value & opt (some string) None & info [ "svg" ] ~docv:"PICTURE" ~doc)
 
 let page =
   let doc =
-    "Writes a page to $(docv), one file of HTML that opens in a browser from disk: the shape in space, with the \
-     names and exact places of its faces, edges and vertices, and what is wrong at its place, as for $(b,--svg)."
+    "Writes a page to $(docv), one file of HTML that opens in a browser from disk. It shows the shape in space, \
+     with the names and exact places of its faces, edges and vertices, and each fault at its place, as for \
+     $(b,--svg)."
   in
   Arg.(value & opt (some string) None & info [ "view" ] ~docv:"PAGE" ~doc)
 
@@ -333,13 +334,12 @@ let man =
   [
     `S Manpage.s_description;
     `P
-      "Reports on a polyhedron. Two verdicts are told apart: whether it is a convex closed polyhedron, which \
-       is what a template has to be, with every fault; and each of the seven conditions of Definition 4.3 as \
-       printed, with a witness where it fails. Then the numbers of vertices, edges and faces and, of an \
-       accepted shape, the exact volume, centroid and inertia. $(b,--snap) makes exact what is rounded, \
-       $(b,--hull) makes a solid of points, $(b,--grid), $(b,--weld), $(b,--orient) and $(b,--merge) mend meshes \
-       of other programs, $(b,-o) writes what came out, $(b,--svg) draws it, and $(b,--view) \
-       makes a page of it.";
+      "Reports on a polyhedron. It gives two separate verdicts: whether it is a convex closed polyhedron, which \
+       a template must be, with every fault; and each of the seven conditions of Definition 4.3 as printed, with \
+       a witness where it fails. Then come the numbers of vertices, edges and faces and, for an accepted shape, \
+       the exact volume, centroid and inertia. $(b,--snap) makes a rounded solid exact, $(b,--hull) makes a \
+       solid of points, $(b,--grid), $(b,--weld), $(b,--orient) and $(b,--merge) repair meshes of other \
+       programs, $(b,-o) writes the result, $(b,--svg) draws it, and $(b,--view) makes a page of it.";
   ]
   @ Options.diagnostics_man
   @ [

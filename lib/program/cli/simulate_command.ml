@@ -197,14 +197,14 @@ let steps =
 
 let summary =
   let doc =
-    "Tells of all runs together, for each time and observable: of how many there is a value, mean, variance of \
-     the sample, standard deviation, least, quantiles and greatest. All are exact but the deviation, which \
-     is rounded to $(b,--decimals), or 6."
+    "Summarises all runs, for each time and observable: the number of runs with a value, mean, variance of the \
+     sample, standard deviation, least, quantiles and greatest. All are exact except the deviation, which is \
+     rounded to $(b,--decimals), or 6."
   in
   Arg.(value & flag & info [ "summary" ] ~doc)
 
 let quantiles =
-  let doc = "Of $(b,--summary) and $(b,--plot): which quantiles, by the nearest rank." in
+  let doc = "The quantiles of $(b,--summary) and $(b,--plot), by the nearest rank." in
   let default = List.map (fun (n, d) -> Rat.make (Z.of_int n) (Z.of_int d)) [ (1, 20); (1, 2); (19, 20) ] in
   Arg.(value & opt (list (Options.not_negative "quantile")) default & info [ "quantiles" ] ~docv:"Q,..." ~doc)
 
@@ -224,8 +224,7 @@ let form =
 
 let decimals =
   let doc =
-    "Writes numbers with $(docv) decimals, rounded, instead of exactly, as texts $(b,p/q): what is written is \
-     then near the exact numbers, and not these."
+    "Writes numbers rounded to $(docv) decimals, instead of exactly as texts $(b,p/q)."
   in
   Arg.(value & opt (some (Options.integer ~least:0 ~most:1000 "number of decimals")) None & info [ "decimals" ]
          ~docv:"K" ~doc)
@@ -236,20 +235,20 @@ let output =
 
 let resume =
   let doc =
-    "Goes on where $(docv), written with $(b,--format jsonl) by a simulation that was interrupted, or had less \
-     runs, ends; a line that was not finished is made anew. Everything but $(b,--runs) and $(b,--jobs) has \
-     to be as it was. The file becomes what it would be if nothing had been interrupted, or $(b,-o) does. \
-     The exit code is about the runs that are made now. $(b,--summary) leaves the file alone, and tells of \
-     its runs and of those that are made now, as $(b,--plot) does; the numbers of the file have to be exact."
+    "Continues $(docv), written with $(b,--format jsonl) by a simulation that was interrupted, or had fewer \
+     runs; an unfinished line is made anew. All options except $(b,--runs) and $(b,--jobs) must be the same. The \
+     file, or $(b,-o), becomes what it would be without an interruption. The exit code is about the new runs. \
+     $(b,--summary) does not change the file, and summarises its runs together with the new ones, as $(b,--plot) \
+     does; the numbers of the file must be exact."
   in
   Arg.(value & opt (some string) None & info [ "resume" ] ~docv:"FILE" ~doc)
 
 let store_option =
   Kept.option
     ~doc:
-      "Keeps the runs in the folder $(docv) while they are made, which is made if need be. The same command goes \
-       on from there; so does one with another $(b,--runs) or $(b,--jobs), or that tells of the same runs in \
-       another way ($(b,--format), $(b,--summary), $(b,--plot)). See STORES."
+      "Stores the runs in the folder $(docv), which is created if necessary, while they are made. The same \
+       command resumes, and so does one with another $(b,--runs) or $(b,--jobs), or with another output of the \
+       same runs ($(b,--format), $(b,--summary), $(b,--plot)). See STORES."
 
 let fitting o =
   if Simulation.too_many ~every:o.every ~until:o.until then
@@ -283,19 +282,18 @@ let man =
   [
     `S Manpage.s_description;
     `P
-      "Makes independent runs of a model, and writes what is observed of each at given times, or what all of \
-       them together look like. Velocities are drawn by their exact probabilities. What is free (which of \
-       several collisions comes first, whether a weak split happens) is chosen evenly among all \
-       transitions that are possible: the model says nothing of how likely it is, so that numbers may \
-       depend on it; $(b,scc check) tells the least and the greatest.";
+      "Makes independent runs of a model, and writes what is observed of each at given times, or a summary of \
+       all. Velocities are drawn by their exact probabilities. Free choices (which of several collisions comes \
+       first, whether a weak split happens) are made evenly among all possible transitions. The model gives no \
+       probabilities for them, so numbers may depend on this; $(b,scc check) computes the least and the \
+       greatest.";
     `P
-      "What is told of a time is so after all that happens at that instant, when time goes on. $(b,event) is \
-       false then. A number that has no value, as the place of a body that is gone, is empty. So is what \
-       comes after the end of a run that is over before the last time; the column $(b,ended) says why it \
-       was.";
+      "An observation at a time is made after all events of that instant, when time goes on. $(b,event) is false \
+       then. A number without a value, such as the place of a body that is gone, is empty. So are observations \
+       after the end of a run that ends before the last time; the column $(b,ended) gives the reason.";
     `P
-      "The same model, seed and observables give the same bytes, however many processes work at it. Ctrl-C \
-       keeps all runs that are done.";
+      "The same model, seed and observables give the same bytes, for any number of processes. Ctrl-C keeps all \
+       finished runs.";
   ]
   @ Kept.man
   @ Options.diagnostics_man
@@ -314,9 +312,9 @@ let command =
     [
       (Exit_code.Holds, "if all runs came to the last time.");
       (Exit_code.Undecided, "if some run was over before.");
-      (Exit_code.Stopped, "if it was interrupted: the runs that were done are written.");
+      (Exit_code.Stopped, "if it was interrupted: the finished runs are written.");
     ]
   in
   let exits = Exits.man ~told ~never:[ Violated ] () in
-  let info = Cmd.info "simulate" ~doc:"make many runs of a model, and tell what they come to" ~man ~exits in
+  let info = Cmd.info "simulate" ~doc:"make many runs of a model, and write what is observed" ~man ~exits in
   Cmd.v info Term.(const run $ Options.color $ options)

@@ -150,23 +150,23 @@ let run color options given path =
 
 let names =
   let doc =
-    "Asks for the property $(docv) alone, as if the model had no others. Repeatable. By default all properties \
-     are asked for."
+    "Serves only the property $(docv), as if the model had no others. Repeatable. By default all properties are \
+     served."
   in
   Arg.(value & opt_all string [] & info [ "check" ] ~docv:"NAME" ~doc)
 
 let number =
   let doc =
-    "Properties that need the same are explored together, and others apart, as $(b,scc check) does it. This is \
-     about the exploration $(docv) of them. The first line of the output tells how many there are."
+    "Properties with the same needs are explored together, and others separately, as in $(b,scc check). The \
+     filter serves the exploration $(docv) of them. The first line of the output has their number."
   in
   let number = Options.integer ~least:1 ~most:1_000_000 "number of an exploration" in
   Arg.(value & opt number 1 & info [ "exploration" ] ~docv:"N" ~doc)
 
 let framing =
   let doc =
-    "How states come in and what follows them goes out: $(b,lines), a text for each, or $(b,batches), columns of \
-     numbers for many at once."
+    "The form of states and answers: $(b,lines), a text for each, or $(b,batches), columns of numbers for many \
+     at once."
   in
   Arg.(value & opt (enum framings) Lines & info [ "framing" ] ~docv:"HOW" ~doc)
 
@@ -174,21 +174,21 @@ let man =
   [
     `S Manpage.s_description;
     `P
-      "Tells other programs what follows the states that they send: a program that keeps states, on as many \
-       machines as it likes, explores a model by it, and need not know anything of shapes.";
+      "Answers states that other programs send with their successors. So a program that stores states, on any \
+       number of machines, can explore a model, and need not know anything about shapes.";
     `P
-      "The first line of the output describes the exploration: the model, the properties, the state formulas that \
-       they search for (the $(i,goals)), and the initial state. Then each state that comes in is answered by its \
-       transitions, in order: label, duration, target, a fingerprint of 128 bits of the target, and which goals \
-       hold there; and which goals hold at some moment before the next event.";
+      "The first line of the output describes the exploration: the model, the properties, the state formulas \
+       that they search for (the $(i,goals)), and the initial state. Then each input state is answered by its \
+       transitions, in order: label, duration, target, a fingerprint of 128 bits of the target, and the goals \
+       that hold there. The answer also has the goals that hold at some moment before the next event.";
     `P
-      "States are bytes, as $(b,specs/state-bytes.md) tells. Both framings, lines and batches, are told in \
-       $(b,specs/successors.md). Whatever line comes in gets an answer. A batch that is none ends the program, \
-       since nobody knows where the next one begins.";
+      "States are bytes, as described in $(b,specs/state-bytes.md). $(b,specs/successors.md) describes both \
+       framings, lines and batches. Every input line gets an answer. An invalid batch ends the program, since \
+       the start of the next one is unknown.";
     `P
-      "The states are those that $(b,scc check --no-reduce order) tells apart, and so are their counts, the \
-       verdicts and the shortest runs. A run that was found is made a schedule for $(b,scc trace), in lines: \
-       $(b,{\"goal\": 0, \"choices\": [0, 2]}).";
+      "The states are those that $(b,scc check --no-reduce order) distinguishes; counts, verdicts and shortest \
+       runs agree with it. In lines, a run becomes a schedule for $(b,scc trace): $(b,{\"goal\": 0, \"choices\": \
+       [0, 2]}).";
     `S Manpage.s_examples;
     `Pre
       "  scc successors specs/models/chain.sc < /dev/null\n\
@@ -208,9 +208,9 @@ let command =
         [
           (Holds, "at the end of the input.");
           (Invalid, "if the model is invalid, or a batch does not fit its format.");
-          (Stopped, "if an interruption ended it, or nobody reads its answers any more.");
+          (Stopped, "if an interruption ended it, or the reader of its answers has ended.");
         ]
   in
   Cmd.v
-    (Cmd.info "successors" ~doc:"tell other programs which states follow others" ~man ~exits)
+    (Cmd.info "successors" ~doc:"answer states of other programs with their successors" ~man ~exits)
     Term.(const run $ Options.color $ options $ Options.definitions $ Options.model_file)

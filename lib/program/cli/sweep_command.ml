@@ -191,9 +191,9 @@ let axis_conv =
 
 let grid =
   let doc =
-    "The values of the parameter $(i,NAME): one, $(b,3); a list, $(b,1,2,5); from one to the other by steps of 1, \
-     $(b,1..10), or by others, $(b,0:2:1/8). Repeatable: each value goes with each of the others, those of the \
-     last option fastest."
+    "The values of the parameter $(i,NAME): one, $(b,3); a list, $(b,1,2,5); a range with steps of 1, \
+     $(b,1..10), or with other steps, $(b,0:2:1/8). Repeatable: each value is combined with each of the others, \
+     those of the last option fastest."
   in
   Arg.(non_empty & opt_all axis_conv [] & info [ "D"; "define" ] ~docv:"NAME=VALUES" ~doc)
 
@@ -209,24 +209,24 @@ let output =
 
 let resume =
   let doc =
-    "Goes on where $(docv), written with $(b,--format jsonl) by a sweep that was interrupted, ends. Everything \
-     but $(b,--jobs) has to be as it was. The exit code is about the points that are made now."
+    "Continues $(docv), written with $(b,--format jsonl) by a sweep that was interrupted. All options except \
+     $(b,--jobs) must be the same. The exit code is about the new points."
   in
   Arg.(value & opt (some string) None & info [ "resume" ] ~docv:"FILE" ~doc)
 
 let plot =
   let doc =
-    "Draws the sweep, as SVG: numbers that are asked for as curves over one parameter; verdicts, and numbers over \
-     two parameters, as cells with colours."
+    "Draws the sweep, as SVG: measured numbers as curves over one parameter; verdicts, and numbers over two \
+     parameters, as coloured cells."
   in
   Arg.(value & opt (some string) None & info [ "plot" ] ~docv:"FILE" ~doc)
 
 let store_option =
   Kept.option
     ~doc:
-      "Keeps the points in the folder $(docv) while they are worked on, which is made if need be. The same \
-       command goes on from there; so does one with another $(b,--jobs), or that tells of the same points in \
-       another way ($(b,--format), $(b,--plot)). See STORES."
+      "Stores the points in the folder $(docv), which is created if necessary, while they are computed. The same \
+       command resumes, and so does one with another $(b,--jobs), or with another output of the same points \
+       ($(b,--format), $(b,--plot)). See STORES."
 
 let twice grid =
   let rec go = function
@@ -264,11 +264,11 @@ let man =
     `S Manpage.s_description;
     `P
       "Checks a model with each combination of values of its parameters, as $(b,scc check -D) does, and writes a \
-       table of the verdicts, and of the numbers that its checks ask for. Bounds hold for each point by itself; \
-       without $(b,--memory) the processes share what $(b,scc check) takes.";
+       table of the verdicts, and of measured numbers. Bounds hold for each point by itself; without \
+       $(b,--memory) the processes share the default memory of $(b,scc check).";
     `P
-      "Where the model is invalid the table says so, and the sweep goes on. Without $(b,--seconds) the same sweep \
-       gives the same bytes, however many processes work at it. Ctrl-C keeps all points that are done.";
+      "Where the model is invalid the table says so, and the sweep continues. Without $(b,--seconds) the same \
+       sweep gives the same bytes, for any number of processes. Ctrl-C keeps all finished points.";
   ]
   @ Kept.man
   @ Options.diagnostics_man
@@ -286,7 +286,8 @@ let command =
         "if something is undecided or holds up to a bound, or the model is invalid somewhere." );
       (Exit_code.Invalid, "if the model is invalid at all points.");
       ( Exit_code.Stopped,
-        "if it was interrupted, or a limit of seconds or memory left something open; what is done is written." );
+        "if it was interrupted, or a limit of seconds or memory left something open; the finished points are \
+         written." );
     ]
   in
   let exits = Exits.man ~told ~never:[ Violated ] () in

@@ -52,19 +52,19 @@ let run color o =
 
 let form =
   let human =
-    "Tells the run in words instead of JSON Lines: passings of the same time are told together, and bodies that \
-     are as before are named only. See $(b,--full)."
+    "Prints the run in words instead of JSON Lines. Equal passings of time share a line, and unchanged bodies \
+     are only named. See $(b,--full)."
   in
   let itf =
-    "Writes the run in the Informal Trace Format of Apalache (JSON, by custom in files $(b,.itf.json)), with all \
-     numbers as exact integers or pairs of them, and every state in full. Such a trace is no schedule."
+    "Writes the run in the Informal Trace Format of Apalache (JSON, by convention in files $(b,.itf.json)), with \
+     all numbers as exact integers or pairs of them, and every state in full. Such a trace is no schedule."
   in
   Arg.(value & vflag Lines [ (Human, info [ "human" ] ~doc:human); (Itf, info [ "itf" ] ~doc:itf) ])
 
 let states =
   let doc =
     "Which states to print: $(b,all), the one after each transition, or $(b,ends), only the first and the last \
-     one (a line $(b,state) before the end): a long run of many bodies is then told in a line for each \
+     one (a line $(b,state) before the end). With $(b,ends) a long run of many bodies has one line for each \
      transition. Such a trace is its own schedule, too."
   in
   let kinds = [ ("all", Trace.All); ("ends", Trace.Ends) ] in
@@ -75,10 +75,10 @@ let output =
   Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
 
 let options =
-  let full = Options.full "With $(b,--human): tells every step, every body and all digits of numbers." in
+  let full = Options.full "With $(b,--human): prints every step, every body and all digits of numbers." in
   let choices =
     Chosen_run.options
-      ~sampled:"The header of the trace tells the values ($(b,--human): the first line)."
+      ~sampled:"The header of the trace has the values ($(b,--human): the first line)."
   in
   let make path given choices form full states output = { path; given; choices; form; full; states; output } in
   Term.(
@@ -88,23 +88,23 @@ let man =
   [
     `S Manpage.s_description;
     `P
-      "Runs one behaviour of a model and prints it as JSON Lines, one object a line: a header (format and \
-       semantics versions, digest of the model, values of its parameters), the initial state, then each \
-       transition with its label, the rules that made it, the model time after it and the resulting state \
-       in full (see $(b,--states)). Numbers are exact, as texts $(b,\"p/q\"). The format is described by \
+      "Makes one run of a model and prints it as JSON Lines, one object a line: a header (format and semantics \
+       versions, digest of the model, values of its parameters), the initial state, then the transitions. Each \
+       transition has its label, the rules that made it, the model time after it and the resulting state in full \
+       (see $(b,--states)). Numbers are exact, as texts $(b,\"p/q\"). The format is described by \
        $(b,specs/schema/trace.schema.json).";
     `P
-      "The output is the same, byte for byte, for the same model and choices. Each transition tells which \
-       choice it was, so that a trace is its own schedule: $(b,scc trace --schedule) with a trace prints \
-       the trace again.";
+      "The output is the same, byte for byte, for the same model and choices. Each transition has the number of \
+       its choice, so that a trace is its own schedule: $(b,scc trace --schedule) with a trace prints the trace \
+       again.";
   ]
   @ [
     `P
-      "Where bonds may be released at any time ($(b,split_step any)), a run that is not told otherwise looks at \
-       weak splits at the instants at which something else happens: then it splits, or lets all the time pass up \
-       to the next such instant. A schedule may let less pass: a choice whose label is $(b,time\\(5/4\\)) stands \
-       for any time that is at most the greatest, and the choice after it may be the split. The witnesses of \
-       $(b,scc check) do so.";
+      "With $(b,split_step any) bonds may be released at any time. By default a run considers weak splits only \
+       at the instants of other events: it splits then, or lets all the time pass up to the next such instant. A \
+       schedule may let less time pass: a choice whose label is $(b,time\\(5/4\\)) stands for any time that is \
+       at most the greatest, and the choice after it may be the split. The witnesses of $(b,scc check) use such \
+       choices.";
   ]
   @ Options.diagnostics_man
   @ [
@@ -121,10 +121,10 @@ let man =
 let command =
   let told =
     [
-      (Exit_code.Holds, "if the run is told to its end, or to a limit that was asked for.");
+      (Exit_code.Holds, "if the run is printed to its end, or to a requested limit.");
       ( Exit_code.Undecided,
-        "if the run ends in a dead end: it is told up to there, the trace is complete, and says $(b,stuck); the \
-         error is SC0602." );
+        "if the run ends in a dead end: it is printed up to there, the trace is complete, and says $(b,stuck); \
+         the error is SC0602." );
     ]
   in
   let exits = Exits.man ~told ~never:[ Violated ] () in

@@ -42,14 +42,15 @@ let named =
 
 let output =
   let doc =
-    "Writes to $(docv) instead of standard output; without $(b,--to), the ending of its name tells the notation."
+    "Writes to $(docv) instead of standard output; without $(b,--to), the ending of its name selects the \
+     notation."
   in
   Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
 
 let file =
   let doc =
-    "The model. The ending of its name tells its notation, or, if that is none, how its text begins; $(b,-) is \
-     standard input."
+    "The model. The ending of its name selects the notation, or, without a name, the beginning of its text; \
+     $(b,-) is standard input."
   in
   Arg.(required & pos 0 (some string) None & info [] ~docv:"FILE" ~doc)
 
@@ -60,9 +61,9 @@ let man =
   [
     `S Manpage.s_description;
     `P
-      "Writes a model in another notation: the same declarations, in the same order, and its comments. Nothing is \
-       worked out: loops, parameters and imports stay what they are, and a file that is imported is not \
-       translated with it. Without $(b,--to) and $(b,-o), the model is written in the language of scc.";
+      "Writes a model in another notation: the same declarations, in the same order, and its comments. Nothing \
+       is evaluated: loops, parameters and imports are kept, and imported files are not translated. Without \
+       $(b,--to) and $(b,-o), the model is written in the language of scc.";
   ]
   @ (`S "NOTATIONS" :: List.map told Notation.all)
   @ Options.diagnostics_man

@@ -75,8 +75,7 @@ let output =
 
 let data_alone =
   let doc =
-    "Writes the data of the page alone, as JSON ($(b,specs/schema/view.schema.json)), for those who draw it by \
-     other means."
+    "Writes only the data of the page, as JSON ($(b,specs/schema/view.schema.json)), for other viewers."
   in
   Arg.(value & flag & info [ "data" ] ~doc)
 
@@ -86,8 +85,7 @@ let check =
 
 let schedule =
   let doc =
-    "Shows the run that is led by the choices of $(docv), a schedule as $(b,scc check --witness) writes it; then \
-     nothing is checked."
+    "Shows the run of the schedule $(docv), as $(b,scc check --witness) writes it; then nothing is checked."
   in
   Arg.(value & opt (some string) None & info [ "schedule" ] ~docv:"FILE" ~doc)
 
@@ -106,23 +104,23 @@ let followed =
 
 let plots =
   let doc =
-    "Plots the number $(docv) over time, as one would write it in a check: $(b,distance2\\(p, q\\)). May be given \
-     several times. Numbers that the checks name are plotted in any case."
+    "Plots the number $(docv) over time, written as in a check: $(b,distance2\\(p, q\\)). May be given several \
+     times. Numbers in the checks are always plotted."
   in
   Arg.(value & opt_all string [] & info [ "plot" ] ~docv:"NUMBER" ~doc)
 
 let graph =
   let doc =
-    "Carries along what can happen otherwise: at most $(docv) states in all, fewer where each is large, \
-     or where half of $(b,--seconds) is over."
+    "Includes alternatives to the shown runs: at most $(docv) states in all. There are fewer if each state is \
+     large, or if half of $(b,--seconds) is over."
   in
   Arg.(value & opt (Options.integer ~least:0 "number of states") 1000 & info [ "graph" ] ~docv:"N" ~doc)
 
 let svg =
   let doc =
-    "Writes a picture of the state at the model time $(docv) instead of a page, as SVG, with hidden surfaces \
-     right: of the run of $(b,--schedule) or $(b,--trace), of that which shows the verdict of $(b,--check), or of \
-     that of the first choices."
+    "Writes a picture of the state at the model time $(docv) instead of a page, as SVG, with exact hidden \
+     surfaces. The run is that of $(b,--schedule) or $(b,--trace), that which shows the verdict of $(b,--check), \
+     or that of the first choices."
   in
   Arg.(value & opt (some (Options.not_negative "model time")) None & info [ "svg" ] ~docv:"TIME" ~doc)
 
@@ -165,7 +163,7 @@ let man =
   [
     `S Manpage.s_description;
     `P
-      "Checks a model as $(b,scc check) does, and writes a page that shows the runs that decide: one file of HTML \
+      "Checks a model as $(b,scc check) does, and writes a page that shows the deciding runs: one file of HTML \
        that opens in a browser from disk, needs no network, and can be mailed.";
   ]
   @ Options.diagnostics_man
@@ -178,7 +176,7 @@ let man =
   ]
 
 let command =
-  let told = [ (Exit_code.Holds, "if the page was written, whatever the verdicts on it.") ] in
+  let told = [ (Exit_code.Holds, "if the page was written, for any verdicts on it.") ] in
   let exits = Exits.man ~told ~never:[ Violated; Undecided ] () in
   Cmd.v
     (Cmd.info "view" ~doc:"write a page that shows the runs of a model" ~man ~exits)
