@@ -7,6 +7,7 @@ open Scc_calculus
 open Scc_state_space
 open Scc_symbolic
 open Scc_verify
+open Scc_zones
 module Loaded = Scc_session.Loaded
 
 let models = "specs/models"

@@ -3,6 +3,7 @@ open Scc_calculus
 open Scc_symbolic
 open Scc_verify
 open Scc_session
+open Scc_zones
 
 type t = { loaded : Loaded.t; space : Zone_space.t }
 

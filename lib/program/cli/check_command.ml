@@ -113,7 +113,7 @@ let cover options reductions (l : Loaded.t) initial =
 
 let write_invariant console path (l : Loaded.t) (report : Check.report) =
   let text = function
-    | Zone_proof.Proved { invariant; _ } -> Invariant_text.to_string l.model invariant
+    | By_invariant.Proved { invariant; _ } -> Invariant_text.to_string l.model invariant
     | None_found reason | Given_up reason -> Printf.sprintf "no invariant: %s\n" reason
   in
   let text = String.concat "\n" (List.map text report.invariants) in

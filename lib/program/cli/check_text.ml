@@ -233,7 +233,7 @@ let causes (m : Scc_calculus.Model.t) (s : Check.stats) =
 
 let invariants ~asked (report : Check.report) =
   let text = function
-    | Zone_proof.Proved { invariant; _ } ->
+    | By_invariant.Proved { invariant; _ } ->
       Printf.sprintf "invariant: %s that no run leaves, checked afresh\n"
         (plural (List.length invariant.locations) "kind of states" "kinds of states")
     | None_found reason | Given_up reason -> if asked then Printf.sprintf "no invariant: %s\n" reason else ""

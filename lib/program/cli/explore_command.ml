@@ -2,6 +2,7 @@ open Scc_verify
 open Scc_equivalence
 open Scc_session
 open Scc_exchange
+open Scc_zones
 open Cmdliner
 
 let ( let* ) = Result.bind

@@ -1,4 +1,5 @@
 open Scc_verify
+open Scc_zones
 
 let over_zones (l : Loaded.t) = Zone_check.is_for l.model ~declared:l.declared
 
@@ -8,9 +9,9 @@ let uncertain (l : Loaded.t) =
 (* A short search for an invariant; what it leaves open is explored; and what that leaves open, a longer search may
    decide, if it was not the model that ended the short one. *)
 let with_invariants options (l : Loaded.t) ~initial checks =
-  let decide effort = Zone_proof.decide options effort l.semantics (uncertain l) ~declared:l.declared in
+  let decide effort = By_invariant.decide options effort l.semantics (uncertain l) ~declared:l.declared in
   let decided, first = decide Briefly checks in
-  let exploring = Zone_proof.leaving_time options (Some first) in
+  let exploring = By_invariant.leaving_time options (Some first) in
   let report = Check.run_without exploring l.semantics ~initial checks ~decided in
   let open_ =
     List.filter_map

@@ -51,7 +51,7 @@ type report = {
   left_out : Verdict.truncation option;
   stores : (string * int) list;
   where : Scc_regions.Where.t list;
-  invariants : Zone_proof.end_ list;
+  invariants : By_invariant.end_ list;
   numbers : unit -> (string * int) list;
 }
 

@@ -63,8 +63,8 @@ type report = {
   where : Scc_regions.Where.t list;
   (** of an exploration over zones: the values of the parameters for which each property holds, as far as
       requested *)
-  invariants : Zone_proof.end_ list;  (** of an exploration over zones: the results of the searches for
-                                          invariants that prove them (rule Invariants) *)
+  invariants : By_invariant.end_ list;  (** of an exploration over zones: the results of the searches for
+                                            invariants that prove them (rule Invariants) *)
   numbers : unit -> (string * int) list;  (** the lengths of the longest numbers: {!Catalogue.longest} *)
 }
 

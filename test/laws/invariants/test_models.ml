@@ -8,6 +8,7 @@ open Scc_semantics
 open Scc_symbolic
 open Scc_certificate
 open Scc_verify
+open Scc_zones
 module Loaded = Scc_session.Loaded
 module Limits = Scc_graph_search.Limits
 
@@ -104,7 +105,7 @@ let proves file () =
   | Ok l -> (
       let u = match l.uncertain with Some u -> u | None -> Start.known l.model l.declared in
       let all = Union.of_polyhedron (Ranges.box l.model.ranges) in
-      match Zone_proof.attempt Check.default Unasked l.semantics u ~declared:l.declared l.checks with
+      match By_invariant.attempt Check.default Unasked l.semantics u ~declared:l.declared l.checks with
       | Error _ -> Alcotest.fail "the declared state is not well-formed"
       | Ok (None_found reason | Given_up reason) -> print_endline reason
       | Ok (Proved { invariant; proofs }) ->
@@ -139,7 +140,10 @@ let explored_after () =
           | Ok report ->
             Alcotest.(check bool) "half of the time, twice" true (!asked > 0 && !asked mod 2 = 0);
             Alcotest.(check bool) "zones" true (report.stats.states > 20);
-            let end_ = function Zone_proof.None_found reason | Given_up reason -> reason | Proved _ -> "proved" in
+            let end_ : By_invariant.end_ -> string = function
+              | None_found reason | Given_up reason -> reason
+              | Proved _ -> "proved"
+            in
             let reasons = List.sort_uniq String.compare (List.map end_ report.invariants) in
             Alcotest.(check (list string)) "invariants" [ "proved" ] reasons)
       | Error _ -> Alcotest.fail "no initial state")

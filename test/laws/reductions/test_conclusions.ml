@@ -5,6 +5,7 @@ open Scc_exact
 open Scc_semantics
 open Scc_state_space
 open Scc_verify
+open Scc_zones
 module Gen = QCheck2.Gen
 
 let standard = Scc_engine.Standard.of_model
@@ -101,7 +102,7 @@ let checked how ({ model; declared; uncertain; checks } : Seen.model) ~time =
     match Network.initial semantics declared with
     | Error _ -> None
     | Ok initial when how.prove && Zone_check.refused model Invariants = [] ->
-      let decided, _ = Zone_proof.decide options Longer semantics (forms ()) ~declared checks in
+      let decided, _ = By_invariant.decide options Longer semantics (forms ()) ~declared checks in
       Some (concluded ~time (Check.run_without options semantics ~initial checks ~decided))
     | Ok initial -> Some (concluded ~time (Check.run options semantics ~initial checks))
 

@@ -3,6 +3,7 @@
 open Scc_semantics
 open Scc_exact
 open Scc_verify
+open Scc_zones
 module Gen = QCheck2.Gen
 
 let standard = Scc_engine.Standard.of_model

@@ -8,6 +8,7 @@ open Scc_semantics
 open Scc_property
 open Scc_polyhedra
 open Scc_verify
+open Scc_zones
 module Gen = QCheck2.Gen
 
 type case = { scene : Scene.t; formulas : Property.temporal list; seed : int }

@@ -9,6 +9,7 @@ open Scc_polyhedra
 open Scc_evaluate
 open Scc_explain
 open Scc_verify
+open Scc_zones
 module Gen = QCheck2.Gen
 
 (* What a run has to be like. *)

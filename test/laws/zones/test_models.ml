@@ -2,6 +2,7 @@
    is what the ordinary exploration finds, for every check of every model of specs/models that zones can follow. *)
 
 open Scc_verify
+open Scc_zones
 module Loaded = Scc_session.Loaded
 
 let models = "../../../specs/models"

@@ -5,6 +5,7 @@
 open Scc_polyhedra
 open Scc_verify
 open Scc_state_space
+open Scc_zones
 module Loaded = Scc_session.Loaded
 module Where = Scc_regions.Where
 

@@ -2,6 +2,7 @@
    others, and a slice does not leave it out. *)
 
 open Scc_verify
+open Scc_zones
 module Loaded = Scc_session.Loaded
 
 let scene ~again ~at =

@@ -6,6 +6,7 @@ open Scc_polyhedra
 open Scc_symbolic
 open Scc_verify
 open Scc_regions
+open Scc_zones
 module Loaded = Scc_session.Loaded
 
 (* {1 Models} *)

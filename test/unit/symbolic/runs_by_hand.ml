@@ -2,6 +2,7 @@
 
 open Scc_explain
 open Scc_verify
+open Scc_zones
 
 let report text =
   let l = By_hand.load text in

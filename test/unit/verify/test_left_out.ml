@@ -5,6 +5,7 @@ open Scc_graph_search
 open Scc_semantics
 open Scc_verify
 open Scc_test_models
+open Scc_zones
 
 (* Which conclusions are given up, by their numbers. *)
 type way =

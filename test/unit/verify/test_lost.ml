@@ -5,6 +5,7 @@ open Scc_semantics
 open Scc_state_space
 open Scc_verify
 open Scc_test_models
+open Scc_zones
 
 let everyone = Kinematics.everyone
 let bounds = { Bounds.default with time = Given (Scc_exact.Rat.of_int 10) }

@@ -5,6 +5,7 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_symbolic
+open Scc_verify
 
 val is_for : Model.t -> declared:State.t -> bool
 (** [is_for m ~declared] is true if the model has parameters with ranges, or bonds that may be released at any

@@ -4,6 +4,7 @@ open Scc_semantics
 open Scc_property
 open Scc_graph_search
 open Scc_symbolic
+open Scc_verify
 
 let named (m : Model.t) values =
   List.mapi (fun i v -> (m.ranges.(i).Ranges.name, v)) (Array.to_list values)
@@ -12,7 +13,7 @@ let most_states_of_one_start = 20_000
 
 let run (options : Joint_check.options) semantics u ~declared (check : Property.check) values =
   let m = Semantics.model semantics in
-  if Array.length m.ranges = 0 || Zone_scale.at_any_time m ~declared then None
+  if Array.length m.ranges = 0 || Left_open.at_any_time m ~declared then None
   else
     let c = Semantics.with_model semantics (Fixed.model m values) in
     let declared = Fixed.declared m u declared values in

@@ -2,6 +2,7 @@
 
 open Scc_calculus
 open Scc_property
+open Scc_verify
 
 val displaced : Joint_check.options -> Model.t -> State.t -> Property.temporal list -> bool
 (** [displaced options m s formulas] is true if the place of the whole does not matter (rule Translation). *)

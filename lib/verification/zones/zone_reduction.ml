@@ -1,5 +1,6 @@
 open Scc_property
 open Scc_state_space
+open Scc_verify
 
 let displaced (options : Joint_check.options) model initial formulas =
   List.exists (Reduction.equal Translation) options.reductions && Quotient.translatable model initial formulas

@@ -105,7 +105,7 @@ let attempt (options : Joint_check.options) effort semantics u ~declared (checks
 
 let decided semantics ~declared (check : Property.check) (proof : Proof.t) =
   let outcome verdict =
-    let scale = Zone_scale.make semantics ~declared ~example:[] ~by_invariant:true in
+    let scale = Left_open.make semantics ~declared ~example:[] ~by_invariant:true in
     Some { Verdict.check; verdict; scale; rests = []; converges = None; lost = []; left_out = None }
   in
   if not (Union.is_empty proof.sets.holds) then outcome (Holds { bounds = []; witness = None })

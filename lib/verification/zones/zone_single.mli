@@ -5,6 +5,7 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_explain
+open Scc_verify
 
 val named : Model.t -> Rat.t array -> (string * Rat.t) list
 (** The values of the parameters, with their names. *)

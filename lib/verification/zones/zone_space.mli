@@ -3,6 +3,7 @@
 open Scc_calculus
 open Scc_semantics
 open Scc_symbolic
+open Scc_verify
 
 type t = {
   semantics : Semantics.t;

@@ -1,6 +1,7 @@
 open Scc_base
 open Scc_semantics
 open Scc_symbolic
+open Scc_verify
 
 type t = {
   semantics : Semantics.t;

@@ -6,6 +6,7 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_symbolic
+open Scc_verify
 
 type group = Zone_groups.t = {
   keeps_time : bool;
@@ -24,7 +25,7 @@ type t = {
   fault : string option;
   decided : bool;
   edges : int;
-  proof : Zone_proof.end_ option;
+  proof : By_invariant.end_ option;
 }
 
 let latest answers =
@@ -47,7 +48,7 @@ let distinct events =
   List.rev (List.fold_left add [] events)
 
 let proofs_of answers = function
-  | Some (Zone_proof.Proved { proofs; _ }) -> List.map Option.some proofs
+  | Some (By_invariant.Proved { proofs; _ }) -> List.map Option.some proofs
   | Some (None_found _ | Given_up _) | None -> List.map (fun _ -> None) answers
 
 (* With what is proved. *)

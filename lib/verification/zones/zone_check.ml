@@ -7,9 +7,10 @@ open Scc_property
 open Scc_state_space
 open Scc_symbolic
 open Scc_regions
+open Scc_verify
 open Zone_explored
 
-let is_for = Zone_scale.leaves_open
+let is_for = Left_open.leaves_open
 
 type use = Zones | Invariants
 
@@ -153,7 +154,7 @@ let outcomes options semantics u ~declared (e : Zone_explored.t) =
       | _ -> []
     in
     let by_invariant = rests_on_proof answer where verdict in
-    let scale = Zone_scale.make semantics ~declared ~example ~by_invariant in
+    let scale = Left_open.make semantics ~declared ~example ~by_invariant in
     let { Lost.faults; left_out } = Lost.taken lost in
     let left_out = Verdict.if_unshown verdict left_out in
     (i, { Verdict.check; verdict; scale; rests = []; converges = None; lost = faults; left_out }, where)
@@ -172,7 +173,7 @@ let premises (m : Model.t) (e : Zone_explored.t) =
   List.map2 one e.group.premises e.met
 
 (* The bounds of a search for an invariant after the exploration, by what the one before it came to. *)
-let later ~some_check (before : Zone_proof.end_ option) : Zone_proof.effort option =
+let later ~some_check (before : By_invariant.end_ option) : By_invariant.effort option =
   match before with
   | None -> if some_check then Some Unasked else None
   | Some (Given_up _) -> Some Longer
@@ -183,11 +184,11 @@ let of_group (options : Joint_check.options) semantics context u ~declared ~init
   let some_check = group.members <> [] in
   let attempt effort =
     let declared = Option.value group.part ~default:declared in
-    Result.to_option (Zone_proof.attempt options effort semantics u ~declared (List.map snd group.members))
+    Result.to_option (By_invariant.attempt options effort semantics u ~declared (List.map snd group.members))
   in
   let before = if options.prove && some_check then attempt Briefly else None in
   let of_zones zones =
-    let within = Zone_proof.leaving_time options before in
+    let within = By_invariant.leaving_time options before in
     let e = explore within context group ~initial zones ~ranges:m.ranges ~exactly ~proof:before in
     match later ~some_check before with
     | Some effort when is_open ~asked:options.prove ~exactly e -> { e with proof = attempt effort }
@@ -236,7 +237,7 @@ let report options semantics u ~declared ~initial explored : Check.report =
 
 let run (options : Joint_check.options) semantics u ~declared ~exactly ~premises checks =
   let context = Instant.context semantics in
-  let initial = Zone_proof.initial semantics declared in
+  let initial = By_invariant.initial semantics declared in
   let rec all explored = function
     | [] -> Ok (List.rev explored)
     | group :: rest ->
