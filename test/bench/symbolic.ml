@@ -159,7 +159,7 @@ let ask text ~name options =
 let judged within = if within then "within" else "BEYOND"
 
 let measure (name, bar, reductions, text) =
-  let options = { Check.default with reductions; bounds = { Bounds.default with states = Given most_zones } } in
+  let options = { Setup.default with reductions; bounds = { Bounds.default with states = Given most_zones } } in
   match ask (text ()) ~name options with
   | _, Error _, _, _ -> failwith (name ^ ": its start is not well-formed")
   | l, Ok report, probabilities, time ->
@@ -196,7 +196,7 @@ let measure_cases () =
   let of_case case =
     match (member "method" case, member "params" case) with
     | `String "model.check", params when member "error" (member "expect" case) = `Null ->
-      let l, _, _, time = ask (text (member "text" params)) ~name:"case" Check.default in
+      let l, _, _, time = ask (text (member "text" params)) ~name:"case" Setup.default in
       if Zone_check.is_for l.model ~declared:l.declared then Some (time, text (member "id" case)) else None
     | _ -> None
   in

@@ -89,7 +89,7 @@ let left_out_in_json () =
 
 (* Those that are known are told, and that there may be more. *)
 let causes () =
-  let { Check.stats; _ } = Check.unexplored Check.default [] Scc_graph_search.Limits.Interrupted in
+  let { Check.stats; _ } = Check.unexplored Setup.default [] Scc_graph_search.Limits.Interrupted in
   let stats = { stats with left_out = Some interruption } in
   let told causes = Check_text.causes loaded.model { stats with causes } in
   let line further =

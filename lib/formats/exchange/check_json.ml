@@ -241,7 +241,7 @@ let cause (m : Model.t) c =
       ("cure", Json.text (Growth.cure m c));
     ]
 
-let explored model (s : Check.stats) =
+let explored model (s : Stats.t) =
   `Assoc
     ([
       ("states", `Int s.states);

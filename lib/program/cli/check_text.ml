@@ -196,7 +196,7 @@ let zeno_left_out t =
 
 let plural n one many = if n = 1 then "1 " ^ one else Printf.sprintf "%d %s" n many
 
-let explored (s : Check.stats) =
+let explored (s : Stats.t) =
   let how =
     if s.complete then "complete"
     else
@@ -216,7 +216,7 @@ let explored (s : Check.stats) =
     time
     how
 
-let causes (m : Scc_calculus.Model.t) (s : Check.stats) =
+let causes (m : Scc_calculus.Model.t) (s : Stats.t) =
   let cause c =
     Printf.sprintf "  likely cause: %s\n    cure: %s\n" (Growth.to_string m c) (Growth.cure m c)
   in

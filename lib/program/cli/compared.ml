@@ -75,7 +75,7 @@ let load_model console options ?renamed ~overrides path =
 
 let load console options ?renamed ~overrides path =
   if is_graph_file path then
-    if overrides = [] then load_graph console options.Check.surroundings.attempt path
+    if overrides = [] then load_graph console options.Setup.surroundings.attempt path
     else
       Error
         [

@@ -28,7 +28,7 @@ val graph_of_space : ?renamed:(string -> string) -> Explored.t -> Graph.t
 
 val load :
   Console.t ->
-  Check.options ->
+  Setup.t ->
   ?renamed:(string -> string) ->
   overrides:(string * Rat.t) list ->
   string ->

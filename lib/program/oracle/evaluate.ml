@@ -74,7 +74,7 @@ let surroundings bounds : Scc_graph_search.Limits.surroundings =
   in
   until (bounds.now () +. (share *. bounds.seconds))
 
-let options bounds p : Check.options =
+let options bounds p : Setup.t =
   let q = Read.quotas p in
   let given = Read.optional p "limits" Read.fields in
   let limit name read = Option.bind given (fun g -> Read.optional g name read) in
@@ -88,7 +88,7 @@ let options bounds p : Check.options =
   let budget = { Budget.depth; time; states; seconds; memory = None; bits = None } in
   let memory = int_of_float (share *. float_of_int bounds.memory) in
   {
-    Check.default with
+    Setup.default with
     bounds = Budget.bounds { states = Quotas.default_states; memory; room = None } budget;
     surroundings = surroundings bounds;
   }

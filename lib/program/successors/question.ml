@@ -30,7 +30,7 @@ type t = {
 let ( let* ) = Result.bind
 let reductions = List.filter (fun k -> not (Reduction.equal k Order)) Reduction.all
 
-let options reductions : Check.options = { Check.default with reductions }
+let options reductions : Setup.t = { Setup.default with reductions }
 let semantics q = q.exploration.semantics
 
 (* Goals are numbered as they come. *)

@@ -27,14 +27,14 @@ let with_invariants options (l : Loaded.t) ~initial checks =
     { report with outcomes = List.map outcome report.outcomes; invariants = [ second ] }
   | Proved _ | None_found _ | Given_up _ -> { report with invariants = [ first ] }
 
-let ordinarily (options : Check.options) (l : Loaded.t) ~initial checks =
+let ordinarily (options : Setup.t) (l : Loaded.t) ~initial checks =
   (if options.prove then with_invariants options l else Check.run options l.semantics) ~initial checks
 
 let refused (l : Loaded.t) ~prove =
   let because = if over_zones l then Some Zone_check.Zones else if prove then Some Invariants else None in
   match Option.map (Zone_check.refused l.model) because with None | Some [] -> Ok () | Some why -> Error why
 
-let report (options : Check.options) (l : Loaded.t) ~initial ~exactly ~premises checks =
+let report (options : Setup.t) (l : Loaded.t) ~initial ~exactly ~premises checks =
   let of_all () =
     if over_zones l then
       Zone_check.run options l.semantics (uncertain l) ~declared:l.declared ~exactly ~premises checks

@@ -17,10 +17,10 @@ val refused : Loaded.t -> prove:bool -> (unit, Diag.t list) result
     affine. *)
 
 val report :
-  Check.options -> Loaded.t -> initial:State.t -> exactly:bool -> premises:Property.check list ->
+  Setup.t -> Loaded.t -> initial:State.t -> exactly:bool -> premises:Property.check list ->
   Property.check list ->
   (Check.report, Diag.t list) result
 (** The verdicts of checks: by {!Zone_check.run}, with [exactly], or by {!Check.run}. With
-    {!Check.options.prove} invariants come first, as far as they decide (rule Invariants). Outcomes of premises
+    {!Setup.t.prove} invariants come first, as far as they decide (rule Invariants). Outcomes of premises
     ({!Loaded.t}) come after those of the checks. The errors: numbers of the model would not be affine
     (SC0901), or the declared state is not well-formed for some values. *)

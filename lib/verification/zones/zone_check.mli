@@ -28,7 +28,7 @@ val diagnostic : Model.t -> fault -> Scc_base.Diag.t
     has no place in the text. *)
 
 val run :
-  Joint_check.options -> Semantics.t -> Uncertain.t -> declared:State.t -> exactly:bool ->
+  Setup.t -> Semantics.t -> Uncertain.t -> declared:State.t -> exactly:bool ->
   premises:Property.check list -> Property.check list -> (Check.report, fault) result
 (** [run options m u ~declared ~exactly ~premises checks] is a verdict for each check, over all values, and the
     values for which it holds ({!Check.report.where}). With [exactly] these are as complete as possible, else

@@ -1,21 +1,12 @@
 (** The exploration of the sets of states of a model whose parameters have ranges (rule Zones), for checks that are
     decided on one graph. *)
 
-open Scc_property
 open Scc_calculus
 open Scc_symbolic
 open Scc_verify
 
-(** Checks and premises on one graph, each with its number among all of the model. *)
-type group = Zone_groups.t = {
-  keeps_time : bool;  (** zones with different absolute times are different *)
-  part : State.t option;  (** the slice of the declared state to explore; [None]: the whole network *)
-  members : (int * Property.check) list;
-  premises : (int * Property.check) list;
-}
-
 type t = {
-  group : group;
+  group : Zone_groups.t;
   graph : Zone_graph.t;
   answers : Answers.t list;  (** of the members *)
   met : Answers.t list;  (** of the premises *)
@@ -28,9 +19,9 @@ type t = {
 }
 
 val explore :
-  Joint_check.options ->
+  Setup.t ->
   Instant.context ->
-  group ->
+  Zone_groups.t ->
   initial:State.t ->
   Zone.t list ->
   ranges:Ranges.t ->

@@ -11,7 +11,7 @@ let named (m : Model.t) values =
 
 let most_states_of_one_start = 20_000
 
-let run (options : Joint_check.options) semantics u ~declared (check : Property.check) values =
+let run (options : Setup.t) semantics u ~declared (check : Property.check) values =
   let m = Semantics.model semantics in
   if Array.length m.ranges = 0 || Left_open.at_any_time m ~declared then None
   else
@@ -23,7 +23,7 @@ let run (options : Joint_check.options) semantics u ~declared (check : Property.
     match Network.initial c declared with
     | Error _ -> None
     | Ok initial -> (
-        let options = { Joint_check.default with bounds; surroundings = options.surroundings } in
+        let options = { Setup.default with bounds; surroundings = options.surroundings } in
         let report = Check.run options c ~initial [ check ] in
         let fixed = { Scc_explain.Witness.values = named m values; semantics = c } in
         let of_start (w : Scc_explain.Witness.t) = { w with fixed = Some fixed } in

@@ -158,7 +158,7 @@ type counts = {
 
 let counts () = { refused = 0; models = 0; points = 0; faces = 0; unknown = 0 }
 let bounds states depth =
-  { Check.default with bounds = { Bounds.default with states = Given states; depth = Given depth } }
+  { Setup.default with bounds = { Bounds.default with states = Given states; depth = Given depth } }
 let over_sets = bounds 150 60
 let at_points = bounds 600 120
 

@@ -42,7 +42,7 @@ let ordinary (l : Loaded.t) =
   match Network.initial semantics declared with
   | Error _ -> Alcotest.fail "no initial state"
   | Ok initial ->
-    (Check.run { Check.default with bounds } semantics ~initial l.checks).outcomes
+    (Check.run { Setup.default with bounds } semantics ~initial l.checks).outcomes
 
 let compare_one all values (o : Verdict.outcome) (proof : Proof.t) =
   let name = o.check.name in
@@ -105,7 +105,7 @@ let proves file () =
   | Ok l -> (
       let u = match l.uncertain with Some u -> u | None -> Start.known l.model l.declared in
       let all = Union.of_polyhedron (Ranges.box l.model.ranges) in
-      match By_invariant.attempt Check.default Unasked l.semantics u ~declared:l.declared l.checks with
+      match By_invariant.attempt Setup.default Unasked l.semantics u ~declared:l.declared l.checks with
       | Error _ -> Alcotest.fail "the declared state is not well-formed"
       | Ok (None_found reason | Given_up reason) -> print_endline reason
       | Ok (Proved { invariant; proofs }) ->
@@ -134,7 +134,7 @@ let explored_after () =
       let bounds = { Bounds.default with depth = Given 50 } in
       match Loaded.initial l with
       | Ok initial -> (
-          let options = { Check.default with prove = true; surroundings; bounds } in
+          let options = { Setup.default with prove = true; surroundings; bounds } in
           match Scc_session.Verdicts.report options l ~initial ~exactly:false l.checks ~premises:[] with
           | Error _ -> Alcotest.fail "escape.sc has verdicts"
           | Ok report ->

@@ -91,7 +91,7 @@ let checked how ({ model; declared; uncertain; checks } : Seen.model) ~time =
       instant = Default 60;
     }
   in
-  let options = { Check.default with bounds; reductions = how.reductions; prove = how.prove } in
+  let options = { Setup.default with bounds; reductions = how.reductions; prove = how.prove } in
   let semantics = standard model in
   let forms () = match uncertain with Some u -> u | None -> Scc_symbolic.Start.known model declared in
   if Zone_check.is_for model ~declared then

@@ -48,7 +48,7 @@ let checked model declared checks =
   match Network.initial (standard model) declared with
   | Error _ -> None
   | Ok initial ->
-    let options = { Check.default with bounds; reductions = [ Scc_state_space.Reduction.Jump ] } in
+    let options = { Setup.default with bounds; reductions = [ Scc_state_space.Reduction.Jump ] } in
     Some (Check.run options (standard model) ~initial checks)
 
 let report text =

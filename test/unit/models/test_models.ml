@@ -188,7 +188,7 @@ let replayed m states =
 
 let options =
   let open Scc_verify in
-  { Check.default with bounds = { Bounds.default with depth = Default 1_000; states = Default 50_000 } }
+  { Setup.default with bounds = { Bounds.default with depth = Default 1_000; states = Default 50_000 } }
 
 let verdict (v : Scc_verify.Verdict.t) =
   if Scc_verify.Verdict.exhaustive v then "holds"
