@@ -8,7 +8,7 @@ open Scc_state_space
 open Scc_symbolic
 open Scc_verify
 open Scc_zones
-module Loaded = Scc_session.Loaded
+module Loaded = Scc_loading.Loaded
 
 let models = "specs/models"
 

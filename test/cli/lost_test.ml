@@ -13,7 +13,7 @@ let text =
 let source = Scc_base.Source.make ~name:"m.sc" text
 
 let loaded =
-  match Scc_session.Loaded.load ~read_file:(fun _ -> Error "none") ~overrides:[] source with
+  match Scc_loading.Loaded.load ~read_file:(fun _ -> Error "none") ~overrides:[] source with
   | Ok l -> l
   | Error _ -> failwith "the model"
 
@@ -120,10 +120,10 @@ let in_sarif () =
        [ "possibly x(p) > 1; its run could not be rebuilt"; "toolExecutionNotifications"; List.hd lost ])
 
 let exits () =
-  let ends work = Scc_session.Exit_code.to_int (Guard.run (console ()) work) in
+  let ends work = Scc_verdicts.Exit_code.to_int (Guard.run (console ()) work) in
   let with_fault code =
     let c = console () in
-    Scc_session.Exit_code.to_int
+    Scc_verdicts.Exit_code.to_int
       (Guard.run c (fun () ->
            List.iter (Console.fault c) lost;
            Ok code))

@@ -4,7 +4,7 @@ open Scc_calculus
 open Scc_semantics
 open Scc_explain
 open Scc_verify
-open Scc_session
+open Scc_loading
 
 type t = {
   loaded : Loaded.t;

@@ -3,7 +3,7 @@
 open Scc_base
 open Scc_semantics
 open Scc_verify
-open Scc_session
+open Scc_loading
 
 (** The results of a check. *)
 type t = {

@@ -1,6 +1,6 @@
 (** Facts on an exported graph of zones that all formats contain. *)
 
-open Scc_session
+open Scc_loading
 open Scc_zones
 
 (** A graph of zones with its model. *)

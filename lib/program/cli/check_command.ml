@@ -1,7 +1,8 @@
 open Scc_base
 open Scc_state_space
 open Scc_verify
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 open Scc_exchange
 open Cmdliner
 

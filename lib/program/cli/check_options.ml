@@ -1,7 +1,7 @@
 open Scc_base
 open Scc_exact
 open Scc_verify
-open Scc_session
+open Scc_verdicts
 open Cmdliner
 
 let default_states = 200_000

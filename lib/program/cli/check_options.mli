@@ -2,7 +2,7 @@
 
 open Scc_graph_search
 open Scc_verify
-open Scc_session
+open Scc_verdicts
 
 val seconds_conv : float Cmdliner.Arg.conv
 (** A positive, finite number of seconds. *)

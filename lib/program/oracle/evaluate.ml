@@ -4,7 +4,8 @@ open Scc_exact
 open Scc_semantics
 open Scc_evaluate
 open Scc_verify
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 open Scc_exchange
 
 type bounds = { seconds : float; memory : int; now : unit -> float }

@@ -2,7 +2,8 @@ open Scc_exact
 open Scc_calculus
 open Scc_polyhedra
 open Scc_verify
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 
 type case = { text : string; any : bool }
 

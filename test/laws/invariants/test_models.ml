@@ -9,7 +9,7 @@ open Scc_symbolic
 open Scc_certificate
 open Scc_verify
 open Scc_zones
-module Loaded = Scc_session.Loaded
+module Loaded = Scc_loading.Loaded
 module Limits = Scc_graph_search.Limits
 
 let models = if Sys.file_exists "specs/models" then "specs/models" else "../../../specs/models"
@@ -135,7 +135,7 @@ let explored_after () =
       match Loaded.initial l with
       | Ok initial -> (
           let options = { Setup.default with prove = true; surroundings; bounds } in
-          match Scc_session.Verdicts.report options l ~initial ~exactly:false l.checks ~premises:[] with
+          match Scc_verdicts.Verdicts.report options l ~initial ~exactly:false l.checks ~premises:[] with
           | Error _ -> Alcotest.fail "escape.sc has verdicts"
           | Ok report ->
             Alcotest.(check bool) "half of the time, twice" true (!asked > 0 && !asked mod 2 = 0);

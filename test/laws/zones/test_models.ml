@@ -3,7 +3,7 @@
 
 open Scc_verify
 open Scc_zones
-module Loaded = Scc_session.Loaded
+module Loaded = Scc_loading.Loaded
 
 let models = "../../../specs/models"
 

@@ -1,5 +1,5 @@
 open Scc_verify
-open Scc_session
+open Scc_loading
 open Scc_exchange
 open Scc_test_models
 

@@ -7,7 +7,7 @@ open Scc_symbolic
 open Scc_verify
 open Scc_regions
 open Scc_zones
-module Loaded = Scc_session.Loaded
+module Loaded = Scc_loading.Loaded
 
 (* {1 Models} *)
 

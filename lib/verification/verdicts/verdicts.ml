@@ -1,5 +1,6 @@
 open Scc_verify
 open Scc_zones
+open Scc_loading
 
 let over_zones (l : Loaded.t) = Zone_check.is_for l.model ~declared:l.declared
 
