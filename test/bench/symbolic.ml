@@ -7,7 +7,8 @@ open Scc_calculus
 open Scc_state_space
 open Scc_symbolic
 open Scc_verify
-module Loaded = Scc_session.Loaded
+open Scc_zones
+module Loaded = Scc_loading.Loaded
 
 let models = "specs/models"
 
@@ -158,7 +159,7 @@ let ask text ~name options =
 let judged within = if within then "within" else "BEYOND"
 
 let measure (name, bar, reductions, text) =
-  let options = { Check.default with reductions; bounds = { Bounds.default with states = Given most_zones } } in
+  let options = { Setup.default with reductions; bounds = { Bounds.default with states = Given most_zones } } in
   match ask (text ()) ~name options with
   | _, Error _, _, _ -> failwith (name ^ ": its start is not well-formed")
   | l, Ok report, probabilities, time ->
@@ -195,7 +196,7 @@ let measure_cases () =
   let of_case case =
     match (member "method" case, member "params" case) with
     | `String "model.check", params when member "error" (member "expect" case) = `Null ->
-      let l, _, _, time = ask (text (member "text" params)) ~name:"case" Check.default in
+      let l, _, _, time = ask (text (member "text" params)) ~name:"case" Setup.default in
       if Zone_check.is_for l.model ~declared:l.declared then Some (time, text (member "id" case)) else None
     | _ -> None
   in

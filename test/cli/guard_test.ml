@@ -51,7 +51,7 @@ let ended work =
   | pid -> ( match Unix.waitpid [] pid with _, WEXITED code -> code | _, (WSIGNALED _ | WSTOPPED _) -> -1)
 
 let guarded f () =
-  Ending.run (fun () -> Scc_session.Exit_code.to_int (Guard.run console (fun () -> ignore (f ()); Ok Holds)))
+  Ending.run (fun () -> Scc_verdicts.Exit_code.to_int (Guard.run console (fun () -> ignore (f ()); Ok Holds)))
 
 let bare f () = Ending.run f
 
@@ -73,13 +73,13 @@ let verdicts () =
   List.iter
     (fun (state, change) ->
        List.iter
-         (fun (code : Scc_session.Exit_code.t) ->
-            let number = Scc_session.Exit_code.to_int code in
+         (fun (code : Scc_verdicts.Exit_code.t) ->
+            let number = Scc_verdicts.Exit_code.to_int code in
             let run () = Guard.run console (fun () -> Guard.complain [ "told" ]; Ok code) in
-            let main () = Scc_session.Exit_code.to_int (run ()) in
+            let main () = Scc_verdicts.Exit_code.to_int (run ()) in
             let found = ended (fun () -> change (); Ending.run main) in
             Alcotest.(check int) (Printf.sprintf "%d, %s" number state) number found)
-         Scc_session.Exit_code.all)
+         Scc_verdicts.Exit_code.all)
     streams
 
 (* A file that is opened does not take the place of a stream that is closed. *)

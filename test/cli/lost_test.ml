@@ -13,7 +13,7 @@ let text =
 let source = Scc_base.Source.make ~name:"m.sc" text
 
 let loaded =
-  match Scc_session.Loaded.load ~read_file:(fun _ -> Error "none") ~overrides:[] source with
+  match Scc_loading.Loaded.load ~read_file:(fun _ -> Error "none") ~overrides:[] source with
   | Ok l -> l
   | Error _ -> failwith "the model"
 
@@ -89,7 +89,7 @@ let left_out_in_json () =
 
 (* Those that are known are told, and that there may be more. *)
 let causes () =
-  let { Check.stats; _ } = Check.unexplored Check.default [] Scc_graph_search.Limits.Interrupted in
+  let { Check.stats; _ } = Check.unexplored Setup.default [] Scc_graph_search.Limits.Interrupted in
   let stats = { stats with left_out = Some interruption } in
   let told causes = Check_text.causes loaded.model { stats with causes } in
   let line further =
@@ -120,10 +120,10 @@ let in_sarif () =
        [ "possibly x(p) > 1; its run could not be rebuilt"; "toolExecutionNotifications"; List.hd lost ])
 
 let exits () =
-  let ends work = Scc_session.Exit_code.to_int (Guard.run (console ()) work) in
+  let ends work = Scc_verdicts.Exit_code.to_int (Guard.run (console ()) work) in
   let with_fault code =
     let c = console () in
-    Scc_session.Exit_code.to_int
+    Scc_verdicts.Exit_code.to_int
       (Guard.run c (fun () ->
            List.iter (Console.fault c) lost;
            Ok code))

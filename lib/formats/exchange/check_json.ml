@@ -4,7 +4,7 @@ open Scc_calculus
 open Scc_semantics
 open Scc_explain
 open Scc_verify
-open Scc_session
+open Scc_loading
 
 type t = {
   loaded : Loaded.t;
@@ -241,7 +241,7 @@ let cause (m : Model.t) c =
       ("cure", Json.text (Growth.cure m c));
     ]
 
-let explored model (s : Check.stats) =
+let explored model (s : Stats.t) =
   `Assoc
     ([
       ("states", `Int s.states);

@@ -3,7 +3,7 @@
 open Scc_base
 open Scc_semantics
 open Scc_verify
-open Scc_session
+open Scc_loading
 
 (** The results of a check. *)
 type t = {
@@ -39,7 +39,7 @@ val argument : Scc_explain.Witness.argument -> Json.t
 val invariants : Scc_calculus.Model.t -> Check.report -> (string * Json.t) list
 (** The member [invariants], if invariants were sought. *)
 
-val explored : Scc_calculus.Model.t -> Check.stats -> Json.t
+val explored : Scc_calculus.Model.t -> Stats.t -> Json.t
 (** The member [explored]: the numbers of states and transitions, and whether the exploration is complete. *)
 
 val document : source:(string -> Source.t option) -> t -> Json.t

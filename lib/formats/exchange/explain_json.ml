@@ -4,7 +4,7 @@ open Scc_calculus
 open Scc_property
 open Scc_motion
 open Scc_explain
-open Scc_session
+open Scc_loading
 
 type t = {
   origin : Origin.t;

@@ -3,7 +3,7 @@
 open Scc_base
 open Scc_property
 open Scc_explain
-open Scc_session
+open Scc_loading
 
 (** An explanation with its run. *)
 type t = {

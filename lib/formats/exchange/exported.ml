@@ -1,6 +1,6 @@
 open Scc_exact
 open Scc_verify
-open Scc_session
+open Scc_loading
 
 type t = {
   loaded : Loaded.t;

@@ -1,7 +1,7 @@
 (** Facts on an exported graph that all formats contain. *)
 
 open Scc_verify
-open Scc_session
+open Scc_loading
 
 (** A graph with its model. *)
 type t = {

@@ -31,7 +31,7 @@ let location (m : Model.t) events (l : Invariant.location) =
       ("constraints", `List (List.map constraint_ (Polyhedron.constraints l.set)));
     ]
 
-let found m : Scc_verify.Zone_proof.end_ -> Json.t = function
+let found m : Scc_verify.By_invariant.end_ -> Json.t = function
   | None_found reason | Given_up reason -> `Assoc [ ("reason", Json.text reason) ]
   | Proved { invariant; _ } ->
     `Assoc [ ("kinds", `List (List.map (location m invariant.events) invariant.locations)) ]

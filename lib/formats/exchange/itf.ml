@@ -32,7 +32,7 @@ let vector (v : Vec.t) = tuple [ rational v.x; rational v.y; rational v.z ]
 let map pairs = `Assoc [ ("#map", `List (List.map (fun (key, value) -> `List [ key; value ]) pairs)) ]
 let set items = `Assoc [ ("#set", `List items) ]
 
-let start model (origin : Scc_session.Origin.t) put =
+let start model (origin : Scc_loading.Origin.t) put =
   let meta =
     `Assoc
       [

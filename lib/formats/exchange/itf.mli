@@ -43,7 +43,7 @@ open Scc_calculus
 type t
 (** A trace in the making. *)
 
-val start : Model.t -> Scc_session.Origin.t -> (string -> unit) -> t
+val start : Model.t -> Scc_loading.Origin.t -> (string -> unit) -> t
 (** Writes the beginning of the trace, up to its states. *)
 
 val event : t -> Replay.event -> unit

@@ -1,4 +1,4 @@
-open Scc_session
+open Scc_loading
 
 let parameters (o : Origin.t) = `Assoc (List.map (fun (name, value) -> (name, Json.rat value)) o.parameters)
 

@@ -1,6 +1,6 @@
 (** The model that a document is about. *)
 
-open Scc_session
+open Scc_loading
 
 val parameters : Origin.t -> Json.t
 (** An object of the parameters with their values, as by {!Json.rat}. *)

@@ -15,12 +15,12 @@ type t = {
 
 let versions = [ 1; 2 ]
 
-let version (origin : Scc_session.Origin.t) =
+let version (origin : Scc_loading.Origin.t) =
   if List.exists (fun setting -> setting = Scc_calculus.Parameters.at_any_time) origin.settings then 2 else 1
 
 let ( let* ) = Result.bind
 
-let to_string ?model ?check (origin : Scc_session.Origin.t) choices ~offset =
+let to_string ?model ?check (origin : Scc_loading.Origin.t) choices ~offset =
   let b = Buffer.create 1024 in
   let add fmt = Printf.bprintf b fmt in
   add "{ \"format\": \"scc-schedule\",\n  \"version\": %d,\n" (version origin);

@@ -14,7 +14,7 @@ type choice = { index : int option; label : string option; at : Span.t }
 type t = {
   model : string option;  (** the path of the model, as given when the schedule was made *)
   check : string option;  (** the property that the run is a witness for *)
-  digest : string option;  (** the digest of its model, see {!Scc_session.Origin.digest} *)
+  digest : string option;  (** the digest of its model, see {!Scc_loading.Origin.digest} *)
   parameters : (string * Rat.t) list;  (** with their values *)
   choices : choice list;
   offset : Rat.t option;
@@ -22,14 +22,14 @@ type t = {
   offset_at : Span.t;
 }
 
-val version : Scc_session.Origin.t -> int
+val version : Scc_loading.Origin.t -> int
 (** The version of the format: 2 if labels [time(d)] may be less than the greatest time, and 1 otherwise. Both
     can be read. *)
 
 val to_string :
   ?model:string ->
   ?check:string ->
-  Scc_session.Origin.t ->
+  Scc_loading.Origin.t ->
   (int * string) list ->
   offset:Rat.t option ->
   string

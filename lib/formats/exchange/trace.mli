@@ -2,7 +2,7 @@
 
 open Scc_calculus
 
-val header : Scc_session.Origin.t -> Json.t
+val header : Scc_loading.Origin.t -> Json.t
 (** The first line: the model, its parameters and settings, on which the meaning of the choices depends. It does
     not say how the choices were made, so a trace and its replay are the same bytes. *)
 

@@ -2,7 +2,7 @@ open Scc_polyhedra
 open Scc_calculus
 open Scc_semantics
 open Scc_symbolic
-open Scc_verify
+open Scc_zones
 
 let place (m : Model.t) ~name (z : Zone.t) leaf =
   let form = Text.form ~name in

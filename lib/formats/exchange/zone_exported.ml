@@ -2,7 +2,8 @@ open Scc_exact
 open Scc_calculus
 open Scc_symbolic
 open Scc_verify
-open Scc_session
+open Scc_loading
+open Scc_zones
 
 type t = { loaded : Loaded.t; space : Zone_space.t }
 

@@ -1,7 +1,7 @@
 (** Facts on an exported graph of zones that all formats contain. *)
 
-open Scc_verify
-open Scc_session
+open Scc_loading
+open Scc_zones
 
 (** A graph of zones with its model. *)
 type t = { loaded : Loaded.t; space : Zone_space.t }

@@ -2,7 +2,7 @@ open Scc_polyhedra
 open Scc_calculus
 open Scc_property
 open Scc_symbolic
-open Scc_verify
+open Scc_zones
 
 let version = 1
 let names n name = List.init n (fun i -> Json.text (name i))

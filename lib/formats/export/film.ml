@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_semantics
 open Scc_motion
-open Scc_session
+open Scc_loading
 open Scc_exchange
 
 type run = States of Course.t | Changes of Ways.t

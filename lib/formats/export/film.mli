@@ -4,7 +4,7 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_motion
-open Scc_session
+open Scc_loading
 
 (** All states of the run, or its changes only. *)
 type run = States of Course.t | Changes of Ways.t

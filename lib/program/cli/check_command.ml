@@ -1,7 +1,8 @@
 open Scc_base
 open Scc_state_space
 open Scc_verify
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 open Scc_exchange
 open Cmdliner
 
@@ -113,7 +114,7 @@ let cover options reductions (l : Loaded.t) initial =
 
 let write_invariant console path (l : Loaded.t) (report : Check.report) =
   let text = function
-    | Zone_proof.Proved { invariant; _ } -> Invariant_text.to_string l.model invariant
+    | By_invariant.Proved { invariant; _ } -> Invariant_text.to_string l.model invariant
     | None_found reason | Given_up reason -> Printf.sprintf "no invariant: %s\n" reason
   in
   let text = String.concat "\n" (List.map text report.invariants) in

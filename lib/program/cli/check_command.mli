@@ -1,4 +1,4 @@
 (** [scc check]. *)
 
-val command : Scc_session.Exit_code.t Cmdliner.Cmd.t
+val command : Scc_verdicts.Exit_code.t Cmdliner.Cmd.t
 (** Explores a model and verifies its properties. *)

@@ -158,7 +158,7 @@ let store =
   in
   Kept.option ~doc
 
-let explored e (budget : Scc_session.Budget.t) =
+let explored e (budget : Scc_verdicts.Budget.t) =
   let number = function None -> "default" | Some n -> string_of_int n in
   [
     ("what is kept", "explorations of scc check");

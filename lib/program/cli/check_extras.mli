@@ -24,7 +24,7 @@ type t = {
 val term : t Cmdliner.Term.t
 (** All options of this record. *)
 
-val explored : t -> Scc_session.Budget.t -> (string * string) list
+val explored : t -> Scc_verdicts.Budget.t -> (string * string) list
 (** The options on which a graph depends, with their values, by name. Options that only end the work early are
     left out. *)
 

@@ -1,7 +1,7 @@
 open Scc_base
 open Scc_exact
 open Scc_verify
-open Scc_session
+open Scc_verdicts
 open Cmdliner
 
 let default_states = 200_000
@@ -14,10 +14,10 @@ let defaults ?jobs budget : Budget.defaults =
   let memory = words ?jobs budget in
   { states = default_states; memory; room = Footprint.room_below memory }
 
-let options ?jobs ?attempt watch budget ~progress : Check.options =
+let options ?jobs ?attempt watch budget ~progress : Setup.t =
   let attempt = Option.value attempt ~default:(Watch.attempt watch) in
   {
-    Check.default with
+    Setup.default with
     bounds = Budget.bounds (defaults ?jobs budget) budget;
     surroundings = Watch.surroundings watch ~progress ~attempt;
   }

@@ -2,7 +2,7 @@
 
 open Scc_graph_search
 open Scc_verify
-open Scc_session
+open Scc_verdicts
 
 val seconds_conv : float Cmdliner.Arg.conv
 (** A positive, finite number of seconds. *)
@@ -25,9 +25,9 @@ val watch : ?signals:bool -> ?jobs:int -> Budget.t -> Watch.t
 
 val options :
   ?jobs:int ->
-  ?attempt:Limits.attempt -> Watch.t -> Budget.t -> progress:(Limits.progress -> unit) -> Check.options
+  ?attempt:Limits.attempt -> Watch.t -> Budget.t -> progress:(Limits.progress -> unit) -> Setup.t
 (** The options of a check with this watch, budget and report of progress. [attempt] (default: {!Watch.attempt})
     ends work that does not look at the watch; [jobs] is as for {!words}. *)
 
-val starting : ?attempt:Limits.attempt -> Console.t -> Watch.t -> Budget.t -> Check.options
+val starting : ?attempt:Limits.attempt -> Console.t -> Watch.t -> Budget.t -> Setup.t
 (** The options of a check that begins now, with its progress on the console. *)

@@ -196,7 +196,7 @@ let zeno_left_out t =
 
 let plural n one many = if n = 1 then "1 " ^ one else Printf.sprintf "%d %s" n many
 
-let explored (s : Check.stats) =
+let explored (s : Stats.t) =
   let how =
     if s.complete then "complete"
     else
@@ -216,7 +216,7 @@ let explored (s : Check.stats) =
     time
     how
 
-let causes (m : Scc_calculus.Model.t) (s : Check.stats) =
+let causes (m : Scc_calculus.Model.t) (s : Stats.t) =
   let cause c =
     Printf.sprintf "  likely cause: %s\n    cure: %s\n" (Growth.to_string m c) (Growth.cure m c)
   in
@@ -233,7 +233,7 @@ let causes (m : Scc_calculus.Model.t) (s : Check.stats) =
 
 let invariants ~asked (report : Check.report) =
   let text = function
-    | Zone_proof.Proved { invariant; _ } ->
+    | By_invariant.Proved { invariant; _ } ->
       Printf.sprintf "invariant: %s that no run leaves, checked afresh\n"
         (plural (List.length invariant.locations) "kind of states" "kinds of states")
     | None_found reason | Given_up reason -> if asked then Printf.sprintf "no invariant: %s\n" reason else ""

@@ -14,10 +14,10 @@ val zeno : full:bool -> Semantics.t -> Witness.t -> string
 val zeno_left_out : Verdict.truncation -> string
 (** A line for a Zeno run that was left out since this bound ended making it. *)
 
-val explored : Check.stats -> string
+val explored : Stats.t -> string
 (** A line on the extent of the exploration, and one for each fault. *)
 
-val causes : Scc_calculus.Model.t -> Check.stats -> string
+val causes : Scc_calculus.Model.t -> Stats.t -> string
 (** The likely reasons why an exploration did not end, with remedies. *)
 
 val slices : Check.slice list -> string

@@ -1,6 +1,7 @@
 open Scc_exact
 open Scc_motion
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 open Scc_exchange
 open Cmdliner
 

@@ -4,7 +4,8 @@ open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_motion
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 open Scc_exchange
 open Cmdliner
 

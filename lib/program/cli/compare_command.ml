@@ -1,7 +1,7 @@
 open Scc_base
 open Scc_exact
 open Scc_equivalence
-open Scc_session
+open Scc_verdicts
 open Cmdliner
 
 let ( let* ) = Result.bind

@@ -1,14 +1,14 @@
 open Scc_exchange
 open Scc_verify
 open Scc_equivalence
-open Scc_session
+open Scc_verdicts
 
 type t = {
   relation : Compare.relation;
   first : Compared.t;
   second : Compared.t;
   report : Compare.report;
-  exit : Scc_session.Exit_code.t;
+  exit : Scc_verdicts.Exit_code.t;
 }
 
 let relations =

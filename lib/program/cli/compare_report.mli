@@ -8,7 +8,7 @@ type t = {
   first : Compared.t;
   second : Compared.t;
   report : Compare.report;
-  exit : Scc_session.Exit_code.t;
+  exit : Scc_verdicts.Exit_code.t;
 }
 
 val relations : (string * Compare.relation) list

@@ -7,7 +7,7 @@ open Scc_equivalence
 
 (** The origin of a graph. *)
 type source =
-  | Model of { model : Scc_session.Loaded.t; space : Explored.t }
+  | Model of { model : Scc_loading.Loaded.t; space : Explored.t }
   | File  (** in the format .aut *)
 
 (** A graph to be compared. *)
@@ -28,7 +28,7 @@ val graph_of_space : ?renamed:(string -> string) -> Explored.t -> Graph.t
 
 val load :
   Console.t ->
-  Check.options ->
+  Setup.t ->
   ?renamed:(string -> string) ->
   overrides:(string * Rat.t) list ->
   string ->

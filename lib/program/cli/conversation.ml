@@ -1,6 +1,6 @@
 open Scc_base
 open Scc_system
-open Scc_session
+open Scc_verdicts
 
 type t = { out : Buffer.t }
 

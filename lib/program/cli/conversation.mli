@@ -1,6 +1,6 @@
 (** Commands that answer the lines of standard input on standard output, until the input ends. *)
 
-open Scc_session
+open Scc_verdicts
 
 (** The output of a conversation, with a buffer. *)
 type t

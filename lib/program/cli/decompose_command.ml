@@ -2,7 +2,7 @@ open Scc_base
 open Scc_exact
 open Scc_geometry
 open Scc_concave
-open Scc_session
+open Scc_verdicts
 open Cmdliner
 
 let ( let* ) = Result.bind

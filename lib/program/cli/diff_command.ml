@@ -1,5 +1,5 @@
 open Scc_exact
-open Scc_session
+open Scc_verdicts
 open Scc_conform
 open Cmdliner
 

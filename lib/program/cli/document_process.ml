@@ -1,5 +1,5 @@
 open Scc_base
-open Scc_session
+open Scc_verdicts
 open Scc_oracle
 open Scc_view
 open Scc_exchange

@@ -1,7 +1,7 @@
 (** The processes behind [scc serve]. Each answers requests, line by line, over standard input and output, by
     the service of [scc oracle]. *)
 
-open Scc_session
+open Scc_verdicts
 
 val desk : path:string -> Exit_code.t
 (** Answers each line by a line (an empty one for a notification) until the input ends. Files that a model names

@@ -1,7 +1,8 @@
 open Scc_base
 open Scc_exact
 open Scc_property
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 open Scc_estimate
 open Scc_workers
 open Cmdliner

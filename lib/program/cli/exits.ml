@@ -1,4 +1,4 @@
-open Scc_session
+open Scc_verdicts
 
 let man ?(told = []) ?(never = []) () =
   let is code (other, _) = Exit_code.equal code other in

@@ -1,7 +1,8 @@
 open Scc_base
 open Scc_property
 open Scc_explain
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 open Scc_exchange
 open Cmdliner
 

@@ -1,4 +1,4 @@
 (** [scc explain]: the events of a run on which its result depends. *)
 
-val command : Scc_session.Exit_code.t Cmdliner.Cmd.t
+val command : Scc_verdicts.Exit_code.t Cmdliner.Cmd.t
 (** Explains why a run leads where it does. *)

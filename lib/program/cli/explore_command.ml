@@ -1,7 +1,9 @@
 open Scc_verify
 open Scc_equivalence
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 open Scc_exchange
+open Scc_zones
 open Cmdliner
 
 let ( let* ) = Result.bind

@@ -1,4 +1,4 @@
 (** [scc explore]: the explored graph of a model, written for other tools. *)
 
-val command : Scc_session.Exit_code.t Cmdliner.Cmd.t
+val command : Scc_verdicts.Exit_code.t Cmdliner.Cmd.t
 (** Writes the state space of a model for other tools. *)

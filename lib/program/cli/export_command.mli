@@ -1,6 +1,6 @@
 (** [scc export]: a run for other programs. *)
 
-open Scc_session
+open Scc_verdicts
 open Cmdliner
 
 val command : Exit_code.t Cmd.t

@@ -1,4 +1,4 @@
 (** [scc fmt]. *)
 
-val command : Scc_session.Exit_code.t Cmdliner.Cmd.t
+val command : Scc_verdicts.Exit_code.t Cmdliner.Cmd.t
 (** Prints models in canonical layout. *)

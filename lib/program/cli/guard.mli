@@ -1,7 +1,7 @@
 (** The last handler of errors: whatever happens, scc ends with a message and a documented exit code. *)
 
 open Scc_base
-open Scc_session
+open Scc_verdicts
 
 val invalid : Console.t -> Diag.t list -> Exit_code.t
 (** Reports why there is no result. The exit code is 74 if all diagnostics are of outputs that cannot be

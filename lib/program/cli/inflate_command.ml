@@ -1,6 +1,6 @@
 open Scc_base
 open Scc_exact
-open Scc_session
+open Scc_verdicts
 open Scc_inflate
 open Cmdliner
 

@@ -16,7 +16,7 @@ let tell console d =
 let openly console ~folder identity =
   Result.map_error (fun d -> [ d ]) (Store.openly folder ~identity ~warn:(tell console))
 
-let code = List.map (fun (_ : Diag.t) -> Scc_session.Exit_code.Unwritten)
+let code = List.map (fun (_ : Diag.t) -> Scc_verdicts.Exit_code.Unwritten)
 let conclude console = List.iter (tell console)
 
 let option ~doc = Arg.(value & opt (some string) None & info [ "store" ] ~docv:"DIR" ~doc)

@@ -12,7 +12,7 @@ val openly : Console.t -> folder:string -> (string * string) list -> (Store.t, D
 (** Opens a store with an identity. When it can no longer be written, a warning (SC0103) appears at once, on
     standard error even in JSON mode. *)
 
-val code : Diag.t list -> Scc_session.Exit_code.t list
+val code : Diag.t list -> Scc_verdicts.Exit_code.t list
 (** The exit codes for errors of a store, at the end. *)
 
 val conclude : Console.t -> Diag.t list -> unit

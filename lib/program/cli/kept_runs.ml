@@ -51,7 +51,7 @@ let run t ~jobs ~first ~count ~work ~interrupted ~each =
   in
   Fun.protect ~finally:(fun () -> Blocks.write t.blocks) (fun () -> follow first)
 
-let loss ~fault = if fault then Scc_session.Exit_code.Bug else Stopped
+let loss ~fault = if fault then Scc_verdicts.Exit_code.Bug else Stopped
 
 let close t =
   match t.store with

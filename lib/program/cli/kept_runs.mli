@@ -23,7 +23,7 @@ val run :
 (** Does the tasks, as {!Scc_workers.Pool.run}, except those with results in the store. A further call
     continues: [first] is where the last call ended. *)
 
-val loss : fault:bool -> Scc_session.Exit_code.t
+val loss : fault:bool -> Scc_verdicts.Exit_code.t
 (** The exit code of a run that is lost ({!Scc_workers.Pool.stop}). *)
 
 val close : 'a t -> Diag.t list

@@ -1,5 +1,5 @@
 open Cmdliner
-open Scc_session
+open Scc_verdicts
 open Scc_oracle
 
 (* {1 The service} *)

@@ -4,7 +4,7 @@ open Scc_semantics
 open Scc_motion
 open Scc_explain
 open Scc_verify
-open Scc_session
+open Scc_loading
 open Scc_exchange
 
 let ( let* ) = Result.bind

@@ -8,7 +8,7 @@ let duration s =
   else Printf.sprintf "%.1f h" (s /. 3600.)
 
 (* What is left of the bounds; nothing can be said of those of depth and model time, whose states nobody knows. *)
-let left (b : Scc_session.Budget.t) ~elapsed (p : Limits.progress) =
+let left (b : Scc_verdicts.Budget.t) ~elapsed (p : Limits.progress) =
   let of_states n =
     if p.states = 0 then None
     else Some (elapsed *. float_of_int (max 0 (n - p.states)) /. float_of_int p.states)

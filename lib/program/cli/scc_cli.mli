@@ -1,4 +1,4 @@
 (** The command line of scc. *)
 
 val main : unit -> int
-(** Reads the command line, runs the command and returns the exit code (see {!Scc_session.Exit_code}). *)
+(** Reads the command line, runs the command and returns the exit code (see {!Scc_verdicts.Exit_code}). *)

@@ -1,7 +1,7 @@
 (** Models with schedules. *)
 
 open Scc_base
-open Scc_session
+open Scc_loading
 open Scc_exchange
 
 val read : Console.t -> string -> (Schedule.t, Diag.t list) result

@@ -1,5 +1,5 @@
 open Scc_base
-open Scc_session
+open Scc_verdicts
 open Scc_exchange
 open Scc_serve
 open Cmdliner

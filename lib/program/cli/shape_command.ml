@@ -1,7 +1,7 @@
 open Scc_base
 open Scc_exact
 open Scc_geometry
-open Scc_session
+open Scc_verdicts
 open Scc_snap
 open Cmdliner
 

@@ -1,5 +1,6 @@
 open Scc_exact
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 open Scc_simulate
 open Scc_workers
 open Cmdliner

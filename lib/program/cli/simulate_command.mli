@@ -1,4 +1,4 @@
 (** [scc simulate]: many runs of a model. *)
 
-val command : Scc_session.Exit_code.t Cmdliner.Cmd.t
+val command : Scc_verdicts.Exit_code.t Cmdliner.Cmd.t
 (** Makes many runs of a model and reports their statistics. *)

@@ -1,5 +1,5 @@
 open Scc_base
-open Scc_session
+open Scc_verdicts
 open Scc_state_space
 open Scc_exchange
 open Scc_successors

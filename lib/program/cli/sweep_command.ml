@@ -1,6 +1,7 @@
 open Scc_base
 open Scc_verify
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 open Scc_sweep
 open Scc_workers
 open Cmdliner

@@ -1,4 +1,4 @@
-open Scc_session
+open Scc_verdicts
 open Scc_exchange
 open Cmdliner
 

@@ -1,6 +1,6 @@
 open Scc_base
 open Scc_notation
-open Scc_session
+open Scc_verdicts
 open Cmdliner
 
 let ( let* ) = Result.bind

@@ -1,4 +1,4 @@
 (** [scc translate]. *)
 
-val command : Scc_session.Exit_code.t Cmdliner.Cmd.t
+val command : Scc_verdicts.Exit_code.t Cmdliner.Cmd.t
 (** Writes a model in another notation. *)

@@ -4,7 +4,8 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_verify
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 open Scc_exchange
 open Scc_view
 

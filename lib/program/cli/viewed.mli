@@ -1,7 +1,8 @@
 (** The documents of [scc view]. *)
 
 open Scc_base
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 open Scc_verify
 
 (** The checks that are made. *)

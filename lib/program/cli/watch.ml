@@ -65,7 +65,7 @@ let abandon t ~passed =
   let why = why ^ ", and the step that was under way did not end" in
   if passed > 2. *. patience then begin
     Standard.complain ("scc: " ^ why ^ "\n");
-    Unix._exit (Scc_session.Exit_code.to_int Stopped)
+    Unix._exit (Scc_verdicts.Exit_code.to_int Stopped)
   end
   else if not (t.abandoned || Critical.active ()) then begin
     t.abandoned <- true;

@@ -4,7 +4,7 @@ open Scc_exchange
 
 type t = {
   file : string;
-  loaded : Scc_session.Loaded.t;
+  loaded : Scc_loading.Loaded.t;
   trace : Recorded.t;
   tolerance : Rat.t;
   answer : Verdict.answer;

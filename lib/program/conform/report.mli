@@ -7,7 +7,7 @@ open Scc_exchange
 (** A result with its model and trace. *)
 type t = {
   file : string;  (** of the model *)
-  loaded : Scc_session.Loaded.t;
+  loaded : Scc_loading.Loaded.t;
   trace : Recorded.t;
   tolerance : Rat.t;
   answer : Verdict.answer;

@@ -1,6 +1,7 @@
 (** The reports of commands on estimates. *)
 
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 
 (** The results of an estimation. *)
 type t = {

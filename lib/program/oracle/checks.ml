@@ -1,4 +1,5 @@
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 open Scc_exchange
 
 let ( let* ) = Result.bind

@@ -4,7 +4,8 @@ open Scc_exact
 open Scc_semantics
 open Scc_evaluate
 open Scc_verify
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 open Scc_exchange
 
 type bounds = { seconds : float; memory : int; now : unit -> float }
@@ -74,7 +75,7 @@ let surroundings bounds : Scc_graph_search.Limits.surroundings =
   in
   until (bounds.now () +. (share *. bounds.seconds))
 
-let options bounds p : Check.options =
+let options bounds p : Setup.t =
   let q = Read.quotas p in
   let given = Read.optional p "limits" Read.fields in
   let limit name read = Option.bind given (fun g -> Read.optional g name read) in
@@ -88,7 +89,7 @@ let options bounds p : Check.options =
   let budget = { Budget.depth; time; states; seconds; memory = None; bits = None } in
   let memory = int_of_float (share *. float_of_int bounds.memory) in
   {
-    Check.default with
+    Setup.default with
     bounds = Budget.bounds { states = Quotas.default_states; memory; room = None } budget;
     surroundings = surroundings bounds;
   }

@@ -7,7 +7,7 @@ type bounds = {
   now : unit -> float;  (** a clock in seconds *)
 }
 
-val options : bounds -> Read.params -> Scc_verify.Check.options
+val options : bounds -> Read.params -> Scc_verify.Setup.t
 (** The options of an exploration, by the member [limits] and within the bounds. More [states] than the quota
     are refused. *)
 

@@ -2,7 +2,7 @@ open Scc_base
 open Scc_exact
 open Scc_syntax
 open Scc_calculus
-open Scc_session
+open Scc_loading
 open Scc_exchange
 
 type loaded = { model : Loaded.t; network : Network_at.t }

@@ -2,7 +2,7 @@ open Scc_base
 open Scc_property
 open Scc_state_space
 open Scc_verify
-open Scc_session
+open Scc_loading
 module Trajectory = Scc_evaluate.Trajectory
 
 type goal = { within : Scc_exact.Rat.t option; prop : Property.prop }
@@ -30,7 +30,7 @@ type t = {
 let ( let* ) = Result.bind
 let reductions = List.filter (fun k -> not (Reduction.equal k Order)) Reduction.all
 
-let options reductions : Check.options = { Check.default with reductions }
+let options reductions : Setup.t = { Setup.default with reductions }
 let semantics q = q.exploration.semantics
 
 (* Goals are numbered as they come. *)

@@ -1,5 +1,5 @@
 open Scc_exact
-open Scc_session
+open Scc_loading
 open Scc_exchange
 
 type t = { name : string option; digest : string; grid : Grid.t; bounds : (string * string) list }

@@ -1,7 +1,7 @@
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_session
+open Scc_loading
 open Scc_exchange
 
 type t = {

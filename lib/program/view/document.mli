@@ -1,7 +1,7 @@
 (** The content of a page, as one JSON document (see [specs/schema/view.schema.json]). *)
 
 open Scc_property
-open Scc_session
+open Scc_loading
 open Scc_exchange
 
 (** A document. *)

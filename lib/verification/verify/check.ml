@@ -2,48 +2,14 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_graph_search
 open Scc_state_space
 open Scc_explain
 
-type options = Joint_check.options = {
-  bounds : Bounds.t;
-  reductions : Reduction.kind list;
-  compact : int option;
-  order : State_graph.order;
-  surroundings : Limits.surroundings;
-  observe : (State.t -> unit) option;
-  prove : bool;
-  expanding : about:string -> State_graph.expanding;
-  compacting : about:string -> State_fingerprints.expanding;
-}
-
-let default = Joint_check.default
-
-type stats = Joint_check.stats = {
-  states : int;
-  transitions : int;
-  depth : int;
-  model_time : Rat.t option;
-  complete : bool;
-  eventful : bool;
-  decided_early : bool;
-  split_step : Rat.t option;
-  stopped_by : Verdict.truncation list;
-  faults : Scc_base.Diag.t list;
-  dead_ends : Scc_base.Diag.t list;
-  converges : Verdict.convergence option;
-  growth : Scc_base.Diag.t option;
-  shared : Scc_base.Diag.t option;
-  causes : Growth.cause list;
-  left_out : Verdict.truncation option;
-}
-
-type slice = { properties : string list; left_out : string list; explored : stats }
+type slice = { properties : string list; left_out : string list; explored : Stats.t }
 
 type report = {
   outcomes : Verdict.outcome list;
-  stats : stats;
+  stats : Stats.t;
   uneventful : bool;
   slices : slice list;
   zeno : Witness.t option;
@@ -51,7 +17,7 @@ type report = {
   left_out : Verdict.truncation option;
   stores : (string * int) list;
   where : Scc_regions.Where.t list;
-  invariants : Zone_proof.end_ list;
+  invariants : By_invariant.end_ list;
   numbers : unit -> (string * int) list;
 }
 
@@ -79,7 +45,7 @@ type group = {
   members : (int * Property.check) list;  (** the last first *)
 }
 
-let groups options semantics ~initial checks =
+let groups (options : Setup.t) semantics ~initial checks =
   let model = Semantics.model semantics in
   let slice = Slice.make semantics ~initial in
   let part (c : Property.check) =
@@ -140,31 +106,6 @@ let lift_verdict lift (v : Verdict.t) : Verdict.t =
 
 (** {2 All explorations} *)
 
-let greatest a b =
-  match (a, b) with
-  | Some a, Some b -> Some (Rat.max a b)
-  | None, t | t, None -> t
-
-let add (a : stats) (b : stats) =
-  {
-    states = a.states + b.states;
-    transitions = a.transitions + b.transitions;
-    depth = Int.max a.depth b.depth;
-    model_time = greatest a.model_time b.model_time;
-    complete = a.complete && b.complete;
-    eventful = a.eventful || b.eventful;
-    decided_early = a.decided_early || b.decided_early;
-    split_step = (match a.split_step with Some _ -> a.split_step | None -> b.split_step);
-    stopped_by = Verdict.together a.stopped_by b.stopped_by;
-    faults = List.sort_uniq Scc_base.Diag.compare (a.faults @ b.faults);
-    dead_ends = List.sort_uniq Scc_base.Diag.compare (a.dead_ends @ b.dead_ends);
-    converges = (match a.converges with Some _ -> a.converges | None -> b.converges);
-    growth = (match a.growth with Some _ -> a.growth | None -> b.growth);
-    shared = (match a.shared with Some _ -> a.shared | None -> b.shared);
-    causes = Growth.together a.causes b.causes;
-    left_out = (match a.left_out with Some _ -> a.left_out | None -> b.left_out);
-  }
-
 let sum_stores a b =
   List.map (fun (name, n) -> (name, n + Option.value (List.assoc_opt name b) ~default:0)) a
 
@@ -202,7 +143,7 @@ let rests semantics (result : Joint_check.result) (check : Property.check) (v : 
 let converges (result : Joint_check.result) v =
   match Verdict.truncated v with [] -> None | _ :: _ -> result.stats.converges
 
-let explored options semantics ~initial group =
+let explored (options : Setup.t) semantics ~initial group =
   let members = List.rev group.members in
   let whole = Option.is_none group.needs.part in
   let part = Option.value group.needs.part ~default:initial in
@@ -247,7 +188,7 @@ let merge parts ~events_elsewhere =
   match results with
   | [] -> Scc_base.Bug.fail __POS__ "nothing was explored"
   | first :: rest ->
-    let stats = List.fold_left (fun s (r : Joint_check.result) -> add s r.stats) first.stats rest in
+    let stats = List.fold_left (fun s (r : Joint_check.result) -> Stats.add s r.stats) first.stats rest in
     let stores = List.fold_left (fun s (r : Joint_check.result) -> sum_stores s r.stores) first.stores rest in
     let in_order = List.sort (fun (i, _) (j, _) -> Int.compare i j) outcomes in
     (* Whoever has explored the whole network, and all of it, knows; slices know of what they keep. *)
@@ -280,7 +221,7 @@ let whole options semantics ~initial checks =
   |> merge ~events_elsewhere
 
 (* The model and where it starts, with movement steps as part of the state where they are not jumped over. *)
-let stepping options semantics ~(initial : State.t) =
+let stepping (options : Setup.t) semantics ~(initial : State.t) =
   let model = Semantics.model semantics in
   let stepwise = Reduction.without_jumps options.reductions model in
   if Bool.equal stepwise.steered model.steered then (semantics, initial)
@@ -301,7 +242,7 @@ type exploration = {
   lift : Witness.t -> Witness.t option;
 }
 
-let explorations options semantics ~initial checks =
+let explorations (options : Setup.t) semantics ~initial checks =
   let semantics, initial = stepping options semantics ~initial in
   let of_group (g : group) =
     let members = List.rev_map snd g.members in
@@ -314,26 +255,6 @@ let explorations options semantics ~initial checks =
       { whole with start; left_out; lift }
   in
   List.map of_group (groups { options with compact = None } semantics ~initial checks)
-
-let empty_stats =
-  {
-    states = 0;
-    transitions = 0;
-    depth = 0;
-    model_time = None;
-    complete = false;
-    eventful = true;
-    decided_early = true;
-    split_step = None;
-    stopped_by = [];
-    faults = [];
-    dead_ends = [];
-    converges = None;
-    growth = None;
-    shared = None;
-    causes = [];
-    left_out = None;
-  }
 
 let unexplored_report outcomes stats =
   {
@@ -350,7 +271,7 @@ let unexplored_report outcomes stats =
     numbers = (fun () -> []);
   }
 
-let unexplored options (checks : Property.check list) stop =
+let unexplored (options : Setup.t) (checks : Property.check list) stop =
   let stopped = Bounds.stopped options.bounds stop in
   let outcome check =
     let scale = { Verdict.resolution = None; split_step = None; over = None } in
@@ -358,7 +279,7 @@ let unexplored options (checks : Property.check list) stop =
     { Verdict.check; verdict; scale; rests = []; converges = None; lost = []; left_out = None }
   in
   unexplored_report (List.map outcome checks)
-    { empty_stats with decided_early = false; stopped_by = [ stopped ] }
+    { Stats.none with decided_early = false; stopped_by = [ stopped ] }
 
 let faults report =
   List.concat_map (fun (o : Verdict.outcome) -> o.lost) report.outcomes @ report.lost
@@ -366,7 +287,7 @@ let faults report =
 
 let run_without options semantics ~initial checks ~decided =
   let rest = List.filter (fun c -> decided c = None) checks in
-  let report = if rest = [] then unexplored_report [] empty_stats else run options semantics ~initial rest in
+  let report = if rest = [] then unexplored_report [] Stats.none else run options semantics ~initial rest in
   let explored = List.combine rest report.outcomes in
   let outcome c = match decided c with Some outcome -> outcome | None -> List.assq c explored in
   { report with outcomes = List.map outcome checks }

@@ -1,58 +1,20 @@
 (** Checking the properties of a model. *)
 
-open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_graph_search
-open Scc_state_space
 open Scc_explain
-
-type options = Joint_check.options = {
-  bounds : Bounds.t;
-  reductions : Reduction.kind list;
-  compact : int option;
-  order : State_graph.order;
-  surroundings : Limits.surroundings;
-  observe : (State.t -> unit) option;
-  prove : bool;
-  expanding : about:string -> State_graph.expanding;
-  compacting : about:string -> State_fingerprints.expanding;
-}
-
-val default : options
-(** The default options, {!Joint_check.default}. *)
-
-type stats = Joint_check.stats = {
-  states : int;
-  transitions : int;
-  depth : int;
-  model_time : Rat.t option;
-  complete : bool;
-  eventful : bool;
-  decided_early : bool;
-  split_step : Rat.t option;
-  stopped_by : Verdict.truncation list;
-  faults : Scc_base.Diag.t list;
-  dead_ends : Scc_base.Diag.t list;
-  converges : Verdict.convergence option;  (** what event times did before a bound ended it *)
-  growth : Scc_base.Diag.t option;  (** a number that was too long (SC0705) *)
-  shared : Scc_base.Diag.t option;  (** a bond on an edge that open faces share (SC0706) *)
-  causes : Growth.cause list;  (** what is likely to keep it from closing *)
-  left_out : Verdict.truncation option;  (** the bound that ended the search for causes early *)
-}
-(** The statistics of one exploration or several: sums of the numbers, and the greatest depth and time. *)
 
 (** An exploration of a part of the network that decides some of the properties (rule Slice). *)
 type slice = {
   properties : string list;  (** their names *)
   left_out : string list;  (** leaves, in order *)
-  explored : stats;
+  explored : Stats.t;
 }
 
 type report = {
   outcomes : Verdict.outcome list;  (** in the order given *)
-  stats : stats;
+  stats : Stats.t;
   uneventful : bool;  (** it is known that nothing ever happens in the whole network *)
   slices : slice list;  (** of all the explorations, those that left something out *)
   zeno : Witness.t option;
@@ -63,8 +25,8 @@ type report = {
   where : Scc_regions.Where.t list;
   (** of an exploration over zones: the values of the parameters for which each property holds, as far as
       requested *)
-  invariants : Zone_proof.end_ list;  (** of an exploration over zones: the results of the searches for
-                                          invariants that prove them (rule Invariants) *)
+  invariants : By_invariant.end_ list;  (** of an exploration over zones: the results of the searches for
+                                            invariants that prove them (rule Invariants) *)
   numbers : unit -> (string * int) list;  (** the lengths of the longest numbers: {!Catalogue.longest} *)
 }
 
@@ -72,7 +34,7 @@ val faults : report -> string list
 (** All faults of scc in the report, each once. A report with any of them lacks only the runs that they
     concern; the command ends with exit code 70. *)
 
-val run : options -> Semantics.t -> initial:State.t -> Property.check list -> report
+val run : Setup.t -> Semantics.t -> initial:State.t -> Property.check list -> report
 (** [run options m ~initial checks] checks the properties. One exploration serves all properties with the same
     needs. Separate explorations are made for those that a part of the network decides (rule Slice), and for
     those that see no time, or time up to a constant (rule AbsoluteTime). The initial state is
@@ -90,17 +52,14 @@ type exploration = {
       properties *)
 }
 
-val explorations : options -> Semantics.t -> initial:State.t -> Property.check list -> exploration list
+val explorations : Setup.t -> Semantics.t -> initial:State.t -> Property.check list -> exploration list
 (** The explorations in the order of {!run}, without hash compaction. *)
 
-val add : stats -> stats -> stats
-(** The statistics of two explorations together. *)
-
-val unexplored : options -> Scc_property.Property.check list -> Scc_graph_search.Limits.stop -> report
+val unexplored : Setup.t -> Scc_property.Property.check list -> Scc_graph_search.Limits.stop -> report
 (** The report if the exploration was stopped before it had any result: all checks are undecided. *)
 
 val run_without :
-  options -> Semantics.t -> initial:State.t -> Scc_property.Property.check list ->
+  Setup.t -> Semantics.t -> initial:State.t -> Scc_property.Property.check list ->
   decided:(Scc_property.Property.check -> Verdict.outcome option) -> report
 (** [run_without options m ~initial checks ~decided] is the report of {!run}, where checks with an outcome in
     [decided] are not explored. Nothing is explored if all have one. *)

@@ -21,7 +21,7 @@ let rec goals (plan : Plan.t) =
 (* Bounds that were met, the possible omission first among them, and faults. *)
 let limits_met options model (r : Compact_search.result) =
   let omission : Verdict.truncation = { limit = Omission r.omission; origin = By_user } in
-  let cause reason = Bounds.cause options.Joint_check.bounds model ~horizon:None reason in
+  let cause reason = Bounds.cause options.Setup.bounds model ~horizon:None reason in
   let causes = List.map cause r.left in
   let bounds = List.filter_map (function Bounds.Bound t -> Some t | Fault _ | Early -> None) causes in
   let faults = List.filter_map (function Bounds.Fault f -> Some f | Bound _ | Early -> None) causes in
@@ -67,7 +67,7 @@ let rec verdict context lost met (plan : Plan.t) answers =
   | (Possibly _ | Always _ | Now _ | Formula _), _ ->
     Scc_base.Bug.fail __POS__ "what hash compaction does not serve"
 
-let check (options : Joint_check.options) ~capacity semantics ~initial checks : Joint_check.result =
+let check (options : Setup.t) ~capacity semantics ~initial checks : Joint_check.result =
   let plans = List.map (fun (c : Property.check) -> Plan.of_formula c.formula) checks in
   let context = Joint_check.system options semantics ~initial checks plans in
   let goals = List.map (Predicate.make context) (List.concat_map goals plans) in
@@ -86,24 +86,18 @@ let check (options : Joint_check.options) ~capacity semantics ~initial checks : 
     outcomes = List.rev outcomes;
     stats =
       {
+        (* No events are looked at, and no path is kept. *)
+        Stats.none with
         states = r.states;
         transitions = r.transitions;
         depth = r.depth;
         model_time = Some r.arrival;
-        complete = false;
-        (* Not looked at. *)
-        eventful = true;
         split_step = Network_lts.split_step context;
         decided_early = List.exists (function Scc_graph_search.Explore.Stopped -> true | _ -> false) r.left;
         stopped_by = bounds;
         faults;
         dead_ends = Bounds.dead_ends context;
-        (* No path is kept. *)
-        converges = None;
-        growth = None;
         shared = Shared_edge.warning context;
-        causes = [];
-        left_out = None;
       };
     zeno = None;
     lost = Lost.nothing;

@@ -9,7 +9,7 @@ val serves : Property.check -> bool
     predicates without a bound of time, and for combinations of them with [not], [and] and [or]. *)
 
 val check :
-  Joint_check.options -> capacity:int -> Semantics.t -> initial:State.t -> Property.check list ->
+  Setup.t -> capacity:int -> Semantics.t -> initial:State.t -> Property.check list ->
   Joint_check.result
 (** The result for properties that it {!serves}. A state that is found is found for certain; other states may
     have been omitted. Cycles without duration are not searched. *)

@@ -198,7 +198,7 @@ let expanded t semantics here =
   | Error (Bad_law _ | Bad_chance _) ->
     Scc_base.Bug.fail __POS__ "an expanded state has transitions, or is a dead end"
 
-let explore ?time_seen (options : Check.options) semantics ~initial =
+let explore ?time_seen (options : Setup.t) semantics ~initial =
   let t = create (Semantics.model semantics) ~initial in
   let visitor = { Explored.found = state t; expanded = expanded t semantics } in
   (Explored.explore ?time_seen ~visitor options semantics ~initial, t)

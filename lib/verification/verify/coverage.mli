@@ -17,7 +17,7 @@ val transition : t -> Transition.t -> unit
 (** Counts a transition from a state that was counted. *)
 
 val explore :
-  ?time_seen:Scc_property.Time_seen.t -> Check.options -> Semantics.t -> initial:State.t -> Explored.t * t
+  ?time_seen:Scc_property.Time_seen.t -> Setup.t -> Semantics.t -> initial:State.t -> Explored.t * t
 (** Counts all states and transitions while they are explored, within the bounds of the options. States that
     were not expanded, or given up, are not counted. *)
 

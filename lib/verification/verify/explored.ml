@@ -30,7 +30,7 @@ let told visitor context =
 
 let explore ?time_seen ?visitor options semantics ~initial =
   let visitor = Option.map told visitor in
-  let context, graph, (stats : Joint_check.stats) =
+  let context, graph, (stats : Stats.t) =
     Joint_check.explore ?time_seen ?visitor options semantics ~initial
   in
   let catalogue = Network_lts.catalogue context in

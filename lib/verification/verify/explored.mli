@@ -28,7 +28,7 @@ type visitor = {
   expanded : State.t -> unit;  (** its transitions are known; each once *)
 }
 
-val explore : ?time_seen:Time_seen.t -> ?visitor:visitor -> Check.options -> Semantics.t -> initial:State.t -> t
+val explore : ?time_seen:Time_seen.t -> ?visitor:visitor -> Setup.t -> Semantics.t -> initial:State.t -> t
 (** The state space, breadth-first, within the bounds of the options. States are distinguished by absolute time
     as far as [time_seen] says. By default that is all of it, if the model keeps it. *)
 

@@ -1,5 +1,3 @@
-open Scc_exact
-open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_graph_search
@@ -8,53 +6,9 @@ open Scc_state_space
 open Scc_explain
 module Graph = State_graph
 
-type options = {
-  bounds : Bounds.t;
-  reductions : Reduction.kind list;
-  compact : int option;
-  order : Graph.order;
-  surroundings : Limits.surroundings;
-  observe : (State.t -> unit) option;
-  prove : bool;
-  expanding : about:string -> Graph.expanding;
-  compacting : about:string -> State_fingerprints.expanding;
-}
-
-let default =
-  {
-    bounds = Bounds.default;
-    reductions = Reduction.all;
-    compact = None;
-    order = By_steps;
-    surroundings = Limits.quiet;
-    observe = None;
-    prove = false;
-    expanding = (fun ~about:_ -> Graph.here);
-    compacting = (fun ~about:_ -> State_fingerprints.here);
-  }
-
-type stats = {
-  states : int;
-  transitions : int;
-  depth : int;
-  model_time : Rat.t option;
-  complete : bool;
-  eventful : bool;
-  decided_early : bool;
-  split_step : Rat.t option;
-  stopped_by : Verdict.truncation list;
-  faults : Scc_base.Diag.t list;
-  dead_ends : Scc_base.Diag.t list;
-  converges : Verdict.convergence option;
-  growth : Scc_base.Diag.t option;
-  shared : Scc_base.Diag.t option;
-  causes : Growth.cause list;
-  left_out : Verdict.truncation option;
-}
-
 type result = {
   outcomes : (Property.check * Verdict.t * Lost.taken) list;
-  stats : stats;
+  stats : Stats.t;
   zeno : Witness.t option;
   lost : Lost.taken;
   stores : (string * int) list;
@@ -222,7 +176,7 @@ let besides (r : Unsettled.t) met =
     let slow = Option.join (Lost.attempt lost (fun () -> convergence r)) in
     { slow; likely; long = growth r; ended = (Lost.taken lost).left_out }
 
-let stats (r : Unsettled.t) causes { slow; likely; long; ended } : stats =
+let stats (r : Unsettled.t) causes { slow; likely; long; ended } : Stats.t =
   {
     states = Graph.size r.graph;
     transitions = Graph.transitions r.graph;
@@ -272,9 +226,9 @@ let kinds_of (checks : Property.check list) plans =
   in
   (formulas_of Plan.is_search, formulas_of (fun plan -> not (Plan.is_search plan)))
 
-let time_seen options model checks = Reduction.time_seen options.reductions model checks
+let time_seen (options : Setup.t) model checks = Reduction.time_seen options.reductions model checks
 
-let system options semantics ~initial checks plans =
+let system (options : Setup.t) semantics ~initial checks plans =
   let model = Semantics.model semantics in
   let searched, evaluated = kinds_of checks plans in
   let events = List.concat_map (fun (c : Property.check) -> Formula.events c.formula) checks in
@@ -289,7 +243,7 @@ let system options semantics ~initial checks plans =
 let plan (c : Property.check) : Plan.t =
   match c.asked with Whether -> Plan.of_formula c.formula | How_likely _ | Expected _ -> Formula c.formula
 
-let unsettled options context graph ~horizon : Unsettled.t =
+let unsettled (options : Setup.t) context graph ~horizon : Unsettled.t =
   {
     bounds = options.bounds;
     surroundings = options.surroundings;
@@ -306,7 +260,7 @@ let about = function
   | checks -> String.concat "; " (List.map (fun (c : Property.check) -> c.name ^ ": " ^ c.text) checks)
 
 (* One exploration for some checks. *)
-let check options semantics ~initial (checks : Property.check list) =
+let check (options : Setup.t) semantics ~initial (checks : Property.check list) =
   let plans = List.map plan checks in
   let context = system options semantics ~initial checks plans in
   let asked = List.concat_map (questions context) plans in
@@ -362,7 +316,7 @@ let check options semantics ~initial (checks : Property.check list) =
     numbers = (fun () -> Catalogue.longest (Network_lts.catalogue r.context));
   }
 
-let explore ?time_seen ?(visitor = fun _ -> Graph.blind) options semantics ~initial =
+let explore ?time_seen ?(visitor = fun _ -> Graph.blind) (options : Setup.t) semantics ~initial =
   let context = Network_lts.make ?time_seen semantics initial in
   let limits = Bounds.limits options.bounds ~horizon:None in
   let graph =
@@ -374,7 +328,7 @@ let explore ?time_seen ?(visitor = fun _ -> Graph.blind) options semantics ~init
   let met = Unsettled.met r in
   (context, graph, stats r met (besides r met))
 
-let may_have_events options semantics ~initial =
+let may_have_events (options : Setup.t) semantics ~initial =
   let time_seen = time_seen options (Semantics.model semantics) [] in
   let context = Network_lts.make ~time_seen semantics initial in
   let few = { Limits.unlimited with states = Some 5_000 } in

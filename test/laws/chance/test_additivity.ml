@@ -24,7 +24,7 @@ let answers text =
   | Error _ -> failwith "no initial state"
   | Ok initial ->
     let bounds = { Bounds.default with states = Default 4000 } in
-    List.map answer (Check.run { Check.default with bounds } semantics ~initial e.checks).outcomes
+    List.map answer (Check.run { Setup.default with bounds } semantics ~initial e.checks).outcomes
 
 (* {1 The law} *)
 
@@ -127,7 +127,7 @@ let choices () =
     let e = Load.exactly (Load.file ~overrides file) in
     let semantics = Scc_engine.Standard.of_model e.model in
     let initial = Result.get_ok (Network.initial semantics e.declared) in
-    let outcomes = (Check.run Check.default semantics ~initial e.checks).outcomes in
+    let outcomes = (Check.run Setup.default semantics ~initial e.checks).outcomes in
     let last = List.nth outcomes (List.length outcomes - 1) in
     Option.fold ~none:"not known" ~some:(fun (x, _) -> Rat.to_string x) (answer last)
   in

@@ -17,7 +17,7 @@ let measured model property =
   let e = Load.exactly (Load.text (model ^ "\ncheck asked : " ^ property ^ "\n")) in
   let semantics = Scc_engine.Standard.of_model e.model in
   let initial = Result.get_ok (Network.initial semantics e.declared) in
-  match (Scc_verify.Check.run Scc_verify.Check.default semantics ~initial e.checks).outcomes with
+  match (Scc_verify.Check.run Scc_verify.Setup.default semantics ~initial e.checks).outcomes with
   | [ { verdict = Measured { values = [ (Property.Least, a); (Greatest, b) ]; _ }; _ } ] -> (
       match (a.least, b.most) with
       | Exact x, Exact y when Rat.equal x y -> x

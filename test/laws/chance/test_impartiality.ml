@@ -28,7 +28,7 @@ let answers_of (e : Scc_elaborate.Elaborate.t) =
   | Error _ -> []
   | Ok initial ->
     let bounds = { Bounds.default with states = Default 1500 } in
-    let outcomes = (Check.run { Check.default with bounds } semantics ~initial e.checks).outcomes in
+    let outcomes = (Check.run { Setup.default with bounds } semantics ~initial e.checks).outcomes in
     List.map (fun (o : Verdict.outcome) -> told o.verdict) outcomes
 
 let answers text = answers_of (Load.exactly (Load.text text))
@@ -98,7 +98,7 @@ let space text =
   | Error _ -> None
   | Ok initial ->
     let bounds = { Bounds.default with states = Default 3000; time = Default (Rat.of_int 2) } in
-    let space = Explored.explore { Check.default with bounds } semantics ~initial in
+    let space = Explored.explore { Setup.default with bounds } semantics ~initial in
     let too_many (t : Verdict.truncation) = match t.limit with States _ -> true | _ -> false in
     if List.exists too_many space.stopped_by then None else Some space
 

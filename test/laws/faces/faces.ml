@@ -2,7 +2,8 @@ open Scc_exact
 open Scc_calculus
 open Scc_polyhedra
 open Scc_verify
-open Scc_session
+open Scc_loading
+open Scc_verdicts
 
 type case = { text : string; any : bool }
 
@@ -158,7 +159,7 @@ type counts = {
 
 let counts () = { refused = 0; models = 0; points = 0; faces = 0; unknown = 0 }
 let bounds states depth =
-  { Check.default with bounds = { Bounds.default with states = Given states; depth = Given depth } }
+  { Setup.default with bounds = { Bounds.default with states = Given states; depth = Given depth } }
 let over_sets = bounds 150 60
 let at_points = bounds 600 120
 

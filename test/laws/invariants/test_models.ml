@@ -8,7 +8,8 @@ open Scc_semantics
 open Scc_symbolic
 open Scc_certificate
 open Scc_verify
-module Loaded = Scc_session.Loaded
+open Scc_zones
+module Loaded = Scc_loading.Loaded
 module Limits = Scc_graph_search.Limits
 
 let models = if Sys.file_exists "specs/models" then "specs/models" else "../../../specs/models"
@@ -41,7 +42,7 @@ let ordinary (l : Loaded.t) =
   match Network.initial semantics declared with
   | Error _ -> Alcotest.fail "no initial state"
   | Ok initial ->
-    (Check.run { Check.default with bounds } semantics ~initial l.checks).outcomes
+    (Check.run { Setup.default with bounds } semantics ~initial l.checks).outcomes
 
 let compare_one all values (o : Verdict.outcome) (proof : Proof.t) =
   let name = o.check.name in
@@ -104,7 +105,7 @@ let proves file () =
   | Ok l -> (
       let u = match l.uncertain with Some u -> u | None -> Start.known l.model l.declared in
       let all = Union.of_polyhedron (Ranges.box l.model.ranges) in
-      match Zone_proof.attempt Check.default Unasked l.semantics u ~declared:l.declared l.checks with
+      match By_invariant.attempt Setup.default Unasked l.semantics u ~declared:l.declared l.checks with
       | Error _ -> Alcotest.fail "the declared state is not well-formed"
       | Ok (None_found reason | Given_up reason) -> print_endline reason
       | Ok (Proved { invariant; proofs }) ->
@@ -133,13 +134,16 @@ let explored_after () =
       let bounds = { Bounds.default with depth = Given 50 } in
       match Loaded.initial l with
       | Ok initial -> (
-          let options = { Check.default with prove = true; surroundings; bounds } in
-          match Scc_session.Verdicts.report options l ~initial ~exactly:false l.checks ~premises:[] with
+          let options = { Setup.default with prove = true; surroundings; bounds } in
+          match Scc_verdicts.Verdicts.report options l ~initial ~exactly:false l.checks ~premises:[] with
           | Error _ -> Alcotest.fail "escape.sc has verdicts"
           | Ok report ->
             Alcotest.(check bool) "half of the time, twice" true (!asked > 0 && !asked mod 2 = 0);
             Alcotest.(check bool) "zones" true (report.stats.states > 20);
-            let end_ = function Zone_proof.None_found reason | Given_up reason -> reason | Proved _ -> "proved" in
+            let end_ : By_invariant.end_ -> string = function
+              | None_found reason | Given_up reason -> reason
+              | Proved _ -> "proved"
+            in
             let reasons = List.sort_uniq String.compare (List.map end_ report.invariants) in
             Alcotest.(check (list string)) "invariants" [ "proved" ] reasons)
       | Error _ -> Alcotest.fail "no initial state")

@@ -134,7 +134,7 @@ let transitions seed (variant, limit, change) () =
 
 (* {1 Verdicts} *)
 
-let options = { Check.default with bounds = { Bounds.default with depth = Default 200; states = Default 1_000 } }
+let options = { Setup.default with bounds = { Bounds.default with depth = Default 200; states = Default 1_000 } }
 
 let verdicts n =
   match Network.initial (standard n.model) n.declared with

@@ -23,7 +23,7 @@ let load text =
 let bounds = { Bounds.default with states = Default 3000; time = Given (Rat.of_int 12); instant = Default 60 }
 
 let run ?(bounds = bounds) reductions (e : Scc_elaborate.Elaborate.t) initial =
-  Check.run { Check.default with bounds; reductions } (standard e.model) ~initial e.checks
+  Check.run { Setup.default with bounds; reductions } (standard e.model) ~initial e.checks
 
 let definite (v : Verdict.t) =
   match v with
@@ -65,7 +65,7 @@ let shows (e : Scc_elaborate.Elaborate.t) ({ check = c; verdict = v; _ } : Verdi
   | _ -> true
 
 (* The bound of time cuts both alike. *)
-let comparable (s : Check.stats) =
+let comparable (s : Stats.t) =
   (not s.decided_early)
   && List.for_all
     (fun (t : Verdict.truncation) -> match t.limit with Time _ -> true | _ -> false)
@@ -98,5 +98,5 @@ let verdicts_and_stats reductions text =
   | None -> Alcotest.fail "the model is refused"
   | Some (e, initial) ->
     let bounds = { Bounds.default with states = Default 3000 } in
-    let report = Check.run { Check.default with bounds; reductions } (standard e.model) ~initial e.checks in
+    let report = Check.run { Setup.default with bounds; reductions } (standard e.model) ~initial e.checks in
     (List.map (fun (o : Verdict.outcome) -> Verdict.to_string o.verdict) report.outcomes, report.stats)

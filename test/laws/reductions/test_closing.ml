@@ -143,7 +143,7 @@ let enough () =
 (* {1 By hand} *)
 
 let loaded text = match load text with Some x -> x | None -> Alcotest.fail "the model is refused"
-let is_complete (s : Scc_verify.Check.stats) = s.complete
+let is_complete (s : Scc_verify.Stats.t) = s.complete
 let holds = "holds (exhaustive)"
 
 let closes name text ~verdicts:expected ~states () =

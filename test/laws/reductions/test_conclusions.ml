@@ -5,6 +5,7 @@ open Scc_exact
 open Scc_semantics
 open Scc_state_space
 open Scc_verify
+open Scc_zones
 module Gen = QCheck2.Gen
 
 let standard = Scc_engine.Standard.of_model
@@ -90,7 +91,7 @@ let checked how ({ model; declared; uncertain; checks } : Seen.model) ~time =
       instant = Default 60;
     }
   in
-  let options = { Check.default with bounds; reductions = how.reductions; prove = how.prove } in
+  let options = { Setup.default with bounds; reductions = how.reductions; prove = how.prove } in
   let semantics = standard model in
   let forms () = match uncertain with Some u -> u | None -> Scc_symbolic.Start.known model declared in
   if Zone_check.is_for model ~declared then
@@ -101,7 +102,7 @@ let checked how ({ model; declared; uncertain; checks } : Seen.model) ~time =
     match Network.initial semantics declared with
     | Error _ -> None
     | Ok initial when how.prove && Zone_check.refused model Invariants = [] ->
-      let decided, _ = Zone_proof.decide options Longer semantics (forms ()) ~declared checks in
+      let decided, _ = By_invariant.decide options Longer semantics (forms ()) ~declared checks in
       Some (concluded ~time (Check.run_without options semantics ~initial checks ~decided))
     | Ok initial -> Some (concluded ~time (Check.run options semantics ~initial checks))
 

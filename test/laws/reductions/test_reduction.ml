@@ -50,7 +50,7 @@ let states reductions text =
   match load text with
   | None -> Alcotest.fail "the model is refused"
   | Some (e, initial) ->
-    let report = Check.run { Check.default with reductions } (standard e.model) ~initial e.checks in
+    let report = Check.run { Setup.default with reductions } (standard e.model) ~initial e.checks in
     let stats = report.stats in
     Alcotest.(check bool) "complete" true stats.complete;
     stats.states

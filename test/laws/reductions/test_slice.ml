@@ -15,7 +15,7 @@ let standard = Scc_engine.Standard.of_model
 
 (* {1 The same verdicts, and runs of the whole} *)
 
-let generous n = { Check.default with bounds = { Bounds.default with states = Given n } }
+let generous n = { Setup.default with bounds = { Bounds.default with states = Given n } }
 
 let check options m initial formula =
   let check = { Property.name = "c"; span = Scc_base.Span.none; text = ""; asked = Whether; formula } in
@@ -175,7 +175,7 @@ let one_of_many () =
   | None -> Alcotest.fail "no slice"
   | Some slice -> (
       Alcotest.(check int) "one is left" 1 (Array.length slice.processes);
-      match witness (check Check.default m slice (List.hd formulas)) with
+      match witness (check Setup.default m slice (List.hd formulas)) with
       | None -> Alcotest.fail "no witness"
       | Some w ->
         let lifted = Lift.timed (standard m) ~initial w in
@@ -355,7 +355,7 @@ check a : always z(s) <= 3/2 within 2
   let m, initial, formulas = load ("split_step 1\n" ^ scene) in
   let formula = List.hd formulas in
   let slice = Option.get (Slice.make (standard m) ~initial formulas) in
-  let w = Option.get (witness (check Check.default m slice formula)) in
+  let w = Option.get (witness (check Setup.default m slice formula)) in
   let lifted = Lift.timed (standard m) ~initial w in
   let label (s : Witness.step) = Transition.label_to_string m s.transition.label in
   Alcotest.(check (list string)) "the run" [ "time(1)"; "bounce(b, c)" ] (List.map label lifted.steps);
@@ -377,7 +377,7 @@ process s = Cube mass 1 at translate (0,100,0) [nil]
     let m, initial, formulas = load (scene ^ "check a : possibly behaviour(p) = " ^ name) in
     let formula = List.hd formulas in
     let slice = Option.get (Slice.make (standard m) ~initial formulas) in
-    let w = Option.get (witness (check Check.default m slice formula)) in
+    let w = Option.get (witness (check Setup.default m slice formula)) in
     Alcotest.(check (option string)) name None (fault m initial formula w (Lift.timed (standard m) ~initial w)) in
   List.iter lifts [ "One"; "Two" ]
 

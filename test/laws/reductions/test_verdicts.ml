@@ -3,6 +3,7 @@
 open Scc_semantics
 open Scc_exact
 open Scc_verify
+open Scc_zones
 module Gen = QCheck2.Gen
 
 let standard = Scc_engine.Standard.of_model
@@ -47,7 +48,7 @@ let checked model declared checks =
   match Network.initial (standard model) declared with
   | Error _ -> None
   | Ok initial ->
-    let options = { Check.default with bounds; reductions = [ Scc_state_space.Reduction.Jump ] } in
+    let options = { Setup.default with bounds; reductions = [ Scc_state_space.Reduction.Jump ] } in
     Some (Check.run options (standard model) ~initial checks)
 
 let report text =

@@ -132,7 +132,7 @@ let load text =
   | Ok e -> Result.to_option (Result.map (fun s -> (e, s)) (Network.initial (standard e.model) e.declared))
 
 let run reductions (e : Scc_elaborate.Elaborate.t) initial check =
-  Check.run { Check.default with bounds; reductions } (standard e.model) ~initial [ check ]
+  Check.run { Setup.default with bounds; reductions } (standard e.model) ~initial [ check ]
 
 (* What is known for certain. *)
 type known = Is of bool | Number of (Property.side * Scc_ctl.Eval.measured) list | Open
@@ -370,7 +370,7 @@ let together = "check t : possibly same(w[0], w[1]) within 1\n"
 
 let cost text =
   let e, initial = loaded text in
-  let report = Check.run Check.default (standard e.model) ~initial e.checks in
+  let report = Check.run Setup.default (standard e.model) ~initial e.checks in
   let is_known (o : Verdict.outcome) = match known o.verdict with Open -> false | Is _ | Number _ -> true in
   if not (List.for_all is_known report.outcomes) then Alcotest.fail "some check is open";
   report.stats.transitions

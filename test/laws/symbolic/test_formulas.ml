@@ -8,6 +8,7 @@ open Scc_semantics
 open Scc_property
 open Scc_polyhedra
 open Scc_verify
+open Scc_zones
 module Gen = QCheck2.Gen
 
 type case = { scene : Scene.t; formulas : Property.temporal list; seed : int }
@@ -81,8 +82,8 @@ let generate_any =
 
 let check i formula = { Property.name = string_of_int i; span = Scc_base.Span.none; text = ""; asked = Whether;
                         formula }
-let options = { Check.default with bounds = { Bounds.default with states = Given 150; depth = Given 60 } }
-let many = { Check.default with bounds = { Bounds.default with states = Given 600; depth = Given 120 } }
+let options = { Setup.default with bounds = { Bounds.default with states = Given 150; depth = Given 60 } }
+let many = { Setup.default with bounds = { Bounds.default with states = Given 600; depth = Given 120 } }
 let compared = ref 0
 let shown = ref 0
 let holding = ref 0

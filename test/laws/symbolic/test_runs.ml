@@ -9,6 +9,7 @@ open Scc_polyhedra
 open Scc_evaluate
 open Scc_explain
 open Scc_verify
+open Scc_zones
 module Gen = QCheck2.Gen
 
 (* What a run has to be like. *)
@@ -221,7 +222,7 @@ let has_run case claim (v : Verdict.t) =
   | Violated { witness = w } when not some -> witness w
   | Holds _ | Violated _ | Measured _ | Undecided _ -> None
 
-let options = { Check.default with bounds = { Bounds.default with states = Given 150; depth = Given 60 } }
+let options = { Setup.default with bounds = { Bounds.default with states = Given 150; depth = Given 60 } }
 
 let law_of case =
   let s = case.scene in

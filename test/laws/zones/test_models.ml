@@ -2,7 +2,8 @@
    is what the ordinary exploration finds, for every check of every model of specs/models that zones can follow. *)
 
 open Scc_verify
-module Loaded = Scc_session.Loaded
+open Scc_zones
+module Loaded = Scc_loading.Loaded
 
 let models = "../../../specs/models"
 
@@ -17,7 +18,7 @@ let load file =
   Loaded.load ~read_file ~overrides:[] (Scc_base.Source.make ~name:file (read (Filename.concat models file)))
 
 let bounds = { Bounds.default with states = Given 3_000 }
-let options = { Check.default with bounds }
+let options = { Setup.default with bounds }
 
 let kind : Verdict.t -> string = function
   | Holds { bounds = []; _ } -> "holds"

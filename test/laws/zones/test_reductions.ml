@@ -5,7 +5,8 @@
 open Scc_polyhedra
 open Scc_verify
 open Scc_state_space
-module Loaded = Scc_session.Loaded
+open Scc_zones
+module Loaded = Scc_loading.Loaded
 module Where = Scc_regions.Where
 
 let models = "../../../specs/models"
@@ -27,7 +28,7 @@ let options ~states reductions =
     decr left;
     if !left < 0 then Some Scc_graph_search.Limits.Interrupted else None
   in
-  { Check.default with surroundings = { Check.default.surroundings with stop }; reductions }
+  { Setup.default with surroundings = { Setup.default.surroundings with stop }; reductions }
 
 let run ~states reductions (l : Loaded.t) =
   let u = match l.uncertain with Some u -> u | None -> Scc_symbolic.Start.known l.model l.declared in

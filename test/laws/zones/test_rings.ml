@@ -2,7 +2,8 @@
    others, and a slice does not leave it out. *)
 
 open Scc_verify
-module Loaded = Scc_session.Loaded
+open Scc_zones
+module Loaded = Scc_loading.Loaded
 
 let scene ~again ~at =
   let end_ name polarity side =
@@ -41,12 +42,12 @@ let by_states text =
   let l = load text in
   match Scc_semantics.Network.initial l.semantics l.declared with
   | Error _ -> Alcotest.fail "no initial state"
-  | Ok initial -> Check.run Check.default l.semantics ~initial l.checks
+  | Ok initial -> Check.run Setup.default l.semantics ~initial l.checks
 
 let over_zones text =
   let { Loaded.semantics; declared; checks; uncertain; _ } = load text in
   let uncertain = match uncertain with Some u -> u | None -> Alcotest.fail "nothing is uncertain" in
-  match Zone_check.run Check.default semantics uncertain ~declared ~exactly:true ~premises:[] checks with
+  match Zone_check.run Setup.default semantics uncertain ~declared ~exactly:true ~premises:[] checks with
   | Ok report -> report
   | Error _ -> Alcotest.fail "it is not well-formed"
 

@@ -180,7 +180,7 @@ let sampled ?(free = Sample.Apart) ?(steps = 10_000) text property ~runs =
   let plan = { Sample.semantics; declared = e.declared; paths = [ path ]; free; steps; until = None } in
   let initial = Result.get_ok (Network.initial semantics e.declared) in
   let checked =
-    match (Scc_verify.Check.run Scc_verify.Check.default semantics ~initial [ check ]).outcomes with
+    match (Scc_verify.Check.run Scc_verify.Setup.default semantics ~initial [ check ]).outcomes with
     | [ { verdict = Measured { values; _ }; _ } ] -> List.map (fun (_, (m : Scc_ctl.Eval.measured)) -> m) values
     | _ -> []
   in

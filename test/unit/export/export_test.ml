@@ -213,7 +213,7 @@ let drn () =
     "// labels that change while time passes, and tell of the states alone: x_p_le_3, check_near\n"
 
 let truncated () =
-  let options = { Check.default with bounds = { Bounds.default with states = Given 3 } } in
+  let options = { Setup.default with bounds = { Bounds.default with states = Given 3 } } in
   let e =
     Graphs.explored ~options
       {|

@@ -1,5 +1,5 @@
 open Scc_verify
-open Scc_session
+open Scc_loading
 open Scc_exchange
 open Scc_test_models
 
@@ -20,7 +20,7 @@ let loaded text : Loaded.t * Scc_calculus.State.t =
   | Ok initial -> ({ l with origin = { l.origin with digest = "md5:0" } }, initial)
   | Error _ -> Alcotest.fail "no initial state"
 
-let explored ?(options = Check.default) text : Exported.t =
+let explored ?(options = Setup.default) text : Exported.t =
   let loaded, initial = loaded text in
   { loaded; space = Explored.explore options loaded.semantics ~initial }
 

@@ -4,7 +4,7 @@ open Scc_semantics
 open Scc_verify
 open Scc_exchange
 
-val explored : ?options:Check.options -> string -> Exported.t
+val explored : ?options:Setup.t -> string -> Exported.t
 (** Of a model's text, to which the shape Cube is added. *)
 
 val made : ?unexplored:int list -> ?resting:int list -> (Transition.label * int) list array -> Exported.t

@@ -19,7 +19,7 @@ let space_of name =
   | Ok initial ->
     let options = 
       let bounds = { Bounds.default with time = Given (Rat.of_int 3); states = Given 200 } in
-      { Check.default with bounds }
+      { Setup.default with bounds }
     in
     (e, Explored.explore options (standard e.model) ~initial)
 

@@ -188,7 +188,7 @@ let replayed m states =
 
 let options =
   let open Scc_verify in
-  { Check.default with bounds = { Bounds.default with depth = Default 1_000; states = Default 50_000 } }
+  { Setup.default with bounds = { Bounds.default with depth = Default 1_000; states = Default 50_000 } }
 
 let verdict (v : Scc_verify.Verdict.t) =
   if Scc_verify.Verdict.exhaustive v then "holds"
@@ -203,17 +203,17 @@ let pair = Alcotest.(list (pair string string))
 
 let over_zones name =
   let { Scc_elaborate.Elaborate.model; declared; _ } = load name in
-  Scc_verify.Zone_check.is_for model ~declared
+  Scc_zones.Zone_check.is_for model ~declared
 
 let checked name =
   let { Scc_elaborate.Elaborate.model; declared; checks; uncertain; _ } = load name in
   let initial = Reach.initial model declared in
   let report =
-    if not (Scc_verify.Zone_check.is_for model ~declared) then
+    if not (Scc_zones.Zone_check.is_for model ~declared) then
       Scc_verify.Check.run options (standard model) ~initial checks
     else
       let uncertain = Option.value uncertain ~default:(Scc_symbolic.Start.known model declared) in
-      let run = Scc_verify.Zone_check.run options (standard model) uncertain ~declared in
+      let run = Scc_zones.Zone_check.run options (standard model) uncertain ~declared in
       match run ~exactly:false ~premises:[] checks with
       | Ok report -> report
       | Error _ -> Alcotest.failf "%s: not well-formed for some starts" name

@@ -96,7 +96,7 @@ let expected file text times =
     | Measured { values = (_, { Scc_ctl.Eval.least = Scc_chance.Answer.Exact x; _ }) :: _; _ } -> x
     | _ -> Alcotest.failf "%s: %s is not known" file o.check.text
   in
-  List.map outcome (Scc_verify.Check.run Scc_verify.Check.default semantics ~initial checks).outcomes
+  List.map outcome (Scc_verify.Check.run Scc_verify.Setup.default semantics ~initial checks).outcomes
 
 let plan file text times =
   let e = Load.exactly (Load.text (Load.read (folder ^ file) ^ "\ncheck asked : E = ? [ " ^ text ^ " at 1 ]\n")) in

@@ -1,7 +1,7 @@
 (* The filter of successors: bytes and back, fingerprints step by step, and whatever comes in. *)
 
 open Scc_state_space
-open Scc_session
+open Scc_loading
 open Scc_successors
 
 let folder = "../../../specs/models"

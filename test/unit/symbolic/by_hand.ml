@@ -6,7 +6,8 @@ open Scc_polyhedra
 open Scc_symbolic
 open Scc_verify
 open Scc_regions
-module Loaded = Scc_session.Loaded
+open Scc_zones
+module Loaded = Scc_loading.Loaded
 
 (* {1 Models} *)
 
@@ -31,7 +32,7 @@ let where text =
   let l = load text in
   if Zone_check.refused l.model Zones <> [] then Alcotest.fail "refused";
   let u = match l.uncertain with Some u -> u | None -> Start.known l.model l.declared in
-  match Zone_check.run Check.default l.semantics u ~declared:l.declared ~exactly:true ~premises:[] l.checks with
+  match Zone_check.run Setup.default l.semantics u ~declared:l.declared ~exactly:true ~premises:[] l.checks with
   | Ok report -> List.map2 (fun (c : Scc_property.Property.check) w -> (c.name, w)) l.checks report.where
   | Error _ -> Alcotest.fail "the start is not well-formed"
 

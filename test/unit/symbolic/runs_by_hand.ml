@@ -2,11 +2,12 @@
 
 open Scc_explain
 open Scc_verify
+open Scc_zones
 
 let report text =
   let l = By_hand.load text in
   let u = match l.uncertain with Some u -> u | None -> Scc_symbolic.Start.known l.model l.declared in
-  match Zone_check.run Check.default l.semantics u ~declared:l.declared ~exactly:false ~premises:[] l.checks with
+  match Zone_check.run Setup.default l.semantics u ~declared:l.declared ~exactly:false ~premises:[] l.checks with
   | Ok report -> report.outcomes
   | Error _ -> Alcotest.fail "the start is not well-formed"
 

@@ -19,7 +19,7 @@ let stopped (stop : Limits.stop) after =
 
 (* Seconds and memory are over when they were asked about so often. *)
 let options =
-  let within bounds = { Check.default with bounds } in
+  let within bounds = { Setup.default with bounds } in
   let ended bounds stop after = { (within bounds) with surroundings = stopped stop after } in
   let seconds = { bounds with seconds = Given 1. } and memory = { bounds with memory = Given 1_000_000 } in
   List.concat_map
@@ -69,7 +69,7 @@ let models =
     (growing, "EF AG x(p) < 0", "EF x(p) >= 0");
   ]
 
-let run (options : Check.options) text =
+let run (options : Setup.t) text =
   let e = Load.exactly (Load.text text) in
   let semantics = Scc_engine.Standard.of_model e.model in
   match Network.initial semantics e.declared with
@@ -124,7 +124,7 @@ let enough () =
 
 (* Decided at the bound, not before it: what would close it is of no interest. *)
 let at_the_bound () =
-  let options = { Check.default with bounds = { bounds with states = Given 101 } } in
+  let options = { Setup.default with bounds = { bounds with states = Given 101 } } in
   let told text = (snd (run options (walls ^ text))).stats in
   let open_ = told "check c : EF AG y(q) > 1000000\n" in
   let decided = told "check c : EF (y(q) > 90 and EF vx(p) = 1)\n" in
@@ -132,7 +132,7 @@ let at_the_bound () =
   Alcotest.(check (list int)) "causes" [ 1; 0 ] [ List.length open_.causes; List.length decided.causes ]
 
 let cures_of_checks () =
-  let options = { Check.default with bounds = { bounds with states = Given 50 } } in
+  let options = { Setup.default with bounds = { bounds with states = Given 50 } } in
   let asked formula =
     let model, r = run options (drawn ^ "check c : " ^ formula ^ "\n") in
     List.map (fun o -> Option.is_some (Scc_estimate.Cure.of_outcome model o)) r.outcomes

@@ -17,9 +17,9 @@ shape Cube {
 }
 |}
 
-let bounded bounds = { Check.default with bounds }
+let bounded bounds = { Setup.default with bounds }
 
-let check ?(options = Check.default) text =
+let check ?(options = Setup.default) text =
   let e = Load.exactly (Load.text (cube ^ text)) in
   match Scc_semantics.Network.initial (standard e.model) e.declared with
   | Error _ -> Alcotest.fail "no initial state"
@@ -63,7 +63,7 @@ check f : (possibly x(p) = 0) and (always x(p) < 0)
 (* Steps of single processes where no law steers one: there is nothing that could be jumped over. *)
 let own_steps () =
   let model = "timestep 1/2 local\n" ^ drift ^ "check a : always x(p) <= 3\n" in
-  expect "without jumps" [ "violated" ] (verdicts ~options:{ Check.default with reductions = [] } model)
+  expect "without jumps" [ "violated" ] (verdicts ~options:{ Setup.default with reductions = [] } model)
 
 let words () =
   expect "an open interval"
@@ -167,7 +167,7 @@ let bounds () =
 let interruption () =
   let polls = ref 0 in
   let stop () = incr polls; if !polls > 10 then Some Scc_graph_search.Limits.Interrupted else None in
-  let options = { Check.default with surroundings = { Scc_graph_search.Limits.quiet with stop } } in
+  let options = { Setup.default with surroundings = { Scc_graph_search.Limits.quiet with stop } } in
   let _, report = check ~options (falls ^ "check a : always z(p) <= 0") in
   (match report.outcomes with
    | [ { verdict = v; _ } ] ->
@@ -364,10 +364,10 @@ let at_split_step () =
   expect "without slices both are explored together"
     [ "holds (exhaustive), at split step 1"; "holds (exhaustive), at split step 1" ]
     (told
-       ~options:{ Check.default with reductions = [ Scc_state_space.Reduction.Jump ] }
+       ~options:{ Setup.default with reductions = [ Scc_state_space.Reduction.Jump ] }
        (window "1" ^ safe ^ "check away : possibly vx(far) = 1 within 4\n"));
   expect "where nothing can split" [ "violated" ] (told (drift ^ "check a : always x(p) <= 3\n"));
-  let few = { Check.default with bounds = { Bounds.default with states = Given 3 } } in
+  let few = { Setup.default with bounds = { Bounds.default with states = Given 3 } } in
   match told ~options:few (window "1" ^ "check a : possibly bound(q, y) and x(y) > 5\n") with
   | [ text ] ->
     let starts = String.length text > 11 && String.equal (String.sub text 0 11) "undecided: " in

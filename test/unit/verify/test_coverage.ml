@@ -17,7 +17,7 @@ shape Cube {
 }
 |}
 
-let space ?(options = Check.default) (e : Scc_elaborate.Elaborate.t) =
+let space ?(options = Setup.default) (e : Scc_elaborate.Elaborate.t) =
   match Network.initial (standard e.model) e.declared with
   | Error _ -> Alcotest.fail "no initial state"
   | Ok initial -> Coverage.explore options (standard e.model) ~initial
@@ -163,7 +163,7 @@ let named (s : Explored.t) =
   counts
 
 let rules_agree name () =
-  let options = { Check.default with bounds = { Bounds.default with states = Given 400 } } in
+  let options = { Setup.default with bounds = { Bounds.default with states = Given 400 } } in
   let s, c = space ~options (Load.exactly (Load.file (Filename.concat folder name))) in
   let counts = named s in
   let show (r, n) = Printf.sprintf "%s %d" (Rule.id r) n in
@@ -173,7 +173,7 @@ let rules_agree name () =
 
 (* Each bond that is made has two summands behind it, and each that is released as well. *)
 let nothing_unattributed name () =
-  let options = { Check.default with bounds = { Bounds.default with states = Given 400 } } in
+  let options = { Setup.default with bounds = { Bounds.default with states = Given 400 } } in
   let _, c = space ~options (Load.exactly (Load.file (Filename.concat folder name))) in
   let fired kind =
     List.fold_left (fun n (x : Coverage.summand) -> if kind x.term then n + x.fired else n) 0 (Coverage.summands c)

@@ -31,7 +31,7 @@ let report asked text =
   match Network.initial semantics e.declared with
   | Error _ -> Alcotest.fail "no initial state"
   | Ok initial ->
-    let options = { Check.default with bounds = asked.bounds; reductions = asked.reductions } in
+    let options = { Setup.default with bounds = asked.bounds; reductions = asked.reductions } in
     (e.model, (Check.run options semantics ~initial e.checks).stats)
 
 let verdicts text =
@@ -40,7 +40,7 @@ let verdicts text =
   match Network.initial semantics e.declared with
   | Error _ -> Alcotest.fail "no initial state"
   | Ok initial ->
-    let report = Check.run Check.default semantics ~initial e.checks in
+    let report = Check.run Setup.default semantics ~initial e.checks in
     List.map (fun (o : Verdict.outcome) -> Verdict.to_string o.verdict) report.outcomes
 
 let causes asked text =
@@ -98,7 +98,7 @@ let steady () =
   match Network.initial semantics model.declared with
   | Error _ -> Alcotest.fail "no initial state"
   | Ok initial ->
-    let stats = (Check.run Check.default semantics ~initial model.checks).stats in
+    let stats = (Check.run Setup.default semantics ~initial model.checks).stats in
     Alcotest.(check bool) "steps that keep their beat close" true (stats.complete && stats.causes = [])
 
 (* {1 Places and times} *)

@@ -5,6 +5,7 @@ open Scc_graph_search
 open Scc_semantics
 open Scc_verify
 open Scc_test_models
+open Scc_zones
 
 (* Which conclusions are given up, by their numbers. *)
 type way =
@@ -81,16 +82,16 @@ check early : A[ x(p) < 1 U time >= 1 ]
 check far   : possibly x(q) > 100
 |}
 
-let depth n = { Check.default with bounds = { Bounds.default with depth = Given n } }
-let states n = { Check.default with bounds = { Bounds.default with states = Given n } }
+let depth n = { Setup.default with bounds = { Bounds.default with depth = Given n } }
+let states n = { Setup.default with bounds = { Bounds.default with states = Given n } }
 
-let ordinary (options : Check.options) (e : Scc_elaborate.Elaborate.t) =
+let ordinary (options : Setup.t) (e : Scc_elaborate.Elaborate.t) =
   let semantics = Scc_engine.Standard.of_model e.model in
   match Network.initial semantics e.declared with
   | Ok initial -> Check.run options semantics ~initial e.checks
   | Error _ -> Alcotest.fail "no initial state"
 
-let zones (options : Check.options) (e : Scc_elaborate.Elaborate.t) =
+let zones (options : Setup.t) (e : Scc_elaborate.Elaborate.t) =
   let semantics = Scc_engine.Standard.of_model e.model in
   let u = Option.get e.uncertain in
   match Zone_check.run options semantics u ~declared:e.declared ~exactly:false ~premises:[] e.checks with
@@ -104,9 +105,9 @@ let cases =
     ("likely causes", ordinary, states 200, walls ^ checks, 19);
     ("hash compaction", ordinary, { (depth 20) with compact = Some 100 }, walls ^ checks, 15);
     ("probabilities", ordinary, depth 8, drawn, 13);
-    ("zones", zones, Check.default, ranged, 7);
+    ("zones", zones, Setup.default, ranged, 7);
     ("zones within a bound", zones, depth 1, ranged, 8);
-    ("Zeno behaviour", ordinary, Check.default, "slot.sc", 14);
+    ("Zeno behaviour", ordinary, Setup.default, "slot.sc", 14);
   ]
 
 let models = "../../../specs/models/"
@@ -138,7 +139,7 @@ let same_outcome what (whole : Verdict.outcome) (o : Verdict.outcome) =
   is (what ^ ": the interruption is named") true
     (match o.left_out with None | Some { limit = Interrupted; _ } -> true | Some _ -> false)
 
-let kinds (s : Check.stats) = List.map Growth.kind s.causes
+let kinds (s : Stats.t) = List.map Growth.kind s.causes
 
 let same_report what (whole : Check.report) (r : Check.report) =
   List.iter2 (same_outcome what) whole.outcomes r.outcomes;
@@ -154,7 +155,7 @@ let of_case (name, run, options, text, least) () =
   let model = Load.exactly (if is_file then Load.file (models ^ text) else Load.text text) in
   let report way =
     let number = ref 0 in
-    let r : Check.report = run { options with Check.surroundings = surroundings way number } model in
+    let r : Check.report = run { options with Setup.surroundings = surroundings way number } model in
     (r, !number)
   in
   let whole, conclusions = report (Alone (-1)) in

@@ -5,10 +5,11 @@ open Scc_semantics
 open Scc_state_space
 open Scc_verify
 open Scc_test_models
+open Scc_zones
 
 let everyone = Kinematics.everyone
 let bounds = { Bounds.default with time = Given (Scc_exact.Rat.of_int 10) }
-let within = { Check.default with bounds }
+let within = { Setup.default with bounds }
 
 (* Neighbours that are found as long as it is so. *)
 let neighbours honest : Kinematics.neighbours =
@@ -130,7 +131,7 @@ check start : possibly x(p) = 0
 
 let compacted () =
   let report =
-    while_exploring ~options:{ Check.default with compact = Some 1000 }
+    while_exploring ~options:{ Setup.default with compact = Some 1000 }
       (meeting ^ "check met : possibly event bounce(p)\ncheck never : always x(p) < 100\n")
   in
   Alcotest.(check (list bool)) "with hash compaction" [ true; false ]
@@ -177,7 +178,7 @@ check start : possibly (x(far) = 0 and y(far) = 90)
     in
     { e with expand; finish }
   in
-  let report = run ~options:{ Check.default with expanding } e semantics in
+  let report = run ~options:{ Setup.default with expanding } e semantics in
   Alcotest.(check bool) "there are slices" true (report.slices <> []);
   expect "runs of slices"
     [ "met: holds (exhaustive), not shown, lost"; "start: holds (exhaustive), shown" ]

@@ -45,7 +45,7 @@ let check_text ?(states = 120) text =
   match Network.initial semantics e.declared with
   | Error _ -> Alcotest.fail "no initial state"
   | Ok initial ->
-    let options = { Check.default with bounds = { Bounds.default with states = Given states } } in
+    let options = { Setup.default with bounds = { Bounds.default with states = Given states } } in
     let report = Check.run options semantics ~initial e.checks in
     List.map (fun (o : Verdict.outcome) -> (o.check.name, told o.converges)) report.outcomes
 

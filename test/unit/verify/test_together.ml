@@ -24,7 +24,7 @@ let explored checks =
   | Error _ -> Alcotest.fail "no initial state"
   | Ok initial ->
     let bounds = { Bounds.default with states = Default 5000 } in
-    let report = Check.run { Check.default with bounds } semantics ~initial e.checks in
+    let report = Check.run { Setup.default with bounds } semantics ~initial e.checks in
     let verdict (o : Verdict.outcome) = Verdict.to_string o.verdict in
     (List.map verdict report.outcomes, report.stats.states)
 

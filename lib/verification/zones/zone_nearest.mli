@@ -4,6 +4,7 @@ open Scc_calculus
 open Scc_semantics
 open Scc_polyhedra
 open Scc_symbolic
+open Scc_verify
 
 val reason :
   Lost.t -> Semantics.t -> Uncertain.t -> declared:State.t -> sliced:bool -> Zone_graph.t ->

@@ -28,17 +28,17 @@ val initial : Semantics.t -> State.t -> State.t
 (** The initial state of a declared state that no law of motion steers (a bug otherwise). *)
 
 val attempt :
-  Joint_check.options -> effort -> Semantics.t -> Uncertain.t -> declared:State.t -> Property.check list ->
+  Setup.t -> effort -> Semantics.t -> Uncertain.t -> declared:State.t -> Property.check list ->
   (end_, Start.fault) result
 (** The result of the search for an invariant of all starts. It is an error if the declared state is not
     well-formed for some values. *)
 
-val leaving_time : Joint_check.options -> end_ option -> Joint_check.options
+val leaving_time : Setup.t -> end_ option -> Setup.t
 (** The options for an exploration after a search with this result. If a longer search will follow, the
     exploration has half of the seconds that are left. *)
 
 val decide :
-  Joint_check.options -> effort -> Semantics.t -> Uncertain.t -> declared:State.t -> Property.check list ->
+  Setup.t -> effort -> Semantics.t -> Uncertain.t -> declared:State.t -> Property.check list ->
   (Property.check -> Verdict.outcome option) * end_
 (** The outcomes that an invariant decides for an ordinary model, and the result of the search. A declared
     state that is not well-formed gives [None_found]. *)

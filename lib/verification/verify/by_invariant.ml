@@ -12,7 +12,7 @@ type effort = Briefly | Longer | Unasked
 
 let least_states = 200_000
 
-let states (options : Joint_check.options) =
+let states (options : Setup.t) =
   match options.bounds.states with
   | Given n | Default n -> Int.max least_states n
   | Unbounded -> least_states
@@ -40,7 +40,7 @@ let too_much options effort =
     (Printf.sprintf "the search for one was given up after %d million steps of arithmetic%s" millions
        (more options effort))
 
-let leaving_time (options : Joint_check.options) before =
+let leaving_time (options : Setup.t) before =
   match before with
   | Some (Given_up _) -> { options with surroundings = options.surroundings.half () }
   | Some (Proved _ | None_found _) | None -> options
@@ -49,7 +49,7 @@ let distinct events =
   let add kept e = if List.exists (Formula.equal_event e) kept then kept else e :: kept in
   List.rev (List.fold_left add [] events)
 
-let search (options : Joint_check.options) surroundings effort semantics u ~declared ~parameters zones formulas =
+let search (options : Setup.t) surroundings effort semantics u ~declared ~parameters zones formulas =
   let context = Instant.context semantics in
   let events = Array.of_list (distinct (List.concat_map Formula.events formulas)) in
   let stop () = Option.is_some (surroundings.Limits.stop ()) in
@@ -82,7 +82,7 @@ let initial semantics declared =
   | Ok s -> s
   | Error _ -> Scc_base.Bug.fail __POS__ "a law of motion in a model with ranges"
 
-let attempt (options : Joint_check.options) effort semantics u ~declared (checks : Property.check list) =
+let attempt (options : Setup.t) effort semantics u ~declared (checks : Property.check list) =
   match Scc_certificate.Certificate.not_for (Semantics.model semantics) with
   | Some reason -> Ok (None_found reason)
   | None ->
@@ -105,7 +105,7 @@ let attempt (options : Joint_check.options) effort semantics u ~declared (checks
 
 let decided semantics ~declared (check : Property.check) (proof : Proof.t) =
   let outcome verdict =
-    let scale = Zone_scale.make semantics ~declared ~example:[] ~by_invariant:true in
+    let scale = Left_open.make semantics ~declared ~example:[] ~by_invariant:true in
     Some { Verdict.check; verdict; scale; rests = []; converges = None; lost = []; left_out = None }
   in
   if not (Union.is_empty proof.sets.holds) then outcome (Holds { bounds = []; witness = None })

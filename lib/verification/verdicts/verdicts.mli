@@ -4,6 +4,7 @@ open Scc_base
 open Scc_calculus
 open Scc_property
 open Scc_verify
+open Scc_loading
 
 val over_zones : Loaded.t -> bool
 (** [over_zones l] is true if the model is explored over zones: for all values and instants that it leaves open
@@ -17,10 +18,10 @@ val refused : Loaded.t -> prove:bool -> (unit, Diag.t list) result
     affine. *)
 
 val report :
-  Check.options -> Loaded.t -> initial:State.t -> exactly:bool -> premises:Property.check list ->
+  Setup.t -> Loaded.t -> initial:State.t -> exactly:bool -> premises:Property.check list ->
   Property.check list ->
   (Check.report, Diag.t list) result
 (** The verdicts of checks: by {!Zone_check.run}, with [exactly], or by {!Check.run}. With
-    {!Check.options.prove} invariants come first, as far as they decide (rule Invariants). Outcomes of premises
+    {!Setup.t.prove} invariants come first, as far as they decide (rule Invariants). Outcomes of premises
     ({!Loaded.t}) come after those of the checks. The errors: numbers of the model would not be affine
     (SC0901), or the declared state is not well-formed for some values. *)

@@ -1,20 +1,12 @@
 (** The exploration of the sets of states of a model whose parameters have ranges (rule Zones), for checks that are
     decided on one graph. *)
 
-open Scc_property
 open Scc_calculus
 open Scc_symbolic
-
-(** Checks and premises on one graph, each with its number among all of the model. *)
-type group = Zone_groups.t = {
-  keeps_time : bool;  (** zones with different absolute times are different *)
-  part : State.t option;  (** the slice of the declared state to explore; [None]: the whole network *)
-  members : (int * Property.check) list;
-  premises : (int * Property.check) list;
-}
+open Scc_verify
 
 type t = {
-  group : group;
+  group : Zone_groups.t;
   graph : Zone_graph.t;
   answers : Answers.t list;  (** of the members *)
   met : Answers.t list;  (** of the premises *)
@@ -23,25 +15,25 @@ type t = {
   fault : string option;  (** the reason why successors of a zone are not affine, or not known, if so *)
   decided : bool;  (** the exploration ended because every member was known *)
   edges : int;  (** of the graph *)
-  proof : Zone_proof.end_ option;  (** the end of the search for an invariant, if there was one *)
+  proof : By_invariant.end_ option;  (** the end of the search for an invariant, if there was one *)
 }
 
 val explore :
-  Joint_check.options ->
+  Setup.t ->
   Instant.context ->
-  group ->
+  Zone_groups.t ->
   initial:State.t ->
   Zone.t list ->
   ranges:Ranges.t ->
   exactly:bool ->
-  proof:Zone_proof.end_ option ->
+  proof:By_invariant.end_ option ->
   t
 (** Explores the group from these zones, up to the bounds of the options and of time in the formulas, or until all
     members are known. With [exactly] a member is known if its outcome is known for all values. Otherwise it is
     enough that it holds for all values or fails for some. [proof] is the result of an earlier search for an
     invariant; what it proves counts as known. *)
 
-val proofs_of : Answers.t list -> Zone_proof.end_ option -> Proof.t option list
+val proofs_of : Answers.t list -> By_invariant.end_ option -> Proof.t option list
 (** [proofs_of answers end_] has the proof for each member, or [None] for each if no invariant was found. *)
 
 val sets : Answers.t -> Proof.t option -> Answers.sets

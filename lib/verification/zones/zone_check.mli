@@ -5,6 +5,7 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_symbolic
+open Scc_verify
 
 val is_for : Model.t -> declared:State.t -> bool
 (** [is_for m ~declared] is true if the model has parameters with ranges, or bonds that may be released at any
@@ -27,7 +28,7 @@ val diagnostic : Model.t -> fault -> Scc_base.Diag.t
     has no place in the text. *)
 
 val run :
-  Joint_check.options -> Semantics.t -> Uncertain.t -> declared:State.t -> exactly:bool ->
+  Setup.t -> Semantics.t -> Uncertain.t -> declared:State.t -> exactly:bool ->
   premises:Property.check list -> Property.check list -> (Check.report, fault) result
 (** [run options m u ~declared ~exactly ~premises checks] is a verdict for each check, over all values, and the
     values for which it holds ({!Check.report.where}). With [exactly] these are as complete as possible, else

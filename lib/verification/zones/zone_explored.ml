@@ -6,16 +6,10 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_symbolic
-
-type group = Zone_groups.t = {
-  keeps_time : bool;
-  part : State.t option;
-  members : (int * Property.check) list;
-  premises : (int * Property.check) list;
-}
+open Scc_verify
 
 type t = {
-  group : group;
+  group : Zone_groups.t;
   graph : Zone_graph.t;
   answers : Answers.t list;
   met : Answers.t list;  (** of the premises *)
@@ -24,7 +18,7 @@ type t = {
   fault : string option;
   decided : bool;
   edges : int;
-  proof : Zone_proof.end_ option;
+  proof : By_invariant.end_ option;
 }
 
 let latest answers =
@@ -32,7 +26,7 @@ let latest answers =
   if List.exists Option.is_none bounds then None
   else Some (List.fold_left (fun t b -> Rat.max t (Option.get b)) Rat.zero bounds)
 
-let progress (options : Joint_check.options) ~size (node : Zone_graph.node) =
+let progress (options : Setup.t) ~size (node : Zone_graph.node) =
   options.surroundings.progress
     {
       states = size;
@@ -47,7 +41,7 @@ let distinct events =
   List.rev (List.fold_left add [] events)
 
 let proofs_of answers = function
-  | Some (Zone_proof.Proved { proofs; _ }) -> List.map Option.some proofs
+  | Some (By_invariant.Proved { proofs; _ }) -> List.map Option.some proofs
   | Some (None_found _ | Given_up _) | None -> List.map (fun _ -> None) answers
 
 (* With what is proved. *)
@@ -79,14 +73,14 @@ type visited = {
 }
 
 (* The time up to which zones are explored, and whether it is the bound of the user that ends them. *)
-let horizon (options : Joint_check.options) group looking =
+let horizon (options : Setup.t) (group : Zone_groups.t) looking =
   let asked = if group.keeps_time then latest looking else None in
   match (asked, Zone_bounds.given options.bounds.time) with
   | Some a, Some b -> (Some (Rat.min a b), Rat.compare b a < 0)
   | None, Some b -> (Some b, true)
   | a, None -> (a, false)
 
-let visitor (options : Joint_check.options) visited ~by_user ~looking ~enough : Zone_graph.visitor =
+let visitor (options : Setup.t) visited ~by_user ~looking ~enough : Zone_graph.visitor =
   {
     found = (fun _ -> visited.size <- visited.size + 1);
     expanded =
@@ -121,7 +115,7 @@ let count_edges graph =
       happens := !happens || List.exists is_event node.edges);
   (!edges, !happens)
 
-let bounds_met (options : Joint_check.options) visited (end_ : Zone_graph.end_) : Verdict.truncation list =
+let bounds_met (options : Setup.t) visited (end_ : Zone_graph.end_) : Verdict.truncation list =
   (match end_ with
    | Closed | Decided | Not_affine _ -> []
    | Bounded { depth; nodes } ->
@@ -133,7 +127,7 @@ let bounds_met (options : Joint_check.options) visited (end_ : Zone_graph.end_) 
   | Some t when visited.late -> [ { limit = Time t; origin = By_user } ]
   | _ -> []
 
-let explore (options : Joint_check.options) context (group : group) ~initial zones ~ranges ~exactly ~proof =
+let explore (options : Setup.t) context (group : Zone_groups.t) ~initial zones ~ranges ~exactly ~proof =
   let formulas_of = List.map (fun (_, (c : Property.check)) -> c.formula) in
   let formulas = formulas_of (group.members @ group.premises) in
   let events = Array.of_list (distinct (List.concat_map Formula.events formulas)) in

@@ -1,5 +1,6 @@
 open Scc_polyhedra
 open Scc_symbolic
+open Scc_verify
 
 (* So many are asked, where there are parameters. *)
 let most = 2_000

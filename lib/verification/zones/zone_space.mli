@@ -3,6 +3,7 @@
 open Scc_calculus
 open Scc_semantics
 open Scc_symbolic
+open Scc_verify
 
 type t = {
   semantics : Semantics.t;
@@ -12,7 +13,7 @@ type t = {
 }
 
 val explore :
-  Joint_check.options -> Semantics.t -> Uncertain.t -> declared:State.t -> (t, Zone_check.fault) result
+  Setup.t -> Semantics.t -> Uncertain.t -> declared:State.t -> (t, Zone_check.fault) result
 (** The graph, breadth-first, within the bounds of the options, without reductions. Zones have the time as a
     coordinate if the model keeps it, or if time is bounded. *)
 

@@ -7,9 +7,10 @@ open Scc_property
 open Scc_state_space
 open Scc_symbolic
 open Scc_regions
+open Scc_verify
 open Zone_explored
 
-let is_for = Zone_scale.leaves_open
+let is_for = Left_open.leaves_open
 
 type use = Zones | Invariants
 
@@ -106,28 +107,20 @@ let is_open ~asked ~exactly (e : Zone_explored.t) =
   let unknown answer = not (Answers.is_known ~exactly answer) in
   e.stopped_by <> [] && List.for_all of_size e.stopped_by && List.exists unknown e.answers
 
-let stats (m : Model.t) (e : Zone_explored.t) : Joint_check.stats =
+let stats (m : Model.t) (e : Zone_explored.t) : Stats.t =
   let deepest = ref 0 in
   for i = 0 to Zone_graph.size e.graph - 1 do
     deepest := Int.max !deepest (Zone_graph.node e.graph i).depth
   done;
   {
+    Stats.none with
     states = Zone_graph.size e.graph;
     transitions = e.edges;
     depth = !deepest;
-    model_time = None;
     complete = e.stopped_by = [] && e.fault = None && not e.decided;
-    eventful = true;
     decided_early = e.decided;
     split_step = (match m.splits with Every step -> Some step | Any_time -> None);
     stopped_by = e.stopped_by;
-    faults = [];
-    dead_ends = [];
-    converges = None;
-    growth = None;
-    shared = None;
-    causes = [];
-    left_out = None;
   }
 
 let slice m ~initial (e : Zone_explored.t) : Check.slice option =
@@ -143,7 +136,7 @@ let slice m ~initial (e : Zone_explored.t) : Check.slice option =
 
 let outcomes options semantics u ~declared (e : Zone_explored.t) =
   let m = Semantics.model semantics in
-  let lost = Lost.make options.Joint_check.bounds options.surroundings.attempt in
+  let lost = Lost.make options.Setup.bounds options.surroundings.attempt in
   let one (i, check) (answer, proof) =
     let where = where m.ranges answer proof in
     let verdict = verdict options lost semantics u ~declared e check answer where in
@@ -153,7 +146,7 @@ let outcomes options semantics u ~declared (e : Zone_explored.t) =
       | _ -> []
     in
     let by_invariant = rests_on_proof answer where verdict in
-    let scale = Zone_scale.make semantics ~declared ~example ~by_invariant in
+    let scale = Left_open.make semantics ~declared ~example ~by_invariant in
     let { Lost.faults; left_out } = Lost.taken lost in
     let left_out = Verdict.if_unshown verdict left_out in
     (i, { Verdict.check; verdict; scale; rests = []; converges = None; lost = faults; left_out }, where)
@@ -172,22 +165,22 @@ let premises (m : Model.t) (e : Zone_explored.t) =
   List.map2 one e.group.premises e.met
 
 (* The bounds of a search for an invariant after the exploration, by what the one before it came to. *)
-let later ~some_check (before : Zone_proof.end_ option) : Zone_proof.effort option =
+let later ~some_check (before : By_invariant.end_ option) : By_invariant.effort option =
   match before with
   | None -> if some_check then Some Unasked else None
   | Some (Given_up _) -> Some Longer
   | Some (Proved _ | None_found _) -> None
 
-let of_group (options : Joint_check.options) semantics context u ~declared ~initial ~exactly (group : group) =
+let of_group (options : Setup.t) semantics context u ~declared ~initial ~exactly (group : Zone_groups.t) =
   let m = Semantics.model semantics in
   let some_check = group.members <> [] in
   let attempt effort =
     let declared = Option.value group.part ~default:declared in
-    Result.to_option (Zone_proof.attempt options effort semantics u ~declared (List.map snd group.members))
+    Result.to_option (By_invariant.attempt options effort semantics u ~declared (List.map snd group.members))
   in
   let before = if options.prove && some_check then attempt Briefly else None in
   let of_zones zones =
-    let within = Zone_proof.leaving_time options before in
+    let within = By_invariant.leaving_time options before in
     let e = explore within context group ~initial zones ~ranges:m.ranges ~exactly ~proof:before in
     match later ~some_check before with
     | Some effort when is_open ~asked:options.prove ~exactly e -> { e with proof = attempt effort }
@@ -197,7 +190,7 @@ let of_group (options : Joint_check.options) semantics context u ~declared ~init
   Result.map of_zones (Start.zones context u ~initial ~keeps_time:group.keeps_time)
 
 (* The checks by the slice and the time that they need. What all slices leave out has to be well-formed as well. *)
-let groups (options : Joint_check.options) context u ~initial ~premises checks =
+let groups (options : Setup.t) context u ~initial ~premises checks =
   let bounded = Option.is_some (Zone_bounds.given options.bounds.time) in
   let slicing =
     List.exists (Reduction.equal Slice) options.reductions && Array.length initial.State.processes > 1
@@ -222,7 +215,7 @@ let report options semantics u ~declared ~initial explored : Check.report =
   let stats = List.map (stats m) explored in
   {
     outcomes = List.map (fun (_, o, _) -> o) sorted @ by_number (List.concat_map (premises m) explored);
-    stats = List.fold_left Check.add (List.hd stats) (List.tl stats);
+    stats = List.fold_left Stats.add (List.hd stats) (List.tl stats);
     uneventful = List.exists (fun (e : Zone_explored.t) -> e.uneventful) explored;
     slices = List.filter_map (slice m ~initial) explored;
     zeno = None;
@@ -234,9 +227,9 @@ let report options semantics u ~declared ~initial explored : Check.report =
     numbers = (fun () -> []);
   }
 
-let run (options : Joint_check.options) semantics u ~declared ~exactly ~premises checks =
+let run (options : Setup.t) semantics u ~declared ~exactly ~premises checks =
   let context = Instant.context semantics in
-  let initial = Zone_proof.initial semantics declared in
+  let initial = By_invariant.initial semantics declared in
   let rec all explored = function
     | [] -> Ok (List.rev explored)
     | group :: rest ->

@@ -1,4 +1,6 @@
 open Scc_verify
+open Scc_zones
+open Scc_loading
 
 let over_zones (l : Loaded.t) = Zone_check.is_for l.model ~declared:l.declared
 
@@ -8,9 +10,9 @@ let uncertain (l : Loaded.t) =
 (* A short search for an invariant; what it leaves open is explored; and what that leaves open, a longer search may
    decide, if it was not the model that ended the short one. *)
 let with_invariants options (l : Loaded.t) ~initial checks =
-  let decide effort = Zone_proof.decide options effort l.semantics (uncertain l) ~declared:l.declared in
+  let decide effort = By_invariant.decide options effort l.semantics (uncertain l) ~declared:l.declared in
   let decided, first = decide Briefly checks in
-  let exploring = Zone_proof.leaving_time options (Some first) in
+  let exploring = By_invariant.leaving_time options (Some first) in
   let report = Check.run_without exploring l.semantics ~initial checks ~decided in
   let open_ =
     List.filter_map
@@ -26,14 +28,14 @@ let with_invariants options (l : Loaded.t) ~initial checks =
     { report with outcomes = List.map outcome report.outcomes; invariants = [ second ] }
   | Proved _ | None_found _ | Given_up _ -> { report with invariants = [ first ] }
 
-let ordinarily (options : Check.options) (l : Loaded.t) ~initial checks =
+let ordinarily (options : Setup.t) (l : Loaded.t) ~initial checks =
   (if options.prove then with_invariants options l else Check.run options l.semantics) ~initial checks
 
 let refused (l : Loaded.t) ~prove =
   let because = if over_zones l then Some Zone_check.Zones else if prove then Some Invariants else None in
   match Option.map (Zone_check.refused l.model) because with None | Some [] -> Ok () | Some why -> Error why
 
-let report (options : Check.options) (l : Loaded.t) ~initial ~exactly ~premises checks =
+let report (options : Setup.t) (l : Loaded.t) ~initial ~exactly ~premises checks =
   let of_all () =
     if over_zones l then
       Zone_check.run options l.semantics (uncertain l) ~declared:l.declared ~exactly ~premises checks

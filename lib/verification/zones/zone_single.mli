@@ -5,12 +5,13 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_explain
+open Scc_verify
 
 val named : Model.t -> Rat.t array -> (string * Rat.t) list
 (** The values of the parameters, with their names. *)
 
 val run :
-  Joint_check.options -> Semantics.t -> Uncertain.t -> declared:State.t -> Property.check -> Rat.t array ->
+  Setup.t -> Semantics.t -> Uncertain.t -> declared:State.t -> Property.check -> Rat.t array ->
   Witness.t option
 (** The run of one start, with its reasons, for a check that is violated for it. The ordinary exploration of that
     start finds it. [None] if bonds may be released at any time, if there are no ranges, or if 20 000 states decide

@@ -1,6 +1,7 @@
 open Scc_base
 open Scc_semantics
 open Scc_symbolic
+open Scc_verify
 
 type t = {
   semantics : Semantics.t;
@@ -27,7 +28,7 @@ let rests (n : Zone_graph.node) =
   let rest (c : _ First.cell) = if Option.is_none c.time then Some c.region else None in
   List.filter_map rest n.cells
 
-let of_start (options : Joint_check.options) context zones =
+let of_start (options : Setup.t) context zones =
   let bounds = options.bounds in
   let stop = ref None and is_late = ref false and size = ref 0 in
   let stopped () =
@@ -78,7 +79,7 @@ let of_start (options : Joint_check.options) context zones =
   in
   { semantics = context.Instant.semantics; graph; stopped_by = stopped_by @ late; faults }
 
-let explore (options : Joint_check.options) semantics u ~declared =
+let explore (options : Setup.t) semantics u ~declared =
   let context = Instant.context semantics in
   let initial =
     match Network.initial semantics declared with

@@ -4,15 +4,16 @@ open Scc_semantics
 open Scc_property
 open Scc_graph_search
 open Scc_symbolic
+open Scc_verify
 
 let named (m : Model.t) values =
   List.mapi (fun i v -> (m.ranges.(i).Ranges.name, v)) (Array.to_list values)
 
 let most_states_of_one_start = 20_000
 
-let run (options : Joint_check.options) semantics u ~declared (check : Property.check) values =
+let run (options : Setup.t) semantics u ~declared (check : Property.check) values =
   let m = Semantics.model semantics in
-  if Array.length m.ranges = 0 || Zone_scale.at_any_time m ~declared then None
+  if Array.length m.ranges = 0 || Left_open.at_any_time m ~declared then None
   else
     let c = Semantics.with_model semantics (Fixed.model m values) in
     let declared = Fixed.declared m u declared values in
@@ -22,7 +23,7 @@ let run (options : Joint_check.options) semantics u ~declared (check : Property.
     match Network.initial c declared with
     | Error _ -> None
     | Ok initial -> (
-        let options = { Joint_check.default with bounds; surroundings = options.surroundings } in
+        let options = { Setup.default with bounds; surroundings = options.surroundings } in
         let report = Check.run options c ~initial [ check ] in
         let fixed = { Scc_explain.Witness.values = named m values; semantics = c } in
         let of_start (w : Scc_explain.Witness.t) = { w with fixed = Some fixed } in

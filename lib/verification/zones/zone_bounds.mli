@@ -1,5 +1,7 @@
 (** Bounds on an exploration of zones, and the truncations for them. *)
 
+open Scc_verify
+
 val default_depth : int
 (** The bound on the depth if none is given: 1 000 transitions. There is always a bound on depth. *)
 

@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_verify
 
 (* A start at which velocities never cease to change may go on for ever, while all others come to an end. *)
 let default_depth = 1_000

@@ -1,0 +1,28 @@
+open Scc_calculus
+open Scc_graph_search
+open Scc_state_space
+
+type t = {
+  bounds : Bounds.t;
+  reductions : Reduction.kind list;
+  compact : int option;
+  order : State_graph.order;
+  surroundings : Limits.surroundings;
+  observe : (State.t -> unit) option;
+  prove : bool;
+  expanding : about:string -> State_graph.expanding;
+  compacting : about:string -> State_fingerprints.expanding;
+}
+
+let default =
+  {
+    bounds = Bounds.default;
+    reductions = Reduction.all;
+    compact = None;
+    order = By_steps;
+    surroundings = Limits.quiet;
+    observe = None;
+    prove = false;
+    expanding = (fun ~about:_ -> State_graph.here);
+    compacting = (fun ~about:_ -> State_fingerprints.here);
+  }

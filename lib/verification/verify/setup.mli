@@ -1,0 +1,28 @@
+(** How the checks of a model are explored: bounds, reductions, and what happens on the way. *)
+
+open Scc_calculus
+open Scc_graph_search
+open Scc_state_space
+
+type t = {
+  bounds : Bounds.t;
+  reductions : Reduction.kind list;
+  compact : int option;
+  (** hash compaction with room for so many states, for searches without a bound of time *)
+  order : State_graph.order;
+  (** of the exploration: with [By_steps] runs that decide a search have as few steps as possible, with
+      [By_time] they end as early as possible *)
+  surroundings : Limits.surroundings;
+  observe : (State.t -> unit) option;  (** called with each new state, in order *)
+  prove : bool;
+  (** an invariant is searched for before anything is explored, in half of the time (rule Invariants).
+      Otherwise, over zones, one is searched for only where exploration leaves a check open. *)
+  expanding : about:string -> State_graph.expanding;
+  compacting : about:string -> State_fingerprints.expanding;
+  (** the way of expanding with hash compaction. Both functions are called for each exploration. Its checks
+      ({!Joint_check.about}) and the options determine it. Explorations with equal checks come in the same
+      order. *)
+}
+
+val default : t
+(** Default bounds, all reductions, by steps, in quiet surroundings. *)
