@@ -7,7 +7,7 @@ open Scc_calculus
 open Scc_state_space
 open Scc_symbolic
 open Scc_verify
-module Loaded = Scc_session.Loaded
+module Loaded = Scc_loading.Loaded
 
 let models = "specs/models"
 

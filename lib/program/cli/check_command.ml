@@ -1,8 +1,10 @@
 open Scc_base
 open Scc_state_space
 open Scc_verify
+open Scc_json
+open Scc_loading
 open Scc_session
-open Scc_exchange
+open Scc_reports
 open Cmdliner
 
 let ( let* ) = Result.bind

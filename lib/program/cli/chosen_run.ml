@@ -1,7 +1,8 @@
 open Scc_exact
 open Scc_motion
+open Scc_loading
 open Scc_session
-open Scc_exchange
+open Scc_runs
 open Cmdliner
 
 type choose = First | Random of int64

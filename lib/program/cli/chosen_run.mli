@@ -4,8 +4,9 @@ open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_motion
+open Scc_loading
 open Scc_session
-open Scc_exchange
+open Scc_runs
 open Cmdliner
 
 type options

@@ -6,7 +6,7 @@ open Scc_equivalence
 
 let ( let* ) = Result.bind
 
-type source = Model of { model : Scc_session.Loaded.t; space : Explored.t } | File
+type source = Model of { model : Scc_loading.Loaded.t; space : Explored.t } | File
 type t = { path : string; source : source; graph : Graph.t Later.t; complete : bool }
 
 let is_graph_file path = Filename.check_suffix path ".aut"
@@ -63,9 +63,9 @@ let load_graph console (attempt : Scc_graph_search.Limits.attempt) path =
 
 let load_model console options ?renamed ~overrides path =
   let* model = Input.model console ~overrides path in
-  let* model = Scc_session.Ordinary.refuse model in
+  let* model = Scc_loading.Ordinary.refuse model in
   Console.report console model.warnings;
-  let* initial = Scc_session.Loaded.initial model in
+  let* initial = Scc_loading.Loaded.initial model in
   let space = Explored.explore options model.semantics ~initial in
   Console.progress_done console;
   Console.report console (space.faults @ space.dead_ends);

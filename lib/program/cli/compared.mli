@@ -7,7 +7,7 @@ open Scc_equivalence
 
 (** The origin of a graph. *)
 type source =
-  | Model of { model : Scc_session.Loaded.t; space : Explored.t }
+  | Model of { model : Scc_loading.Loaded.t; space : Explored.t }
   | File  (** in the format .aut *)
 
 (** A graph to be compared. *)

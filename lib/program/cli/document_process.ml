@@ -1,8 +1,9 @@
 open Scc_base
-open Scc_session
 open Scc_oracle
 open Scc_view
-open Scc_exchange
+open Scc_json
+open Scc_session
+open Scc_runs
 
 let line_of console text =
   Console.print console (text ^ "\n");

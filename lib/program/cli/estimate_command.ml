@@ -1,6 +1,7 @@
 open Scc_base
 open Scc_exact
 open Scc_property
+open Scc_loading
 open Scc_session
 open Scc_estimate
 open Scc_workers

@@ -1,6 +1,6 @@
 open Scc_base
 open Scc_state_space
-open Scc_session
+open Scc_loading
 open Scc_store
 module Crew = Scc_parallel.Crew
 module Crew_of_states = Crew.Make (Network_lts) (Network_exchange) (State_graph)

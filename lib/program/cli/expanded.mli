@@ -1,7 +1,7 @@
 (** How the states of an exploration are expanded: by how many processes, and with or without a store. *)
 
 open Scc_base
-open Scc_session
+open Scc_loading
 
 (** The processes and the store of an exploration. *)
 type t

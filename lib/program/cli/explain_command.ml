@@ -1,8 +1,10 @@
 open Scc_base
 open Scc_property
 open Scc_explain
+open Scc_loading
 open Scc_session
-open Scc_exchange
+open Scc_runs
+open Scc_reports
 open Cmdliner
 
 type options = {

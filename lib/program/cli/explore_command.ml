@@ -1,7 +1,8 @@
 open Scc_verify
 open Scc_equivalence
+open Scc_loading
 open Scc_session
-open Scc_exchange
+open Scc_graphs
 open Cmdliner
 
 let ( let* ) = Result.bind

@@ -1,7 +1,8 @@
 open Scc_base
 open Scc_exact
+open Scc_loading
 open Scc_session
-open Scc_exchange
+open Scc_runs
 open Scc_export
 open Cmdliner
 

@@ -98,4 +98,4 @@ let model ?(given = Span.command_line) ?(narrowed = []) ?source console ~overrid
       Ok source
   in
   Result.map_error (List.map (placed given))
-    (Scc_session.Loaded.load ~read_file:(mesh_reader console path) ~overrides ~narrowed source)
+    (Scc_loading.Loaded.load ~read_file:(mesh_reader console path) ~overrides ~narrowed source)

@@ -16,7 +16,7 @@ val standard_input : string
 val cannot_read : string -> string -> Diag.t
 (** [cannot_read name reason] is the error SC0101. *)
 
-val mesh_reader : Console.t -> string -> Scc_session.Loaded.reader
+val mesh_reader : Console.t -> string -> Scc_loading.Loaded.reader
 (** [mesh_reader c model path] reads a mesh that a model names, relative to the folder of the model. *)
 
 val text : Console.t -> string -> (Source.t, Diag.t list) result
@@ -40,6 +40,6 @@ val model :
   Console.t ->
   overrides:(string * Rat.t) list ->
   string ->
-  (Scc_session.Loaded.t, Diag.t list) result
+  (Scc_loading.Loaded.t, Diag.t list) result
 (** Reads and loads the file, or [source] as its content. Its texts are added to the console. [given] is the
     place of [overrides] in errors (default: the command line). *)

@@ -1,5 +1,5 @@
 open Scc_base
-open Scc_session
+open Scc_loading
 open Scc_export
 
 let ( let* ) = Result.bind

@@ -4,8 +4,8 @@ open Scc_semantics
 open Scc_motion
 open Scc_explain
 open Scc_verify
-open Scc_session
-open Scc_exchange
+open Scc_loading
+open Scc_runs
 
 let ( let* ) = Result.bind
 

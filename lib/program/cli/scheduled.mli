@@ -1,8 +1,8 @@
 (** Models with schedules. *)
 
 open Scc_base
-open Scc_session
-open Scc_exchange
+open Scc_loading
+open Scc_runs
 
 val read : Console.t -> string -> (Schedule.t, Diag.t list) result
 (** Reads the schedule in a file, and adds its text to the console. *)

@@ -1,4 +1,5 @@
 open Scc_exact
+open Scc_loading
 open Scc_session
 open Scc_simulate
 open Scc_workers

@@ -1,5 +1,6 @@
 open Scc_base
 open Scc_verify
+open Scc_loading
 open Scc_session
 open Scc_sweep
 open Scc_workers

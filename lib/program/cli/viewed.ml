@@ -4,8 +4,11 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_verify
+open Scc_json
+open Scc_loading
 open Scc_session
-open Scc_exchange
+open Scc_runs
+open Scc_reports
 open Scc_view
 
 let ( let* ) = Result.bind

@@ -1,10 +1,11 @@
 open Scc_exact
 open Scc_semantics
-open Scc_exchange
+open Scc_json
+open Scc_runs
 
 type t = {
   file : string;
-  loaded : Scc_session.Loaded.t;
+  loaded : Scc_loading.Loaded.t;
   trace : Recorded.t;
   tolerance : Rat.t;
   answer : Verdict.answer;

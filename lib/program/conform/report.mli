@@ -2,12 +2,12 @@
 
 open Scc_exact
 open Scc_calculus
-open Scc_exchange
+open Scc_json
 
 (** A result with its model and trace. *)
 type t = {
   file : string;  (** of the model *)
-  loaded : Scc_session.Loaded.t;
+  loaded : Scc_loading.Loaded.t;
   trace : Recorded.t;
   tolerance : Rat.t;
   answer : Verdict.answer;

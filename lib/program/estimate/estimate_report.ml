@@ -1,6 +1,8 @@
 open Scc_exact
+open Scc_json
+open Scc_loading
 open Scc_session
-open Scc_exchange
+open Scc_runs
 open Estimation
 
 type t = {

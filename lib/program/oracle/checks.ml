@@ -1,5 +1,6 @@
+open Scc_loading
 open Scc_session
-open Scc_exchange
+open Scc_reports
 
 let ( let* ) = Result.bind
 

@@ -4,8 +4,11 @@ open Scc_exact
 open Scc_semantics
 open Scc_evaluate
 open Scc_verify
+open Scc_json
+open Scc_loading
 open Scc_session
-open Scc_exchange
+open Scc_runs
+open Scc_reports
 
 type bounds = { seconds : float; memory : int; now : unit -> float }
 

@@ -2,8 +2,9 @@ open Scc_base
 open Scc_exact
 open Scc_syntax
 open Scc_calculus
-open Scc_session
-open Scc_exchange
+open Scc_json
+open Scc_loading
+open Scc_runs
 
 type loaded = { model : Loaded.t; network : Network_at.t }
 

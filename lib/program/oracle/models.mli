@@ -1,7 +1,7 @@
 (** The models of a session, by handle. *)
 
 open Scc_base
-open Scc_session
+open Scc_loading
 
 (** A model with the states that were visited lately. *)
 type loaded = { model : Loaded.t; network : Network_at.t }

@@ -1,4 +1,4 @@
-open Scc_session
+open Scc_loading
 
 type surroundings = {
   now : unit -> float;

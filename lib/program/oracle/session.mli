@@ -7,7 +7,7 @@ type surroundings = {
   bounded : 'a. seconds:float -> (unit -> 'a) -> ('a, Fault.stop) result;
   (** calls a function, and stops it if it takes too much time or the program too much memory *)
   passes : exn -> bool;  (** true for exceptions of the process (Ctrl-C), which the service does not catch *)
-  read_file : Scc_session.Loaded.reader;  (** files that a model names, and that are not part of the request *)
+  read_file : Scc_loading.Loaded.reader;  (** files that a model names, and that are not part of the request *)
 }
 
 val quiet : surroundings

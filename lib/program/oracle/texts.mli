@@ -3,6 +3,6 @@
 val format : Read.params -> Reply.t
 (** The method [text.format]. *)
 
-val describe : read_file:Scc_session.Loaded.reader -> Read.params -> Reply.t
+val describe : read_file:Scc_loading.Loaded.reader -> Read.params -> Reply.t
 (** The method [text.describe]. [read_file] reads imported modules, whose declarations are described if they can
     be read. *)

@@ -1,5 +1,5 @@
 open Scc_exact
-open Scc_session
+open Scc_loading
 open Scc_svg
 
 let band quantiles cell =

@@ -1,7 +1,7 @@
 (** Simulations as tables and as JSON Lines. *)
 
 open Scc_exact
-open Scc_session
+open Scc_loading
 
 (** The format of the output. *)
 type form = Csv | Jsonl

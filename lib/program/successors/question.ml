@@ -2,7 +2,7 @@ open Scc_base
 open Scc_property
 open Scc_state_space
 open Scc_verify
-open Scc_session
+open Scc_loading
 module Trajectory = Scc_evaluate.Trajectory
 
 type goal = { within : Scc_exact.Rat.t option; prop : Property.prop }

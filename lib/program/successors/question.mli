@@ -21,7 +21,7 @@ type plan =
 
 (** An exploration with its goals. *)
 type t = {
-  loaded : Scc_session.Loaded.t;
+  loaded : Scc_loading.Loaded.t;
   initial : Scc_calculus.State.t;  (** of the whole network *)
   reductions : Reduction.kind list;
   bits : int;
@@ -36,7 +36,7 @@ val reductions : Reduction.kind list
 (** All reductions except {!Reduction.Order}, which depends on the states found before. *)
 
 val make :
-  reductions:Reduction.kind list -> bits:int -> names:string list -> number:int -> Scc_session.Loaded.t ->
+  reductions:Reduction.kind list -> bits:int -> names:string list -> number:int -> Scc_loading.Loaded.t ->
   (t, Diag.t list) result
 (** The question of the properties with these names, or of all if there are none. An unknown property or
     exploration is SC0922. *)

@@ -1,6 +1,6 @@
 open Scc_exact
-open Scc_session
-open Scc_exchange
+open Scc_json
+open Scc_loading
 
 type t = { name : string option; digest : string; grid : Grid.t; bounds : (string * string) list }
 

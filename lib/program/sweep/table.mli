@@ -1,6 +1,6 @@
 (** A sweep as a table. *)
 
-open Scc_session
+open Scc_loading
 
 (** A sweep, as its table describes it. *)
 type t = {

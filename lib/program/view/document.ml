@@ -1,8 +1,9 @@
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_session
-open Scc_exchange
+open Scc_json
+open Scc_loading
+open Scc_runs
 
 type t = {
   loaded : Loaded.t;

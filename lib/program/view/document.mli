@@ -1,8 +1,8 @@
 (** The content of a page, as one JSON document (see [specs/schema/view.schema.json]). *)
 
 open Scc_property
-open Scc_session
-open Scc_exchange
+open Scc_json
+open Scc_loading
 
 (** A document. *)
 type t = {

@@ -1,5 +1,6 @@
 open Scc_base
 open Scc_verify
+open Scc_loading
 
 (* The model of these values alone is refused as any model is, at the places that are at fault. *)
 let diagnostics (l : Loaded.t) (fault : Zone_check.fault) =

@@ -2,6 +2,7 @@
 
 open Scc_base
 open Scc_verify
+open Scc_loading
 
 val diagnostics : Loaded.t -> Zone_check.fault -> Diag.t list
 (** The diagnostics of a fault (SC0403, SC0401), with the values of parameters. Their places in the text are

@@ -2,6 +2,7 @@ open Scc_base
 open Scc_calculus
 open Scc_property
 open Scc_verify
+open Scc_loading
 
 (* Whether some behaviour that a body may come to has a summand that does this to bonds of this name. *)
 let can_happen terms (change : Property.change) name =

@@ -3,6 +3,7 @@
 
 open Scc_base
 open Scc_verify
+open Scc_loading
 
 val impossible : Loaded.t -> Diag.t list
 (** SC0704 for each event of a check that no behaviour can cause. One example is a bind on a channel that is

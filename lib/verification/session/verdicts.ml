@@ -1,4 +1,5 @@
 open Scc_verify
+open Scc_loading
 
 let over_zones (l : Loaded.t) = Zone_check.is_for l.model ~declared:l.declared
 

@@ -4,6 +4,7 @@ open Scc_base
 open Scc_calculus
 open Scc_property
 open Scc_verify
+open Scc_loading
 
 val over_zones : Loaded.t -> bool
 (** [over_zones l] is true if the model is explored over zones: for all values and instants that it leaves open

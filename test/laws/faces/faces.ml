@@ -2,6 +2,7 @@ open Scc_exact
 open Scc_calculus
 open Scc_polyhedra
 open Scc_verify
+open Scc_loading
 open Scc_session
 
 type case = { text : string; any : bool }

@@ -8,7 +8,7 @@ open Scc_semantics
 open Scc_symbolic
 open Scc_certificate
 open Scc_verify
-module Loaded = Scc_session.Loaded
+module Loaded = Scc_loading.Loaded
 module Limits = Scc_graph_search.Limits
 
 let models = if Sys.file_exists "specs/models" then "specs/models" else "../../../specs/models"

@@ -2,7 +2,7 @@
    is what the ordinary exploration finds, for every check of every model of specs/models that zones can follow. *)
 
 open Scc_verify
-module Loaded = Scc_session.Loaded
+module Loaded = Scc_loading.Loaded
 
 let models = "../../../specs/models"
 

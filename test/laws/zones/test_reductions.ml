@@ -5,7 +5,7 @@
 open Scc_polyhedra
 open Scc_verify
 open Scc_state_space
-module Loaded = Scc_session.Loaded
+module Loaded = Scc_loading.Loaded
 module Where = Scc_regions.Where
 
 let models = "../../../specs/models"

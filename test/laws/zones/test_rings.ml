@@ -2,7 +2,7 @@
    others, and a slice does not leave it out. *)
 
 open Scc_verify
-module Loaded = Scc_session.Loaded
+module Loaded = Scc_loading.Loaded
 
 let scene ~again ~at =
   let end_ name polarity side =

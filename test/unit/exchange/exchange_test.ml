@@ -1,6 +1,7 @@
 open Scc_base
 open Scc_exact
-open Scc_exchange
+open Scc_json
+open Scc_runs
 
 let case name f = Alcotest.test_case name `Quick f
 let source text = Source.make ~name:"run.json" text
@@ -120,27 +121,27 @@ let at_values () =
      process p = Cube mass 1 at translate (n*x, y, 0) [eps(x + y). nil]"
   in
   let no_files _ = Error "no files here" in
-  let load () = Scc_session.Loaded.load ~read_file:no_files ~overrides:[ ("n", Rat.of_int 3) ] (source text) in
+  let load () = Scc_loading.Loaded.load ~read_file:no_files ~overrides:[ ("n", Rat.of_int 3) ] (source text) in
   let half = Rat.make Z.one (Z.of_int 2) in
   match load () with
   | Error _ -> Alcotest.fail "the model"
   | Ok l ->
-    Alcotest.(check bool) "not of one point" true (Result.is_error (Scc_session.Ordinary.at_point l));
-    (match Scc_session.Loaded.at l [ ("x", Rat.of_int 5); ("y", half) ] with
+    Alcotest.(check bool) "not of one point" true (Result.is_error (Scc_loading.Ordinary.at_point l));
+    (match Scc_loading.Loaded.at l [ ("x", Rat.of_int 5); ("y", half) ] with
      | Error _ -> Alcotest.fail "the values are within"
      | Ok fixed ->
        let leaf = fixed.declared.Scc_calculus.State.processes.(0).leaves.(0) in
        Alcotest.(check string) "its place" "(15, 1/2, 0)" (Vec.to_string leaf.position);
-       Alcotest.(check bool) "of one point" true (Result.is_ok (Scc_session.Ordinary.at_point fixed));
+       Alcotest.(check bool) "of one point" true (Result.is_ok (Scc_loading.Ordinary.at_point fixed));
        Alcotest.(check (list string)) "what is given" [ "n"; "x"; "y" ] (List.map fst fixed.origin.parameters);
        Alcotest.(check string) "the same text" l.origin.digest fixed.origin.digest);
-    match Scc_session.Loaded.at l [ ("y", Rat.one) ] with
+    match Scc_loading.Loaded.at l [ ("y", Rat.one) ] with
     | Ok _ -> Alcotest.fail "the end is left out"
     | Error diagnostics ->
       Alcotest.(check (list string)) "beyond" [ "SC0217" ] (List.map (fun (d : Diag.t) -> d.code) diagnostics)
 
 let digest () =
-  let make text files = Scc_session.Origin.digest ~text ~files in
+  let make text files = Scc_loading.Origin.digest ~text ~files in
   Alcotest.(check bool) "text" false (String.equal (make "a" []) (make "b" []));
   Alcotest.(check bool) "where a file begins" false
     (String.equal (make "a" [ ("f", "xy") ]) (make "a" [ ("fx", "y") ]));
@@ -151,7 +152,7 @@ let digest () =
 let short () =
   let power n = Q.of_bigint (Z.pow (Z.of_int 10) n) in
   let long = Q.make (Z.add (Z.pow (Z.of_int 7) 60) Z.one) (Z.pow (Z.of_int 7) 60) in
-  let told what expected q = Alcotest.(check string) what expected (Scc_exchange.Short_text.exact q) in
+  let told what expected q = Alcotest.(check string) what expected (Scc_runs.Short_text.exact q) in
   told "exact" "-22/7" (Q.of_ints (-22) 7);
   told "up to 60 characters" (Q.to_string (power 59)) (power 59);
   told "a fraction" "~1.000000 (103 characters)" long;

@@ -1,6 +1,6 @@
 (* Draws the state in which a model is declared. *)
 
-open Scc_session
+open Scc_loading
 
 let read path =
   let channel = open_in_bin path in

@@ -6,7 +6,7 @@ open Scc_polyhedra
 open Scc_symbolic
 open Scc_verify
 open Scc_regions
-module Loaded = Scc_session.Loaded
+module Loaded = Scc_loading.Loaded
 
 (* {1 Models} *)
 
