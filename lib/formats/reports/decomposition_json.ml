@@ -31,7 +31,7 @@ let document ~name ~exit ~mended (t : Parts.t) =
       ("exit", `Int exit);
       ("name", Json.text name);
     ]
-      @ Mended_json.field mended
+      @ Json_format.written_members Mended_json.field mended
       @ [
         ("volume", Json.rat (Drawn.volume t.drawn.set));
         ("faces", `Int (Array.length t.drawn.set.ifs_faces));

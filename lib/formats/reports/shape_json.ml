@@ -103,7 +103,7 @@ let document ~name ~exit ?(mended = []) ?snap ?outer (r : Solid_report.t) =
       ("definition_4_3", paper r);
       ("mass_properties", properties);
     ]
-      @ Mended_json.field mended
+      @ Json_format.written_members Mended_json.field mended
       @ Option.to_list (Option.map (fun s -> ("snapped", snapped s)) snap)
       @ Option.to_list (Option.map (fun o -> ("simplified", simplified o)) outer)
       @ geometry r)

@@ -5,9 +5,18 @@ open Scc_polyhedra
 open Scc_regions
 open Scc_json
 
+val format : (Where.t, unit) Json_format.t
+(** The format of the whole member. Constraints are those of the minimal form, in their stored order.
+    Coefficients are integers, and those that are 0 are left out. *)
+
+val polyhedron_format : ((int -> string) * Polyhedron.t, unit) Json_format.t
+(** The format of all constraints of a polyhedron, with the names of its variables. *)
+
+val form_format : ((int -> string) * Linear.t, unit) Json_format.t
+(** The format of a linear form, with the names of its variables. *)
+
 val where : Where.t -> Json.t
-(** The whole member. Constraints are those of the minimal form, in their stored order. Coefficients are
-    integers, and those that are 0 are left out. *)
+(** The whole member in {!format}. *)
 
 val constraint_ : name:(int -> string) -> Constraint.t -> Json.t
 (** A constraint over variables of these names, in the form of {!where}. *)

@@ -1,6 +1,7 @@
 open Scc_base
 open Scc_exact
 open Scc_json
+open Json_format
 
 type choice = { index : int option; label : string option; at : Span.t }
 
@@ -14,32 +15,101 @@ type t = {
   offset_at : Span.t;
 }
 
+let ( let* ) = Result.bind
+
+(* {1 The format} *)
+
 let versions = [ 1; 2 ]
 
 let version (origin : Scc_loading.Origin.t) =
   if List.exists (fun setting -> setting = Scc_calculus.Parameters.at_any_time) origin.settings then 2 else 1
 
-let ( let* ) = Result.bind
+let version_format = one_of versions ~what:"one of 1 and 2, the versions of the format that this scc reads"
+let numbered ~index ~label at = { index; label; at }
+
+let choice_format =
+  let neither (json : Json.t) =
+    match (Json.member "choice" json, Json.member "label" json) with
+    | None, None -> Some "needs a number `choice` or a text `label`"
+    | _ -> None
+  in
+  let alternative name = `Assoc [ ("required", `List [ `String name ]) ] in
+  obj
+    (let+ index =
+       optional "choice" natural (fun c -> c.index)
+         ~about:
+           "The number of the transition among those possible, from 0; of a time that is less than the \
+            greatest, that of the time, or the number after all others where time may pass for ever."
+     and+ label = optional "label" text (fun c -> c.label) ~about:"The text of its label." in
+     numbered ~index ~label)
+  |> constrained [ ("anyOf", `List [ alternative "choice"; alternative "label" ]) ] neither
+
+(* The places of choices are those of the text; the parser keeps none. *)
+let format =
+  let version =
+    required "version" version_format fst
+      ~about:
+        "2 where bonds may be released at any time (split_step any), and a label time(d) may be less than the \
+         greatest time."
+  in
+  let choices = required "choices" (list choice_format) (fun (_, s) -> s.choices) in
+  obj
+    (let+ () = fixed "format" (`String "scc-schedule")
+     and+ _ = version
+     and+ model =
+       optional "model" text (fun (_, s) -> s.model)
+         ~about:"The path of the model, as it was given when the schedule was made."
+     and+ check = optional "check" text (fun (_, s) -> s.check)
+         ~about:"The property that the run is a witness for."
+     and+ digest = optional "digest" Shared.digest (fun (_, s) -> s.digest)
+     and+ parameters = optional "parameters" Origin_json.parameters_format (fun (_, s) -> Some s.parameters)
+     and+ choices = choices
+     and+ offset =
+       optional "offset" duration (fun (_, s) -> s.offset)
+         ~about:"Time that passes after the last choice without an event: the instant that a witness is about."
+     in
+     fun place ->
+       let parameters = Option.value parameters ~default:[] in
+       let choices = List.mapi (fun i choice -> choice (place i)) choices in
+       { model; check; digest; parameters; choices; offset; offset_at = Span.none })
+
+(* {1 Writing} *)
 
 let to_string ?model ?check (origin : Scc_loading.Origin.t) choices ~offset =
+  let choice (index, label) = numbered ~index:(Some index) ~label:(Some label) Span.none in
+  let { Scc_loading.Origin.digest; parameters; _ } = origin in
+  let schedule =
+    {
+      model; check; digest = Some digest; parameters; choices = List.map choice choices; offset;
+      offset_at = Span.none;
+    }
+  in
   let b = Buffer.create 1024 in
-  let add fmt = Printf.bprintf b fmt in
-  add "{ \"format\": \"scc-schedule\",\n  \"version\": %d,\n" (version origin);
-  let optional name = Option.iter (fun s -> add "  \"%s\": %s,\n" name (Json.line (Json.text s))) in
-  optional "model" model;
-  optional "check" check;
-  add "  \"digest\": %s,\n" (Json.line (`String origin.digest));
-  add "  \"parameters\": %s,\n" (Json.line (Origin_json.parameters origin));
-  add "  \"choices\": [";
-  List.iteri
-    (fun i (index, label) ->
-       let choice = `Assoc [ ("choice", `Int index); ("label", Json.text label) ] in
-       add "%s\n    %s" (if i = 0 then "" else ",") (Json.line choice))
-    choices;
-  add " ]";
-  Option.iter (fun d -> add ",\n  \"offset\": %s" (Json.line (Json.rat d))) offset;
-  add " }\n";
+  let separated separator add items =
+    List.iteri
+      (fun i x ->
+         if i > 0 then Buffer.add_string b separator;
+         add x)
+      items
+  in
+  let member (name, (json : Json.t)) =
+    Printf.bprintf b "\"%s\": " name;
+    match json with
+    | `List items ->
+      Buffer.add_char b '[';
+      separated "," (fun x -> Buffer.add_string b ("\n    " ^ Json.line x)) items;
+      Buffer.add_string b " ]"
+    | _ -> Buffer.add_string b (Json.line json)
+  in
+  (match write format (version origin, schedule) with
+   | `Assoc members ->
+     Buffer.add_string b "{ ";
+     separated ",\n  " member members;
+     Buffer.add_string b " }\n"
+   | _ -> Bug.fail __POS__ "a schedule that is no object");
   Buffer.contents b
+
+(* {1 Reading} *)
 
 let malformed span fmt = Diag.error Code.bad_schedule span fmt
 
@@ -47,40 +117,6 @@ let is_format name json =
   match Option.bind (Json.member "format" json) Json.string with
   | Some f -> String.equal f name
   | None -> false
-
-let check_version span json =
-  match Option.bind (Json.member "version" json) Json.int with
-  | Some v when List.mem v versions -> Ok ()
-  | Some v -> Error (malformed span "format version %d is none of 1 and 2, which this scc reads" v)
-  | None -> Error (malformed span "there is no `version`")
-
-let parameters span json =
-  match Json.member "parameters" json with
-  | None -> Ok []
-  | Some (`Assoc members) ->
-    let add acc (name, value) =
-      let* acc = acc in
-      match Json.rational value with
-      | Some q -> Ok ((name, q) :: acc)
-      | None -> Error (malformed span "the value of the parameter `%s` is no rational" name)
-    in
-    Result.map List.rev (List.fold_left add (Ok []) members)
-  | Some _ -> Error (malformed span "`parameters` is not an object")
-
-let digest json = Option.bind (Json.member "digest" json) Json.string
-
-let choice at ~index ~label =
-  match (index, label) with
-  | None, None -> Error (malformed at "a choice needs a number `choice` or a text `label`")
-  | Some (`Int i), _ when i < 0 -> Error (malformed at "`choice` is negative")
-  | (None | Some (`Int _)), (None | Some (`String _)) ->
-    Ok { index = Option.bind index Json.int; label = Option.bind label Json.string; at }
-  | _ -> Error (malformed at "`choice` is a number and `label` a text")
-
-let duration at json =
-  match Json.rational json with
-  | Some q when Rat.sign q >= 0 -> Ok q
-  | _ -> Error (malformed at "`offset` is not a duration: a text \"p/q\" that is at least 0")
 
 (* Where each object inside the array "choices" starts: the parser keeps no places. *)
 let choice_places s =
@@ -106,63 +142,53 @@ let choice_places s =
   scan 0;
   Array.of_list (List.rev !places)
 
-let collect items f =
-  let add acc x =
-    let* acc = acc in
-    let* y = f x in
-    Ok (y :: acc)
-  in
-  Result.map List.rev (List.fold_left add (Ok []) items)
-
-let optional_text span name json =
-  match Json.member name json with
-  | None -> Ok None
-  | Some (`String s) -> Ok (Some s)
-  | Some _ -> Error (malformed span "`%s` is not a text" name)
-
 let of_schedule source json =
-  let file = Source.name source in
-  let whole = Span.make ~file ~start:0 ~stop:1 in
-  let* () = check_version whole json in
-  let* parameters = parameters whole json in
-  let* model = optional_text whole "model" json in
-  let* check = optional_text whole "check" json in
-  let* items =
-    match Json.member "choices" json with
-    | Some (`List items) -> Ok items
-    | _ -> Error (malformed whole "there is no array `choices`")
-  in
+  let span start = Span.make ~file:(Source.name source) ~start ~stop:(start + 1) in
   let places = choice_places (Source.text source) in
-  let one (i, json) =
-    let start = if i < Array.length places then places.(i) else 0 in
-    choice
-      (Span.make ~file ~start ~stop:(start + 1))
-      ~index:(Json.member "choice" json) ~label:(Json.member "label" json)
+  let place i = span (if i < Array.length places then places.(i) else 0) in
+  let rec at : path -> Span.t = function
+    | Whole -> span 0
+    | Item (Member (Whole, "choices"), i) -> place i
+    | Member (p, _) | Item (p, _) -> at p
   in
-  let* choices = collect (List.mapi (fun i json -> (i, json)) items) one in
-  let* offset =
-    match Json.member "offset" json with
-    | None -> Ok None
-    | Some json -> Result.map Option.some (duration whole json)
-  in
-  Ok { model; check; digest = digest json; parameters; choices; offset; offset_at = whole }
+  match read format json with
+  | Ok schedule -> Ok { (schedule place) with offset_at = span 0 }
+  | Error fault -> Error (malformed (at fault.at) "%s" (fault_to_string fault))
+
+(* What a schedule takes from the lines of a trace. *)
+let header_format =
+  obj
+    (let+ version = required "version" version_format (fun (v, _, _) -> v)
+     and+ digest = optional "digest" Shared.digest (fun (_, d, _) -> d)
+     and+ parameters = optional "parameters" Origin_json.parameters_format (fun (_, _, p) -> p) in
+     (version, digest, parameters))
 
 let line_bounds s start =
   let stop = Option.value (String.index_from_opt s start '\n') ~default:(String.length s) in
   (start, stop)
 
+(* A transition has its label as an object. *)
+let transition_format =
+  let label = obj (optional "text" text Fun.id) in
+  obj
+    (let+ index = optional "choice" natural fst
+     and+ label = optional "label" label (fun (_, label) -> Option.map Option.some label) in
+     (index, Option.join label))
+  |> into (function None, None -> Error "needs a number `choice` or a `label` with a `text`" | choice -> Ok choice)
+
+let instant_format = obj (required "offset" duration Fun.id)
+
 let of_trace source header =
   let s = Source.text source and file = Source.name source in
   let span (start, _) = Span.make ~file ~start ~stop:(start + 1) in
+  let read_at bounds format json =
+    Result.map_error (fun fault -> malformed (span bounds) "%s" (fault_to_string fault)) (read format json)
+  in
   let first = line_bounds s 0 in
-  let* () = check_version (span first) header in
-  let* parameters = parameters (span first) header in
+  let* _, digest, parameters = read_at first header_format header in
+  let parameters = Option.value parameters ~default:[] in
   let result choices offset offset_at =
-    Ok
-      {
-        model = None; check = None; digest = digest header; parameters; choices = List.rev choices;
-        offset; offset_at;
-      }
+    Ok { model = None; check = None; digest; parameters; choices = List.rev choices; offset; offset_at }
   in
   let rec lines start choices =
     if start >= String.length s then result choices None (span first)
@@ -171,13 +197,11 @@ let of_trace source header =
       let* json = Json.parse_line source ~start ~stop in
       match Option.bind (Json.member "type" json) Json.string with
       | Some "transition" ->
-        let label = Option.bind (Json.member "label" json) (Json.member "text") in
-        let* c = choice (span bounds) ~index:(Json.member "choice" json) ~label in
-        lines (stop + 1) (c :: choices)
+        let* index, label = read_at bounds transition_format json in
+        lines (stop + 1) (numbered ~index ~label (span bounds) :: choices)
       | Some "instant" ->
-        let offset = Option.value (Json.member "offset" json) ~default:`Null in
-        let* d = duration (span bounds) offset in
-        result choices (Some d) (span bounds)
+        let* offset = read_at bounds instant_format json in
+        result choices (Some offset) (span bounds)
       | Some ("state" | "end") -> lines (stop + 1) choices
       | _ -> Error (malformed (span bounds) "this is no line of a trace")
   in

@@ -2,6 +2,7 @@
 
 open Scc_base
 open Scc_exact
+open Scc_json
 
 (** The transition taken in a state: its number among the successors, from 0, and the text of its label. At least
     one of them is given, and all that is given must fit.
@@ -21,6 +22,13 @@ type t = {
   (** the time that passes after the last choice, without an event, up to the instant of a witness *)
   offset_at : Span.t;
 }
+
+val versions : int list
+(** The versions of the format that can be read. *)
+
+val format : (int * t, (int -> Span.t) -> t) Json_format.t
+(** The format of a schedule, which is written with its version. Reading makes a schedule of the places of its
+    choices by their numbers; {!t.offset_at} is unknown. *)
 
 val version : Scc_loading.Origin.t -> int
 (** The version of the format: 2 if labels [time(d)] may be less than the greatest time, and 1 otherwise. Both

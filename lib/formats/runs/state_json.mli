@@ -5,11 +5,23 @@ open Scc_calculus
 open Scc_semantics
 open Scc_json
 
+val label_format : (Model.t * Transition.label, unit) Json_format.t
+(** The format of a transition label [{"kind", "text", …}]: its kind, its text, and its parts by name. *)
+
+val state_format : (Model.t * State.t, unit) Json_format.t
+(** The format of a state in full. *)
+
+val bond_format : (Model.t * State.bond, unit) Json_format.t
+(** The format of a bond: [name] and [ends]. *)
+
+val ends : (Model.t * State.bond, unit) Json_format.t
+(** The format of the features at the two ends of a bond. *)
+
 val label : Model.t -> Transition.label -> Json.t
-(** A transition label [{"kind", "text", …}]: its kind, its text, and its parts by name. *)
+(** A transition label in {!label_format}. *)
 
 val state : Model.t -> State.t -> Json.t
-(** The state in full. *)
+(** The state in {!state_format}. *)
 
 val bond : Model.t -> State.bond -> (string * Json.t) list
 (** The members [name] and [ends] of a bond. *)

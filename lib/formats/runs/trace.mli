@@ -3,6 +3,12 @@
 open Scc_calculus
 open Scc_json
 
+(** A line of a trace. *)
+type line
+
+val format : (line, unit) Json_format.t
+(** The format of every line. *)
+
 val header : Scc_loading.Origin.t -> Json.t
 (** The first line: the model, its parameters and settings, on which the meaning of the choices depends. It does
     not say how the choices were made, so a trace and its replay are the same bytes. *)
