@@ -3,8 +3,9 @@
 takes a tenth of the time, it tells first what is valid, and jsonschema is asked about the rest, and about each eighth
 of these.
 
-check_json.py SCC [COUNTS]: runs SCC over the models, meshes and invalid inputs of specs/ and validates every
-document; writes 'N passed, N failed' to the file COUNTS.
+check_json.py SCC [COUNTS [DOCUMENTS]]: runs SCC over the models, meshes and invalid inputs of specs/ and validates every
+document; writes 'N passed, N failed' to the file COUNTS. DOCUMENTS is test/laws/formats/documents.exe, which makes
+random documents of the formats and says which of them scc reads: they have to be those that the schemas accept.
 """
 
 import glob
@@ -548,8 +549,29 @@ def found_in_turn(found, most):
         yield list(found)[number]
 
 
+# What a reader may take though the schema refuses it: members that it does not know, null for a member that may be left
+# out, and numbers as people write them.
+TAKEN = ("member added", "null", "number", "text")
+
+
+def check_formats(documents, count_each):
+    """What scc reads is what the schemas accept."""
+    verdicts = {}
+    for line in subprocess.run([documents, str(count_each)], capture_output=True, check=True).stdout.splitlines():
+        sample = json.loads(line)
+        accepted = validator(sample["schema"]).exact.is_valid(sample["document"])
+        verdicts.setdefault(sample["schema"], set()).add(accepted)
+        ok = accepted == sample["read"] or sample["read"] and sample["change"] in TAKEN
+        told = "accepted" if accepted else "refused"
+        count(ok, f"a document of {sample['schema']}", f"{told} by the schema alone: {line.decode('utf-8')[:400]}")
+    for name, kinds in verdicts.items():
+        count(len(kinds) == 2, f"random documents of {name}", "all of them are accepted, or all are refused")
+
+
 def main():
     scc = sys.argv[1]
+    if len(sys.argv) > 3:
+        check_formats(sys.argv[3], 40)
     for name in sorted(SCHEMAS):
         try:
             jsonschema.Draft202012Validator.check_schema(SCHEMAS[name])

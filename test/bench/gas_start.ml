@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_geometry
 open Scc_calculus
-open Scc_exchange
+open Scc_runs
 
 type shapes = Cubes | Turned | Mixed
 

@@ -5,7 +5,7 @@ open Scc_verify
 module Console = Scc_cli__Console
 module Guard = Scc_cli__Guard
 module Check_text = Scc_cli__Check_text
-module Json = Scc_exchange.Json
+module Json = Scc_json.Json
 
 let text =
   "shape C = box(1,1,1)\nprocess p = C mass 1 [nil]\ncheck a : possibly x(p) > 1\ncheck b : always x(p) < 1\n"
@@ -42,7 +42,7 @@ let in_words () =
 
 let in_json () =
   let member o =
-    match Json.member "lost" (Scc_exchange.Check_json.property loaded.semantics o) with
+    match Json.member "lost" (Scc_reports.Check_json.property loaded.semantics o) with
     | Some (`List [ `String what ]) -> Some what
     | Some _ -> Some "something else"
     | None -> None
@@ -81,8 +81,8 @@ let left_out_in_words () =
 
 let left_out_in_json () =
   let member name json = Option.map Json.pretty (Json.member name json) in
-  let json = Some (Json.pretty (Scc_exchange.Check_json.truncation interruption)) in
-  let of_property o = member "run_left_out" (Scc_exchange.Check_json.property loaded.semantics o) in
+  let json = Some (Json.pretty (Scc_reports.Check_json.truncation interruption)) in
+  let of_property o = member "run_left_out" (Scc_reports.Check_json.property loaded.semantics o) in
   Alcotest.(check (list (option string))) "runs" [ json; json; json ] (List.map of_property left_out);
   Alcotest.(check (option string)) "nothing" None
     (of_property (outcome [] (Verdict.Holds { bounds = []; witness = None }) (List.hd loaded.checks)))
@@ -106,7 +106,7 @@ let causes () =
 
 let in_sarif () =
   let document =
-    Scc_exchange.Sarif.document
+    Scc_reports.Sarif.document
       ~source:(fun _ -> Some source)
       ~version:"0" ~exit:70 ~ok:false ~faults:lost ~diagnostics:[]
       ~properties:(Some (loaded.model, outcomes))

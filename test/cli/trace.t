@@ -137,7 +137,7 @@ A schedule that does not fit is refused at the step where it fails.
   [3]
   $ echo '{ "format": "scc-schedule", "version": 9 }' > new.json
   $ scc trace ../../specs/models/dimer.sc --schedule new.json > /dev/null
-  new.json:1:1: error[SC0801]: format version 9 is none of 1 and 2, which this scc reads
+  new.json:1:1: error[SC0801]: `version` is not one of 1 and 2, the versions of the format that this scc reads
      |
    1 | { "format": "scc-schedule", "version": 9 }
      | ^

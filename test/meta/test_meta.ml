@@ -310,6 +310,11 @@ let wings () =
   |> List.filter (fun name -> not (name = "dune" || List.mem name (Wings.all ())))
   |> none "folders of lib/ that are no wing of DEVEL.md"
 
+(* What only runs models builds and starts without what verifies them. *)
+let runs () =
+  let from = [ "scc_runs"; "scc_export"; "scc_simulate"; "scc_conform" ] in
+  none "edges from what runs models to what verifies them" (Wings.reaches ~from ~wing:"verification")
+
 let in_each_wing faults what () = List.concat_map faults (Wings.all ()) |> none what
 
 let () =
@@ -354,6 +359,7 @@ let () =
           case "no edge leads upward" (in_each_wing Wings.upward "edges to wings that may not be used");
           case "wings are ordered" (fun () -> none "wings that may use a later one" (Wings.unordered ()));
           case "every edge is used" (in_each_wing Wings.unused "edges that no source needs");
+          case "runs need no verification" runs;
           case "every room is named" (in_each_wing Wings.unnamed "rooms and READMEs that disagree");
           case "every file that a README names is there" (in_each_wing Wings.misplaced "files that are not there");
           case "a README is a page" (in_each_wing Wings.too_long "READMEs of more than 60 lines");

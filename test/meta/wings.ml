@@ -89,6 +89,22 @@ let unused wing =
   in
   List.concat_map of_room (rooms_of wing)
 
+let reaches ~from ~wing =
+  let every = every_room () in
+  let rec visit seen = function
+    | [] -> seen
+    | name :: rest when List.exists (fun r -> r.name = name) seen -> visit seen rest
+    | name :: rest -> (
+        match List.find_opt (fun r -> r.name = name) every with
+        | Some r -> visit (r :: seen) (r.uses @ rest)
+        | None -> invalid_arg ("no room " ^ name))
+  in
+  let inside = List.filter_map (fun r -> if r.wing = wing then Some r.name else None) every in
+  let of_room r =
+    List.filter (fun use -> List.mem use inside) r.uses |> List.map (Printf.sprintf "%s uses %s" r.name)
+  in
+  List.concat_map of_room (visit [] from)
+
 let unnamed wing =
   let named = rows (Tree.read (readme wing)) and there = List.map (fun room -> room.folder) (rooms_of wing) in
   let without what list others =

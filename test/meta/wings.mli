@@ -12,6 +12,9 @@ val unordered : unit -> string list
 val unused : string -> string list
 (** Edges from a library of this wing to a library that its sources do not name. *)
 
+val reaches : from:string list -> wing:string -> string list
+(** Edges into a room of the wing from a library among [from], or from one on which they depend. *)
+
 val unnamed : string -> string list
 (** Rooms of this wing that its README does not name, and those that it names in vain, or twice. *)
 

@@ -2,7 +2,8 @@ open Scc_exact
 open Scc_semantics
 open Scc_motion
 open Scc_loading
-open Scc_exchange
+open Scc_json
+open Scc_runs
 
 type run = States of Course.t | Changes of Ways.t
 type t = { title : string; origin : Origin.t; run : run }

@@ -47,5 +47,5 @@ val instants : t -> every:Rat.t option -> Rat.t list
 (** The times of the states in a file, each once: the start, the end, and either each multiple of [every] or,
     without [every], each instant of a transition. *)
 
-val about : t -> (string * Scc_exchange.Json.t) list
+val about : t -> (string * Scc_json.Json.t) list
 (** The name and digest of the model and the values of its parameters, as members of a JSON object. *)

@@ -1,6 +1,7 @@
 open Scc_exact
 open Scc_calculus
-open Scc_exchange
+open Scc_json
+open Scc_runs
 
 type json = Yojson.Safe.t
 

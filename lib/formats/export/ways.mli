@@ -5,7 +5,7 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_exchange
+open Scc_runs
 
 (** The changes of a run so far. *)
 type t

@@ -1,4 +1,4 @@
-let utf_8 s = match Scc_exchange.Json.text s with `String s -> s | _ -> s
+let utf_8 s = match Scc_json.Json.text s with `String s -> s | _ -> s
 
 let quoted s =
   let b = Buffer.create (String.length s + 2) in

@@ -3,7 +3,8 @@ open Scc_state_space
 open Scc_verify
 open Scc_loading
 open Scc_verdicts
-open Scc_exchange
+open Scc_json
+open Scc_reports
 open Cmdliner
 
 let ( let* ) = Result.bind

@@ -109,7 +109,7 @@ let state_lines ~full ~about c (w : Witness.t) =
 
 let ending ~full m w =
   let lines = Witness.ending m w in
-  if full then lines else List.map Scc_exchange.Short_text.within lines
+  if full then lines else List.map Scc_runs.Short_text.within lines
 
 let witness ~full ~about c w =
   let c = Witness.semantics c w in
@@ -207,7 +207,7 @@ let explored (s : Stats.t) =
         "not complete: stopped by "
         ^ String.concat ", " (List.map Verdict.truncation_to_string bounds)
   in
-  let told t = ", model time " ^ Scc_exchange.Short_text.exact t in
+  let told t = ", model time " ^ Scc_runs.Short_text.exact t in
   let time = Option.fold ~none:"" ~some:told s.model_time in
   Printf.sprintf "explored: %s, %s, depth %d%s; %s\n"
     (plural s.states "state" "states")

@@ -2,7 +2,7 @@ open Scc_exact
 open Scc_motion
 open Scc_loading
 open Scc_verdicts
-open Scc_exchange
+open Scc_runs
 open Cmdliner
 
 type choose = First | Random of int64

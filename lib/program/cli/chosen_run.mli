@@ -6,7 +6,7 @@ open Scc_calculus
 open Scc_motion
 open Scc_loading
 open Scc_verdicts
-open Scc_exchange
+open Scc_runs
 open Cmdliner
 
 type options

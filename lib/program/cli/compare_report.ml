@@ -1,7 +1,9 @@
-open Scc_exchange
 open Scc_verify
 open Scc_equivalence
 open Scc_verdicts
+open Scc_json
+open Scc_runs
+open Scc_reports
 
 type t = {
   relation : Compare.relation;

@@ -17,5 +17,5 @@ val relations : (string * Compare.relation) list
 val text : Console.t -> t -> string
 (** The result as lines of text. *)
 
-val json : Console.t -> t -> Scc_exchange.Json.t
+val json : Console.t -> t -> Scc_json.Json.t
 (** The document by [specs/schema/compare.schema.json]. *)

@@ -2,7 +2,7 @@ open Scc_base
 open Scc_exact
 open Scc_loading
 open Scc_verdicts
-open Scc_exchange
+open Scc_runs
 open Scc_conform
 open Cmdliner
 

@@ -142,5 +142,5 @@ let switches = switch_off :: List.map switch styles
 let tell c text = print c (Visible.text ~kept:(if c.out_color then switches else []) text)
 
 let answer c ~json ~text =
-  if c.json then print c (Scc_exchange.Json.pretty (json ())) else tell c (text ());
+  if c.json then print c (Scc_json.Json.pretty (json ())) else tell c (text ());
   flush c

@@ -39,7 +39,7 @@ val print : t -> string -> unit
 val tell : t -> string -> unit
 (** A text for people to standard output, as {!Visible.text} shows it, but for {!styled}. *)
 
-val answer : t -> json:(unit -> Scc_exchange.Json.t) -> text:(unit -> string) -> unit
+val answer : t -> json:(unit -> Scc_json.Json.t) -> text:(unit -> string) -> unit
 (** Writes the result of a command, as one document or as text, and flushes it. *)
 
 val report : t -> Diag.t list -> unit

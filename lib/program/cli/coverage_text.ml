@@ -1,5 +1,5 @@
 open Scc_verify
-open Scc_exchange
+open Scc_reports
 
 let section heading = function
   | [] -> []

@@ -119,7 +119,7 @@ let report console ~mended ~mass output path (t : Parts.t) =
   Console.answer console
     ~text:(fun () -> text ~name:(Visible.line path) ~mended t)
     ~json:(fun () ->
-        Scc_exchange.Decomposition_json.document ~name:path ~exit:(Exit_code.to_int Holds) ~mended t);
+        Scc_reports.Decomposition_json.document ~name:path ~exit:(Exit_code.to_int Holds) ~mended t);
   match output with
   | None -> Ok Exit_code.Holds
   | Some (path, write) ->

@@ -2,7 +2,8 @@ open Scc_base
 open Scc_verdicts
 open Scc_oracle
 open Scc_view
-open Scc_exchange
+open Scc_json
+open Scc_runs
 
 let line_of console text =
   Console.print console (text ^ "\n");

@@ -3,7 +3,8 @@ open Scc_property
 open Scc_explain
 open Scc_loading
 open Scc_verdicts
-open Scc_exchange
+open Scc_runs
+open Scc_reports
 open Cmdliner
 
 type options = {

@@ -74,7 +74,7 @@ let heading console ~full check (x : Omission.t) =
     | [] -> []
     | facts ->
       Printf.sprintf "at time %s:" (Run_text.number ~full (Causes.duration x.story))
-      :: List.map (fun f -> "  " ^ if full then f else Scc_exchange.Short_text.within f) facts
+      :: List.map (fun f -> "  " ^ if full then f else Scc_runs.Short_text.within f) facts
   in
   (about :: facts) @ [ because; "" ]
 
@@ -163,7 +163,7 @@ let conclusion (x : Omission.t) =
   in
   (counted x :: List.map keeps x.keep_away) @ [ tried ]
 
-let dead_end m (ending : Scc_exchange.Replay.ending) =
+let dead_end m (ending : Scc_runs.Replay.ending) =
   match ending with
   | Stuck { fault; _ } ->
     [ "       the run ends here, in a dead end: " ^ (Transition.diagnostic m fault).message ]

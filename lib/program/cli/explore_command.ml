@@ -2,8 +2,8 @@ open Scc_verify
 open Scc_equivalence
 open Scc_loading
 open Scc_verdicts
-open Scc_exchange
 open Scc_zones
+open Scc_graphs
 open Cmdliner
 
 let ( let* ) = Result.bind

@@ -4,10 +4,10 @@ open Scc_verdicts
 
 let document console code =
   let json =
-    Scc_exchange.Diag_json.document ~source:(Console.source console)
+    Scc_runs.Diag_json.document ~source:(Console.source console)
       ~exit:(Exit_code.to_int code) (Console.kept console)
   in
-  Console.print console (Scc_exchange.Json.pretty json);
+  Console.print console (Scc_json.Json.pretty json);
   Console.flush console
 
 let ended console code =

@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_exchange
+open Scc_runs
 
 (* Passings of the same time, one after the other: they are told once it is known that no other follows. *)
 type passing = {

@@ -1,7 +1,7 @@
 (** Runs in words, event by event. *)
 
 open Scc_calculus
-open Scc_exchange
+open Scc_runs
 
 val teller : Model.t -> full:bool -> Trace.states -> (string -> unit) -> Replay.event -> unit
 (** [teller model ~full states write] is a function that must be called with each event of a run. Passings of

@@ -39,7 +39,7 @@ let text o (t : Inflated.t) =
 
 let json o (t : Inflated.t) code =
   let shape = t.relief.shape and gaps = t.solid.gaps in
-  let module Json = Scc_exchange.Json in
+  let module Json = Scc_json.Json in
   `Assoc
     [
       ("format", `String "scc-inflate"); ("version", `Int 1);

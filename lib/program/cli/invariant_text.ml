@@ -10,7 +10,7 @@ let leaf_text (m : Model.t) (l : State.leaf) =
   | Behaviour.Nil -> m.leaves.(l.leaf).name
   | term ->
     Printf.sprintf "%s [%s]" m.leaves.(l.leaf).name
-      (Scc_exchange.Behaviour_text.to_string m ~leaf:l.leaf term)
+      (Scc_runs.Behaviour_text.to_string m ~leaf:l.leaf term)
 
 let process_text (m : Model.t) (p : State.process) =
   let leaves = String.concat " + " (List.map (leaf_text m) (Array.to_list p.leaves)) in

@@ -1,7 +1,7 @@
 open Scc_base
 open Scc_graph_search
 open Scc_verify
-open Scc_exchange
+open Scc_json
 
 type t = {
   clock : unit -> float;

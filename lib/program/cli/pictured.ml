@@ -5,7 +5,7 @@ open Scc_motion
 open Scc_explain
 open Scc_verify
 open Scc_loading
-open Scc_exchange
+open Scc_runs
 
 let ( let* ) = Result.bind
 

@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_exchange
+open Scc_runs
 
 let greatest_behaviour = 160
 let greatest_list = 40

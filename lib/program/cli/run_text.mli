@@ -5,7 +5,7 @@ open Scc_calculus
 open Scc_semantics
 
 val number : full:bool -> Rat.t -> string
-(** The number with all its digits if [full], and by {!Scc_exchange.Short_text.exact} otherwise. *)
+(** The number with all its digits if [full], and by {!Scc_runs.Short_text.exact} otherwise. *)
 
 val label : ?full:bool -> Model.t -> Transition.label -> string
 (** The event in words: ["p and q collide and bind by <a, {p.right, q.left}>"]. *)

@@ -1,6 +1,6 @@
 open Scc_base
 open Scc_loading
-open Scc_exchange
+open Scc_runs
 
 let ( let* ) = Result.bind
 

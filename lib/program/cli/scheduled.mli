@@ -2,7 +2,7 @@
 
 open Scc_base
 open Scc_loading
-open Scc_exchange
+open Scc_runs
 
 val read : Console.t -> string -> (Schedule.t, Diag.t list) result
 (** Reads the schedule in a file, and adds its text to the console. *)

@@ -1,6 +1,6 @@
 open Scc_base
 open Scc_verdicts
-open Scc_exchange
+open Scc_json
 open Scc_serve
 open Cmdliner
 

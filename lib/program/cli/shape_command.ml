@@ -157,7 +157,7 @@ let report console argument ~mended ~gone ?snapped ?outer (set : Polyhedron.ifs)
   let exit = Exit_code.to_int code in
   Console.answer console
     ~text:(fun () -> told ^ Solid_report.to_text ~name:(Visible.line argument) r ^ advice r)
-    ~json:(fun () -> Scc_exchange.Shape_json.document ~name:argument ~exit ~mended ?snap:snapped ?outer r);
+    ~json:(fun () -> Scc_reports.Shape_json.document ~name:argument ~exit ~mended ?snap:snapped ?outer r);
   code
 
 let write console ~round output code set =

@@ -1,7 +1,7 @@
 open Scc_base
 open Scc_verdicts
 open Scc_state_space
-open Scc_exchange
+open Scc_json
 open Scc_successors
 open Cmdliner
 

@@ -1,5 +1,6 @@
 open Scc_verdicts
-open Scc_exchange
+open Scc_json
+open Scc_runs
 open Cmdliner
 
 (* How the run is told. *)

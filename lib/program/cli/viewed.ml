@@ -6,7 +6,9 @@ open Scc_property
 open Scc_verify
 open Scc_loading
 open Scc_verdicts
-open Scc_exchange
+open Scc_json
+open Scc_runs
+open Scc_reports
 open Scc_view
 
 let ( let* ) = Result.bind

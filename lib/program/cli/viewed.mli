@@ -25,10 +25,10 @@ val document : Console.t -> options -> Watch.t -> (Scc_view.Document.t, Diag.t l
 
 (** {1 Parts of it} *)
 
-val read_schedule : Console.t -> options -> (Scc_exchange.Schedule.t option, Diag.t list) result
+val read_schedule : Console.t -> options -> (Scc_runs.Schedule.t option, Diag.t list) result
 (** Reads the schedule of the options, if there is one. *)
 
-val model : Console.t -> options -> Scc_exchange.Schedule.t option -> (Loaded.t, Diag.t list) result
+val model : Console.t -> options -> Scc_runs.Schedule.t option -> (Loaded.t, Diag.t list) result
 (** Loads the model, with the parameters of the schedule. Warnings are reported. *)
 
 val at_point : Loaded.t -> (Loaded.t, Diag.t list) result

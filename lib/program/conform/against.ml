@@ -3,7 +3,7 @@ open Scc_exact
 open Scc_geometry
 open Scc_calculus
 open Scc_semantics
-open Scc_exchange
+open Scc_runs
 
 type t = { semantics : Semantics.t; model : Model.t; tolerance : Rat.t; index : (string, int) Hashtbl.t }
 

@@ -1,5 +1,5 @@
 open Scc_exact
-open Scc_exchange
+open Scc_json
 
 let line = Report.source_line
 

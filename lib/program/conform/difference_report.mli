@@ -1,7 +1,7 @@
 (** The result of {!Difference}, as text and as JSON ([specs/schema/diff.schema.json]). *)
 
 open Scc_exact
-open Scc_exchange
+open Scc_json
 
 val text : Recorded.t -> Recorded.t -> Difference.t option -> string
 (** The result as lines of text. *)

@@ -1,6 +1,6 @@
 open Scc_base
 open Scc_exact
-open Scc_exchange
+open Scc_json
 open Recorded
 
 let ( let* ) = Result.bind

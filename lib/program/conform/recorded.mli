@@ -3,7 +3,7 @@
 
 open Scc_base
 open Scc_exact
-open Scc_exchange
+open Scc_json
 
 (** The kind of an event. *)
 type kind = Bind | Close | Bounce | Absorb | Weak | Strong | Draw

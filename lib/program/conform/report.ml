@@ -1,6 +1,7 @@
 open Scc_exact
 open Scc_semantics
-open Scc_exchange
+open Scc_json
+open Scc_runs
 
 type t = {
   file : string;

@@ -2,7 +2,7 @@
 
 open Scc_exact
 open Scc_calculus
-open Scc_exchange
+open Scc_json
 
 (** A result with its model and trace. *)
 type t = {

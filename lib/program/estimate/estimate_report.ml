@@ -1,7 +1,8 @@
 open Scc_exact
 open Scc_loading
 open Scc_verdicts
-open Scc_exchange
+open Scc_json
+open Scc_runs
 open Estimation
 
 type t = {

@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_exchange
+open Scc_runs
 open Scc_simulate
 
 type free = Apart | Evenly

@@ -1,4 +1,4 @@
-open Scc_exchange
+open Scc_json
 open Scc_oracle
 open Scc_view
 

@@ -1,6 +1,6 @@
 open Scc_loading
 open Scc_verdicts
-open Scc_exchange
+open Scc_reports
 
 let ( let* ) = Result.bind
 

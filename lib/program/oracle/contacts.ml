@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_geometry
 open Scc_rigid
-open Scc_exchange
+open Scc_json
 
 let relation : Obstacle.relation -> string = function
   | Apart -> "apart"

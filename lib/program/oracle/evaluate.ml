@@ -6,7 +6,9 @@ open Scc_evaluate
 open Scc_verify
 open Scc_loading
 open Scc_verdicts
-open Scc_exchange
+open Scc_json
+open Scc_runs
+open Scc_reports
 
 type bounds = { seconds : float; memory : int; now : unit -> float }
 

@@ -1,4 +1,5 @@
-open Scc_exchange
+open Scc_json
+open Scc_runs
 
 type stop = Seconds | Memory
 type place = Member of string | Item of place * int | Within of place * string

@@ -1,7 +1,7 @@
 (** Errors of requests, as in [specs/oracle.md]. *)
 
 open Scc_base
-open Scc_exchange
+open Scc_json
 
 (** The resource of which a request needs too much. *)
 type stop = Seconds | Memory
@@ -17,8 +17,8 @@ type t =
   | Internal of string
   | Limit of string * int  (** its name and its value *)
   | Unknown_handle of string
-  | Shape_refused of Json.t list  (** faults as in {!Scc_exchange.Shape_json} *)
-  | Model_refused of Json.t list  (** diagnostics as in {!Scc_exchange.Diag_json} *)
+  | Shape_refused of Json.t list  (** faults as in {!Scc_reports.Shape_json} *)
+  | Model_refused of Json.t list  (** diagnostics as in {!Scc_runs.Diag_json} *)
   | Stopped of stop
   | Not_possible of { at : int; possible : string list; message : string }
   | No_transitions of { at : int; diagnostics : Json.t list }
@@ -48,4 +48,4 @@ val data : t -> Json.t
 (** The member [data] of the response. *)
 
 val diagnostics : source:(string -> Source.t option) -> Diag.t list -> Json.t list
-(** Diagnostics as objects, as in {!Scc_exchange.Diag_json}. [source] returns the text of a file by its name. *)
+(** Diagnostics as objects, as in {!Scc_runs.Diag_json}. [source] returns the text of a file by its name. *)

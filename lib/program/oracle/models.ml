@@ -3,7 +3,8 @@ open Scc_exact
 open Scc_syntax
 open Scc_calculus
 open Scc_loading
-open Scc_exchange
+open Scc_json
+open Scc_runs
 
 type loaded = { model : Loaded.t; network : Network_at.t }
 

@@ -1,6 +1,6 @@
 open Scc_base
 open Scc_exact
-open Scc_exchange
+open Scc_json
 
 type t = Value of Json.t | Fields of (string * t) list | Printed of string list
 

@@ -1,7 +1,7 @@
 (** Responses as text. *)
 
 open Scc_exact
-open Scc_exchange
+open Scc_json
 
 (** A result. *)
 type t =

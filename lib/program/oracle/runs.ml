@@ -1,7 +1,8 @@
 open Scc_base
 open Scc_exact
 open Scc_semantics
-open Scc_exchange
+open Scc_json
+open Scc_runs
 
 let label_text = Transition.label_to_string
 

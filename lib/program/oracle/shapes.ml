@@ -1,7 +1,8 @@
 open Scc_base
 open Scc_exact
 open Scc_geometry
-open Scc_exchange
+open Scc_json
+open Scc_reports
 
 module Pairs = Hashtbl.Make (struct
     type t = int * int

@@ -1,5 +1,5 @@
 open Scc_base
-open Scc_exchange
+open Scc_json
 
 let unnamed = "<model>"
 

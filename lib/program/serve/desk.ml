@@ -1,4 +1,4 @@
-open Scc_exchange
+open Scc_json
 
 type t = {
   name : string;

@@ -1,6 +1,6 @@
 (** The model in the editor, and its file. *)
 
-open Scc_exchange
+open Scc_json
 
 (** The model and its file. *)
 type t = {

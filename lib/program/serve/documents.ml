@@ -1,5 +1,5 @@
 open Lwt.Syntax
-open Scc_exchange
+open Scc_json
 
 type state = Working | Ready of (string * Json.t) list | Refused of Json.t | Over of string
 

@@ -1,7 +1,7 @@
 (** The open documents, each in a process of its own. At most 12 are kept: a new one replaces the one that has
     been unused for the longest time. *)
 
-open Scc_exchange
+open Scc_json
 
 (** All open documents. *)
 type t

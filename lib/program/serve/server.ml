@@ -1,6 +1,6 @@
 open Lwt.Syntax
 open Cohttp
-open Scc_exchange
+open Scc_json
 open Scc_view
 module Server = Cohttp_lwt.Make_server (Connections)
 

@@ -6,7 +6,7 @@ type how = {
   desk : Desk.t;
   port : int option;  (** [None]: any free port *)
   desk_process : string array;  (** the arguments of the process that helps the editor *)
-  document_process : check:Scc_exchange.Json.t -> seconds:float option -> (string array, string) result;
+  document_process : check:Scc_json.Json.t -> seconds:float option -> (string array, string) result;
   (** the arguments of a process that makes a document, by the member [check] of a request; or its error *)
   listening : string -> unit;  (** is called with the address once the server listens *)
 }

@@ -1,6 +1,7 @@
 open Scc_exact
 open Scc_loading
-open Scc_exchange
+open Scc_json
+open Scc_runs
 
 type form = Csv | Jsonl
 type digits = Exactly | Rounded of int

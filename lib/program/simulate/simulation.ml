@@ -2,7 +2,7 @@ open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_exchange
+open Scc_runs
 open Scc_export
 
 type plan = {

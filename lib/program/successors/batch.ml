@@ -100,7 +100,7 @@ let put_moves t c _ source steps =
 let text t c =
   let known = Filter.labels t.filter in
   let model = (Filter.question t.filter).loaded.model in
-  let label i : Scc_exchange.Json.t = `Assoc (Told.label model (Filter.label t.filter (t.told + i))) in
+  let label i : Scc_json.Json.t = `Assoc (Told.label model (Filter.label t.filter (t.told + i))) in
   let labels = List.init (known - t.told) label in
   t.told <- known;
   Frame.text (if labels = [] then [] else [ ("labels", `List labels) ]) c.states.notes

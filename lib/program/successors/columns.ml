@@ -1,5 +1,5 @@
 open Scc_ctl
-open Scc_exchange
+open Scc_json
 
 let texts values told : Json.t = `List (Array.to_list (Array.map told values))
 

@@ -1,7 +1,7 @@
 (** The columns of frames about many states: see [specs/successors.md]. *)
 
 open Scc_graph_search
-open Scc_exchange
+open Scc_json
 
 (** {1 States that are expanded} *)
 

@@ -1,4 +1,4 @@
-open Scc_exchange
+open Scc_json
 
 exception Lost of string
 

@@ -1,6 +1,6 @@
 (** Frames of 32-bit numbers and bytes: the input and output of batches ([specs/successors.md]). *)
 
-open Scc_exchange
+open Scc_json
 
 exception Lost of string
 (** The input does not fit its format. *)

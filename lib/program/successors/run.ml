@@ -3,7 +3,7 @@ open Scc_ctl
 open Scc_graph_search
 open Scc_state_space
 open Scc_explain
-open Scc_exchange
+open Scc_json
 
 let wrong fmt = Printf.ksprintf (fun text -> Error (Diag.error Code.no_run Span.none "%s" text)) fmt
 

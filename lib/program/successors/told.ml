@@ -3,7 +3,8 @@ open Scc_ctl
 open Scc_property
 open Scc_semantics
 open Scc_state_space
-open Scc_exchange
+open Scc_json
+open Scc_runs
 
 let version = 2
 let digit c = Printf.sprintf "%02x" (Char.code c)

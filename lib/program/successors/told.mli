@@ -1,6 +1,6 @@
 (** The output of the filter as JSON ([specs/successors.md]). *)
 
-open Scc_exchange
+open Scc_json
 
 val version : int
 (** The version of the protocol: 2. *)

@@ -29,7 +29,7 @@ let check (o : Verdict.outcome) =
   let numbers = match o.verdict with Measured { values; _ } -> List.map number values | _ -> [] in
   {
     name = o.check.name;
-    verdict = Scc_exchange.Check_json.kind o.verdict;
+    verdict = Scc_reports.Check_json.kind o.verdict;
     numbers;
     reasons = List.map Verdict.reason_to_string (reasons o.verdict);
     stopped = Verdict.resources o.verdict;

@@ -1,6 +1,6 @@
 open Scc_exact
 open Scc_loading
-open Scc_exchange
+open Scc_json
 
 type t = { name : string option; digest : string; grid : Grid.t; bounds : (string * string) list }
 

@@ -1,6 +1,6 @@
 open Scc_geometry
 open Scc_calculus
-open Scc_exchange
+open Scc_json
 
 let list f array = `List (Array.to_list (Array.map f array))
 let corners indices = list (fun i -> `Int i) indices

@@ -1,7 +1,7 @@
 (** The constant parts of a model: its solids and its leaves. *)
 
 open Scc_calculus
-open Scc_exchange
+open Scc_json
 
 val leaves : solids:Rows.t -> Model.t -> Json.t
 (** The leaves with their parts, in order. Their solids are added as rows. *)

@@ -1,6 +1,6 @@
 open Scc_property
 open Scc_evaluate
-open Scc_exchange
+open Scc_runs
 
 let most = 8
 

@@ -4,7 +4,7 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_ctl
-open Scc_exchange
+open Scc_json
 
 val of_checks : Property.check list -> Property.num list
 (** The numbers that the checks name and that change while time passes: in order, each once, at most 8. *)

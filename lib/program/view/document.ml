@@ -2,7 +2,8 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_loading
-open Scc_exchange
+open Scc_json
+open Scc_runs
 
 type t = {
   loaded : Loaded.t;

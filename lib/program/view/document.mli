@@ -2,7 +2,7 @@
 
 open Scc_property
 open Scc_loading
-open Scc_exchange
+open Scc_json
 
 (** A document. *)
 type t = {

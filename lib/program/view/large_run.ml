@@ -3,7 +3,8 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_exchange
+open Scc_json
+open Scc_runs
 
 let large = 100
 let is_for (m : Model.t) = Array.length m.leaves > large && Scc_engine.Event_run.can_run m

@@ -2,7 +2,8 @@
     changes, so the cost is about that of the events. *)
 
 open Scc_calculus
-open Scc_exchange
+open Scc_json
+open Scc_runs
 
 (** A run so far. *)
 type t

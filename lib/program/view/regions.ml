@@ -2,7 +2,7 @@ open Scc_exact
 open Scc_polyhedra
 open Scc_calculus
 open Scc_regions
-open Scc_exchange
+open Scc_json
 
 let outcome : Plane.outcome -> string = function
   | Holds -> "holds"

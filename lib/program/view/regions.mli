@@ -4,7 +4,7 @@
 open Scc_exact
 open Scc_calculus
 open Scc_regions
-open Scc_exchange
+open Scc_json
 
 val json :
   Ranges.t -> Plane.view -> (string * Where.t) list -> samples:((string * Rat.t) list * int) list -> Json.t

@@ -1,5 +1,5 @@
 open Scc_data
-open Scc_exchange
+open Scc_json
 
 type t = { numbers : (string, int) Hashtbl.t; rows : string Growable.t }
 

@@ -1,6 +1,6 @@
 (** Tables of a document. Each row occurs once and is referred to by its number. A row is JSON on one line. *)
 
-open Scc_exchange
+open Scc_json
 
 (** A table. *)
 type t

@@ -2,7 +2,8 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_explain
-open Scc_exchange
+open Scc_json
+open Scc_reports
 
 type about = { formula : string; verdict : string; text : string }
 

@@ -4,7 +4,7 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_explain
-open Scc_exchange
+open Scc_json
 
 (** The check that a run illustrates. *)
 type about = {

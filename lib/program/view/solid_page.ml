@@ -1,5 +1,5 @@
 open Scc_geometry
-open Scc_exchange
+open Scc_json
 open Scc_picture
 
 (* Corners that are no vertices are told by the faults, and not drawn. *)

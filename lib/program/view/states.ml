@@ -3,7 +3,7 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_exchange
+open Scc_json
 
 type possible = { label : int; rules : Rule.t list; target : int option }
 

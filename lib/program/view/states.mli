@@ -5,7 +5,7 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_exchange
+open Scc_json
 
 (** The states of a document, numbered from 0. *)
 type t

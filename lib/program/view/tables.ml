@@ -2,7 +2,8 @@ open Scc_exact
 open Scc_geometry
 open Scc_calculus
 open Scc_semantics
-open Scc_exchange
+open Scc_json
+open Scc_runs
 
 type t = { solids : Rows.t; behaviours : Rows.t; processes : Rows.t; labels : Rows.t }
 

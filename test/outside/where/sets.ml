@@ -25,7 +25,7 @@ let case number ((w : Where.t), holds, fails) =
     [
       ("holds", union holds);
       ("fails", union fails);
-      ("where", Scc_exchange.Where_json.where w);
+      ("where", Scc_reports.Where_json.where w);
       ("smt", `String (Smt.script w.ranges [ ("it", w) ]));
       ("lines", `List (List.map (fun line -> `String line) (Words.lines w)));
       (* of three parameters one is projected, which takes longer *)

@@ -1,7 +1,7 @@
 (* What tests of estimates share: trials with known chances, and how many intervals may miss. *)
 
 open Scc_exact
-open Scc_exchange
+open Scc_runs
 open Scc_estimate
 open Scc_test_models
 

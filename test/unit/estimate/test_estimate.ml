@@ -4,7 +4,7 @@
 open Scc_exact
 
 open Scc_semantics
-open Scc_exchange
+open Scc_runs
 open Scc_estimate
 open Scc_test_support
 open Scc_test_models

@@ -2,7 +2,7 @@
    there is none where it is not known. *)
 
 open Scc_exact
-open Scc_exchange
+open Scc_runs
 open Scc_estimate
 open Scc_test_support
 open Scc_test_models

@@ -1,6 +1,7 @@
 open Scc_base
 open Scc_exact
-open Scc_exchange
+open Scc_json
+open Scc_runs
 
 let case name f = Alcotest.test_case name `Quick f
 let source text = Source.make ~name:"run.json" text
@@ -56,11 +57,13 @@ let deep () =
 
 let choices = [ (0, "time(1/2)"); (3, "strong({<a, {p.right, q.left}>})") ]
 
+let digest_text = "md5:0123456789abcdef0123456789abcdef"
+
 let round_trip () =
   let half = Rat.make Z.one (Z.of_int 2) in
   let text =
     Schedule.to_string
-      { name = None; digest = "md5:00"; parameters = [ ("n", Rat.of_int 4) ]; settings = [] }
+      { name = None; digest = digest_text; parameters = [ ("n", Rat.of_int 4) ]; settings = [] }
       choices ~offset:(Some half)
   in
   match Schedule.read (source text) with
@@ -69,13 +72,13 @@ let round_trip () =
     let back (c : Schedule.choice) = (Option.get c.index, Option.get c.label) in
     Alcotest.(check (list (pair int string))) "choices" choices (List.map back s.choices);
     Alcotest.(check (option string)) "offset" (Some "1/2") (Option.map Rat.to_string s.offset);
-    Alcotest.(check (option string)) "digest" (Some "md5:00") s.digest;
+    Alcotest.(check (option string)) "digest" (Some digest_text) s.digest;
     let starts (c : Schedule.choice) = text.[c.at.Span.start] in
     Alcotest.(check (list char)) "each choice knows its place" [ '{'; '{' ] (List.map starts s.choices)
 
 let of_trace () =
   let text =
-    {|{"type":"header","format":"scc-trace","version":1,"digest":"md5:00","parameters":{"n":"4/1"}}
+    {|{"type":"header","format":"scc-trace","version":1,"parameters":{"n":"4/1"}}
 {"type":"state","time":"0/1"}
 {"type":"transition","choice":1,"label":{"kind":"time","text":"time(1)"}}
 {"type":"instant","offset":"1/3"}
@@ -151,7 +154,7 @@ let digest () =
 let short () =
   let power n = Q.of_bigint (Z.pow (Z.of_int 10) n) in
   let long = Q.make (Z.add (Z.pow (Z.of_int 7) 60) Z.one) (Z.pow (Z.of_int 7) 60) in
-  let told what expected q = Alcotest.(check string) what expected (Scc_exchange.Short_text.exact q) in
+  let told what expected q = Alcotest.(check string) what expected (Scc_runs.Short_text.exact q) in
   told "exact" "-22/7" (Q.of_ints (-22) 7);
   told "up to 60 characters" (Q.to_string (power 59)) (power 59);
   told "a fraction" "~1.000000 (103 characters)" long;

@@ -3,7 +3,8 @@
 open Scc_exact
 open Scc_semantics
 open Scc_verify
-open Scc_exchange
+open Scc_runs
+open Scc_graphs
 
 let case name f = Alcotest.test_case name `Quick f
 let text = Alcotest.(check string)

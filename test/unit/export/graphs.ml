@@ -1,6 +1,6 @@
 open Scc_verify
 open Scc_loading
-open Scc_exchange
+open Scc_graphs
 open Scc_test_models
 
 let cube =

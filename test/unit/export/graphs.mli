@@ -2,7 +2,7 @@
 
 open Scc_semantics
 open Scc_verify
-open Scc_exchange
+open Scc_graphs
 
 val explored : ?options:Setup.t -> string -> Exported.t
 (** Of a model's text, to which the shape Cube is added. *)

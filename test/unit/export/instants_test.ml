@@ -4,7 +4,7 @@ open Scc_ctl
 open Scc_exact
 open Scc_evaluate
 open Scc_verify
-open Scc_exchange
+open Scc_graphs
 open Scc_test_models
 
 let standard = Scc_engine.Standard.of_model

@@ -9,7 +9,7 @@
 
 open Scc_oracle
 open Oracle_cases
-module Random = Scc_exchange.Splitmix64
+module Random = Scc_runs.Splitmix64
 
 (* {1 Chance} *)
 

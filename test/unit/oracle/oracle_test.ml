@@ -3,7 +3,7 @@ open Scc_geometry
 open Scc_oracle
 open Oracle_cases
 open Asking
-module Random = Scc_exchange.Splitmix64
+module Random = Scc_runs.Splitmix64
 
 let rat q = `String (Printf.sprintf "%s/%s" (Z.to_string q.Q.num) (Z.to_string q.Q.den))
 let vec (v : Vec.t) : json = `List [ rat v.x; rat v.y; rat v.z ]

@@ -3,7 +3,7 @@
 
 open Scc_exact
 open Scc_semantics
-open Scc_exchange
+open Scc_runs
 open Scc_export
 open Scc_simulate
 open Scc_test_support

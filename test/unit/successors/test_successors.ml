@@ -81,7 +81,7 @@ let same_elsewhere name () =
            |> Scc_codec.State_codec.encode codec);
       let answer f tuple =
         match Filter.expand f tuple with
-        | Ok e -> Scc_exchange.Json.line (Told.answer f e)
+        | Ok e -> Scc_json.Json.line (Told.answer f e)
         | Error d -> d.message
       in
       Alcotest.(check string) "the same answer" (answer f r.tuple) (answer other tuple)
@@ -127,7 +127,7 @@ let damaged =
             String.equal (Keys.bytes (Filter.keys f) tuple) changed
             &&
             match Filter.expand f tuple with
-            | Ok e -> Scc_exchange.Json.line (Told.answer f e) <> ""
+            | Ok e -> Scc_json.Json.line (Told.answer f e) <> ""
             | Error d -> d.message <> "")
       in
       let frame = number 1 ^ number 1 ^ number (String.length changed) ^ changed in
@@ -141,7 +141,7 @@ let renewed () =
   let f = Filter.make (question (load "enzymes.sc")) in
   let states = explore f in
   let label f i = Told.label (Filter.question f).loaded.model (Filter.label f i) in
-  let labels f = List.init (Filter.labels f) (fun i -> Scc_exchange.Json.line (`Assoc (label f i))) in
+  let labels f = List.init (Filter.labels f) (fun i -> Scc_json.Json.line (`Assoc (label f i))) in
   let before = labels f in
   let other = Filter.renew ~most:0 f in
   Alcotest.(check bool) "it is another one" true (other != f);
@@ -153,8 +153,8 @@ let renewed () =
     | Error d -> Alcotest.failf "it is not read: %s" d.message
     | Ok again ->
       Alcotest.(check string) "the same answer"
-        (Scc_exchange.Json.line (Told.answer f e))
-        (Scc_exchange.Json.line (Told.answer other again))
+        (Scc_json.Json.line (Told.answer f e))
+        (Scc_json.Json.line (Told.answer other again))
   in
   List.iter one states;
   Alcotest.(check (list string)) "the same labels" before (labels other)

@@ -86,7 +86,7 @@ let open_ranges () =
 
 let json () =
   let check name expected w =
-    Alcotest.(check string) name expected (Scc_exchange.Json.line (Scc_exchange.Where_json.where w))
+    Alcotest.(check string) name expected (Scc_json.Json.line (Scc_reports.Where_json.where w))
   in
   let c coefficients relation bound =
     Printf.sprintf "{\"coefficients\":{%s},\"relation\":\"%s\",\"bound\":\"%s\"}" coefficients relation bound
@@ -107,13 +107,13 @@ let json () =
      ^ c (x "-1") "<" "-1/1" ^ ","
      ^ c (x "1") "<=" "4/1" ^ {|]],"measure":"4/1"},"unknown":{"pieces":[],"measure":"0/1"}}|})
     (Where.decided x04 ~holds:(at_point 1));
-  let plane = Scc_exchange.Where_json.where
+  let plane = Scc_reports.Where_json.where
       (Where.decided ligands ~holds:(set 2 [ [ is_zero 2 (-1) [ 1; 0 ] ] ])) in
-  let pieces = Option.get (Scc_exchange.Json.member "pieces" plane) in
+  let pieces = Option.get (Scc_json.Json.member "pieces" plane) in
   let t a = Printf.sprintf "\"t\":\"%s/1\"" a in
   Alcotest.(check string) "without coefficients that are 0"
     ("[[" ^ c "\"s\":\"1/1\"" "=" "1/1" ^ "," ^ c (t "-1") "<=" "0/1" ^ "," ^ c (t "1") "<=" "6/1" ^ "]]")
-    (Scc_exchange.Json.line pieces);
+    (Scc_json.Json.line pieces);
   check "no parameters"
     ({|{"parameters":[],"pieces":[[]],"measure":"1/1","probability":"1/1","range":[],|}
      ^ {|"fails":{"pieces":[],"measure":"0/1"},"unknown":{"pieces":[],"measure":"0/1"}}|})

@@ -1,4 +1,0 @@
-(** Changes made to a mesh on request before anything else, in the reports on it. *)
-
-val field : (string * string) list -> (string * Json.t) list
-(** A field with the name of each option and a line on its effect, in this order. No field if there are none. *)

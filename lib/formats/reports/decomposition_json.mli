@@ -1,0 +1,7 @@
+(** The report of [scc decompose] as JSON (see [specs/schema/decomposition.schema.json]). *)
+
+open Scc_concave
+open Scc_json
+
+val document : name:string -> exit:int -> mended:(string * string) list -> Parts.t -> Json.t
+(** The whole document. [mended] is the changes of {!Mended_json}. *)

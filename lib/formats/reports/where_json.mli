@@ -1,0 +1,28 @@
+(** The values of the parameters for which a check holds, as JSON: the member [where] of a property in the
+    report of [scc check]. [specs/schema/common.schema.json] describes it. *)
+
+open Scc_polyhedra
+open Scc_regions
+open Scc_json
+
+val format : (Where.t, unit) Json_format.t
+(** The format of the whole member. Constraints are those of the minimal form, in their stored order.
+    Coefficients are integers, and those that are 0 are left out. *)
+
+val polyhedron_format : ((int -> string) * Polyhedron.t, unit) Json_format.t
+(** The format of all constraints of a polyhedron, with the names of its variables. *)
+
+val form_format : ((int -> string) * Linear.t, unit) Json_format.t
+(** The format of a linear form, with the names of its variables. *)
+
+val where : Where.t -> Json.t
+(** The whole member in {!format}. *)
+
+val constraint_ : name:(int -> string) -> Constraint.t -> Json.t
+(** A constraint over variables of these names, in the form of {!where}. *)
+
+val polyhedron_of : name:(int -> string) -> Polyhedron.t -> Json.t
+(** All constraints of a polyhedron, in the form of {!where}. *)
+
+val form : name:(int -> string) -> Linear.t -> Json.t
+(** A linear form as [{"coefficients", "constant"}], in the form of {!where}. *)

@@ -1,0 +1,43 @@
+(** States and transition labels as JSON (see [specs/schema]). Lengths are in the units of the model and
+    positions in the world; velocities are in these lengths per unit of time. *)
+
+open Scc_calculus
+open Scc_semantics
+open Scc_json
+
+val label_format : (Model.t * Transition.label, unit) Json_format.t
+(** The format of a transition label [{"kind", "text", …}]: its kind, its text, and its parts by name. *)
+
+val state_format : (Model.t * State.t, unit) Json_format.t
+(** The format of a state in full. *)
+
+val bond_format : (Model.t * State.bond, unit) Json_format.t
+(** The format of a bond: [name] and [ends]. *)
+
+val ends : (Model.t * State.bond, unit) Json_format.t
+(** The format of the features at the two ends of a bond. *)
+
+val label : Model.t -> Transition.label -> Json.t
+(** A transition label in {!label_format}. *)
+
+val state : Model.t -> State.t -> Json.t
+(** The state in {!state_format}. *)
+
+val bond : Model.t -> State.bond -> (string * Json.t) list
+(** The members [name] and [ends] of a bond. *)
+
+val behaviour : Model.t -> leaf:int -> Behaviour.aged -> string
+(** The term of the leaf in the syntax of the language, as by {!Behaviour_text.to_string}. *)
+
+val phase : State.phase -> string
+(** The phase of a movement step: ["moving"], ["due"] or ["steered"]. *)
+
+val kind : Transition.label -> string
+(** The kind of a label: ["time"], ["bind"], ["close"], ["bounce"], ["absorb"], ["weak"], ["strong"], ["draw"]
+    or ["lot"]. *)
+
+val quaternion : Scc_exact.Quaternion.t -> Json.t
+(** An array of four integers as texts: w, x, y, z. *)
+
+val origin : Model.t -> Behaviour.aged -> Json.t
+(** The name of the definition that the behaviour comes from; [null] if there is none. *)

@@ -1,0 +1,34 @@
+open Scc_base
+open Scc_json
+open Scc_runs
+open Scc_reports
+
+type format = Format : ('w, 'r) Json_format.t * ('r -> 'w) option -> format
+type file = { schema : Json_schema.file; format : format option }
+
+let file ?again name title t =
+  let schema = { Json_schema.name; title; root = Some (Json_format.schema t); parts = [] } in
+  { schema; format = Some (Format (t, again)) }
+
+(* What schemas that are written by hand alone refer to is named here. *)
+let common =
+  let parts =
+    Json_format.
+      [
+        schema Shared.matrix; schema Where_json.format; schema Where_json.form_format;
+        schema Invariant_json.format;
+        schema Mended_json.format; schema State_json.bond_format;
+      ]
+  in
+  { schema = { name = "common"; title = "What the documents of scc share"; root = None; parts }; format = None }
+
+let all =
+  [
+    common;
+    file "schedule" "A schedule: the choices that lead a model through one run" Schedule.format
+      ~again:(fun place -> (1, place (fun _ -> Span.none)));
+    file "trace" "A line of a trace (JSON Lines): header, state, transitions, instant (at most one), end"
+      Trace.format;
+    file "diagnostics" "What a command with --json prints when it cannot make its report"
+      Diag_json.document_format;
+  ]
