@@ -16,6 +16,9 @@
 /* Those of lib/verification/session/exit_code.ml. */
 enum { STOPPED = 4, BUG = 70 };
 
+/* Of lib/foundation/system/held.c. */
+extern void scc_hold_signals(void);
+
 /* Of gmp.h, which need not be where this is compiled; zarith links the library. */
 extern void __gmp_set_memory_functions(void *(*)(size_t), void *(*)(void *, size_t, size_t), void (*)(void *, size_t));
 
@@ -60,6 +63,10 @@ static void on_fatal_error(char *format, va_list arguments)
    there, or in it: for want of memory. */
 static void on_exit_of_others(void) { leave(STOPPED, "no memory left", ""); }
 
+/* The runtime prints such an exception to C's stderr, and calls `exit'. Nothing flushes this buffer: `leave' writes the
+   words of scc instead. */
+static char unsaid[4096];
+
 static void *allocated(void *there)
 {
   if (there == NULL) leave(STOPPED, "no memory left", "for a number");
@@ -84,6 +91,8 @@ __attribute__((constructor)) static void begin(void)
   struct rlimit stack;
   if (getrlimit(RLIMIT_STACK, &stack) == 0 && stack.rlim_cur < LEAST_STACK)
     leave(STOPPED, "no stack left: the system sets this process a limit of less than 128 KiB (ulimit -s)", "");
+  scc_hold_signals();
+  setvbuf(stderr, unsaid, _IOFBF, sizeof unsaid);
   caml_fatal_error_hook = on_fatal_error;
   __gmp_set_memory_functions(allocate, reallocate, release);
   atexit(on_exit_of_others);

@@ -365,3 +365,24 @@ What is hidden of a draw is left out; and what has other chances is another draw
   the second left.sc: 25 states, 37 transitions, 9 classes; complete, at split step 1
     semantics 3: split step 1
   [1]
+
+What is known after an interruption is compared as it is after `--seconds`, in either order:
+
+  $ cat > far.sc << END
+  > shape C = box(1,1,1)
+  > process p = C mass 1 velocity (1,0,0) [nil]
+  > motion p = (if vx > 1000000 then 0 else vx + dt, vy, vz)
+  > END
+  $ printf 'des (0, 1, 2)\n(0, "a", 1)\n' > a.aut
+  $ scc compare a.aut far.sc --modulo timed --seconds 0.3 --states 100000000 | head -3
+  not equivalent modulo timed
+    a.aut can do this, and far.sc cannot:
+      1. a
+  $ python3 -B interrupt.py 0.3 scc compare a.aut far.sc --modulo timed --states 100000000 | head -3
+  not equivalent modulo timed
+    a.aut can do this, and far.sc cannot:
+      1. a
+  $ python3 -B interrupt.py 0.3 scc compare far.sc a.aut --modulo timed --states 100000000 | head -3
+  not equivalent modulo timed
+    a.aut can do this, and far.sc cannot:
+      1. a

@@ -53,6 +53,31 @@ let in_json () =
   let sound = outcome [] (Verdict.Holds { bounds = []; witness = None }) (List.hd loaded.checks) in
   Alcotest.(check bool) "nothing" true (member sound = None)
 
+(* A run is made for its last state as well: where time cannot pass to it, the run is missing for that reason. *)
+let at_its_end () =
+  let waits (p : Scc_calculus.State.process) =
+    let term = Scc_calculus.Behaviour.(wait (Scc_polyhedra.Linear.variable 1 0) nil) in
+    Scc_calculus.State.map_leaves (fun l -> { l with behaviour = Scc_calculus.Behaviour.fresh term }) p
+  in
+  let run last offset : Scc_explain.Witness.t =
+    let offset = Scc_exact.Algebraic.of_rat offset in
+    {
+      initial = loaded.declared; steps = []; last;
+      finish = During { choice = None; offset; open_piece = false; from = offset };
+      facts = []; argument = None; fixed = None;
+    }
+  in
+  let broken = Scc_calculus.State.mapi (fun _ p -> waits p) loaded.declared in
+  let made last offset =
+    let lost = Lost.make Bounds.default Scc_graph_search.Limits.quiet.attempt in
+    let found = Lost.run lost loaded.semantics (fun () -> Some (run last offset)) in
+    (Option.is_some found, List.length (Lost.taken lost).faults)
+  in
+  let check what expected found = Alcotest.(check (pair bool int)) what expected found in
+  check "a sound one" (true, 0) (made loaded.declared Scc_exact.Rat.one);
+  check "at its last state" (true, 0) (made broken Scc_exact.Rat.zero);
+  check "beyond it" (false, 1) (made broken Scc_exact.Rat.one)
+
 (* {1 Runs that were not made} *)
 
 let interruption = { Verdict.limit = Interrupted; origin = By_user }
@@ -136,6 +161,7 @@ let () =
   Alcotest.run "lost runs"
     [
       ("reports", [ case "text" in_words; case "JSON" in_json; case "SARIF" in_sarif; case "exit codes" exits ]);
+      ("made", [ case "up to the end" at_its_end ]);
       ( "left out",
         [ case "text" left_out_in_words; case "JSON" left_out_in_json; case "likely causes" causes ] );
     ]

@@ -5,7 +5,8 @@
 
 Runs commands under limits of addresses (ulimit -v), of data (ulimit -d) and of the stack (ulimit -s), from those under which
 not even the libraries can be loaded to those that are enough. Each run ends as it does without a limit, with the same output; or with code 4,
-says that a limit of memory or of the stack was met, and names no limit but the one that is set. Below what the system needs to load
+says that a limit of memory or of the stack was met, and names no limit but the one that is set. What it writes to standard error
+beside that is what it writes without a limit. Below what the system needs to load
 the program, nothing of it runs: 126, 127, or a signal. Without --all, a share: every 37th run.
 """
 
@@ -33,7 +34,7 @@ COMMANDS = [
     ["explore", "short.sc", "--format", "aut", "-o", "-", "--states", "50"], ["compare", "short.sc", "short.sc", "--states", "50"],
     ["view", "short.sc", "-o", "page.html"], ["shape", "ell.off"], ["decompose", "ell.off"], ["check", "invalid.sc"],
     ["simulate", "short.sc", "--runs", "2", "--observe", "x(p)", "--every", "1", "--until", "3"],
-    ["check", "none.sc"], ["fmt", "--none"], ["check", "deep.sc"], ["fmt", "deep.sc"],
+    ["check", "--json", "long.sc", "--jobs", "2", "--states", "2000"], ["check", "none.sc"], ["fmt", "--none"], ["check", "deep.sc"], ["fmt", "deep.sc"],
 ]
 STOPPED = 4
 OF_MEMORY = re.compile(r"memory|no stack left|Cannot allocate|not enough", re.IGNORECASE)
@@ -74,8 +75,16 @@ def loads(scc, folder, limit, kib):
         return False
 
 
+def strange(done, whole):
+    """Lines on standard error that are none of scc."""
+    known = whole.err.splitlines()
+    return [line for line in done.err.splitlines() if line not in known and not line.startswith("scc: ")]
+
+
 def fault(done, whole, kib):
     """What is wrong with a run of the program; nothing where all is well."""
+    if strange(done, whole):
+        return "it says: " + strange(done, whole)[0]
     if done.code == STOPPED:
         told = done.err + done.out.decode("utf-8", "replace")
         if not OF_MEMORY.search(told):

@@ -7,7 +7,8 @@ MODELS is specs/models. Each way a command may end is run with its streams whole
 input, output and error, alone and together, under a limit of open files or of the size of files, and with SIGPIPE as
 it is and ignored. A standard error that is lost changes nothing. A standard output that is lost makes the code 74, or 4
 where a reader has gone, if there was something to print. Then each command is signalled while it waits for its input,
-and while it works. Nothing asks a clock: a signal is sent once the system tells that it is caught, or that the pipe
+while it works, and while it begins: from its first instruction on each command with --json prints one document, whose
+exit code is that of the process. Nothing asks a clock: a signal is sent once the system tells that it is caught or held, or that the pipe
 is open.
 
 Without --all, a share of it, a few seconds.
@@ -16,6 +17,7 @@ Without --all, a share of it, a few seconds.
 import argparse
 import collections
 import fcntl
+import json
 import os
 import random
 import resource
@@ -278,8 +280,8 @@ class Sweep:
 
     # --- signals ---
 
-    def caught(self, pid, number):
-        """Waits until the program has said that it catches a signal; False where it has ended."""
+    def caught(self, pid, number, masks=("SigCgt",)):
+        """Waits until the program has said that it catches (or holds) a signal; False where it has ended."""
         while True:
             try:
                 with open("/proc/%d/status" % pid) as file:
@@ -288,7 +290,7 @@ class Sweep:
                 return False
             if lines["State"].split()[0] == "Z":
                 return False
-            if int(lines["SigCgt"], 16) >> (number - 1) & 1:
+            if any(int(lines[mask], 16) >> (number - 1) & 1 for mask in masks):
                 return True
 
     def started(self, words, **more):
@@ -337,6 +339,23 @@ class Sweep:
         if b"did not end" in done.err:
             self.expect("%s: a step that does not end" % " ".join(words), done, set())
 
+    def early(self, words, number, steps):
+        """From the first instruction of the program on: after so many looks."""
+        whole = self.run(words)
+        running = self.started(words, stdin=subprocess.DEVNULL)
+        for _ in range(steps + 1):
+            self.caught(running.pid, number, ("SigBlk", "SigCgt"))
+        running.send_signal(number)
+        done = self.ended(running)
+        what = "%s, %s at its beginning, after %d looks" % (" ".join(words), number.name, steps)
+        self.expect(what, done, {4, whole.code})
+        try:
+            told = json.loads(done.out)["exit"]
+        except ValueError:
+            told = None
+        if told != done.code:
+            self.expect(what + ": its document has the exit code %s" % told, done, set())
+
     def serving(self, number):
         running = self.started(["serve"], stdin=subprocess.DEVNULL)
         told = running.stdout.readline()
@@ -376,6 +395,12 @@ WORKING = [
     (["compare", "LONG", "LONG", "--modulo", "trace"], {4, 2}), (["trace", "LONG", "--time", "1000000"], {4}),
     (["simulate", "LONG", "--runs", "1000000", "--observe", "x(p)", "--every", "1", "--until", "9"], {4}),
     (["view", "LONG", "-o", "x.html"], {4, 0}),
+]
+BEGINNING = [
+    ["check", "holds.sc", "--json"], ["compare", "holds.sc", "violated.sc", "--json"], ["decompose", "ell.off", "--json"],
+    ["conform", "holds.sc", "run.jsonl", "--json"], ["diff", "run.jsonl", "run.jsonl", "--json"],
+    ["estimate", "chance.sc", "--runs", "5", "--json"], ["explain", "runs/c.json", "--json"],
+    ["inflate", "square.pgm", "--json", "-o", "square.off"], ["shape", "solid.off", "--json"],
 ]
 SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
 
@@ -425,6 +450,16 @@ def main():
                 for _, number in pick({n.name: n for n in SIGNALS}):
                     for steps in (0, 10, 1000, 10000, 50000) if args.all else (0, draw.choice((300, 3000))):
                         sweep.at_work(words, number, codes, steps)
+        sweep.run(["check", "violated.sc", "--witness", "runs"])
+        with open(os.path.join(folder, "run.jsonl"), "wb") as file:
+            file.write(sweep.run(["trace", "holds.sc", "--time", "2"]).out)
+        with open(os.path.join(folder, "chance.sc"), "w") as file:
+            file.write(ENDLESS + "check c : P >= 1/2 [ eventually x(p) > 2 within 2 ]\n")
+        for words in BEGINNING:
+            if args.only in " ".join(words):
+                for _, number in pick({n.name: n for n in SIGNALS}):
+                    for steps in range(0, 300, 3) if args.all else (0, 10, draw.randrange(20, 200)):
+                        sweep.early(words, number, steps)
         if args.only in "serve":
             for _, number in pick({n.name: n for n in SIGNALS}):
                 sweep.serving(number)

@@ -51,14 +51,13 @@ let fence m known (s : State.t) =
 
 (* A corner of it is within. *)
 let is_inside known planes (p : State.process) =
-  let l = p.leaves.(0) in
-  let corner = Vec.add l.position (Lazy.force known.(l.leaf)).Recession.corners.(0) in
-  List.for_all (fun (n, h) -> Rat.compare (Vec.dot n corner) h <= 0) planes
+  let is_within corner = List.for_all (fun (n, h) -> Rat.compare (Vec.dot n corner) h <= 0) planes in
+  List.exists (fun body -> List.exists is_within (corners body)) (bodies_of known p)
 
 let is_held d (p : State.process) =
   match d.fence with
   | None -> false
-  | Some planes -> d.model.leaves.(p.leaves.(0).leaf).fixed || is_inside d.bodies planes p
+  | Some planes -> is_fixed d.model p || is_inside d.bodies planes p
 
 let pushing : Behaviour.t -> bool = function
   | Weak (_, { push; _ }, _) | Strong (_, push, _) -> Rat.sign push > 0
@@ -291,4 +290,5 @@ let keeps d processes (q : Property.quantity) =
   match q with
   | Position (_, i) -> Option.fold ~none:true ~some:(fun g -> g.anchored) (home i)
   | Distance2 (i, j) -> Option.fold ~none:true ~some:(fun g -> has g j || Option.is_none (home j)) (home i)
-  | _ -> true
+  | Bonds _ | Size _ | Processes | Velocity _ | Speed2 _ | Spin _ | Spin2 _ | Momentum _ | Angular _ | Energy | Time
+  | Parameter _ -> true

@@ -42,7 +42,7 @@ val groups : t -> State.process array -> int list list
     order. *)
 
 val is_held : t -> State.process -> bool
-(** [is_held d p] is true if [p] is fixed, or if a point of it is in the convex hull of all fixed bodies. Then
+(** [is_held d p] is true if [p] is fixed, or if a corner of it is in the convex hull of all fixed bodies. Then
     [p] is not apart from these. It is false if that hull has no volume. If all processes are held, no group is
     translated. *)
 

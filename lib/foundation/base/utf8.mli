@@ -6,12 +6,13 @@ val length : string -> int -> int
 
 type fault =
   | Invalid of int  (** offset of the first byte that is not part of well-formed UTF-8 *)
-  | Control of int  (** offset of the first control character that no text has (NUL, say) *)
+  | Control of { at : int; size : int; code : int }
+  (** the first control character that no text has (NUL, say): its offset, its bytes and its code point *)
 
 val check : string -> fault option
-(** [check s] is the first fault of a text. Tab, line feed, form feed and carriage return are allowed; other
-    control characters below U+0020 and DEL are not. Those from U+0080 to U+009F are allowed. Overlong forms,
-    surrogates and code points past U+10FFFF are invalid. *)
+(** [check s] is the first fault of a text. Tab, line feed, form feed and carriage return are allowed. Other control
+    characters are not: those below U+0020, and those from U+007F to U+009F. Overlong forms, surrogates and code
+    points past U+10FFFF are invalid. *)
 
 val code_point : string -> int
 (** [code_point s] is the first code point of the well-formed, non-empty [s]. *)

@@ -21,8 +21,9 @@ type buffer = { mutable data : t; mutable used : int }
 
 let buffer () = { data = raw 16; used = 0 }
 let size b = b.used
-let nth b i = get b.data i
-let put b i x = set b.data i x
+let checked b i = if i < b.used then i else invalid_arg "Int_array: an index beyond the size of a buffer"
+let nth b i = get b.data (checked b i)
+let put b i x = set b.data (checked b i) x
 
 let grow b =
   let wider = raw (2 * length b.data) in
@@ -35,8 +36,9 @@ let push b x =
   b.used <- b.used + 1
 
 let pop b =
+  let last = nth b (b.used - 1) in
   b.used <- b.used - 1;
-  get b.data b.used
+  last
 
 let clear b = b.used <- 0
 

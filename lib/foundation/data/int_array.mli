@@ -42,17 +42,16 @@ val size : buffer -> int
 (** [size b] is the number of elements. *)
 
 val nth : buffer -> int -> int
-(** [nth b i] is element [i], from 0 to [size b - 1]. The caller ensures this range: only the capacity is
-    checked. *)
+(** [nth b i] is element [i], from 0 to [size b - 1]; [Invalid_argument] for any other index. *)
 
 val put : buffer -> int -> int -> unit
-(** [put b i x] replaces element [i], from 0 to [size b - 1], with the check of {!nth}. *)
+(** [put b i x] replaces element [i], from 0 to [size b - 1]; [Invalid_argument] for any other index. *)
 
 val push : buffer -> int -> unit
 (** [push b x] appends [x], in amortised constant time. *)
 
 val pop : buffer -> int
-(** [pop b] is the last element, which it removes. The buffer is not empty. *)
+(** [pop b] is the last element, which it removes; [Invalid_argument] if the buffer is empty. *)
 
 val clear : buffer -> unit
 (** [clear b] removes all elements, and keeps the memory. *)

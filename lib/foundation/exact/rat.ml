@@ -76,13 +76,16 @@ let is_digit c = c >= '0' && c <= '9'
 (* [digits s i] is the end of the run of digits of [s] that starts at [i]. *)
 let rec digits s i = if i < String.length s && is_digit s.[i] then digits s (i + 1) else i
 
+(* [zeros s i] is the end of the run of zeros of [s] that starts at [i]. *)
+let rec zeros s i = if i < String.length s && s.[i] = '0' then zeros s (i + 1) else i
+
 let unsigned_decimal s =
   let n = String.length s in
   let i = digits s 0 in
   let j = if i < n && s.[i] = '.' then digits s (i + 1) else i in
   let fraction = if j > i then j - i - 1 else 0 in
   if i = 0 || (j = i + 1) then Error Malformed
-  else if j > max_digits then Error Too_large
+  else if i + fraction > max_digits then Error Too_large
   else
     let exponent =
       if j = n then Ok 0
@@ -90,10 +93,12 @@ let unsigned_decimal s =
       else
         let k = if j + 1 < n && (s.[j + 1] = '-' || s.[j + 1] = '+') then j + 2 else j + 1 in
         if k >= n || digits s k <> n then Error Malformed
-        else if n - k > 9 then Error Too_large
         else
-          let e = int_of_string ("0u" ^ String.sub s k (n - k)) in
-          Ok (if s.[j + 1] = '-' then -e else e)
+          let first = zeros s k in
+          if n - first > 9 then Error Too_large
+          else
+            let e = int_of_string ("0u0" ^ String.sub s first (n - first)) in
+            Ok (if s.[j + 1] = '-' then -e else e)
     in
     match exponent with
     | Error e -> Error e

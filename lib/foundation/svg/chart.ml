@@ -164,7 +164,7 @@ let fill named amounts = function
     let extreme f = List.fold_left f r amounts in
     shade ~least:(extreme Rat.min) ~greatest:(extreme Rat.max) r
 
-let cell_height m = Int.max 4 (Int.min 28 (300 / Array.length m.rows))
+let cell_height m = Int.max 4 (Int.min 28 (300 / Int.max 1 (Array.length m.rows)))
 let map_height m = above + (cell_height m * Array.length m.rows) + below
 
 (* So few labels that they do not run into each other. *)
@@ -182,7 +182,7 @@ let map named top m =
   let base = top + above + (high * Array.length m.rows) in
   let inner = Rat.of_int (width - left - right) in
   let x i = Rat.add (Rat.of_int left) (Rat.div (Rat.mul inner (Rat.of_int i)) (Rat.of_int count)) in
-  let wide = Svg.number (Rat.div inner (Rat.of_int count)) in
+  let wide = Svg.number (Rat.div inner (Rat.of_int (Int.max 1 count))) in
   let cell j i c =
     Svg.tag "rect"
       [

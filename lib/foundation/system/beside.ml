@@ -18,9 +18,14 @@ let fork pair start =
         List.iter Unix.close [ ours; theirs ];
         None)
 
+(* {!Ending} ends the program with the same codes. *)
+let stopped = 4
+let bug = 70
+
 let labour work =
   match work () with
   | () -> Unix._exit 0
+  | exception e when Option.is_some (Resources.refused e) -> Unix._exit stopped
   | exception e ->
-    Standard.complain (Printexc.to_string e ^ "\n");
-    Unix._exit 70
+    (try Standard.complain ("scc: internal error: " ^ Printexc.to_string e ^ "\n") with _ -> ());
+    Unix._exit bug

@@ -7,5 +7,6 @@ val fork :
     result is [None] if the system refuses descriptors or a process, or if [select] does not accept [ours]. *)
 
 val labour : (unit -> unit) -> 'a
-(** [labour work] calls [work ()] and ends the process without the functions of [at_exit]. The exit code is 0, or
-    70 after an exception, which is written to standard error. *)
+(** [labour work] calls [work ()] and ends the process without the functions of [at_exit]. The exit code is 0. It
+    is 4 if the system refuses a resource ({!Resources.refused}): the process that started this one reports it. It
+    is 70 after any other exception, which is written to standard error. *)

@@ -56,6 +56,8 @@ let listen () =
     if not Sys.win32 then List.iter hear signals
   end
 
+external heed : unit -> unit = "scc_heed_signals"
+
 let answered react =
   listen ();
   answer := Some react

@@ -16,6 +16,11 @@ val listen : unit -> unit
 (** [listen ()] installs the handlers of {!signals}, once. SIGHUP stays ignored if it was ignored when the program
     began ([nohup]). *)
 
+val heed : unit -> unit
+(** [heed ()] lets requests through. The program [scc] holds them from its first instruction on
+    ([bin/beginning.c]), until a command can answer them in its own format. It raises {!Interrupted} if one has
+    come and no handler is installed. Later calls do nothing. *)
+
 val heard : unit -> bool
 (** [heard ()] is true once a request has come. *)
 

@@ -16,6 +16,7 @@ let rec wait_until_writable fd ~since =
 
 let rec write fd bytes from stop =
   if from < stop then begin
+    Interruption.heed ();
     let hurried = Interruption.heard () in
     if hurried then wait_until_writable fd ~since:(Unix.gettimeofday ());
     let size = if hurried then Int.min morsel (stop - from) else stop - from in

@@ -62,7 +62,7 @@ let rec waited w =
         status
       | exception Unix.Unix_error (EINTR, _, _) -> waited w)
 
-(* How it ended, and whether that is a fault of the program: without memory for a long number it ends with 4. *)
+(* How it ended, and whether that is a fault of the program: without memory it ends with 4. *)
 let how : Unix.process_status -> string * bool = function
   | WEXITED 4 -> ("had no memory left", false)
   | WEXITED n -> (Printf.sprintf "ended with exit code %d" n, true)

@@ -95,7 +95,8 @@ let rec by_one_run ~holds = function
   | Temporal_not f -> by_one_run ~holds:(not holds) f
   | Temporal_and fs -> (not holds) && List.exists (by_one_run ~holds) fs
   | Temporal_or fs -> holds && List.exists (by_one_run ~holds) fs
-  | Next (q, _) | Finally (q, _, _) | Globally (q, _, _) | Until (q, _, _, _) -> (q = Exists) = holds
+  | Next (q, _) | Finally (q, _, _) | Globally (q, _, _) | Until (q, _, _, _) -> (
+      match q with Exists -> holds | All -> not holds | Chance _ -> false)
 
 let always = { low = Scc_exact.Rat.zero; high = None }
 

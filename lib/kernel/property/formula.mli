@@ -40,7 +40,7 @@ val quantifies : path_quantifier -> temporal -> bool
 
 val by_one_run : holds:bool -> temporal -> bool
 (** [by_one_run ~holds f] is true if one run may show that [f] holds, or with [~holds:false] that it fails. The
-    outermost operators decide. It is meant for formulas without probabilities. *)
+    outermost operators decide. No single run shows a probability. *)
 
 val always : bound
 (** The bound of an operator without one: all time from 0 on. *)

@@ -57,7 +57,10 @@ let place : quantity -> place option = function
   | Bonds _ | Size _ | Processes | Velocity _ | Speed2 _ | Spin _ | Spin2 _ | Momentum _ | Angular _ | Energy
   | Time | Parameter _ -> None
 
-let is_angular : quantity -> bool = function Angular _ -> true | _ -> false
+let is_angular : quantity -> bool = function
+  | Angular _ -> true
+  | Bonds _ | Size _ | Processes | Position _ | Velocity _ | Speed2 _ | Spin _ | Spin2 _ | Distance2 _ | Momentum _
+  | Energy | Time | Parameter _ -> false
 
 let whole qs =
   let seen = List.fold_left (fun seen p -> add seen (p, All)) Places.empty (List.filter_map place qs) in
@@ -72,7 +75,7 @@ let alone = function
   | Along (_, i) :: rest when List.for_all (function Along (_, j) -> i = j | Distance _ -> false) rest ->
     let rate = function Along (n, j) when i = j -> Some n | Along _ | Distance _ -> None in
     Some (rate, fun n -> Along (n, i))
-  | _ -> None
+  | [] | Distance _ :: _ | Along _ :: _ -> None
 
 let compared m a b =
   let difference = Sub (a, b) in

@@ -12,7 +12,10 @@ let join a b =
 
 let join_all f list = List.fold_left (fun seen x -> join seen (f x)) Never list
 
-let of_time : quantity -> Vec.t option = function Time -> Some (Vec.of_ints 1 0 0) | _ -> None
+let of_time : quantity -> Vec.t option = function
+  | Time -> Some (Vec.of_ints 1 0 0)
+  | Bonds _ | Size _ | Processes | Position _ | Velocity _ | Speed2 _ | Spin _ | Spin2 _ | Distance2 _ | Momentum _
+  | Angular _ | Energy | Parameter _ -> None
 
 (* After this the number has one sign. *)
 let settles c =
@@ -99,5 +102,5 @@ let beyond seen time =
 let representative seen time =
   match (seen, beyond seen time) with
   | Never, _ -> Rat.zero
-  | _, Some c -> Rat.add c Rat.one
+  | (Until _ | Always), Some c -> Rat.add c Rat.one
   | (Until _ | Always), None -> time

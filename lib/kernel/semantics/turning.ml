@@ -109,7 +109,7 @@ let hull c (p : Part.t) =
   if Part.turns p then
     let room = Rat.add (Part.reach p) (Rat.mul (Rat.of_int 2) (resolution c)) in
     {
-      Placed.solid = Solid.make ~id:0 cube (Mat.scale room Mat.identity);
+      Placed.solid = Solid.make ~id:Solid.derived cube (Mat.scale room Mat.identity);
       turned = Quaternion.identity;
       at = p.centre;
     }

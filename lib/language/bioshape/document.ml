@@ -283,5 +283,5 @@ let read ~namespace ~each source =
   let input = Xmlm.make_input ~enc:(Some `UTF_8) (`Fun next) in
   let r = { source; text; namespace; input; cursor = first; fresh = true; newlines = 0; trivia = []; each } in
   match Utf8.check text with
-  | Some fault -> Error (Tokens.not_text (Source.name source) text fault)
+  | Some fault -> Error (Tokens.not_text (Source.name source) fault)
   | None -> ( match document r consumed first with v -> Ok v | exception Refused d -> Error d)

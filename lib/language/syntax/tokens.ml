@@ -296,14 +296,14 @@ let structure tokens =
   for i = 0 to n - 2 do visit s i done;
   s
 
-let not_text file text fault =
-  let at, message =
+let not_text file fault =
+  let at, size, message =
     match fault with
-    | Utf8.Invalid i -> (i, "this is not UTF-8 text")
-    | Control i ->
-      (i, Printf.sprintf "this is not text: it holds the control character U+%04X" (Char.code text.[i]))
+    | Utf8.Invalid i -> (i, 1, "this is not UTF-8 text")
+    | Control { at; size; code } ->
+      (at, size, Printf.sprintf "this is not text: it holds the control character U+%04X" code)
   in
-  Diag.error Code.not_text (Span.make ~file ~start:at ~stop:(at + 1)) "%s" message
+  Diag.error Code.not_text (Span.make ~file ~start:at ~stop:(at + size)) "%s" message
 
 let read ?(rewrite = fun tokens -> (tokens, [])) source =
   let file = Source.name source and text = Source.text source in
@@ -311,7 +311,7 @@ let read ?(rewrite = fun tokens -> (tokens, [])) source =
     match Utf8.check text with
     | None -> let r = lex source in (r.read, r.seen, r.found)
     | Some fault ->
-      ([ { token = EOF; start = 0; stop = 0; after_fault = true } ], [], [ not_text file text fault ])
+      ([ { token = EOF; start = 0; stop = 0; after_fault = true } ], [], [ not_text file fault ])
   in
   let tokens, misplaced = rewrite (Array.of_list (List.rev read)) in
   let s = structure tokens in

@@ -42,8 +42,8 @@ val read : ?rewrite:(token array -> token array * Diag.t list) -> Source.t -> t
     [rewrite] (default: none) translates the tokens of another notation into those of this grammar, before
     brackets are matched. Its second result is faults. *)
 
-val not_text : string -> string -> Utf8.fault -> Diag.t
-(** [not_text file text fault] is the error (SC0102) for a file of this name with this text. *)
+val not_text : string -> Utf8.fault -> Diag.t
+(** [not_text file fault] is the error (SC0102) for a file of this name with this fault. *)
 
 val hopeless : t -> bool
 (** [hopeless t] is true if the text must not be parsed: it is no text (SC0102), or so deeply nested that a

@@ -71,10 +71,8 @@ let compare console o =
     let effort = Effort.make ~stop:(fun () -> Option.is_some (Watch.stop watch ())) in
     Ok (Compare.run effort o.relation one two)
   in
-  (* After an interruption nothing would come of it that is not begun. *)
-  let stage : Scc_graph_search.Limits.stage = if Watch.interrupted watch () then Exploring else Concluding in
   let* report =
-    match (Watch.attempt watch).run stage work with Ok found -> found | Error _ -> Ok Compare.given_up
+    match (Watch.attempt watch).run Concluding work with Ok found -> found | Error _ -> Ok Compare.given_up
   in
   Watch.finish watch;
   let code = exit_code first second report in

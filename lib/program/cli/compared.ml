@@ -53,7 +53,7 @@ let load_graph console (attempt : Scc_graph_search.Limits.attempt) path =
   match Input.read ~max_bytes:max_graph_bytes path with
   | Error d -> Error [ d ]
   | Ok source -> (
-      match attempt.run Exploring (fun () -> Aut.read ~file:path (Source.text source)) with
+      match attempt.run Concluding (fun () -> Aut.read ~file:path (Source.text source)) with
       | Ok (Ok graph) ->
         Ok { path; source = File; graph = Later.make (fun () -> graph); complete = Graph.complete graph }
       | Ok (Error d) ->

@@ -87,7 +87,7 @@ let rec failed console = function
 (* What cannot be told may fail again, but for the same reason only once. *)
 let rec told console e = match failed console e with code -> code | exception e -> told console e
 
-let run console command =
+let around console command =
   match
     match command () with
     | Ok code -> code
@@ -99,6 +99,11 @@ let run console command =
       | [] -> code
       | faults -> Exit_code.worst [ code; bug (String.concat "; " faults) ])
   | exception e -> told console e
+
+let run console command =
+  around console (fun () ->
+      Interruption.heed ();
+      command ())
 
 let run_on_two console first second command =
   if String.equal first "-" && String.equal second "-" then

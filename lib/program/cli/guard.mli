@@ -33,7 +33,11 @@ val by_ending :
 val run : Console.t -> (unit -> (Exit_code.t, Diag.t list) result) -> Exit_code.t
 (** Runs a command; its diagnostics are {!invalid}. Exceptions become exit codes: an output that failed (74), an
     output whose reader has closed it (4, silently), no memory left (4), bugs and everything unforeseen (70). A
-    fault that was kept ({!Console.fault}) also gives 70, after all other output. *)
+    fault that was kept ({!Console.fault}) also gives 70, after all other output. Requests to end the program that
+    came before it are answered first ({!Scc_system.Interruption.heed}): in JSON mode by a document. *)
+
+val around : Console.t -> (unit -> (Exit_code.t, Diag.t list) result) -> Exit_code.t
+(** [around console main] is {!run} for what chooses the command. Requests to end the program still wait. *)
 
 val run_on_two :
   Console.t -> string -> string -> (unit -> (Exit_code.t, Diag.t list) result) -> Exit_code.t

@@ -18,20 +18,31 @@ let slurp ~max_bytes file =
   in
   more ()
 
-(* Who waits for what others write has nothing to tell before. *)
+(* Pipes, terminals and devices may have to be waited for, and nothing can be reported before. A file is there: an
+   interruption leaves it to be read, so that a report says what is known. *)
+let may_wait path =
+  String.equal path "-"
+  ||
+  match (Unix.stat path).st_kind with
+  | S_REG | S_DIR -> false
+  | S_CHR | S_BLK | S_LNK | S_FIFO | S_SOCK -> true
+  | exception Unix.Unix_error _ -> false
+
 let bytes ?(max_bytes = max_bytes) path =
-  Interruption.at_once (fun () ->
-      match
-        if String.equal path "-" then slurp ~max_bytes Unix.stdin
-        else if (try Sys.is_directory path with Sys_error _ -> false) then Error "it is a directory"
-        else
-          let file = Reading.open_file path in
-          Fun.protect (fun () -> slurp ~max_bytes file) ~finally:(fun () -> Unix.close file)
-      with
-      | result -> result
-      (* It says nothing of the file that the system has no more to give. *)
-      | exception (Unix.Unix_error (e, _, _) as failure) when Option.is_none (Resources.refused failure) ->
-        Error (Unix.error_message e))
+  let read () =
+    match
+      if String.equal path "-" then slurp ~max_bytes Unix.stdin
+      else if (try Sys.is_directory path with Sys_error _ -> false) then Error "it is a directory"
+      else
+        let file = Reading.open_file path in
+        Fun.protect (fun () -> slurp ~max_bytes file) ~finally:(fun () -> Unix.close file)
+    with
+    | result -> result
+    (* It says nothing of the file that the system has no more to give. *)
+    | exception (Unix.Unix_error (e, _, _) as failure) when Option.is_none (Resources.refused failure) ->
+      Error (Unix.error_message e)
+  in
+  if may_wait path then Interruption.at_once read else read ()
 
 let standard_input = "<standard input>"
 

@@ -39,10 +39,14 @@ let help = Format.make_formatter (fun text from n -> Console.print console (Stri
 let complaints =
   Format.make_formatter (fun text from n -> Scc_system.Standard.complain (String.sub text from n)) ignore
 
-(* A pager is for terminals. Elsewhere nobody would hear that it could not write. *)
+(* A pager is for terminals, and has its own answer to signals. Elsewhere nobody would hear that it could not
+   write. *)
 let without_pager () =
   let asks word = String.length word >= 6 && String.equal (String.sub word 0 6) "--help" in
-  if Array.exists asks Sys.argv && not (Console.is_terminal Unix.stdout) then Unix.putenv "TERM" "dumb"
+  if Array.exists asks Sys.argv then begin
+    Scc_system.Interruption.heed ();
+    if not (Console.is_terminal Unix.stdout) then Unix.putenv "TERM" "dumb"
+  end
 
 let evaluate () : Exit_code.t =
   let info =
@@ -58,7 +62,7 @@ let evaluate () : Exit_code.t =
 let main () =
   Scc_base.Memory.spare_tables ();
   without_pager ();
-  let code = Guard.run console (fun () -> Ok (evaluate ())) in
+  let code = Guard.around console (fun () -> Ok (evaluate ())) in
   let finish () =
     Format.pp_print_flush help ();
     Console.flush console;

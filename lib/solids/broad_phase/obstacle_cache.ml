@@ -12,10 +12,12 @@ type t = Obstacle.t Table.t
 let create () = Table.create 16
 
 let find cache (a : Solid.t) (b : Solid.t) =
-  let key = (a.id, b.id) in
-  match Table.find_opt cache key with
-  | Some o -> o
-  | None ->
-    let o = Obstacle.make a b in
-    Table.add cache key o;
-    o
+  if a.id = Solid.derived || b.id = Solid.derived then Obstacle.make a b
+  else
+    let key = (a.id, b.id) in
+    match Table.find_opt cache key with
+    | Some o -> o
+    | None ->
+      let o = Obstacle.make a b in
+      Table.add cache key o;
+      o

@@ -59,6 +59,8 @@ let make ~id (polyhedron : Polyhedron.t) linear =
     box = Float_box.of_corners low high;
   }
 
+let derived = -1
+let turned rotation s = make ~id:derived s.polyhedron (Mat.mul rotation s.linear)
 let vertex s i = position s.denominator s.vertices.(i)
 
 let corners s = function

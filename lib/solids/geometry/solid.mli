@@ -5,7 +5,7 @@
 open Scc_exact
 
 type t = private {
-  id : int;  (** distinct for distinct solids of one model: the key of caches *)
+  id : int;  (** distinct for distinct solids of one model: the key of caches; or {!derived} *)
   polyhedron : Polyhedron.t;  (** the template, in body space *)
   linear : Mat.t;
   vertices : Ivec.t array;  (** over [denominator] *)
@@ -21,9 +21,16 @@ type t = private {
   box : Float_box.t;  (** about the reference point *)
 }
 
+val derived : int
+(** -1: the [id] of each solid that is none of a model, as after a turn. It is no key: caches do not keep what is
+    made of such solids. *)
+
 val make : id:int -> Polyhedron.t -> Mat.t -> t
 (** [make ~id polyhedron m] is the image of the template under the linear map [m]. The determinant of [m] is
     positive (a bug otherwise). *)
+
+val turned : Mat.t -> t -> t
+(** [turned rotation s] is [s] after a rotation about its reference point. Its [id] is {!derived}. *)
 
 val vertex : t -> int -> Vec.t
 (** [vertex s i] is the rational position of vertex i relative to the reference point. *)

@@ -35,7 +35,6 @@ let placed m t =
   let rotation = rotation m t in
   let solid =
     if Quaternion.is_identity rotation then m.solid
-    else
-      Solid.make ~id:m.solid.id m.solid.polyhedron (Mat.mul (Quaternion.to_mat rotation) m.solid.linear)
+    else Solid.turned (Quaternion.to_mat rotation) m.solid
   in
   (solid, reference m t)

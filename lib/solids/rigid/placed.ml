@@ -28,5 +28,4 @@ let centroid b = point b b.solid.centroid
 
 let fixed_solid b =
   if Quaternion.is_identity b.turned then b.solid
-  else
-    Solid.make ~id:b.solid.id b.solid.polyhedron (Mat.mul (Quaternion.to_mat b.turned) b.solid.linear)
+  else Solid.turned (Quaternion.to_mat b.turned) b.solid

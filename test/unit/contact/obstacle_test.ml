@@ -205,11 +205,28 @@ let touching_cubes () =
   meeting "at rest, apart" (v 3 2 2) Vec.zero None;
   meeting "at one instant" (v 3 1 0) (v (-1) 1 0) (Some (some 1, some 1))
 
+(* What is turned has the key of nobody: neither solid is taken for the other. *)
+let turned_solids () =
+  let body = { name = "cube"; plain = List.assoc "cube" named; turn = Mat.identity } in
+  let a = solid ~id:0 body and b = solid ~id:1 body in
+  let eighth = Quaternion.to_mat (Quaternion.make (Z.of_int 5) Z.zero Z.zero (Z.of_int 2)) in
+  let turned = Solid.turned eighth b in
+  let cache = Scc_broad_phase.Obstacle_cache.create () in
+  let facets s = Array.length (Obstacle.facets (Scc_broad_phase.Obstacle_cache.find cache a s)) in
+  let expected s = Array.length (Obstacle.facets (Obstacle.make a s)) in
+  let check what s = Alcotest.(check int) what (expected s) (facets s) in
+  Alcotest.(check bool) "they differ" true (expected b <> expected turned);
+  check "as it is" b;
+  check "turned" turned;
+  check "turned again" (Solid.turned eighth turned);
+  check "as it is, after that" b
+
 let suite =
   ("obstacle",
    [ ( "known",
        [ Alcotest.test_case "numbers of facets" `Quick counts;
-         Alcotest.test_case "two cubes" `Quick touching_cubes ] );
+         Alcotest.test_case "two cubes" `Quick touching_cubes;
+         Alcotest.test_case "turned solids in a cache" `Quick turned_solids ] );
      ( "properties",
        Scc_test_support.Property.cases
          [ relation; cast; aimed_cast; facets; random_hulls; offsets; at_collision; approaching_is_at_zero;

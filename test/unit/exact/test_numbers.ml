@@ -90,6 +90,23 @@ let which_are_floats () =
   List.iter (check true) (numbers [ "0"; "1"; "-7/8"; "9007199254740992"; "3/2305843009213693952" ]);
   List.iter (check false) (numbers [ "1/3"; "9007199254740993"; "-9007199254740993/2" ])
 
+(* The limit is on digits: a point is none, and zeros before an exponent change nothing. *)
+let literals () =
+  let digits = String.make Rat.max_digits '7' in
+  let pointed = "7." ^ String.make (Rat.max_digits - 1) '7' in
+  let reads text = Alcotest.(check bool) text true (Result.is_ok (Rat.of_literal text)) in
+  let is_too_large text = Alcotest.(check bool) text true (Rat.of_literal text = Error Rat.Too_large) in
+  List.iter reads [ digits; pointed; digits ^ "/" ^ pointed; "-" ^ pointed ];
+  List.iter is_too_large [ "7" ^ digits; pointed ^ "7"; digits ^ "e1"; "1e4000"; "1e1000000000" ];
+  let equal text expected =
+    Alcotest.(check string) text expected
+      (match Rat.of_literal text with Ok q -> Rat.to_string q | Error _ -> "refused")
+  in
+  equal "1e0000000001" "10";
+  equal "1e-0000000000001" "1/10";
+  equal "5e+000000000000" "5";
+  equal ("1e" ^ String.make 5000 '0' ^ "2") "100"
+
 let () =
   Alcotest.run "numbers"
     [
@@ -102,4 +119,5 @@ let () =
       ( "rationals",
         Scc_test_support.Property.cases [ order; is_float ]
         @ [ Alcotest.test_case "which are floats" `Quick which_are_floats ] );
+      ("literals", [ Alcotest.test_case "how many digits" `Quick literals ]);
     ]

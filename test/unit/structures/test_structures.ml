@@ -238,6 +238,33 @@ let long () =
   in
   List.iter check [ 0; 1; 2; 255; 256; 257; 511; 512; 513; 1000; 1024 ]
 
+(* An index at the size is refused, whatever the capacity is. *)
+let buffers () =
+  let b = Int_array.buffer () in
+  let refused what f =
+    match f () with
+    | _ -> Alcotest.failf "%s: not refused" what
+    | exception Invalid_argument _ -> ()
+  in
+  let bounded n =
+    Alcotest.(check int) "size" n (Int_array.size b);
+    List.iter
+      (fun i ->
+         refused "nth" (fun () -> Int_array.nth b i);
+         refused "put" (fun () -> Int_array.put b i 1; 0))
+      [ -1; n; n + 1 ]
+  in
+  bounded 0;
+  refused "pop" (fun () -> Int_array.pop b);
+  bounded 0;
+  for n = 1 to 40 do
+    Int_array.push b n;
+    Alcotest.(check int) "the last" n (Int_array.nth b (n - 1));
+    bounded n
+  done;
+  Alcotest.(check int) "popped" 40 (Int_array.pop b);
+  bounded 39
+
 let () =
   Alcotest.run "structures"
     [
@@ -249,6 +276,7 @@ let () =
           Alcotest.test_case "a million nodes" `Quick long_way;
           Alcotest.test_case "a worklist" `Quick worklist;
           Alcotest.test_case "long arrays" `Quick long;
+          Alcotest.test_case "buffers" `Quick buffers;
         ] );
       ("long lists", Long_lists.cases);
     ]

@@ -58,10 +58,27 @@ let points =
        let same (a, r) (b, s) = String.equal a b && Rat.equal r s in
        List.equal (List.equal same) (all grid) (List.init count (Grid.point grid)))
 
+(* A map without rows or columns is its title, and so is a panel without points. *)
+let empty_charts () =
+  let open Scc_svg in
+  let map rows columns : Chart.map =
+    let cell _ = { Chart.said = "here"; amount = Amount Rat.one } in
+    { title = "empty"; rows = Array.make rows "r"; columns = Array.make columns "c";
+      cells = Array.init rows (fun _ -> Array.init columns cell) }
+  in
+  let drawn panels maps =
+    let text = Chart.sheet ~title:"t" ~caption:"c" ~x:"x" ~named:[] panels maps in
+    Alcotest.(check string) "whole" "</svg>\n" (String.sub text (String.length text - 7) 7)
+  in
+  List.iter (fun (rows, columns) -> drawn [] [ map rows columns ]) [ (0, 0); (0, 2); (2, 0); (1, 1) ];
+  drawn [ { title = "p"; curves = [] } ] [];
+  drawn [ { title = "p"; curves = [ { name = "n"; pieces = [ [] ] } ] } ] []
+
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "grid"
     [
       ("values", [ case "as they are written" written; case "what is none" refused ]);
       ("points", Property.cases [ points ]);
+      ("charts", [ case "of nothing" empty_charts ]);
     ]

@@ -56,6 +56,21 @@ let where () =
   let million = String.concat "" (List.init 1_000_000 (fun _ -> rlo)) in
   Alcotest.(check int) "a million in a line" 1 (List.length (warnings million))
 
+(* Control characters that no text has are those that reports write out, but for tabs and line ends. *)
+let controls () =
+  for code = 0 to 0x10FFFF do
+    if code < 0xD800 || code > 0xDFFF then begin
+      let c = utf_8 code in
+      let is_allowed = List.mem code [ 0x09; 0x0A; 0x0C; 0x0D ] || Option.is_some (Bidirectional.at c 0) in
+      let expected =
+        if Option.is_some (Visible.at c 0) && not is_allowed then
+          Some (Utf8.Control { at = 2; size = String.length c; code })
+        else None
+      in
+      if Utf8.check ("ab" ^ c ^ "d") <> expected then Alcotest.failf "U+%04X" code
+    end
+  done
+
 (* Each line tells of its own characters, each once, and points at the first. *)
 let told () =
   let rlo = utf_8 0x202E and pdi = utf_8 0x2069 in
@@ -99,6 +114,7 @@ let suite =
       ( "characters",
         [
           Alcotest.test_case "which they are" `Quick which;
+          Alcotest.test_case "control characters" `Quick controls;
           Alcotest.test_case "where they are told" `Quick where;
           Alcotest.test_case "what is told" `Quick told;
           Alcotest.test_case "how they are shown" `Quick shown;
