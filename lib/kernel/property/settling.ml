@@ -130,12 +130,13 @@ and reach_of_until m ~until b left g =
   | None -> None
   | Some _ as until -> latest (List.map (reach m ~until) (g :: left))
 
+let of_formula m ~from f = reach m ~until:(Some from) f
 let always = { low = Rat.zero; high = None }
 
 let of_check m ~from (c : check) =
   match c.asked with
-  | Whether | How_likely _ | Expected (_, Time_until _, _) -> reach m ~until:(Some from) c.formula
-  | Expected (_, Events_until (_, g), _) -> reach m ~until:(Some from) (Finally (All, always, g))
+  | Whether | How_likely _ | Expected (_, Time_until _, _) -> of_formula m ~from c.formula
+  | Expected (_, Events_until (_, g), _) -> of_formula m ~from (Finally (All, always, g))
   | Expected (_, Value_at (_, time), _) -> Some { time = Rat.add from time; events = 0 }
 
 let of_checks m ~from checks = latest (List.map (of_check m ~from) checks)
