@@ -8,13 +8,27 @@ type asked = {
   formulas : Scc_ctl.Formula.t array;
   props : Property.prop array;
   predicates : On_the_fly.predicate array;
+  still : Scc_ctl.Formula.t -> Scc_ctl.Formula.t option;
 }
 
 type t = { asked : asked; graph : Graph.t; eval : Scc_ctl.Eval.t; uses : Scc_ctl.Eval.uses }
 
+(* With predicates for the times after which a goal is not met any more. *)
 let ask context temporals =
-  let formulas, props = Skeleton.of_temporal temporals in
-  { context; formulas = Array.of_list formulas; props; predicates = Array.map (Predicate.make context) props }
+  let model = Network_lts.model context in
+  let times = List.sort_uniq Rat.compare (List.concat_map (Settling.last_goals model) temporals) in
+  let up_to time = Property.State (Compare (Le, Quantity Time, Const time)) in
+  let skeletons, props = Skeleton.of_temporal (temporals @ List.map up_to times) in
+  let count = List.length temporals in
+  let formulas = Array.of_list (List.filteri (fun i _ -> i < count) skeletons) in
+  let guards = List.combine times (List.filteri (fun i _ -> i >= count) skeletons) in
+  let still goal =
+    match if guards = [] then None else Settling.temporal model (Skeleton.to_temporal (Array.get props) goal) with
+    | Some { after; truth = false } ->
+      Option.map snd (List.find_opt (fun (time, _) -> Rat.equal time after) guards)
+    | Some { truth = true; _ } | None -> None
+  in
+  { context; formulas; props; predicates = Array.map (Predicate.make context) props; still }
 
 let is_timed g (e : Graph.edge) = Rat.sign (Graph.duration g e) > 0
 
@@ -74,8 +88,9 @@ let on asked ~rests graph =
       steady = (fun p -> Option.is_none asked.predicates.(p).along);
     }
   in
-  let eval = Scc_ctl.Eval.create (Timed_graph.index (timed_graph asked.context ~rests graph)) predicates in
-  { asked; graph; eval; uses = Scc_ctl.Eval.uses asked.formulas }
+  let index = Timed_graph.index (timed_graph asked.context ~rests graph) in
+  let eval = Scc_ctl.Eval.create ~still:asked.still index predicates in
+  { asked; graph; eval; uses = Scc_ctl.Eval.uses eval asked.formulas }
 
 let origin = Scc_ctl.Positions.start 0
 let truth t i = Scc_ctl.Eval.truth t.eval t.asked.formulas.(i) origin

@@ -113,17 +113,17 @@ let way t (u : Eval.until) (f : Eval.value) (g : Eval.value) in_doubt sources =
   { visited; through = List.filter through visited }
 
 (* A probability may be in doubt for what comes after positions from which on it is known well enough. *)
-let is_likelihood formula =
-  match Eval.as_until formula with Some ({ quantifier = Chance _; _ }, _) -> true | Some _ | None -> false
+let is_likelihood eval formula =
+  match Eval.as_until eval formula with Some ({ quantifier = Chance _; _ }, _) -> true | Some _ | None -> false
 
-let rec has_likelihood (f : Formula.t) =
+let rec has_likelihood eval (f : Formula.t) =
   match f with
-  | Not f -> has_likelihood f
-  | And fs | Or fs -> List.exists has_likelihood fs
-  | Predicate _ | Next _ | Until _ | Finally _ | Globally _ -> is_likelihood f
+  | Not f -> has_likelihood eval f
+  | And fs | Or fs -> List.exists (has_likelihood eval) fs
+  | Predicate _ | Next _ | Until _ | Finally _ | Globally _ -> is_likelihood eval f
 
 let rec walk t (formula : Formula.t) sources =
-  let sources = if has_likelihood formula then sources else restrict (Eval.value t.eval formula) sources in
+  let sources = if has_likelihood t.eval formula then sources else restrict (Eval.value t.eval formula) sources in
   match (sources, formula) with
   | { nodes = []; flows = [] }, _ -> ()
   | _, Predicate p -> predicate t p sources
@@ -131,14 +131,14 @@ let rec walk t (formula : Formula.t) sources =
   | _, (And fs | Or fs) -> List.iter (fun f -> walk t f sources) fs
   | _, Next (_, f) -> walk t f (next t (Eval.value t.eval f) sources)
   | _, (Until _ | Finally _ | Globally _) -> (
-      match Eval.as_until formula with
+      match Eval.as_until t.eval formula with
       | None -> Scc_base.Bug.fail __POS__ "an operator of time that is none"
       | Some (u, _) -> until t u formula sources)
 
 and until t (u : Eval.until) formula sources =
   let f = Eval.value t.eval u.left and g = Eval.value t.eval u.right in
   let in_doubt =
-    if is_likelihood formula then None else Some (fst (doubtful (Eval.value t.eval formula)))
+    if is_likelihood t.eval formula then None else Some (fst (doubtful (Eval.value t.eval formula)))
   in
   let { visited; through } = way t u f g in_doubt sources in
   let known, unknown = List.partition t.graph.known through in

@@ -13,12 +13,14 @@ type t = {
   index : Timed_graph.index;
   predicates : predicates;
   effort : Effort.t;
+  still : Formula.t -> Formula.t option;
   mutable values : value Map.t;
   mutable fresh : Formula.t list;  (** what got its value since something was forgotten *)
 }
 
-let create ?(effort = Effort.default) index predicates =
-  { index; predicates; effort; values = Map.empty; fresh = [] }
+let create ?(effort = Effort.default) ?(still = fun _ -> None) index predicates =
+  { index; predicates; effort; still; values = Map.empty; fresh = [] }
+
 let index t = t.index
 let graph t = Timed_graph.graph t.index
 let effort t = t.effort
@@ -27,17 +29,29 @@ let predicates t = t.predicates
 type until = {
   quantifier : Formula.quantifier;
   bound : Formula.bound;
+  claim : Formula.t;
   left : Formula.t;
   right : Formula.t;
 }
 
 let opposite : Formula.t -> Formula.t = function Not f -> f | f -> Not f
 
-let as_until : Formula.t -> (until * bool) option = function
-  | Until (quantifier, bound, left, right) -> Some ({ quantifier; bound; left; right }, false)
-  | Finally (quantifier, bound, right) -> Some ({ quantifier; bound; left = And []; right }, false)
-  | Globally (q, bound, f) ->
-    Some ({ quantifier = Formula.dual q; bound; left = And []; right = opposite f }, true)
+(* A run that has come to where nothing leads to the right side any more has not got there. *)
+let guarded t (left : Formula.t) right : Formula.t =
+  match (t.still right, left) with
+  | None, _ -> left
+  | Some p, And (first :: _) when Formula.compare p first = 0 -> left
+  | Some p, And fs -> And (p :: fs)
+  | Some p, _ -> And [ p; left ]
+
+let still t right = guarded t (And []) right
+
+let as_until t (formula : Formula.t) =
+  let until quantifier bound claim right = { quantifier; bound; claim; left = guarded t claim right; right } in
+  match formula with
+  | Until (quantifier, bound, left, right) -> Some (until quantifier bound left right, false)
+  | Finally (quantifier, bound, right) -> Some (until quantifier bound (And []) right, false)
+  | Globally (q, bound, f) -> Some (until (Formula.dual q) bound (And []) (opposite f), true)
   | Predicate _ | Not _ | And _ | Or _ | Next _ -> None
 
 (** {2 Pairs of sets} *)
@@ -134,7 +148,7 @@ and compute t (f : Formula.t) =
   | Next (All, f) -> not_ (some_next t (value t (opposite f)))
   | Next (Chance _, _) -> Scc_base.Bug.fail __POS__ "a probability of the next transition"
   | Until _ | Finally _ | Globally _ -> (
-      match as_until f with
+      match as_until t f with
       | None -> Scc_base.Bug.fail __POS__ "an operator of time that is none"
       | Some (u, flipped) ->
         let left = value t u.left in
@@ -142,7 +156,7 @@ and compute t (f : Formula.t) =
         if flipped then not_ v else v)
 
 (* The formulas whose values {!compute} takes up, and theirs. *)
-let parts (f : Formula.t) =
+let parts t (f : Formula.t) =
   match f with
   | Predicate _ -> []
   | Not f -> [ f ]
@@ -150,19 +164,19 @@ let parts (f : Formula.t) =
   | Next ((Exists | Chance _), f) -> [ f ]
   | Next (All, f) -> [ opposite f ]
   | Until _ | Finally _ | Globally _ ->
-    Option.fold ~none:[] ~some:(fun (u, _) -> [ u.left; u.right ]) (as_until f)
+    Option.fold ~none:[] ~some:(fun (u, _) -> [ u.left; u.right ]) (as_until t f)
 
 (* For each part the number of the last formula that it is part of; and for each number those of which it is that.
 *)
 type uses = { last : int Map.t; ending : Formula.t list array }
 
-let uses formulas =
+let uses t formulas =
   let ending = Array.make (Array.length formulas) [] in
   let rec note i last f =
     if Map.mem f last then last
     else begin
       ending.(i) <- f :: ending.(i);
-      List.fold_left (note i) (Map.add f i last) (parts f)
+      List.fold_left (note i) (Map.add f i last) (parts t f)
     end
   in
   let last = ref Map.empty in
@@ -192,7 +206,7 @@ let interval t effort side bound f g position =
 type measured = { least : Answer.t; most : Answer.t }
 
 let probability t ~decide side f position =
-  match as_until f with
+  match as_until t f with
   | None -> Scc_base.Bug.fail __POS__ "a probability of what is no until"
   | Some (u, flipped) ->
     let asked : Formula.quantifier -> Answer.bound option = function

@@ -34,9 +34,12 @@ type predicates = {
 
 type t
 
-val create : ?effort:Scc_chance.Effort.t -> Timed_graph.index -> predicates -> t
-(** [create ~effort index predicates] is an evaluator with a cache of the sets of all sub-formulas. [effort] is
-    that for probabilities. *)
+val create :
+  ?effort:Scc_chance.Effort.t -> ?still:(Formula.t -> Formula.t option) -> Timed_graph.index -> predicates -> t
+(** [create ~effort ~still index predicates] is an evaluator with a cache of the sets of all sub-formulas. [effort] is
+    that for probabilities. [still g] is a predicate that holds at all positions from which a run may come to [g];
+    [None] if no such predicate is known. So "f U g" is "(f and still g) U g", which may be known where the former
+    is not: a node at which [still g] fails need not be known. *)
 
 val index : t -> Timed_graph.index
 (** [index e] is the graph with its reversed edges, as given to {!create}. *)
@@ -59,8 +62,8 @@ val value : t -> Formula.t -> value
 (** For each part of formulas that are evaluated one after the other, the last formula that needs it. *)
 type uses
 
-val uses : Formula.t array -> uses
-(** [uses formulas] is the table for formulas that are evaluated in this order. *)
+val uses : t -> Formula.t array -> uses
+(** [uses e formulas] is the table for formulas that are evaluated in this order. *)
 
 val done_with : t -> uses -> int -> unit
 (** [done_with e uses n] drops from the cache the values that no formula after number [n] needs. It is called after
@@ -82,12 +85,16 @@ val probability : t -> decide:bool -> Formula.side -> Formula.t -> Positions.pos
 type until = {
   quantifier : Formula.quantifier;
   bound : Formula.bound;
-  left : Formula.t;
+  claim : Formula.t;  (** the left side of the formula *)
+  left : Formula.t;  (** the claim, and what still has to be so for the right side ({!create}) *)
   right : Formula.t;
 }
 
-val as_until : Formula.t -> (until * bool) option
-(** [as_until f] is an F, G or U as a U, and true if [f] is the negation of that; [None] for other formulas. *)
+val as_until : t -> Formula.t -> (until * bool) option
+(** [as_until e f] is an F, G or U as a U, and true if [f] is the negation of that; [None] for other formulas. *)
+
+val still : t -> Formula.t -> Formula.t
+(** [still e g] is the predicate of {!create} for [g]; true if there is none. *)
 
 val likely_run : t -> until -> Positions.position -> (Run.t * Scc_exact.Rat.t) option
 (** [likely_run e u p] is a run from [p] that surely satisfies the until, of a scheduler that attains the

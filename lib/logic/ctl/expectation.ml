@@ -53,11 +53,11 @@ let all_time = { Formula.low = Rat.zero; high = None }
 let mean_until e side ~earns g =
   let graph = Eval.graph e in
   let value = Eval.value e g in
-  let anywhere = Positions.constant graph true in
+  let still = Eval.value e (Eval.still e g) in
   let enclosed = ref false in
   let answer ~up =
-    let g = if up then value.lower else value.upper in
-    let q = { graph; side; bound = all_time; f = anywhere; g; generous = not up } in
+    let f = if up then still.lower else still.upper and g = if up then value.lower else value.upper in
+    let q = { graph; side; bound = all_time; f; g; generous = not up } in
     let w = window q in
     let earning p branch =
       let { low; high } = earns p branch in

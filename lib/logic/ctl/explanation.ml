@@ -67,12 +67,12 @@ let until e (u : Eval.until) ~right spot position holds explain =
   match (u.quantifier, holds) with
   | Exists, true ->
     let (run, way, _) as found = found () in
-    let along = on_the_way e u.left true always run explain in
+    let along = on_the_way e u.claim true always run explain in
     Run { run; way; parts = at_goal found u.right right true; along }
   | All, false ->
     let (run, way, _) as found = found () in
     let along = on_the_way e right (not (right == u.right)) u.bound run explain in
-    let parts = at_goal found u.left u.left false @ at_goal found u.right right false in
+    let parts = at_goal found u.claim u.claim false @ at_goal found u.right right false in
     Run { run; way; parts; along }
   | Exists, false | All, true -> Everywhere (lazy (count e u position))
   | Chance _, _ -> Bug.fail __POS__ "a probability is explained by one run"
@@ -121,7 +121,7 @@ let rec of_known e spot (formula : Formula.t) position : t =
       | Or fs -> Parts (if holds then first fs else all fs)
       | Next (quantifier, f) -> next e f position holds ~quantifier (of_known e None)
       | Until _ | Finally _ | Globally _ -> (
-          match Eval.as_until formula with
+          match Eval.as_until e formula with
           | None -> Bug.fail __POS__ "an operator of time that is none"
           | Some (({ quantifier = Chance { side; _ }; _ } as u), flipped) ->
             let side = if flipped then Formula.other_side side else side in

@@ -18,8 +18,11 @@ type t = {
   atoms : Atoms.context;
   parameters : Polyhedron.t;
   plan : plan;
-  bound : Rat.t option;
+  reach : Settling.reach option;
 }
+
+let reach_of (context : Instant.context) formula =
+  Settling.of_formula (Scc_semantics.Semantics.model context.semantics) ~from:Rat.zero formula
 
 let make context atoms ~parameters formula =
   let n = Polyhedron.dimension parameters in
@@ -32,9 +35,9 @@ let make context atoms ~parameters formula =
     | Any plans -> Any (List.map plan plans)
     | Formula formula -> Branches { formula; answer = Error [] }
   in
-  { context; atoms; parameters; plan = plan (Plan.of_formula formula); bound = Plan.horizon formula }
+  { context; atoms; parameters; plan = plan (Plan.of_formula formula); reach = reach_of context formula }
 
-let bound t = t.bound
+let reach t = t.reach
 
 let rec bounded : Property.temporal -> bool = function
   | State _ -> false

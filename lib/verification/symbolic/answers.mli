@@ -1,7 +1,6 @@
 (** The values of the parameters for which a formula holds. Searches ({!Scc_property.Plan}) are decided while
     zones are explored, other formulas on the whole graph ({!Branching}). *)
 
-open Scc_exact
 open Scc_polyhedra
 open Scc_property
 
@@ -11,8 +10,12 @@ val make : Instant.context -> Atoms.context -> parameters:Polyhedron.t -> Proper
 (** [make c atoms ~parameters formula] is the open question, where [parameters] are all values of the
     parameters. *)
 
-val bound : t -> Rat.t option
-(** The latest instant that the formula mentions; [None] if there is none. *)
+val reach_of : Instant.context -> Property.temporal -> Settling.reach option
+(** [reach_of c formula] is the positions that the truth of a formula in the initial states depends on; [None] if there
+    is no such bound. *)
+
+val reach : t -> Settling.reach option
+(** [reach t] is {!reach_of} the formula of [t]. *)
 
 val needs_time : Property.temporal -> bool
 (** [needs_time formula] is true if the formula mentions model time or has a bound of time. Model time then has
@@ -36,7 +39,7 @@ val is_known : t -> exactly:bool -> bool
 (** {1 Afterwards} *)
 
 val conclude : t -> Zone_graph.t -> unit
-(** Decides the other formulas on the whole graph, in which all is known up to the latest bound. *)
+(** Decides the other formulas on the whole graph, in which all is known that {!reach} has. *)
 
 type sets = { holds : Union.t; fails : Union.t  (** disjoint; for all other values it is not known *) }
 

@@ -11,6 +11,7 @@ type view = { zone : Zone.t; passing : bool; quiescent : Polyhedron.t list }
 type context = { instant : Instant.context; events : Property.event array }
 
 let context instant ~events = { instant; events }
+let model c = Semantics.model c.instant.Instant.semantics
 
 (* {1 From region to region} *)
 

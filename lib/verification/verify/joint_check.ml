@@ -117,11 +117,16 @@ let outcome r ((check : Property.check), plan) answers =
 
 (** {2 Questions} *)
 
+let question context bound goal : Search.question =
+  let initial = Network_lts.start context in
+  let within = Known_early.within (Network_lts.model context) ~initial bound goal in
+  { within; goal = Predicate.make context goal }
+
 let rec questions context (plan : Plan.t) : Search.question list =
   match plan with
   | Now _ | Formula _ -> []
-  | Possibly (within, p) -> [ { within; goal = Predicate.make context p } ]
-  | Always (within, p) -> [ { within; goal = Predicate.make context (Formula.negate p) } ]
+  | Possibly (bound, p) -> [ question context bound p ]
+  | Always (bound, p) -> [ question context bound (Formula.negate p) ]
   | All plans | Any plans -> List.concat_map (questions context) plans
 
 let rec formulas (plan : Plan.t) =
@@ -129,6 +134,13 @@ let rec formulas (plan : Plan.t) =
   | Now _ | Possibly _ | Always _ -> []
   | Formula f -> [ f ]
   | All plans | Any plans -> List.concat_map formulas plans
+
+(* What is asked of the formulas, in their order. *)
+let on_graph checks plans : Known_early.question list =
+  let of_check (c : Property.check) plan = List.map (fun _ -> c.asked) (formulas plan) in
+  List.mapi
+    (fun formula asked -> { Known_early.asked; formula })
+    (List.concat (List.map2 of_check checks plans))
 
 (* Time beyond which nothing is asked. *)
 let horizon (checks : Property.check list) =
@@ -265,27 +277,14 @@ let check (options : Setup.t) semantics ~initial (checks : Property.check list) 
   let context = system options semantics ~initial checks plans in
   let asked = List.concat_map (questions context) plans in
   let temporals = List.concat_map formulas plans in
-  let horizon = horizon checks in
+  let horizon = Known_early.horizon (Network_lts.model context) ~initial:(Network_lts.start context) checks in
   let limits = Bounds.limits options.bounds ~horizon in
   let rests = rests context in
   let observe =
     Option.map (fun f _ _ tuple -> f (Catalogue.decode (Network_lts.catalogue context) tuple)) options.observe
   in
-  let formulas = Temporal.ask context temporals in
-  let settled g =
-    let look () =
-      let temporal = Temporal.on formulas ~rests g in
-      List.for_all Fun.id (List.mapi (fun i _ -> Option.is_some (Temporal.truth temporal i)) temporals)
-    in
-    Result.value (options.surroundings.attempt.run Exploring look) ~default:false
-  in
-  let asks_number (c : Property.check) = match c.asked with Whether -> false | How_likely _ | Expected _ -> true in
-  let settled =
-    match temporals with
-    | [] -> None
-    | _ :: _ when List.exists asks_number checks -> Some (fun _ -> false)
-    | _ :: _ -> Some settled
-  in
+  let asked_formulas = Temporal.ask context temporals in
+  let settled = Known_early.settled options.surroundings asked_formulas ~rests (on_graph checks plans) in
   let result =
     Search.run ?observe ?settled ~order:options.order ~keep_edges:(needs_edges plans limits)
       ~expanding:(options.expanding ~about:(about checks)) ~rests limits options.surroundings context asked
@@ -293,7 +292,7 @@ let check (options : Setup.t) semantics ~initial (checks : Property.check list) 
   let graph = result.graph in
   let r = unsettled options context graph ~horizon in
   let temporal =
-    match temporals with [] -> None | _ :: _ -> Some (Temporal.on formulas ~rests graph)
+    match temporals with [] -> None | _ :: _ -> Some (Temporal.on asked_formulas ~rests graph)
   in
   let met = Unsettled.met r in
   let besides = besides r met in

@@ -13,27 +13,52 @@ module Gen = QCheck2.Gen
 
 type case = { scene : Scene.t; formulas : Property.temporal list; seed : int }
 
-(* Where time is asked about, each operator has a bound and stands by itself, as all that is later is left out; but
-   for what is next, which may be however late. *)
+let anytime = { Property.low = Rat.zero; high = None }
+
+(* What ends with some time: nothing after it counts. *)
+let settled leaves ~quantifier ~below =
+  let open Gen in
+  let prop = Predicates.generate leaves ~timed:false 1 in
+  let time ops = map2 (fun op n -> Property.Compare (op, Quantity Time, Const (Rat.of_int n))) (oneofl ops) (0 -- 4) in
+  let state p = map (fun p -> Property.State p) p in
+  let late = state (time Law.[ Gt; Ge ]) and early = state (time Law.[ Lt; Le; Eq ]) in
+  let both f g = map2 (fun f g -> Property.Temporal_and [ f; g ]) f g in
+  let either f g = map2 (fun f g -> Property.Temporal_or [ f; g ]) f g in
+  let finally f = map2 (fun q f -> Property.Finally (q, anytime, f)) quantifier f in
+  let globally f = map2 (fun q f -> Property.Globally (q, anytime, f)) quantifier f in
+  let until f g = map3 (fun q f g -> Property.Until (q, anytime, f, g)) quantifier f g in
+  let one goal =
+    frequency
+      [
+        (2, finally (both goal early)); (2, globally (either goal late)); (1, until goal (both (state prop) early));
+        (1, until early goal); (1, until goal late); (1, finally late);
+      ]
+  in
+  frequency [ (4, one below); (1, finally (both early (one below))) ]
+
+(* Where time is asked about, each operator has a bound and stands by itself, or a goal that ends with some time, as
+   all that is later is left out; but for the events that are next, which may be however late. *)
 let formula leaves ~timed ~quantifiers =
   let open Gen in
   let prop = Predicates.generate leaves ~timed 1 in
   let quantifier = oneofl quantifiers in
   let bound =
-    if timed then map (fun n -> { Property.low = Rat.zero; high = Some (Rat.of_int n) }) (1 -- 5)
-    else pure { Property.low = Rat.zero; high = None }
+    if timed then map (fun n -> { Property.low = Rat.zero; high = Some (Rat.of_int n) }) (1 -- 5) else pure anytime
   in
   let next below = map2 (fun q f -> Property.Next (q, f)) quantifier below in
   let rec temporal depth =
     let state = map (fun p -> Property.State p) prop in
     let below =
-      if depth > 0 then either (depth - 1) else if timed then frequency [ (9, state); (1, next state) ] else state
+      if depth > 0 then either (depth - 1)
+      else if timed then frequency [ (7, state); (2, next state); (1, next (next state)) ]
+      else state
     in
     frequency
       [
         (2, map3 (fun q b f -> Property.Finally (q, b, f)) quantifier bound below);
         (2, map3 (fun q b f -> Property.Globally (q, b, f)) quantifier bound below);
         (2, map3 (fun q b (f, g) -> Property.Until (q, b, f, g)) quantifier bound (pair below below));
+        ((if timed then 3 else 0), settled leaves ~quantifier ~below);
         ((if timed then 0 else 3), next below);
         ((if List.length quantifiers > 1 then 1 else 0),
          map (fun f -> Property.Temporal_not f) (delay (fun () -> temporal depth)));

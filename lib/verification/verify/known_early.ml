@@ -1,0 +1,53 @@
+open Scc_exact
+open Scc_calculus
+open Scc_property
+open Scc_graph_search
+open Scc_state_space
+
+let start (s : State.t) = Option.value s.time ~default:Rat.zero
+
+let horizon model ~initial checks =
+  let from = start initial in
+  match checks with
+  | [] -> None
+  | _ :: _ -> (
+      match Settling.of_checks model ~from checks with
+      | Some { time; events = 0 } -> Some (Rat.sub time from)
+      | Some _ | None -> None)
+
+let within model ~initial bound goal =
+  match Settling.prop model goal with
+  | Some { after; truth = false } -> Bounds.earlier bound (Some (Rat.sub after (start initial)))
+  | Some { truth = true; _ } | None -> bound
+
+type question = { asked : Property.asked; formula : int }
+
+(* A number is what it will be once no state that was not expanded matters to it. *)
+let is_settled temporal { asked; formula } =
+  let explored (d : Scc_ctl.Doubts.t) = d.unexplored = [] in
+  match asked with
+  | Whether -> Option.is_some (Temporal.truth temporal formula)
+  | How_likely _ -> explored (Temporal.possible_doubts temporal formula)
+  | Expected (_, (Time_until _ | Events_until _), _) -> explored (Temporal.doubts_of_mean temporal formula)
+  | Expected (sides, (Value_at _ as mean), _) ->
+    let is_known side =
+      match Temporal.mean temporal formula side mean with
+      | Known _ | Unknown { unexplored = []; _ } -> true
+      | Unknown _ -> false
+    in
+    List.for_all is_known sides
+
+(* What is settled stays so as the graph grows. *)
+let settled (around : Limits.surroundings) formulas ~rests questions =
+  let rec unsettled temporal = function
+    | q :: rest when is_settled temporal q -> unsettled temporal rest
+    | left -> left
+  in
+  let left = ref questions in
+  let look g () =
+    left := unsettled (Temporal.on formulas ~rests g) !left;
+    !left = []
+  in
+  match questions with
+  | [] -> None
+  | _ :: _ -> Some (fun g -> Result.value (around.attempt.run Exploring (look g)) ~default:false)
