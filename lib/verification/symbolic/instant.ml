@@ -168,17 +168,12 @@ let of_contacts c all region =
 
 let of_closings c z regions (p : State.process) =
   let m = Semantics.model c.semantics in
-  if Array.length p.leaves < 3 || not (Model.closes_rings m) then regions
+  if not (Closings.may_close m p) then regions
   else
-    let free (a, b) =
-      let joins (bond : State.bond) =
-        (bond.one.at = a.leaf && bond.two.at = b.leaf) || (bond.one.at = b.leaf && bond.two.at = a.leaf)
-      in
-      a.leaf <> b.leaf
-      && (not (Array.exists joins p.bonds))
-      && Collisions.fitting c.semantics (p, a.leaf) (p, b.leaf) <> []
+    let may_join (a, b) =
+      Closings.free p a.leaf b.leaf && Collisions.fitting c.semantics (p, a.leaf) (p, b.leaf) <> []
     in
-    List.fold_left (apart_by_touching c) regions (List.filter free (Scc_data.Lists.pairs (parts m z p)))
+    List.fold_left (apart_by_touching c) regions (List.filter may_join (Scc_data.Lists.pairs (parts m z p)))
 
 (* A push goes along the only normal of the contact, or else by where exactly the parts are, which is affine in
    nothing that is not known. *)
