@@ -44,7 +44,7 @@ let get c =
 
 let readable seconds list =
   match Unix.select (List.map (fun c -> c.fd) list) [] [] seconds with
-  | fds, _, _ -> List.filter (fun c -> List.mem c.fd fds) list
+  | fds, _, _ -> List.filter (fun c -> List.memq c.fd fds) list
   | exception Unix.Unix_error (EINTR, _, _) -> []
 
 let ready list = readable 0.2 list

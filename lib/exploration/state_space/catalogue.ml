@@ -146,7 +146,7 @@ let moved by (p : State.process) =
   else State.map_leaves (fun l -> { l with position = Vec.add l.position by }) p
 
 (* Only what is new can be longer than all before. *)
-let measure c ~known ~number bits = if number = known then c.bits <- Int.max c.bits (bits ())
+let measure c ~known ~(number : int) bits = if number = known then c.bits <- Int.max c.bits (bits ())
 
 let vector c v =
   let known = Vectors.size c.vectors in
@@ -241,7 +241,7 @@ let encode c (s : State.t) =
 
 let step c tuple = if Model.of_all c.model then Some (Steps.get c.steps tuple.(step_slot c)) else None
 
-let same_rest c a b =
+let same_rest c (a : int array) b =
   let rec from i = i >= width c || (a.(i) = b.(i) && from (i + 1)) in
   from (leaves c)
 

@@ -16,10 +16,13 @@ let corner_indices (s : Solid.t) =
 
 let channel c = number (Float.of_int (c * 1000 / 255) /. 1000.)
 
-let appearance put written (f : Figure.family) i =
-  if Hashtbl.mem written (`Family i) then put (Printf.sprintf "<Appearance USE='family_%d'/>" i)
+(* A part that the file has already, by its number in the figure. *)
+type written = Family of int | Mesh of int
+
+let appearance put (written : (written, unit) Hashtbl.t) (f : Figure.family) i =
+  if Hashtbl.mem written (Family i) then put (Printf.sprintf "<Appearance USE='family_%d'/>" i)
   else (
-    Hashtbl.add written (`Family i) ();
+    Hashtbl.add written (Family i) ();
     let r, g, b = f.rgb in
     put
       (Printf.sprintf
@@ -29,10 +32,10 @@ let appearance put written (f : Figure.family) i =
          (number (1. -. Figure.opacity f))
          (Xml.quoted (Printf.sprintf "\"%s\"" f.name))))
 
-let shape put written figure i =
-  if Hashtbl.mem written (`Mesh i) then put (Printf.sprintf "<Shape USE='shape_%d'/>\n" i)
+let shape put (written : (written, unit) Hashtbl.t) figure i =
+  if Hashtbl.mem written (Mesh i) then put (Printf.sprintf "<Shape USE='shape_%d'/>\n" i)
   else (
-    Hashtbl.add written (`Mesh i) ();
+    Hashtbl.add written (Mesh i) ();
     let (solid : Solid.t), family = (Figure.meshes figure).(i) in
     put (Printf.sprintf "<Shape DEF='shape_%d'>" i);
     appearance put written (Figure.families figure).(family) family;

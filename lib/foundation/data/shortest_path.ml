@@ -1,5 +1,5 @@
 let find ~successors ~from ~goal =
-  let reached = Hashtbl.create 64 in
+  let reached : (int, _) Hashtbl.t = Hashtbl.create 64 in
   let queue = Queue.create () in
   let rec back v acc =
     match Hashtbl.find reached v with

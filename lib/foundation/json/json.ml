@@ -211,7 +211,7 @@ let parse source =
   let s = Source.text source in
   parse_line source ~start:(Source.after_mark s) ~stop:(String.length s)
 
-let member key = function
+let member (key : string) = function
   | `Assoc members -> (
       match List.assoc_opt key members with None | Some `Null -> None | Some v -> Some v)
   | _ -> None

@@ -211,8 +211,9 @@ let map named top m =
 
 (* The colours of the names that are there. *)
 let legend named maps ~y =
+  let is_named name c = match c.amount with Named n -> String.equal n name | Nothing | Amount _ -> false in
   let is_there name =
-    List.exists (fun m -> Array.exists (Array.exists (fun c -> c.amount = Named name)) m.cells) maps
+    List.exists (fun m -> Array.exists (Array.exists (is_named name)) m.cells) maps
   in
   let one i (name, colour) =
     let x = left + (130 * i) in

@@ -11,7 +11,7 @@ let bare name =
 (* Each once, in order. *)
 let distinct names =
   let known = Hashtbl.create 16 in
-  let is_new name =
+  let is_new (name : string) =
     (not (Hashtbl.mem known name))
     && begin
       Hashtbl.add known name (Hashtbl.length known);

@@ -40,7 +40,7 @@ let key t p = (t.first p.one, t.first p.two)
 (* Those in which a body is the first, from some place on; and those in which it is the second. *)
 let rec with_first leaf pairs () =
   match pairs () with
-  | Seq.Cons (((one, _), p), rest) when one = leaf -> Seq.Cons (p, with_first leaf rest)
+  | Seq.Cons (((one, _), p), rest) when Int.equal one leaf -> Seq.Cons (p, with_first leaf rest)
   | Seq.Cons _ | Seq.Nil -> Seq.Nil
 
 let as_first t leaf = with_first leaf (Pairs.to_seq_from (leaf, 0) t.pairs)

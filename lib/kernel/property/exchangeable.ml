@@ -31,7 +31,7 @@ let in_place term parts = { term; leaves = all_leaves parts; parts = In_place pa
 let in_any_order term parts =
   let operands = Array.of_list parts in
   let naming = Hashtbl.create (Array.length operands) in
-  let note k leaf =
+  let note k (leaf : int) =
     Hashtbl.replace naming leaf (k :: Option.value (Hashtbl.find_opt naming leaf) ~default:[])
   in
   Array.iteri (fun k t -> Leaves.iter (note k) t.leaves) operands;
@@ -72,7 +72,7 @@ let make f = temporal (Rename.ordered f)
 
 (* {1 Two leaves} *)
 
-let swap i j k = if k = i then j else if k = j then i else k
+let swap i j (k : int) = if k = i then j else if k = j then i else k
 
 let rec are t i j =
   if not (Leaves.mem i t.leaves || Leaves.mem j t.leaves) then true

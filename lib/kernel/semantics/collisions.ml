@@ -205,7 +205,7 @@ let bounce (c : Semantics.t) (processes : State.process array) { members; meetin
   let firsts = List.map (fun (p : State.process) -> p.leaves.(0).leaf) gone in
   let rec number k i = function
     | [] -> Scc_base.Bug.fail __POS__ "a meeting of others"
-    | j :: rest -> if i = j then k else number (k + 1) i rest
+    | j :: rest -> if Int.equal i j then k else number (k + 1) i rest
   in
   let meetings = List.filter (fun m -> m.collide) meetings in
   let local m = { m with first = number 0 m.first members; second = number 0 m.second members } in

@@ -8,7 +8,7 @@ let replace (s : State.t) changes =
   let change i p = Option.value (List.assoc_opt i changes) ~default:p in
   State.mapi change s
 
-let involves i (a, b) = a = i || b = i
+let involves i (a, b) = Int.equal a i || Int.equal b i
 
 (* Each time at least one fewer is left: what collides without any change does not begin a turn. *)
 let rec at_once ~colliding s changes =

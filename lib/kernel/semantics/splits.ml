@@ -205,7 +205,7 @@ let matches (p : State.process) leaf entries bonds =
     String.equal entry.name bond.name && Behaviour.active entry (site_at bond leaf)
   in
   let rec augment seen owners e = attempt seen owners e 0
-  and attempt seen owners e b =
+  and attempt seen owners e (b : int) =
     if b >= Array.length bonds then Error seen
     else if Ints.mem b seen || not (fits e b) then attempt seen owners e (b + 1)
     else
@@ -240,7 +240,7 @@ let choices (m : Model.t) (p : State.process) reaction ~least (l : State.leaf) =
   (* Where bonds close rings, the leaf at the other end of a bond may have chosen, without it. *)
   let other i = if p.bonds.(i).one.at = l.leaf then p.bonds.(i).two.at else p.bonds.(i).one.at in
   let open_yet i = not (List.mem_assoc (other i) reaction.chosen) in
-  let optional = List.filter (fun i -> i > least && open_yet i) rest in
+  let optional = List.filter (fun (i : int) -> i > least && open_yet i) rest in
   Behaviours.derivations m.definitions l.behaviour
   |> List.concat_map (fun (offer, derivation) ->
       match offer with

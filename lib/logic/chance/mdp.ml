@@ -77,7 +77,7 @@ let add_state b =
   Int_array.size b.choice_starts - 1
 
 let rec increasing = function
-  | (t, _) :: ((u, _) :: _ as rest) -> t < u && increasing rest
+  | (t, _) :: ((u, _) :: _ as rest) -> (t : int) < u && increasing rest
   | [] | [ _ ] -> true
 
 (* Each target once; what is not positive stays, to be told. *)

@@ -50,7 +50,7 @@ let few = 24
 
 let insertion_sort a n =
   for i = 1 to n - 1 do
-    let x = a.(i) in
+    let x : int = a.(i) in
     let j = ref (i - 1) in
     while !j >= 0 && a.(!j) > x do
       a.(!j + 1) <- a.(!j);

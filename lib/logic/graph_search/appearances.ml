@@ -7,7 +7,7 @@ type family = {
 type t = { families : family list; of_slot : family array }
 
 let create ~width ~family =
-  let known = Hashtbl.create 8 in
+  let known : (int, family) Hashtbl.t = Hashtbl.create 8 in
   let of_slot slot =
     match Hashtbl.find_opt known (family slot) with
     | Some f -> f

@@ -71,13 +71,12 @@ module Make (L : Lts.S) = struct
 
   let size s = Choices.length s.choices
 
-  (* Each bound once. Faults may be many, and hold no matter that structural equality could compare. *)
+  (* Each bound once: bounds are constant constructors. Faults may be many. *)
   let leave s (reason : L.fault Explore.reason) =
     match reason with
     | Fault _ -> s.left <- reason :: s.left
     | Depth | Time | Instant | States | Bits | Seconds | Memory | Interrupted | Stopped ->
-      let same : L.fault Explore.reason -> bool = function Fault _ -> false | other -> other = reason in
-      if not (List.exists same s.left) then s.left <- reason :: s.left
+      if not (List.memq reason s.left) then s.left <- reason :: s.left
 
   (* States are expanded in the order of their numbers, so that each waits, whether or not it is to be expanded. *)
   let add s key label changes ~choice =

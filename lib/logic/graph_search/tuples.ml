@@ -198,7 +198,7 @@ let rec touches t (changes : changes) low high k =
   low < high
   && ((changes.(low) >= t.first.(k) && changes.(low) < t.beyond.(k)) || touches t changes (low + 2) high k)
 
-let rec after changes low high slot v =
+let rec after changes low high (slot : int) v =
   if low >= high then v
   else after changes (low + 2) high slot (if changes.(low) = slot then changes.(low + 1) else v)
 

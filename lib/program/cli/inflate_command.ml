@@ -135,7 +135,7 @@ let strengths =
   let split given =
     let all = List.filter_map (fun (c, q) -> if c = None then Some q else None) given in
     let colours = List.filter_map (fun (c, q) -> Option.map (fun c -> (c, q)) c) given in
-    let distinct = List.sort_uniq compare (List.map fst colours) in
+    let distinct = List.sort_uniq Int.compare (List.map fst colours) in
     if List.length all > 1 || List.length distinct < List.length colours then
       Error "--strength is given twice for the same pixels"
     else Ok ((match all with [ q ] -> q | _ -> Rat.one), colours)

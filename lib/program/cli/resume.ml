@@ -9,7 +9,7 @@ let bad path format =
 
 let has_number member number line =
   match Yojson.Safe.from_string line with
-  | `Assoc members -> List.assoc_opt member members = Some (`Int number)
+  | `Assoc members -> (match List.assoc_opt member members with Some (`Int n) -> n = number | _ -> false)
   | _ -> false
   | exception Yojson.Json_error _ -> false
 

@@ -228,7 +228,7 @@ let argument =
     let endings = List.filter (fun (_, other) -> String.equal other name) formats in
     Printf.sprintf "%s (%s)" name (String.concat ", " (List.map (fun (e, _) -> "$(b," ^ e ^ ")") endings))
   in
-  let first names (_, name) = if List.mem name names then names else names @ [ name ] in
+  let first names (_, (name : string)) = if List.mem name names then names else names @ [ name ] in
   let formats = List.map format (List.fold_left first [] formats) in
   let doc =
     Printf.sprintf

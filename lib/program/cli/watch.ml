@@ -46,7 +46,7 @@ let passed t =
     if over then 0. else -1.
 
 (* What is over when so many seconds more, and such a share of the memory, are allowed. *)
-let beyond t ~passed ~taken ~more ~share : Limits.stop option =
+let beyond t ~passed ~taken ~(more : float) ~(share : float) : Limits.stop option =
   if passed >= more then Some (if t.signalled then Interrupted else Seconds)
   else if taken > share then Some Memory
   else None

@@ -102,7 +102,7 @@ let quaternion c json =
   | _ -> wrong c "`turned` is a quaternion that is not 0"
 
 (* [Some None] where null is written. *)
-let nullable json key read =
+let nullable json (key : string) read =
   match json with
   | `Assoc members -> (
       match List.assoc_opt key members with

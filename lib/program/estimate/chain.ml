@@ -84,7 +84,7 @@ let questions semantics paths =
   let rigid = Option.is_some (Semantics.model semantics).Model.rigid in
   { paths; formulas; props; steady = Array.map (Scc_property.Formula.steady ~rigid) props }
 
-let remembered table key find =
+let remembered table (key : int * int) find =
   match Hashtbl.find_opt table key with
   | Some x -> x
   | None ->

@@ -73,7 +73,7 @@ let all_names p ~vertices ~faces =
   (read "vertices" "v" vertices, read "faces" "f" faces)
 
 let by_name names =
-  let table = Hashtbl.create 64 in
+  let table : (string, int) Hashtbl.t = Hashtbl.create 64 in
   Array.iteri (fun i s -> Hashtbl.replace table s i) names;
   table
 

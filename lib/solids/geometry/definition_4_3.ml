@@ -61,7 +61,7 @@ let least_rotation a =
   let rec go i j k =
     if i >= n || j >= n || k >= n then Int.min i j
     else
-      let x = a.((i + k) mod n) and y = a.((j + k) mod n) in
+      let x : int = a.((i + k) mod n) and y = a.((j + k) mod n) in
       if x = y then go i j (k + 1)
       else
         let i, j = if x > y then (i + k + 1, j) else (i, j + k + 1) in

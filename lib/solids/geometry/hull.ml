@@ -124,7 +124,7 @@ let seen points edges f p =
 
 (* As one closed line. *)
 let in_order border =
-  let after = Hashtbl.create 16 in
+  let after : (int, int) Hashtbl.t = Hashtbl.create 16 in
   List.iter (fun (v, w) -> Hashtbl.replace after v w) border;
   let start = fst (List.hd border) in
   let rec follow line v =

@@ -85,7 +85,7 @@ let relax ~progress ~bits y omega =
 (* {1 Symmetry} *)
 
 (* The maps of the rectangle to itself that keep the shape and its strengths, but for the identity. *)
-let symmetries (s : Silhouette.t) strengths =
+let symmetries (s : Silhouette.t) (strengths : int array) =
   let w = s.width and h = s.height in
   let mirrored x y = (w - 1 - x, y) and turned x y = (x, h - 1 - y) in
   let half x y = (w - 1 - x, h - 1 - y) in
@@ -113,18 +113,20 @@ let symmetrize maps values =
 
 (* {1 All of it} *)
 
+module Numbers = Hashtbl.Make (Rat)
+
 let solve ~progress (s : Silhouette.t) ~strength ~greatest =
   let bound = bound s in
   let bits = bits_of bound in
   let unit = Rat.make (Z.shift_left Z.one (bits + 2)) Z.one in
-  let known = Hashtbl.create 16 in
+  let known = Numbers.create 16 in
   let right_side i =
     let q = strength i in
-    match Hashtbl.find_opt known q with
+    match Numbers.find_opt known q with
     | Some r -> r
     | None ->
       let r = Z.to_int (Rat.round_to (Rat.div (Rat.mul q unit) greatest) ~quantum:Rat.one).num in
-      Hashtbl.add known q r;
+      Numbers.add known q r;
       r
   in
   let all = Array.make (s.width * s.height) (-1) in

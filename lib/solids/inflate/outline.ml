@@ -137,7 +137,7 @@ let free c v =
     && sign * Front.cross bx by ex ey x y >= 0
     && sign * Front.cross ex ey ax ay x y >= 0
   in
-  let low a b c = min a (min b c) and high a b c = max a (max b c) in
+  let low a b c = Int.min a (Int.min b c) and high a b c = Int.max a (Int.max b c) in
   let x0 = low ax bx ex and x1 = high ax bx ex and y1 = high ay by ey in
   let rec rows y = y > y1 || (columns y x0 && rows (y + half))
   and columns y x =

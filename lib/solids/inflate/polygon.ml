@@ -4,7 +4,7 @@ open Scc_base
 let turn (ax, ay) (bx, by) (cx, cy) = -Front.cross ax ay bx by cx cy
 
 let between (ax, ay) (bx, by) (px, py) =
-  min ax bx <= px && px <= max ax bx && min ay by <= py && py <= max ay by
+  Int.min ax bx <= px && px <= Int.max ax bx && Int.min ay by <= py && py <= Int.max ay by
 
 (* Whether two segments have a point in common. *)
 let meet a b c d =
@@ -18,11 +18,13 @@ let meet a b c d =
 
 (* The corner from which a hole is joined: the one farthest to the right. From there some corner of the polygon
    around can be seen when the holes farther to the right are joined already (Eberly). *)
-let rightmost at hole = List.fold_left (fun a b -> if compare (at b) (at a) > 0 then b else a) (List.hd hole) hole
+let rightmost at hole =
+  let compare : int * int -> int * int -> int = compare in
+  List.fold_left (fun a b -> if compare (at b) (at a) > 0 then b else a) (List.hd hole) hole
 
 let edges loop = List.combine loop (List.tl loop @ [ List.hd loop ])
 
-let rec rotated_to v = function
+let rec rotated_to (v : int) = function
   | x :: rest when x = v -> x :: rest
   | x :: rest -> rotated_to v (rest @ [ x ])
   | [] -> Bug.fail __POS__ "no such corner"
@@ -33,7 +35,7 @@ let in_cone at (a, b, c) p =
   if turn a b c > 0 then turn a b p > 0 && turn b c p > 0 else not (turn a b p <= 0 && turn b c p <= 0)
 
 let join at walls outer hole =
-  let m = rightmost at hole in
+  let m : int = rightmost at hole in
   let polygon = Array.of_list outer in
   let n = Array.length polygon in
   let distance v =
@@ -47,7 +49,9 @@ let join at walls outer hole =
       (fun (a, b) -> a = v || b = v || a = m || b = m || not (meet (at a) (at b) (at v) (at m)))
       walls
     && not (List.exists (fun (a, b) ->
-        let beside e other = e = v && turn (at v) (at m) (at other) = 0 && between (at v) (at m) (at other) in
+        let beside (e : int) other =
+          e = v && turn (at v) (at m) (at other) = 0 && between (at v) (at m) (at other)
+        in
         beside a b || beside b a
         || ((a = m || b = m) &&
             let other = if a = m then b else a in

@@ -59,7 +59,7 @@ let label (p : Raster.t) belongs =
   done;
   (labels, List.stable_sort (fun (_, a) (_, b) -> compare b.pixels a.pixels) (List.rev !pieces))
 
-let cut (p : Raster.t) labels number size =
+let cut (p : Raster.t) labels (number : int) size =
   let left = ref p.width and right = ref (-1) and top = ref p.height and bottom = ref (-1) in
   let each f = Array.iteri (fun i l -> if l = number then f (i mod p.width) (i / p.width)) labels in
   each (fun x y ->
@@ -97,7 +97,7 @@ let colours s =
          let colour = colour s i in
          Hashtbl.replace found colour (1 + Option.value (Hashtbl.find_opt found colour) ~default:0))
     s.inside;
-  let order (a, m) (b, n) = match compare n m with 0 -> compare a b | c -> c in
+  let order (a, m) (b, n) = match Int.compare n m with 0 -> Int.compare a b | c -> c in
   List.sort order (List.of_seq (Hashtbl.to_seq found))
 
 (* Distances along columns first; then in each row the lower envelope of the parabolas over its pixels, of which

@@ -11,7 +11,7 @@ let plain label =
 (* How many faces each label has. *)
 let count labels =
   let table = Hashtbl.create 16 in
-  let add l = Hashtbl.replace table l (1 + Option.value (Hashtbl.find_opt table l) ~default:0) in
+  let add (l : string) = Hashtbl.replace table l (1 + Option.value (Hashtbl.find_opt table l) ~default:0) in
   Array.iter (Option.iter add) labels;
   table
 

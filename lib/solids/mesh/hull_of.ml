@@ -8,7 +8,7 @@ let compare_lists = List.compare Int.compare
 (* The corners from the least one on. *)
 let from_least corners =
   let n = Array.length corners and least = ref 0 in
-  Array.iteri (fun i v -> if v < corners.(!least) then least := i) corners;
+  Array.iteri (fun i (v : int) -> if v < corners.(!least) then least := i) corners;
   Array.init n (fun i -> corners.((!least + i) mod n))
 
 (* The least of the triangles that corners, from the least one on, make when they are joined to the face one after

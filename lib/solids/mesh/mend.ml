@@ -33,7 +33,7 @@ let on_grid quantum (set : Polyhedron.ifs) =
 (* {1 Weld} *)
 
 (* Without corners that are their successor, around the end too. *)
-let distinct corners =
+let distinct (corners : int array) =
   let n = Array.length corners in
   let keep i = corners.(i) <> corners.((i + 1) mod n) in
   Array.of_list (List.filter_map (fun i -> if keep i then Some corners.(i) else None) (List.init n Fun.id))

@@ -57,7 +57,7 @@ let bend points g =
     (high -. low) /. (2. *. size)
 
 let neighbours faces =
-  let along = Hashtbl.create (4 * Array.length faces) in
+  let along : (int * int, int) Hashtbl.t = Hashtbl.create (4 * Array.length faces) in
   let each_edge f use =
     let c = faces.(f) in
     Array.iteri (fun i v -> use v c.((i + 1) mod Array.length c)) c
@@ -108,6 +108,6 @@ let groups ~within (set : Polyhedron.ifs) =
       if alive c then unite c;
       grow ()
   in
-  Array.iteri (fun f g -> Ints.iter (fun h -> if h > f then propose f h) g.beside) group;
+  Array.iteri (fun f g -> Ints.iter (fun h -> if (h : int) > f then propose f h) g.beside) group;
   grow ();
   Array.init (Array.length faces) (Union_find.find sets)

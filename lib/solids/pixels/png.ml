@@ -118,7 +118,7 @@ let unfilter data ~at ~above ~n ~step =
 
 (* {1 Pixels} *)
 
-let part text found name = Option.map (fun (i, n) -> String.sub text i n) (List.assoc_opt name found) 
+let part text found (name : string) = Option.map (fun (i, n) -> String.sub text i n) (List.assoc_opt name found) 
 
 (* The sample of the bytes from [start] on: its bits as they are. *)
 let sample h data start k =

@@ -18,7 +18,7 @@ exception Refused of Diag.t
 
 (* {1 Elements} *)
 
-let attribute attributes name = List.assoc_opt name attributes
+let attribute attributes (name : string) = List.assoc_opt name attributes
 
 let value attributes name =
   match attribute attributes name with None -> Rat.zero | Some text -> length text

@@ -113,7 +113,7 @@ let arc_of_circle p map ~forward u v =
 (* The centre of the ellipse, as SVG's notes on implementation have it, where the ellipse is the unit circle. *)
 let arc p (rx, ry) angle ~large ~sweep place =
   let rx = Rat.abs rx and ry = Rat.abs ry in
-  if p.here = place then ()
+  if Rat.equal (fst p.here) (fst place) && Rat.equal (snd p.here) (snd place) then ()
   else if Rat.sign rx = 0 || Rat.sign ry = 0 then line p place
   else begin
     let c, s = Plane_map.cos_sin angle in

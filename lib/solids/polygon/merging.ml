@@ -3,7 +3,7 @@ let from ring k =
   let n = Array.length ring in
   List.init n (fun m -> ring.((k + m) mod n))
 
-let index ring p =
+let index (ring : int array) p =
   let rec find k = if ring.(k) = p then k else find (k + 1) in
   find 0
 

@@ -5,7 +5,7 @@ let empty = []
 let reduce t c = List.fold_left (fun c (i, by) -> Constraint.eliminate c i ~by) c t
 
 let rec insert (i, c) = function
-  | (j, d) :: rest when j < i -> (j, d) :: insert (i, c) rest
+  | ((j : int), d) :: rest when j < i -> (j, d) :: insert (i, c) rest
   | rest -> (i, c) :: rest
 
 let add t (c : Constraint.t) =

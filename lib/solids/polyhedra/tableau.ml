@@ -120,7 +120,7 @@ let pivot t r c =
 let sign_of row = if Z.sign row.(0) <> 0 then Z.sign row.(0) else Z.sign row.(1)
 
 (* The index of the least variable among those that pass. *)
-let least variables passes =
+let least (variables : int array) passes =
   let best = ref (-1) in
   for k = 0 to Array.length variables - 1 do
     if (!best < 0 || variables.(k) < variables.(!best)) && passes k then best := k
@@ -195,7 +195,7 @@ let implies t c = satisfies t c && List.for_all (fun other -> add t other = None
 
 (* {1 One constraint turned round, or forgotten} *)
 
-let position variables v =
+let position (variables : int array) v =
   let k = least variables (fun k -> variables.(k) = v) in
   if k < 0 then None else Some k
 

@@ -69,7 +69,7 @@ let in_order (i : Incidence.t) =
 
 let first_of pairs =
   let at_vertex = Hashtbl.create 64 and at_face = Hashtbl.create 64 in
-  let least table key k =
+  let least table (key : int) k =
     match Hashtbl.find_opt table key with
     | Some first -> first
     | None ->

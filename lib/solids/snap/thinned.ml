@@ -123,7 +123,7 @@ let drop t f fresh =
   let list = beside t f in
   let leave c =
     let corner = Growable.get t.corners c in
-    let planes = List.filter (fun g -> g <> f) corner.planes in
+    let planes = List.filter (fun g -> not (Int.equal g f)) corner.planes in
     Growable.set t.corners c { corner with planes };
     if List.compare_length_with planes 3 < 0 then
       List.iter (fun g -> t.at.(g) <- Ints.remove c t.at.(g)) planes

@@ -62,7 +62,7 @@ let leaves_of (p : State.process) = List.map (fun (l : State.leaf) -> l.leaf) (A
 let home s leaf = Option.fold ~none:[] ~some:leaves_of (State.home s leaf)
 
 (* The leaf that takes part itself stands for its process. *)
-let first leaf leaves = leaf :: List.filter (fun l -> l <> leaf) leaves
+let first (leaf : int) leaves = leaf :: List.filter (fun l -> l <> leaf) leaves
 
 type telling = {
   semantics : Semantics.t;

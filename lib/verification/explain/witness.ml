@@ -29,6 +29,14 @@ type argument = {
   parts : argument list;
 }
 
+let rec equal_arguments a b =
+  Option.equal String.equal a.where b.where
+  && Option.equal Rat.equal a.time b.time
+  && String.equal a.claim b.claim
+  && Bool.equal a.holds b.holds
+  && List.equal String.equal a.because b.because
+  && List.equal equal_arguments a.parts b.parts
+
 type fixed = { values : (string * Rat.t) list; semantics : Semantics.t }
 
 type t = {

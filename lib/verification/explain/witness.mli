@@ -54,6 +54,9 @@ type argument = {
   parts : argument list;
 }
 
+val equal_arguments : argument -> argument -> bool
+(** [equal_arguments a b] is true if [a] and [b] are equal in all fields, parts included. *)
+
 (** The rules over a model with values for its parameters. *)
 type fixed = { values : (string * Rat.t) list; semantics : Semantics.t }
 

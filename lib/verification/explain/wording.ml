@@ -26,7 +26,7 @@ let facts_at context graph temporal (at : Scc_ctl.Positions.position) p =
     (Temporal.predicate temporal p)
 
 let distinct facts =
-  List.rev (List.fold_left (fun kept f -> if List.mem f kept then kept else f :: kept) [] facts)
+  List.rev (List.fold_left (fun kept (f : string) -> if List.mem f kept then kept else f :: kept) [] facts)
 
 let rec given (e : Explanation.t) =
   match (e.formula, e.because) with
@@ -305,8 +305,8 @@ and on_the_way context graph temporal ~shown ~depth here (along : Explanation.al
       reasons found (if is_searched why then left - 1 else left) rest
   and note place argument = function
     | [] -> [ (place, argument) ]
-    | ((_, a) :: _) as found when a = argument -> found
-    | first :: rest when List.exists (fun (_, a) -> a = argument) rest -> first :: rest
+    | ((_, a) :: _) as found when Witness.equal_arguments a argument -> found
+    | first :: rest when List.exists (fun (_, a) -> Witness.equal_arguments a argument) rest -> first :: rest
     | found -> (place, argument) :: found
   in
   match along.stretches with

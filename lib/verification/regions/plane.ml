@@ -29,7 +29,7 @@ let value (ranges : Ranges.t) (name, x) =
 
 let rec repeated = function
   | [] -> None
-  | i :: rest -> if List.mem i rest then Some i else repeated rest
+  | (i : int) :: rest -> if List.mem i rest then Some i else repeated rest
 
 let view ranges ~axes ~fixed =
   let* fixed = all (value ranges) fixed in

@@ -7,6 +7,9 @@ open Run_search
 type finish = Run_search.finish = There | Rests | Passes | Repeats of int | Goes_on of int
 
 type spot = { steps : int; since : Rat.t option }
+
+let equal_spots a b = Int.equal a.steps b.steps && Option.equal Rat.equal a.since b.since
+
 type along = { what : Property.temporal; so : bool; bound : Property.bound }
 
 type claim = { formula : Property.temporal; holds : bool; spot : spot; because : because }

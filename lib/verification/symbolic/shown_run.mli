@@ -9,6 +9,9 @@ type finish = Run_search.finish = There | Rests | Passes | Repeats of int | Goes
 (** A position on the run: after so many steps, and perhaps a time after that. *)
 type spot = { steps : int; since : Rat.t option }
 
+val equal_spots : spot -> spot -> bool
+(** [equal_spots a b] is true if [a] and [b] are the same position of a run. *)
+
 (** A formula, at a position, holds or does not. *)
 type claim = { formula : Property.temporal; holds : bool; spot : spot; because : because }
 

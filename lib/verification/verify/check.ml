@@ -107,9 +107,10 @@ let lift_verdict lift (v : Verdict.t) : Verdict.t =
 (** {2 All explorations} *)
 
 let sum_stores a b =
-  List.map (fun (name, n) -> (name, n + Option.value (List.assoc_opt name b) ~default:0)) a
+  List.map (fun ((name : string), n) -> (name, n + Option.value (List.assoc_opt name b) ~default:0)) a
 
-let most a b = List.map (fun (name, n) -> (name, Int.max n (Option.value (List.assoc_opt name b) ~default:0))) a
+let most a b =
+  List.map (fun ((name : string), n) -> (name, Int.max n (Option.value (List.assoc_opt name b) ~default:0))) a
 
 (* What a verdict rests on that is about runs in which time does not go on. A run that meets what a search looks
    for is decisive up to there, however it goes on; a formula may speak of what comes after the last state. *)

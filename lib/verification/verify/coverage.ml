@@ -13,7 +13,7 @@ module Seen = Hashtbl.Make (struct
     type t = string * Behaviour.aged
 
     let equal (s, a) (t, b) = String.equal s t && Behaviour.equal_aged a b
-    let hash (s, a) = (Hashtbl.hash s * 31) + Behaviour.hash_aged a
+    let hash ((s : string), a) = (Hashtbl.hash s * 31) + Behaviour.hash_aged a
   end)
 
 type t = {

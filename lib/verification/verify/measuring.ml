@@ -35,18 +35,18 @@ let compared bound m ~reasons : Verdict.t =
 
 let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
   let find side = (side, Temporal.mean temporal i side mean) in
-  let unknown = function
-    | _, Scc_ctl.Expectation.Known _ -> []
-    | _, Unknown { reason; unexplored } ->
-      List.map (fun text -> Verdict.Undefined text) (Option.to_list reason)
-      @ if unexplored = [] then [] else Unsettled.unexplored r (List.to_seq unexplored)
-  in
+  let undefined = function _, Scc_ctl.Expectation.Unknown { reason; _ } -> reason | _, Known _ -> None in
+  let unexplored = function _, Scc_ctl.Expectation.Unknown { unexplored; _ } -> unexplored | _, Known _ -> [] in
   let known = function side, Scc_ctl.Expectation.Known m -> Some (side, m) | _, Unknown _ -> None in
   let of_found found : Verdict.t =
-    let all = List.concat_map unknown found in
-    let first i reason = not (List.exists (fun r -> r = reason) (List.filteri (fun j _ -> j < i) all)) in
+    let texts = List.sort_uniq String.compare (List.filter_map undefined found) in
+    let states = List.sort_uniq Int.compare (List.concat_map unexplored found) in
+    let unknown =
+      List.map (fun text -> Verdict.Undefined text) texts
+      @ if states = [] then [] else Unsettled.unexplored r (List.to_seq states)
+    in
     let of_values values = reasons r values (fun () -> Temporal.doubts_of_mean temporal i) in
-    match (List.filteri first all, List.filter_map known found, test) with
+    match (unknown, List.filter_map known found, test) with
     | (_ :: _ as reasons), _, _ -> Undecided reasons
     | [], ([ (_, m) ] as values), Some bound -> compared bound m ~reasons:(fun () -> of_values values)
     | [], values, _ -> Measured { values; reasons = of_values values; witness = None }

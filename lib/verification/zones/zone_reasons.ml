@@ -12,7 +12,8 @@ let facts_at (r : R.t) (spot : Shown_run.spot) prop =
   let prop = Rename.known r.values prop in
   Facts.at ~arrived:(R.arrived r spot.steps) r.semantics (R.state r spot.steps) extent offset prop
 
-let distinct facts = List.rev (List.fold_left (fun kept f -> if List.mem f kept then kept else f :: kept) [] facts)
+let distinct facts =
+  List.rev (List.fold_left (fun kept (f : string) -> if List.mem f kept then kept else f :: kept) [] facts)
 
 let rec given (r : R.t) (c : Shown_run.claim) =
   match (Formula.state_formula c.formula, c.because) with
@@ -46,7 +47,7 @@ let facts r (c : Shown_run.claim) =
 
 let right_after (r : R.t) c =
   match last_run c with
-  | Some { because = Run { finish = There; until; goal; _ }; _ } when until <> goal ->
+  | Some { because = Run { finish = There; until; goal; _ }; _ } when not (Shown_run.equal_spots until goal) ->
     let since = Option.value until.since ~default:Rat.zero in
     Some (Rat.sub (Rat.add (R.clock r until.steps) since) (R.clock r goal.steps))
   | Some _ | None -> None
@@ -71,11 +72,11 @@ let story model (r : R.t) (from : Shown_run.spot) (until : Shown_run.spot) =
 let ending model r (from : Shown_run.spot) ~until (goal : Shown_run.spot) finish =
   let clock, events = story model r from goal in
   match (finish : Shown_run.finish) with
-  | There when until <> goal ->
+  | There when not (Shown_run.equal_spots until goal) ->
     Printf.sprintf "right after time %s from here, for example after %s"
       (Rat.to_string (fst (story model r from until)))
       (Rat.to_string clock)
-  | There when from = goal -> "here"
+  | There when Shown_run.equal_spots from goal -> "here"
   | There when goal.since = None -> Printf.sprintf "in the state after time %s from here" (Rat.to_string clock)
   | There -> Printf.sprintf "after time %s from here" (Rat.to_string clock)
   | Rests -> "the run then rests for ever"
