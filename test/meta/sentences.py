@@ -3,8 +3,9 @@
 
     sentences.py [--limit N] FILE…
 
-A sentence of more than N words, 40 unless --limit says otherwise, is an error: a line 'FILE:LINE: N words: SENTENCE' for
-each, and exit code 1. The last line of the output is 'N sentences: N of over N words'.
+Of a folder, all files are read whose names end in '.md'. A sentence of more than N words, 40 unless --limit says
+otherwise, is an error: a line 'FILE:LINE: N words: SENTENCE' for each, and exit code 1. The last line of the output is
+'N sentences: N of over N words'.
 
 Paragraphs, headings, list items and table cells are blocks: no sentence continues from one block into the next. A list
 can so take the long part of a sentence. Blocks of code have no sentences. A code span counts as one word, a link as the
@@ -111,6 +112,8 @@ def blocks(text):
     [(1, 'a'), (3, '  of the item'), (5, 'b\n    c')]
     >>> list(blocks('1.  a\n    - b\n\n      of b\n\n    of a\n\n          code of a'))
     [(1, 'a'), (2, 'b'), (4, '      of b'), (6, '    of a')]
+    >>> list(blocks('a\n\n    b\n      1. code\n      - code'))
+    [(1, 'a')]
     """
     first, lines, fenced, inside = 0, [], False, 0
 
@@ -131,10 +134,11 @@ def blocks(text):
             continue
         row = re.sub(r'^\s*>\s?', '', row)
         item, indent = ITEM.match(row), len(row) - len(row.lstrip())
-        if not lines and not item:
-            inside = min(inside, indent)
+        if not lines:
             if indent >= inside + 4:
                 continue
+            if not item:
+                inside = min(inside, indent)
         if row.lstrip().startswith('|'):
             yield from flush()
             if not RULE.match(row):
@@ -158,8 +162,11 @@ def main(arguments):
     if arguments[:1] == ['--limit']:
         limit, arguments = int(arguments[1]), arguments[2:]
     count = long = 0
-    for file in arguments:
-        for line, block in blocks(Path(file).read_text(encoding='utf-8')):
+    files = []
+    for name in map(Path, arguments):
+        files += sorted(name.rglob('*.md')) if name.is_dir() else [name]
+    for file in files:
+        for line, block in blocks(file.read_text(encoding='utf-8')):
             for at, words, sentence in sentences(block, line):
                 count += 1
                 if words > limit:
