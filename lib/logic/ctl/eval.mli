@@ -9,7 +9,9 @@
     at a dead end, stays in a flow that lasts for ever, or takes infinitely many transitions, in bounded time or
     not. No fairness is assumed.
 
-    {1 Operators} (rule Next, rule Until, rule Intervals)
+    {1 Operators}
+
+    By rule Next, rule Until and rule Intervals:
 
     - EX f: some run takes an edge, possibly after time has passed, and f holds after its first edge. AX f is not
       EX not f, so it holds at a position from which no run takes an edge.
@@ -18,9 +20,9 @@
       hold there as well. A(f U g): every run has such a position.
     - F g is (true U g); G f is not F not f, with the other quantifier.
 
-    {1 Three values} (rule Truncated)
+    {1 Three values}
 
-    Unknown are the successors of nodes that are not known, and predicates that are undecided. The lower set takes
+    By rule Truncated: unknown are the successors of nodes that are not known, and predicates that are undecided. The lower set takes
     unknown truth for false, and the upper set for true; under "not" it is the other way round. *)
 
 type predicates = {
