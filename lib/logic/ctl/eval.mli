@@ -22,8 +22,9 @@
 
     {1 Three values}
 
-    By rule Truncated: unknown are the successors of nodes that are not known, and predicates that are undecided. The lower set takes
-    unknown truth for false, and the upper set for true; under "not" it is the other way round. *)
+    By rule Truncated: unknown are the successors of nodes that are not known, and predicates that are undecided.
+    The lower set takes unknown truth for false, and the upper set for true; under "not" it is the other way
+    round. *)
 
 type predicates = {
   at : int -> int -> Truth.t;  (** [at p s] is predicate [p] at node [s] *)
