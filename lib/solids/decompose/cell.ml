@@ -3,7 +3,7 @@ open Scc_exact
 type facet = { plane : Plane.t; corners : Homogeneous.t array }
 type t = facet list
 
-module Places = Hashtbl.Make (Place)
+module Places = Hashtbl.Make (Homogeneous)
 
 let box low high : t =
   let at i =

@@ -11,7 +11,7 @@ type t = {
 
 (* {1 Of a surface} *)
 
-module Places = Hashtbl.Make (Place)
+module Places = Hashtbl.Make (Homogeneous)
 
 let numbered polygons =
   let numbers = Places.create 256 in
