@@ -108,7 +108,7 @@ let way t (u : Eval.until) (f : Eval.value) (g : Eval.value) in_doubt sources =
   in
   let visited = ref [] in
   let keep s = if (not unbounded) || in_doubt s then visited := s :: !visited in
-  Reach.visit t.graph ?within:u.bound.high (positions t sources) ~through ~passes keep;
+  Reachable.visit t.graph ?within:u.bound.high (positions t sources) ~through ~passes keep;
   let visited = List.rev !visited in
   { visited; through = List.filter through visited }
 

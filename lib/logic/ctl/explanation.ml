@@ -28,7 +28,7 @@ let count e (u : Eval.until) position =
     | Reached _ | Lost _ -> Rat.sign u.bound.low > 0
   in
   let through s = Positions.at f s && (Rat.sign u.bound.low > 0 || not (Positions.at g s)) in
-  Reach.visit (Eval.graph e) ?within:u.bound.high [ position ] ~through ~passes (fun _ -> incr n);
+  Reachable.visit (Eval.graph e) ?within:u.bound.high [ position ] ~through ~passes (fun _ -> incr n);
   !n
 
 (* What is claimed of the positions on the way of a run: at each it is explained by itself, if need be by how the
@@ -90,7 +90,7 @@ let likelihood e formula (u : Eval.until) ~side position explain =
 
 let visited e position =
   let n = ref 0 in
-  Reach.visit (Eval.graph e) [ position ] ~through:(fun _ -> true) ~passes:(fun _ -> true) (fun _ ->
+  Reachable.visit (Eval.graph e) [ position ] ~through:(fun _ -> true) ~passes:(fun _ -> true) (fun _ ->
       incr n);
   !n
 
