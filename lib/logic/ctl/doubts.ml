@@ -116,13 +116,13 @@ let way t (u : Eval.until) (f : Eval.value) (g : Eval.value) in_doubt sources =
 let is_likelihood formula =
   match Eval.as_until formula with Some ({ quantifier = Chance _; _ }, _) -> true | Some _ | None -> false
 
-let rec has_likelihood (f : Formula.t) =
+let rec has_likelihood (f : Timed_formula.t) =
   match f with
   | Not f -> has_likelihood f
   | And fs | Or fs -> List.exists has_likelihood fs
   | Predicate _ | Next _ | Until _ | Finally _ | Globally _ -> is_likelihood f
 
-let rec walk t (formula : Formula.t) sources =
+let rec walk t (formula : Timed_formula.t) sources =
   let sources = if has_likelihood formula then sources else restrict (Eval.value t.eval formula) sources in
   match (sources, formula) with
   | { nodes = []; flows = [] }, _ -> ()

@@ -1,6 +1,6 @@
 open Scc_exact
 open Scc_chance
-module Map = Map.Make (Formula)
+module Map = Map.Make (Timed_formula)
 
 type predicates = {
   at : int -> int -> Truth.t;
@@ -14,7 +14,7 @@ type t = {
   predicates : predicates;
   effort : Effort.t;
   mutable values : value Map.t;
-  mutable fresh : Formula.t list;  (** what got its value since something was forgotten *)
+  mutable fresh : Timed_formula.t list;  (** what got its value since something was forgotten *)
 }
 
 let create ?(effort = Effort.default) index predicates =
@@ -25,19 +25,19 @@ let effort t = t.effort
 let predicates t = t.predicates
 
 type until = {
-  quantifier : Formula.quantifier;
-  bound : Formula.bound;
-  left : Formula.t;
-  right : Formula.t;
+  quantifier : Timed_formula.quantifier;
+  bound : Timed_formula.bound;
+  left : Timed_formula.t;
+  right : Timed_formula.t;
 }
 
-let opposite : Formula.t -> Formula.t = function Not f -> f | f -> Not f
+let opposite : Timed_formula.t -> Timed_formula.t = function Not f -> f | f -> Not f
 
-let as_until : Formula.t -> (until * bool) option = function
+let as_until : Timed_formula.t -> (until * bool) option = function
   | Until (quantifier, bound, left, right) -> Some ({ quantifier; bound; left; right }, false)
   | Finally (quantifier, bound, right) -> Some ({ quantifier; bound; left = And []; right }, false)
   | Globally (q, bound, f) ->
-    Some ({ quantifier = Formula.dual q; bound; left = And []; right = opposite f }, true)
+    Some ({ quantifier = Timed_formula.dual q; bound; left = And []; right = opposite f }, true)
   | Predicate _ | Not _ | And _ | Or _ | Next _ -> None
 
 (** {2 Pairs of sets} *)
@@ -68,7 +68,7 @@ let some_next t f =
 
 let all_known t f g = is_exact f && is_exact g && Timed_graph.complete t.index
 
-let until_of_runs t (q : Interval.quantifier) (bound : Formula.bound) f g =
+let until_of_runs t (q : Interval.quantifier) (bound : Timed_formula.bound) f g =
   let from_start ~generous high f g =
     match (q, high) with
     | Some_run, None -> Until.some t.index ~generous ~f ~g
@@ -88,7 +88,7 @@ let until_of_runs t (q : Interval.quantifier) (bound : Formula.bound) f g =
           Interval.set (Interval.solve t.index q ~generous ~from:bound.low ~f ~phi))
 
 (* A probability grows with what satisfies f and g; whether that is for or against the test, it tells. *)
-let likely t ({ side; test } : Formula.chance) bound f g =
+let likely t ({ side; test } : Timed_formula.chance) bound f g =
   let question generous side_of : Likelihood.question =
     { graph = graph t; side; bound; f = side_of f; g = side_of g; generous }
   in
@@ -99,7 +99,7 @@ let likely t ({ side; test } : Formula.chance) bound f g =
   if upwards then make (Likelihood.set low effort surely) (Likelihood.set high effort perhaps)
   else make (Likelihood.set high effort surely) (Likelihood.set low effort perhaps)
 
-let until t (q : Formula.quantifier) bound f g =
+let until t (q : Timed_formula.quantifier) bound f g =
   match q with
   | Exists -> until_of_runs t Some_run bound f g
   | All -> until_of_runs t Every_run bound f g
@@ -113,7 +113,7 @@ let predicate t p =
   let lower, upper = Positions.of_truth (graph t) ~at:(at p) ~along in
   { lower; upper }
 
-let rec value t (f : Formula.t) =
+let rec value t (f : Timed_formula.t) =
   match Map.find_opt f t.values with
   | Some v -> v
   | None ->
@@ -122,7 +122,7 @@ let rec value t (f : Formula.t) =
     t.fresh <- f :: t.fresh;
     v
 
-and compute t (f : Formula.t) =
+and compute t (f : Timed_formula.t) =
   match f with
   | Predicate p -> predicate t p
   | Not f -> not_ (value t f)
@@ -142,7 +142,7 @@ and compute t (f : Formula.t) =
         if flipped then not_ v else v)
 
 (* The formulas whose values {!compute} takes up, and theirs. *)
-let parts (f : Formula.t) =
+let parts (f : Timed_formula.t) =
   match f with
   | Predicate _ -> []
   | Not f -> [ f ]
@@ -154,7 +154,7 @@ let parts (f : Formula.t) =
 
 (* For each part the number of the last formula that it is part of; and for each number those of which it is that.
 *)
-type uses = { last : int Map.t; ending : Formula.t list array }
+type uses = { last : int Map.t; ending : Timed_formula.t list array }
 
 let uses formulas =
   let ending = Array.make (Array.length formulas) [] in
@@ -195,17 +195,17 @@ let probability t ~decide side f position =
   match as_until f with
   | None -> Scc_base.Bug.fail __POS__ "a probability of what is no until"
   | Some (u, flipped) ->
-    let asked : Formula.quantifier -> Answer.bound option = function
+    let asked : Timed_formula.quantifier -> Answer.bound option = function
       | Chance { test; _ } -> Some test
       | All | Exists -> None
     in
     let effort = { t.effort with bound = if decide then asked u.quantifier else None } in
-    let side = if flipped then Formula.other_side side else side in
+    let side = if flipped then Timed_formula.other_side side else side in
     let low, high = interval t effort side u.bound (value t u.left) (value t u.right) position in
     if flipped then { least = Answer.complement high; most = Answer.complement low }
     else { least = low; most = high }
 
-let rec decided t (f : Formula.t) position =
+let rec decided t (f : Timed_formula.t) position =
   match f with
   | Not f -> (
       match decided t f position with

@@ -56,26 +56,26 @@ val predicates : t -> predicates
 (** The positions at which a formula surely holds, and those at which it perhaps holds. *)
 type value = { lower : Positions.t; upper : Positions.t  (** physically the lower set if all is decided *) }
 
-val value : t -> Formula.t -> value
+val value : t -> Timed_formula.t -> value
 (** [value e f] is the value of [f] at all positions, from the cache or computed now. *)
 
 (** For each part of formulas that are evaluated one after the other, the last formula that needs it. *)
 type uses
 
-val uses : Formula.t array -> uses
+val uses : Timed_formula.t array -> uses
 (** [uses formulas] is the table for formulas that are evaluated in this order. *)
 
 val done_with : t -> uses -> int -> unit
 (** [done_with e uses n] drops from the cache the values that no formula after number [n] needs. It is called after
     each formula, in order. Each value takes memory for each state. *)
 
-val truth : t -> Formula.t -> Positions.position -> bool option
+val truth : t -> Timed_formula.t -> Positions.position -> bool option
 (** [truth e f p] is the truth of [f] at position [p]; [None] if it is undecided. *)
 
 (** A probability: it is at least [least] and at most [most], which are equal if all is known. *)
 type measured = { least : Scc_chance.Answer.t; most : Scc_chance.Answer.t }
 
-val probability : t -> decide:bool -> Formula.side -> Formula.t -> Positions.position -> measured
+val probability : t -> decide:bool -> Timed_formula.side -> Timed_formula.t -> Positions.position -> measured
 (** [probability e ~decide side f p] is the least or greatest probability that a run from [p] satisfies the top
     operator of [f], whatever its quantifier. The operator is F, G or U (a bug otherwise). With [decide] the
     computation stops once the test of a [Chance] quantifier is decided. *)
@@ -83,13 +83,13 @@ val probability : t -> decide:bool -> Formula.side -> Formula.t -> Positions.pos
 (** {1 The one operator behind F, G and U} *)
 
 type until = {
-  quantifier : Formula.quantifier;
-  bound : Formula.bound;
-  left : Formula.t;
-  right : Formula.t;
+  quantifier : Timed_formula.quantifier;
+  bound : Timed_formula.bound;
+  left : Timed_formula.t;
+  right : Timed_formula.t;
 }
 
-val as_until : Formula.t -> (until * bool) option
+val as_until : Timed_formula.t -> (until * bool) option
 (** [as_until f] is an F, G or U as a U, and true if [f] is the negation of that; [None] for other formulas. *)
 
 val likely_run : t -> until -> Positions.position -> (Run.t * Scc_exact.Rat.t) option
