@@ -8,7 +8,12 @@ and because =
   | Parts of t list
   | Run of { run : Run.t; way : way; parts : t list; along : along option }
   | Everywhere of int Lazy.t
-  | Likelihood of { side : Timed_formula.side; measured : Eval.measured; run : (Run.t * Rat.t) option; parts : t list }
+  | Likelihood of {
+      side : Timed_formula.side;
+      measured : Eval.measured;
+      run : (Run.t * Rat.t) option;
+      parts : t list;
+    }
 
 and way = Own | Onward of Course.place option
 and along = { claim : Timed_formula.t; claimed : bool; course : Course.t; stretches : stretch list }

@@ -21,8 +21,12 @@ and because =
   | Everywhere of int Lazy.t
   (** No run decides otherwise. All runs together visit this number of nodes; it is 0 if they do not leave the flow
       of the position. *)
-  | Likelihood of { side : Timed_formula.side; measured : Eval.measured; run : (Run.t * Scc_exact.Rat.t) option; parts :
-                      t list }
+  | Likelihood of {
+      side : Timed_formula.side;
+      measured : Eval.measured;
+      run : (Run.t * Scc_exact.Rat.t) option;
+      parts : t list;
+    }
   (** The probability of the operator for that side. [run] is a run of a scheduler that attains it, with its own
       probability. The run satisfies F or U, or violates G. [parts] explain its goal. *)
 

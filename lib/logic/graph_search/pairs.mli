@@ -12,8 +12,8 @@ val size : t -> int
 
 val intern : t -> int -> int -> int
 (** [intern p a b] is the number of the pair (a, b), which is inserted if it is new. [a] and [b] are at least 0
-    and below 2{^31} (a bug otherwise). Pairs are numbered from 0 in the order of insertion, so a pair is new iff its number is the
-    {!size} before. *)
+    and below 2{^31} (a bug otherwise). Pairs are numbered from 0 in the order of insertion, so a pair is new iff
+    its number is the {!size} before. *)
 
 val find : t -> int -> int -> int
 (** [find p a b] is the number of the pair (a, b); -1 if it is not in the table. *)

@@ -6,7 +6,11 @@ val time_until : Naive.t -> Timed_formula.side -> Timed_formula.t -> Scc_chance.
 (** From node 0 on: with all that may end it, and with what surely does. *)
 
 val counts_until :
-  Naive.t -> Timed_formula.side -> (int -> int -> int * int) -> Timed_formula.t -> Scc_chance.Answer.t * Scc_chance.Answer.t
+  Naive.t ->
+  Timed_formula.side ->
+  (int -> int -> int * int) ->
+  Timed_formula.t ->
+  Scc_chance.Answer.t * Scc_chance.Answer.t
 (** Of what is counted on each edge of a node, at least and at most. *)
 
 type mean = Never_decided | Is of Scc_chance.Answer.t

@@ -8,7 +8,14 @@ open Timed_formula
 open Letters
 module Gen = QCheck2.Gen
 
-type case = { graph : Small.t; f : Timed_formula.t; g : Timed_formula.t; h : Timed_formula.t; a : Rat.t; b : Rat.t }
+type case = {
+  graph : Small.t;
+  f : Timed_formula.t;
+  g : Timed_formula.t;
+  h : Timed_formula.t;
+  a : Rat.t;
+  b : Rat.t;
+}
 
 let print c =
   Printf.sprintf "%s\nf = %s\ng = %s\nh = %s\na = %s, b = %s" (Small.print c.graph) (Small.print_formula c.f)
