@@ -15,7 +15,7 @@ type leaf = {
 (** One end of a bond. *)
 type finish = { at : int;  (** the leaf *) site : Site.t }
 
-(** <a, {phi1, phi2}>; the lesser end first. *)
+(** [<a, {phi1, phi2}>]; the lesser end first. *)
 type bond = private { name : string; one : finish; two : finish }
 
 val bond : string -> finish -> finish -> bond
