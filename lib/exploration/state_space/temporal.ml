@@ -8,7 +8,7 @@ type asked = {
   formulas : Scc_ctl.Timed_formula.t array;
   props : Property.prop array;
   predicates : On_the_fly.predicate array;
-  still : Scc_ctl.Formula.t -> Scc_ctl.Formula.t option;
+  still : Scc_ctl.Timed_formula.t -> Scc_ctl.Timed_formula.t option;
 }
 
 type t = { asked : asked; graph : Graph.t; eval : Scc_ctl.Eval.t; uses : Scc_ctl.Eval.uses }
