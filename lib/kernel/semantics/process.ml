@@ -79,7 +79,8 @@ let compare_place (v, q, s) (w, r, t) =
   | 0 -> ( match Scc_exact.Quaternion.compare q r with 0 -> String.compare s t | c -> c)
   | c -> c
 
-(* By their places alone, in which no two bodies of one shape can be the same: names and shifts change nothing. *)
+(* By their places alone: names and shifts change nothing. Two bodies have one place only if both are of one template,
+   with one reference point outside of them and different declared maps; their order is then that of declaration. *)
 let placed (m : Model.t) (p : State.process) =
   let place (l : State.leaf) = (l.position, l.turned, m.leaves.(l.leaf).template) in
   (List.sort compare_place (List.map place (Array.to_list p.leaves)), p)
