@@ -1,6 +1,7 @@
 open Scc_ctl
 open Scc_exact
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 open Scc_semantics
 open Scc_motion

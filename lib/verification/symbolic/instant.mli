@@ -4,13 +4,14 @@
 
 open Scc_geometry
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 open Scc_semantics
 
 type context = {
   semantics : Semantics.t;
   obstacle : Solid.t -> Solid.t -> Obstacle.t;
-  features : Feature_cells.memory;
+  features : Feature_offsets.memory;
 }
 
 val context : Semantics.t -> context

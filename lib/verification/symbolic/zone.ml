@@ -1,5 +1,6 @@
 open Scc_exact
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 
 type t = {
@@ -30,6 +31,14 @@ let map f z =
     clocks = Array.map f z.clocks;
     places = Array.map (Place.map f) z.places;
   }
+
+let place z leaf (part : Model.part) =
+  let offset =
+    match part.open_offset with
+    | None -> Place.constant (dimension z) part.offset
+    | Some forms -> Place.compose forms ~dimension:(dimension z) z.parameters
+  in
+  Place.add z.places.(leaf) offset
 
 let with_variables z ~dimension forms set =
   { (map (fun f -> Linear.compose f ~dimension forms) z) with set }

@@ -10,6 +10,7 @@
 
 open Scc_exact
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 
 type t = {
@@ -34,6 +35,9 @@ val dimension : t -> int
 
 val coordinates : t -> Linear.t array
 (** The coordinates in order: parameters, time if it is kept, ages, clocks, then x, y and z of each place. *)
+
+val place : t -> int -> Model.part -> Place.t
+(** [place z leaf part] is the place of the reference point of a part of the leaf. *)
 
 val with_variables : t -> dimension:int -> Linear.t array -> Polyhedron.t -> t
 (** [with_variables z ~dimension forms set] is [z] over other variables, which take the values of [set]. The

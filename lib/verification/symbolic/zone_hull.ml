@@ -1,6 +1,6 @@
 open Scc_exact
-open Scc_geometry
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 open Scc_semantics
 module Polyhedron = Scc_polyhedra.Polyhedron
@@ -29,13 +29,12 @@ let directions (m : Model.t) (z : Zone.t) =
 (* That two parts are apart by a plane between them. *)
 let separations (c : Instant.context) (z : Zone.t) =
   let m = Semantics.model c.semantics in
-  let zero = Linear.constant (Zone.dimension z) Rat.zero in
   let of_pair (a, b) =
     let offset = Instant.offset a b in
     if Place.is_constant offset then []
     else
-      let beyond f = Constraint.at_most (Facet_forms.room offset f) zero in
-      List.map beyond (Array.to_list (Obstacle.facets (c.obstacle a.solid b.solid)))
+      List.concat_map Constraint.negation
+        (Half_space.overlap (Half_space.still (c.obstacle a.solid b.solid) offset))
   in
   List.concat_map of_pair (Instant.pairs m z)
 

@@ -1,5 +1,6 @@
 open Scc_exact
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 
 (* What a leaf is told by: what is discrete first, then the bounds of its coordinates and age over the zone, which
