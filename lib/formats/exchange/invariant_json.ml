@@ -1,6 +1,6 @@
 open Scc_polyhedra
 open Scc_calculus
-open Scc_symbolic
+module Invariant = Scc_certificate.Invariant
 
 let process (m : Model.t) (p : State.process) =
   let leaf (l : State.leaf) =

@@ -1,6 +1,7 @@
 open Scc_polyhedra
 open Scc_calculus
 open Scc_semantics
+open Scc_zones
 open Scc_symbolic
 open Scc_verify
 

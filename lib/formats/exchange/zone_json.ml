@@ -2,6 +2,7 @@ open Scc_polyhedra
 open Scc_calculus
 open Scc_property
 open Scc_offsets
+open Scc_zones
 open Scc_symbolic
 open Scc_verify
 

@@ -4,7 +4,7 @@
 open Scc_polyhedra
 open Scc_offsets
 open Scc_semantics
-open Scc_symbolic
+open Scc_zones
 
 type context = {
   semantics : Semantics.t;

@@ -2,6 +2,7 @@ open Scc_exact
 open Scc_polyhedra
 open Scc_property
 open State_sets
+open Scc_zones
 
 (* {1 Fixpoints} *)
 

@@ -4,6 +4,7 @@ open Scc_offsets
 open Scc_calculus
 open Scc_semantics
 open Instant
+open Scc_zones
 
 (* {1 What is convex} *)
 

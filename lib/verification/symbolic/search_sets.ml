@@ -1,6 +1,7 @@
 open Scc_exact
 open Scc_polyhedra
 open Scc_property
+open Scc_zones
 module Truth = Scc_ctl.Truth
 
 type place = { node : Zone_graph.node; states : Polyhedron.t; passing : bool; prop : Property.prop }

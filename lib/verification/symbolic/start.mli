@@ -2,6 +2,7 @@
 
 open Scc_exact
 open Scc_calculus
+open Scc_zones
 
 (** The reason why some starts are not well-formed (rule WellFormed), with values of the parameters for which
     it applies. *)

@@ -1,5 +1,6 @@
 open Scc_exact
 open Scc_polyhedra
+open Scc_zones
 
 type edge = {
   guard : Polyhedron.t;
@@ -81,11 +82,11 @@ let within_horizon e ~late (z : Zone.t) =
 
 (* A node that has all of a zone, with its variables by those of the zone: one that is there, or a new one. *)
 let node_of e zone ~parent =
-  let canonical, forms = Zone.canonical (if e.displaced then Zone.centred zone else zone) in
-  let sample = lazy (Zone.sample canonical) in
+  let canonical, forms = Zone_form.canonical (if e.displaced then Zone_form.centred zone else zone) in
+  let sample = lazy (Zone_form.sample canonical) in
   let holds n =
-    if Zone.has n.zone (Lazy.force sample) then
-      Option.map (fun map -> (n, map)) (Zone.included canonical n.zone)
+    if Zone_form.has n.zone (Lazy.force sample) then
+      Option.map (fun map -> (n, map)) (Zone_form.included canonical n.zone)
     else None
   in
   match Zone_index.last_around e.graph.index canonical holds with
@@ -94,7 +95,7 @@ let node_of e zone ~parent =
   | None -> (
       let grown (n : node) =
         if n.expanded || n.parents = [] then None
-        else Option.map (fun z -> (n, z)) (Zone.merged n.zone canonical)
+        else Option.map (fun z -> (n, z)) (Zone_form.merged n.zone canonical)
       in
       match List.find_map grown (Zone_index.alike e.graph.index canonical) with
       | None -> (put e canonical (parent (size e.graph) forms), forms)
@@ -114,7 +115,7 @@ let add_edge e (source : node) (step : Zone_steps.step) (target : Zone.t) =
   | Some zone ->
     let renamed = Zone_symmetry.image ~classes:e.interchangeable zone in
     let edge n map = { guard = zone.set; step; target = n; map; renamed } in
-    let zone = Option.fold ~none:zone ~some:(Zone.renamed zone) renamed in
+    let zone = Option.fold ~none:zone ~some:(Zone_form.renamed zone) renamed in
     let n, map = node_of e zone ~parent:(fun number map -> Some (source.number, edge number map)) in
     source.edges <- edge n.number map :: source.edges
 

@@ -3,6 +3,7 @@
 open Scc_polyhedra
 open Scc_semantics
 open Scc_property
+open Scc_zones
 
 type step =
   | Happens of Transition.label

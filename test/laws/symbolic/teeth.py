@@ -158,22 +158,22 @@ MISTAKES = {
     ),
     "time stands still": ("passing.ml", "Option.map (Linear.add time) z.time", "z.time"),
     "borders belong to zones": (
-        "zone.ml",
+        "zone_form.ml",
         "let set = Polyhedron.minimal set in",
         "let set = Polyhedron.minimal (Polyhedron.closure set) in",
     ),
     "a zone in the closure is known": (
-        "zone.ml",
+        "zone_form.ml",
         "Polyhedron.included a.set (Polyhedron.preimage b.set ~dimension:n forms)",
         "Polyhedron.included a.set (Polyhedron.closure (Polyhedron.preimage b.set ~dimension:n forms))",
     ),
     "zones that differ in what depends are one": (
-        "zone.ml",
+        "zone_form.ml",
         "if all 0 && Polyhedron",
         "if (ignore all; true) && Polyhedron",
     ),
-    "halted zones are zones": ("zone.ml", "Bool.equal a.halted b.halted && List", "List"),
-    "what led to a zone is forgotten": ("zone.ml", "List.equal Int.equal a.arrived b.arrived && ", ""),
+    "halted zones are zones": ("zone_form.ml", "Bool.equal a.halted b.halted && List", "List"),
+    "what led to a zone is forgotten": ("zone_form.ml", "List.equal Int.equal a.arrived b.arrived && ", ""),
     "open features do not come to meet": (
         "passing.ml",
         "if Model.binds_on_contact (Semantics.model c.semantics) then",
