@@ -1,7 +1,7 @@
 let check = "lib/verification/certificate"
 let search = "lib/verification/symbolic"
 
-(* Foundation; polyhedra, and rules about two solids as constraints; the kernel; predicates of states and of sets. *)
+(* Foundation; polyhedra, rules about two solids as constraints; the kernel; predicates of states and of sets. *)
 let shared =
   [
     "scc_base"; "scc_data"; "scc_exact"; "scc_geometry"; "scc_broad_phase"; "scc_polyhedra"; "scc_offsets";
