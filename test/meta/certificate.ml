@@ -5,7 +5,7 @@ let search = "lib/verification/symbolic"
 let shared =
   [
     "scc_base"; "scc_data"; "scc_exact"; "scc_geometry"; "scc_broad_phase"; "scc_polyhedra"; "scc_offsets";
-    "scc_calculus"; "scc_semantics"; "scc_property"; "scc_evaluate"; "scc_zones";
+    "scc_calculus"; "scc_semantics"; "scc_property"; "scc_evaluate"; "scc_state_sets";
   ]
 
 let sources folder =

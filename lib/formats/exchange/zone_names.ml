@@ -1,4 +1,4 @@
-open Scc_zones
+open Scc_state_sets
 module Invariant = Scc_certificate.Invariant
 
 (* In the order of {!Zone.coordinates}: those of invariants, which have no time. *)

@@ -4,7 +4,7 @@ open Scc_offsets
 open Scc_calculus
 open Scc_semantics
 open Scc_evaluate
-open Scc_zones
+open Scc_state_sets
 
 exception Rejected of string
 

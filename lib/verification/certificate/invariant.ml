@@ -1,7 +1,7 @@
 open Scc_polyhedra
 open Scc_calculus
 open Scc_property
-open Scc_zones
+open Scc_state_sets
 
 type location = { skeleton : State.t; arrived : int list; set : Polyhedron.t }
 type claim = { never : Property.prop; values : Union.t }

@@ -7,7 +7,7 @@
 open Scc_polyhedra
 open Scc_calculus
 open Scc_property
-open Scc_zones
+open Scc_state_sets
 
 type location = {
   skeleton : State.t;  (** as that of a {!Zone.t} *)

@@ -4,7 +4,7 @@ open Scc_polyhedra
 open Scc_offsets
 open Scc_calculus
 open Scc_semantics
-open Scc_zones
+open Scc_state_sets
 
 include Zone_parts
 

@@ -3,7 +3,7 @@
     region. *)
 
 open Scc_polyhedra
-open Scc_zones
+open Scc_state_sets
 
 include module type of struct
   include Zone_parts

@@ -1,5 +1,5 @@
 open Scc_property
-open Scc_zones
+open Scc_state_sets
 module Invariant = Scc_certificate.Invariant
 
 type visitor = { stop : unit -> bool; looked_at : locations:int -> waiting:int -> unit }

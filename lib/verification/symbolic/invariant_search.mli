@@ -4,7 +4,7 @@
     So it can prove that a state never comes, and never that one comes (rule Invariants). *)
 
 open Scc_property
-open Scc_zones
+open Scc_state_sets
 
 type visitor = { stop : unit -> bool; looked_at : locations:int -> waiting:int -> unit }
 

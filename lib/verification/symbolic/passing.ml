@@ -4,7 +4,7 @@ open Scc_offsets
 open Scc_calculus
 open Scc_semantics
 open Instant
-open Scc_zones
+open Scc_state_sets
 
 type due = Contact of int | Expiry of int * Linear.t | Split_instant of int
 

@@ -4,7 +4,7 @@ open Scc_offsets
 open Scc_calculus
 open Scc_semantics
 open Instant
-open Scc_zones
+open Scc_state_sets
 
 (* {1 What is convex} *)
 

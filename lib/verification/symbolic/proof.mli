@@ -2,7 +2,7 @@
 
 open Scc_polyhedra
 open Scc_property
-open Scc_zones
+open Scc_state_sets
 
 type t = {
   sets : Answers.sets;  (** the values for which a check surely holds, and those for which it surely fails *)

@@ -5,7 +5,7 @@ open Scc_offsets
 open Scc_calculus
 open Scc_semantics
 open Instant
-open Scc_zones
+open Scc_state_sets
 
 type fault = { at : (string * Rat.t) list; reason : reason }
 and reason = Interpenetrate of (int * int) * (int * int) | Apart of State.finish * State.finish

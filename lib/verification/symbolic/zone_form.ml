@@ -2,7 +2,7 @@ open Scc_exact
 open Scc_polyhedra
 open Scc_offsets
 open Scc_calculus
-open Scc_zones
+open Scc_state_sets
 open Zone
 
 let centred z =

@@ -1,6 +1,6 @@
 open Scc_exact
 open Scc_polyhedra
-open Scc_zones
+open Scc_state_sets
 
 type edge = {
   guard : Polyhedron.t;

@@ -3,7 +3,7 @@ open Scc_polyhedra
 open Scc_offsets
 open Scc_calculus
 open Scc_semantics
-open Scc_zones
+open Scc_state_sets
 module Polyhedron = Scc_polyhedra.Polyhedron
 
 (* The least affine space that two zones are in, as a zone without borders. *)

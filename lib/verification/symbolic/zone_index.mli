@@ -1,4 +1,4 @@
-open Scc_zones
+open Scc_state_sets
 
 (** An index of canonical zones by what two zones must share if one contains the other or they merge. Lookups
     consider few of the other zones. *)

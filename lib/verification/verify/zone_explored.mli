@@ -3,7 +3,7 @@
 
 open Scc_property
 open Scc_calculus
-open Scc_zones
+open Scc_state_sets
 open Scc_symbolic
 
 (** Checks and premises on one graph, each with its number among all of the model. *)

@@ -4,7 +4,7 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_graph_search
-open Scc_zones
+open Scc_state_sets
 open Scc_symbolic
 module Invariant = Scc_certificate.Invariant
 

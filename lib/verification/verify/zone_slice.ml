@@ -7,7 +7,7 @@ open Scc_semantics
 open Scc_property
 open Scc_state_space
 open Scc_offsets
-open Scc_zones
+open Scc_state_sets
 open Scc_symbolic
 
 type swarm = {

@@ -3,7 +3,7 @@
 open Scc_exact
 open Scc_polyhedra
 open Scc_calculus
-open Scc_zones
+open Scc_state_sets
 open Scc_symbolic
 
 let zone constraint_ : Zone.t =
