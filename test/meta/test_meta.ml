@@ -364,6 +364,13 @@ let () =
           case "every file that a README names is there" (in_each_wing Wings.misplaced "files that are not there");
           case "a README is a page" (in_each_wing Wings.too_long "READMEs of more than 60 lines");
         ] );
+      ( "certificate",
+        [
+          case "shares the kernel, polyhedra and predicates alone" (fun () ->
+              none "libraries that the check of invariants may not use" (Certificate.strangers ()));
+          case "the search takes from it what an invariant is" (fun () ->
+              none "what the search uses of the check" (Certificate.borrowed ()));
+        ] );
       ( "kernel",
         [
           case "no mutation, floats or search" (fun () -> none "what the kernel does not do" (Kernel.impure ()));

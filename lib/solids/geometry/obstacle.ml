@@ -140,11 +140,11 @@ let separating o r =
   | Some { at; normals } when Vec.equal at r -> Later.force normals
   | Some _ | None -> separating_by_search o r
 
-(* At a boundary point r of a convex polytope, r + t w is interior for all small t > 0 iff w goes strictly
-   inwards through every facet that holds r. *)
+(* There is no room at the facets that hold r, and some at all others. *)
 let approaching o r w =
   let w, _ = Ivec.of_vec w in
-  List.for_all (fun n -> Z.sign (Ivec.dot n w) < 0) (separating o r)
+  let collides n = Side.holds (Side.collision ~speed:(Z.sign (Ivec.dot n w))) 0 in
+  List.for_all collides (separating o r)
 
 (* {1 Casts} *)
 

@@ -3,6 +3,7 @@
 
 open Scc_polyhedra
 open Scc_property
+open Scc_state_sets
 
 type t
 

@@ -5,6 +5,7 @@ open Scc_graph_search
 open Scc_calculus
 open Scc_semantics
 open Scc_property
+open Scc_state_sets
 open Scc_symbolic
 open Scc_verify
 
