@@ -59,7 +59,9 @@ let put e zone ~beyond parent =
   let g = e.graph in
   let depth = match parent with None -> 0 | Some (i, _) -> (node g i).depth + 1 in
   let parents = Option.to_list parent in
-  let node = { number = size g; zone; depth; parents; edges = []; cells = []; late = []; beyond; expanded = false } in
+  let node =
+    { number = size g; zone; depth; parents; edges = []; cells = []; late = []; beyond; expanded = false }
+  in
   Scc_data.Growable.push g.nodes node;
   Zone_index.add g.index zone node;
   Queue.add node g.waiting;
