@@ -116,4 +116,17 @@ let create ~read_file =
     touching = contacts ();
   }
 
+let copy c =
+  let report = Report.copy c.report in
+  let templates = Hashtbl.copy c.templates and families = Hashtbl.copy c.families in
+  Hashtbl.filter_map_inplace (fun _ (t : template) -> Some { t with used = t.used }) templates;
+  Hashtbl.filter_map_inplace (fun _ f -> Some { f with instances = f.instances }) families;
+  { c with report; templates; families }
+
+let mark_used c ~by =
+  let mark name (t : template) =
+    if t.used then Option.iter (fun (same : template) -> same.used <- true) (Hashtbl.find_opt c.templates name)
+  in
+  Hashtbl.iter mark by.templates
+
 let template_names c = List.sort String.compare (Family.keys c.templates @ Family.keys c.families)

@@ -38,8 +38,7 @@ let of_tree given tree =
   in
   Loaded.of_tree ~read_file ~overrides:given.overrides ~narrowed:given.narrowed given.source tree
 
-let make given tree =
-  let* model = of_tree given tree in
+let ready model =
   let* () = Ordinary.at_point ~otherwise:"with the member `start`, `model.load` chooses them" model in
   let* () = Ordinary.on_grid model in
   let* initial = Loaded.initial model in
@@ -62,7 +61,7 @@ let loaded kept =
   match kept.loaded with
   | Some l -> l
   | None -> (
-      match make kept.given kept.given.tree with
+      match Result.bind (of_tree kept.given kept.given.tree) ready with
       | Ok l ->
         kept.loaded <- Some l;
         l
@@ -203,9 +202,10 @@ let with_formula store ~handle ~formula form =
   match List.find_opt same store.lately with
   | Some a -> Ok a.answer
   | None ->
-    let given = (kept_of store handle).given in
+    let base = loaded (kept_of store handle) in
     let* e = Scc_syntax.Parse.expression (Source.make ~name:formula_name formula) in
-    let* answer = make given (List.append given.tree [ Question.item form e ]) in
+    let* model = Loaded.with_checks base.model [ Question.item form e ] in
+    let* answer = ready model in
     let older = List.filteri (fun i _ -> i < most_lately - 1) store.lately in
     store.lately <- { handle; formula; form = name; answer } :: older;
     Ok answer
