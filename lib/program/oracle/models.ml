@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_data
 open Scc_exact
 open Scc_syntax
 open Scc_calculus
@@ -19,12 +20,14 @@ type given = {
 
 type kept = { given : given; mutable loaded : loaded option }
 type asked = { handle : string; formula : string; form : string; answer : loaded }
-type store = { models : kept Handles.t; read_file : Loaded.reader; mutable lately : asked list }
+type store = { models : kept Handles.t; read_file : Loaded.reader; lately : asked Last_few.t }
 
+let most_lately = 8
 let no_files _ = Error "it is not among the files of the request"
 
 let store (q : Quotas.t) ~read_file =
-  { models = Handles.create ~prefix:"m" ~limit:"models" ~most:q.models; read_file; lately = [] }
+  let models = Handles.create ~prefix:"m" ~limit:"models" ~most:q.models in
+  { models; read_file; lately = Last_few.create ~most:most_lately }
 
 (* {1 Making} *)
 
@@ -70,7 +73,7 @@ let loaded kept =
 let model store p at v = loaded (Handles.find store.models p at v)
 
 let forget store =
-  store.lately <- [];
+  Last_few.retain store.lately (fun _ -> false);
   Handles.iter (fun k -> k.loaded <- None) store.models
 
 let choices p =
@@ -181,12 +184,10 @@ let release store p =
   Read.only p [ "model"; "limits" ];
   let handle = Read.required p "model" Read.text in
   ignore (Handles.release store.models handle);
-  store.lately <- List.filter (fun a -> not (String.equal a.handle handle)) store.lately;
+  Last_few.retain store.lately (fun a -> not (String.equal a.handle handle));
   Reply.Value (`Assoc [ ("released", `String handle) ])
 
 (* {1 With a formula} *)
-
-let most_lately = 8
 
 let kept_of store handle = Handles.get store.models handle
 
@@ -199,13 +200,12 @@ let with_formula store ~handle ~formula form =
   let same a =
     String.equal a.handle handle && String.equal a.form name && String.equal a.formula formula
   in
-  match List.find_opt same store.lately with
+  match Last_few.find store.lately same with
   | Some a -> Ok a.answer
   | None ->
     let base = loaded (kept_of store handle) in
     let* e = Scc_syntax.Parse.expression (Source.make ~name:formula_name formula) in
     let* model = Loaded.with_checks base.model [ Question.item form e ] in
     let* answer = ready model in
-    let older = List.filteri (fun i _ -> i < most_lately - 1) store.lately in
-    store.lately <- { handle; formula; form = name; answer } :: older;
+    Last_few.keep store.lately { handle; formula; form = name; answer };
     Ok answer
