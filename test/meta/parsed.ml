@@ -104,3 +104,20 @@ let state_of file =
   List.rev_map (fun name -> (home, name)) !found
 
 let state () = List.concat_map state_of (sources ())
+
+let list = "test/meta/state.txt"
+
+(* The file and the name of each line; a line without a reason has neither. *)
+let listed line =
+  match List.filter (( <> ) "") (String.split_on_char ' ' line) with
+  | home :: name :: _ :: _ -> (home, name)
+  | _ -> ("", line)
+
+let unlisted_state () =
+  let is_entry line = line <> "" && line.[0] <> '#' in
+  let lines = List.filter is_entry (String.split_on_char '\n' (Tree.read list)) in
+  let found = state () and listed = List.map listed lines in
+  let beyond others what = List.filter (fun one -> not (List.mem one others)) what in
+  let fault why (home, name) = Printf.sprintf "%s %s: %s" home name why in
+  List.map (fault ("it is not in " ^ list)) (beyond listed found)
+  @ List.map (fault ("no such state, or no reason in " ^ list)) (beyond found listed)

@@ -312,28 +312,6 @@ let wings () =
 
 let in_each_wing faults what () = List.concat_map faults (Wings.all ()) |> none what
 
-(* {1 The program as a whole} *)
-
-(* The first word of each line that is no comment, with the names before its reason. *)
-let listed_state () =
-  String.split_on_char '\n' (Tree.read "test/meta/state.txt")
-  |> List.filter (fun line -> line <> "" && line.[0] <> '#')
-  |> List.map (fun line ->
-      match List.filter (( <> ) "") (String.split_on_char ' ' line) with
-      | home :: name :: _ :: _ -> (home, name)
-      | _ -> Alcotest.failf "state.txt: a module, a name and a reason are expected: %s" line)
-
-let state () =
-  let found = Parsed.state () and listed = listed_state () in
-  Alcotest.(check bool) "some is found" true (found <> []);
-  let without others (home, name) =
-    if List.mem (home, name) others then None else Some (Printf.sprintf "%s: %s" home name)
-  in
-  none "top-level state that test/meta/state.txt does not list" (List.filter_map (without listed) found);
-  none "lines of test/meta/state.txt without such state" (List.filter_map (without found) listed)
-
-let longest_function = 60
-
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "meta"
@@ -387,9 +365,9 @@ let () =
         ] );
       ( "program",
         [
-          case "top-level state is listed" state;
-          case "no function is long" (fun () ->
-              none "functions that are too long" (Parsed.longest ~most:longest_function));
+          case "top-level state is listed" (fun () ->
+              none "state and its list disagree" (Parsed.unlisted_state ()));
+          case "no function is long" (fun () -> none "functions that are too long" (Parsed.longest ~most:60));
         ] );
       ( "documents",
         [
