@@ -376,6 +376,12 @@ let () =
           case "no mutation, floats or search" (fun () -> none "what the kernel does not do" (Kernel.impure ()));
           case "its reading list is whole" (fun () -> none "modules that are not listed" (Kernel.unlisted ()));
         ] );
+      ( "program",
+        [
+          case "top-level state is listed" (fun () ->
+              none "state and its list disagree" (Parsed.unlisted_state ()));
+          case "no function is long" (fun () -> none "functions that are too long" (Parsed.longest ~most:60));
+        ] );
       ( "documents",
         [
           case "every link leads somewhere" links; case "the version is that of dune-project" version;

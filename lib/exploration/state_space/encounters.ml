@@ -3,9 +3,9 @@ open Scc_exact
 open Scc_broad_phase
 open Scc_semantics
 
-type t = { local : Local.t; contacts : Contact_memory.t }
+type t = { local : Local.t; contacts : Contact_cache.t }
 
-let create ~memory local = { local; contacts = Contact_memory.create ~most:memory }
+let create ~memory local = { local; contacts = Contact_cache.create ~most:memory }
 
 (* Two that are not in contact before the time of this rank. *)
 type open_pair = { bound : int; one : Local.alone; two : Local.alone }
@@ -40,9 +40,9 @@ let not_before (a : Local.alone) (b : Local.alone) =
 
 let look_at_pair t pair a b =
   let bound = not_before a b in
-  if bound = infinity then Contact_memory.keep_never t.contacts pair
-  else if bound = 0. && Local.collisions t.local a b <> [] then Contact_memory.keep_meeting t.contacts pair
-  else Contact_memory.keep_not_before t.contacts pair bound
+  if bound = infinity then Contact_cache.keep_never t.contacts pair
+  else if bound = 0. && Local.collisions t.local a b <> [] then Contact_cache.keep_meeting t.contacts pair
+  else Contact_cache.keep_not_before t.contacts pair bound
 
 let earlier found rank time =
   if rank < found.rank || (rank = found.rank && Rat.compare time found.time < 0) then begin
@@ -51,16 +51,16 @@ let earlier found rank time =
   end
 
 let rec consider t found (a : Local.alone) (b : Local.alone) pair code =
-  if code = Contact_memory.meeting then
+  if code = Contact_cache.meeting then
     found.collisions <- List.rev_append (Local.collisions t.local a b) found.collisions
-  else if code = Contact_memory.unknown then begin
+  else if code = Contact_cache.unknown then begin
     look_at_pair t pair a b;
-    consider t found a b pair (Contact_memory.find t.contacts pair)
+    consider t found a b pair (Contact_cache.find t.contacts pair)
   end
-  else if code <> Contact_memory.never then begin
-    let rank = Contact_memory.rank code in
-    if Contact_memory.is_exact code then begin
-      if rank <= found.rank then earlier found rank (Contact_memory.time t.contacts pair)
+  else if code <> Contact_cache.never then begin
+    let rank = Contact_cache.rank code in
+    if Contact_cache.is_exact code then begin
+      if rank <= found.rank then earlier found rank (Contact_cache.time t.contacts pair)
     end
     else if rank <= found.rank then found.still_open <- { bound = rank; one = a; two = b } :: found.still_open
   end
@@ -79,8 +79,8 @@ let among t (processes : Local.alone array) =
       let b = Array.unsafe_get processes j in
       if a.body.velocity <> b.body.velocity then begin
         let pair = number a b in
-        let code = Contact_memory.find t.contacts pair in
-        if code <> Contact_memory.never then consider t found a b pair code
+        let code = Contact_cache.find t.contacts pair in
+        if code <> Contact_cache.never then consider t found a b pair code
       end
     done
   done;
@@ -89,10 +89,10 @@ let among t (processes : Local.alone array) =
 let resolve t found { one; two; _ } =
   let processes = [| one.body.process; two.body.process |] and pair = number one two in
   match Collisions.first_time_of_contact (Local.afresh t.local) processes ~limit:None with
-  | None -> Contact_memory.keep_never t.contacts pair
+  | None -> Contact_cache.keep_never t.contacts pair
   | Some time ->
-    Contact_memory.keep_time t.contacts pair time;
-    earlier found (Contact_memory.rank_of time) time
+    Contact_cache.keep_time t.contacts pair time;
+    earlier found (Contact_cache.rank_of time) time
 
 (* Those that may be the first are looked at exactly, the most likely one first, until one is the first. *)
 let rec first_contact t found =

@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 open Scc_calculus
 open Scc_property

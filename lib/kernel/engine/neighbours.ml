@@ -44,7 +44,7 @@ type turned = { placed : Placed.t; centre : Vec.t; turns : bool; margin : Rat.t;
    each part: where it is in a state, and in those that this leads to. *)
 type memory = {
   mutable seen : seen option array;
-  turned : (int * int, turned list) Hashtbl.t;  (** the last one first *)
+  turned : (int * int, turned Last_few.t) Hashtbl.t;
   mutable boxes : Float_box.t array;  (** those of the last call of [within] *)
   mutable pairs : (int * int) list;  (** which of them meet *)
 }
@@ -54,15 +54,21 @@ let is_of margin (p : Part.t) (t : turned) =
 
 let most_turned = 4
 
+let turned_of memory name =
+  match Hashtbl.find_opt memory.turned name with
+  | Some known -> known
+  | None ->
+    let known = Last_few.create ~most:most_turned in
+    Hashtbl.add memory.turned name known;
+    known
+
 let recall_turned memory margin (p : Part.t) =
-  let known = Option.value (Hashtbl.find_opt memory.turned (Part.name p)) ~default:[] in
-  match List.find_opt (is_of margin p) known with
+  let known = turned_of memory (Part.name p) in
+  match Last_few.find known (is_of margin p) with
   | Some t -> t.box
   | None ->
     let box = box ~margin p in
-    let t = { placed = p.placed; centre = p.centre; turns = Part.turns p; margin; box } in
-    let kept = List.filteri (fun i _ -> i < most_turned - 1) known in
-    Hashtbl.replace memory.turned (Part.name p) (t :: kept);
+    Last_few.keep known { placed = p.placed; centre = p.centre; turns = Part.turns p; margin; box };
     box
 
 let recall memory margin i (p : Part.t) =

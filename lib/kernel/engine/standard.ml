@@ -20,8 +20,8 @@ let of_model model =
     match model.Model.rigid with
     | None -> geometry
     | Some _ ->
-      let casts = Cast_memory.create () in
-      { geometry with first_penetration = Cast_memory.find casts geometry.first_penetration }
+      let casts = Cast_cache.create () in
+      { geometry with first_penetration = Cast_cache.find casts geometry.first_penetration }
   in
   let memo = Process_cache.create () in
   Semantics.make ~geometry ~neighbours:(Neighbours.boxes ()) ~laws:(laws model) ~memo model

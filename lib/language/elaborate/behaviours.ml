@@ -54,6 +54,11 @@ let create c (program : Program.t) =
     channel_names = Hashtbl.create 16;
   }
 
+let copy t c =
+  let index = Hashtbl.copy t.index and uses = Hashtbl.copy t.uses and names = Hashtbl.copy t.channel_names in
+  { t with c; index; uses; channel_names = names; pending = Queue.copy t.pending }
+
+let count t = t.count
 let use_channel t name = Hashtbl.replace t.channel_names name ()
 let has_channel t name = Hashtbl.mem t.channel_names name
 let channels t = Hashtbl.fold (fun name () all -> name :: all) t.channel_names [] |> List.sort String.compare

@@ -19,6 +19,13 @@ val create : Context.t -> Program.t -> t
 (** [create c program] has no behaviours yet. It checks the templates after [on] of definitions without
     parameters. *)
 
+val copy : t -> Context.t -> t
+(** [copy t c] has the behaviours of [t], and takes what it needs from [c]. Behaviours that one of the two gets
+    later are not in the other. [t] must not be finished yet. *)
+
+val count : t -> int
+(** The number of definitions that have been requested. *)
+
 val term : t -> Env.t -> owner -> Ast.behaviour -> Behaviour.t option
 (** Elaborates a behaviour that is written at a process. Faults are reported and give [None]. *)
 

@@ -37,25 +37,27 @@ type t = {
   touching : Obstacle.t -> Vec.t -> Contact.pair list;
 }
 
-module By_map = Hashtbl.Make (struct
-    type t = int * Mat.t
+let hash_with id h = (id * 65599) + h
 
-    let equal (i, m) (j, n) = Int.equal i j && Mat.equal m n
-    let hash (i, m) = (i * 65599) + Mat.hash m
+module By_map = Scc_data.Once.Make (struct
+    type t = Shape.basic * Mat.t
+
+    let equal ((a, m) : t) ((b, n) : t) = Int.equal a.id b.id && Mat.equal m n
+    let hash ((a, m) : t) = hash_with a.id (Mat.hash m)
   end)
 
-module By_factors = Hashtbl.Make (struct
-    type t = int * Vec.t
+module By_factors = Scc_data.Once.Make (struct
+    type t = Shape.basic * Vec.t
 
-    let equal (i, v) (j, w) = Int.equal i j && Vec.equal v w
-    let hash (i, v) = (i * 65599) + Vec.hash v
+    let equal ((a, v) : t) ((b, w) : t) = Int.equal a.id b.id && Vec.equal v w
+    let hash ((a, v) : t) = hash_with a.id (Vec.hash v)
   end)
 
-module By_offset = Hashtbl.Make (struct
-    type t = int * int * Vec.t
+module By_offset = Scc_data.Once.Make (struct
+    type t = Obstacle.t * Vec.t
 
-    let equal (i, j, v) (k, l, w) = Int.equal i k && Int.equal j l && Vec.equal v w
-    let hash (i, j, v) = (((i * 65599) + j) * 65599) + Vec.hash v
+    let equal ((o, v) : t) ((p, w) : t) = Int.equal o.a.id p.a.id && Int.equal o.b.id p.b.id && Vec.equal v w
+    let hash ((o, v) : t) = hash_with (hash_with o.a.id o.b.id) (Vec.hash v)
   end)
 
 let counter () =
@@ -66,37 +68,21 @@ let counter () =
     id
 
 let solids () =
-  let made = By_map.create 64 and fresh = counter () in
-  fun (basic : Shape.basic) linear ->
-    let key = (basic.id, linear) in
-    match By_map.find_opt made key with
-    | Some s -> s
-    | None ->
-      let s = Solid.make ~id:(fresh ()) basic.polyhedron linear in
-      By_map.add made key s;
-      s
+  let fresh = counter () in
+  let make ((basic : Shape.basic), linear) = Solid.make ~id:(fresh ()) basic.polyhedron linear in
+  let made = By_map.create make in
+  fun basic linear -> By_map.find made (basic, linear)
 
 let scalings fresh =
-  let made = By_factors.create 16 in
-  fun (basic : Shape.basic) factors ->
-    let key = (basic.id, factors) in
-    match By_factors.find_opt made key with
-    | Some s -> s
-    | None ->
-      let s = (Polyhedron.transform (Mat.diagonal factors) basic.polyhedron, fresh ()) in
-      By_factors.add made key s;
-      s
+  let make ((basic : Shape.basic), factors) =
+    (Polyhedron.transform (Mat.diagonal factors) basic.polyhedron, fresh ())
+  in
+  let made = By_factors.create make in
+  fun basic factors -> By_factors.find made (basic, factors)
 
 let contacts () =
-  let made = By_offset.create 64 in
-  fun (o : Obstacle.t) offset ->
-    let key = (o.a.Solid.id, o.b.Solid.id, offset) in
-    match By_offset.find_opt made key with
-    | Some pairs -> pairs
-    | None ->
-      let pairs = Contact.touching o offset in
-      By_offset.add made key pairs;
-      pairs
+  let made = By_offset.create (fun (o, offset) -> Contact.touching o offset) in
+  fun o offset -> By_offset.find made (o, offset)
 
 let create ~read_file =
   let fresh = counter () in
@@ -115,5 +101,18 @@ let create ~read_file =
     scaled = scalings fresh;
     touching = contacts ();
   }
+
+let copy c =
+  let report = Report.copy c.report in
+  let templates = Hashtbl.copy c.templates and families = Hashtbl.copy c.families in
+  Hashtbl.filter_map_inplace (fun _ (t : template) -> Some { t with used = t.used }) templates;
+  Hashtbl.filter_map_inplace (fun _ f -> Some { f with instances = f.instances }) families;
+  { c with report; templates; families }
+
+let mark_used c ~by =
+  let mark name (t : template) =
+    if t.used then Option.iter (fun (same : template) -> same.used <- true) (Hashtbl.find_opt c.templates name)
+  in
+  Hashtbl.iter mark by.templates
 
 let template_names c = List.sort String.compare (Family.keys c.templates @ Family.keys c.families)

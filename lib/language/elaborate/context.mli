@@ -51,5 +51,12 @@ val create : read_file:(string -> (string, string) result) -> t
 (** An empty context. [read_file] returns the text of a mesh or an import by its path, or why it cannot be
     read. *)
 
+val copy : t -> t
+(** A context with the same templates and diagnostics. Templates and diagnostics that one of the two gets
+    later, and uses that it marks, are not in the other. Solids and obstacles are shared. *)
+
+val mark_used : t -> by:t -> unit
+(** [mark_used c ~by] marks the templates of [c] that are used in [by]. *)
+
 val template_names : t -> string list
 (** The keys of all templates and families of templates, sorted. *)

@@ -20,7 +20,11 @@ type t = {
   premises : Property.check list;
   (** the premises without which checks hold vacuously ({!Premises}), each with the name of its check *)
   warnings : Diag.t list;
+  kept : kept;  (** for {!with_checks} *)
 }
+
+and kept
+(** What formulas that are read later need of the elaboration. *)
 
 val elaborate :
   read_file:(string -> (string, string) result) ->
@@ -33,3 +37,8 @@ val elaborate :
     the ranges.
 
     Errors are sorted. As many as make sense are reported at once. *)
+
+val with_checks : t -> Scc_syntax.Ast.model -> (t, Diag.t list) result
+(** [with_checks t items] is what {!elaborate} makes of the same model with [items], which are checks, at its
+    end; so are its errors. Only the checks are read, unless they compare with behaviours that the model does not
+    have by itself: then all of the model is elaborated again. *)

@@ -209,6 +209,7 @@ end
 module Eval = Typed.Make (Algebra)
 
 let create = Subjects.create
+let copy = Subjects.copy
 
 (* Whether an operator stands there, even if the rest of the formula decides it without it. *)
 let rec is_temporal (e : Ast.expr) =

@@ -9,6 +9,10 @@ type t = Subjects.t
 val create : Context.t -> Bodies.t -> Composition.t -> Behaviours.t -> t
 (** The subjects of formulas over this network, with full budgets of terms. *)
 
+val copy : t -> Context.t -> t
+(** [copy t c] has the same subjects, with behaviours and budgets of its own ({!Subjects.copy}). It reports to
+    [c]. *)
+
 val check_let : t -> Env.t -> Ast.expr -> unit
 (** Reports the faults of a [let] that nothing uses, if it makes sense neither in a law of motion nor in a
     formula. *)

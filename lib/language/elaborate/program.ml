@@ -43,6 +43,7 @@ type t = {
   motions : motion list;
   checks : check list;
   values : (string * string * Env.binding) list;
+  last : Env.t;
 }
 
 (* What is gathered on the way, lists in reverse. *)
@@ -154,15 +155,21 @@ let let_ g place (name : Ast.name) e =
   let place = bind g place "`let`" name value in
   if in_loop place then { place with names = name.it :: place.names } else place
 
-let check g place (name : Ast.name) formula =
+let check_at place (name : Ast.name) formula =
   let printed =
     match place.loops with
     | [] -> name.it
     | loops -> Printf.sprintf "%s[%s]" name.it (String.concat "," (List.rev_map Z.to_string loops))
   in
-  once_named g.check_names g.c.report { name with it = printed } "check";
   let written e = Scc_syntax.Printer.expr (Written.expr place.env place.names e) in
-  g.all_checks <- { env = place.env; name = printed; span = name.at; formula; written } :: g.all_checks
+  { env = place.env; name = printed; span = name.at; formula; written }
+
+let check g place name formula =
+  let check = check_at place name formula in
+  once_named g.check_names g.c.report { name with it = check.name } "check";
+  g.all_checks <- check :: g.all_checks
+
+let check_after t name formula = check_at (at_top t.last) name formula
 
 let enter_behaviour g place (name : Ast.name) (head : Family.head) definitions on body =
   Hashtbl.replace (Env.scope_of place.env).declared name.it ();
@@ -349,7 +356,7 @@ let gather c overrides narrowed =
     overflow = false;
   }
 
-let program g =
+let program g ~last =
   let value step ~default = match step with Some (Some q, _) -> q | Some (None, _) | None -> default in
   let timestep = value g.delta ~default:Rat.one in
   {
@@ -369,6 +376,7 @@ let program g =
     motions = List.rev g.all_motions;
     checks = List.rev g.all_checks;
     values = List.rev g.all_values;
+    last;
   }
 
 (* As the model's folder knows it. *)
@@ -381,7 +389,7 @@ let read c ~overrides ~narrowed model =
   let g = gather c overrides narrowed in
   c.root <- Env.root (Env.scope ~prefix:"" ~file:(file_of model));
   Modules.start g.modules (Env.scope_of c.root) model;
-  ignore (List.fold_left (item g) (at_top c.root) model);
+  let after = List.fold_left (item g) (at_top c.root) model in
   Overrides.check g.overrides c.report Span.none;
   if List.length model = 0 then Report.error c.report Code.empty_model Span.none "the model declares nothing";
-  if g.overflow then None else Some (program g)
+  if g.overflow then None else Some (program g ~last:after.env)

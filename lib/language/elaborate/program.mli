@@ -54,6 +54,7 @@ type t = {
   motions : motion list;
   checks : check list;
   values : (string * string * Env.binding) list;  (** parameters and [let]s: what, name, binding *)
+  last : Env.t;  (** at the end of the text *)
 }
 
 val read :
@@ -64,3 +65,6 @@ val read :
   t option
 (** Reads the declarations of a model. It is [None] if loops make more than {!Limits.items} declarations, which
     is reported (SC0111). *)
+
+val check_after : t -> Ast.name -> Ast.expr -> check
+(** [check_after t name formula] is the check that would stand at the end of the text. *)

@@ -6,6 +6,8 @@ type t = {
   mutable total : int;
 }
 
+let copy r = { r with counts = Hashtbl.copy r.counts }
+
 let kept_at_one_place = 3
 let kept_in_all = 200
 

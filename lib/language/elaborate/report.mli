@@ -9,6 +9,9 @@ type t
 val create : unit -> t
 (** An empty report. *)
 
+val copy : t -> t
+(** A report with the same diagnostics. What is added to one of the two is not in the other. *)
+
 val error :
   t ->
   ?notes:(Span.t * string) list ->

@@ -191,3 +191,12 @@ let create (c : Context.t) (bodies : Bodies.t) (composition : Composition.t) beh
   List.iter enter (List.rev numbers);
   let budget = Typed.budget () and law_budget = Typed.budget () in
   { c; bodies; composition; behaviours; by_template; numbers = Array.of_list numbers; budget; law_budget }
+
+let copy t c =
+  {
+    t with
+    c;
+    behaviours = Behaviours.copy t.behaviours c;
+    budget = { t.budget with left = t.budget.left };
+    law_budget = { t.law_budget with left = t.law_budget.left };
+  }

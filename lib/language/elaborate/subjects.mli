@@ -20,6 +20,10 @@ type t = {
 val create : Context.t -> Bodies.t -> Composition.t -> Behaviours.t -> t
 (** The subjects of a network, with full budgets of terms. *)
 
+val copy : t -> Context.t -> t
+(** [copy t c] has the subjects of [t], with behaviours ({!Behaviours.copy}) and budgets of its own. It reports to
+    [c]. *)
+
 val error :
   t ->
   ?hint:string ->

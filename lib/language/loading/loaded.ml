@@ -15,14 +15,16 @@ type t = {
   checks : Property.check list;
   premises : Property.check list;
   warnings : Diag.t list;
-  again : Scc_syntax.Ast.model -> (string * Rat.t) list -> (t, Diag.t list) result;
+  at_values : (string * Rat.t) list -> (t, Diag.t list) result;
+  beside : Scc_syntax.Ast.model -> (t, Diag.t list) result;
 }
 
 type reader = string -> (string, string) result
 
 let ( let* ) = Result.bind
 
-let rec of_tree ~read_file ~overrides ?narrowed source tree =
+(* The files that are read on the way are noted. *)
+let noting read_file =
   let files = ref [] in
   let read_file name =
     let result = read_file name in
@@ -30,30 +32,35 @@ let rec of_tree ~read_file ~overrides ?narrowed source tree =
     (match result with Ok text when not known -> files := (name, text) :: !files | Ok _ | Error _ -> ());
     result
   in
-  let misleading () =
-    let text (name, text) = Direction.warnings (Source.make ~name text) in
-    Direction.warnings source @ List.concat_map text (List.rev !files)
-  in
-  let* (e : Scc_elaborate.Elaborate.t) =
-    Scc_elaborate.Elaborate.elaborate ~read_file ~overrides ?narrowed tree
-    |> Result.map_error (fun errors -> errors @ misleading ())
-  in
-  let digest = Origin.digest ~text:(Source.text source) ~files:(List.rev !files) in
-  let { Scc_elaborate.Elaborate.model; declared; uncertain; checks; premises; warnings; _ } = e in
-  let warnings = misleading () @ warnings in
-  let settings = Scc_calculus.Parameters.listed model declared in
-  let origin = { Origin.name = e.name; digest; parameters = e.parameters; settings } in
-  let again items values =
-    of_tree ~read_file ~overrides:(overrides @ values) ?narrowed source (List.append tree items)
-  in
-  Ok
-    {
-      source; origin; semantics = Standard.of_model model; model; declared; uncertain; checks; premises; warnings;
-      again;
-    }
+  (read_file, fun () -> List.rev !files)
 
-let at l values = l.again [] values
-let with_items l items = l.again items []
+let rec of_tree ~read_file ~overrides ?narrowed source tree =
+  let noted, files = noting read_file in
+  let elaborated = Scc_elaborate.Elaborate.elaborate ~read_file:noted ~overrides ?narrowed tree in
+  let files = files () in
+  let text (name, text) = Direction.warnings (Source.make ~name text) in
+  let misleading = Direction.warnings source @ List.concat_map text files in
+  let digest = Origin.digest ~text:(Source.text source) ~files in
+  let rec loaded items elaborated =
+    let* (e : Scc_elaborate.Elaborate.t) = Result.map_error (fun errors -> errors @ misleading) elaborated in
+    let { Scc_elaborate.Elaborate.model; declared; uncertain; checks; premises; warnings; _ } = e in
+    let warnings = misleading @ warnings in
+    let settings = Scc_calculus.Parameters.listed model declared in
+    let origin = { Origin.name = e.name; digest; parameters = e.parameters; settings } in
+    let at_values values =
+      of_tree ~read_file ~overrides:(overrides @ values) ?narrowed source (List.append tree items)
+    in
+    let beside more = loaded (List.append items more) (Scc_elaborate.Elaborate.with_checks e more) in
+    Ok
+      {
+        source; origin; semantics = Standard.of_model model; model; declared; uncertain; checks; premises;
+        warnings; at_values; beside;
+      }
+  in
+  loaded [] elaborated
+
+let at l values = l.at_values values
+let with_checks l items = l.beside items
 
 let load ~read_file ~overrides ?narrowed source =
   let* tree =

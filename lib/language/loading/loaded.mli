@@ -21,8 +21,8 @@ type t = {
       vacuous. They are decided beside the checks, and prolong no exploration. A check is never decided before
       its premise has been met or all is explored. *)
   warnings : Diag.t list;
-  again : Scc_syntax.Ast.model -> (string * Rat.t) list -> (t, Diag.t list) result;
-  (** see {!at} and {!with_items} *)
+  at_values : (string * Rat.t) list -> (t, Diag.t list) result;  (** see {!at} *)
+  beside : Scc_syntax.Ast.model -> (t, Diag.t list) result;  (** see {!with_checks} *)
 }
 
 type reader = string -> (string, string) result
@@ -52,8 +52,9 @@ val at : t -> (string * Rat.t) list -> (t, Diag.t list) result
     with ranges are among them. The errors say why there is no such model, as SC0217 for a value out of its
     range. *)
 
-val with_items : t -> Scc_syntax.Ast.model -> (t, Diag.t list) result
-(** [with_items l items] is the model with these items after those of its text. *)
+val with_checks : t -> Scc_syntax.Ast.model -> (t, Diag.t list) result
+(** [with_checks l items] is the model with these items, which are checks, after those of its text
+    ({!Scc_elaborate.Elaborate.with_checks}). *)
 
 val initial : t -> (State.t, Diag.t list) result
 (** The initial state. It is an error if a law of motion has no value there. *)

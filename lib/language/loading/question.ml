@@ -69,11 +69,11 @@ let all (l : Loaded.t) sources =
     | [] -> Ok (List.rev known)
     | source :: rest ->
       let* e = read source in
-      let* form, _, _ = formed ~model:Fun.id (fun form -> Loaded.with_items l [ item form e ]) in
+      let* form, _, _ = formed ~model:Fun.id (fun form -> Loaded.with_checks l [ item form e ]) in
       forms ((form, e) :: known) rest
   in
   let* forms = forms [] sources in
-  let* l = Loaded.with_items l (List.mapi (fun i (form, e) -> numbered i form e) forms) in
+  let* l = Loaded.with_checks l (List.mapi (fun i (form, e) -> numbered i form e) forms) in
   let before = List.length l.checks - List.length forms in
   let checks = List.filteri (fun i _ -> i >= before) l.checks in
   let meant (form, _) check =

@@ -121,14 +121,14 @@ let sample console o runs (plan : Sample.plan) estimation ~stopped =
           Interrupted
         | Error (Lost { task; how; fault }) ->
           Estimation.judge estimation ~last:true;
-          Lost { why = Printf.sprintf "run %d is lost: %s" task how; fault })
+          Lost { why = Kept_runs.lost ~what:"run" ~task ~how; fault })
   in
   let ending = go 0 in
   Console.progress_done console;
   ending
 
 (* A run depends on these and its number alone: how many there are, and what is made of them, may change. *)
-let store console o (l : Loaded.t) (paths : Path.t list) folder =
+let identity o (l : Loaded.t) (paths : Path.t list) =
   let free = match o.free with Sample.Apart -> "apart" | Evenly -> "evenly" in
   let options =
     [
@@ -141,7 +141,7 @@ let store console o (l : Loaded.t) (paths : Path.t list) folder =
     ]
   in
   let { Origin.digest; parameters; _ } = l.origin in
-  Kept.openly console ~folder (Kept.identity ~digest ~parameters options)
+  Kept.identity ~digest ~parameters options
 
 (* {1 The report} *)
 
@@ -201,12 +201,7 @@ let estimate console o watch =
       until = o.until;
     }
   in
-  let* store =
-    match o.store with
-    | None -> Ok None
-    | Some folder -> Result.map Option.some (store console o model paths folder)
-  in
-  let runs = Kept_runs.start store "the runs" in
+  let* runs = Kept_runs.openly console ~folder:o.store ~identity:(identity o model paths) "the runs" in
   let estimation = Estimation.start aim paths in
   let stopped () = Option.is_some (Watch.stop watch ()) in
   let ending = sample console o runs plan estimation ~stopped in

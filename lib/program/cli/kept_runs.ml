@@ -14,6 +14,12 @@ let start store about =
   let log = Option.fold ~none:Log.none ~some:(fun s -> Store.log s about) store in
   { store; log; blocks = Blocks.make log; block = ""; place = 0 }
 
+let openly console ~folder ~identity about =
+  match folder with
+  | None -> Ok (start None about)
+  | Some folder ->
+    Kept.openly console ~folder identity |> Result.map (fun store -> start (Some store) about)
+
 (* A block has been seen to be what a process of the same build has written. *)
 let rec next t =
   if t.place < String.length t.block then begin
@@ -51,7 +57,18 @@ let run t ~jobs ~first ~count ~work ~interrupted ~each =
   in
   Fun.protect ~finally:(fun () -> Blocks.write t.blocks) (fun () -> follow first)
 
+let lost ~what ~task ~how = Printf.sprintf "%s %d is lost: %s" what task how
 let loss ~fault = if fault then Scc_verdicts.Exit_code.Bug else Stopped
+
+let stopped console ~what ~written ~count (stop : Pool.stop) =
+  let all = Printf.sprintf "%d of %d %ss" written count what in
+  match stop with
+  | Interrupted ->
+    Console.note console (Printf.sprintf "scc: interrupted after %s, which are written" all);
+    Scc_verdicts.Exit_code.Stopped
+  | Lost { task; how; fault } ->
+    Console.note console (Printf.sprintf "scc: %s; %s are written" (lost ~what ~task ~how) all);
+    loss ~fault
 
 let close t =
   match t.store with
@@ -59,3 +76,8 @@ let close t =
   | Some store ->
     Store.close store;
     Option.to_list (Store.failed store)
+
+let finish console t code =
+  let unkept = close t in
+  Kept.conclude console unkept;
+  Scc_verdicts.Exit_code.worst (code :: Kept.code unkept)

@@ -2,14 +2,15 @@
     ({!Scc_workers.Pool}), and a store keeps their results, if there is one. *)
 
 open Scc_base
-open Scc_store
 
 type 'a t
 (** Tasks with results of type ['a], in order. {!Marshal} must accept the results. *)
 
-val start : Store.t option -> string -> 'a t
-(** The tasks under this name in the store ({!Store.log}). The results in the store must have this type. Its
-    identity ensures that: it includes the build, the command and the options. *)
+val openly :
+  Console.t -> folder:string option -> identity:(string * string) list -> string -> ('a t, Diag.t list) result
+(** [openly console ~folder ~identity name] has the tasks under this name in the store of the folder
+    ({!Kept.openly}), or keeps nothing without a folder. The results in the store must have this type. Its identity
+    ensures that: it includes the build, the command and the options. *)
 
 val run :
   'a t ->
@@ -23,8 +24,19 @@ val run :
 (** Does the tasks, as {!Scc_workers.Pool.run}, except those with results in the store. A further call
     continues: [first] is where the last call ended. *)
 
+val lost : what:string -> task:int -> how:string -> string
+(** The loss of a task as a clause: ["run 7 is lost: a process was killed"]. [what] names a task. *)
+
 val loss : fault:bool -> Scc_verdicts.Exit_code.t
 (** The exit code of a run that is lost ({!Scc_workers.Pool.stop}). *)
 
+val stopped :
+  Console.t -> what:string -> written:int -> count:int -> Scc_workers.Pool.stop -> Scc_verdicts.Exit_code.t
+(** Notes why the tasks ended early, and how many of them are written; the exit code for it. *)
+
 val close : 'a t -> Diag.t list
 (** Closes the store, and returns its error if writing to it failed. *)
+
+val finish : Console.t -> 'a t -> Scc_verdicts.Exit_code.t -> Scc_verdicts.Exit_code.t
+(** Closes the store and reports its error, if it has one. The result is the worse of the exit code and that of the
+    error. *)

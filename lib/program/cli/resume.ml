@@ -2,6 +2,16 @@ open Scc_base
 
 let ( let* ) = Result.bind
 
+let file ~output ~resume = match output with None -> resume | Some _ -> output
+
+let conflict ~resume ~store ~part ~lines =
+  match resume with
+  | _ when Option.is_some store && Option.is_some part -> Some "--store does not go with --part"
+  | Some _ when Option.is_some store -> Some "--resume does not go with --store"
+  | Some _ when not lines -> Some "--resume goes on with JSON Lines: --format jsonl"
+  | Some _ when Option.is_some part -> Some "--resume does not go with --part"
+  | Some _ | None -> None
+
 let bad path format =
   Printf.ksprintf
     (fun text -> Error [ Diag.error Code.bad_trace (Span.make ~file:path ~start:0 ~stop:0) "%s" text ])

@@ -1,4 +1,4 @@
-(** Options of commands that make many runs. *)
+(** Options of commands that make many runs, or look at many points. *)
 
 open Cmdliner
 
@@ -10,3 +10,6 @@ val jobs : int Term.t
 
 val seconds : float option Term.t
 (** The option [--seconds]: the greatest time for runs, in seconds of the clock. *)
+
+val output : string option Term.t
+(** The option [--output]: a file, or [None] for standard output, which [-] names. *)

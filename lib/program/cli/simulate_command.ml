@@ -60,7 +60,7 @@ let each_run console o kept plan ~runs ~written ~first ~last ~interrupted each =
   result
 
 (* A run depends on these and its number alone. *)
-let store console o (l : Loaded.t) folder =
+let identity o (l : Loaded.t) =
   let options =
     [
       ("what is kept", "runs of scc simulate");
@@ -72,7 +72,7 @@ let store console o (l : Loaded.t) folder =
     ]
   in
   let { Origin.digest; parameters; _ } = l.origin in
-  Kept.openly console ~folder (Kept.identity ~digest ~parameters options)
+  Kept.identity ~digest ~parameters options
 
 let early console n =
   if n > 0 then
@@ -84,15 +84,9 @@ let conclude console ~runs ~finished ~ended_early = function
   | Ok () ->
     early console ended_early;
     Ok (if ended_early > 0 then Exit_code.Undecided else Exit_code.Holds)
-  | Error Pool.Interrupted ->
-    early console ended_early;
-    Console.note console
-      (Printf.sprintf "scc: interrupted after %d of %d runs, which are written" finished runs);
-    Ok Exit_code.Stopped
-  | Error (Lost { task; how; fault }) ->
-    Console.note console
-      (Printf.sprintf "scc: run %d is lost: %s; %d of %d runs are written" task how finished runs);
-    Ok (Kept_runs.loss ~fault)
+  | Error stop ->
+    (match (stop : Pool.stop) with Interrupted -> early console ended_early | Lost _ -> ());
+    Ok (Kept_runs.stopped console ~what:"run" ~written:finished ~count:runs stop)
 
 let in_all o = o.summary || Option.is_some o.plot
 
@@ -123,15 +117,8 @@ let simulate console o ~interrupted =
   let* there, before, earlier = before o report in
   let from, last = Task_part.range o.part ~count:o.runs in
   let first = max there from in
-  let path =
-    match (o.output, o.resume) with
-    | None, Some path when not o.summary -> Some path
-    | path, _ -> path
-  in
-  let* store =
-    match o.store with None -> Ok None | Some folder -> Result.map Option.some (store console o model folder)
-  in
-  let kept = Kept_runs.start store "the runs" in
+  let path = if o.summary then o.output else Resume.file ~output:o.output ~resume:o.resume in
+  let* kept = Kept_runs.openly console ~folder:o.store ~identity:(identity o model) "the runs" in
   let written = ref there and ended_early = ref 0 in
   let all = ref (Report.nobody report) in
   let add (r : Simulation.run) =
@@ -161,9 +148,7 @@ let simulate console o ~interrupted =
   | Ok result ->
     let* () = Result.map_error (fun d -> [ d ]) (Option.fold ~none:(Ok ()) ~some:draw o.plot) in
     let* code = conclude console ~runs:(last - from) ~finished:!written ~ended_early:!ended_early result in
-    let unkept = Kept_runs.close kept in
-    Kept.conclude console unkept;
-    Ok (Exit_code.worst (code :: Kept.code unkept))
+    Ok (Kept_runs.finish console kept code)
 
 let run color o =
   let console = Console.make ~color ~json:false () in
@@ -230,10 +215,6 @@ let decimals =
   Arg.(value & opt (some (Options.integer ~least:0 ~most:1000 "number of decimals")) None & info [ "decimals" ]
          ~docv:"K" ~doc)
 
-let output =
-  let doc = "Writes to $(docv) instead of standard output." in
-  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
-
 let resume =
   let doc =
     "Continues $(docv), written with $(b,--format jsonl) by a simulation that was interrupted, or had fewer \
@@ -256,14 +237,12 @@ let fitting o =
     Error (Printf.sprintf "--every and --until make more than %d times" Simulation.most_times)
   else if List.exists (fun q -> Rat.compare q Rat.one > 0) o.quantiles then Error "a quantile is not above 1"
   else
-    match o.resume with
-    | _ when Option.is_some o.store && Option.is_some o.part -> Error "--store does not go with --part"
-    | Some _ when Option.is_some o.store -> Error "--resume does not go with --store"
-    | Some _ when o.form = Csv && not o.summary -> Error "--resume goes on with JSON Lines: --format jsonl"
-    | Some _ when Option.is_some o.part -> Error "--resume does not go with --part"
-    | Some _ when Option.is_some o.decimals && Option.is_some o.plot && not o.summary ->
+    let lines = o.form <> Csv || o.summary in
+    match (Resume.conflict ~resume:o.resume ~store:o.store ~part:o.part ~lines, o.resume) with
+    | Some text, _ -> Error text
+    | None, Some _ when Option.is_some o.decimals && Option.is_some o.plot && not o.summary ->
       Error "--resume with --decimals does not go with --plot, which takes exact numbers"
-    | _ -> Ok { o with output = (if o.output = Some "-" then None else o.output) }
+    | None, _ -> Ok o
 
 let options =
   let make path given runs seed jobs part observed every until steps summary quantiles form decimals output
@@ -277,7 +256,7 @@ let options =
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.overrides $ runs $ Run_options.seed $ Run_options.jobs
        $ Task_part.option ~what:"runs" $ observed $ every $ until $ steps
-       $ summary $ quantiles $ form $ decimals $ output $ resume $ store_option $ plot))
+       $ summary $ quantiles $ form $ decimals $ Run_options.output $ resume $ store_option $ plot))
 
 let man =
   [

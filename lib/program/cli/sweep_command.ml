@@ -3,7 +3,6 @@ open Scc_verify
 open Scc_loading
 open Scc_verdicts
 open Scc_sweep
-open Scc_workers
 open Cmdliner
 
 let ( let* ) = Result.bind
@@ -86,17 +85,10 @@ let conclude console seen ~count = function
       Ok Exit_code.Stopped
     end
     else Ok (if seen.open_ + seen.refused > 0 then Exit_code.Undecided else Exit_code.Holds)
-  | Error Pool.Interrupted ->
-    Console.note console
-      (Printf.sprintf "scc: interrupted after %d of %d points, which are written" seen.written count);
-    Ok Exit_code.Stopped
-  | Error (Lost { task; how; fault }) ->
-    Console.note console
-      (Printf.sprintf "scc: point %d is lost: %s; %d of %d points are written" task how seen.written count);
-    Ok (Kept_runs.loss ~fault)
+  | Error stop -> Ok (Kept_runs.stopped console ~what:"point" ~written:seen.written ~count stop)
 
 (* A point depends on these and its number alone. *)
-let store console o ~digest folder =
+let identity o ~digest =
   let axis (a : Grid.axis) =
     ("-D " ^ a.name, String.concat "," (List.map Scc_exact.Rat.to_string (Array.to_list a.values)))
   in
@@ -105,7 +97,7 @@ let store console o ~digest folder =
     (("what is kept", "points of scc sweep") :: List.map axis o.grid)
     @ List.map bound [ "depth"; "time"; "states"; "seconds"; "memory"; "bits" ]
   in
-  Kept.openly console ~folder (Kept.identity ~digest ~parameters:[] options)
+  Kept.identity ~digest ~parameters:[] options
 
 let told result = Result.map_error (fun d -> [ d ]) result
 
@@ -134,11 +126,8 @@ let sweep console o ~interrupted =
     | None -> Ok (0, match o.form with Csv -> Table.csv_header table | Jsonl -> Table.json_header table)
     | Some path -> Resume.lines ~path ~header:(Table.json_header table) ~member:"point" ~what:"sweep"
   in
-  let* store =
-    match o.store with None -> Ok None | Some folder -> Result.map Option.some (store console o ~digest folder)
-  in
-  let points = Kept_runs.start store "the points" in
-  let path = match (o.output, o.resume) with None, Some path -> Some path | path, _ -> path in
+  let* points = Kept_runs.openly console ~folder:o.store ~identity:(identity o ~digest) "the points" in
+  let path = Resume.file ~output:o.output ~resume:o.resume in
   let seen = { written = there; open_ = 0; refused = 0; stopped = 0; all = [] } in
   let write put =
     put before;
@@ -167,9 +156,7 @@ let sweep console o ~interrupted =
     | Some _, Error _ | None, _ -> Ok ()
   in
   let* code = conclude console seen ~count result in
-  let unkept = Kept_runs.close points in
-  Kept.conclude console unkept;
-  Ok (Exit_code.worst (code :: Kept.code unkept))
+  Ok (Kept_runs.finish console points code)
 
 let run color o =
   let console = Console.make ~color ~json:false () in
@@ -204,10 +191,6 @@ let form =
   in
   Arg.(value & opt (enum [ ("csv", Csv); ("jsonl", Jsonl) ]) Csv & info [ "format" ] ~docv:"FORMAT" ~doc)
 
-let output =
-  let doc = "Writes to $(docv) instead of standard output." in
-  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
-
 let resume =
   let doc =
     "Continues $(docv), written with $(b,--format jsonl) by a sweep that was interrupted. All options except \
@@ -240,25 +223,21 @@ let twice grid =
 let options =
   let make path grid budget jobs part form output resume store plot =
     let size = Grid.size grid in
-    match (twice grid, resume, form, plot, if Option.is_some plot then Picture.axes grid else Ok []) with
-    | Some name, _, _, _, _ -> Error (Printf.sprintf "-D %s is there twice" name)
-    | None, _, _, _, _ when Z.gt size (Z.of_int Grid.most) ->
+    let axes = if Option.is_some plot then Picture.axes grid else Ok [] in
+    match (twice grid, Resume.conflict ~resume ~store ~part ~lines:(form = Jsonl), axes) with
+    | Some name, _, _ -> Error (Printf.sprintf "-D %s is there twice" name)
+    | None, _, _ when Z.gt size (Z.of_int Grid.most) ->
       Error (Printf.sprintf "the grid has %s points: at most %d" (Z.to_string size) Grid.most)
-    | None, Some _, _, _, _ when Option.is_some store -> Error "--resume does not go with --store"
-    | None, _, _, _, _ when Option.is_some store && Option.is_some part -> Error "--store does not go with --part"
-    | None, Some _, Csv, _, _ -> Error "--resume goes on with JSON Lines: --format jsonl"
-    | None, Some _, Jsonl, Some _, _ -> Error "--resume does not go with --plot"
-    | None, Some _, _, _, _ when Option.is_some part -> Error "--resume does not go with --part"
-    | None, _, _, Some _, _ when Option.is_some part -> Error "--plot does not go with --part"
-    | None, _, _, _, Error text -> Error ("--plot: " ^ text)
-    | None, _, _, _, Ok _ ->
-      let output = if output = Some "-" then None else output in
-      Ok { path; grid; budget; jobs; part; form; output; resume; store; plot }
+    | None, Some text, _ -> Error text
+    | None, None, _ when Option.is_some resume && Option.is_some plot -> Error "--resume does not go with --plot"
+    | None, None, _ when Option.is_some plot && Option.is_some part -> Error "--plot does not go with --part"
+    | None, None, Error text -> Error ("--plot: " ^ text)
+    | None, None, Ok _ -> Ok { path; grid; budget; jobs; part; form; output; resume; store; plot }
   in
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ grid $ Check_options.budget $ Run_options.jobs
-       $ Task_part.option ~what:"points" $ form $ output $ resume $ store_option $ plot))
+       $ Task_part.option ~what:"points" $ form $ Run_options.output $ resume $ store_option $ plot))
 
 let man =
   [

@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_data
 open Scc_exact
 open Scc_syntax
 open Scc_calculus
@@ -20,12 +21,14 @@ type given = {
 
 type kept = { given : given; mutable loaded : loaded option }
 type asked = { handle : string; formula : string; form : string; answer : loaded }
-type store = { models : kept Handles.t; read_file : Loaded.reader; mutable lately : asked list }
+type store = { models : kept Handles.t; read_file : Loaded.reader; lately : asked Last_few.t }
 
+let most_lately = 8
 let no_files _ = Error "it is not among the files of the request"
 
 let store (q : Quotas.t) ~read_file =
-  { models = Handles.create ~prefix:"m" ~limit:"models" ~most:q.models; read_file; lately = [] }
+  let models = Handles.create ~prefix:"m" ~limit:"models" ~most:q.models in
+  { models; read_file; lately = Last_few.create ~most:most_lately }
 
 (* {1 Making} *)
 
@@ -39,8 +42,7 @@ let of_tree given tree =
   in
   Loaded.of_tree ~read_file ~overrides:given.overrides ~narrowed:given.narrowed given.source tree
 
-let make given tree =
-  let* model = of_tree given tree in
+let ready model =
   let* () = Ordinary.at_point ~otherwise:"with the member `start`, `model.load` chooses them" model in
   let* () = Ordinary.on_grid model in
   let* initial = Loaded.initial model in
@@ -63,7 +65,7 @@ let loaded kept =
   match kept.loaded with
   | Some l -> l
   | None -> (
-      match make kept.given kept.given.tree with
+      match Result.bind (of_tree kept.given kept.given.tree) ready with
       | Ok l ->
         kept.loaded <- Some l;
         l
@@ -72,7 +74,7 @@ let loaded kept =
 let model store p at v = loaded (Handles.find store.models p at v)
 
 let forget store =
-  store.lately <- [];
+  Last_few.retain store.lately (fun _ -> false);
   Handles.iter (fun k -> k.loaded <- None) store.models
 
 let choices p =
@@ -183,12 +185,10 @@ let release store p =
   Read.only p [ "model"; "limits" ];
   let handle = Read.required p "model" Read.text in
   ignore (Handles.release store.models handle);
-  store.lately <- List.filter (fun a -> not (String.equal a.handle handle)) store.lately;
+  Last_few.retain store.lately (fun a -> not (String.equal a.handle handle));
   Reply.Value (`Assoc [ ("released", `String handle) ])
 
 (* {1 With a formula} *)
-
-let most_lately = 8
 
 let kept_of store handle = Handles.get store.models handle
 
@@ -201,12 +201,12 @@ let with_formula store ~handle ~formula form =
   let same a =
     String.equal a.handle handle && String.equal a.form name && String.equal a.formula formula
   in
-  match List.find_opt same store.lately with
+  match Last_few.find store.lately same with
   | Some a -> Ok a.answer
   | None ->
-    let given = (kept_of store handle).given in
+    let base = loaded (kept_of store handle) in
     let* e = Scc_syntax.Parse.expression (Source.make ~name:formula_name formula) in
-    let* answer = make given (List.append given.tree [ Question.item form e ]) in
-    let older = List.filteri (fun i _ -> i < most_lately - 1) store.lately in
-    store.lately <- { handle; formula; form = name; answer } :: older;
+    let* model = Loaded.with_checks base.model [ Question.item form e ] in
+    let* answer = ready model in
+    Last_few.keep store.lately { handle; formula; form = name; answer };
     Ok answer

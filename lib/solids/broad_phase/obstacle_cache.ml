@@ -1,23 +1,15 @@
 open Scc_geometry
 
-module Table = Hashtbl.Make (struct
-    type t = int * int
+module Made = Scc_data.Once.Make (struct
+    type t = Solid.t * Solid.t
 
-    let equal (a, b) (c, d) = Int.equal a c && Int.equal b d
-    let hash (a, b) = (a * 65599) + b
+    let equal ((a, b) : t) ((c, d) : t) = Int.equal a.id c.id && Int.equal b.id d.id
+    let hash ((a, b) : t) = (a.id * 65599) + b.id
   end)
 
-type t = Obstacle.t Table.t
+type t = Obstacle.t Made.t
 
-let create () = Table.create 16
+let create () = Made.create (fun (a, b) -> Obstacle.make a b)
 
 let find cache (a : Solid.t) (b : Solid.t) =
-  if a.id = Solid.derived || b.id = Solid.derived then Obstacle.make a b
-  else
-    let key = (a.id, b.id) in
-    match Table.find_opt cache key with
-    | Some o -> o
-    | None ->
-      let o = Obstacle.make a b in
-      Table.add cache key o;
-      o
+  if a.id = Solid.derived || b.id = Solid.derived then Obstacle.make a b else Made.find cache (a, b)

@@ -6,6 +6,7 @@ let () =
       Test_odds.suite;
       Test_faults.suite;
       Test_language.suite;
+      Test_later.suite;
       Test_properties.suite;
       Test_ranges.suite;
       Test_terms.suite;

@@ -20,15 +20,15 @@ let print_two (s, t) = Rat.to_string s ^ ", " ^ Rat.to_string t
 
 let ranks =
   QCheck2.Test.make ~name:"ranks keep the order of times" ~count:1000 ~print:print_two close_times (fun (s, t) ->
-      Contact_memory.rank_of s <= Contact_memory.rank_of t)
+      Contact_cache.rank_of s <= Contact_cache.rank_of t)
 
 let ranks_of_bounds =
   QCheck2.Test.make ~name:"and of times and bounds in floats" ~count:1000 ~print:print_two close_times
     (fun (s, t) ->
        let bound = Scc_geometry.Float_box.down s in
-       let m = Contact_memory.create ~most:1 in
-       Contact_memory.keep_not_before m 0 (Float.max 0. bound);
-       Contact_memory.rank (Contact_memory.find m 0) <= Contact_memory.rank_of t)
+       let m = Contact_cache.create ~most:1 in
+       Contact_cache.keep_not_before m 0 (Float.max 0. bound);
+       Contact_cache.rank (Contact_cache.find m 0) <= Contact_cache.rank_of t)
 
 (* {1 Sums} *)
 
@@ -78,32 +78,32 @@ let sums_of_integers = sums "the same of integers" Running_sum.integers naive_of
 type kept = Never | Meeting | Time of Rat.t | Not_before of float
 
 let keep m pair = function
-  | Never -> Contact_memory.keep_never m pair
-  | Meeting -> Contact_memory.keep_meeting m pair
-  | Time t -> Contact_memory.keep_time m pair t
-  | Not_before x -> Contact_memory.keep_not_before m pair x
+  | Never -> Contact_cache.keep_never m pair
+  | Meeting -> Contact_cache.keep_meeting m pair
+  | Time t -> Contact_cache.keep_time m pair t
+  | Not_before x -> Contact_cache.keep_not_before m pair x
 
 let is_kept m pair kept =
-  let code = Contact_memory.find m pair in
+  let code = Contact_cache.find m pair in
   match kept with
-  | Never -> code = Contact_memory.never
-  | Meeting -> code = Contact_memory.meeting
+  | Never -> code = Contact_cache.never
+  | Meeting -> code = Contact_cache.meeting
   | Time t ->
-    code <> Contact_memory.never && code <> Contact_memory.meeting
-    && Contact_memory.is_exact code
-    && Rat.equal (Contact_memory.time m pair) t
-    && Contact_memory.rank code = Contact_memory.rank_of t
+    code <> Contact_cache.never && code <> Contact_cache.meeting
+    && Contact_cache.is_exact code
+    && Rat.equal (Contact_cache.time m pair) t
+    && Contact_cache.rank code = Contact_cache.rank_of t
   | Not_before x ->
-    code <> Contact_memory.never && code <> Contact_memory.meeting
-    && (not (Contact_memory.is_exact code))
-    && Contact_memory.rank code <= Contact_memory.rank_of (Q.of_float x)
+    code <> Contact_cache.never && code <> Contact_cache.meeting
+    && (not (Contact_cache.is_exact code))
+    && Contact_cache.rank code <= Contact_cache.rank_of (Q.of_float x)
 
 let what i =
   match i mod 4 with 0 -> Never | 1 -> Meeting | 2 -> Time (ratio i 7) | _ -> Not_before (float_of_int i /. 3.)
 
 (* So many that it grows several times, and then some that it cannot hold all. *)
 let contacts () =
-  let m = Contact_memory.create ~most:4096 in
+  let m = Contact_cache.create ~most:4096 in
   let pair i = ((i * 7919) lsl 31) lor (i mod 13) in
   let known = ref 0 in
   for i = 1 to 20_000 do
@@ -111,24 +111,24 @@ let contacts () =
     Alcotest.(check bool) "what was kept last" true (is_kept m (pair i) (what i))
   done;
   for i = 1 to 20_000 do
-    if Contact_memory.find m (pair i) <> Contact_memory.unknown then begin
+    if Contact_cache.find m (pair i) <> Contact_cache.unknown then begin
       incr known;
       Alcotest.(check bool) "what is known" true (is_kept m (pair i) (what i))
     end
   done;
   Alcotest.(check bool) "much is" true (!known > 2000 && !known <= 4096);
-  Alcotest.(check bool) "not what was never kept" true (Contact_memory.find m 5 = Contact_memory.unknown)
+  Alcotest.(check bool) "not what was never kept" true (Contact_cache.find m 5 = Contact_cache.unknown)
 
 let recent () =
   let none = (-1, "") in
-  let m = Recent.create ~number:fst ~none ~most:4096 in
+  let m = Scc_data.Recent.create ~number:fst ~none ~most:4096 in
   for i = 0 to 9_999 do
-    Recent.keep m (i, string_of_int i)
+    Scc_data.Recent.keep m (i, string_of_int i)
   done;
   for i = 9_999 - 4_095 to 9_999 do
-    Alcotest.(check (pair int string)) "the last are there" (i, string_of_int i) (Recent.get m i)
+    Alcotest.(check (pair int string)) "the last are there" (i, string_of_int i) (Scc_data.Recent.get m i)
   done;
-  Alcotest.(check bool) "others are not" true (fst (Recent.get m 1) <> 1)
+  Alcotest.(check bool) "others are not" true (fst (Scc_data.Recent.get m 1) <> 1)
 
 (* {1 Who stands in some slots} *)
 

@@ -265,12 +265,54 @@ let buffers () =
   Alcotest.(check int) "popped" 40 (Int_array.pop b);
   bounded 39
 
+(* {1 Caches} *)
+
+module Once_by_int = Once.Make (struct
+    include Int
+
+    let hash i = i mod 3
+  end)
+
+(* Each is made at the first call for its key, and at no other. *)
+let once =
+  QCheck2.Test.make ~count:300 ~name:"Once makes a value once" Gen.(list_size (0 -- 60) (0 -- 9)) (fun keys ->
+      let made = ref [] in
+      let make key =
+        made := key :: !made;
+        3 * key
+      in
+      let cache = Once_by_int.create make in
+      List.for_all (fun key -> Once_by_int.find cache key = 3 * key) keys
+      && List.length !made = List.length (List.sort_uniq Int.compare keys))
+
+type few = Keep of int | Retain_even
+
+(* A list of all entries, cut at its end. *)
+let last_few =
+  let step = Gen.(oneof [ map (fun i -> Keep i) (0 -- 9); return Retain_even ]) in
+  let steps = Gen.(list_size (0 -- 40) step) in
+  let name = "Last_few has the last entries" in
+  QCheck2.Test.make ~count:300 ~name Gen.(pair (1 -- 5) steps) (fun (most, steps) ->
+      let cache = Last_few.create ~most in
+      let even (i, _) = i mod 2 = 0 in
+      let play (number, entries) = function
+        | Keep i ->
+          Last_few.keep cache (i, number);
+          (number + 1, List.filteri (fun k _ -> k < most) ((i, number) :: entries))
+        | Retain_even ->
+          Last_few.retain cache even;
+          (number, List.filter even entries)
+      in
+      let _, entries = List.fold_left play (0, []) steps in
+      let same i = Last_few.find cache (fun (j, _) -> i = j) = List.find_opt (fun (j, _) -> i = j) entries in
+      List.for_all same (List.init 10 Fun.id))
+
 let () =
   Alcotest.run "structures"
     [
       ( "properties",
         Scc_test_support.Property.cases
-          [ sorted; sorts; bits; joined; components; shortest; vector; queue; counts ] );
+          [ sorted; sorts; bits; joined; components; shortest; vector; queue; counts; once; last_few ] );
       ( "cases",
         [
           Alcotest.test_case "a million nodes" `Quick long_way;

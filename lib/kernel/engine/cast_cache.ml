@@ -1,13 +1,17 @@
+open Scc_data
 open Scc_exact
 open Scc_rigid
 
 type question = { one : Motion.t; two : Motion.t; span : Rat.t; grid : int; phase : Rat.t }
 
-(* By the hash of the question, modulo the size. *)
-type t = (question * Cast.outcome) option array
+type entry = { hash : int; question : question; answer : Cast.outcome }
 
-let size = 1 lsl 13
-let create () = Array.make size None
+(* None has no number that is asked for. *)
+type t = entry option Recent.t
+
+let most = 1 lsl 13
+let number = function Some e -> e.hash | None -> -1
+let create () = Recent.create ~number ~none:None ~most
 
 (* Solids are those of a model. *)
 let same_motion (a : Motion.t) (b : Motion.t) =
@@ -33,14 +37,14 @@ let hash_motion h (m : Motion.t) =
   mix (mix (mix (mix h (Vec.hash m.centre)) (Rat.hash m.since)) (Quaternion.hash m.turned)) (Vec.hash m.spin)
 
 let hash q = hash_motion (hash_motion (mix (Rat.hash q.span) q.grid) q.one) q.two
-let place q = let h = hash q in (h lxor (h lsr 20)) land (size - 1)
+let spread h = (h lxor (h lsr 20)) land max_int
 
 let find memory cast one two ~span ~grid ~phase =
   let question = { one; two; span; grid; phase } in
-  let i = place question in
-  match memory.(i) with
-  | Some (asked, answer) when same asked question -> answer
+  let hash = spread (hash question) in
+  match Recent.get memory hash with
+  | Some e when same e.question question -> e.answer
   | Some _ | None ->
     let answer = cast one two ~span ~grid ~phase in
-    memory.(i) <- Some (question, answer);
+    Recent.keep memory (Some { hash; question; answer });
     answer

@@ -8,7 +8,7 @@ open Scc_rigid
 type t
 
 val create : unit -> t
-(** An empty cache with 8192 entries. A new cast replaces the one with the same hash. *)
+(** An empty cache for at most 8192 casts. A new cast replaces the one in its slot ({!Scc_data.Recent}). *)
 
 val find :
   t -> (Motion.t -> Motion.t -> span:Rat.t -> grid:int -> phase:Rat.t -> Cast.outcome) ->
