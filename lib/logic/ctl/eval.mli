@@ -38,7 +38,9 @@ type predicates = {
 type t
 
 val create :
-  ?effort:Scc_chance.Effort.t -> ?still:(Timed_formula.t -> Timed_formula.t option) -> Timed_graph.index -> predicates -> t
+  ?effort:Scc_chance.Effort.t ->
+  ?still:(Timed_formula.t -> Timed_formula.t option) ->
+  Timed_graph.index -> predicates -> t
 (** [create ~effort ~still index predicates] is an evaluator with a cache of the sets of all sub-formulas. [effort]
     is that for probabilities. [still g] is a predicate that holds at all positions from which a run may come to
     [g]; [None] if no such predicate is known. So "f U g" is "(f and still g) U g", which may be known where the

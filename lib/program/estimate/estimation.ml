@@ -135,7 +135,7 @@ let open_reasons (tally : Tally.t) =
               and `scc check` tells the least and the greatest" ]);
       (if tally.too_long = 0 then []
        else [ of_runs tally tally.too_long ^ " were left before it was known: "
-           ^ String.concat ", " (List.map of_bound tally.bounds) ]);
+              ^ String.concat ", " (List.map of_bound tally.bounds) ]);
       (match tally.why with
        | None -> []
        | Some why -> [ Printf.sprintf "%s do not tell: %s" (of_runs tally tally.no_value) why ]);
