@@ -108,3 +108,28 @@ A bound of time that begins late: the run is judged, and shown, from then on.
   $ scc check late.sc | grep '^[a-z]*: [hv]'
   moves: holds (exhaustive)
   after: holds (exhaustive)
+
+Bodies with one reference point, which is in none of them: neither their names nor the order of declaration decide who
+draws first.
+
+  $ cat > one_point.sc <<'EOF'
+  > timestep 1
+  > shape Far { vertices a (2,-1,-1) b (4,-1,-1) c (4,1,-1) d (2,1,-1) e (2,-1,1) f (4,-1,1) g (4,1,1) h (2,1,1)
+  >   faces bottom [a,d,c,b] top [e,f,g,h] front [a,b,f,e] back [d,h,g,c] left [a,e,h,d] right [b,c,g,f] }
+  > process p = Far mass 1 [nil]
+  > process q = Far mass 1 at rotate quaternion (0,0,0,1) [nil]
+  > motion p = choose { (1,0,0) weight 1, (2,0,0) weight 2 }
+  > motion q = choose { (-1,0,0) weight 1, (-3,0,0) weight 4 }
+  > check q_first : EF[0, 0] (P >= 1 [ eventually vx(q) = -1 within 0 ] and P < 1 [ eventually vx(p) = 1 within 0 ] and P > 0 [ eventually vx(p) = 1 within 0 ])
+  > check p_first : EF[0, 0] (P >= 1 [ eventually vx(p) = 1 within 0 ] and P < 1 [ eventually vx(q) = -1 within 0 ] and P > 0 [ eventually vx(q) = -1 within 0 ])
+  > EOF
+  $ grep '^process q' one_point.sc > q; grep '^process p' one_point.sc > p
+  $ (grep -v '^process\|^motion\|^check' one_point.sc; cat q p; grep '^motion\|^check' one_point.sc) > swapped.sc
+  $ sed -E 's/\bp\b/zz/g' one_point.sc | sed 's/check zz_first/check p_first/' > renamed.sc
+  $ for f in one_point swapped renamed; do scc check $f.sc 2>/dev/null | grep -E '^[pq]_first'; done
+  q_first: holds (exhaustive)
+  p_first: violated
+  q_first: holds (exhaustive)
+  p_first: violated
+  q_first: holds (exhaustive)
+  p_first: violated

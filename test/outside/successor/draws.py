@@ -7,10 +7,10 @@ from fractions import Fraction
 from typing import Any, Dict, Iterator, List, Optional, Tuple
 
 import steps
-from model import Leaf, Undefined
+from model import Leaf, Undefined, rotation
 from states import WAITS, Process, State
 from syntax import Refused
-from vectors import ZERO, Vector, add, scale, sub
+from vectors import ZERO, Vector, add, apply, scale, sub
 
 Chances = Dict[Vector, Fraction]  # velocities with their probabilities
 Weighed = List[Tuple[Any, Fraction]]  # what gives a velocity if it is asked for, with its weight
@@ -159,13 +159,15 @@ class Draws:
         return replace(process, lasts=None)
 
     def place(self, process: Process) -> Any:
-        """Who is least by this draws first: its leaves from the least on, and if all is alike the
-        order of declaration."""
-        leaves = sorted(
-            (body.position, body.turned, self.leaf(name).template)  # type: ignore[attr-defined]
-            for name, body in process.bodies.items()
-        )
-        return leaves, list(self.model.leaves).index(self.first(process))  # type: ignore
+        """The process that is least by this draws first: its leaves from the least on."""
+        return sorted(self.place_of_leaf(name, body) for name, body in process.bodies.items())
+
+    def place_of_leaf(self, name: str, body: Any) -> Any:
+        """The reference point, the orientation, and the centroid of the first part in the world."""
+        inside = self.leaf(name).inside  # type: ignore[attr-defined]
+        if body.turned is not None:
+            inside = apply(rotation([Fraction(q) for q in body.turned]), inside)
+        return body.position, body.turned, add(body.position, inside)
 
     def drawings(self, state: State) -> List[Tuple[Any, State]]:
         """The draws of who goes first; none if nobody waits to draw."""

@@ -97,9 +97,8 @@ class Lots:
         body, leaf = process.bodies[name], self.leaf(name)  # type: ignore[attr-defined]
         parts = [p.name for p in leaf.parts]
         features = list(leaf.by_name[part].solid.features())
-        declared = list(self.model.leaves).index(name)
         own = (parts.index(part), features.index(feature))
-        return body.position, body.turned, leaf.template, declared, own
+        return self.place_of_leaf(name, body), own  # type: ignore[attr-defined]
 
     def in_order(self, process: Process, lots: Any) -> List[Lot]:
         def ends(lot: Lot) -> Any:

@@ -33,7 +33,6 @@ class Leaf:
         self.name, self.parts, self.fixed = name, parts, fixed
         self.by_name = {part.name: part for part in parts}
         self.absorbs = False
-        self.template = ""  # the name of the shape that it is declared with
         self.law: Optional[Any] = None  # an expression of a vector, or what gives several
         shares = []
         for part in parts:
@@ -44,6 +43,7 @@ class Leaf:
         for share, centroid in shares:
             centre = add(centre, scale(Fraction(share) / whole, centroid))
         self.centroid = centre  # from the reference point
+        self.inside = shares[0][1]  # the centroid of the first part
         self.mass = None if fixed else whole
 
     def active(self, alone: frozenset, sites: frozenset) -> frozenset:
@@ -229,7 +229,6 @@ class Model:
                 parts[0].mass = None if mass is None else Fraction(mass)
             leaf = Leaf(leaf_name, parts, word == "fixed")
             leaf.absorbs = "absorb" in declared
-            leaf.template = template_name(declared["solid"])
             self.leaves[leaf_name] = leaf
             moves = parts[0].motion if parts[0].motion else {"velocity": ZERO, "spin": ZERO}
             velocity = declared.get("velocity")
@@ -475,11 +474,6 @@ def says_odds(written: Any) -> Tuple[bool, List[str]]:
 @lru_cache(maxsize=1000)
 def written(text: str) -> Any:
     return read_behaviour(text)
-
-
-def template_name(solid: Any) -> str:
-    """The shape of which a solid is made, as it is written."""
-    return solid[1] if solid[0] == "shape" else template_name(solid[1])
 
 
 def times(a: Any, b: Any) -> Any:

@@ -186,9 +186,9 @@ def by_name(self: Rules, process: Any, lots: Any) -> Any:
 
 
 def leaves_alone(self: Rules, process: Any, end: Any) -> Any:
-    """Names of templates and the order of declaration before the position."""
-    position, turned, template, declared, own = _place_of(self, process, end)
-    return template, declared, position, turned, own
+    """The order of declaration before the position."""
+    place, own = _place_of(self, process, end)
+    return list(self.model.leaves).index(end[0]), place, own
 
 
 def also_new(self: Rules, piece: Any, others: Any) -> Any:
