@@ -1,8 +1,6 @@
 open Scc_exact
 open Scc_property
 
-let ( let* ) = Result.bind
-
 (* Constants are worked out: they stand alone or not at all. *)
 type asked = Constant of bool | Asked of string
 

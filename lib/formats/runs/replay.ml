@@ -55,8 +55,6 @@ type place = {
   guide : guide;
 }
 
-let ( let* ) = Result.bind
-
 (* What may happen next, or why nothing can and the run is over. *)
 type ahead = Possible of Run.labels | Over of given_up
 

@@ -15,8 +15,6 @@ type t = {
   offset_at : Span.t;
 }
 
-let ( let* ) = Result.bind
-
 (* {1 The format} *)
 
 let versions = [ 1; 2 ]

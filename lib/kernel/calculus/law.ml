@@ -39,8 +39,6 @@ let compare_rationals comparison a b =
   | Eq -> c = 0
   | Ne -> c <> 0
 
-let ( let* ) = Result.bind
-
 (* Neither a sum nor a product takes more bits than both together, and a carry. *)
 let both_known f a b = if Rat.bits a + Rat.bits b > longest then Error Too_long else Ok (f a b)
 

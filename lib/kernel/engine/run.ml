@@ -29,8 +29,6 @@ type stepwise = {
 
 type t = Stepwise of stepwise | Eventwise of Event_run.t
 
-let ( let* ) = Result.bind
-
 let resume semantics s =
   if Event_run.can_run (Semantics.model semantics) then Eventwise (Event_run.start semantics s)
   else

@@ -1,7 +1,5 @@
 open Scc_calculus
 
-let ( let* ) = Result.bind
-
 (* {1 Putting together} *)
 
 type 'a discrete = { urgent : 'a list; weak : 'a list; collisions : 'a list }

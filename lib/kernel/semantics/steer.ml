@@ -1,8 +1,6 @@
 open Scc_exact
 open Scc_calculus
 
-let ( let* ) = Result.bind
-
 let steers = Process.steers
 
 (* {1 What laws give} *)

@@ -21,8 +21,6 @@ type t = {
 
 type reader = string -> (string, string) result
 
-let ( let* ) = Result.bind
-
 (* The files that are read on the way are noted. *)
 let noting read_file =
   let files = ref [] in

@@ -60,7 +60,6 @@ let formed ~model load =
       | Ok l -> Option.to_result ~none:diagnostics (meant Compared l))
 
 let ask ~model load = Result.map (fun (_, l, q) -> (l, q)) (formed ~model load)
-let ( let* ) = Result.bind
 
 (* What each is by itself, then all of them in one model. *)
 let all (l : Loaded.t) sources =

@@ -11,7 +11,6 @@ let tokens source =
   let rewrite tokens = Words.rewrite ~file:name (Array.map whole tokens) in
   Tokens.read ~rewrite (Source.make ~name (Signs.spelt text))
 
-let ( let* ) = Result.bind
 let tree source = Parse.with_trivia ~tokens source
 
 let read source =

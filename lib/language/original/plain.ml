@@ -5,7 +5,6 @@ module Names = Map.Make (String)
 type value = Number of Rat.t | Vector of Vec.t
 type t = value Names.t
 
-let ( let* ) = Result.bind
 let none = Names.empty
 
 (* A number that grows beyond this is not worked out here; the language has a limit of its own. *)

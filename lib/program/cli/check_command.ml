@@ -7,8 +7,6 @@ open Scc_json
 open Scc_reports
 open Cmdliner
 
-let ( let* ) = Result.bind
-
 (* A model without properties is explored all the same. *)
 let exit_code (report : Check.report) verdicts =
   let of_report =

@@ -22,8 +22,6 @@ type t = {
   limits : Replay.limits;
 }
 
-let ( let* ) = Result.bind
-
 let model console o ~(given : Options.definitions) path =
   match o.schedule with
   | None ->

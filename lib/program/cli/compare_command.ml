@@ -4,8 +4,6 @@ open Scc_equivalence
 open Scc_verdicts
 open Cmdliner
 
-let ( let* ) = Result.bind
-
 type options = {
   relation : Compare.relation;
   first : string;

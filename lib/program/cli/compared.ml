@@ -4,8 +4,6 @@ open Scc_semantics
 open Scc_verify
 open Scc_equivalence
 
-let ( let* ) = Result.bind
-
 type source = Model of { model : Scc_loading.Loaded.t; space : Explored.t } | File
 type t = { path : string; source : source; graph : Graph.t Later.t; complete : bool }
 

@@ -6,8 +6,6 @@ open Scc_runs
 open Scc_conform
 open Cmdliner
 
-let ( let* ) = Result.bind
-
 type options = {
   path : string;
   trace : string;

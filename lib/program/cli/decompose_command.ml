@@ -5,8 +5,6 @@ open Scc_concave
 open Scc_verdicts
 open Cmdliner
 
-let ( let* ) = Result.bind
-
 (* {1 Faults} *)
 
 (* What an option mends is to be mended by that: the last of the faults says so. *)

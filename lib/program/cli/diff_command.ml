@@ -3,8 +3,6 @@ open Scc_verdicts
 open Scc_conform
 open Cmdliner
 
-let ( let* ) = Result.bind
-
 type options = { first : string; second : string; tolerance : Rat.t option }
 
 let read console path =

@@ -7,8 +7,6 @@ open Scc_estimate
 open Scc_workers
 open Cmdliner
 
-let ( let* ) = Result.bind
-
 type options = {
   path : string;
   given : (string * Rat.t) list;

@@ -15,8 +15,6 @@ type options = {
   full : bool;
 }
 
-let ( let* ) = Result.bind
-
 let model_path o (s : Schedule.t) =
   match (o.model, s.model) with
   | Some path, _ | None, Some path -> Ok path

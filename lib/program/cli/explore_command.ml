@@ -6,8 +6,6 @@ open Scc_zones
 open Scc_graphs
 open Cmdliner
 
-let ( let* ) = Result.bind
-
 type format = Aut | Dot | Json | Tra | Drn
 
 type options = {

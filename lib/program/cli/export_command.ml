@@ -6,8 +6,6 @@ open Scc_runs
 open Scc_export
 open Cmdliner
 
-let ( let* ) = Result.bind
-
 type format = Glb | X3d | Vtp | Simularium | Obj | Csv
 
 let formats =

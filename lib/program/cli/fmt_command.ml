@@ -2,8 +2,6 @@ open Scc_base
 open Scc_verdicts
 open Cmdliner
 
-let ( let* ) = Result.bind
-
 type mode = Print | Check | In_place
 
 let formatted console path =

@@ -4,7 +4,6 @@ open Scc_verdicts
 open Scc_inflate
 open Cmdliner
 
-let ( let* ) = Result.bind
 let plain r = Result.map_error (fun d -> [ d ]) r
 
 type options = { path : string; resolution : int option; output : string option; inflate : Inflated.options }

@@ -55,8 +55,6 @@ let read ?max_bytes path =
   | Ok text -> Ok (Source.make ~name text)
   | Error reason -> Error (cannot_read name reason)
 
-let ( let* ) = Result.bind
-
 let text console path =
   let* source = Result.map_error (fun d -> [ d ]) (read path) in
   Console.add_source console source;

@@ -2,8 +2,6 @@ open Scc_base
 open Scc_loading
 open Scc_export
 
-let ( let* ) = Result.bind
-
 let all console (l : Loaded.t) texts =
   let source i = Input.given console ~name:(Printf.sprintf "<observable %d>" (i + 1)) in
   let sources = List.mapi source texts in

@@ -7,7 +7,6 @@ type t = { from : Vec.t option; up : Vec.t option; width : int option }
 let given t = Option.is_some t.from || Option.is_some t.up || Option.is_some t.width
 
 let direction =
-  let ( let* ) = Result.bind in
   let number text = Arg.conv_parser Options.rational (String.trim text) in
   let parse text =
     match String.split_on_char ',' text with

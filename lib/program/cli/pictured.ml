@@ -7,8 +7,6 @@ open Scc_verify
 open Scc_loading
 open Scc_runs
 
-let ( let* ) = Result.bind
-
 let by_choices (l : Loaded.t) policy ~until ~interrupted =
   let limits = { Replay.steps = None; time = until; instant = Replay.default_instant } in
   match Chosen_run.follow l policy limits ~interrupted with

@@ -1,7 +1,5 @@
 open Scc_base
 
-let ( let* ) = Result.bind
-
 let file ~output ~resume = match output with None -> resume | Some _ -> output
 
 let conflict ~resume ~store ~part ~lines =

@@ -2,8 +2,6 @@ open Scc_base
 open Scc_loading
 open Scc_runs
 
-let ( let* ) = Result.bind
-
 let read console path =
   let* source = Input.text console path in
   Result.map_error (fun d -> [ d ]) (Schedule.read source)

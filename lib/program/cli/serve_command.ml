@@ -4,8 +4,6 @@ open Scc_json
 open Scc_serve
 open Cmdliner
 
-let ( let* ) = Result.bind
-
 (* {1 Its own processes}
 
    They are this program, with the same arguments and one more that says what is to be done. *)

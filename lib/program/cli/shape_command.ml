@@ -5,8 +5,6 @@ open Scc_verdicts
 open Scc_snap
 open Cmdliner
 
-let ( let* ) = Result.bind
-
 (* What the argument names: a file, or a template of one. A file whose name has a colon is a file. *)
 let split argument =
   match String.rindex_opt argument ':' with

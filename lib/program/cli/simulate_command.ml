@@ -5,8 +5,6 @@ open Scc_simulate
 open Scc_workers
 open Cmdliner
 
-let ( let* ) = Result.bind
-
 type options = {
   path : string;
   given : (string * Rat.t) list;

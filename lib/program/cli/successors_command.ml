@@ -5,8 +5,6 @@ open Scc_json
 open Scc_successors
 open Cmdliner
 
-let ( let* ) = Result.bind
-
 type framing = Lines | Batches
 
 let framings = [ ("lines", Lines); ("batches", Batches) ]

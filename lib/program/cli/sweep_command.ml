@@ -5,8 +5,6 @@ open Scc_verdicts
 open Scc_sweep
 open Cmdliner
 
-let ( let* ) = Result.bind
-
 type form = Csv | Jsonl
 
 type options = {

@@ -16,8 +16,6 @@ type options = {
   output : string option;
 }
 
-let ( let* ) = Result.bind
-
 let write_run o (chosen : Chosen_run.t) watch write =
   let l = chosen.loaded in
   let run emit =

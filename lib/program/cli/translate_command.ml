@@ -3,8 +3,6 @@ open Scc_notation
 open Scc_verdicts
 open Cmdliner
 
-let ( let* ) = Result.bind
-
 (* What is asked for by its name, or by the ending of the output; else the language of scc. *)
 let target ~named ~output =
   match (named, Option.bind output Notation.of_name) with

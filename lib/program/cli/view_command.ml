@@ -4,8 +4,6 @@ open Scc_verdicts
 open Scc_view
 open Cmdliner
 
-let ( let* ) = Result.bind
-
 type what = Page | Data | Picture of Rat.t
 type options = {
   shown : Viewed.options;

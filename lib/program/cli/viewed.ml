@@ -11,8 +11,6 @@ open Scc_runs
 open Scc_reports
 open Scc_view
 
-let ( let* ) = Result.bind
-
 type checks = All | Only of string | Unchecked
 
 type options = {

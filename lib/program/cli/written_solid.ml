@@ -3,8 +3,6 @@ open Scc_exact
 open Scc_geometry
 open Scc_concave
 
-let ( let* ) = Result.bind
-
 type output = string * (Polyhedron.ifs -> (string, string) result)
 
 let ends_in ending path = Filename.check_suffix (String.lowercase_ascii path) ending

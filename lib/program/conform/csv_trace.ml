@@ -1,7 +1,6 @@
 open Scc_base
 open Recorded
 
-let ( let* ) = Result.bind
 let columns = [ "time"; "event"; "bodies"; "channel"; "features"; "x"; "y"; "z"; "vx"; "vy"; "vz"; "behaviour" ]
 
 (* {1 Rows and cells} *)

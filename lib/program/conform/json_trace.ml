@@ -3,8 +3,6 @@ open Scc_exact
 open Scc_json
 open Recorded
 
-let ( let* ) = Result.bind
-
 (* What is read of a line; [inexact] tells that a number in it was written as a float. *)
 type context = { at : Span.t; line : int; inexact : bool ref }
 

@@ -2,8 +2,6 @@ open Scc_loading
 open Scc_verdicts
 open Scc_reports
 
-let ( let* ) = Result.bind
-
 let report options (l : Loaded.t) ~where =
   let* () = if where then Ordinary.has_ranges l else Ok () in
   let* initial = Loaded.initial l in

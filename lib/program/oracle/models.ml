@@ -34,7 +34,6 @@ let store (q : Quotas.t) ~read_file =
 
 let text_name = "<model>"
 let formula_name = "<formula>"
-let ( let* ) = Result.bind
 
 let of_tree given tree =
   let read_file name =

@@ -7,8 +7,6 @@ open Scc_json
 
 let wrong fmt = Printf.ksprintf (fun text -> Error (Diag.error Code.no_run Span.none "%s" text)) fmt
 
-let ( let* ) = Result.bind
-
 (* The state that the choices lead to. *)
 let follow f choices =
   let context = Filter.context f in

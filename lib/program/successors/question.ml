@@ -27,7 +27,6 @@ type t = {
   goals : goal array;
 }
 
-let ( let* ) = Result.bind
 let reductions = List.filter (fun k -> not (Reduction.equal k Order)) Reduction.all
 
 let options reductions : Setup.t = { Setup.default with reductions }

@@ -4,7 +4,6 @@ type axis = { name : string; values : Rat.t array }
 type t = axis list
 
 let most = 1_000_000
-let ( let* ) = Result.bind
 
 let number text =
   match Rat.of_literal (String.trim text) with

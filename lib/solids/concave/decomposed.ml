@@ -4,7 +4,6 @@ open Scc_geometry
 type progress = Looking of int | Cutting of int | Making of int * int | Naming of int
 type fault = Unsound of Sound.fault | Pieces of Shells.fault | Too_many
 
-let ( let* ) = Result.bind
 let limit = 10_000
 
 let message (set : Polyhedron.ifs) : fault -> Scc_base.Code.t * string =

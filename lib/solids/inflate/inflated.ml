@@ -2,8 +2,6 @@ open Scc_base
 open Scc_exact
 open Scc_pixels
 
-let ( let* ) = Result.bind
-
 type options = {
   background : int option;
   piece : int option;

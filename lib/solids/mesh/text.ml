@@ -88,8 +88,6 @@ let coordinate ~path w =
       | Error Rat.Zero_denominator -> error ~path w "a fraction with the denominator zero"
       | Error Rat.Malformed -> not_number ())
 
-let ( let* ) = Result.bind
-
 let coordinates ~path words =
   match words with
   | x :: y :: z :: _ ->

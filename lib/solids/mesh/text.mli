@@ -42,9 +42,6 @@ val vertex : path:string -> count:int -> word -> (int, Diag.t) result
 
 (** {1 Results} *)
 
-val ( let* ) : ('a, 'e) result -> ('a -> ('b, 'e) result) -> ('b, 'e) result
-(** Sequence of results: [Result.bind]. *)
-
 val map : ('a -> ('b, 'e) result) -> 'a list -> ('b list, 'e) result
 (** The results of a function in the order of the list, or the first error. Tail recursive. *)
 

@@ -183,7 +183,6 @@ let first_part x _ =
   | None -> X.fail x "there is no relationship to a 3D model"
 
 let read ~path text =
-  let ( let* ) = Result.bind in
   let* archive = Archive.read ~path text in
   let part name f =
     let* found = Archive.find archive name in

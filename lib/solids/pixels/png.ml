@@ -1,4 +1,3 @@
-let ( let* ) = Result.bind
 let signature = "\137PNG\r\n\026\n"
 let is text = String.length text >= 8 && String.equal (String.sub text 0 8) signature
 

@@ -1,4 +1,3 @@
-let ( let* ) = Result.bind
 let is text = String.length text > 2 && text.[0] = 'P' && text.[1] >= '1' && text.[1] <= '6'
 
 exception Bad of string

@@ -6,8 +6,6 @@ type view = { across : int; up : int option; fixed : (int * Rat.t) list }
 
 (* {1 What is shown} *)
 
-let ( let* ) = Result.bind
-
 let number ranges name =
   match Ranges.find ranges name with
   | Some i -> Ok i
