@@ -7,6 +7,7 @@ open Scc_verify
 open Scc_json
 open Scc_loading
 open Scc_runs
+open Json_format
 
 type t = {
   loaded : Loaded.t;
@@ -27,6 +28,7 @@ let kind : Verdict.t -> string = function
   | Measured _ -> "measured"
   | Undecided _ -> "undecided"
 
+(* A value of a bound, as JSON. *)
 let limit : Verdict.limit -> string * Json.t = function
   | Depth n -> ("depth", `Int n)
   | Time t -> ("time", Json.rat t)
@@ -38,15 +40,36 @@ let limit : Verdict.limit -> string * Json.t = function
   | Interrupted -> ("interrupted", `Null)
   | Omission p -> ("hash-compaction", `String (Verdict.at_most p))
 
+let limits =
+  [ "depth"; "time"; "instant"; "states"; "bits"; "seconds"; "memory"; "interrupted"; "hash-compaction" ]
+
 let origin : Verdict.origin -> string = function
   | By_default -> "default"
   | By_user -> "user"
   | By_property -> "property"
   | By_system -> "system"
 
-let truncation (t : Verdict.truncation) =
-  let kind, value = limit t.limit in
-  `Assoc [ ("limit", `String kind); ("value", value); ("origin", `String (origin t.origin)) ]
+let truncation_format =
+  let value =
+    union
+      [
+        case (integer ()) (function `Int n -> Some n | _ -> None) ignore;
+        case text (function `String s -> Some s | _ -> None) ignore;
+        case null (fun _ -> Some ()) ignore;
+      ]
+  in
+  fields
+    [
+      field "limit" (word Fun.id limits) (fun (t : Verdict.truncation) -> fst (limit t.limit));
+      field "value" value (fun (t : Verdict.truncation) -> snd (limit t.limit));
+      field "origin" (word origin [ By_default; By_user; By_property; By_system ]) (fun (t : Verdict.truncation) ->
+          t.origin);
+    ]
+  |> about
+    "A bound that was met, and whose it is; \"system\": that of the process, as by ulimit -v. Memory is in bytes."
+  |> named ~file:"check" "truncation"
+
+let truncation = write truncation_format
 
 let finish (w : Witness.t) =
   match w.finish with

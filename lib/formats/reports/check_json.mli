@@ -22,6 +22,9 @@ type t = {
 val kind : Verdict.t -> string
 (** The kind of a verdict: ["holds"], ["holds-up-to-bound"], ["violated"], ["measured"] or ["undecided"]. *)
 
+val truncation_format : (Verdict.truncation, unit) Json_format.t
+(** The format of a bound that stopped the exploration. *)
+
 val truncation : Verdict.truncation -> Json.t
 (** A bound that stopped the exploration. *)
 

@@ -152,6 +152,8 @@ let nullable t =
     schema = Any_of [ t.schema; Null ];
   }
 
+let null = { (value Null "null" (fun () -> `Null) (function `Null -> Some () | _ -> None)) with null = true }
+
 let json ?(schema = Json_schema.Anything) () =
   { write = Fun.id; read = (fun _ json -> json); null = true; schema }
 

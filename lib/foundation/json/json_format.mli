@@ -84,6 +84,9 @@ val entries : ('w, 'r) t -> ((string * 'w) list, (string * 'r) list) t
 val nullable : ('w, 'r) t -> ('w option, 'r option) t
 (** The value, or [null] for [None]. *)
 
+val null : (unit, unit) t
+(** [null]. *)
+
 val json : ?schema:Json_schema.t -> unit -> (Json.t, Json.t) t
 (** A value that is JSON already. It is read as it is, whatever its schema. *)
 

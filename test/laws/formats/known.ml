@@ -31,4 +31,12 @@ let all =
       Trace.format;
     file "diagnostics" "What a command with --json prints when it cannot make its report"
       Diag_json.document_format;
+    file "conform" "The report of scc conform" Scc_conform.Report_json.format;
+    file "diff" "The report of scc diff" Scc_conform.Difference_json.format;
+    file "explain" "The report of scc explain: which events of a run the facts at its end depend on"
+      Explain_json.format;
+    file "compare" "The report of scc compare" Scc_cli.Compare_json.format;
+    file "inflate" "The report of scc inflate" Scc_cli.Inflate_command.format;
+    file "shape" "The report of scc shape" Shape_json.format;
+    file "decomposition" "The report of scc decompose" Decomposition_json.format;
   ]
