@@ -54,19 +54,19 @@ let integer ?least ?most () =
 
 let natural = integer ~least:0 ()
 
-let fraction ~sign ~what ~holds =
-  let digits set least = { Json_schema.set; least; most = None } in
-  let one set = { Json_schema.set; least = 1; most = Some 1 } in
-  let runs = sign @ [ digits "0-9" 1; one "/"; one "1-9"; digits "0-9" 0 ] in
-  let read json = Option.bind (Json.rational json) (fun q -> if holds q then Some q else None) in
-  value (Form runs) what Json.rat read
-
-let rational =
-  let sign = [ { Json_schema.set = "-"; least = 0; most = Some 1 } ] in
-  fraction ~sign ~what:"a rational number" ~holds:(fun _ -> true)
+let digits least = { Json_schema.set = "0-9"; least; most = None }
+let one set = { Json_schema.set; least = 1; most = Some 1 }
+let sign = { Json_schema.set = "-"; least = 0; most = Some 1 }
+let fraction = [ digits 1; one "/"; one "1-9"; digits 0 ]
+let rational = value (Form (sign :: fraction)) "a rational number" Json.rat Json.rational
 
 let duration =
-  fraction ~sign:[] ~what:"a duration, a text \"p/q\" that is at least 0" ~holds:(fun q -> Rat.sign q >= 0)
+  let read json = Option.bind (Json.rational json) (fun q -> if Rat.sign q >= 0 then Some q else None) in
+  value (Form fraction) "a duration, a text \"p/q\" that is at least 0" Json.rat read
+
+let number =
+  let forms = [ fraction; [ digits 1 ]; [ digits 1; one "."; digits 1 ] ] in
+  value (Any_of (List.map (fun f -> Json_schema.Form (sign :: f)) forms)) "a number" Json.text Json.rational
 
 let word name all =
   let names = List.map (fun x -> (name x, x)) all in

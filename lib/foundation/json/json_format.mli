@@ -63,6 +63,9 @@ val rational : (Rat.t, Rat.t) t
 val duration : (Rat.t, Rat.t) t
 (** A {!rational} that is at least 0. *)
 
+val number : (string, Rat.t) t
+(** The text of a number, ["p/q"] or a decimal such as ["-1.50"]. What {!Json.rational} takes is read. *)
+
 val vector : (Vec.t, Vec.t) t
 (** Three rationals. *)
 

@@ -33,12 +33,12 @@ let parts (d : Difference.t) =
   | Header { what; first; second } ->
     { none with kind = "header"; quantity = Some what; values = Some (first, second) }
   | Event { number; first; second; what } -> (
-      let rational q = Z.to_string (Q.num q) ^ "/" ^ Z.to_string (Q.den q) in
       let event = { none with kind = "event"; count = Some number; items = (Some first, Some second) } in
       match what with
       | Label -> event
       | Time off ->
-        { event with kind = "time"; values = Some (rational first.time, rational second.time); off = Some off }
+        let values = Some (Json.fraction first.time, Json.fraction second.time) in
+        { event with kind = "time"; values; off = Some off }
       | Choice (m, n) -> { event with kind = "choice"; values = Some (string_of_int m, string_of_int n) }
       | Rules (r, s) ->
         { event with kind = "rules"; values = Some (Difference_report.set r, Difference_report.set s) })
