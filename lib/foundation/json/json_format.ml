@@ -222,10 +222,11 @@ let ignored m = ( let+ ) m ignore
 let field name ?about t part = ignored (required name ?about t part)
 let maybe name ?about t part = ignored (optional name ?about t part)
 
-let fixed name ?about constant =
-  let read at json = if not (equal json constant) then refuse at "is not %s" (Json.line constant) in
-  let t = { write = (fun () -> constant); read; null = false; schema = Constant [ constant ] } in
-  required name ?about t ignore
+let constant it =
+  let read at json = if not (equal json it) then refuse at "is not %s" (Json.line it) in
+  { write = (fun () -> it); read; null = false; schema = Constant [ it ] }
+
+let fixed name ?about it = required name ?about (constant it) ignore
 
 (* {1 Alternatives} *)
 

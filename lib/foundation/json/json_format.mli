@@ -87,6 +87,9 @@ val entries : ('w, 'r) t -> ((string * 'w) list, (string * 'r) list) t
 val nullable : ('w, 'r) t -> ('w option, 'r option) t
 (** The value, or [null] for [None]. *)
 
+val constant : Json.t -> (unit, unit) t
+(** This value. *)
+
 val null : (unit, unit) t
 (** [null]. *)
 

@@ -43,7 +43,7 @@ let side =
              field "transitions" natural (fun c -> snd (Compared.size c));
              field "complete" bool (fun (c : Compared.t) -> c.complete)
                ~about:"All transitions of all states are known.";
-             field "stopped_by" (list Check_json.truncation_format) Compared.stopped_by;
+             field "stopped_by" (list Explored_json.truncation) Compared.stopped_by;
              field "faults" Shared.texts faults;
            ]);
       compared

@@ -42,6 +42,7 @@ let all =
     file "graph" "The state space of a model: scc explore --format json" Scc_graphs.Graph_json.format;
     file "names" "What the names in explicit files stand for: FILE.names.json of scc explore --format tra"
       Scc_graphs.Explicit_files.names_format;
+    file "check" "The report of scc check" Check_json.format;
     file "shape" "The report of scc shape" Shape_json.format;
     file "decomposition" "The report of scc decompose" Decomposition_json.format;
   ]
