@@ -106,7 +106,7 @@ let left_out_in_words () =
 
 let left_out_in_json () =
   let member name json = Option.map Json.pretty (Json.member name json) in
-  let json = Some (Json.pretty (Scc_reports.Check_json.truncation interruption)) in
+  let json = Some (Json.pretty (Scc_json.Json_format.write Scc_reports.Explored_json.truncation interruption)) in
   let of_property o = member "run_left_out" (Scc_reports.Check_json.property loaded.semantics o) in
   Alcotest.(check (list (option string))) "runs" [ json; json; json ] (List.map of_property left_out);
   Alcotest.(check (option string)) "nothing" None

@@ -2,6 +2,7 @@ open Scc_exact
 open Scc_property
 open Scc_json
 open Scc_runs
+open Json_format
 
 type dialect = Prism | Storm
 
@@ -82,31 +83,58 @@ let states mdp variables put =
       let others = List.tl (State_variables.values variables state) in
       put (Printf.sprintf "%d:(%s)\n" i (String.concat "," (List.map string_of_int (i :: others)))))
 
-let names (e : Exported.t) mdp variables put =
-  let l = Mdp.labelling mdp in
-  let texts list = `List (List.map Json.text list) in
-  let label (p : State_predicates.t) = `Assoc [ ("name", Json.text p.name); ("text", Json.text p.text) ] in
-  let action (name, text) = `Assoc [ ("name", Json.text name); ("text", Json.text text) ] in
-  let occurs = Mdp.occurs mdp and draws = Scc_calculus.Model.leaves_to_chance e.loaded.model in
-  let check (c : Property.check) =
-    let asked = Pctl.check ~occurs ~draws (Labelling.predicates l) c in
-    `Assoc
+(* {1 What names stand for} *)
+
+let name_format =
+  form
+    [
+      { set = "A-Za-z"; least = 1; most = Some 1 }; { set = "A-Za-z0-9_"; least = 0; most = Some 63 };
+    ]
+  |> about "For tools that take letters, digits and underscores only." |> named ~file:"names" "name"
+
+let named_texts =
+  list (fields [ field "name" name_format fst; field "text" text snd ]) |> checked |> named ~file:"names" "named"
+
+type names = { exported : Exported.t; mdp : Mdp.t; variables : State_variables.t }
+
+let check_format =
+  let asked (n, (c : Property.check)) =
+    let occurs = Mdp.occurs n.mdp and draws = Scc_calculus.Model.leaves_to_chance n.exported.loaded.model in
+    Result.to_option (Pctl.check ~occurs ~draws (Labelling.predicates (Mdp.labelling n.mdp)) c)
+  in
+  fields
+    [
+      field "name" text (fun (_, (c : Property.check)) -> c.name);
+      field "text" text (fun (_, (c : Property.check)) -> c.text);
+      field "formula" (nullable text) asked
+        ~about:"What to ask PRISM or Storm; null for what labels alone do not tell.";
+    ]
+
+let names_format =
+  let labels n =
+    let label (p : State_predicates.t) = (p.name, p.text) in
+    List.map label (Array.to_list (Labelling.predicates (Mdp.labelling n.mdp)))
+  in
+  let notes n = Exported.summary n.exported @ Exported.label_notes (Mdp.labelling n.mdp) in
+  let variable =
+    fields
       [
-        ("name", Json.text c.name);
-        ("text", Json.text c.text);
-        ("formula", Json.option Json.text (Result.to_option asked));
+        field "name" name_format fst;
+        field "values" Shared.texts snd
+          ~about:"What the values from 0 on stand for; none for counts and for the number of the state.";
       ]
   in
-  let variable (name, values) = `Assoc [ ("name", Json.text name); ("values", texts values) ] in
-  put
-    (Json.pretty
-       (`Assoc
-          ([ ("format", `String "scc-names"); ("version", `Int 1) ]
-           @ Origin_json.members e.loaded.origin
-           @ [
-             ("notes", texts (Exported.summary e @ Exported.label_notes l));
-             ("checks", `List (List.map check e.loaded.checks));
-             ("labels", `List (List.map label (Array.to_list (Labelling.predicates l))));
-             ("actions", `List (List.map action (Mdp.actions mdp)));
-             ("variables", `List (List.map variable (State_variables.meanings variables)));
-           ])))
+  fields
+    (Shared.head "scc-names" 1
+     @ [
+       within (fun n -> n.exported.loaded.origin) Origin_json.fields;
+       field "notes" Shared.texts notes
+         ~about:"How much was explored, and which labels do not tell all, in words.";
+       field "checks" (list check_format) (fun n -> List.map (fun c -> (n, c)) n.exported.loaded.checks);
+       field "labels" named_texts labels;
+       field "actions" named_texts (fun n -> Mdp.actions n.mdp);
+       field "variables" (list variable) (fun n -> State_variables.meanings n.variables)
+         ~about:"Of the file of states.";
+     ])
+
+let names exported mdp variables put = put (Json.pretty (write names_format { exported; mdp; variables }))

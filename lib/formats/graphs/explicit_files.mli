@@ -28,6 +28,15 @@ val choice_labels : Mdp.t -> (string -> unit) -> unit
 val states : Mdp.t -> State_variables.t -> (string -> unit) -> unit
 (** Writes the [.sta] file in the form of PRISM; Storm reads none. *)
 
+val name_format : (string, string) Scc_json.Json_format.t
+(** The format of a name of a label, an action or a variable. *)
+
+(** A graph with its variables. *)
+type names
+
+val names_format : (names, unit) Scc_json.Json_format.t
+(** The format of {!names}. *)
+
 val names : Exported.t -> Mdp.t -> State_variables.t -> (string -> unit) -> unit
 (** Writes the meanings of labels, actions and values of variables, and the formulas of the model's checks
     ({!Pctl}). See [specs/schema/names.schema.json]. *)

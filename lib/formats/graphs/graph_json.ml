@@ -2,6 +2,7 @@ open Scc_property
 open Scc_verify
 open Scc_json
 open Scc_runs
+open Json_format
 
 let version = 1
 
@@ -11,58 +12,109 @@ let status : Labelling.status -> string = function
   | Stuck -> "stuck"
   | Unexplored -> "unexplored"
 
-let text = Json.text
-let texts list = `List (List.map text list)
-
-let member put ?(last = false) key value =
-  put (Json.line (`String key) ^ ": " ^ value ^ if last then "\n" else ",\n")
-
-let predicate l k (p : State_predicates.t) =
-  `Assoc
+let predicate =
+  let part f (l, k) = f (Labelling.predicates l).(k) in
+  fields
     [
-      ("name", text p.name);
-      ("text", text p.text);
-      ("changes", `Int (Labelling.changes l k));
-      ("undecided", Json.option (fun (_, why) -> text why) (Labelling.undecided l k));
+      field "name" Explicit_files.name_format (part (fun (p : State_predicates.t) -> p.name));
+      field "text" text (part (fun (p : State_predicates.t) -> p.text));
+      field "changes" natural (fun (l, k) -> Labelling.changes l k)
+        ~about:"In how many passings of time it changes between the start (included) and the end.";
+      field "undecided" (nullable text) (fun (l, k) -> Option.map snd (Labelling.undecided l k))
+        ~about:"Why it has no truth value somewhere, where it is told not to hold.";
     ]
 
-let check (c : Property.check) = `Assoc [ ("name", text c.name); ("text", text c.text) ]
+let check =
+  fields
+    [
+      field "name" text (fun (c : Property.check) -> c.name);
+      field "text" text (fun (c : Property.check) -> c.text);
+    ]
 
-let edge model (e : Explored.edge) =
-  `Assoc [ ("label", State_json.label model e.label); ("target", `Int e.target) ]
+let edge =
+  fields
+    [
+      field "label" State_json.label_format (fun (m, (e : Explored.edge)) -> (m, e.label));
+      field "target" natural (fun (_, (e : Explored.edge)) -> e.target);
+    ]
 
-let state l i =
-  let space = Labelling.space l in
-  let holding =
-    List.filteri (fun k _ -> Labelling.holds l i k) (Array.to_list (Labelling.predicates l))
+(* A state whose transitions are known has some, and any other one has none. *)
+let state =
+  let names (l, i) =
+    let all = Array.to_list (Labelling.predicates l) in
+    List.map (fun (p : State_predicates.t) -> p.name) (List.filteri (fun k _ -> Labelling.holds l i k) all)
   in
-  `Assoc
+  let space (l, _) = Labelling.space l in
+  let in_full ((_, i) as s) = (Explored.model (space s), (space s).state i) in
+  let edges ((_, i) as s) =
+    List.map (fun e -> (Explored.model (space s), e)) (Array.to_list ((space s).edges i))
+  in
+  let wrong (json : Json.t) =
+    match (Json.member "status" json, Json.member "edges" json) with
+    | Some (`String "expanded"), Some (`List []) -> Some "has no edges"
+    | Some (`String "expanded"), _ | _, Some (`List []) -> None
+    | _ -> Some "has edges"
+  in
+  let has name keyword value = `Assoc [ ("properties", `Assoc [ (name, `Assoc [ (keyword, value) ]) ]) ] in
+  fields
     [
-      ("number", `Int i);
-      ("status", `String (status (Labelling.status l i)));
-      ("holds", texts (List.map (fun (p : State_predicates.t) -> p.name) holding));
-      ("state", State_json.state (Explored.model space) (space.state i));
-      ("edges", `List (List.map (edge (Explored.model space)) (Array.to_list (space.edges i))));
+      field "number" natural snd;
+      field "status" (word status [ Moves; Rests; Stuck; Unexplored ]) (fun (l, i) -> Labelling.status l i)
+        ~about:
+          "quiescent: nothing will ever happen again, and time passes for ever. stuck: nothing can happen, not \
+           even the passing of time. unexplored: its transitions are not known.";
+      field "holds" (list ~distinct:true Explicit_files.name_format) names
+        ~about:"The names of the predicates that hold in the state.";
+      field "state" State_json.state_format in_full;
+      field "edges" (list edge) edges;
+    ]
+  |> constrained
+    [
+      ("if", has "status" "const" (`String "expanded")); ("then", has "edges" "minItems" (`Int 1));
+      ("else", has "edges" "maxItems" (`Int 0));
+    ]
+    wrong
+
+type t = { exported : Exported.t; labelling : Labelling.t }
+
+(* All but the states. *)
+let head =
+  let space f t = f t.exported.space in
+  let faults (s : Explored.t) = List.map (fun (f : Scc_base.Diag.t) -> f.message) s.faults in
+  let bounds (s : Explored.t) = List.map Verdict.truncation_to_string s.stopped_by in
+  let predicates t = List.mapi (fun k _ -> (t.labelling, k)) (Array.to_list (Labelling.predicates t.labelling)) in
+  all
+    (Shared.head "scc-graph" version
+     @ [
+       Shared.semantics ();
+       within (fun t -> t.exported.loaded.origin) Origin_json.fields;
+       field "complete" bool (space Explored.complete) ~about:"All transitions of all states are there.";
+       field "unexplored" natural (space Explored.unexpanded)
+         ~about:"How many states are left whose transitions are not known.";
+       field "bounds" Shared.texts (space bounds) ~about:"The bounds that left them, in words.";
+       field "faults" Shared.texts (space faults) ~about:"Why transitions could not be computed.";
+       field "checks" (list check) (fun t -> t.exported.loaded.checks);
+       field "predicates" (list predicate) predicates
+         ~about:"The state predicates of the checks: each atom, and check_NAME for the whole one of a check.";
+     ])
+
+let format =
+  let states t = List.init t.exported.space.size (fun i -> (t.labelling, i)) in
+  fields
+    [
+      head;
+      field "states" (list ~least:1 state) states
+        ~about:"In the order in which they were found; the first is the initial one.";
     ]
 
-let write (e : Exported.t) l put =
-  let space = e.space in
-  let predicates = Array.to_list (Array.mapi (predicate l) (Labelling.predicates l)) in
-  let bounds = List.map Verdict.truncation_to_string space.stopped_by in
-  let add ?last key json = member put ?last key (Json.line json) in
+(* A state is made when it is written: there may be many. *)
+let write exported labelling put =
+  let member (name, json) = put (Json.line (`String name) ^ ": " ^ Json.line json ^ ",\n") in
   put "{\n";
-  add "format" (`String "scc-graph");
-  add "version" (`Int version);
-  add "semantics" (`String Scc_calculus.Parameters.version);
-  List.iter (fun (key, json) -> add key json) (Origin_json.members e.loaded.origin);
-  add "complete" (`Bool (Explored.complete space));
-  add "unexplored" (`Int (Explored.unexpanded space));
-  add "bounds" (texts bounds);
-  add "faults" (texts (List.map (fun (f : Scc_base.Diag.t) -> f.message) space.faults));
-  add "checks" (`List (List.map check e.loaded.checks));
-  add "predicates" (`List predicates);
+  List.iter member (written_members head { exported; labelling });
   put "\"states\": [\n";
-  for i = 0 to space.size - 1 do
-    put (Json.line (state l i) ^ if i = space.size - 1 then "\n" else ",\n")
+  let size = exported.Exported.space.size in
+  for i = 0 to size - 1 do
+    put (Json.line (write state (labelling, i)) ^ if i = size - 1 then "\n" else ",\n")
   done;
   put "]\n}\n"

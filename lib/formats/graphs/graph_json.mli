@@ -4,5 +4,11 @@
 val version : int
 (** The version of the format: 1. *)
 
+(** A graph with its labelling. *)
+type t
+
+val format : (t, unit) Scc_json.Json_format.t
+(** The format of the document. *)
+
 val write : Exported.t -> Labelling.t -> (string -> unit) -> unit
 (** Writes the document, with one line for each state. *)

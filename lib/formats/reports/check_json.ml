@@ -1,5 +1,4 @@
 open Scc_base
-open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_explain
@@ -7,6 +6,7 @@ open Scc_verify
 open Scc_loading
 open Scc_json
 open Scc_runs
+open Json_format
 
 type t = {
   loaded : Loaded.t;
@@ -15,7 +15,8 @@ type t = {
   report : Check.report;
   diagnostics : Diag.t list;
   exit : int;
-  extra : (string * Json.t) list;
+  coverage : (Explored.t * Coverage.t) option;
+  measured : Measured_json.t option;
   full : bool;
   cure : Verdict.outcome -> string option;
 }
@@ -27,280 +28,312 @@ let kind : Verdict.t -> string = function
   | Measured _ -> "measured"
   | Undecided _ -> "undecided"
 
-let limit : Verdict.limit -> string * Json.t = function
-  | Depth n -> ("depth", `Int n)
-  | Time t -> ("time", Json.rat t)
-  | Instant n -> ("instant", `Int n)
-  | States n -> ("states", `Int n)
-  | Bits n -> ("bits", `Int n)
-  | Seconds s -> ("seconds", `String (Printf.sprintf "%g" s))
-  | Memory words -> ("memory", `Int (Memory.bytes_of_words words))
-  | Interrupted -> ("interrupted", `Null)
-  | Omission p -> ("hash-compaction", `String (Verdict.at_most p))
+let kinds = [ "holds"; "holds-up-to-bound"; "violated"; "measured"; "undecided" ]
 
-let origin : Verdict.origin -> string = function
-  | By_default -> "default"
-  | By_user -> "user"
-  | By_property -> "property"
-  | By_system -> "system"
+let file = Witness_json.file
+let lost = list ~least:1 ~distinct:true text
 
-let truncation (t : Verdict.truncation) =
-  let kind, value = limit t.limit in
-  `Assoc [ ("limit", `String kind); ("value", value); ("origin", `String (origin t.origin)) ]
-
-let finish (w : Witness.t) =
-  match w.finish with
-  | At_state -> "state"
-  | During _ -> "instant"
-  | Rests _ -> "rests"
-  | Stops -> "stops"
-  | Repeats _ -> "repeats"
-  | Passes _ -> "passes"
-  | Goes_on _ -> "goes_on"
-
-let moved (m : Model.t) (by : Witness.moved) =
-  match by with
-  | Together by -> [ ("moved", Json.vec by) ]
-  | Apart all ->
-    let one (leaf, by) = `Assoc [ ("leaf", Json.text m.leaves.(leaf).name); ("by", Json.vec by) ] in
-    [ ("moved", `Null); ("moved_apart", `List (List.map one all)) ]
-
-let cycle m (w : Witness.t) =
-  match w.finish with
-  | Repeats { cycle; moved = by; _ } -> (`Int cycle, moved m by)
-  | Goes_on { cycle } -> (`Int cycle, [ ("moved", `Null) ])
-  | At_state | During _ | Rests _ | Stops | Passes _ -> (`Null, [ ("moved", `Null) ])
-
-let step m (s : Witness.step) =
-  `Assoc
-    [
-      ("choice", `Int s.choice);
-      ("label", State_json.label m s.transition.label);
-      ("time", Json.rat s.time);
-    ]
-
-(* An irrational instant is told by an interval with rational ends around it. *)
-let instant w =
-  let width = Rat.make Z.one (Z.pow (Z.of_int 10) 12) in
-  let low, high = Algebraic.enclose (Witness.instant w) ~width in
-  `Assoc
-    [
-      ("low", Json.rat low);
-      ("high", Json.rat high);
-      ("text", `String (Algebraic.to_string (Witness.instant w)));
-    ]
-
-let rec argument (a : Witness.argument) =
-  `Assoc
-    [
-      ("where", Json.option Json.text a.where);
-      ("time", Json.option Json.rat a.time);
-      ("claim", Json.text a.claim);
-      ("holds", `Bool a.holds);
-      ("because", `List (List.map Json.text a.because));
-      ("parts", `List (List.map argument a.parts));
-    ]
-
-(* The first and the last steps, and how many are left out in between. *)
-let most_steps = 100
-
-let shortened steps =
-  let more = List.length steps - (2 * most_steps) in
-  if more <= 0 then (steps, [])
-  else
-    let kept = List.filteri (fun i _ -> i < most_steps || i >= most_steps + more) steps in
-    (kept, [ ("omitted", `Assoc [ ("after", `Int most_steps); ("count", `Int more) ]) ])
-
-let values list = `Assoc (List.map (fun (name, v) -> (name, Json.rat v)) list)
-
-let witness ?(full = true) given (w : Witness.t) =
-  let c = Witness.semantics given w in
-  let m = Semantics.model c in
-  let cycle, moved = cycle m w in
-  let steps, omitted = if full then (w.steps, []) else shortened w.steps in
-  `Assoc
-    ([
-      ("initial", State_json.state m w.initial);
-      ("steps", `List (List.map (step m) steps));
-    ]
-      @ omitted @ [
-        ("finish", `String (finish w));
-        ("cycle", cycle);
-      ]
-      @ moved @ [
-        ("instant", instant w);
-        ("offset", Json.option Json.rat (Witness.offset w));
-        ("state", State_json.state m (Witness.there c w));
-        ("facts", `List (List.map Json.text w.facts));
-        ("argument", Json.option argument w.argument);
-      ]
-      @ match w.fixed with None | Some { values = []; _ } -> [] | Some f -> [ ("values", values f.values) ])
-
-(* The way to where an exploration ended may be as long as the exploration, and decides nothing. *)
-let reason ~full c (r : Verdict.reason) =
-  let kind, bound, run =
-    match r with
-    | Truncated t -> ("truncated", truncation t, `Null)
-    | Unevaluated t -> ("unevaluated", truncation t, `Null)
-    | Undefined _ -> ("undefined", `Null, `Null)
-    | Fault _ -> ("fault", `Null, `Null)
-    | Unexplored { nearest; _ } -> ("unexplored", `Null, witness ~full c nearest)
+let lost_members =
+  let t =
+    about
+      "Faults of scc, by which a run that belongs here could not be rebuilt, and is not shown. All else is as \
+       usual; the exit code is 70."
+      lost
+    |> named ~file "lost"
   in
-  `Assoc
+  maybe "lost" t (function [] -> None | faults -> Some faults)
+
+(* {1 Properties} *)
+
+(* A verdict with what its report depends on. *)
+type judged = {
+  semantics : Semantics.t;
+  outcome : Verdict.outcome;
+  whole : bool;
+  likely_cure : string option;
+  holds_where : Scc_regions.Where.t option;
+}
+
+let witness_of ?(full = true) j witness = { Witness_json.given = j.semantics; witness; full }
+
+let reason =
+  let kinds = [ "truncated"; "unevaluated"; "unexplored"; "undefined"; "fault" ] in
+  let kind (_, (r : Verdict.reason)) =
+    match r with
+    | Truncated _ -> "truncated"
+    | Unevaluated _ -> "unevaluated"
+    | Undefined _ -> "undefined"
+    | Fault _ -> "fault"
+    | Unexplored _ -> "unexplored"
+  in
+  let bound (_, (r : Verdict.reason)) =
+    match r with Truncated t | Unevaluated t -> Some t | Undefined _ | Fault _ | Unexplored _ -> None
+  in
+  (* The way to where an exploration ended may be as long as the exploration, and decides nothing. *)
+  let run (j, (r : Verdict.reason)) =
+    match r with
+    | Unexplored { nearest; _ } -> Some (witness_of ~full:j.whole j nearest)
+    | Truncated _ | Unevaluated _ | Undefined _ | Fault _ -> None
+  in
+  fields
     [
-      ("kind", `String kind);
-      ("text", Json.text (Verdict.reason_to_string r));
-      ("bound", bound);
-      ("witness", run);
+      field "kind" (word Fun.id kinds) kind;
+      field "text" some_text (fun (_, r) -> Verdict.reason_to_string r);
+      field "bound" (nullable Explored_json.truncation) bound;
+      field "witness" (nullable Witness_json.format) run;
     ]
 
 let halt : Witness.halt -> string = function
   | Dead_end -> "dead-end"
   | One_instant -> "one-instant"
 
-let rest r =
-  let by, halt = match (r : Verdict.rest) with By h -> ("deciding", halt h) | Among h -> ("some", halt h) in
-  `Assoc [ ("runs", `String by); ("end", `String halt) ]
+let rest =
+  let runs : Verdict.rest -> string = function By _ -> "deciding" | Among _ -> "some" in
+  fields
+    [
+      field "runs" (from runs (word Fun.id [ "deciding"; "some" ])) Fun.id;
+      field "end" (word halt [ Dead_end; One_instant ]) (function Verdict.By h | Among h -> h)
+        ~about:"In a dead end, or by going round within one instant.";
+    ]
 
-let slowing (s : Slowing.t) =
-  let stretch (x : Slowing.stretch) = `Assoc [ ("instants", `Int x.instants); ("took", Json.rat x.took) ] in
-  `Assoc [ ("stretches", `List (List.map stretch s.stretches)); ("until", Json.rat s.until) ]
-
-let convergence : Verdict.convergence -> string * Json.t = function
-  | Named s -> ("slowing", slowing s)
-  | Proved q -> ("converges", `Assoc [ ("factor", Json.rat q.factor); ("until", Json.rat q.until) ])
-
-let over ({ instants; ranges; example; _ } : Verdict.over) =
-  let bound (b : Ranges.bound) = `Assoc [ ("value", Json.rat b.value); ("included", `Bool b.included) ] in
-  let range (r : Ranges.range) =
-    `Assoc [ ("parameter", Json.text r.name); ("low", bound r.low); ("high", bound r.high) ]
-  in
-  ( "over",
-    `Assoc
-      ([
-        ("instants", `Bool instants);
-        ("ranges", `List (List.map range (Array.to_list ranges)));
+let convergence =
+  let stretch =
+    fields
+      [
+        field "instants" Shared.from_one (fun (x : Slowing.stretch) -> x.instants);
+        field "took" Shared.rational (fun (x : Slowing.stretch) -> x.took);
       ]
-        @ match example with [] -> [] | _ :: _ -> [ ("example", values example) ]) )
+  in
+  let slowing =
+    fields
+      [
+        field "stretches" (list ~least:3 ~most:3 stretch) (fun (s : Slowing.t) -> s.stretches);
+        field "until" Shared.rational (fun (s : Slowing.t) -> s.until);
+      ]
+  in
+  let converges = fields [ field "factor" Shared.rational fst; field "until" Shared.rational snd ] in
+  all
+    [
+      maybe "slowing" slowing (function Some (Verdict.Named s) -> Some s | Some (Proved _) | None -> None)
+        ~about:
+          "Event times grew ever slower where a bound ended the exploration: three stretches of instants, each \
+           of twice as many as the one before, and how long they took.";
+      maybe "converges" converges (function
+          | Some (Verdict.Proved q) -> Some (q.factor, q.until)
+          | Some (Named _) | None -> None)
+        ~about:
+          "Some run repeats itself, this many times as fast each round, and its instants converge to this time.";
+    ]
+
+let over =
+  let bound =
+    fields
+      [
+        field "value" Shared.rational (fun (b : Ranges.bound) -> b.value);
+        field "included" bool (fun (b : Ranges.bound) -> b.included) ~about:"It belongs to the range.";
+      ]
+    |> named ~file "bound"
+  in
+  let range =
+    fields
+      [
+        field "parameter" some_text (fun (r : Ranges.range) -> r.name);
+        field "low" bound (fun (r : Ranges.range) -> r.low);
+        field "high" bound (fun (r : Ranges.range) -> r.high);
+      ]
+    |> about "A parameter that is not known but for its range." |> named ~file "range"
+  in
+  fields
+    [
+      field "instants" bool (fun (o : Verdict.over) -> o.instants)
+        ~about:"Weak splits were looked at at all real instants.";
+      field "ranges" (array range) (fun (o : Verdict.over) -> o.ranges) ~about:"All values of these parameters.";
+      maybe "example" Origin_json.parameters_format (fun (o : Verdict.over) ->
+          match o.example with [] -> None | example -> Some example)
+        ~about:"Values for which the run is that is shown, or for which it is violated.";
+    ]
 
 (* An ordinary model leaves nothing open. *)
 let spoken_of (o : Verdict.over) = o.instants || Array.length o.ranges > 0
 
 (* A number, or bounds of it that are proved. *)
-let measured (side, (m : Scc_ctl.Eval.measured)) =
-  let end_ f a = Json.option Json.rat (f a) in
-  `Assoc
+let measured =
+  let side : Scc_property.Property.side -> string = function Least -> "least" | Greatest -> "greatest" in
+  let low (_, (m : Scc_ctl.Eval.measured)) = Scc_chance.Answer.lower m.least in
+  let high (_, (m : Scc_ctl.Eval.measured)) = Scc_chance.Answer.upper m.most in
+  fields
     [
-      ("over", `String (match (side : Scc_property.Property.side) with Least -> "least" | Greatest -> "greatest"));
-      ("low", end_ Scc_chance.Answer.lower m.least);
-      ("high", end_ Scc_chance.Answer.upper m.most);
+      field "over" (word side [ Least; Greatest ]) fst;
+      field "low" (nullable Shared.rational) low;
+      field "high" (nullable Shared.rational) high;
     ]
 
-let lost_members = function [] -> [] | faults -> [ ("lost", `List (List.map Json.text faults)) ]
-let left_out name t = List.map (fun t -> (name, truncation t)) (Option.to_list t)
+let bounds (v : Verdict.t) =
+  match v with Holds { bounds; _ } -> bounds | Violated _ | Measured _ | Undecided _ -> []
 
-let property ?(full = false) ?(cure = fun _ -> None) ?where c (o : Verdict.outcome) =
-  let { Verdict.check; verdict = v; scale; rests; converges; lost; left_out = run_left_out } = o in
-  let bounds, reasons, run =
-    match v with
-    | Holds { bounds; witness } -> (bounds, [], witness)
-    | Violated { witness } -> ([], [], witness)
-    | Measured { reasons; witness; _ } -> ([], reasons, witness)
-    | Undecided reasons -> ([], reasons, None)
+let reasons (v : Verdict.t) =
+  match v with Measured { reasons; _ } | Undecided reasons -> reasons | Holds _ | Violated _ -> []
+
+let run (v : Verdict.t) =
+  match v with
+  | Holds { witness; _ } | Violated { witness } | Measured { witness; _ } -> witness
+  | Undecided _ -> None
+
+let some = function [] -> None | _ :: _ as items -> Some items
+
+let values (v : Verdict.t) =
+  match v with Measured { values; _ } -> Some values | Holds _ | Violated _ | Undecided _ -> None
+
+let property_members =
+  let of_outcome part = within (fun j -> j.outcome) part in
+  [
+    of_outcome
+      (all
+         [
+           field "name" some_text (fun (o : Verdict.outcome) -> o.check.name);
+           field "formula" some_text (fun (o : Verdict.outcome) -> o.check.text);
+           field "verdict" (word Fun.id kinds) (fun (o : Verdict.outcome) -> kind o.verdict);
+           field "text" some_text Verdict.outcome_to_string;
+           field "bounds" (list Explored_json.truncation) (fun (o : Verdict.outcome) -> bounds o.verdict)
+             ~about:"Within which it holds; empty for a proof.";
+         ]);
+    field "reasons" (list reason) (fun j -> List.map (fun r -> (j, r)) (reasons j.outcome.verdict))
+      ~about:"Why it is undecided, or why a number that was asked for is not better known.";
+    field "witness" (nullable Witness_json.format) (fun j -> Option.map (witness_of j) (run j.outcome.verdict));
+    of_outcome
+      (all
+         [
+           maybe "values" (list ~least:1 ~most:2 measured) (fun (o : Verdict.outcome) -> values o.verdict)
+             ~about:
+               "The answer to `= ?`: over the choices of all schedulers, what is the least and the greatest. \
+                Where low and high are one, that is the number; else it is proved to be between them.";
+           maybe "rests_on" (list ~least:1 rest) (fun (o : Verdict.outcome) -> some o.rests)
+             ~about:
+               "Runs in which time does not go on for ever: the run that decides, or some among all runs when \
+                no run decides by itself and the verdict could be another one without them.";
+           within (fun (o : Verdict.outcome) -> o.converges) convergence;
+           maybe "split_step" Shared.rational (fun (o : Verdict.outcome) -> o.scale.split_step)
+             ~about:
+               "Of a verdict whose exploration saw weak splits enabled: they were looked at at multiples of it \
+                only.";
+           maybe "over" over (fun (o : Verdict.outcome) ->
+               Option.bind o.scale.over (fun over -> if spoken_of over then Some over else None))
+             ~about:
+               "Of what the verdict speaks at once, of models with ranges or with bonds that may be released \
+                at any time (rule Zones).";
+           within (fun (o : Verdict.outcome) -> o.lost) lost_members;
+           maybe "run_left_out" Explored_json.left_out (fun (o : Verdict.outcome) -> o.left_out);
+         ]);
+    maybe "likely_cure" some_text (fun j -> j.likely_cure)
+      ~about:"Where the exploration met a bound: what to ask instead.";
+    maybe "by_invariant" (constant (`Bool true)) (fun j ->
+        if Verdict.by_invariant j.outcome then Some () else None)
+      ~about:"It rests on an invariant (rule Invariants).";
+    maybe "where" Where_json.format (fun j -> j.holds_where)
+      ~about:"With --where: for which values of the parameters it holds.";
+  ]
+
+(* Which members go with a verdict: as keywords, and as what is wrong. *)
+let by_verdict : (string * Json.t) list * (Json.t -> string option) =
+  let constant verdict : Json.t = `Assoc [ ("const", `String verdict) ] in
+  let is verdict : Json.t = `Assoc [ ("properties", `Assoc [ ("verdict", constant verdict) ]) ] in
+  let properties list : string * Json.t = ("properties", `Assoc list) in
+  let none name : string * Json.t = (name, `Bool false) in
+  let items name keyword n : string * Json.t = (name, `Assoc [ (keyword, `Int n) ]) in
+  let rule verdict ?otherwise members : Json.t =
+    let otherwise = match otherwise with None -> [] | Some members -> [ ("else", `Assoc members) ] in
+    `Assoc ([ ("if", is verdict); ("then", `Assoc members) ] @ otherwise)
   in
-  `Assoc
-    ([
-      ("name", Json.text check.name);
-      ("formula", Json.text check.text);
-      ("verdict", `String (kind v));
-      ("text", Json.text (Verdict.outcome_to_string o));
-      ("bounds", `List (List.map truncation bounds));
-      ("reasons", `List (List.map (reason ~full c) reasons));
-      ("witness", Json.option (witness c) run);
-    ]
-      @ (match v with
-          | Measured { values; _ } -> [ ("values", `List (List.map measured values)) ]
-          | Holds _ | Violated _ | Undecided _ -> [])
-      @ (match rests with [] -> [] | _ :: _ -> [ ("rests_on", `List (List.map rest rests)) ])
-      @ List.map convergence (Option.to_list converges)
-      @ List.map (fun s -> ("split_step", Json.rat s)) (Option.to_list scale.split_step)
-      @ List.map over (List.filter spoken_of (Option.to_list scale.over))
-      @ lost_members lost
-      @ left_out "run_left_out" run_left_out
-      @ List.map (fun text -> ("likely_cure", Json.text text)) (Option.to_list (cure o))
-      @ (if Verdict.by_invariant o then [ ("by_invariant", `Bool true) ] else [])
-      @ List.map (fun w -> ("where", Where_json.where w)) (Option.to_list where))
-
-let dead_ends list = `List (List.map (fun (d : Diag.t) -> Json.text d.message) list)
-
-let cause (m : Model.t) c =
-  let leaf i = Json.text m.leaves.(i).name in
-  `Assoc
+  let rules =
     [
-      ("kind", `String (Growth.kind c));
-      ("bodies", `List (List.map leaf (Growth.leaves c)));
-      ("text", Json.text (Growth.to_string m c));
-      ("cure", Json.text (Growth.cure m c));
+      rule "holds" [ properties [ items "bounds" "maxItems" 0; items "reasons" "maxItems" 0 ] ];
+      rule "holds-up-to-bound" [ properties [ items "bounds" "minItems" 1; items "reasons" "maxItems" 0 ] ];
+      rule "measured" ~otherwise:[ properties [ none "values" ] ]
+        [ properties [ items "bounds" "maxItems" 0; none "rests_on" ]; ("required", `List [ `String "values" ]) ];
+      rule "undecided" [ properties [ items "reasons" "minItems" 1; none "split_step"; none "rests_on" ] ];
     ]
+  in
+  let wrong json =
+    let has name = match json with `Assoc members -> List.mem_assoc name members | _ -> false in
+    let some name = match Json.member name json with Some (`List (_ :: _)) -> true | _ -> false in
+    let fits =
+      match Option.bind (Json.member "verdict" json) Json.string with
+      | Some "holds" -> (not (some "bounds")) && (not (some "reasons")) && not (has "values")
+      | Some "holds-up-to-bound" -> some "bounds" && (not (some "reasons")) && not (has "values")
+      | Some "measured" -> (not (some "bounds")) && (not (has "rests_on")) && has "values"
+      | Some "undecided" ->
+        some "reasons" && not (has "split_step" || has "rests_on" || has "values")
+      | _ -> not (has "values")
+    in
+    if fits then None else Some "has members that do not go with its verdict"
+  in
+  ([ ("allOf", `List rules) ], wrong)
 
-let explored model (s : Stats.t) =
-  `Assoc
-    ([
-      ("states", `Int s.states);
-      ("transitions", `Int s.transitions);
-      ("depth", `Int s.depth);
-      ("time", Json.option Json.rat s.model_time);
-      ("complete", `Bool s.complete);
-      ("decided_early", `Bool s.decided_early);
-      ("stopped_by", `List (List.map truncation s.stopped_by));
-      ("faults", `List (List.map (fun (f : Diag.t) -> Json.text f.message) s.faults));
-      ("dead_ends", dead_ends s.dead_ends);
-    ]
-      @ (match s.causes with [] -> [] | causes -> [ ("likely_causes", `List (List.map (cause model) causes)) ])
-      @ left_out "causes_left_out" s.left_out)
+let property_format =
+  let keywords, wrong = by_verdict in
+  constrained keywords wrong (fields property_members) |> named ~file "property"
 
-let slice model (s : Check.slice) =
-  `Assoc
+let property ?(full = false) ?(cure = fun _ -> None) ?where semantics outcome =
+  write property_format
+    { semantics; outcome; whole = full; likely_cure = cure outcome; holds_where = where }
+
+(* {1 The report} *)
+
+let slice =
+  fields
     [
-      ("properties", `List (List.map Json.text s.properties));
-      ("left_out", `List (List.map Json.text s.left_out));
-      ("explored", explored model s.explored);
+      field "properties" (list ~least:1 some_text) (fun (_, (s : Check.slice)) -> s.properties);
+      field "left_out" (list ~least:1 some_text) (fun (_, (s : Check.slice)) -> s.left_out);
+      field "explored" Explored_json.format (fun (m, (s : Check.slice)) -> (m, s.explored));
     ]
 
-let properties r =
-  let one where o = property ~full:r.full ~cure:r.cure ?where r.loaded.semantics o in
+let judged r =
+  let one holds_where outcome =
+    { semantics = r.loaded.semantics; outcome; whole = r.full; likely_cure = r.cure outcome; holds_where }
+  in
   match r.where with
   | [] -> List.map (one None) r.verdicts
   | where -> List.map2 (fun w o -> one (Some w) o) where r.verdicts
 
-let invariants model (report : Check.report) =
-  match report.invariants with
-  | [] -> []
-  | all -> [ ("invariants", `List (List.map (Invariant_json.found model) all)) ]
+let invariants_member =
+  maybe "invariants" (list ~least:1 Invariant_json.format) (fun (m, (report : Check.report)) ->
+      Option.map (List.map (fun i -> (m, i))) (some report.invariants))
+    ~about:"Where invariants were looked for (rule Invariants): each that was found, and why none was."
 
-let document ~source r =
-  let model = r.loaded.model in
-  `Assoc
-    ([
-      ("format", `String "scc-check");
-      ("version", `Int 1);
-      ("semantics", `String Scc_calculus.Parameters.version);
-    ]
-      @ Origin_json.members r.loaded.origin
-      @ [ ("exit", `Int r.exit) ]
-      @ (match Model.resolution model with
-          | Some resolution -> [ ("resolution", Json.rat resolution) ]
-          | None -> [])
-      @ [
-        ("properties", `List (properties r));
-        ("explored", explored model r.report.stats);
-        ("slices", `List (List.map (slice model) r.report.slices));
-        ("zeno", Json.option (witness r.loaded.semantics) r.report.zeno);
-      ]
-      @ lost_members r.report.lost
-      @ left_out "run_left_out" r.report.left_out
-      @ [
-        ("diagnostics", `List (List.map (Diag_json.diagnostic ~source) r.diagnostics));
-      ]
-      @ invariants model r.report
-      @ r.extra)
+let invariants m report = written_members invariants_member (m, report)
+
+let format =
+  let report part = within (fun (_, r) -> r.report) part in
+  let model (_, r) = r.loaded.model in
+  let zeno (_, r) =
+    Option.map (fun witness -> { Witness_json.given = r.loaded.semantics; witness; full = true }) r.report.zeno
+  in
+  fields
+    (Shared.head "scc-check" 1
+     @ [
+       Shared.semantics ();
+       within (fun (_, r) -> r.loaded.origin) Origin_json.fields;
+       field "exit" Shared.exit (fun (_, r) -> r.exit);
+       maybe "resolution" Shared.rational (fun r -> Model.resolution (model r))
+         ~about:"of a rigid model: contacts are known within this length, and verdicts are meant so";
+       field "properties" (list property_format) (fun (_, r) -> judged r);
+       field "explored" Explored_json.format (fun ((_, r) as x) -> (model x, r.report.stats));
+       field "slices" (list slice) (fun ((_, r) as x) -> List.map (fun s -> (model x, s)) r.report.slices)
+         ~about:"The explorations that left out leaves that cannot matter for some properties.";
+       field "zeno" (nullable Witness_json.format) zeno
+         ~about:"A run that goes on for ever within one instant, if one was met.";
+       report
+         (all
+            [
+              within (fun (r : Check.report) -> r.lost) lost_members;
+              maybe "run_left_out" Explored_json.left_out (fun (r : Check.report) -> r.left_out);
+            ]);
+       field "diagnostics" Diag_json.formats (fun (source, r) -> (source, r.diagnostics));
+       within (fun ((_, r) as x) -> (model x, r.report)) invariants_member;
+       maybe "coverage" Coverage_json.format (fun (_, r) -> r.coverage)
+         ~about:"With --coverage: what of the model ever came to be, among the states that were explored.";
+       maybe "measured" Measured_json.format (fun (_, r) -> r.measured)
+         ~about:"With --stats: what the run took, by the clock and in memory. It varies from run to run.";
+     ])
+
+let document ~source r = write format (source, r)

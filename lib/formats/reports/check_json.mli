@@ -5,6 +5,7 @@ open Scc_semantics
 open Scc_verify
 open Scc_json
 open Scc_loading
+open Scc_runs
 
 (** The results of a check. *)
 type t = {
@@ -14,16 +15,17 @@ type t = {
   report : Check.report;
   diagnostics : Diag.t list;
   exit : int;
-  extra : (string * Json.t) list;  (** optional members: [coverage], [measured] *)
+  coverage : (Explored.t * Coverage.t) option;
+  measured : Measured_json.t option;
   full : bool;  (** all steps of the ways to states that were not explored are included *)
   cure : Verdict.outcome -> string option;  (** what may help with a verdict that met a bound *)
 }
 
+(** A verdict with what its report depends on. *)
+type judged
+
 val kind : Verdict.t -> string
 (** The kind of a verdict: ["holds"], ["holds-up-to-bound"], ["violated"], ["measured"] or ["undecided"]. *)
-
-val truncation : Verdict.truncation -> Json.t
-(** A bound that stopped the exploration. *)
 
 val property :
   ?full:bool -> ?cure:(Verdict.outcome -> string option) -> ?where:Scc_regions.Where.t -> Semantics.t ->
@@ -31,17 +33,14 @@ val property :
 (** A member of [properties]. The way to a state that was not explored has its first and last 100 steps, and all
     of them if [full]. [cure] is the text that may help with a verdict that met a bound. *)
 
-val finish : Scc_explain.Witness.t -> string
-(** The word for the end of a run of a witness: ["state"], ["instant"], ["rests"], … *)
+val property_format : (judged, unit) Json_format.t
+(** The format of {!property}. *)
 
-val argument : Scc_explain.Witness.argument -> Json.t
-(** The argument by which a witness proves a property, as an object. *)
+val format : (Diag_json.source * t, unit) Json_format.t
+(** The format of {!document}. *)
 
 val invariants : Scc_calculus.Model.t -> Check.report -> (string * Json.t) list
 (** The member [invariants], if invariants were sought. *)
 
-val explored : Scc_calculus.Model.t -> Stats.t -> Json.t
-(** The member [explored]: the numbers of states and transitions, and whether the exploration is complete. *)
-
-val document : source:(string -> Source.t option) -> t -> Json.t
+val document : source:Diag_json.source -> t -> Json.t
 (** The whole document. [source] returns the text of a file by its name, for lines and columns. *)

@@ -2,6 +2,7 @@ open Scc_calculus
 open Scc_verify
 open Scc_json
 open Scc_runs
+open Json_format
 
 let on (m : Model.t) definition species = Printf.sprintf "%s on %s" m.definitions.(definition).name species
 
@@ -14,39 +15,53 @@ let owner (m : Model.t) (s : Coverage.summand) =
 let term m (s : Coverage.summand) = Behaviour_text.to_string m ~leaf:s.leaf s.term
 let behaviour m (b : Coverage.behaviour) = on m b.definition b.species
 
-let summand (m : Model.t) (s : Coverage.summand) =
-  let name k = Json.text m.definitions.(k).name in
-  `Assoc
+let summand =
+  let definition ((m : Model.t), (s : Coverage.summand)) =
+    Option.map (fun k -> m.definitions.(k).name) s.definition
+  in
+  fields
     [
-      ("behaviour", Json.option name s.definition);
-      ("body", Json.text m.leaves.(s.leaf).name);
-      ("term", Json.text (term m s));
-      ("fired", `Int s.fired);
+      field "behaviour" (nullable text) definition ~about:"null: written at the body.";
+      field "body" text (fun ((m : Model.t), (s : Coverage.summand)) -> m.leaves.(s.leaf).name)
+        ~about:"The first body that may come to it.";
+      field "term" some_text (fun (m, s) -> term m s);
+      field "fired" natural (fun (_, (s : Coverage.summand)) -> s.fired);
     ]
 
-let reached (m : Model.t) (b : Coverage.behaviour) =
-  `Assoc
+let reached =
+  fields
     [
-      ("behaviour", Json.text m.definitions.(b.definition).name);
-      ("species", Json.text b.species);
-      ("body", Json.text m.leaves.(b.leaf).name);
-      ("reached", `Bool b.reached);
+      field "behaviour" text (fun ((m : Model.t), (b : Coverage.behaviour)) -> m.definitions.(b.definition).name);
+      field "species" text (fun (_, (b : Coverage.behaviour)) -> b.species) ~about:"The template.";
+      field "body" text (fun ((m : Model.t), (b : Coverage.behaviour)) -> m.leaves.(b.leaf).name);
+      field "reached" bool (fun (_, (b : Coverage.behaviour)) -> b.reached);
     ]
 
-let channel (c : Coverage.channel) =
-  `Assoc
-    [ ("name", Json.text c.name); ("made", `Int c.made); ("weak", `Int c.weak); ("strong", `Int c.strong) ]
-
-let json (s : Explored.t) c =
-  let m = Explored.model s in
-  let rule (r, n) = (Scc_semantics.Rule.id r, `Int n) in
-  `Assoc
+let channel =
+  fields
     [
-      ("states", `Int s.size);
-      ("looked_at", `Int (Coverage.looked_at c));
-      ("complete", `Bool (Coverage.looked_at c = s.size));
-      ("summands", `List (List.map (summand m) (Coverage.summands c)));
-      ("behaviours", `List (List.map (reached m) (Coverage.behaviours c)));
-      ("channels", `List (List.map channel (Coverage.channels c)));
-      ("rules", `Assoc (List.map rule (Coverage.rules c)));
+      field "name" text (fun (c : Coverage.channel) -> c.name);
+      field "made" natural (fun (c : Coverage.channel) -> c.made);
+      field "weak" natural (fun (c : Coverage.channel) -> c.weak);
+      field "strong" natural (fun (c : Coverage.channel) -> c.strong);
+    ]
+
+let format =
+  let in_model list (s, c) = List.map (fun x -> (Explored.model s, x)) (list c) in
+  let rules (_, c) = List.map (fun (r, n) -> (Scc_semantics.Rule.id r, n)) (Coverage.rules c) in
+  fields
+    [
+      field "states" Shared.from_one (fun ((s : Explored.t), _) -> s.size) ~about:"How many were found.";
+      field "looked_at" natural (fun (_, c) -> Coverage.looked_at c)
+        ~about:"Of how many of them the transitions were counted: of the others a bound left them unknown.";
+      field "complete" bool (fun ((s : Explored.t), c) -> Coverage.looked_at c = s.size)
+        ~about:"Of all: there are no others.";
+      field "summands" (list summand) (in_model Coverage.summands)
+        ~about:"The prefixes of behaviours, with the number of transitions that used each.";
+      field "behaviours" (list reached) (in_model Coverage.behaviours)
+        ~about:"Those that bodies of a template may come to, by their text.";
+      field "channels" (list channel) (fun (_, c) -> Coverage.channels c)
+        ~about:"How often bonds of the name were made, and released by weak and by strong splits.";
+      field "rules" (entries natural) rules
+        ~about:"How many transitions each rule of the rule book took part in.";
     ]

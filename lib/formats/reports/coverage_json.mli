@@ -14,5 +14,5 @@ val term : Model.t -> Coverage.summand -> string
 val behaviour : Model.t -> Coverage.behaviour -> string
 (** The definition and the species, such as ["Empty on Enzyme"]. *)
 
-val json : Explored.t -> Coverage.t -> Json.t
-(** The coverage of an exploration, and whether the exploration is complete. *)
+val format : (Explored.t * Coverage.t, unit) Json_format.t
+(** The format of the coverage of an exploration. It says as well if the exploration is complete. *)

@@ -1,41 +1,57 @@
 open Scc_geometry
 open Scc_concave
 open Scc_json
+open Scc_runs
+open Json_format
 
-let part (name, (p : Polyhedron.t)) =
-  let vertex (name, x) = `Assoc [ ("name", Json.text name); ("position", Json.vec x) ] in
-  let corner v = Json.text (fst p.vertices.(v)) in
-  let face (name, corners) =
-    `Assoc [ ("name", Json.text name); ("corners", `List (List.map corner (Array.to_list corners))) ]
+type t = { name : string; exit : int; mended : (string * string) list; parts : Parts.t }
+
+let vertex = fields [ field "name" text fst; field "position" Shared.vector snd ]
+
+let face =
+  let corners ((p : Polyhedron.t), (_, corners)) =
+    List.map (fun v -> fst p.vertices.(v)) (Array.to_list corners)
   in
-  `Assoc
+  fields [ field "name" text (fun (_, (name, _)) -> name); field "corners" (list ~least:3 text) corners ]
+
+let part =
+  fields
     [
-      ("name", Json.text name);
-      ("volume", Json.rat (Mass_properties.of_polyhedron p).volume);
-      ("vertices", `List (List.map vertex (Array.to_list p.vertices)));
-      ("faces", `List (List.map face (Array.to_list p.faces)));
+      field "name" (Shared.numbered "p") fst;
+      field "volume" Shared.rational (fun (_, p) -> (Mass_properties.of_polyhedron p).volume);
+      field "vertices" (array ~least:4 vertex) (fun (_, (p : Polyhedron.t)) -> p.vertices);
+      field "faces" (list ~least:4 face) (fun (_, (p : Polyhedron.t)) ->
+          List.map (fun face -> (p, face)) (Array.to_list p.faces))
+        ~about:
+          "Corners counter-clockwise as seen from outside; a face that lies in one of the file has its name.";
     ]
 
-let joint (t : Parts.t) (one, other) =
-  let site (s : Joints.site) =
-    let name, p = t.parts.(s.part) in
-    `Assoc [ ("part", Json.text name); ("face", Json.text (fst p.faces.(s.face))) ]
+let joint =
+  let site (t : Parts.t) (s : Joints.site) =
+    let name, (p : Polyhedron.t) = t.parts.(s.part) in
+    (name, fst p.faces.(s.face))
   in
-  `List [ site one; site other ]
+  from
+    (fun (t, (one, other)) -> [ site t one; site t other ])
+    (list ~least:2 ~most:2 (fields [ field "part" text fst; field "face" text snd ]))
 
-let document ~name ~exit ~mended (t : Parts.t) =
-  `Assoc
-    ([
-      ("format", `String "scc-decomposition");
-      ("version", `Int 1);
-      ("exit", `Int exit);
-      ("name", Json.text name);
-    ]
-      @ Json_format.written_members Mended_json.field mended
-      @ [
-        ("volume", Json.rat (Drawn.volume t.drawn.set));
-        ("faces", `Int (Array.length t.drawn.set.ifs_faces));
-        ("reflex_edges", `Int (Drawn.reflex_edges t.drawn));
-        ("parts", `List (List.map part (Array.to_list t.parts)));
-        ("joints", `List (List.map (joint t) (Joints.forest (Array.map snd t.parts))));
-      ])
+let format =
+  let set t = t.parts.drawn.set in
+  let joints t = List.map (fun j -> (t.parts, j)) (Joints.forest (Array.map snd t.parts.parts)) in
+  fields
+    (Shared.head "scc-decomposition" 1
+     @ [
+       field "exit" (one_of [ 0 ]) (fun t -> t.exit);
+       field "name" text (fun t -> t.name);
+       within (fun t -> t.mended) Mended_json.field;
+       field "volume" Shared.rational (fun t -> Drawn.volume (set t))
+         ~about:"Of the solid, and of all parts together.";
+       field "faces" (integer ~least:4 ()) (fun t -> Array.length (set t).ifs_faces) ~about:"Of the file.";
+       field "reflex_edges" natural (fun t -> Drawn.reflex_edges t.parts.drawn)
+         ~about:"Straight edges at which the solid is not convex.";
+       field "parts" (array ~least:1 part) (fun t -> t.parts.parts)
+         ~about:"Convex, without common inner points; together they are the solid.";
+       field "joints" (list joint) joints ~about:"Pairs of faces that touch, as few as join all parts.";
+     ])
+
+let document ~name ~exit ~mended parts = write format { name; exit; mended; parts }

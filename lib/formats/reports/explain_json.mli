@@ -17,5 +17,8 @@ type t = {
   exit : int;
 }
 
-val document : source:(string -> Source.t option) -> t -> Json.t
+val format : (Diag_json.source * t, unit) Json_format.t
+(** The format of {!document}. *)
+
+val document : source:Diag_json.source -> t -> Json.t
 (** The whole document. [source] returns the text of a file by its name, for lines and columns. *)

@@ -3,6 +3,21 @@
 open Scc_geometry
 open Scc_json
 
+(** A report with what was done to the shape first. *)
+type t
+
+val format : (t, unit) Json_format.t
+(** The format of {!document}. *)
+
+val faults : (Solid_report.t, unit) Json_format.t
+(** The format of the member [faults]. *)
+
+val warning : (Scc_base.Diag.t, unit) Json_format.t
+(** The format of a member of [warnings]. *)
+
+val report_members : (Solid_report.t, unit) Json_format.members
+(** The members that are about the solid alone. *)
+
 val document :
   name:string ->
   exit:int ->

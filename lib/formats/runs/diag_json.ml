@@ -13,8 +13,8 @@ let position =
   fields
     [
       field "offset" natural snd;
-      maybe "line" (integer ~least:1 ()) (part fst);
-      maybe "column" (integer ~least:1 ()) (part snd);
+      maybe "line" Shared.from_one (part fst);
+      maybe "column" Shared.from_one (part snd);
     ]
   |> about "A place in a text: offset in bytes from 0; line and column (in code points) from 1."
   |> named "position"
@@ -40,14 +40,10 @@ let note =
 
 let severity : Diag.severity -> string = function Error -> "error" | Warning -> "warning"
 
-let digits : Json_schema.run list =
-  let one set = { Json_schema.set; least = 1; most = Some 1 } in
-  [ one "S"; one "C"; { set = "0-9"; least = 4; most = Some 4 } ]
-
 let format =
   fields
     [
-      field "code" (form digits) (fun (_, (d : Diag.t)) -> (d.code :> string));
+      field "code" Shared.code (fun (_, (d : Diag.t)) -> (d.code :> string));
       field "severity" (word severity [ Error; Warning ]) (fun (_, (d : Diag.t)) -> d.severity);
       field "message" some_text (fun (_, (d : Diag.t)) -> d.message);
       field "place" place (fun (source, (d : Diag.t)) -> (source, d.span));

@@ -13,6 +13,9 @@ val identity : (Origin.t, unit) Json_format.members
 val parameters_format : ((string * Rat.t) list, (string * Rat.t) list) Json_format.t
 (** The format of parameters with their values. *)
 
+val settings_format : ((string * string) list, (string * string) list) Json_format.t
+(** The format of settings, as an object of texts. *)
+
 val parameters : Origin.t -> Json.t
 (** An object of the parameters with their values, as by {!Json.rat}. *)
 

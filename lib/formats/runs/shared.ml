@@ -31,8 +31,14 @@ let digest =
      name>:<name><length>:<bytes>, the model first and with an empty name."
     (form (letters "md5:" @ [ { set = "0-9a-f"; least = 32; most = Some 32 } ]))
 
+let code = form (letters "SC" @ [ { set = "0-9"; least = 4; most = Some 4 } ])
 let exit = named "exit" "The exit code of the command." (one_of [ 0; 1; 2; 3; 4; 64; 70; 74 ])
 let texts = list text
-let name = some_text
-let count = natural
+let numbered letter =
+  form (letters letter @ [ { set = "1-9"; least = 1; most = Some 1 }; { set = "0-9"; least = 0; most = None } ])
+
+let from_one = integer ~least:1 ()
+let semantics () =
+  field "semantics" some_text (fun _ -> Scc_calculus.Parameters.version) ~about:"Version of the rule book."
+
 let head format version = [ fixed "format" (`String format); fixed "version" (`Int version) ]

@@ -24,14 +24,20 @@ val digest : (string, string) Json_format.t
 val exit : (int, int) Json_format.t
 (** The exit code of a command. *)
 
+val code : (string, string) Json_format.t
+(** The code of a diagnostic. *)
+
+val numbered : string -> (string, string) Json_format.t
+(** [numbered letter] is texts such as ["p1"]: the letter and a number from 1. *)
+
 val texts : (string list, string list) Json_format.t
 (** An array of strings. *)
 
-val name : (string, string) Json_format.t
-(** A string that is not empty. *)
+val from_one : (int, int) Json_format.t
+(** An integer from 1. *)
 
-val count : (int, int) Json_format.t
-(** An integer from 0. *)
+val semantics : unit -> ('o, unit) Json_format.members
+(** The member [semantics]: the version of the rule book. *)
 
 val head : string -> int -> ('o, unit) Json_format.members list
 (** The members [format] and [version] with which a document begins. *)

@@ -29,7 +29,7 @@ let header_members =
       fixed "format" (`String "scc-trace");
       field "version" (one_of Schedule.versions) Schedule.version
         ~about:"2 where bonds may be released at any time (split_step any), else 1.";
-      field "semantics" text (fun _ -> Parameters.version) ~about:"Version of the rule book.";
+      Shared.semantics ();
       Origin_json.fields;
     ]
 
@@ -53,9 +53,9 @@ let transition_members =
   let rules s = List.map Rule.id s.taken.rules in
   all
     [
-      field "step" (integer ~least:1 ()) (fun (_, s) -> s.number) ~about:"From 1.";
+      field "step" Shared.from_one (fun (_, s) -> s.number) ~about:"From 1.";
       field "choice" natural (fun (_, s) -> s.index) ~about:"Its number among those possible, from 0.";
-      field "of" (integer ~least:1 ()) (fun (_, s) -> s.among) ~about:"How many were possible.";
+      field "of" Shared.from_one (fun (_, s) -> s.among) ~about:"How many were possible.";
       field "label" State_json.label_format (fun (m, s) -> (m, s.taken.label));
       field "rules" (list ~least:1 some_text) (fun (_, s) -> rules s)
         ~about:"The rules that made it, the network's rule first.";

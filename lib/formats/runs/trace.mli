@@ -13,6 +13,9 @@ val header : Scc_loading.Origin.t -> Json.t
 (** The first line: the model, its parameters and settings, on which the meaning of the choices depends. It does
     not say how the choices were made, so a trace and its replay are the same bytes. *)
 
+val ending_format : (Replay.ending, string) Json_format.t
+(** The format of the end of a run, as the word of {!ending}. *)
+
 val ending : Replay.ending -> string
 (** The word for the end of a run: ["open"], ["quiescent"], ["stuck"] or ["zeno"]. *)
 

@@ -26,7 +26,8 @@ let utf_8 s =
   Buffer.contents b
 
 let text s = `String (utf_8 s)
-let rat (q : Rat.t) = `String (Z.to_string (Q.num q) ^ "/" ^ Z.to_string (Q.den q))
+let fraction (q : Rat.t) = Z.to_string (Q.num q) ^ "/" ^ Z.to_string (Q.den q)
+let rat q = `String (fraction q)
 let vec (v : Vec.t) = `List [ rat v.x; rat v.y; rat v.z ]
 let option encode = function None -> `Null | Some x -> encode x
 

@@ -19,8 +19,11 @@ type t =
 val text : string -> t
 (** A string. Bytes that are not UTF-8 become U+FFFD, so the result is always JSON. *)
 
+val fraction : Rat.t -> string
+(** The text ["p/q"] in lowest terms, with q > 0 written even if it is 1. *)
+
 val rat : Rat.t -> t
-(** A string ["p/q"] in lowest terms, with q > 0 written even if it is 1. *)
+(** The string of {!fraction}. *)
 
 val vec : Vec.t -> t
 (** An array of three rationals. *)

@@ -54,19 +54,19 @@ let integer ?least ?most () =
 
 let natural = integer ~least:0 ()
 
-let fraction ~sign ~what ~holds =
-  let digits set least = { Json_schema.set; least; most = None } in
-  let one set = { Json_schema.set; least = 1; most = Some 1 } in
-  let runs = sign @ [ digits "0-9" 1; one "/"; one "1-9"; digits "0-9" 0 ] in
-  let read json = Option.bind (Json.rational json) (fun q -> if holds q then Some q else None) in
-  value (Form runs) what Json.rat read
-
-let rational =
-  let sign = [ { Json_schema.set = "-"; least = 0; most = Some 1 } ] in
-  fraction ~sign ~what:"a rational number" ~holds:(fun _ -> true)
+let digits least = { Json_schema.set = "0-9"; least; most = None }
+let one set = { Json_schema.set; least = 1; most = Some 1 }
+let sign = { Json_schema.set = "-"; least = 0; most = Some 1 }
+let fraction = [ digits 1; one "/"; one "1-9"; digits 0 ]
+let rational = value (Form (sign :: fraction)) "a rational number" Json.rat Json.rational
 
 let duration =
-  fraction ~sign:[] ~what:"a duration, a text \"p/q\" that is at least 0" ~holds:(fun q -> Rat.sign q >= 0)
+  let read json = Option.bind (Json.rational json) (fun q -> if Rat.sign q >= 0 then Some q else None) in
+  value (Form fraction) "a duration, a text \"p/q\" that is at least 0" Json.rat read
+
+let number =
+  let forms = [ fraction; [ digits 1 ]; [ digits 1; one "."; digits 1 ] ] in
+  value (Any_of (List.map (fun f -> Json_schema.Form (sign :: f)) forms)) "a number" Json.text Json.rational
 
 let word name all =
   let names = List.map (fun x -> (name x, x)) all in
@@ -152,6 +152,8 @@ let nullable t =
     schema = Any_of [ t.schema; Null ];
   }
 
+let null = { (value Null "null" (fun () -> `Null) (function `Null -> Some () | _ -> None)) with null = true }
+
 let json ?(schema = Json_schema.Anything) () =
   { write = Fun.id; read = (fun _ json -> json); null = true; schema }
 
@@ -220,10 +222,11 @@ let ignored m = ( let+ ) m ignore
 let field name ?about t part = ignored (required name ?about t part)
 let maybe name ?about t part = ignored (optional name ?about t part)
 
-let fixed name ?about constant =
-  let read at json = if not (equal json constant) then refuse at "is not %s" (Json.line constant) in
-  let t = { write = (fun () -> constant); read; null = false; schema = Constant [ constant ] } in
-  required name ?about t ignore
+let constant it =
+  let read at json = if not (equal json it) then refuse at "is not %s" (Json.line it) in
+  { write = (fun () -> it); read; null = false; schema = Constant [ it ] }
+
+let fixed name ?about it = required name ?about (constant it) ignore
 
 (* {1 Alternatives} *)
 

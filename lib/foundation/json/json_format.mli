@@ -63,6 +63,9 @@ val rational : (Rat.t, Rat.t) t
 val duration : (Rat.t, Rat.t) t
 (** A {!rational} that is at least 0. *)
 
+val number : (string, Rat.t) t
+(** The text of a number, ["p/q"] or a decimal such as ["-1.50"]. What {!Json.rational} takes is read. *)
+
 val vector : (Vec.t, Vec.t) t
 (** Three rationals. *)
 
@@ -83,6 +86,12 @@ val entries : ('w, 'r) t -> ((string * 'w) list, (string * 'r) list) t
 
 val nullable : ('w, 'r) t -> ('w option, 'r option) t
 (** The value, or [null] for [None]. *)
+
+val constant : Json.t -> (unit, unit) t
+(** This value. *)
+
+val null : (unit, unit) t
+(** [null]. *)
 
 val json : ?schema:Json_schema.t -> unit -> (Json.t, Json.t) t
 (** A value that is JSON already. It is read as it is, whatever its schema. *)

@@ -21,7 +21,7 @@ and member = { name : string; required : bool; value : t }
 (* {1 Forms} *)
 
 let one_run r =
-  let set = if String.length r.set = 1 then r.set else "[" ^ r.set ^ "]" in
+  let set = if String.length r.set = 1 && r.set <> "." then r.set else "[" ^ r.set ^ "]" in
   match (r.least, r.most) with
   | 1, Some 1 -> set
   | 0, Some 1 -> set ^ "?"

@@ -53,8 +53,6 @@ let write_witnesses loaded path folder verdicts =
 type extra = { covered : (Explored.t * Coverage.t) option; measured : Measured.t option }
 
 let print_json console ~full ~where:shown_where loaded report verdicts extra code =
-  let coverage (space, c) = ("coverage", Coverage_json.json space c) in
-  let measured m = ("measured", Measured.json m report) in
   let json =
     Check_json.document ~source:(Console.source console)
       {
@@ -66,9 +64,8 @@ let print_json console ~full ~where:shown_where loaded report verdicts extra cod
         exit = Exit_code.to_int code;
         full;
         cure = Scc_estimate.Cure.of_outcome loaded.model;
-        extra =
-          Option.to_list (Option.map coverage extra.covered)
-          @ Option.to_list (Option.map measured extra.measured);
+        coverage = extra.covered;
+        measured = Option.map (fun m -> Measured.numbers m report) extra.measured;
       }
   in
   Json.pretty_pieces (Console.print console) json

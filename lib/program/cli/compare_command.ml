@@ -77,7 +77,7 @@ let compare console o =
   let told = { Compare_report.relation = o.relation; first; second; report; exit = code } in
   Console.answer console
     ~text:(fun () -> Compare_report.text console told)
-    ~json:(fun () -> Compare_report.json console told);
+    ~json:(fun () -> Compare_json.json console told);
   Ok code
 
 let run color json o =

@@ -1,9 +1,5 @@
 open Scc_verify
 open Scc_equivalence
-open Scc_verdicts
-open Scc_json
-open Scc_runs
-open Scc_reports
 
 type t = {
   relation : Compare.relation;
@@ -136,68 +132,3 @@ let text console t =
         "" )
   in
   verdict ^ why ^ side_text t true ^ side_text t false
-
-(* {1 JSON} *)
-
-let side_json (c : Compared.t) (s : Compare.side) =
-  let states, transitions = Compared.size c in
-  let kind, model, faults =
-    match c.source with
-    | File ->
-      let none = `Assoc [] in
-      ("graph", [ ("model", `Null); ("digest", `Null); ("parameters", none); ("settings", none) ], [])
-    | Model { model; space } ->
-      ("model", Origin_json.members model.origin, space.faults)
-  in
-  `Assoc
-    ([ ("file", Json.text c.path); ("kind", `String kind) ]
-     @ model
-     @ [
-       ("states", `Int states);
-       ("transitions", `Int transitions);
-       ("complete", `Bool c.complete);
-       ("stopped_by", `List (List.map Check_json.truncation (Compared.stopped_by c)));
-       ("faults", `List (List.map (fun (f : Scc_base.Diag.t) -> Json.text f.message) faults));
-       ("compared_states", `Int s.states);
-       ("compared_transitions", `Int s.transitions);
-       ("classes", Json.option (fun n -> `Int n) s.classes);
-     ])
-
-let which first = `String (if first then "first" else "second")
-
-let trace_json (labels, first) =
-  `Assoc [ ("of", which first); ("labels", `List (List.map Json.text labels)) ]
-
-let formula_json t f =
-  let text = if Modal_formula.size f <= most_written then Json.text (t.report.show f) else `Null in
-  `Assoc [ ("operators", `Int (Modal_formula.size f)); ("text", text) ]
-
-let json console t =
-  let verdict, trace, trace_known, formula, reason =
-    match t.report.verdict with
-    | Equivalent -> ("equivalent", `Null, true, `Null, `Null)
-    | Different d ->
-      ( "different",
-        Json.option trace_json d.trace,
-        not d.trace_open,
-        Json.option (formula_json t) d.formula,
-        `Null )
-    | Undecided reason -> ("undecided", `Null, false, `Null, `String (reason_text reason))
-  in
-  `Assoc
-    [
-      ("format", `String "scc-compare");
-      ("version", `Int 1);
-      ("semantics", `String Scc_calculus.Parameters.version);
-      ("relation", `String (name t.relation));
-      ("verdict", `String verdict);
-      ("exit", `Int (Exit_code.to_int t.exit));
-      ("trace", trace);
-      ("trace_known", `Bool trace_known);
-      ("formula", formula);
-      ("reason", reason);
-      ("first", side_json t.first t.report.first);
-      ("second", side_json t.second t.report.second);
-      ( "diagnostics",
-        `List (List.map (Diag_json.diagnostic ~source:(Console.source console)) (Console.kept console)) );
-    ]

@@ -17,5 +17,11 @@ val relations : (string * Compare.relation) list
 val text : Console.t -> t -> string
 (** The result as lines of text. *)
 
-val json : Console.t -> t -> Scc_json.Json.t
-(** The document by [specs/schema/compare.schema.json]. *)
+val most_written : int
+(** The greatest size of a formula that is written. *)
+
+val name : Compare.relation -> string
+(** The name of a relation in {!relations}. *)
+
+val reason_text : Compare.reason -> string
+(** Why a comparison ended without a result. *)

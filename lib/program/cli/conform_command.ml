@@ -98,9 +98,8 @@ let conform console o =
   Console.answer console
     ~text:(fun () -> Report.text report)
     ~json:(fun () ->
-        let source = Console.source console in
-        let diagnostics = List.map (Diag_json.diagnostic ~source) (Console.kept console) in
-        Report.json report ~exit:(Exit_code.to_int code) ~diagnostics);
+        Report_json.json report ~exit:(Exit_code.to_int code) ~source:(Console.source console)
+          ~diagnostics:(Console.kept console));
   Ok code
 
 let run color json o =

@@ -34,7 +34,7 @@ let diff console o =
   let code : Exit_code.t = if Option.is_none found then Holds else Violated in
   Console.answer console
     ~text:(fun () -> Difference_report.text a b found)
-    ~json:(fun () -> Difference_report.json a b ~tolerance ~exit:(Exit_code.to_int code) found);
+    ~json:(fun () -> Difference_json.json a b ~tolerance ~exit:(Exit_code.to_int code) found);
   Ok code
 
 let run color json o =

@@ -36,31 +36,55 @@ let text o (t : Inflated.t) =
       (short gaps.surface) (short gaps.outline);
   Buffer.contents b
 
-let json o (t : Inflated.t) code =
-  let shape = t.relief.shape and gaps = t.solid.gaps in
-  let module Json = Scc_json.Json in
-  `Assoc
-    [
-      ("format", `String "scc-inflate"); ("version", `Int 1);
-      ("exit", `Int (Exit_code.to_int code));
-      ("picture", Json.text o.path);
-      ("width", `Int shape.picture.width); ("height", `Int shape.picture.height);
-      ("pixels", `Int shape.size); ("holes", `Int t.solid.holes);
-      ("profile", `String (profile_name o.inflate.profile));
-      ("radius", Json.rat t.relief.radius);
-      ("highest", Json.rat (Rat.make (Z.of_int t.relief.highest) (Z.of_int Relief.quanta)));
-      ("scale", Json.rat o.inflate.scale);
-      ("vertices", `Int (Array.length t.solid.mesh.ifs_vertices));
-      ("faces", `Int (Array.length t.solid.mesh.ifs_faces));
-      ( "distances",
-        `Assoc
-          [
-            ("solution", Json.rat gaps.solution); ("surface", Json.rat gaps.surface);
-            ("outline", Json.rat gaps.outline);
-          ] );
-      ("output", Json.option Json.text o.output);
-      ("diagnostics", `List []);
-    ]
+type answer = options * Inflated.t * Exit_code.t
+
+let format : (answer, unit) Scc_json.Json_format.t =
+  let open Scc_json.Json_format in
+  let open Scc_runs in
+  let shape (t : Inflated.t) = t.relief.shape and mesh (t : Inflated.t) = t.solid.mesh in
+  let highest (t : Inflated.t) = Rat.make (Z.of_int t.relief.highest) (Z.of_int Relief.quanta) in
+  let solid members = within (fun (_, t, _) -> t) (all members) in
+  let option members = within (fun (o, _, _) -> o) (all members) in
+  let distances =
+    fields
+      [
+        field "solution" Shared.rational (fun (t : Inflated.t) -> t.solid.gaps.solution);
+        field "surface" Shared.rational (fun (t : Inflated.t) -> t.solid.gaps.surface);
+        field "outline" Shared.rational (fun (t : Inflated.t) -> t.solid.gaps.outline);
+      ]
+  in
+  fields
+    (Shared.head "scc-inflate" 1
+     @ [
+       field "exit" (one_of [ 0 ]) (fun (_, _, code) -> Exit_code.to_int code);
+       option [ field "picture" text (fun o -> o.path) ~about:"Its file." ];
+       solid
+         [
+           field "width" Shared.from_one (fun t -> (shape t).picture.width) ~about:"Of the picture, in pixels.";
+           field "height" Shared.from_one (fun t -> (shape t).picture.height);
+           field "pixels" Shared.from_one (fun t -> (shape t).size) ~about:"How many the shape has.";
+           field "holes" natural (fun (t : Inflated.t) -> t.solid.holes);
+         ];
+       option [ field "profile" (word profile_name [ Diffused; Round ]) (fun o -> o.inflate.profile) ];
+       solid
+         [
+           field "radius" Shared.rational (fun (t : Inflated.t) -> t.relief.radius)
+             ~about:"In pixels: over it heights are taken.";
+           field "highest" Shared.rational highest ~about:"In pixels, before the solid is simplified.";
+         ];
+       option [ field "scale" Shared.rational (fun o -> o.inflate.scale) ~about:"The length of a pixel." ];
+       solid
+         [
+           field "vertices" (integer ~least:5 ()) (fun t -> Array.length (mesh t).ifs_vertices);
+           field "faces" (integer ~least:6 ()) (fun t -> Array.length (mesh t).ifs_faces);
+           field "distances" distances Fun.id
+             ~about:
+               "In pixels, each of them proved: of heights from the exact solution, of the simplified heights \
+                from those before, of the simplified outline from that before.";
+         ];
+       option [ field "output" (nullable text) (fun o -> o.output) ~about:"The file that was written, if any." ];
+       field "diagnostics" Diag_json.formats (fun _ -> ((fun _ -> None), []));
+     ])
 
 (* {1 Work} *)
 
@@ -81,7 +105,8 @@ let inflate console o write =
         Written_solid.drawn (path, text) ~hint:".off, .obj and .sc keep fractions" found.solid.mesh
     in
     Console.progress_done console;
-    Console.answer console ~text:(fun () -> text o found) ~json:(fun () -> json o found Exit_code.Holds);
+    let json () = Scc_json.Json_format.write format (o, found, Exit_code.Holds) in
+    Console.answer console ~text:(fun () -> text o found) ~json;
     Ok Exit_code.Holds
 
 let run color json o =

@@ -1,7 +1,6 @@
 open Scc_base
 open Scc_graph_search
 open Scc_verify
-open Scc_json
 
 type t = {
   clock : unit -> float;
@@ -85,20 +84,17 @@ let lines t (r : Check.report) =
     ^ String.concat ", " (List.map (fun (name, x) -> Printf.sprintf "%s %.3f" name x) (seconds t));
   ]
 
-let json t (r : Check.report) =
+let numbers t (r : Check.report) : Scc_reports.Measured_json.t =
   let s = r.stats in
   let gc = Gc.quick_stat () in
-  let micros x = `Int (int_of_float (x *. 1e6)) in
-  `Assoc
-    [
-      ("varies", `Bool true);
-      ("states_per_second", `Int (per_second s.states (exploring t)));
-      ("transitions_per_second", `Int (per_second s.transitions (exploring t)));
-      ("peak_heap_bytes", `Int (Memory.bytes_of_words gc.top_heap_words));
-      ("peak_resident_bytes", Json.option (fun n -> `Int n) (peak_resident ()));
-      ("store_bytes", `Assoc (List.map (fun (name, n) -> (name, `Int n)) r.stores));
-      ("longest_numbers", `Assoc (List.map (fun (name, n) -> (name, `Int n)) (r.numbers ())));
-      ("minor_collections", `Int gc.minor_collections);
-      ("major_collections", `Int gc.major_collections);
-      ("microseconds", `Assoc (List.map (fun (name, x) -> (name, micros x)) (seconds t)));
-    ]
+  {
+    states_per_second = per_second s.states (exploring t);
+    transitions_per_second = per_second s.transitions (exploring t);
+    peak_heap_bytes = Memory.bytes_of_words gc.top_heap_words;
+    peak_resident_bytes = peak_resident ();
+    store_bytes = r.stores;
+    longest_numbers = r.numbers ();
+    minor_collections = gc.minor_collections;
+    major_collections = gc.major_collections;
+    microseconds = List.map (fun (name, x) -> (name, int_of_float (x *. 1e6))) (seconds t);
+  }

@@ -19,5 +19,5 @@ val seconds : t -> (string * float) list
 val lines : t -> Scc_verify.Check.report -> string list
 (** The measurements as lines of text. *)
 
-val json : t -> Scc_verify.Check.report -> Scc_json.Json.t
-(** The member [measured] of [specs/schema/check.schema.json]. *)
+val numbers : t -> Scc_verify.Check.report -> Scc_reports.Measured_json.t
+(** The measurements of a report, for JSON. *)

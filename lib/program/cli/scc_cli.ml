@@ -69,3 +69,6 @@ let main () =
     Ok Exit_code.Holds
   in
   Exit_code.to_int (Exit_code.worst [ code; Guard.run console finish ])
+
+module Compare_json = Compare_json
+module Inflate_command = Inflate_command

@@ -1,10 +1,7 @@
-(** The result of {!Difference}, as text and as JSON ([specs/schema/diff.schema.json]). *)
-
-open Scc_exact
-open Scc_json
+(** The result of {!Difference} as text. *)
 
 val text : Recorded.t -> Recorded.t -> Difference.t option -> string
 (** The result as lines of text. *)
 
-val json : Recorded.t -> Recorded.t -> tolerance:Rat.t -> exit:int -> Difference.t option -> Json.t
-(** The result as a document. *)
+val set : string list -> string
+(** The names of rules as a set, such as ["{Bind, Time}"]. *)

@@ -1,7 +1,5 @@
 open Scc_exact
 open Scc_semantics
-open Scc_json
-open Scc_runs
 
 type t = {
   file : string;
@@ -17,8 +15,6 @@ let reason m : Trace_search.reason -> string = function
   | Too_many_states -> "more states than the limit would have to be looked at (--states)"
   | Interrupted -> "it was interrupted"
   | Fault fault -> (Transition.diagnostic m fault).message
-
-(* {1 For people} *)
 
 let plural n one many = if n = 1 then "1 " ^ one else Printf.sprintf "%d %s" n many
 
@@ -97,124 +93,3 @@ let text t =
       ]
   in
   String.concat "" (List.map (fun l -> Scc_base.Visible.line l ^ "\n") lines)
-
-(* {1 JSON} *)
-
-let texts l = `List (List.map Json.text l)
-
-(* Decimals are texts, too: a reader that wants floats makes its own. *)
-let about q = `Assoc [ ("exact", Json.rat q); ("about", `String (Number.decimal q)) ]
-
-let event_json (e : Recorded.event) =
-  `Assoc
-    [
-      ("kind", `String (Recorded.kind_name e.kind));
-      ("channels", texts e.channels);
-      ("bodies", texts e.bodies);
-      ("features", texts e.features);
-    ]
-
-let item_json (i : Recorded.item) =
-  let what, event =
-    match i.what with
-    | Event e -> ("event", event_json e)
-    | State _ -> ("state", `Null)
-    | Watched -> ("end", `Null)
-    | Quiescent -> ("quiescent", `Null)
-    | Stuck -> ("stuck", `Null)
-  in
-  `Assoc
-    [ ("line", `Int i.line); ("time", about i.time); ("what", `String what); ("event", event) ]
-
-let allowed_json t (a : Divergence.allowed) =
-  `Assoc
-    [
-      ("label", State_json.label t.loaded.model a.label);
-      ("rules", `List (List.map (fun r -> `String (Rule.id r)) a.rules));
-      ("time", about a.time);
-    ]
-
-let difference_json (d : Against.difference) =
-  `Assoc
-    [
-      ("body", Json.option Json.text (if d.body = "" then None else Some d.body));
-      ("quantity", `String d.quantity);
-      ("told", Json.text d.told);
-      ("expected", Json.text d.held);
-      ("off", Json.option about d.off);
-    ]
-
-let divergence_json t (d : Divergence.t) =
-  let option = Json.option (allowed_json t) in
-  `Assoc
-    [
-      ("kind", `String (Divergence.kind_name d.kind));
-      ("at", item_json d.item);
-      ("rules", texts d.rules);
-      ("why", Json.text d.why);
-      ("closest", option d.closest);
-      ("off", Json.option about d.off);
-      ("differences", `List (List.map difference_json d.differences));
-      ("allowed", `List (List.map (allowed_json t) d.allowed));
-      ("after", option d.after);
-    ]
-
-let verdict = function
-  | Verdict.Conforms _ -> "conforms"
-  | Diverges _ -> "diverges"
-  | Undecided _ -> "undecided"
-
-let run_json = function
-  | Verdict.Conforms { choices; ended; deviation; widest } ->
-    `Assoc
-      [
-        ("transitions", `Int (List.length choices));
-        ("time", about ended);
-        ("states", `Int widest);
-        ( "deviation",
-          `Assoc
-            [
-              ("time", about deviation.time);
-              ("position", about deviation.position);
-              ("velocity", about deviation.velocity);
-            ] );
-      ]
-  | Diverges _ | Undecided _ -> `Null
-
-let json t ~exit ~diagnostics =
-  let divergence = match t.answer with Diverges d -> divergence_json t d | _ -> `Null in
-  let why =
-    match t.answer with
-    | Undecided { reason = r; _ } -> Json.text (reason t.loaded.model r)
-    | Conforms _ | Diverges _ -> `Null
-  in
-  `Assoc
-    [
-      ("format", `String "scc-conform");
-      ("version", `Int 1);
-      ("semantics", `String Scc_calculus.Parameters.version);
-      ("verdict", `String (verdict t.answer));
-      ("exit", `Int exit);
-      ( "model",
-        `Assoc
-          [
-            ("file", Json.text t.file);
-            ("name", Json.option Json.text t.loaded.origin.name);
-            ("digest", `String t.loaded.origin.digest);
-            ("parameters", Origin_json.parameters t.loaded.origin);
-            ("settings", Origin_json.settings t.loaded.origin);
-          ] );
-      ( "trace",
-        `Assoc
-          [
-            ("file", Json.text t.trace.name);
-            ("format", `String t.trace.format);
-            ("events", `Int (Recorded.events t.trace));
-            ("items", `Int (Array.length t.trace.items));
-          ] );
-      ("tolerance", about t.tolerance);
-      ("run", run_json t.answer);
-      ("divergence", divergence);
-      ("reason", why);
-      ("diagnostics", `List diagnostics);
-    ]

@@ -22,6 +22,6 @@ let check bounds store p =
       (`Assoc
          ([
            ("properties", `List (List.mapi property report.outcomes));
-           ("explored", Check_json.explored l.model report.stats);
+           ("explored", Scc_json.Json_format.write Explored_json.format (l.model, report.stats));
          ]
            @ Check_json.invariants l.model report))

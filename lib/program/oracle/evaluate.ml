@@ -109,7 +109,7 @@ let temporal bounds p (l : Models.loaded) check =
            ("kind", `String "temporal");
            ("verdict", `String (Check_json.kind outcome.verdict));
            ("report", Check_json.property semantics outcome);
-           ("explored", Check_json.explored l.model.model report.stats);
+           ("explored", Json_format.write Explored_json.format (l.model.model, report.stats));
          ])
   | _ -> Bug.fail __POS__ "one check has one verdict"
 

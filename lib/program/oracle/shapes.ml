@@ -112,16 +112,10 @@ let set_members = [ "vertices"; "faces"; "names"; "limits" ]
 
 (* {1 Methods} *)
 
-let report_members r =
-  match Shape_json.document ~name:"" ~exit:0 r with
-  | `Assoc members ->
-    List.filter (fun (m, _) -> not (List.mem m [ "format"; "version"; "exit"; "name" ])) members
-  | _ -> Bug.fail __POS__ "a report is an object"
-
 let faults r =
-  match List.assoc_opt "faults" (report_members r) with
-  | Some (`List faults) -> faults
-  | _ -> Bug.fail __POS__ "a report without faults"
+  match Json_format.write Shape_json.faults r with
+  | `List faults -> faults
+  | _ -> Bug.fail __POS__ "faults are an array"
 
 let bad_transformation message =
   let fault =
@@ -151,8 +145,6 @@ let linear p =
       | 0 -> bad_transformation "the linear map is singular"
       | s -> if s > 0 then m else bad_transformation "the linear map is a reflection")
 
-let warning (d : Diag.t) = `Assoc [ ("code", `String d.code); ("message", Json.text d.message) ]
-
 let define store p =
   Read.only p ("linear" :: "quaternion" :: set_members);
   Handles.check_room store.shapes;
@@ -164,7 +156,7 @@ let define store p =
   | Accepted (polyhedron, _) ->
     store.made <- store.made + 1;
     let solid = Solid.make ~id:store.made polyhedron map in
-    let warnings = List.map warning (Solid_report.faults report) in
+    let warnings = List.map (Json_format.write Shape_json.warning) (Solid_report.faults report) in
     let handle = Handles.add store.shapes solid in
     Reply.Value
       (`Assoc
@@ -180,7 +172,7 @@ let define store p =
 
 let check p =
   Read.only p set_members;
-  Reply.Value (`Assoc (report_members (Solid_report.make (face_set p))))
+  Reply.Value (`Assoc (Json_format.written_members Shape_json.report_members (Solid_report.make (face_set p))))
 
 let matrix (m : Mat.t) = `List [ Json.vec m.r0; Json.vec m.r1; Json.vec m.r2 ]
 

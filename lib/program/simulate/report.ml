@@ -2,6 +2,7 @@ open Scc_exact
 open Scc_loading
 open Scc_json
 open Scc_runs
+open Json_format
 
 type form = Csv | Jsonl
 type digits = Exactly | Rounded of int
@@ -19,7 +20,6 @@ type t = {
 
 let rounded k = Decimal.padded ~places:k
 let number t r = match t.digits with Exactly -> Rat.to_string r | Rounded k -> rounded k r
-let json_number t r : Json.t = match t.digits with Exactly -> Json.rat r | Rounded k -> `String (rounded k r)
 
 (* {1 Each run} *)
 
@@ -28,31 +28,68 @@ let csv fields =
   Scc_export.Table.line (Buffer.add_string b) fields;
   Buffer.contents b
 
-let json members = Json.line (`Assoc members) ^ "\n"
-let texts list = `List (List.map Json.text list)
+let line format x = Json.line (write format x) ^ "\n"
+let in_simulation name t = named ~file:"simulation" name t
 
-(* What is asked for, which tells one simulation from another one. *)
-let asked t more =
-  let digits = match t.digits with Exactly -> `Null | Rounded k -> `Int k in
-  json
-    ([
-      ("format", `String "scc-simulation");
-      ("version", `Int 1);
-      ("semantics", `String Scc_calculus.Parameters.version);
+let seed =
+  from Int64.to_string (form [ { set = "-"; least = 0; most = Some 1 }; { set = "0-9"; least = 1; most = None } ])
+  |> in_simulation "seed"
+
+let number_format =
+  from (fun (t, q) -> match t.digits with Exactly -> Json.fraction q | Rounded k -> rounded k q) Json_format.number
+  |> about "Exact as p/q, or rounded." |> in_simulation "number"
+
+let maybe_number =
+  from (fun (t, q) -> Option.map (fun q -> (t, q)) q) (nullable number_format) |> in_simulation "maybe"
+
+(* How many runs there are, and how many ended early. *)
+let all_together =
+  fields
+    [
+      field "runs" natural fst;
+      field "ended_early" natural snd ~about:"How many of them did not come to the last time.";
     ]
-      @ Origin_json.members t.origin
-      @ [
-        ("seed", `String (Int64.to_string t.seed));
-        ("observables", texts t.observables);
-        ("decimals", digits);
-        ("times", `List (Array.to_list (Array.map Json.rat t.times)));
-        ("summary", more);
-      ])
+
+let header_format =
+  let part f (t, _) = f t in
+  let decimals t = match t.digits with Exactly -> None | Rounded k -> Some k in
+  fields
+    (Shared.head "scc-simulation" 1
+     @ [
+       Shared.semantics ();
+       within (part (fun t -> t.origin)) Origin_json.fields;
+       field "seed" seed (part (fun t -> t.seed)) ~about:"Of all runs together; each has its own.";
+       field "observables" (list ~least:1 text) (part (fun t -> t.observables));
+       field "decimals" (nullable natural) (part decimals)
+         ~about:"To so many decimals all numbers are rounded; null: they are exact.";
+       field "times" (array ~least:1 Shared.rational) (part (fun t -> t.times));
+       field "summary" (nullable all_together) snd
+         ~about:
+           "null: lines of runs follow, as many as there are. Otherwise a line for each time and observable.";
+     ])
+
+let run_format =
+  let rows (t, (r : Simulation.run)) =
+    List.map (fun row -> List.map (fun q -> (t, q)) (Array.to_list row)) (Array.to_list r.values)
+  in
+  obj
+    (let+ number = required "run" natural (fun (_, (r : Simulation.run)) -> r.number) ~about:"From 0."
+     and+ () =
+       field "seed" seed (fun (t, (r : Simulation.run)) -> Simulation.seed_of t.seed r.number)
+         ~about:"scc trace --choose random:SEED makes the same run."
+     and+ values =
+       required "values" (list (list maybe_number)) rows
+         ~about:"By time, and then by observable; of a truth 1 or 0; null where there is none."
+     and+ ended =
+       required "ended" (nullable text) (fun (_, (r : Simulation.run)) -> r.ended)
+         ~about:"Why it did not come to the last time, in words."
+     in
+     { Simulation.number; values = Array.of_list (List.map Array.of_list values); ended })
 
 let header t =
   match t.form with
   | Csv -> csv ([ "run"; "time" ] @ t.observables @ [ "ended" ])
-  | Jsonl -> asked t `Null
+  | Jsonl -> line header_format (t, None)
 
 let run t (r : Simulation.run) =
   match t.form with
@@ -64,33 +101,12 @@ let run t (r : Simulation.run) =
         ([ string_of_int r.number; number t t.times.(i) ] @ List.map field (Array.to_list row) @ [ ended ])
     in
     String.concat "" (Array.to_list (Array.mapi line r.values))
-  | Jsonl ->
-    let value = Json.option (json_number t) in
-    let row values = `List (List.map value (Array.to_list values)) in
-    json
-      [
-        ("run", `Int r.number);
-        ("seed", `String (Int64.to_string (Simulation.seed_of t.seed r.number)));
-        ("values", `List (List.map row (Array.to_list r.values)));
-        ("ended", Json.option Json.text r.ended);
-      ]
+  | Jsonl -> line run_format (t, r)
 
-let read line : Simulation.run option =
-  let ( let* ) = Option.bind in
-  (* The element of a list, of which each has to be as it should. *)
-  let all of_one json =
-    let* items = Json.list json in
-    let found = List.filter_map of_one items in
-    if List.compare_lengths found items = 0 then Some (Array.of_list found) else None
-  in
-  let value : Json.t -> Rat.t option option = function
-    | `Null -> Some None
-    | json -> Option.map Option.some (Json.rational json)
-  in
-  let* json = Result.to_option (Json.parse (Scc_base.Source.make ~name:"line" line)) in
-  let* number = Option.bind (Json.member "run" json) Json.int in
-  let* values = Option.bind (Json.member "values" json) (all (all value)) in
-  Some { Simulation.number; values; ended = Option.bind (Json.member "ended" json) Json.string }
+let read line =
+  match Json.parse (Scc_base.Source.make ~name:"line" line) with
+  | Ok json -> Result.to_option (Json_format.read run_format json)
+  | Error _ -> None
 
 (* {1 All together} *)
 
@@ -139,27 +155,57 @@ let csv_summary t ~quantiles ~decimals s put =
        List.iteri (fun k text -> put (csv (number t t.times.(i) :: text :: fields row.(k)))) t.observables)
     s.cells
 
-let json_summary t ~quantiles ~decimals s put =
-  let value = json_number t in
-  let members cell =
-    let of_all f = if Statistics.count cell = 0 then `Null else value (f cell) in
-    let variance = Statistics.variance cell in
-    let quantile q = `Assoc [ ("of", Json.rat q); ("value", of_all (fun c -> Statistics.quantile c q)) ] in
-    [
-      ("count", `Int (Statistics.count cell));
-      ("mean", of_all Statistics.mean);
-      ("variance", Json.option value variance);
-      ("deviation", Json.option (fun v -> `String (Statistics.root ~decimals v)) variance);
-      ("least", of_all Statistics.least);
-      ("quantiles", `List (List.map quantile quantiles));
-      ("greatest", of_all Statistics.greatest);
-    ]
+(* What is known at a time of an observable. *)
+type moment = {
+  table : t;
+  quantiles : Rat.t list;
+  decimals : int;
+  time : Rat.t;
+  observable : string;
+  cell : Statistics.t;
+}
+
+let moment_format =
+  let of_all f m = (m.table, if Statistics.count m.cell = 0 then None else Some (f m.cell)) in
+  let variance m = Statistics.variance m.cell in
+  let root m = Option.map (Statistics.root ~decimals:m.decimals) (variance m) in
+  let quantile =
+    fields
+      [
+        field "of" Shared.rational snd;
+        field "value" maybe_number (fun (m, q) -> of_all (fun c -> Statistics.quantile c q) m);
+      ]
   in
-  put (asked t (`Assoc [ ("runs", `Int s.runs); ("ended_early", `Int s.early) ]));
-  Array.iteri
-    (fun i row ->
-       let line k text = put (json (("time", value t.times.(i)) :: ("observable", Json.text text) :: members
-                                      row.(k))) in List.iteri line t.observables)
-    s.cells
+  fields
+    [
+      field "time" number_format (fun m -> (m.table, m.time));
+      field "observable" text (fun m -> m.observable);
+      field "count" natural (fun m -> Statistics.count m.cell)
+        ~about:"How many runs have a value then; all that follows is of these.";
+      field "mean" maybe_number (of_all Statistics.mean);
+      field "variance" maybe_number (fun m -> (m.table, variance m))
+        ~about:"Of the sample; null with less than two.";
+      field "deviation" (nullable Json_format.number) root ~about:"Its root, rounded.";
+      field "least" maybe_number (of_all Statistics.least);
+      field "quantiles" (list quantile) (fun m -> List.map (fun q -> (m, q)) m.quantiles);
+      field "greatest" maybe_number (of_all Statistics.greatest);
+    ]
+
+type line = Header of (t * (int * int) option) | Moment of moment
+
+let format =
+  union
+    [
+      case header_format (function Header h -> Some h | Moment _ -> None) ignore;
+      case run_format (fun _ -> None) ignore;
+      case moment_format (function Moment m -> Some m | Header _ -> None) ignore;
+    ]
+
+let json_summary table ~quantiles ~decimals s put =
+  put (line format (Header (table, Some (s.runs, s.early))));
+  let cell time observable cell =
+    put (line format (Moment { table; quantiles; decimals; time; observable; cell }))
+  in
+  Array.iteri (fun i row -> List.iteri (fun k text -> cell table.times.(i) text row.(k)) table.observables) s.cells
 
 let summary t = match t.form with Csv -> csv_summary t | Jsonl -> json_summary t

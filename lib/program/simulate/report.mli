@@ -1,6 +1,7 @@
 (** Simulations as tables and as JSON Lines. *)
 
 open Scc_exact
+open Scc_json
 open Scc_loading
 
 (** The format of the output. *)
@@ -20,6 +21,12 @@ type t = {
 }
 
 (** {1 Each run} *)
+
+(** A line of JSON Lines that is a header or has the numbers of a moment. *)
+type line
+
+val format : (line, unit) Json_format.t
+(** The format of every line of JSON Lines. *)
 
 val header : t -> string
 (** The first line with its end: the names of the columns. In JSON Lines it has the model, seed, observables and

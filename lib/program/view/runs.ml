@@ -154,11 +154,11 @@ let of_witness states world ~most ~name check (w : Witness.t) =
     | Some f -> [ ("values", `Assoc (List.map (fun (name, v) -> (name, Json.rat v)) f.values)) ]
   in
   run states world ~most ~name check ~initial:w.initial (List.map step w.steps) ~offset ~rests
-    ~finish:(Check_json.finish w)
+    ~finish:(Witness_json.finish w)
     ([
       ("cycle", cycle);
       ("facts", lines w.facts);
-      ("argument", Json.option Check_json.argument w.argument);
+      ("argument", Json.option (Json_format.write Witness_json.argument_format) w.argument);
       ("ending", lines (Witness.ending model w));
     ]
       @ values)

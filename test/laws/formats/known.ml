@@ -31,4 +31,18 @@ let all =
       Trace.format;
     file "diagnostics" "What a command with --json prints when it cannot make its report"
       Diag_json.document_format;
+    file "conform" "The report of scc conform" Scc_conform.Report_json.format;
+    file "diff" "The report of scc diff" Scc_conform.Difference_json.format;
+    file "explain" "The report of scc explain: which events of a run the facts at its end depend on"
+      Explain_json.format;
+    file "compare" "The report of scc compare" Scc_cli.Compare_json.format;
+    file "inflate" "The report of scc inflate" Scc_cli.Inflate_command.format;
+    file "simulation" "A line of scc simulate --format jsonl: header, run; with --summary header, moment"
+      Scc_simulate.Report.format;
+    file "graph" "The state space of a model: scc explore --format json" Scc_graphs.Graph_json.format;
+    file "names" "What the names in explicit files stand for: FILE.names.json of scc explore --format tra"
+      Scc_graphs.Explicit_files.names_format;
+    file "check" "The report of scc check" Check_json.format;
+    file "shape" "The report of scc shape" Shape_json.format;
+    file "decomposition" "The report of scc decompose" Decomposition_json.format;
   ]

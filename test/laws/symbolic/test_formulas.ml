@@ -44,7 +44,7 @@ let formula leaves ~timed ~quantifiers =
   let prop = Predicates.generate leaves ~timed 1 in
   let quantifier = oneofl quantifiers in
   let bound =
-    if timed then map (fun n -> { Property.low = Rat.zero; high = Some (Rat.of_int n) }) (1 -- 5) else pure anytime
+    if timed then map (fun n -> { Property.low = Rat.zero; high = Some (Rat.of_int n) }) (0 -- 5) else pure anytime
   in
   let next below = map2 (fun q f -> Property.Next (q, f)) quantifier below in
   let rec temporal depth =
@@ -165,7 +165,7 @@ let points (m : Model.t) random (report : Scc_regions.Where.t list) =
   let all = Array.of_list (List.filter (Polyhedron.mem (Ranges.box m.ranges)) all) in
   if all = [||] then [] else List.init 4 (fun _ -> all.(Random.State.int random (Array.length all)))
 
-let agrees case =
+let agrees_together case =
   let s = case.scene in
   let m = Scene.model s in
   let standard = Scc_engine.Standard.of_model m in
@@ -177,6 +177,10 @@ let agrees case =
   | Ok report ->
     List.iter (at_point case standard report.where) (points m (Random.State.make [| case.seed |]) report.where);
     true
+
+(* Each by itself as well: the time up to which zones are explored is the latest of those that are asked together. *)
+let agrees case =
+  agrees_together case && List.for_all (fun f -> agrees_together { case with formulas = [ f ] }) case.formulas
 
 let print case =
   String.concat "\n" (Scene.print case.scene :: List.mapi (fun i _ -> Printf.sprintf "formula %d" i) case.formulas)
