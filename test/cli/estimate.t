@@ -107,11 +107,11 @@ Runs that do not end.
 
   $ scc estimate $M/brownian.sc --property 'P = ? [ eventually bound(ligand, pocket) ]' --runs 40 --steps 50
   property1: estimated: from 0.002616 to 1 with confidence 99/100, 40 runs
-    38 of 40 runs were left before it was known: --steps, --until
+    38 of 40 runs were left before it was known: --steps
   [2]
   $ scc estimate $M/brownian.sc --property 'P = ? [ eventually bound(ligand, pocket) ]' --runs 40 --until 5
   property1: estimated: from 0 to 1 with confidence 99/100, 40 runs
-    40 of 40 runs were left before it was known: --steps, --until
+    40 of 40 runs were left before it was known: --until
   [2]
   $ scc estimate $M/ruin.sc --property 'E = ? [ x(walker) at 99 ]' --property 'E = ? [ time U x(walker) >= 2 ]' --runs 40
   property1: undecided: not known, 40 runs

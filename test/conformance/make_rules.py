@@ -76,12 +76,12 @@ class Rule(Suite):
             params['limits'] = limits
         self.add_next(note, 'evaluate', params, result(kind='temporal', verdict=verdict), rules=rules)
 
-    def measured(self, note, model, formula, **values):
+    def measured(self, note, model, formula, limits=None, **values):
         """Numbers that are asked for: least and greatest, as rationals."""
         told = [{'over': side, 'low': num(values[side]), 'high': num(values[side])}
                 for side in ('least', 'greatest') if side in values]
-        self.add_next(note, 'evaluate', {'model': self.model(model), 'formula': formula},
-                      result(kind='temporal', verdict='measured', report={'values': told}))
+        params = {'model': self.model(model), 'formula': formula, **({'limits': limits} if limits else {})}
+        self.add_next(note, 'evaluate', params, result(kind='temporal', verdict='measured', report={'values': told}))
 
     def value(self, note, model, along, formula, value, rules=()):
         """Of a state predicate (a truth value), or a number."""

@@ -228,7 +228,7 @@ def truncated():
     r.verdict('Reached within the bound.', SHUTTLE, 'EF x(p) = 2', 'holds', {'states': 3})
     r.verdict('Not decided without the rest.', 'param n = 1000000\n' + SHUTTLE, 'EF (time > n)', 'undecided', few)
     r.verdict('Nor for all runs.', SHUTTLE, 'AF (time > 1000000)', 'undecided', few)
-    r.verdict('What fails at once does.', SHUTTLE, 'AG EF (x(p) > 2 and time < 0)', 'undecided', few)
+    r.verdict('Nor what would fail.', SHUTTLE, 'AG EF x(p) > 2', 'undecided', few)
     return r
 
 
@@ -304,6 +304,24 @@ def absolute_time():
     return r
 
 
+def settling():
+    r = Rule('Settling')
+    walk = ('timestep 1 steady\nprocess w = Cube mass 1 [nil]\n'
+            'motion w = choose { (1,0,0) weight 1, (-1,0,0) weight 1 }\n')
+    few = {'states': 60}
+    r.verdict('A walk has no end, and is over for what asks for a time before 2.', walk,
+              'possibly (x(w) > 2 and time <= 2)', 'violated', few)
+    r.verdict('So it is with what holds after a time.', walk, 'always (time > 2 or x(w) <= 2)', 'holds', few)
+    r.verdict('For all runs.', walk, 'AF (time > 2 or x(w) = 1 and time = 1)', 'holds', few)
+    r.verdict('For some run, and a left side that ends.', walk, 'E[time < 1 U x(w) > 1]', 'violated', few)
+    r.verdict('One operator within another.', walk, 'AG (time >= 1 or EF (x(w) = 0 and time <= 2))', 'holds', few)
+    r.verdict('What is next.', walk, 'EF[<= 1] EX x(w) = 1', 'holds', few)
+    r.measured('Both steps lead up.', walk, 'P = ? [ eventually (x(w) > 1 and time <= 2) ]', few, least='1/4', greatest='1/4')
+    r.measured('It is there right after 1, or time 2 has passed.', walk, 'E = ? [ time U time > 2 or x(w) > 1 ]', few,
+               least='7/4', greatest='7/4')
+    return r
+
+
 def drift():
     r = Rule('Drift')
     two = (BLINK + 'process p = Cube mass 1 velocity (-1,0,0) [On]\n'
@@ -330,5 +348,5 @@ def drift():
 
 def suites():
     return [f() for f in (graph, state, jump, quiescent, instants, verdict, zeno, run, dead_end, event, leads_to, next_, until, intervals,
-                          truncated, symmetry, translation, order, slice_, absolute_time,
+                          truncated, symmetry, translation, order, slice_, absolute_time, settling,
                           drift)]

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks that each row of the walks in DEVEL.md names a file of lib/ and functions that it defines.
+"""Checks that each row of the walks in DEVEL.md names a file of lib/ and functions that it defines, and that each
+module that lib/index.mld names is there.
 
     walks.py ROOT
 """
@@ -39,13 +40,43 @@ def faults(root):
     return found, number
 
 
+def libraries(root):
+    """The folder of each library, by its name."""
+    folders = {}
+    for folder, _, files in os.walk(os.path.join(root, "lib")):
+        if "dune" in files:
+            with open(os.path.join(folder, "dune")) as file:
+                for name in re.findall(r"\(name (scc_\w+)\)", file.read()):
+                    folders[name] = folder
+    return folders
+
+
+def missing_modules(root):
+    """The references of the index page that lead nowhere, and the number of all."""
+    folders = libraries(root)
+    with open(os.path.join(root, "lib", "index.mld")) as file:
+        references = re.findall(r"\{!(\w+)(?:\.(\w+))?\}", file.read())
+    found = []
+    for library, module in references:
+        folder = folders.get(library.lower())
+        source = module and folder and os.path.join(folder, module.lower())
+        there = folder and (not module or any(os.path.exists(source + ending) for ending in (".ml", ".mly", ".mll")))
+        if not there:
+            found.append(f"lib/index.mld: there is no {library}{'.' if module else ''}{module}")
+    return found, len(references)
+
+
 def main():
     found, number = faults(sys.argv[1])
+    missing, references = missing_modules(sys.argv[1])
+    found += missing
     if number < 50:
         found.append(f"DEVEL.md: {number} rows of walks, and 50 at least are expected")
+    if references < 80:
+        found.append(f"lib/index.mld: {references} references, and 80 at least are expected")
     for fault in found:
         print(fault)
-    print(f"{number} rows of walks, {len(found)} faults")
+    print(f"{number} rows of walks, {references} references, {len(found)} faults")
     sys.exit(1 if found else 0)
 
 

@@ -3,6 +3,9 @@
 val all : unit -> string list
 (** The folders of [lib/] with a README, in the order of the table in DEVEL.md. *)
 
+val field : string -> string -> string list
+(** [field name text] are the words of the first field of that name in the text of a dune file. *)
+
 val upward : string -> string list
 (** Edges from a library of this wing to a wing that its README does not allow. *)
 

@@ -290,5 +290,5 @@ let keeps d processes (q : Property.quantity) =
   match q with
   | Position (_, i) -> Option.fold ~none:true ~some:(fun g -> g.anchored) (home i)
   | Distance2 (i, j) -> Option.fold ~none:true ~some:(fun g -> has g j || Option.is_none (home j)) (home i)
-  | Bonds _ | Size _ | Processes | Velocity _ | Speed2 _ | Spin _ | Spin2 _ | Momentum _ | Angular _ | Energy | Time
-  | Parameter _ -> true
+  | Bonds _ | Size _ | Processes | Velocity _ | Speed2 _ | Spin _ | Spin2 _ | Momentum _ | Angular _ | Energy
+  | Time | Parameter _ -> true

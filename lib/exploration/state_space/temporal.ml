@@ -5,10 +5,10 @@ module Graph = State_graph
 
 type asked = {
   context : Network_lts.context;
-  formulas : Scc_ctl.Formula.t array;
+  formulas : Scc_ctl.Timed_formula.t array;
   props : Property.prop array;
   predicates : On_the_fly.predicate array;
-  still : Scc_ctl.Formula.t -> Scc_ctl.Formula.t option;
+  still : Scc_ctl.Timed_formula.t -> Scc_ctl.Timed_formula.t option;
 }
 
 type t = { asked : asked; graph : Graph.t; eval : Scc_ctl.Eval.t; uses : Scc_ctl.Eval.uses }
@@ -135,7 +135,7 @@ let mean t i side (mean : Property.mean) =
 
 (* Of the operators with a probability that its truth in the initial state depends on at once. *)
 let probabilities t i =
-  let rec go (f : Scc_ctl.Formula.t) =
+  let rec go (f : Scc_ctl.Timed_formula.t) =
     match f with
     | Not f -> go f
     | And fs | Or fs -> List.concat_map go fs
@@ -148,7 +148,7 @@ let probabilities t i =
 
 (* What is counted until g is no condition for going on. *)
 let doubts_of_mean t i =
-  let until_right : Scc_ctl.Formula.t -> Scc_ctl.Formula.t = function
+  let until_right : Scc_ctl.Timed_formula.t -> Scc_ctl.Timed_formula.t = function
     | Until (q, b, _, g) -> Finally (q, b, g)
     | f -> f
   in

@@ -1,6 +1,7 @@
 open Scc_polyhedra
 open Scc_calculus
 open Scc_semantics
+open Scc_state_sets
 open Scc_symbolic
 open Scc_zones
 

@@ -1,6 +1,8 @@
 open Scc_polyhedra
 open Scc_calculus
 open Scc_property
+open Scc_offsets
+open Scc_state_sets
 open Scc_symbolic
 open Scc_zones
 open Scc_json

@@ -1,4 +1,5 @@
-open Scc_symbolic
+open Scc_state_sets
+module Invariant = Scc_certificate.Invariant
 
 (* In the order of {!Zone.coordinates}: those of invariants, which have no time. *)
 let coordinate m (z : Zone.t) i =

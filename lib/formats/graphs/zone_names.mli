@@ -1,7 +1,7 @@
 (** The names of the variables of zones, by their coordinates. *)
 
 open Scc_calculus
-open Scc_symbolic
+open Scc_state_sets
 
 val coordinate : Model.t -> Zone.t -> int -> string
 (** The name of a coordinate in the order of {!Zone.coordinates}. It is ["y"] for a parameter, or

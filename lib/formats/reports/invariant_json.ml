@@ -1,5 +1,5 @@
 open Scc_calculus
-open Scc_symbolic
+module Invariant = Scc_certificate.Invariant
 open Scc_json
 open Scc_runs
 open Json_format

@@ -10,9 +10,9 @@ type fault =
   (** the first control character that no text has (NUL, say): its offset, its bytes and its code point *)
 
 val check : string -> fault option
-(** [check s] is the first fault of a text. Tab, line feed, form feed and carriage return are allowed. Other control
-    characters are not: those below U+0020, and those from U+007F to U+009F. Overlong forms, surrogates and code
-    points past U+10FFFF are invalid. *)
+(** [check s] is the first fault of a text. Tab, line feed, form feed and carriage return are allowed. Other
+    control characters are not: those below U+0020, and those from U+007F to U+009F. Overlong forms, surrogates and
+    code points past U+10FFFF are invalid. *)
 
 val code_point : string -> int
 (** [code_point s] is the first code point of the well-formed, non-empty [s]. *)

@@ -13,10 +13,10 @@ val get : t -> int -> int
 (** [get v i] is element [i], from 0. The index is in range (a bug otherwise). *)
 
 val push : t -> int -> unit
-(** [push v x] appends [x], a number in [-2{^31}, 2{^31}) (a bug otherwise). *)
+(** [push v x] appends [x], a number at least -2{^31} and below 2{^31} (a bug otherwise). *)
 
 val set : t -> int -> int -> unit
-(** [set v i x] replaces element [i]. The index is in range, and [x] is in [-2{^31}, 2{^31}) (a bug otherwise). *)
+(** [set v i x] replaces element [i]. The index is in range, and [x] is as for {!push}. *)
 
 val bytes : t -> int
 (** [bytes v] is about how much memory the vector takes, in bytes. *)

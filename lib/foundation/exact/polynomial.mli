@@ -93,7 +93,7 @@ val sturm : t -> sturm
 (** [sturm p] is the Sturm chain of a square-free polynomial [p] that is not zero. *)
 
 val count : sturm -> Rat.t -> Rat.t -> int
-(** [count c a b] for a <= b is the number of roots in (a, b]. *)
+(** [count c a b] for a <= b is the number of roots x with a < x <= b. *)
 
 (** {1 Isolating roots} *)
 

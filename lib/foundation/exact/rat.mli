@@ -62,7 +62,7 @@ val round_to : t -> quantum:t -> t
     is positive. *)
 
 val modulo : t -> t -> t
-(** [modulo x m] is x - m floor(x/m), in [0, m), for positive [m]. *)
+(** [modulo x m] is x - m floor(x/m), at least 0 and less than [m], for positive [m]. *)
 
 val to_string : t -> string
 (** [to_string x] is ["p/q"] in lowest terms, or ["p"] if q = 1. *)

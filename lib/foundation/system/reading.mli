@@ -1,7 +1,7 @@
 (** Opening files, for reading or writing, and reading from sources that may have to be waited for: files, pipes,
-    terminals. A signal does not end a wait for data, unless its handler raises an exception or a request to end the
-    program is due ({!Interruption.check}). A wait for the other end of a named pipe ends at the first signal after a
-    request to end the program, even if a handler is installed ({!Interruption.break_off}). *)
+    terminals. A signal does not end a wait for data, unless its handler raises an exception or a request to end
+    the program is due ({!Interruption.check}). A wait for the other end of a named pipe ends at the first signal
+    after a request to end the program, even if a handler is installed ({!Interruption.break_off}). *)
 
 val open_file : string -> Unix.file_descr
 (** [open_file path] opens a file for reading. A named pipe is waited for until another process opens it for

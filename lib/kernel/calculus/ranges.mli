@@ -34,7 +34,7 @@ val may_be_zero : t -> Linear.t -> bool
 (** [may_be_zero ranges form] is true if [form] is zero for some values of the parameters. *)
 
 val range_to_string : range -> string
-(** The range as text, with the brackets of its ends: ["x in (0, 6]"]. *)
+(** The range as text, with the brackets of its ends: ["x in (0, 6\]"]. *)
 
 val to_string : t -> string
-(** All ranges as text, separated by commas: ["x in [0, 6], y in (0, 1/2]"]. *)
+(** All ranges as text, separated by commas: ["x in [0, 6], y in (0, 1/2\]"]. *)

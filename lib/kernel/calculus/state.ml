@@ -171,6 +171,17 @@ let placed (m : Model.t) l part =
 let centroid (m : Model.t) l =
   Vec.add l.position (Quaternion.apply l.turned (Model.leaf_centroid m.leaves.(l.leaf)))
 
+(* A point that is inside of the leaf, and so of no other one. *)
+let inside (m : Model.t) l =
+  let part = m.leaves.(l.leaf).parts.(0) in
+  Vec.add l.position (Quaternion.apply l.turned (Vec.add part.offset part.solid.Scc_geometry.Solid.centroid))
+
+let compare_places m a b =
+  match Vec.compare a.position b.position with
+  | 0 -> (
+      match Quaternion.compare a.turned b.turned with 0 -> Vec.compare (inside m a) (inside m b) | c -> c)
+  | c -> c
+
 let centre_of_mass m p =
   match mass m p with
   | Some total when Array.length p.leaves > 1 ->

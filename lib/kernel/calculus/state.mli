@@ -15,7 +15,7 @@ type leaf = {
 (** One end of a bond. *)
 type finish = { at : int;  (** the leaf *) site : Site.t }
 
-(** <a, {phi1, phi2}>; the lesser end first. *)
+(** [<a, {phi1, phi2}>]; the lesser end first. *)
 type bond = private { name : string; one : finish; two : finish }
 
 val bond : string -> finish -> finish -> bond
@@ -164,6 +164,11 @@ val placed : Model.t -> leaf -> int -> Placed.t
 
 val centroid : Model.t -> leaf -> Vec.t
 (** World position of the centroid of the leaf's shape. *)
+
+val compare_places : Model.t -> leaf -> leaf -> int
+(** An order of leaves by their places in the world, which neither names nor the order of declaration change. It
+    compares reference points, then orientations, then the centroids of the first parts; [0] is for one leaf only,
+    as parts do not interpenetrate. *)
 
 val centre_of_mass : Model.t -> process -> Vec.t
 (** World position of the point that a process turns about. For a process with a fixed leaf it is the centroid of

@@ -4,9 +4,9 @@ open Scc_calculus
 
 let version = 1
 
-type t = { model : Model.t; terms : Terms.t }
+type t = { model : Model.t; terms : Term_numbers.t }
 
-let make model initial = { model; terms = Terms.make model initial }
+let make model initial = { model; terms = Term_numbers.make model initial }
 let malformed what = raise (Packed.Malformed what)
 
 (* {1 What is there} *)
@@ -50,7 +50,7 @@ let put_finish buffer (f : State.finish) =
   put_feature buffer f.site.feature
 
 let put_bond t buffer (b : State.bond) =
-  Terms.put_name t.terms buffer b.name;
+  Term_numbers.put_name t.terms buffer b.name;
   put_finish buffer b.one;
   put_finish buffer b.two
 
@@ -61,7 +61,7 @@ let put_leaf t parts buffer (l : State.leaf) =
     List.iter (Packed.put_integer buffer) [ l.turned.w; l.turned.x; l.turned.y; l.turned.z ];
   if has has_waited parts then Packed.put_rational buffer l.waited;
   Packed.put_nat buffer (match l.behaviour.origin with None -> 0 | Some k -> k + 1);
-  Terms.put t.terms buffer l.behaviour.term
+  Term_numbers.put t.terms buffer l.behaviour.term
 
 let put_phase buffer (p : State.phase) =
   Packed.put_nat buffer (match p with Moving -> 0 | Due -> 1 | Steered -> 2)
@@ -78,7 +78,7 @@ let put_pending t buffer ((bond, lot) : State.bond * State.lot) =
     Packed.put_nat buffer number;
     let one buffer (leaf, term) =
       Packed.put_nat buffer leaf;
-      Terms.put t.terms buffer term
+      Term_numbers.put t.terms buffer term
     in
     Packed.put_list buffer one list
   in
@@ -152,7 +152,7 @@ let finish t source : State.finish =
   { at; site = { part; feature = feature parts.(part).solid.polyhedron source } }
 
 let bond t source =
-  let name = Terms.read_name t.terms source in
+  let name = Term_numbers.read_name t.terms source in
   let one = finish t source in
   let two = finish t source in
   State.bond name one two
@@ -171,7 +171,7 @@ let leaf t parts source : State.leaf =
   let turned = if has has_turned parts then turned source else Quaternion.identity in
   let waited = if has has_waited parts then Packed.rational source else Rat.zero in
   let origin = Packed.below (Array.length t.model.definitions + 1) ~what:"the definition" source in
-  let term = Terms.read t.terms source in
+  let term = Term_numbers.read t.terms source in
   let behaviour = Behaviour.aged (if origin = 0 then None else Some (origin - 1)) term in
   { leaf; position; turned; waited; behaviour }
 
@@ -186,7 +186,7 @@ let pending t source =
   let drawn () =
     Packed.list source (fun source ->
         let leaf = leaf_number t source in
-        (leaf, Terms.read t.terms source))
+        (leaf, Term_numbers.read t.terms source))
   in
   let lot : State.lot =
     match Packed.below 3 ~what:"the lot" source with

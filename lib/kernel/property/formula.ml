@@ -24,7 +24,7 @@ let rec negate = function
   | Or ps -> And (List.map negate ps)
   | Fact _ as p -> Not p
 
-let dual = Scc_ctl.Formula.dual
+let dual = Scc_ctl.Timed_formula.dual
 
 let rec negation_normal_form = function
   | State p -> State p

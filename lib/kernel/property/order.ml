@@ -58,8 +58,8 @@ and prop a b =
   | And ps, And qs | Or ps, Or qs -> List.compare prop ps qs
   | (Bool _ | Compare _ | Fact _ | Not _ | And _ | Or _), _ -> Int.compare (prop_rank a) (prop_rank b)
 
-let quantifier = Scc_ctl.Formula.compare_quantifier
-let bound = Scc_ctl.Formula.compare_bound
+let quantifier = Scc_ctl.Timed_formula.compare_quantifier
+let bound = Scc_ctl.Timed_formula.compare_bound
 
 let temporal_rank = function
   | State _ -> 0

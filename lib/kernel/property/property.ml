@@ -83,12 +83,12 @@ and prop =
   | And of prop list
   | Or of prop list
 
-type side = Scc_ctl.Formula.side = Least | Greatest
-type chance = Scc_ctl.Formula.chance = { side : side; test : Scc_chance.Answer.bound }
-type path_quantifier = Scc_ctl.Formula.quantifier = All | Exists | Chance of chance
+type side = Scc_ctl.Timed_formula.side = Least | Greatest
+type chance = Scc_ctl.Timed_formula.chance = { side : side; test : Scc_chance.Answer.bound }
+type path_quantifier = Scc_ctl.Timed_formula.quantifier = All | Exists | Chance of chance
 
 (** Bounds of model time; [low] is 0 but for [[a, b]]. *)
-type bound = Scc_ctl.Formula.bound = { low : Rat.t; high : Rat.t option }
+type bound = Scc_ctl.Timed_formula.bound = { low : Rat.t; high : Rat.t option }
 
 type temporal =
   | State of prop

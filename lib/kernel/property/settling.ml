@@ -60,7 +60,7 @@ let rec temporal m : temporal -> t option = function
   | Temporal_or fs -> joined ~enough:true (List.map (temporal m) fs)
   | Next _ -> None
   | Finally (q, b, g) | Until (q, b, _, g) -> until m q b g
-  | Globally (q, b, f) -> negated (until m (Scc_ctl.Formula.dual q) b (Temporal_not f))
+  | Globally (q, b, f) -> negated (until m (Scc_ctl.Timed_formula.dual q) b (Temporal_not f))
 
 (* Where g is so, f U g is; where it never is again, nor is f U g. *)
 and until m q b g =

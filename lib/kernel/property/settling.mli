@@ -26,8 +26,8 @@ val latest : reach option list -> reach option
 (** The union of what several formulas depend on; [None] if one of them has no bound. *)
 
 val of_formula : Model.t -> from:Rat.t -> Property.temporal -> reach option
-(** [of_formula m ~from f] is the positions that the truth of [f] in a state at the time [from] depends on; [None] if
-    there is no such bound. *)
+(** [of_formula m ~from f] is the positions that the truth of [f] in a state at the time [from] depends on; [None]
+    if there is no such bound. *)
 
 val of_check : Model.t -> from:Rat.t -> Property.check -> reach option
 (** [of_check m ~from c] is the positions that the answer to [c] in a state at the time [from] depends on, as

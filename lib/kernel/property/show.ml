@@ -71,7 +71,7 @@ and bracket m p =
 let quantifier = function
   | All -> "A"
   | Exists -> "E"
-  | Chance c -> Scc_ctl.Formula.chance c ^ " "
+  | Chance c -> Scc_ctl.Timed_formula.chance c ^ " "
 
 let bound b =
   match (Rat.sign b.low, b.high) with
@@ -119,7 +119,8 @@ let rec levelled m f =
   | Until (q, b, f, g) ->
     (4, Printf.sprintf "%s[ %s U%s %s ]" (quantifier q) (temporal m f) (bound b) (temporal m g))
 
-and likely m c operator f = (4, Printf.sprintf "%s [ %s %s ]" (Scc_ctl.Formula.chance c) operator (temporal m f))
+and likely m c operator f =
+  (4, Printf.sprintf "%s [ %s %s ]" (Scc_ctl.Timed_formula.chance c) operator (temporal m f))
 
 and at level m f =
   let own, text = levelled m f in

@@ -16,7 +16,7 @@ let of_temporal formulas =
       found := p :: !found;
       k
   in
-  let rec go (f : Property.temporal) : Scc_ctl.Formula.t =
+  let rec go (f : Property.temporal) : Scc_ctl.Timed_formula.t =
     match f with
     | State p -> Predicate (number p)
     | Temporal_not f -> Not (go f)
@@ -32,7 +32,7 @@ let of_temporal formulas =
   let formulas = List.map go formulas in
   (formulas, Array.of_list (List.rev !found))
 
-let rec to_temporal prop (f : Scc_ctl.Formula.t) : Property.temporal =
+let rec to_temporal prop (f : Scc_ctl.Timed_formula.t) : Property.temporal =
   let go = to_temporal prop in
   match f with
   | Predicate k -> State (prop k)

@@ -4,7 +4,8 @@
 open Scc_calculus
 
 val may_close : Model.t -> State.process -> bool
-(** [may_close m p] is true if rule Close applies to [p] at all: rings may close, and it has three leaves or more. *)
+(** [may_close m p] is true if rule Close applies to [p] at all: rings may close, and it has three leaves or
+    more. *)
 
 val free : State.process -> int -> int -> bool
 (** [free p i j] is true if two leaves of [p] are different, and no bond joins them. Only such leaves may close a

@@ -97,15 +97,13 @@ let is_pending (p : State.process) =
 
 let pending (s : State.t) = Array.exists is_pending s.processes
 
-(* By their places alone, so that names change nothing. *)
+(* By their places alone, so that neither names nor the order of declaration change anything. *)
 let compare_ends (m : Model.t) p (f : State.finish) (g : State.finish) =
   let k = State.leaf_of p f.at and l = State.leaf_of p g.at in
   let rec first = function [] -> 0 | c :: rest -> ( match c () with 0 -> first rest | c -> c) in
   first
     [
-      (fun () -> Vec.compare k.position l.position);
-      (fun () -> Quaternion.compare k.turned l.turned);
-      (fun () -> String.compare m.leaves.(f.at).template m.leaves.(g.at).template);
+      (fun () -> State.compare_places m k l);
       (fun () -> Site.compare f.site g.site);
     ]
 

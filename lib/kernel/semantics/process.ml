@@ -74,18 +74,11 @@ let at_split_instant (p : State.process) =
   | Some clock -> Scc_exact.Rat.sign clock = 0
   | None -> false
 
-let compare_place (v, q, s) (w, r, t) =
-  match Scc_exact.Vec.compare v w with
-  | 0 -> ( match Scc_exact.Quaternion.compare q r with 0 -> String.compare s t | c -> c)
-  | c -> c
+(* By their places alone: neither names nor shifts nor the order of declaration change anything. *)
+let placed m (p : State.process) = (List.sort (State.compare_places m) (Array.to_list p.leaves), p)
 
-(* By their places alone, in which no two bodies of one shape can be the same: names and shifts change nothing. *)
-let placed (m : Model.t) (p : State.process) =
-  let place (l : State.leaf) = (l.position, l.turned, m.leaves.(l.leaf).template) in
-  (List.sort compare_place (List.map place (Array.to_list p.leaves)), p)
-
-let compare_placed (a, _) (b, _) = List.compare compare_place a b
-let by_place m processes = List.map snd (List.stable_sort compare_placed (List.map (placed m) processes))
+let compare_placed m (a, _) (b, _) = List.compare (State.compare_places m) a b
+let by_place m processes = List.map snd (List.stable_sort (compare_placed m) (List.map (placed m) processes))
 
 let first compare m processes =
   let earlier first p = if compare first p <= 0 then first else p in
@@ -93,10 +86,10 @@ let first compare m processes =
   | [] -> None
   | p :: rest -> Some (snd (List.fold_left earlier p rest))
 
-let first_by_place m processes = first compare_placed m processes
+let first_by_place m processes = first (compare_placed m) m processes
 
-let compare_moving ((_, p) as one) ((_, q) as two) =
-  match Scc_exact.Vec.compare p.State.velocity q.State.velocity with 0 -> compare_placed one two | c -> c
+let compare_moving m ((_, p) as one) ((_, q) as two) =
+  match Scc_exact.Vec.compare p.State.velocity q.State.velocity with 0 -> compare_placed m one two | c -> c
 
-let first_by_velocity m processes = first compare_moving m processes
-let by_velocity m processes = List.map snd (List.stable_sort compare_moving (List.map (placed m) processes))
+let first_by_velocity m processes = first (compare_moving m) m processes
+let by_velocity m processes = List.map snd (List.stable_sort (compare_moving m) (List.map (placed m) processes))

@@ -16,7 +16,7 @@ let tree source = Parse.with_trivia ~tokens source
 
 let read source =
   let* items, trivia = tree source in
-  let* items, notes = Refine.model items in
+  let* items, notes = To_refined.model items in
   let note ((at : Span.t), text) =
     { Trivia.kind = Line; text = "// " ^ text; start = at.start - 1; stop = at.start - 1; own_line = true }
   in

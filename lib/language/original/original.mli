@@ -4,8 +4,8 @@ open Scc_base
 open Scc_syntax
 
 val read : Source.t -> (Ast.model * Trivia.t list, Diag.t list) result
-(** Reads a model of the original notation into the language of [lib/language/syntax], by {!Refine}. The notes
-    of {!Refine} are among the comments. *)
+(** Reads a model of the original notation into the language of [lib/language/syntax], by {!To_refined}. The notes
+    of {!To_refined} are among the comments. *)
 
 val write : Ast.model * Trivia.t list -> (string, Diag.t list) result
 (** Writes a model of the language in the original notation, by {!Abstract}. *)

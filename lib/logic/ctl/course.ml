@@ -16,7 +16,7 @@ type t = { run : Run.t; places : place array; again : int option; period : Rat.t
 (** {2 Places} *)
 
 (* Where something changes inside the flow of a node that is a part of the formula. *)
-let rec cuts e node acc (f : Formula.t) =
+let rec cuts e node acc (f : Timed_formula.t) =
   let value = Eval.value e f in
   let of_set acc set = Array.fold_left (fun acc c -> c :: acc) acc (Positions.along set node).Pieces.cuts in
   let acc = of_set (of_set acc value.lower) value.upper in
@@ -97,7 +97,7 @@ let make e formulas (run : Run.t) =
     { run; places; again = Some again; period = Rat.sub clock places.(again).clock }
   | At_state | During _ | Rests | Stops | Passes -> { run; places; again = None; period = Rat.zero }
 
-let within t (bound : Formula.bound) =
+let within t (bound : Timed_formula.bound) =
   let start = t.run.start.offset in
   let low = Algebraic.add_rat bound.low start in
   let high =
@@ -295,7 +295,7 @@ let follow e (u : Eval.until) spot =
   | None, _ | _, Chance _ -> None
   | Some offset, ((All | Exists) as quantifier) ->
     let start = Rat.add here.clock offset in
-    let some = quantifier = Formula.Exists in
+    let some = quantifier = Timed_formula.Exists in
     let side f = let v = Eval.value e f in if some then v.lower else v.upper in
     let s =
       { f = side u.left; g = side u.right; some; low = rat_max start (Some (Rat.add start u.bound.low));

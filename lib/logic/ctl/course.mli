@@ -25,11 +25,11 @@ type t = private {
   period : Rat.t;  (** the time of each repetition; 0 for a run that does not repeat itself *)
 }
 
-val make : Eval.t -> Formula.t list -> Run.t -> t
+val make : Eval.t -> Timed_formula.t list -> Run.t -> t
 (** [make e formulas run] is the course of [run]. In each interval all parts of the formulas, at any depth, are
     constant. *)
 
-val within : t -> Formula.bound -> int list
+val within : t -> Timed_formula.bound -> int list
 (** [within t bound] is the indices of the places at which the time since the start of the run can be within the
     bound. For a run that repeats itself the high end of the bound is ignored. Places that repeat in positive time
     count as after the low end. *)

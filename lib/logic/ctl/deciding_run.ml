@@ -56,7 +56,7 @@ let tight graph ~best times =
 let anything = { edge = (fun _ -> always); flow = (fun _ -> always); own = (fun _ -> always) }
 
 let the_until (u : Eval.until) quantifier high =
-  Formula.Until (quantifier, { low = Rat.zero; high }, u.left, u.right)
+  Timed_formula.Until (quantifier, { low = Rat.zero; high }, u.left, u.right)
 
 (** {2 Some run} *)
 

@@ -4,8 +4,8 @@ open Scc_chance
 
 type question = {
   graph : Timed_graph.t;
-  side : Formula.side;
-  bound : Formula.bound;
+  side : Timed_formula.side;
+  bound : Timed_formula.bound;
   f : Positions.t;
   g : Positions.t;
   generous : bool;
@@ -171,5 +171,5 @@ let until built =
     ~stay:(fun s -> not (Int.equal s fail))
     ~goal:(Int.equal goal)
 
-let direction (side : Formula.side) : Equations.direction =
+let direction (side : Timed_formula.side) : Equations.direction =
   match side with Least -> Min | Greatest -> Max

@@ -7,8 +7,8 @@ open Scc_chance
 
 type question = {
   graph : Timed_graph.t;
-  side : Formula.side;
-  bound : Formula.bound;
+  side : Timed_formula.side;
+  bound : Timed_formula.bound;
   f : Positions.t;
   g : Positions.t;
   generous : bool;  (** as in {!Likelihood.question} *)
@@ -81,5 +81,5 @@ val number : built -> next -> int
 val until : built -> Qualitative.t
 (** [until b] is the formula that the run meets [Goal]. *)
 
-val direction : Formula.side -> Equations.direction
+val direction : Timed_formula.side -> Equations.direction
 (** [direction side] is [Min] for [Least], and [Max] for [Greatest]. *)

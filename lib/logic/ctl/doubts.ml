@@ -108,7 +108,7 @@ let way t (u : Eval.until) (f : Eval.value) (g : Eval.value) in_doubt sources =
   in
   let visited = ref [] in
   let keep s = if (not unbounded) || in_doubt s then visited := s :: !visited in
-  Reach.visit t.graph ?within:u.bound.high (positions t sources) ~through ~passes keep;
+  Reachable.visit t.graph ?within:u.bound.high (positions t sources) ~through ~passes keep;
   let visited = List.rev !visited in
   { visited; through = List.filter through visited }
 
@@ -116,13 +116,13 @@ let way t (u : Eval.until) (f : Eval.value) (g : Eval.value) in_doubt sources =
 let is_likelihood eval formula =
   match Eval.as_until eval formula with Some ({ quantifier = Chance _; _ }, _) -> true | Some _ | None -> false
 
-let rec has_likelihood eval (f : Formula.t) =
+let rec has_likelihood eval (f : Timed_formula.t) =
   match f with
   | Not f -> has_likelihood eval f
   | And fs | Or fs -> List.exists (has_likelihood eval) fs
   | Predicate _ | Next _ | Until _ | Finally _ | Globally _ -> is_likelihood eval f
 
-let rec walk t (formula : Formula.t) sources =
+let rec walk t (formula : Timed_formula.t) sources =
   let sources = if has_likelihood t.eval formula then sources else restrict (Eval.value t.eval formula) sources in
   match (sources, formula) with
   | { nodes = []; flows = [] }, _ -> ()

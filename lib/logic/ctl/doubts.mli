@@ -10,9 +10,9 @@ type t = {
   (** Predicates that are undecided at positions that matter, each predicate and reason once. *)
 }
 
-val possible : Eval.t -> Formula.t -> Positions.position -> t
+val possible : Eval.t -> Timed_formula.t -> Positions.position -> t
 (** [possible e f p] is as {!find}, but also if [f] is decided at [p]: it shows why a probability in [f] is not
     known exactly. *)
 
-val find : Eval.t -> Formula.t -> Positions.position -> t
+val find : Eval.t -> Timed_formula.t -> Positions.position -> t
 (** [find e f p] is the reasons why [f] is undecided at [p]. Both lists are empty iff [f] is decided there. *)

@@ -1,6 +1,6 @@
 open Scc_exact
 open Scc_chance
-module Map = Map.Make (Formula)
+module Map = Map.Make (Timed_formula)
 
 type predicates = {
   at : int -> int -> Truth.t;
@@ -13,9 +13,9 @@ type t = {
   index : Timed_graph.index;
   predicates : predicates;
   effort : Effort.t;
-  still : Formula.t -> Formula.t option;
+  still : Timed_formula.t -> Timed_formula.t option;
   mutable values : value Map.t;
-  mutable fresh : Formula.t list;  (** what got its value since something was forgotten *)
+  mutable fresh : Timed_formula.t list;  (** what got its value since something was forgotten *)
 }
 
 let create ?(effort = Effort.default) ?(still = fun _ -> None) index predicates =
@@ -27,31 +27,31 @@ let effort t = t.effort
 let predicates t = t.predicates
 
 type until = {
-  quantifier : Formula.quantifier;
-  bound : Formula.bound;
-  claim : Formula.t;
-  left : Formula.t;
-  right : Formula.t;
+  quantifier : Timed_formula.quantifier;
+  bound : Timed_formula.bound;
+  claim : Timed_formula.t;
+  left : Timed_formula.t;
+  right : Timed_formula.t;
 }
 
-let opposite : Formula.t -> Formula.t = function Not f -> f | f -> Not f
+let opposite : Timed_formula.t -> Timed_formula.t = function Not f -> f | f -> Not f
 
 (* A run that has come to where nothing leads to the right side any more has not got there. *)
-let guarded t (left : Formula.t) right : Formula.t =
+let guarded t (left : Timed_formula.t) right : Timed_formula.t =
   match (t.still right, left) with
   | None, _ -> left
-  | Some p, And (first :: _) when Formula.compare p first = 0 -> left
+  | Some p, And (first :: _) when Timed_formula.compare p first = 0 -> left
   | Some p, And fs -> And (p :: fs)
   | Some p, _ -> And [ p; left ]
 
 let still t right = guarded t (And []) right
 
-let as_until t (formula : Formula.t) =
+let as_until t (formula : Timed_formula.t) =
   let until quantifier bound claim right = { quantifier; bound; claim; left = guarded t claim right; right } in
   match formula with
   | Until (quantifier, bound, left, right) -> Some (until quantifier bound left right, false)
   | Finally (quantifier, bound, right) -> Some (until quantifier bound (And []) right, false)
-  | Globally (q, bound, f) -> Some (until (Formula.dual q) bound (And []) (opposite f), true)
+  | Globally (q, bound, f) -> Some (until (Timed_formula.dual q) bound (And []) (opposite f), true)
   | Predicate _ | Not _ | And _ | Or _ | Next _ -> None
 
 (** {2 Pairs of sets} *)
@@ -82,7 +82,7 @@ let some_next t f =
 
 let all_known t f g = is_exact f && is_exact g && Timed_graph.complete t.index
 
-let until_of_runs t (q : Interval.quantifier) (bound : Formula.bound) f g =
+let until_of_runs t (q : Interval.quantifier) (bound : Timed_formula.bound) f g =
   let from_start ~generous high f g =
     match (q, high) with
     | Some_run, None -> Until.some t.index ~generous ~f ~g
@@ -102,7 +102,7 @@ let until_of_runs t (q : Interval.quantifier) (bound : Formula.bound) f g =
           Interval.set (Interval.solve t.index q ~generous ~from:bound.low ~f ~phi))
 
 (* A probability grows with what satisfies f and g; whether that is for or against the test, it tells. *)
-let likely t ({ side; test } : Formula.chance) bound f g =
+let likely t ({ side; test } : Timed_formula.chance) bound f g =
   let question generous side_of : Likelihood.question =
     { graph = graph t; side; bound; f = side_of f; g = side_of g; generous }
   in
@@ -113,7 +113,7 @@ let likely t ({ side; test } : Formula.chance) bound f g =
   if upwards then make (Likelihood.set low effort surely) (Likelihood.set high effort perhaps)
   else make (Likelihood.set high effort surely) (Likelihood.set low effort perhaps)
 
-let until t (q : Formula.quantifier) bound f g =
+let until t (q : Timed_formula.quantifier) bound f g =
   match q with
   | Exists -> until_of_runs t Some_run bound f g
   | All -> until_of_runs t Every_run bound f g
@@ -127,7 +127,7 @@ let predicate t p =
   let lower, upper = Positions.of_truth (graph t) ~at:(at p) ~along in
   { lower; upper }
 
-let rec value t (f : Formula.t) =
+let rec value t (f : Timed_formula.t) =
   match Map.find_opt f t.values with
   | Some v -> v
   | None ->
@@ -136,7 +136,7 @@ let rec value t (f : Formula.t) =
     t.fresh <- f :: t.fresh;
     v
 
-and compute t (f : Formula.t) =
+and compute t (f : Timed_formula.t) =
   match f with
   | Predicate p -> predicate t p
   | Not f -> not_ (value t f)
@@ -156,7 +156,7 @@ and compute t (f : Formula.t) =
         if flipped then not_ v else v)
 
 (* The formulas whose values {!compute} takes up, and theirs. *)
-let parts t (f : Formula.t) =
+let parts t (f : Timed_formula.t) =
   match f with
   | Predicate _ -> []
   | Not f -> [ f ]
@@ -168,7 +168,7 @@ let parts t (f : Formula.t) =
 
 (* For each part the number of the last formula that it is part of; and for each number those of which it is that.
 *)
-type uses = { last : int Map.t; ending : Formula.t list array }
+type uses = { last : int Map.t; ending : Timed_formula.t list array }
 
 let uses t formulas =
   let ending = Array.make (Array.length formulas) [] in
@@ -209,17 +209,17 @@ let probability t ~decide side f position =
   match as_until t f with
   | None -> Scc_base.Bug.fail __POS__ "a probability of what is no until"
   | Some (u, flipped) ->
-    let asked : Formula.quantifier -> Answer.bound option = function
+    let asked : Timed_formula.quantifier -> Answer.bound option = function
       | Chance { test; _ } -> Some test
       | All | Exists -> None
     in
     let effort = { t.effort with bound = if decide then asked u.quantifier else None } in
-    let side = if flipped then Formula.other_side side else side in
+    let side = if flipped then Timed_formula.other_side side else side in
     let low, high = interval t effort side u.bound (value t u.left) (value t u.right) position in
     if flipped then { least = Answer.complement high; most = Answer.complement low }
     else { least = low; most = high }
 
-let rec decided t (f : Formula.t) position =
+let rec decided t (f : Timed_formula.t) position =
   match f with
   | Not f -> (
       match decided t f position with

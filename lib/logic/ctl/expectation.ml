@@ -4,8 +4,8 @@ open Scc_chance
 open Decisions
 
 type what =
-  | Time_until of Formula.t
-  | Counts_until of (int -> int -> int * int) * Formula.t
+  | Time_until of Timed_formula.t
+  | Counts_until of (int -> int -> int * int) * Timed_formula.t
   | Value_at of (int -> Rat.t -> (Rat.t, string) result) * Rat.t
 
 type answer =
@@ -46,7 +46,7 @@ let counted count (p : place) branch =
     { low = Rat.of_int least; high = Rat.of_int most }
   | Move (Flow _) | During _ | Nowhere -> exactly Rat.zero
 
-let all_time = { Formula.low = Rat.zero; high = None }
+let all_time = { Timed_formula.low = Rat.zero; high = None }
 
 (* More states at which it is over make it less, for each scheduler: with all that may be such a state it is not
    more than it is, and with those that are known to be, not less. *)

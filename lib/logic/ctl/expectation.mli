@@ -7,8 +7,8 @@
 open Scc_exact
 
 type what =
-  | Time_until of Formula.t  (** the time until it holds for the first time *)
-  | Counts_until of (int -> int -> int * int) * Formula.t
+  | Time_until of Timed_formula.t  (** the time until it holds for the first time *)
+  | Counts_until of (int -> int -> int * int) * Timed_formula.t
   (** The number of things that happen until the formula holds. The function has, for a node and the index of one
       of its edges, how many happen by it: at least and at most. *)
   | Value_at of (int -> Rat.t -> (Rat.t, string) result) * Rat.t
@@ -20,5 +20,5 @@ type answer =
   | Unknown of { reason : string option; unexplored : int list }
   (** No value is known: the number has no value somewhere, or states matter whose successors are not known. *)
 
-val find : Eval.t -> Formula.side -> what -> answer
+val find : Eval.t -> Timed_formula.side -> what -> answer
 (** [find e side what] is the least or greatest mean over runs from node 0. *)

@@ -1,17 +1,22 @@
 open Scc_base
 open Scc_exact
 
-type t = { formula : Formula.t; position : Positions.position; holds : bool; because : because }
+type t = { formula : Timed_formula.t; position : Positions.position; holds : bool; because : because }
 
 and because =
   | Given
   | Parts of t list
   | Run of { run : Run.t; way : way; parts : t list; along : along option }
   | Everywhere of int Lazy.t
-  | Likelihood of { side : Formula.side; measured : Eval.measured; run : (Run.t * Rat.t) option; parts : t list }
+  | Likelihood of {
+      side : Timed_formula.side;
+      measured : Eval.measured;
+      run : (Run.t * Rat.t) option;
+      parts : t list;
+    }
 
 and way = Own | Onward of Course.place option
-and along = { claim : Formula.t; claimed : bool; course : Course.t; stretches : stretch list }
+and along = { claim : Timed_formula.t; claimed : bool; course : Course.t; stretches : stretch list }
 and stretch = { place : Course.place; why : t Lazy.t }
 
 let definitely e f position wanted =
@@ -28,13 +33,13 @@ let count e (u : Eval.until) position =
     | Reached _ | Lost _ -> Rat.sign u.bound.low > 0
   in
   let through s = Positions.at f s && (Rat.sign u.bound.low > 0 || not (Positions.at g s)) in
-  Reach.visit (Eval.graph e) ?within:u.bound.high [ position ] ~through ~passes (fun _ -> incr n);
+  Reachable.visit (Eval.graph e) ?within:u.bound.high [ position ] ~through ~passes (fun _ -> incr n);
   !n
 
 (* What is claimed of the positions on the way of a run: at each it is explained by itself, if need be by how the
    run itself goes on. *)
 let on_the_way e formula holds bound run explain =
-  match (formula : Formula.t) with
+  match (formula : Timed_formula.t) with
   | And [] -> None
   | _ ->
     let course = Course.make e [ formula ] run in
@@ -48,7 +53,7 @@ let on_the_way e formula holds bound run explain =
     let stretches = List.map stretch (List.filter is_so (Course.within course bound)) in
     Some { claim = formula; claimed = holds; course; stretches }
 
-let always = { Formula.low = Rat.zero; high = None }
+let always = { Timed_formula.low = Rat.zero; high = None }
 
 (* [right] is what the right side is about: f for G f, which is read as "not F not f". *)
 let until e (u : Eval.until) ~right spot position holds explain =
@@ -90,12 +95,12 @@ let likelihood e formula (u : Eval.until) ~side position explain =
 
 let visited e position =
   let n = ref 0 in
-  Reach.visit (Eval.graph e) [ position ] ~through:(fun _ -> true) ~passes:(fun _ -> true) (fun _ ->
+  Reachable.visit (Eval.graph e) [ position ] ~through:(fun _ -> true) ~passes:(fun _ -> true) (fun _ ->
       incr n);
   !n
 
-let next e (f : Formula.t) position holds ~quantifier explain =
-  match ((quantifier : Formula.quantifier), holds) with
+let next e (f : Timed_formula.t) position holds ~quantifier explain =
+  match ((quantifier : Timed_formula.quantifier), holds) with
   | Exists, true | All, false ->
     let value = Eval.value e f and reach = Eval.value e (Next (quantifier, f)) in
     let is_so s = if holds then Positions.at value.lower s else not (Positions.at value.upper s) in
@@ -105,7 +110,7 @@ let next e (f : Formula.t) position holds ~quantifier explain =
   | Exists, false | All, true | Chance _, _ -> Everywhere (lazy (visited e position))
 
 (* Recursion is as deep as the formula. *)
-let rec of_known e spot (formula : Formula.t) position : t =
+let rec of_known e spot (formula : Timed_formula.t) position : t =
   match Eval.truth e formula position with
   | None -> Bug.fail __POS__ "what is not decided is explained"
   | Some holds ->
@@ -124,7 +129,7 @@ let rec of_known e spot (formula : Formula.t) position : t =
           match Eval.as_until e formula with
           | None -> Bug.fail __POS__ "an operator of time that is none"
           | Some (({ quantifier = Chance { side; _ }; _ } as u), flipped) ->
-            let side = if flipped then Formula.other_side side else side in
+            let side = if flipped then Timed_formula.other_side side else side in
             likelihood e formula u ~side position (of_known e)
           | Some (u, flipped) ->
             let right = match formula with Globally (_, _, f) -> f | _ -> u.right in

@@ -1,7 +1,7 @@
 (** Explanations why a formula holds at a position, or why it does not: trees with runs in them. *)
 
 type t = {
-  formula : Formula.t;
+  formula : Timed_formula.t;
   position : Positions.position;
   holds : bool;
   because : because;
@@ -21,8 +21,12 @@ and because =
   | Everywhere of int Lazy.t
   (** No run decides otherwise. All runs together visit this number of nodes; it is 0 if they do not leave the flow
       of the position. *)
-  | Likelihood of { side : Formula.side; measured : Eval.measured; run : (Run.t * Scc_exact.Rat.t) option; parts :
-                      t list }
+  | Likelihood of {
+      side : Timed_formula.side;
+      measured : Eval.measured;
+      run : (Run.t * Scc_exact.Rat.t) option;
+      parts : t list;
+    }
   (** The probability of the operator for that side. [run] is a run of a scheduler that attains it, with its own
       probability. The run satisfies F or U, or violates G. [parts] explain its goal. *)
 
@@ -35,11 +39,11 @@ and way =
 
 (** The claim that a formula holds, or does not ([claimed]), at places on the way of a run, with an explanation at
     each. *)
-and along = { claim : Formula.t; claimed : bool; course : Course.t; stretches : stretch list }
+and along = { claim : Timed_formula.t; claimed : bool; course : Course.t; stretches : stretch list }
 
 and stretch = { place : Course.place; why : t Lazy.t }
 
-val explain : Eval.t -> Formula.t -> Positions.position -> t option
+val explain : Eval.t -> Timed_formula.t -> Positions.position -> t option
 (** [explain e f p] is why [f] holds at position [p], or why it does not; [None] if it is undecided. *)
 
 val goes_on : Run.t -> bool

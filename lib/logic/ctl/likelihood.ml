@@ -5,8 +5,8 @@ open Decisions
 
 type question = Decisions.question = {
   graph : Timed_graph.t;
-  side : Formula.side;
-  bound : Formula.bound;
+  side : Timed_formula.side;
+  bound : Timed_formula.bound;
   f : Positions.t;
   g : Positions.t;
   generous : bool;
@@ -23,7 +23,7 @@ let solve q effort w starts =
 
 let value process next = Solution.value process.solution (number process.built next)
 
-let best (side : Formula.side) answers =
+let best (side : Timed_formula.side) answers =
   let ends f = List.filter_map f answers in
   let pick list =
     match (side, list) with

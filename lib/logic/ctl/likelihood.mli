@@ -11,8 +11,8 @@ open Scc_chance
 
 type question = Decisions.question = {
   graph : Timed_graph.t;
-  side : Formula.side;
-  bound : Formula.bound;
+  side : Timed_formula.side;
+  bound : Timed_formula.bound;
   f : Positions.t;
   g : Positions.t;
   generous : bool;

@@ -7,8 +7,8 @@ open Scc_exact
 (** The length of a trajectory. *)
 type extent =
   | Instant  (** a single instant: only the start counts *)
-  | Lasts of Rat.t  (** positive: the offsets in [0, d) *)
-  | Forever  (** the offsets in [0, infinity) *)
+  | Lasts of Rat.t  (** positive: the offsets from 0 on and below d *)
+  | Forever  (** the offsets from 0 on *)
 
 type 'a piece = {
   cut : Algebraic.t;

@@ -6,13 +6,13 @@ type relation = Trace | Weak | Branching | Strong | Timed
 type difference = {
   trace : (string list * bool) option;
   trace_open : bool;
-  formula : Formula.t option;
+  formula : Modal_formula.t option;
 }
 
 type reason = Unknown_states | Effort_spent | Too_many_sets | Too_many_pairs
 type verdict = Equivalent | Different of difference | Undecided of reason
 type side = { states : int; transitions : int; classes : int option }
-type report = { verdict : verdict; first : side; second : side; show : Formula.t -> string }
+type report = { verdict : verdict; first : side; second : side; show : Modal_formula.t -> string }
 
 let prepare relation g =
   match relation with
@@ -41,16 +41,16 @@ type t = {
   small : System.t;
   small_starts : int * int;
   bisimilar : bool option;  (* the initial states, if it is known *)
-  store : Formula.store;
+  store : Modal_formula.store;
 }
 
 (* {1 Differences} *)
 
 (* Nothing is claimed that has not been checked on the graphs as they came. *)
 let checked t f =
-  let e = Formula.evaluator t.whole in
+  let e = Modal_formula.evaluator t.whole in
   let p, q = t.starts in
-  if Formula.certainly e f p && not (Formula.possibly e f q) then f
+  if Modal_formula.certainly e f p && not (Modal_formula.possibly e f q) then f
   else Bug.fail __POS__ "a formula that was to tell two graphs apart does not"
 
 let checked_trace t steps ~first =
@@ -62,7 +62,7 @@ let checked_trace t steps ~first =
 
 let trace_formula t steps ~first =
   Traces.formula t.store (view t.relation) steps
-  |> Option.map (fun f -> checked t (if first then f else Formula.negation t.store f))
+  |> Option.map (fun f -> checked t (if first then f else Modal_formula.negation t.store f))
 
 let merge_times steps =
   let open Scc_exact in
@@ -156,7 +156,7 @@ let run effort relation (g : Graph.t) (h : Graph.t) =
   let both, second = Graph.union g h in
   let starts = (both.initial, second) in
   let whole = system relation both in
-  let show = Formula.to_string ~label:(fun a -> both.labels.(a)) in
+  let show = Modal_formula.to_string ~label:(fun a -> both.labels.(a)) in
   let report verdict partition =
     let side (x : Graph.t) from =
       let classes = Option.map (fun p -> classes_of p from (from + x.size)) partition in
@@ -173,7 +173,7 @@ let run effort relation (g : Graph.t) (h : Graph.t) =
       small = whole;
       small_starts = starts;
       bisimilar = None;
-      store = Formula.store ();
+      store = Modal_formula.store ();
     }
   in
   let guarded f = match f () with v -> v | exception Effort.Exhausted -> Undecided Effort_spent in

@@ -20,7 +20,7 @@ type difference = {
   (** A shortest trace that one graph has and the other lacks; with [true] the first graph has it, with [false] the
       second. [None] if there is none, or if none was found ([trace_open]). *)
   trace_open : bool;  (** the search for a trace was given up *)
-  formula : Formula.t option;
+  formula : Modal_formula.t option;
   (** A formula that holds for the first graph and not for the second, checked on both; [None] if it is too large.
   *)
 }
@@ -43,7 +43,7 @@ type report = {
   verdict : verdict;
   first : side;
   second : side;
-  show : Formula.t -> string;  (** the text of a formula with the labels of the graphs *)
+  show : Modal_formula.t -> string;  (** the text of a formula with the labels of the graphs *)
 }
 
 val prepare : relation -> Graph.t -> Graph.t

@@ -1,7 +1,7 @@
 open Scc_exact
 
 type kind = Refine.kind = Strong | Branching | Weak
-type outcome = Differ of Formula.t option | Alike | Too_large
+type outcome = Differ of Modal_formula.t option | Alike | Too_large
 
 let most_pairs = 400_000
 let most_parts = 2_000
@@ -157,9 +157,9 @@ let rec decide t root =
 
 type writer = {
   game : t;
-  store : Formula.store;
-  truth : Formula.evaluator;
-  written : (int * int, Formula.t) Hashtbl.t;
+  store : Modal_formula.store;
+  truth : Modal_formula.evaluator;
+  written : (int * int, Modal_formula.t) Hashtbl.t;
   mutable parts : int;  (* written or begun *)
 }
 
@@ -182,26 +182,26 @@ let rec tell w p q =
     let why = Option.get pair.why in
     let attacker, defender = if why.by_one then (pair.one, pair.two) else (pair.two, pair.one) in
     let f = move w why ~attacker ~defender in
-    let f = if attacker = p then f else Formula.negation w.store f in
+    let f = if attacker = p then f else Modal_formula.negation w.store f in
     Hashtbl.replace w.written (p, q) f;
     f
 
 (* True of [p], false of each of the others. *)
 and tell_all w p others =
   let add parts q =
-    let told = List.exists (fun f -> not (Formula.possibly w.truth f q)) parts in
+    let told = List.exists (fun f -> not (Modal_formula.possibly w.truth f q)) parts in
     if told then parts else tell w p q :: parts
   in
-  Formula.conjunction w.store (List.rev (List.fold_left add [] others))
+  Modal_formula.conjunction w.store (List.rev (List.fold_left add [] others))
 
 and move w why ~attacker ~defender =
   let m = w.game.m in
   match (why.step, w.game.kind) with
   | Time d, _ ->
-    Formula.can w.store (Formula.Wait d) (tell_all w why.into (System.wait m defender d))
-  | Action a, Strong -> Formula.can w.store (Now a) (tell_all w why.into (System.after m defender a))
+    Modal_formula.can w.store (Modal_formula.Wait d) (tell_all w why.into (System.wait m defender d))
+  | Action a, Strong -> Modal_formula.can w.store (Now a) (tell_all w why.into (System.after m defender a))
   | Action a, Weak ->
-    Formula.can w.store (Weakly a) (tell_all w why.into (snd (weak_answers w.game defender a)))
+    Modal_formula.can w.store (Weakly a) (tell_all w why.into (snd (weak_answers w.game defender a)))
   | Action a, Branching ->
     let closure = System.silent_closure m [ defender ] in
     let told_after p =
@@ -210,7 +210,7 @@ and move w why ~attacker ~defender =
     let by_after, by_before = List.partition told_after closure in
     let answers = List.concat_map (fun p -> System.after m p a) by_after in
     let answers = if Graph.is_tau a then defender :: answers else answers in
-    Formula.until w.store (tell_all w attacker by_before) a (tell_all w why.into answers)
+    Modal_formula.until w.store (tell_all w attacker by_before) a (tell_all w why.into answers)
 
 let play effort kind m ~most ~same store p q =
   let t =
@@ -232,8 +232,8 @@ let play effort kind m ~most ~same store p q =
     | exception Limit -> Too_large
     | false -> Alike
     | true -> (
-        let truth = Formula.evaluator ~most:most_steps m in
+        let truth = Modal_formula.evaluator ~most:most_steps m in
         let w = { game = t; store; truth; written = Hashtbl.create 64; parts = 0 } in
         match tell w p q with
         | f -> Differ (Some f)
-        | exception (Limit | Formula.Too_much) -> Differ None)
+        | exception (Limit | Modal_formula.Too_much) -> Differ None)

@@ -16,7 +16,7 @@
 type kind = Refine.kind = Strong | Branching | Weak
 
 type outcome =
-  | Differ of Formula.t option
+  | Differ of Modal_formula.t option
   (** The two differ. The formula certainly holds for the first, and certainly not for the second; the caller
       checks it. [None] if it would have more than {!most_parts} parts, or took too many steps to find. *)
   | Alike  (** no certain difference: a proof of bisimilarity if all states are known *)
@@ -40,7 +40,7 @@ val play :
   System.t ->
   most:int ->
   same:(System.position -> System.position -> bool) ->
-  Formula.store ->
+  Modal_formula.store ->
   System.position ->
   System.position ->
   outcome

@@ -155,9 +155,9 @@ let possible view ~sure m p steps =
 let formula store view steps =
   let step s f =
     match (s, view) with
-    | Time d, _ -> Formula.can store (Formula.Wait d) f
-    | Action a, Every_action -> Formula.can store (Formula.Now a) f
-    | Action a, Observable -> Formula.can store (Formula.Weakly a) f
+    | Time d, _ -> Modal_formula.can store (Modal_formula.Wait d) f
+    | Action a, Every_action -> Modal_formula.can store (Modal_formula.Now a) f
+    | Action a, Observable -> Modal_formula.can store (Modal_formula.Weakly a) f
   in
   if List.compare_length_with steps Game.most_parts > 0 then None
-  else Some (List.fold_left (fun f s -> step s f) (Formula.yes store) (List.rev steps))
+  else Some (List.fold_left (fun f s -> step s f) (Modal_formula.yes store) (List.rev steps))

@@ -36,6 +36,6 @@ val possible : view -> sure:bool -> System.t -> System.position -> step list -> 
 (** [possible view ~sure m p steps] is true if position [p] has the trace [steps]. Without [sure] it is also true
     if the trace may lead through states that are not fully known. *)
 
-val formula : Formula.store -> view -> step list -> Formula.t option
+val formula : Modal_formula.store -> view -> step list -> Modal_formula.t option
 (** [formula store view steps] is the formula that the trace is possible; [None] for more than {!Game.most_parts}
     steps. *)

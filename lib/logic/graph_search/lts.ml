@@ -15,7 +15,7 @@ module type S = sig
   val initial : context -> int array
 
   val successors : context -> int array -> (step list, fault) result
-  (** Every transition, in a fixed order. Numbers are in [0, 2{^31}). *)
+  (** Every transition, in a fixed order. Numbers are at least 0 and below 2{^31}. *)
 
   val reduced : context -> int array -> step list option
   (** Some of the transitions of {!successors}, in the same order, that will do for what is asked as long as

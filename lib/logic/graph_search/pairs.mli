@@ -11,9 +11,9 @@ val size : t -> int
 (** [size p] is the number of pairs. *)
 
 val intern : t -> int -> int -> int
-(** [intern p a b] is the number of the pair (a, b), which is inserted if it is new. [a] and [b] are in [0, 2{^31})
-    (a bug otherwise). Pairs are numbered from 0 in the order of insertion, so a pair is new iff its number is the
-    {!size} before. *)
+(** [intern p a b] is the number of the pair (a, b), which is inserted if it is new. [a] and [b] are at least 0
+    and below 2{^31} (a bug otherwise). Pairs are numbered from 0 in the order of insertion, so a pair is new iff
+    its number is the {!size} before. *)
 
 val find : t -> int -> int -> int
 (** [find p a b] is the number of the pair (a, b); -1 if it is not in the table. *)
@@ -21,7 +21,7 @@ val find : t -> int -> int -> int
 (** {1 Many at once} *)
 
 val pack : int -> int -> int
-(** [pack a b] is the pair (a, b) as one number, its key. [a] and [b] are in [0, 2{^31}) (a bug otherwise). *)
+(** [pack a b] is the pair (a, b) as one number, its key. [a] and [b] are as for {!intern}. *)
 
 val intern_key : t -> int -> int
 (** [intern_key p key] is {!intern} of a packed pair. *)

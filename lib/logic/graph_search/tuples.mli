@@ -30,8 +30,8 @@ val read_slots : spread -> int array -> unit
 (** [read_slots s room] puts the numbers of the loaded tuple into [room], which has [width] elements (a bug
     otherwise). *)
 
-(** The difference of a tuple from another: slots and their new numbers in [0, 2{^31}) by turns, each slot at most
-    once. *)
+(** The difference of a tuple from another: slots and their new numbers (at least 0, below 2{^31}) by turns, each
+    slot at most once. *)
 type changes = int array
 
 val apply : changes -> int array -> int array

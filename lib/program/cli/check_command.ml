@@ -297,8 +297,8 @@ let man =
     `I ("$(b,jump)", "without a law of motion, time passes over the ends of movement steps at once.");
     `P
       "Models with ranges of parameters, or with $(b,split_step any), are explored by sets of states. For these \
-       only $(b,slice), $(b,order) and $(b,translation) are used, and $(b,--shortest) and $(b,--hash-compact) do \
-       not apply. They have a default bound of 1000 transitions ($(b,--depth)).";
+       only $(b,slice), $(b,order), $(b,symmetry) and $(b,translation) are used, and $(b,--shortest) and \
+       $(b,--hash-compact) do not apply. They have a default bound of 1000 transitions ($(b,--depth)).";
     `P
       "With $(b,order) and $(b,slice) a run that is shown may contain irrelevant events of other bodies; $(b,scc \
        explain) finds those that matter. Without reductions it is the shortest of all runs that show the fact: \

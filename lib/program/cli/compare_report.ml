@@ -109,10 +109,10 @@ let trace_text t (d : Compare.difference) =
 let formula_text t (d : Compare.difference) =
   match d.formula with
   | None -> "  a formula that tells them apart is too large, or too hard to find\n"
-  | Some f when Formula.size f > most_printed ->
+  | Some f when Modal_formula.size f > most_printed ->
     Printf.sprintf "  a formula of %s tells them apart%s\n"
-      (plural (Formula.size f) "operator" "operators")
-      (if Formula.size f <= most_written then ": see --json" else "")
+      (plural (Modal_formula.size f) "operator" "operators")
+      (if Modal_formula.size f <= most_written then ": see --json" else "")
   | Some f ->
     Printf.sprintf "  this is true of %s, and not of %s:\n%s" (title t true) (title t false)
       (indented [ t.report.show f ])
@@ -169,8 +169,8 @@ let trace_json (labels, first) =
   `Assoc [ ("of", which first); ("labels", `List (List.map Json.text labels)) ]
 
 let formula_json t f =
-  let text = if Formula.size f <= most_written then Json.text (t.report.show f) else `Null in
-  `Assoc [ ("operators", `Int (Formula.size f)); ("text", text) ]
+  let text = if Modal_formula.size f <= most_written then Json.text (t.report.show f) else `Null in
+  `Assoc [ ("operators", `Int (Modal_formula.size f)); ("text", text) ]
 
 let json console t =
   let verdict, trace, trace_known, formula, reason =

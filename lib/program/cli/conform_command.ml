@@ -83,7 +83,7 @@ let conform console o =
   let* tolerance = Verdict.tolerance l.model trace o.tolerance in
   let* () = Result.map_error (fun d -> [ d ]) (exact_enough l ~tolerance o.unobserved) in
   let observed label = not (List.exists (fun p -> Hide.matches p label) o.unobserved) in
-  let limits = { Search.states = o.states; interrupted } in
+  let limits = { Trace_search.states = o.states; interrupted } in
   let* answer =
     match Verdict.check l.semantics l.declared trace ~tolerance ~observed limits with
     | Ok answer -> Ok answer
@@ -137,7 +137,7 @@ let states =
      unless it conforms anyway."
   in
   let count = Options.integer ~least:1 "number of states" in
-  Arg.(value & opt count Search.default_states & info [ "states" ] ~docv:"N" ~doc)
+  Arg.(value & opt count Trace_search.default_states & info [ "states" ] ~docv:"N" ~doc)
 
 let run_file =
   let doc = "Writes a run that agrees with the trace to $(docv), as a schedule for $(b,scc trace --schedule)." in

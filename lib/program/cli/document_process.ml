@@ -115,7 +115,7 @@ let make console (shown : Viewed.options) text =
   let interrupted = Watch.interrupted watch () in
   Watch.dismiss watch;
   Sys.set_signal Sys.sigint Sys.Signal_ignore;
-  Scc_system.Heap.compact ();
+  Scc_system.Garbage.compact ();
   Result.map (fun d -> (d, interrupted)) document
 
 let document (shown : Viewed.options) =

@@ -275,7 +275,7 @@ let confidence =
 let width =
   let doc =
     "Makes runs until the interval of a probability is at most $(docv) wide, and that of a mean at most this \
-     share of its range; of a comparison, until it is decided."
+     share of the mean; of a comparison, until it is decided."
   in
   Arg.(
     value

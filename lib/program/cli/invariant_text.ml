@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_polyhedra
 open Scc_calculus
-open Scc_symbolic
+module Invariant = Scc_certificate.Invariant
 
 let vector (v : Vec.t) = Printf.sprintf "(%s)" (String.concat ", " (List.map Rat.to_string [ v.x; v.y; v.z ]))
 

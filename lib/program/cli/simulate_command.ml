@@ -13,7 +13,7 @@ type options = {
   runs : int;
   seed : int64;
   jobs : int;
-  part : Part.t option;
+  part : Task_part.t option;
   observed : string list;
   every : Rat.t;
   until : Rat.t;
@@ -121,7 +121,7 @@ let simulate console o ~interrupted =
   let plan = plan o loaded observables in
   let report = report o model observables plan.times in
   let* there, before, earlier = before o report in
-  let from, last = Part.range o.part ~count:o.runs in
+  let from, last = Task_part.range o.part ~count:o.runs in
   let first = max there from in
   let path =
     match (o.output, o.resume) with
@@ -276,7 +276,7 @@ let options =
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.overrides $ runs $ Run_options.seed $ Run_options.jobs
-       $ Part.option ~what:"runs" $ observed $ every $ until $ steps
+       $ Task_part.option ~what:"runs" $ observed $ every $ until $ steps
        $ summary $ quantiles $ form $ decimals $ output $ resume $ store_option $ plot))
 
 let man =

@@ -50,8 +50,8 @@ let run path f line =
   if not (List.exists (Reduction.equal Jump) q.reductions) then
     Error (Diag.error Code.no_run Span.none "a run is one with jumps, and --no-reduce jump makes none")
   else
-    let* goal, choices = Run.request line in
-    let* check, witness = Run.find f ~goal choices in
+    let* goal, choices = Found_run.request line in
+    let* check, witness = Found_run.find f ~goal choices in
     let schedule = Scheduled.of_witness q.loaded path check witness in
     let* schedule = Json.parse (Source.make ~name:"-" schedule) in
     Ok (`Assoc [ ("check", Json.text check.name); ("schedule", schedule) ] : Json.t)

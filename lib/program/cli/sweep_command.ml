@@ -15,7 +15,7 @@ type options = {
   grid : Grid.t;
   budget : Budget.t;
   jobs : int;
-  part : Part.t option;
+  part : Task_part.t option;
   form : form;
   output : string option;
   resume : string option;
@@ -127,7 +127,7 @@ let sweep console o ~interrupted =
     | None -> (None, "md5:" ^ Digest.to_hex (Digest.string (Source.text source)))
   in
   let table = { Table.name; digest; grid = o.grid; bounds = bounds o.budget } in
-  let from, last = Part.range o.part ~count:(Z.to_int (Grid.size o.grid)) in
+  let from, last = Task_part.range o.part ~count:(Z.to_int (Grid.size o.grid)) in
   let count = last - from in
   let* there, before =
     match o.resume with
@@ -258,7 +258,7 @@ let options =
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ grid $ Check_options.budget $ Run_options.jobs
-       $ Part.option ~what:"points" $ form $ output $ resume $ store_option $ plot))
+       $ Task_part.option ~what:"points" $ form $ output $ resume $ store_option $ plot))
 
 let man =
   [

@@ -46,7 +46,7 @@ let bounded t ~seconds f =
   | x -> Ok x
   | exception Given_up stop ->
     t.active <- false;
-    (match stop with Memory -> Scc_system.Heap.compact () | Seconds -> ());
+    (match stop with Memory -> Scc_system.Garbage.compact () | Seconds -> ());
     Error stop
   | exception e ->
     t.active <- false;

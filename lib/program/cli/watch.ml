@@ -168,7 +168,7 @@ let finish ?(grace = grace) t =
   t.since <- None;
   (* A report is written as one text. Among few addresses the heap has to grow by no more than that takes. *)
   if Footprint.is_limited then begin
-    if Footprint.taken () > 0.5 then Scc_system.Heap.compact ();
+    if Footprint.taken () > 0.5 then Scc_system.Garbage.compact ();
     Gc.set { (Gc.get ()) with major_heap_increment = 1 lsl 17 }
   end;
   if t.signalled then timer interval
@@ -182,7 +182,7 @@ let compacted t stage =
   match over t stage with
   | Some Memory ->
     Critical.run (fun () ->
-        Scc_system.Heap.compact ();
+        Scc_system.Garbage.compact ();
         look t)
   | Some (Seconds | Interrupted) | None -> ()
 
@@ -210,13 +210,13 @@ let attempted t stage f =
         Critical.run (fun () ->
             leave ();
             match (outer, stop) with
-            | None, Memory -> Scc_system.Heap.compact ()
+            | None, Memory -> Scc_system.Garbage.compact ()
             | _ -> ());
         left (Error stop)
       | exception Out_of_memory when Option.is_none outer ->
         (* nothing of what may be left half done is used any more *)
         leave ();
-        Scc_system.Heap.compact ();
+        Scc_system.Garbage.compact ();
         Error Memory
       | exception e ->
         leave ();

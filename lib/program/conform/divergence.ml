@@ -261,7 +261,7 @@ let kind_of_quantity = function
   | _ -> Wrong_step
 
 (* What gives a body the velocity that it has: the latest transition, if it is of this instant. *)
-let rules_of_state against (h : Search.hypothesis) (item : Recorded.item) kind =
+let rules_of_state against (h : Trace_search.hypothesis) (item : Recorded.item) kind =
   let recent =
     match h.last with
     | Some (label, rules, time)
@@ -297,15 +297,15 @@ let difference_text (d : Against.difference) =
     (if d.body = "" then "" else "of " ^ d.body ^ ", ")
     d.quantity told held off
 
-let fewest (misfits : Search.misfit list) =
+let fewest (misfits : Trace_search.misfit list) =
   List.fold_left
-    (fun best (m : Search.misfit) ->
+    (fun best (m : Trace_search.misfit) ->
        match best with
-       | Some (b : Search.misfit) when List.length b.differences <= List.length m.differences -> best
+       | Some (b : Trace_search.misfit) when List.length b.differences <= List.length m.differences -> best
        | _ -> Some m)
     None misfits
 
-let state against item (misfits : Search.misfit list) options =
+let state against item (misfits : Trace_search.misfit list) options =
   match fewest misfits with
   | Some ({ differences = d :: _; _ } as m) ->
     let kind = kind_of_quantity d.quantity in
@@ -333,11 +333,11 @@ let ending item options ~quiescent =
 (* {1 The first divergence} *)
 
 (* Of the hypotheses that met as many items as possible, the one that waits for the latest. *)
-let furthest (dead : Search.dead_end) =
+let furthest (dead : Trace_search.dead_end) =
   List.fold_left
-    (fun best (h : Search.hypothesis) ->
+    (fun best (h : Trace_search.hypothesis) ->
        match best with
-       | Some (b : Search.hypothesis) when b.next > h.next -> best
+       | Some (b : Trace_search.hypothesis) when b.next > h.next -> best
        | _ -> Some h)
     None dead.reached
 
@@ -346,7 +346,7 @@ let goes_back against (trace : Recorded.t) index =
   let rec before i = i >= 0 && (Rat.compare time trace.items.(i).time < 0 || before (i - 1)) in
   Rat.sign time < 0 || before (index - 1)
 
-let find against (trace : Recorded.t) ~observed (dead : Search.dead_end) =
+let find against (trace : Recorded.t) ~observed (dead : Trace_search.dead_end) =
   let h =
     match furthest dead with
     | Some h -> h
@@ -354,12 +354,12 @@ let find against (trace : Recorded.t) ~observed (dead : Search.dead_end) =
   in
   let index = h.next in
   let item = trace.items.(index) in
-  let waits (g : Search.hypothesis) = g.next = index in
+  let waits (g : Trace_search.hypothesis) = g.next = index in
   let dead =
     {
-      Search.reached = List.filter waits dead.reached;
-      possible = List.filter (fun (p : Search.possible) -> waits p.from) dead.possible;
-      misfits = List.filter (fun (m : Search.misfit) -> waits m.of_) dead.misfits;
+      Trace_search.reached = List.filter waits dead.reached;
+      possible = List.filter (fun (p : Trace_search.possible) -> waits p.from) dead.possible;
+      misfits = List.filter (fun (m : Trace_search.misfit) -> waits m.of_) dead.misfits;
     }
   in
   let options = Prospect.find against ~observed ~past:item.time dead in

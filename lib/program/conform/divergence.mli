@@ -52,5 +52,5 @@ val most_allowed : int
 (** The greatest length of [allowed]: 12. *)
 
 val find :
-  Against.t -> Recorded.t -> observed:(Scc_semantics.Transition.label -> bool) -> Search.dead_end -> t
+  Against.t -> Recorded.t -> observed:(Scc_semantics.Transition.label -> bool) -> Trace_search.dead_end -> t
 (** Finds the first divergence of a trace, from a dead end of its search. *)

@@ -13,7 +13,7 @@ type t = {
 
 let source_line (i : Recorded.item) = Printf.sprintf "line %d, time %s" i.line (Number.short i.time)
 
-let reason m : Search.reason -> string = function
+let reason m : Trace_search.reason -> string = function
   | Too_many_states -> "more states than the limit would have to be looked at (--states)"
   | Interrupted -> "it was interrupted"
   | Fault fault -> (Transition.diagnostic m fault).message

@@ -28,5 +28,5 @@ val event_json : Recorded.event -> Json.t
 val source_line : Recorded.item -> string
 (** The place of an item, such as ["line 5, time 2.1"]. *)
 
-val reason : Model.t -> Search.reason -> string
+val reason : Model.t -> Trace_search.reason -> string
 (** Why a search ended without a result. *)

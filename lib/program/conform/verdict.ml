@@ -10,7 +10,7 @@ type answer =
       widest : int;
     }
   | Diverges of Divergence.t
-  | Undecided of { reason : Search.reason; items : int }
+  | Undecided of { reason : Trace_search.reason; items : int }
 
 let tolerance (m : Model.t) (trace : Recorded.t) asked =
   let refuse at fmt = Printf.ksprintf (fun s -> Error [ Recorded.malformed at "%s" s ]) fmt in
@@ -39,7 +39,7 @@ let check semantics declared trace ~tolerance ~observed limits =
   match Against.names against trace with
   | _ :: _ as faults -> Error (`Invalid faults)
   | [] -> (
-      match Search.run against trace declared ~observed limits with
+      match Trace_search.run against trace declared ~observed limits with
       | Error fault -> Error (`Fault fault)
       | Ok (Met { run; widest }) ->
         Ok

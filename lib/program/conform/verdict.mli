@@ -14,7 +14,7 @@ type answer =
       widest : int;  (** the greatest number of states that were possible at once *)
     }
   | Diverges of Divergence.t
-  | Undecided of { reason : Search.reason; items : int  (** the number of items that were met *) }
+  | Undecided of { reason : Trace_search.reason; items : int  (** the number of items that were met *) }
 
 val tolerance : Model.t -> Recorded.t -> Rat.t option -> (Rat.t, Diag.t list) result
 (** The tolerance of a comparison: the given one, or 0. A trace with floats needs one (SC0804); for a rigid
@@ -26,7 +26,7 @@ val check :
   Recorded.t ->
   tolerance:Rat.t ->
   observed:(string -> bool) ->
-  Search.limits ->
+  Trace_search.limits ->
   (answer, [ `Invalid of Diag.t list | `Fault of Transition.fault ]) result
 (** Compares a trace with the model from its declared state. [`Invalid] lists the names that the model does not
     have. [observed] is true for the texts of the labels that must be recorded. *)

@@ -74,7 +74,7 @@ let trajectory t i extent =
 
 type questions = {
   paths : Path.t list;
-  formulas : Formula.t list;
+  formulas : Timed_formula.t list;
   props : Property.prop array;
   steady : bool array;
 }
@@ -113,7 +113,7 @@ let counted t p i _ =
   let n = Counted.by t.semantics ~source:t.nodes.(i).state (label t i) p in
   (n.least, n.most)
 
-let mean eval t (formula : Formula.t) (mean : Property.mean) =
+let mean eval t (formula : Timed_formula.t) (mean : Property.mean) =
   let what : Expectation.what =
     match (mean, formula) with
     | Time_until _, Finally (_, _, g) -> Time_until g

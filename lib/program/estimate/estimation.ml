@@ -120,6 +120,11 @@ let is_hopeless t q ~miss value =
 
 let of_runs (tally : Tally.t) k = Printf.sprintf "%d of %d runs" k tally.runs
 
+let of_bound : Sample.bound -> string = function
+  | Steps -> "--steps"
+  | Time -> "--until"
+  | Instant -> "many transitions happen without time passing"
+
 let open_reasons (tally : Tally.t) =
   List.concat
     [
@@ -129,7 +134,8 @@ let open_reasons (tally : Tally.t) =
            ^ " depend on choices that nothing draws: `--free evenly` takes each of them as often, \
               and `scc check` tells the least and the greatest" ]);
       (if tally.too_long = 0 then []
-       else [ of_runs tally tally.too_long ^ " were left before it was known: --steps, --until" ]);
+       else [ of_runs tally tally.too_long ^ " were left before it was known: "
+           ^ String.concat ", " (List.map of_bound tally.bounds) ]);
       (match tally.why with
        | None -> []
        | Some why -> [ Printf.sprintf "%s do not tell: %s" (of_runs tally tally.no_value) why ]);

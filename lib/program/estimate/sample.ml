@@ -15,7 +15,8 @@ type plan = {
   until : Rat.t option;
 }
 
-type outcome = Truth of bool | Number of Rat.t | Never | Free | Too_long | No_value of string
+type bound = Steps | Time | Instant
+type outcome = Truth of bool | Number of Rat.t | Never | Free | Too_long of bound | No_value of string
 
 (* What was asked is looked for after so many states, half as many again, and so on. *)
 let first_look = 8
@@ -44,8 +45,10 @@ let run plan ~seed number =
     found := Chain.answers questions chain;
     if List.for_all (fun (a : Chain.answer) -> a <> Open) !found then over := true
   in
-  let stopped_by_choice = ref false in
-  let note : Replay.event -> unit = function
+  let stopped_by_choice = ref false and steps = ref 0 and bound = ref Time in
+  let note (event : Replay.event) =
+    (match event with Step _ -> incr steps | Start _ | Instant _ | End _ -> ());
+    match event with
     | Start state -> Chain.start chain state
     | Step { taken; among; state; _ } when not !over ->
       let free = is_free taken ~among in
@@ -66,7 +69,8 @@ let run plan ~seed number =
     | Instant { offset; state; _ } -> if Rat.sign offset > 0 then Chain.step chain (Time offset) state
     | End { ending = Quiescent; _ } -> Chain.for_ever chain
     | End { ending = Stuck _; _ } -> Chain.dead_end chain
-    | End { ending = Open | Zeno; _ } -> ()
+    | End { ending = Open; _ } -> if !steps >= plan.steps then bound := Steps
+    | End { ending = Zeno; _ } -> bound := Instant
   in
   let limits = { Replay.steps = Some plan.steps; time = until plan; instant = Replay.default_instant } in
   let policy = Replay.Random (Simulation.seed_of seed number) and interrupted () = !over in
@@ -79,6 +83,6 @@ let run plan ~seed number =
     | Never -> Never
     | No_value why -> No_value why
     | Open when Chain.is_over chain -> No_value "something that it asks for has no value there"
-    | Open -> if !stopped_by_choice then Free else Too_long
+    | Open -> if !stopped_by_choice then Free else Too_long !bound
   in
   (List.map outcome !found, !chosen)

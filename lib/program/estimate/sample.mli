@@ -19,13 +19,19 @@ type plan = {
   until : Rat.t option;  (** model time at most; the horizon of all questions ends a run as well *)
 }
 
+(** The bound that ended a run. *)
+type bound =
+  | Steps  (** so many transitions, [plan.steps] *)
+  | Time  (** [plan.until] *)
+  | Instant  (** so many transitions without time passing *)
+
 (** The outcome of a run for one question. *)
 type outcome =
   | Truth of bool
   | Number of Rat.t
   | Never  (** infinite: the run never reaches the event on which the number depends *)
   | Free  (** it depends on a choice that is not drawn *)
-  | Too_long  (** the run was stopped before the outcome was known *)
+  | Too_long of bound  (** the run was stopped before the outcome was known *)
   | No_value of string
 
 val run : plan -> seed:int64 -> int -> outcome list * bool

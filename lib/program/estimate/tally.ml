@@ -7,6 +7,7 @@ type t = {
   no : int;
   free : int;
   too_long : int;
+  bounds : Sample.bound list;
   never : int;
   no_value : int;
   why : string option;
@@ -17,7 +18,7 @@ type t = {
 
 let empty =
   {
-    runs = 0; yes = 0; no = 0; free = 0; too_long = 0; never = 0; no_value = 0; why = None; numbers = 0;
+    runs = 0; yes = 0; no = 0; free = 0; too_long = 0; bounds = []; never = 0; no_value = 0; why = None; numbers = 0;
     sum = Rat.zero; squares = Rat.zero;
   }
 
@@ -27,7 +28,9 @@ let add t (o : Sample.outcome) =
   | Truth true -> { t with yes = t.yes + 1 }
   | Truth false -> { t with no = t.no + 1 }
   | Free -> { t with free = t.free + 1 }
-  | Too_long -> { t with too_long = t.too_long + 1 }
+  | Too_long bound ->
+    let bounds = if List.mem bound t.bounds then t.bounds else List.sort Stdlib.compare (bound :: t.bounds) in
+    { t with too_long = t.too_long + 1; bounds }
   | Never -> { t with never = t.never + 1 }
   | No_value why -> { t with no_value = t.no_value + 1; why = (if t.why = None then Some why else t.why) }
   | Number x ->

@@ -8,7 +8,8 @@ type t = {
   yes : int;
   no : int;
   free : int;  (** depend on a choice that is not drawn *)
-  too_long : int;
+  too_long : int;  (** were stopped before the outcome was known *)
+  bounds : Sample.bound list;  (** the bounds that stopped them, each once *)
   never : int;
   no_value : int;
   why : string option;  (** the reason of the first run without a value *)

@@ -24,14 +24,14 @@ let make (d : Drawn.t) =
        match border.between with [ r; s ] -> Hashtbl.add by_sides (r, s) b | _ -> ())
     d.borders;
   Array.iteri (fun v corner -> if corner then Points.replace corner_at (snd d.set.ifs_vertices.(v)) v) d.corners;
-  let plane (region : Drawn.region) = Plane.make region.normal (Place.of_vec (List.hd region.pieces).(0)) in
+  let plane (region : Drawn.region) = Plane.make region.normal (Homogeneous.of_vec (List.hd region.pieces).(0)) in
   { drawn = d; planes = Array.map plane d.regions; by_plane; by_sides; corner_at; regions_at = Points.create 64 }
 
 let regions_at t x =
   match Points.find_opt t.regions_at x with
   | Some list -> list
   | None ->
-    let place = Place.of_vec x in
+    let place = Homogeneous.of_vec x in
     let all = List.init (Array.length t.drawn.regions) Fun.id in
     let list = List.filter (fun r -> Plane.side t.planes.(r) place = 0) all in
     Points.add t.regions_at x list;

@@ -1,15 +1,15 @@
 open Scc_exact
 
-type facet = { plane : Plane.t; corners : Place.t array }
+type facet = { plane : Plane.t; corners : Homogeneous.t array }
 type t = facet list
 
-module Places = Hashtbl.Make (Place)
+module Places = Hashtbl.Make (Homogeneous)
 
 let box low high : t =
   let at i =
     let either bit part = part (if i land bit = 0 then low else high) in
     let x = either 1 (fun (v : Vec.t) -> v.x) and y = either 2 (fun (v : Vec.t) -> v.y) in
-    Place.of_vec (Vec.make x y (either 4 (fun (v : Vec.t) -> v.z)))
+    Homogeneous.of_vec (Vec.make x y (either 4 (fun (v : Vec.t) -> v.z)))
   in
   let facet (x, y, z) corners =
     let corners = Array.map at corners in
@@ -30,7 +30,7 @@ let behind plane corners =
     let j = (i + 1) mod n in
     let si = Z.sign heights.(i) and sj = Z.sign heights.(j) in
     if si <= 0 then kept := corners.(i) :: !kept;
-    if si * sj < 0 then kept := Place.crossing corners.(i) heights.(i) corners.(j) heights.(j) :: !kept
+    if si * sj < 0 then kept := Homogeneous.crossing corners.(i) heights.(i) corners.(j) heights.(j) :: !kept
   done;
   Array.of_list (List.rev !kept)
 
@@ -62,14 +62,14 @@ let lid plane (facets : t) =
     done
   in
   List.iter edges facets;
-  let lesser p _ least = match least with Some l when Place.compare l p <= 0 -> least | _ -> Some p in
+  let lesser p _ least = match least with Some l when Homogeneous.compare l p <= 0 -> least | _ -> Some p in
   let first = Places.fold lesser next None in
   match first with
   | None -> Scc_base.Bug.fail __POS__ "a cut without an edge"
   | Some first ->
     let rec walk p found =
       let q = Places.find next p in
-      if Place.equal q first then List.rev (p :: found) else walk q (p :: found)
+      if Homogeneous.equal q first then List.rev (p :: found) else walk q (p :: found)
     in
     { plane; corners = Array.of_list (walk first []) }
 
@@ -88,4 +88,4 @@ let clip (cell : t) plane =
     Some (lid plane kept :: kept)
 
 let corners (cell : t) =
-  List.sort_uniq Place.compare (List.concat_map (fun f -> Array.to_list f.corners) cell)
+  List.sort_uniq Homogeneous.compare (List.concat_map (fun f -> Array.to_list f.corners) cell)

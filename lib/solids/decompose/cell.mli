@@ -2,7 +2,7 @@
 
 open Scc_exact
 
-type facet = { plane : Plane.t; corners : Place.t array }
+type facet = { plane : Plane.t; corners : Homogeneous.t array }
 (** The cell is behind the plane; the corners run counter-clockwise as seen from in front. *)
 
 type t = facet list
@@ -13,13 +13,13 @@ val box : Vec.t -> Vec.t -> t
 val clip : t -> Plane.t -> t option
 (** The part of the cell behind the plane; [None] if that is at most a piece of the cell's boundary. *)
 
-val corners : t -> Place.t list
-(** The corners of all facets, sorted by {!Place.compare}, each once. *)
+val corners : t -> Homogeneous.t list
+(** The corners of all facets, sorted by {!Homogeneous.compare}, each once. *)
 
 type position = Behind | In_front | On | Across
 
-val position : Plane.t -> Place.t array -> position
+val position : Plane.t -> Homogeneous.t array -> position
 (** The position of the convex hull of points relative to a plane. *)
 
-val behind : Plane.t -> Place.t array -> Place.t array
+val behind : Plane.t -> Homogeneous.t array -> Homogeneous.t array
 (** The part behind the plane of a convex polygon that is {!Across} it. *)

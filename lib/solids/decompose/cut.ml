@@ -1,4 +1,4 @@
-type fragment = { plane : int; polygon : Place.t array }
+type fragment = { plane : int; polygon : Homogeneous.t array }
 
 module Planes = Hashtbl.Make (Plane)
 

@@ -1,6 +1,6 @@
 (** Space, cut by planes through the reflex edges of a solid until in each cell the solid is convex. *)
 
-val parts : tick:(unit -> unit) -> Cell.t -> (Plane.t * Place.t array) list -> Cell.t list
+val parts : tick:(unit -> unit) -> Cell.t -> (Plane.t * Homogeneous.t array) list -> Cell.t list
 (** The convex parts of a closed solid without self-intersections, none of which share inner points; their
     union is the solid. The list has its surface as convex polygons, each with its plane, in front of which is
     the outside. All of them are inside the cell, a box.

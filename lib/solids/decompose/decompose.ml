@@ -19,8 +19,8 @@ let around polygons =
 let parts ?(tick = ignore) polygons =
   let box = around polygons in
   let surface polygon =
-    let corners = Array.map Place.of_vec polygon in
+    let corners = Array.map Homogeneous.of_vec polygon in
     (Plane.make (normal polygon) corners.(0), corners)
   in
   let cells = Cut.parts ~tick box (List.map surface polygons) in
-  List.map (fun cell -> List.map Place.to_vec (Cell.corners cell)) (Union.merge ~tick box cells)
+  List.map (fun cell -> List.map Homogeneous.to_vec (Cell.corners cell)) (Union.merge ~tick box cells)

@@ -1,17 +1,17 @@
-type corner = { number : int; at : Place.t }
+type corner = { number : int; at : Homogeneous.t }
 
 type t = {
-  a : Place.t;
-  b : Place.t;  (* the segment from a to b is left *)
+  a : Homogeneous.t;
+  b : Homogeneous.t;  (* the segment from a to b is left *)
   ends : corner * corner;  (* of the whole edge *)
   near : corner list;  (* some that an edge joins to these *)
   sides : int * int;  (* the planes of its polygons *)
-  off : Place.t * Place.t;  (* a corner of each polygon that is not on the edge *)
+  off : Homogeneous.t * Homogeneous.t;  (* a corner of each polygon that is not on the edge *)
 }
 
 (* {1 Of a surface} *)
 
-module Places = Hashtbl.Make (Place)
+module Places = Hashtbl.Make (Homogeneous)
 
 let numbered polygons =
   let numbers = Places.create 256 in
@@ -62,7 +62,7 @@ let split plane notches =
     let ha = Plane.height plane notch.a and hb = Plane.height plane notch.b in
     let s = Z.sign ha and t = Z.sign hb in
     if s * t < 0 then begin
-      let x = Place.crossing notch.a ha notch.b hb in
+      let x = Homogeneous.crossing notch.a ha notch.b hb in
       let of_a, of_b = if s > 0 then (front, back) else (back, front) in
       of_a := { notch with b = x } :: !of_a;
       of_b := { notch with a = x } :: !of_b

@@ -2,7 +2,7 @@
 
 type t
 
-val of_surface : Plane.t array -> (int * Place.t array) array -> t array
+val of_surface : Plane.t array -> (int * Homogeneous.t array) array -> t array
 (** [of_surface planes polygons] are the reflex edges of the surface. Each convex polygon comes with the index
     of its plane, in front of which is the outside. An edge is found where two polygons have both its corners.
 *)

@@ -4,10 +4,10 @@ open Scc_exact
 
 type t = private { a : Z.t; b : Z.t; c : Z.t; d : Z.t }  (** a x + b y + c z <= d, without a common divisor *)
 
-val make : Ivec.t -> Place.t -> t
+val make : Ivec.t -> Homogeneous.t -> t
 (** The plane with this normal, which is not zero, through the point. *)
 
-val through : Place.t -> Place.t -> Place.t -> t option
+val through : Homogeneous.t -> Homogeneous.t -> Homogeneous.t -> t option
 (** The plane through three points that run counter-clockwise as seen from in front; [None] if they are on a
     line. *)
 
@@ -20,9 +20,9 @@ val equal : t -> t -> bool
 val hash : t -> int
 (** A hash that is compatible with {!equal}. *)
 
-val height : t -> Place.t -> Z.t
+val height : t -> Homogeneous.t -> Z.t
 (** A number with the sign of the side on which the point is: positive in front, negative behind, 0 on the
     plane. *)
 
-val side : t -> Place.t -> int
+val side : t -> Homogeneous.t -> int
 (** The sign of {!height}: 1 in front, -1 behind, 0 on the plane. *)

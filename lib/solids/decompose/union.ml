@@ -1,11 +1,11 @@
 module Polygons = Hashtbl.Make (struct
-    type t = Place.t list
+    type t = Homogeneous.t list
 
-    let equal = List.equal Place.equal
-    let hash list = List.fold_left (fun h p -> (h * 31) + Place.hash p) 7 list
+    let equal = List.equal Homogeneous.equal
+    let hash list = List.fold_left (fun h p -> (h * 31) + Homogeneous.hash p) 7 list
   end)
 
-let key (f : Cell.facet) = List.sort Place.compare (Array.to_list f.corners)
+let key (f : Cell.facet) = List.sort Homogeneous.compare (Array.to_list f.corners)
 
 let all_behind corners planes =
   let behind plane = List.for_all (fun p -> Plane.side plane p <= 0) corners in
@@ -52,7 +52,7 @@ let merge ~tick box cells =
     let shared, i, j = Queue.take waiting in
     match (Scc_data.Growable.get live i, Scc_data.Growable.get live j) with
     | Some a, Some b -> (
-        let same f = List.equal Place.equal (key f) shared in
+        let same f = List.equal Homogeneous.equal (key f) shared in
         match planes_of_union (List.find same a) a b with
         | None -> ()
         | Some planes ->

@@ -24,9 +24,9 @@ let relation o r =
   let rec scan i touching =
     if i = Array.length o then if touching then Touching else Interpenetrating
     else
-      match Z.sign (slack o.(i) l) with
-      | 0 -> scan (i + 1) true
-      | s -> if s < 0 then Apart else scan (i + 1) touching
+      let room = Z.sign (slack o.(i) l) in
+      if not (Side.holds Side.contact room) then Apart
+      else scan (i + 1) (touching || not (Side.holds Side.overlap room))
   in
   scan 0 false
 
@@ -52,20 +52,19 @@ type bound = Infinite | Bound of Z.t * Z.t
 
 let less (n1, d1) (n2, d2) = Z.lt (Z.mul n1 d2) (Z.mul n2 d1)
 
-(* The times at which a line satisfies the condition s t <= c of every facet: an upper bound for s > 0, a
-   lower one for s < 0, and for s = 0 all times or none, as [still] says of the sign of c. *)
-let clip o l ~still =
+(* The times at which a line has the room that is needed at every facet, without their bounds. *)
+let clip o l need =
   let rec scan i low high =
     if i = Array.length o then Some (low, high)
     else
       let c = slack o.(i) l and s = speed o.(i) l in
-      match Z.sign s with
-      | 0 -> if still (Z.sign c) then scan (i + 1) low high else None
-      | 1 -> (
+      match Side.times ~speed:(Z.sign s) with
+      | Always_or_never -> if Side.holds need (Z.sign c) then scan (i + 1) low high else None
+      | Until -> (
           match high with
           | Bound (n, d) when not (less (c, s) (n, d)) -> scan (i + 1) low high
           | _ -> scan (i + 1) low (Bound (c, s)))
-      | _ -> (
+      | From -> (
           let c = Z.neg c and s = Z.neg s in
           match low with
           | Bound (n, d) when not (less (n, d) (c, s)) -> scan (i + 1) low high
@@ -74,7 +73,7 @@ let clip o l ~still =
   scan 0 Infinite Infinite
 
 let first_time_of_contact o r w =
-  match clip o (line o r w) ~still:(fun c -> c > 0) with
+  match clip o (line o r w) Side.overlap with
   | None -> Never
   | Some (Infinite, _) | Some (_, Infinite) -> Inside (* w = 0: a bounded obstacle bounds any other line *)
   | Some (Bound (n1, d1), Bound (n2, d2)) ->
@@ -84,7 +83,7 @@ let first_time_of_contact o r w =
 
 let meeting o r w =
   let rational = function Infinite -> None | Bound (n, d) -> Some (Rat.make n d) in
-  match clip o (line o r w) ~still:(fun c -> c >= 0) with
+  match clip o (line o r w) Side.contact with
   | None -> None
   | Some (Bound (n1, d1), Bound (n2, d2)) when less (n2, d2) (n1, d1) -> None
   | Some (low, high) -> Some (rational low, rational high)

@@ -6,13 +6,13 @@ type facet = Minkowski.facet = { normal : Ivec.t; num : Z.t; den : Z.t }
 (* What proved the last answers. A plane supports the obstacle wherever B stands, and so may prove the next answer
    as well: the pair has moved a little, or another pair of the same solids is as far apart. *)
 type memory = {
-  mutable plane : Certificate.plane option;  (** kept the two apart *)
+  mutable plane : Support_proof.plane option;  (** kept the two apart *)
   mutable entrance : entrance option;
   mutable contact : contact option;
 }
 
 (* A portal that was entered, and the plane of the facet that it carries. *)
-and entrance = { carrier : Certificate.plane; portal : Portal.triangle }
+and entrance = { carrier : Support_proof.plane; portal : Portal.triangle }
 
 (* At this offset the two touch, and these are the normals of the facets that hold it: who has asked whether bodies
    touch asks next how. *)
@@ -56,20 +56,24 @@ let at_first_sight o (r : Shadow.floats) =
 
 (* What a search leads to, as far as it can be proved; for bodies that touch, with the facet that holds the
    origin and where it does. *)
-type found = Apart_by of Certificate.plane | Overlap | Contact of Certificate.plane * Certificate.crossing | Open
+type found =
+  | Apart_by of Support_proof.plane
+  | Overlap
+  | Contact of Support_proof.plane * Support_proof.crossing
+  | Open
 
-let overlap c portal = if Certificate.inside c portal then Overlap else Open
+let overlap c portal = if Support_proof.inside c portal then Overlap else Open
 
 let settle c (guess : Portal.place) =
   match guess with
   | Inside portal -> overlap c portal
   | Facing portal -> (
-      match Certificate.facet c portal with
+      match Support_proof.facet c portal with
       | None -> Open
       | Some f -> (
-          match Certificate.height c f with
+          match Support_proof.height c f with
           | 0 -> (
-              match Certificate.foot c f portal with
+              match Support_proof.foot c f portal with
               | Outside -> Open
               | (Within | Border _) as crossing -> Contact (f, crossing))
           | h when h < 0 -> Apart_by f
@@ -79,26 +83,26 @@ let settle c (guess : Portal.place) =
 let locate o c question =
   match o.guess.locate question ~hasty:true with
   | Apart direction -> (
-      match Certificate.separating c direction with
-      | Some p when Certificate.apart c p -> Apart_by p
+      match Support_proof.separating c direction with
+      | Some p when Support_proof.apart c p -> Apart_by p
       | Some _ | None -> settle c (o.guess.locate question ~hasty:false))
   | found -> settle c found
 
 let keep_contact o r c f crossing =
   let normals =
     Later.make (fun () ->
-        match (crossing : Certificate.crossing) with
-        | Within -> [ Ivec.primitive (Certificate.normal f) ]
-        | Border p -> Certificate.tight c p
+        match (crossing : Support_proof.crossing) with
+        | Within -> [ Ivec.primitive (Support_proof.normal f) ]
+        | Border p -> Support_proof.tight c p
         | Outside -> Bug.fail __POS__ "a contact outside of its portal")
   in
   o.memory.contact <- Some { at = r; normals };
   normals
 
 let relation_by_search o r question =
-  let c = Certificate.make question r Vec.zero in
+  let c = Support_proof.make question r Vec.zero in
   match o.memory.plane with
-  | Some p when Certificate.apart c p -> Apart
+  | Some p when Support_proof.apart c p -> Apart
   | Some _ | None -> (
       match locate o c question with
       | Apart_by p ->
@@ -126,7 +130,7 @@ let separating_by_search o r =
   match Question.make o.a o.b (Shadow.floats r) still with
   | None -> by_facets ()
   | Some question -> (
-      let c = Certificate.make question r Vec.zero in
+      let c = Support_proof.make question r Vec.zero in
       match settle c (o.guess.locate question ~hasty:false) with
       | Contact (f, crossing) -> Later.force (keep_contact o r c f crossing)
       | Apart_by _ | Overlap | Open -> by_facets ())
@@ -136,27 +140,27 @@ let separating o r =
   | Some { at; normals } when Vec.equal at r -> Later.force normals
   | Some _ | None -> separating_by_search o r
 
-(* At a boundary point r of a convex polytope, r + t w is interior for all small t > 0 iff w goes strictly
-   inwards through every facet that holds r. *)
+(* There is no room at the facets that hold r, and some at all others. *)
 let approaching o r w =
   let w, _ = Ivec.of_vec w in
-  List.for_all (fun n -> Z.sign (Ivec.dot n w) < 0) (separating o r)
+  let collides n = Side.holds (Side.collision ~speed:(Z.sign (Ivec.dot n w))) 0 in
+  List.for_all collides (separating o r)
 
 (* {1 Casts} *)
 
 (* How a line, from its infinite past on, meets the interior: not at all from the time 0 on, or through a facet. *)
-type passage = Misses of Certificate.plane | Enters of Certificate.plane | Unknown
+type passage = Misses of Support_proof.plane | Enters of Support_proof.plane | Unknown
 
 (* Whether the line runs through the interior: strictly inside of a facet it does. *)
 let pierces c portal edge =
-  match Certificate.crossing c portal with
+  match Support_proof.crossing c portal with
   | Outside -> false
   | Within -> true
-  | Border _ -> Certificate.interior c edge
+  | Border _ -> Support_proof.interior c edge
 
 let entry o c portal edge =
-  match Certificate.facet c portal with
-  | Some f when Certificate.speed c f < 0 && pierces c portal edge ->
+  match Support_proof.facet c portal with
+  | Some f when Support_proof.speed c f < 0 && pierces c portal edge ->
     o.memory.entrance <- Some { carrier = f; portal };
     Enters f
   | Some _ | None -> Unknown
@@ -168,11 +172,11 @@ let misses o p =
 let rec follow o c question (guess : Portal.line) =
   match guess with
   | Apart direction -> (
-      match Certificate.separating c direction with
-      | Some p when Certificate.never c p -> misses o p
+      match Support_proof.separating c direction with
+      | Some p when Support_proof.never c p -> misses o p
       | Some _ | None -> patiently o c question)
   | Beside edge -> (
-      match Certificate.beside c edge with
+      match Support_proof.beside c edge with
       | Never p -> misses o p
       | Crosses -> (
           match o.guess.through question edge with
@@ -189,9 +193,9 @@ and patiently o c question =
 
 let remembered o c =
   match (o.memory.plane, o.memory.entrance) with
-  | Some p, _ when Certificate.never c p -> Misses p
-  | _, Some { carrier; portal } when Certificate.speed c carrier < 0 -> (
-      match Certificate.crossing c portal with Within -> Enters carrier | Border _ | Outside -> Unknown)
+  | Some p, _ when Support_proof.never c p -> Misses p
+  | _, Some { carrier; portal } when Support_proof.speed c carrier < 0 -> (
+      match Support_proof.crossing c portal with Within -> Enters carrier | Border _ | Outside -> Unknown)
   | _ -> Unknown
 
 let passage o c question =
@@ -209,11 +213,11 @@ let moving_contact o r w =
   match Question.make o.a o.b (Shadow.floats r) (Shadow.floats w) with
   | None -> by_facets ()
   | Some question -> (
-      let c = Certificate.make question r w in
+      let c = Support_proof.make question r w in
       match passage o c question with
       | Misses _ -> Never
       | Unknown -> by_facets ()
-      | Enters f when Certificate.height c f <= 0 -> At (Certificate.time c f)
+      | Enters f when Support_proof.height c f <= 0 -> At (Support_proof.time c f)
       | Enters _ -> inside_now o r (* entered before time 0: inside still, or through already *))
 
 let first_time_of_contact o r w = if Vec.is_zero w then inside_now o r else moving_contact o r w
@@ -225,15 +229,15 @@ let moving_meeting o r w =
     match Question.make o.a o.b (Shadow.floats r) (Shadow.floats w) with
     | None -> (None, Unknown)
     | Some question ->
-      let c = Certificate.make question r w in
+      let c = Support_proof.make question r w in
       (Some c, patiently o c question)
   in
   let by_facets () = Facets.meeting (Later.force o.all) r w in
   match passage w with
-  | Some c, Misses p when Certificate.apart_forever c p -> None
+  | Some c, Misses p when Support_proof.apart_forever c p -> None
   | Some c, Enters low -> (
       match passage (Vec.neg w) with
-      | Some d, Enters high -> Some (Some (Certificate.time c low), Some (Rat.neg (Certificate.time d high)))
+      | Some d, Enters high -> Some (Some (Support_proof.time c low), Some (Rat.neg (Support_proof.time d high)))
       | _ -> by_facets ())
   | _ -> by_facets ()
 

@@ -1,5 +1,5 @@
 (** Portals: the place where a line enters the obstacle A - B of two solids, or a plane between the two,
-    searched in floats. The vertices and the direction found are a guess. {!Certificate} proves them, over
+    searched in floats. The vertices and the direction found are a guess. {!Support_proof} proves them, over
     integers where floats cannot. A wrong guess costs time only. *)
 
 type triangle = { p : Point.t; q : Point.t; r : Point.t }

@@ -94,7 +94,7 @@ let most_tries = 6
 type search = {
   query : query;
   flight : Flight.t;
-  simplex : Simplex.t;
+  simplex : Gjk.t;
   plane : Separation.t;
   last : float;  (** the span, rounded down *)
   fine : bool;  (** every instant of the grid, counted from its begin, in the span is a float *)
@@ -111,14 +111,14 @@ type stand = {
   sweeps : int;  (** how often exact arithmetic had to help *)
 }
 
-(* Whether the interiors meet at the instant that the flight is at. [Simplex.miss] finds a point q + k c of the
+(* Whether the interiors meet at the instant that the flight is at. [Gjk.miss] finds a point q + k c of the
    displaced set, q a vector from A to B, c the vector between inner points, around which there is a ball of radius
    r in the set of all such vectors. If |q + k c| < k r, then -q/k is in that ball; and the origin, which lies
    between -q/k and q, is in the interior of the set. *)
 let meets s =
-  let noise = Flight.epsilon *. s.flight.scales.length and r = Simplex.depth s.simplex in
+  let noise = Flight.epsilon *. s.flight.scales.length and r = Gjk.depth s.simplex in
   let k = 4. *. noise /. r in
-  k < 0x1p-10 && Simplex.miss s.simplex k < 0.5 *. k *. r
+  k < 0x1p-10 && Gjk.miss s.simplex k < 0.5 *. k *. r
 
 (* Of an instant of the span: the cell of the grid that holds it, and where a cell begins, or a little after, and a
    little before it. Which cell it is may be wrong by one where the grid has a phase: it is a guess there. *)
@@ -137,7 +137,7 @@ let rec advance s at =
   if at.steps = 0 then sweep s.query (Q.of_float at.t) s.query.span
   else begin
     Flight.move s.flight at.t;
-    match Simplex.search s.simplex with
+    match Gjk.search s.simplex with
     | Near -> if at.t = 0. then begin_near s at else slowly s at
     | Apart _ ->
       Heading.aim s.plane s.simplex;
@@ -223,7 +223,7 @@ let first_time_of_contact ?obstacle ?(phase = Rat.zero) a b ~span ~grid =
           {
             query = q;
             flight;
-            simplex = Simplex.make flight;
+            simplex = Gjk.make flight;
             plane = Separation.make flight;
             last = Float_box.down span;
             fine = grid < 900 && Float.ldexp (end_ +. phase_above) grid < 0x1p51;

@@ -36,7 +36,7 @@ let cross (a : Shadow.floats) (b : Shadow.floats) : Shadow.floats =
 let turning (r : Flight.turn) v = cross { x = r.wx; y = r.wy; z = r.wz } v
 
 (* g = e x f has the direction of n or the opposite one, and so has its rate that of the rate of n. *)
-let edges (p : Separation.t) (s : Simplex.t) =
+let edges (p : Separation.t) (s : Gjk.t) =
   let f = p.flight in
   let a = edge f.a s.va.(0) (other s.va) and b = edge f.b s.vb.(0) (other s.vb) in
   let g = cross a b in
@@ -50,7 +50,7 @@ let edges (p : Separation.t) (s : Simplex.t) =
   end
   else across f.a.now p.n p.rate
 
-let aim (p : Separation.t) (s : Simplex.t) =
+let aim (p : Separation.t) (s : Gjk.t) =
   Array.blit s.n 0 p.n 0 3;
   let f = p.flight in
   match (distinct s.va s.count, distinct s.vb s.count) with
@@ -72,7 +72,7 @@ let first_root a b c =
 type delays = { sooner : float; later : float }
 
 (* The height of the first corner over the plane through the origin: all corners are at the same one. *)
-let delays (p : Separation.t) (s : Simplex.t) =
+let delays (p : Separation.t) (s : Gjk.t) =
   let f = p.flight in
   let from_centre (b : Flight.body) i : Shadow.floats =
     let s = b.solid.shadow and r = b.now in

@@ -1,7 +1,7 @@
 (** Guesses for a plane between two flying solids: its direction, and the time that it may last. They come from
     the features that are nearest at an instant. *)
 
-val aim : Separation.t -> Simplex.t -> unit
+val aim : Separation.t -> Gjk.t -> unit
 (** After a search that found them apart, sets the direction to that of the search. The rate is such that the
     direction turns with the features of the corners. *)
 
@@ -11,7 +11,7 @@ type delays = {
   later : float;  (** the gap is closed by then, if not much else changes; infinite when it does not close *)
 }
 
-val delays : Separation.t -> Simplex.t -> delays
+val delays : Separation.t -> Gjk.t -> delays
 (** The delays for the direction of the separation and the nearest features that the search has found. *)
 
 val first_root : float -> float -> float -> float

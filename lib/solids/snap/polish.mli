@@ -1,5 +1,5 @@
 (** A solid near another one, in floats: moves of vertices, as few and as small as possible, that make all
-    faces flat. The result is a guess, which {!Place} makes exact. It is the same on all machines. *)
+    faces flat. The result is a guess, which {!Placing} makes exact. It is the same on all machines. *)
 
 type t = {
   points : float array;  (** x, y, z of each vertex in turn *)

@@ -93,9 +93,9 @@ type attempt = Near of Polyhedron.ifs | Unfit of Polyhedron_fault.t list | Far
 
 let attempt frame (set : Polyhedron.ifs) ~tolerance2 order grid guess =
   let count = Array.length set.ifs_vertices in
-  let place e = outward frame (Place.vector e) in
+  let place e = outward frame (Placing.vector e) in
   let keep u e = u >= count || Rat.compare (distance2 (place e) (snd set.ifs_vertices.(u))) tolerance2 <= 0 in
-  match Place.place order ~grid guess ~keep with
+  match Placing.place order ~grid guess ~keep with
   | None -> Far
   | Some elements -> (
       let placed v (name, _) = (name, place elements.(v)) in

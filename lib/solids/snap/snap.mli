@@ -1,7 +1,7 @@
 (** Exact solids near rounded ones. Coordinates in practice are rounded: the corners of a face with more than
     three of them are not quite in one plane. This module finds a convex closed polyhedron with the same
     vertices, faces and names within a distance. It is guessed in floats ({!Polish}) and placed exactly on a
-    grid that is as coarse as possible ({!Order}, {!Place}). It is checked exactly: by
+    grid that is as coarse as possible ({!Order}, {!Placing}). It is checked exactly: by
     {!Scc_geometry.Polyhedron.of_ifs} and by the distances. *)
 
 open Scc_exact

@@ -2,8 +2,9 @@
     discrete rules are the same throughout a piece. *)
 
 open Scc_polyhedra
+open Scc_offsets
 open Scc_semantics
-open Scc_symbolic
+open Scc_state_sets
 
 type context = {
   semantics : Semantics.t;
@@ -29,9 +30,8 @@ type part = {
 val parts : context -> Zone.t -> part list
 (** All parts of all processes, with their places as forms over the variables of the zone. *)
 
-val rooms : context -> part * part -> (Linear.t * Scc_exact.Rat.t) list
-(** [rooms c (a, b)] has, for each plane of the obstacle of two parts, how far inside of it [b] is, in units of
-    its normal. The number is the speed along the normal: negative where the offset moves inwards. *)
+val facets : context -> part * part -> Half_space.t list
+(** [facets c (a, b)] are the facets of the obstacle of two parts, for the offset and velocity of [b] from [a]. *)
 
 val well_formed : context -> Zone.t -> Polyhedron.t list
 (** Regions that contain all states of the zone in which no two bodies interpenetrate. *)

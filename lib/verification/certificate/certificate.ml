@@ -1,9 +1,10 @@
 open Scc_exact
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 open Scc_semantics
 open Scc_evaluate
-open Scc_symbolic
+open Scc_state_sets
 
 exception Rejected of string
 
@@ -15,7 +16,7 @@ type context = {
   invariant : Invariant.t;
   locations : (Invariant.location * Zone.t) list;  (** with a variable for each coordinate *)
   atoms : Atoms.context;
-  claims : Proof.claim list;
+  claims : Invariant.claim list;
   stop : unit -> bool;
 }
 
@@ -126,17 +127,16 @@ let discrete t (z : Zone.t) ~states ~only =
 (* {1 What should never come} *)
 
 let nothing_claimed t (z : Zone.t) ~passing =
-  let of_claim (claim : Proof.claim) =
+  let of_claim (claim : Invariant.claim) =
     let view = { Atoms.zone = z; passing; quiescent = [] } in
-    let bad (region, truth) =
-      (not (Scc_ctl.Truth.equal truth Scc_ctl.Truth.False))
-      && List.exists
+    let bad region =
+      List.exists
         (fun values ->
            let here = Polyhedron.preimage values ~dimension:(Zone.dimension z) z.parameters in
            not (Polyhedron.disjoint region here))
         (Union.pieces claim.values)
     in
-    if List.exists bad (Atoms.truth t.atoms claim.never view) then reject "it has states that should never come"
+    if List.exists bad (Atoms.possible t.atoms claim.never view) then reject "it has states that should never come"
   in
   List.iter of_claim t.claims
 
@@ -292,7 +292,7 @@ let check_all semantics u ~declared invariant claims ~stop =
       model;
       invariant;
       locations = List.map (fun l -> (l, Invariant.zone model l)) invariant.locations;
-      atoms = Atoms.context (Instant.context semantics) ~events:invariant.events;
+      atoms = Atoms.context (Zone_parts.context semantics) ~events:invariant.events;
       claims;
       stop;
     }

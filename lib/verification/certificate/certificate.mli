@@ -6,13 +6,12 @@
 
 open Scc_calculus
 open Scc_semantics
-open Scc_symbolic
 
 val not_for : Model.t -> string option
 (** A reason, for readers, why invariants of this model cannot be checked; [None] if they can. *)
 
 val check :
-  Semantics.t -> Uncertain.t -> declared:State.t -> Invariant.t -> Proof.claim list -> stop:(unit -> bool) ->
+  Semantics.t -> Uncertain.t -> declared:State.t -> Invariant.t -> Invariant.claim list -> stop:(unit -> bool) ->
   (unit, string) result
 (** [Ok ()] if the invariant and all claims are proved. The error is a reason for readers: a condition that
     does not hold, or that cannot be decided in this way. [stop] is called regularly; if it returns true, that

@@ -1,8 +1,9 @@
 open Scc_exact
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 open Scc_semantics
-open Scc_symbolic
+open Scc_state_sets
 
 type t = Zone.t
 

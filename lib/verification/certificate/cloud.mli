@@ -4,7 +4,7 @@
 open Scc_exact
 open Scc_polyhedra
 open Scc_calculus
-open Scc_symbolic
+open Scc_state_sets
 
 type t = Zone.t
 (** Its variables are of no meaning by themselves; its set is full-dimensional. *)
@@ -31,4 +31,4 @@ val tidy : Behaviour.definitions -> State.t -> State.t
 
 val state : Model.t -> t -> Rat.t array -> State.t
 (** [state m z point] is a single state, of the ordinary model for the values of its parameters
-    ({!Scc_symbolic.Fixed.model}). Its behaviours have aged. *)
+    ({!Scc_state_sets.Fixed.model}). Its behaviours have aged. *)

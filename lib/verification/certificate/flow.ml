@@ -1,8 +1,10 @@
 open Scc_exact
+open Scc_geometry
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 open Scc_semantics
-open Scc_symbolic
+open Scc_state_sets
 open Arrangement
 
 type t = { states : Polyhedron.t; ends : Zone.t }
@@ -44,20 +46,17 @@ let delays c z = List.concat_map (delays_of c z) (leaves z)
 
 let moving c z =
   let apart (a, b) = a.process <> b.process && not (Vec.is_zero (Vec.sub b.velocity a.velocity)) in
-  List.filter apart (Scc_data.Lists.pairs (parts c z)) |> List.map (rooms c)
+  List.filter apart (Scc_data.Lists.pairs (parts c z)) |> List.map (facets c)
 
 (* The conditions of which one holds iff two parts do not collide before the end: over the start, where the time
-   that passes is the last variable. Room falls at its speed. *)
-let free n rooms =
+   that passes is the last variable. *)
+let free n facets =
   let time = Linear.variable n (n - 1) in
-  let at_end (f, speed) = Linear.sub f (Linear.scale speed time) in
-  let not_inside f = Constraint.at_most f (zero_like f) in
-  let crossing (f, speed) = Linear.scale (Rat.div Rat.one speed) f in
-  let alone (f, speed) = not_inside (if Rat.sign speed < 0 then at_end (f, speed) else f) in
-  let entered, others = List.partition (fun (_, speed) -> Rat.sign speed < 0) rooms in
-  let left = List.filter (fun (_, speed) -> Rat.sign speed > 0) others in
-  let late e = List.map (fun l -> Constraint.at_least (crossing e) (crossing l)) left in
-  List.map alone rooms @ List.concat_map late entered
+  let not_inside h = Constraint.negation (Half_space.needs Side.overlap h) in
+  let alone (h : Half_space.t) = not_inside (if Rat.sign h.speed < 0 then Half_space.after time h else h) in
+  let { Half_space.entered; left; _ } = Half_space.passage facets in
+  let late e = List.map (fun l -> Constraint.at_least (Half_space.crossing e) (Half_space.crossing l)) left in
+  List.concat_map alone facets @ List.concat_map late entered
 
 let passings c (z : Zone.t) region =
   let n = Zone.dimension z + 1 in
@@ -67,8 +66,8 @@ let passings c (z : Zone.t) region =
   let start = Zone.with_variables z ~dimension:n old set in
   let left = delays c start @ clocks c start in
   let in_time = Constraint.greater time (zero_like time) :: List.map (Constraint.at_most time) left in
-  let pass regions rooms =
-    let conditions = free n rooms in
+  let pass regions facets =
+    let conditions = free n facets in
     let of_region p =
       if List.exists (Polyhedron.implies p) conditions then [ p ]
       else List.concat_map (fun k -> where p [ k ]) conditions
@@ -91,10 +90,4 @@ let passings c (z : Zone.t) region =
   List.map (fun set -> { states = set; ends = { start with set; arrived = []; ages; clocks; places } }) regions
 
 let contacts c { states; ends } =
-  let collide rooms =
-    let condition (f, speed) =
-      if Rat.sign speed < 0 then Constraint.at_least f (zero_like f) else Constraint.greater f (zero_like f)
-    in
-    where states (List.map condition rooms)
-  in
-  List.concat_map collide (moving c ends)
+  List.concat_map (fun facets -> where states (Half_space.collision facets)) (moving c ends)

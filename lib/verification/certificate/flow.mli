@@ -1,7 +1,7 @@
 (** The passing of time in a set of states, as relations between a state and a time. *)
 
 open Scc_polyhedra
-open Scc_symbolic
+open Scc_state_sets
 
 type t = {
   states : Polyhedron.t;

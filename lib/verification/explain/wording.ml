@@ -34,7 +34,7 @@ let rec given (e : Explanation.t) =
   | _, Parts parts -> List.concat_map given parts
   | _, (Given | Run _ | Everywhere _ | Likelihood _) -> []
 
-let rec is_state (f : Scc_ctl.Formula.t) =
+let rec is_state (f : Scc_ctl.Timed_formula.t) =
   match f with
   | Predicate _ -> true
   | Not f -> is_state f

@@ -1,6 +1,7 @@
 open Scc_exact
 open Scc_polyhedra
 open Scc_property
+open Scc_state_sets
 
 (* [Reaches]: some run leads to a state that the search looks for; [Avoids]: none does. *)
 type plan =

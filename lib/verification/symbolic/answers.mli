@@ -3,6 +3,7 @@
 
 open Scc_polyhedra
 open Scc_property
+open Scc_state_sets
 
 type t
 
@@ -11,8 +12,8 @@ val make : Instant.context -> Atoms.context -> parameters:Polyhedron.t -> Proper
     parameters. *)
 
 val reach_of : Instant.context -> Property.temporal -> Settling.reach option
-(** [reach_of c formula] is the positions that the truth of a formula in the initial states depends on; [None] if there
-    is no such bound. *)
+(** [reach_of c formula] is the positions that the truth of a formula in the initial states depends on; [None] if
+    there is no such bound. *)
 
 val reach : t -> Settling.reach option
 (** [reach t] is {!reach_of} the formula of [t]. *)

@@ -2,6 +2,7 @@ open Scc_exact
 open Scc_polyhedra
 open Scc_property
 open State_sets
+open Scc_state_sets
 
 (* {1 Fixpoints} *)
 

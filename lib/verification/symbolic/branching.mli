@@ -4,6 +4,7 @@
 
 open Scc_polyhedra
 open Scc_property
+open Scc_state_sets
 
 type t
 (** The sets of states of a formula and its parts. *)

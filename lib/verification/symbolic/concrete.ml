@@ -1,6 +1,7 @@
 open Scc_exact
 open Scc_polyhedra
 open Scc_semantics
+open Scc_state_sets
 
 type step = Happens of Transition.label | Passes of Rat.t | Passes_some of Rat.t
 type t = { values : Rat.t array; steps : step list; offset : Rat.t }

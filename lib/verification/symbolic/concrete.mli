@@ -2,6 +2,7 @@
 
 open Scc_exact
 open Scc_semantics
+open Scc_state_sets
 
 type step =
   | Happens of Transition.label

@@ -1,7 +1,9 @@
 open Scc_exact
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 open Scc_semantics
+open Scc_state_sets
 
 type t = { label : Transition.label; target : Zone.t }
 type all = { urgent : t list; weak : t list }

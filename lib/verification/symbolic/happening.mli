@@ -4,6 +4,7 @@
 open Scc_polyhedra
 open Scc_semantics
 open Scc_property
+open Scc_state_sets
 
 type t = { label : Transition.label; target : Zone.t  (** over the same variables; not canonical *) }
 

@@ -1,72 +1,32 @@
 open Scc_exact
 open Scc_geometry
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 open Scc_semantics
+open Scc_state_sets
 
-type context = {
-  semantics : Semantics.t;
-  obstacle : Solid.t -> Solid.t -> Obstacle.t;
-  features : Feature_cells.memory;
-}
-
-let context semantics =
-  let memory = Scc_broad_phase.Obstacle_cache.create () in
-  { semantics; obstacle = Scc_broad_phase.Obstacle_cache.find memory; features = Feature_cells.create () }
+include Zone_parts
 
 exception Not_affine of string
 
-let semantics_at c (z : Zone.t) point =
-  let m = Semantics.model c.semantics in
-  if Fixed.has_open_offsets m then
-    Semantics.with_model c.semantics (Fixed.offsets m (Array.map (fun f -> Linear.eval f point) z.parameters))
-  else c.semantics
-
-type part = { process : State.process; leaf : int; index : int; solid : Solid.t; place : Place.t }
-
-let parts (m : Model.t) z (process : State.process) =
-  let n = Zone.dimension z in
-  let of_leaf (l : State.leaf) =
-    let of_part index (p : Model.part) =
-      let place = Place.add z.places.(l.leaf) (Place.of_part ~dimension:n z.parameters p) in
-      { process; leaf = l.leaf; index; solid = p.solid; place }
-    in
-    List.mapi of_part (Array.to_list m.leaves.(l.leaf).parts)
-  in
-  List.concat_map of_leaf (Array.to_list process.leaves)
-
-let two_of_different lists =
-  let with_each (ps, qs) = List.concat_map (fun p -> List.map (fun q -> (p, q)) qs) ps in
-  List.concat_map with_each (Scc_data.Lists.pairs lists)
-
-let pairs m (z : Zone.t) = two_of_different (List.map (parts m z) (Array.to_list z.skeleton.processes))
-let offset a b = Place.sub b.place a.place
-let relative_velocity a b = Vec.sub b.process.velocity a.process.velocity
-
 (* {1 Who collides} *)
 
-(* Rule Approach: two parts collide where the offset is on planes of the obstacle that the velocity enters, and
-   strictly inside of all others. Regions on which the planes are the same, and where they do not collide. *)
+(* Rules Contact and Approach. Regions where two parts collide, on each of which the same planes of their obstacle
+   hold the offset, and regions where they do not collide. *)
 let colliding c region (a, b) =
   let w = relative_velocity a b in
   if Vec.is_zero w then ([], [ region ])
   else
-    let offset = offset a b in
-    let zero = Linear.constant (Polyhedron.dimension region) Rat.zero in
-    let facet f = (Facet_forms.room offset f, Rat.sign (Vec.dot (Ivec.to_vec f.Obstacle.normal) w)) in
-    let facets = List.map facet (Array.to_list (Obstacle.facets (c.obstacle a.solid b.solid))) in
-    let in_contact (room, sign) =
-      if sign < 0 then Constraint.at_least room zero else Constraint.greater room zero
-    in
-    match Region.split region (List.map in_contact facets) with
+    let facets = Half_space.moving (c.obstacle a.solid b.solid) (offset a b) w in
+    match Region.split region (Half_space.collision facets) with
     | None, rest -> ([], rest)
     | Some meet, rest ->
-      let entered = List.filter_map (fun (room, sign) -> if sign < 0 then Some room else None) facets in
-      let cut_one room p =
-        Region.where p [ Constraint.equals room zero ] @ Region.where p [ Constraint.greater room zero ]
+      let cut_one h p =
+        Region.where p [ Half_space.on_border h ] @ Region.where p [ Half_space.needs Side.overlap h ]
       in
-      let cut regions room = List.concat_map (cut_one room) regions in
-      (List.fold_left cut [ meet ] entered, rest)
+      let cut regions h = List.concat_map (cut_one h) regions in
+      (List.fold_left cut [ meet ] (Half_space.passage facets).entered, rest)
 
 (* {1 What else is looked at} *)
 
@@ -82,15 +42,12 @@ let touching c region (a, b) =
   List.partition_map judge regions
 
 let whether_in region (set : Polyhedron.t) offset =
-  let x, y, z = offset in
-  let n = Polyhedron.dimension region in
-  let at_offset c = Constraint.substitute c ~dimension:n [| x; y; z |] in
-  Region.split region (List.map at_offset (Polyhedron.constraints set))
+  Region.split region (Place.within set offset)
 
 (* What of a channel is on a part. *)
 let sides part =
   let side (s : Site.t) =
-    if s.part = part.index then Some { Feature_cells.solid = part.solid; feature = s.feature } else None
+    if s.part = part.index then Some { Feature_offsets.solid = part.solid; feature = s.feature } else None
   in
   List.filter_map side
 
@@ -99,11 +56,11 @@ let sides part =
 let by_channels c (a, b) regions ((one : Behaviour.channel), (two : Behaviour.channel)) =
   let twos = sides b two.surface in
   let both = List.concat_map (fun one -> List.map (fun two -> (one, two)) twos) (sides a one.surface) in
-  let of_dimension d = List.filter (fun (one, two) -> Feature_cells.dimension c.features one two = d) both in
+  let of_dimension d = List.filter (fun (one, two) -> Feature_offsets.dimension c.features one two = d) both in
   let offset = offset a b in
   (* Regions with whether some pair touches there. *)
   let look cells (one, two) =
-    let set = Feature_cells.offsets c.features one two in
+    let set = Feature_offsets.touching c.features one two in
     let cut (region, found) =
       let yes, no = whether_in region set offset in
       List.map (fun p -> (p, true)) (Option.to_list yes) @ List.map (fun p -> (p, found)) no
@@ -136,7 +93,7 @@ let apart_by_touching c regions pair =
 let meeting_offsets c (a, b) =
   let of_channels ((one : Behaviour.channel), (two : Behaviour.channel)) =
     let twos = sides b two.sites in
-    let offsets f g = Polyhedron.closure (Feature_cells.offsets c.features f g) in
+    let offsets f g = Polyhedron.closure (Feature_offsets.touching c.features f g) in
     List.concat_map (fun f -> List.map (offsets f) twos) (sides a one.sites)
   in
   List.concat_map of_channels (Collisions.fitting c.semantics (a.process, a.leaf) (b.process, b.leaf))

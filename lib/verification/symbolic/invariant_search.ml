@@ -1,4 +1,6 @@
 open Scc_property
+open Scc_state_sets
+module Invariant = Scc_certificate.Invariant
 
 type visitor = { stop : unit -> bool; looked_at : locations:int -> waiting:int -> unit }
 type end_ = Found of Invariant.t | No_end of string | Stopped
@@ -6,8 +8,8 @@ type end_ = Found of Invariant.t | No_end of string | Stopped
 module Kinds = Hashtbl.Make (struct
     type t = Zone.t
 
-    let equal = Zone.same_kind
-    let hash = Zone.hash_kind
+    let equal = Zone_form.same_kind
+    let hash = Zone_form.hash_kind
   end)
 
 (* All states of one kind that are known to be needed. *)
@@ -38,7 +40,7 @@ let queue s k =
   end
 
 let grow s zone =
-  let zone, _ = Zone.canonical zone in
+  let zone, _ = Zone_form.canonical zone in
   match Kinds.find_opt s.kinds zone with
   | None ->
     let k = { number = Scc_data.Growable.length s.by_number; zone; grown = 0; queued = false } in
@@ -46,7 +48,7 @@ let grow s zone =
     Scc_data.Growable.push s.by_number k;
     queue s k
   | Some k ->
-    if Option.is_none (Zone.included zone k.zone) then begin
+    if Option.is_none (Zone_form.included zone k.zone) then begin
       let joined = Zone_hull.join s.context k.zone zone in
       k.zone <- (if k.grown >= patience then Zone_hull.widen s.context k.zone joined else joined);
       k.grown <- k.grown + 1;
@@ -67,10 +69,10 @@ let rounds = 2
 let narrow s starts =
   let next = Array.make (Scc_data.Growable.length s.by_number) None in
   let add zone =
-    let zone, _ = Zone.canonical zone in
+    let zone, _ = Zone_form.canonical zone in
     let k = Kinds.find s.kinds zone in
     let together others =
-      if Option.is_some (Zone.included zone others) then others else Zone_hull.join s.context others zone
+      if Option.is_some (Zone_form.included zone others) then others else Zone_hull.join s.context others zone
     in
     next.(k.number) <- Some (Option.fold ~none:zone ~some:together next.(k.number))
   in
@@ -82,7 +84,7 @@ let narrow s starts =
 let invariant s =
   let location k =
     if k.zone.halted then None
-    else Some { Invariant.skeleton = k.zone.skeleton; arrived = k.zone.arrived; set = Invariant.set_of k.zone }
+    else Some { Invariant.skeleton = k.zone.skeleton; arrived = k.zone.arrived; set = Zone_form.set_of k.zone }
   in
   { Invariant.events = s.events; locations = List.filter_map location (all s) }
 

@@ -4,11 +4,12 @@
     So it can prove that a state never comes, and never that one comes (rule Invariants). *)
 
 open Scc_property
+open Scc_state_sets
 
 type visitor = { stop : unit -> bool; looked_at : locations:int -> waiting:int -> unit }
 
 type end_ =
-  | Found of Invariant.t
+  | Found of Scc_certificate.Invariant.t
   | No_end of string  (** the reason, for readers, why none was found *)
   | Stopped
 

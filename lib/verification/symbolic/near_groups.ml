@@ -1,9 +1,9 @@
 open Scc_data
-open Scc_exact
-open Scc_geometry
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 open Scc_semantics
+open Scc_state_sets
 
 type t = { owner : int array;  (** the process of each leaf, or -1 *) groups : Union_find.t }
 
@@ -16,12 +16,9 @@ let hidden t ~visible group =
   in
   from 0
 
-let may_touch (c : Instant.context) region (a, b) =
-  let offset = Instant.offset a b in
-  let zero = Linear.constant (Polyhedron.dimension region) Rat.zero in
-  let within f = Constraint.at_least (Facet_forms.room offset f) zero in
-  let facets = Array.to_list (Obstacle.facets (c.obstacle a.solid b.solid)) in
-  not (Polyhedron.is_empty (Polyhedron.add_all region (List.map within facets)))
+let may_touch (c : Instant.context) region ((a : Instant.part), (b : Instant.part)) =
+  let facets = Half_space.still (c.obstacle a.solid b.solid) (Instant.offset a b) in
+  not (Polyhedron.is_empty (Polyhedron.add_all region (Half_space.contact facets)))
 
 let make (c : Instant.context) (z : Zone.t) region =
   let m = Semantics.model c.semantics in

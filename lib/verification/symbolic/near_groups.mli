@@ -2,6 +2,7 @@
     Order). Within an instant nothing moves, so events of one group do not influence the others. *)
 
 open Scc_polyhedra
+open Scc_state_sets
 
 type t
 

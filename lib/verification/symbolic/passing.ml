@@ -1,8 +1,10 @@
 open Scc_exact
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 open Scc_semantics
 open Instant
+open Scc_state_sets
 
 type due = Contact of int | Expiry of int * Linear.t | Split_instant of int
 

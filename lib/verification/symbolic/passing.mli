@@ -1,6 +1,7 @@
 (** Rule Time for zones: the next events, and the effect of time until then. *)
 
 open Scc_polyhedra
+open Scc_state_sets
 
 (** An event that ends a passing of time, or happens at its end. *)
 type due =

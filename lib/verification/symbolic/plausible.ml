@@ -1,8 +1,10 @@
 open Scc_exact
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 open Scc_semantics
 open Instant
+open Scc_state_sets
 
 (* {1 What is convex} *)
 
@@ -14,10 +16,10 @@ let bonds_touch c (z : Zone.t) =
   let of_process (p : State.process) =
     let parts = parts m z p in
     let at (f : State.finish) = List.find (fun part -> part.leaf = f.at && part.index = f.site.part) parts in
-    let side part (f : State.finish) = { Feature_cells.solid = part.solid; feature = f.site.feature } in
+    let side part (f : State.finish) = { Feature_offsets.solid = part.solid; feature = f.site.feature } in
     let of_bond (b : State.bond) =
       let one = at b.one and two = at b.two in
-      let together = Feature_cells.offsets c.features (side one b.one) (side two b.two) in
+      let together = Feature_offsets.touching c.features (side one b.one) (side two b.two) in
       let x, y, z' = offset one two in
       Polyhedron.preimage together ~dimension:(Zone.dimension z) [| x; y; z' |]
     in
@@ -33,11 +35,8 @@ let apart c (z : Zone.t) =
   let cut regions (a, b) =
     if a.leaf = b.leaf then regions
     else
-      let offset = offset a b in
-      let zero = Linear.constant (Zone.dimension z) Rat.zero in
-      let inside f = Constraint.greater (Facet_forms.room offset f) zero in
-      let facets = Array.to_list (Scc_geometry.Obstacle.facets (c.obstacle a.solid b.solid)) in
-      let interior = Polyhedron.of_constraints (Zone.dimension z) (List.map inside facets) in
+      let facets = Half_space.still (c.obstacle a.solid b.solid) (offset a b) in
+      let interior = Polyhedron.of_constraints (Zone.dimension z) (Half_space.overlap facets) in
       List.concat_map (fun region -> Difference.pieces region interior) regions
   in
   List.fold_left cut [ z.set ] (Scc_data.Lists.pairs all)

@@ -1,3 +1,5 @@
+open Scc_state_sets
+
 (** The states of a zone that may be reachable, if the zone is larger than that. In all states of all runs rule
     WellFormed holds, delays and split clocks are not over, and parameters are in their ranges. *)
 

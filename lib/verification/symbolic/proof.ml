@@ -1,9 +1,9 @@
 open Scc_polyhedra
 open Scc_semantics
 open Scc_property
+module Invariant = Scc_certificate.Invariant
 
-type claim = { never : Property.prop; values : Union.t }
-type t = { sets : Answers.sets; claims : claim list }
+type t = { sets : Answers.sets; claims : Invariant.claim list }
 
 let views (c : Instant.context) (invariant : Invariant.t) =
   let m = Semantics.model c.semantics in
@@ -12,7 +12,7 @@ let views (c : Instant.context) (invariant : Invariant.t) =
     { number = 0; zone; depth = 1; parents = []; edges = []; cells; late = []; beyond = None; expanded = true }
   in
   let of_location location =
-    let zone, _ = Zone.canonical (Invariant.zone m location) in
+    let zone, _ = Zone_form.canonical (Invariant.zone m location) in
     List.map node (Plausible.pieces c zone)
   in
   List.concat_map of_location invariant.locations

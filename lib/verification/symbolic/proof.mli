@@ -2,16 +2,14 @@
 
 open Scc_polyhedra
 open Scc_property
-
-type claim = { never : Property.prop; values : Union.t }
-(** The claim that no state of any run satisfies the predicate [never], for these values of the parameters. *)
+open Scc_state_sets
 
 type t = {
   sets : Answers.sets;  (** the values for which a check surely holds, and those for which it surely fails *)
-  claims : claim list;  (** the claims on which [sets] rest *)
+  claims : Scc_certificate.Invariant.claim list;  (** the claims on which [sets] rest *)
 }
 
-val views : Instant.context -> Invariant.t -> Zone_graph.node list
+val views : Instant.context -> Scc_certificate.Invariant.t -> Zone_graph.node list
 (** All states of an invariant, and all states that pass by from them, as nodes for {!make}. *)
 
 val make :

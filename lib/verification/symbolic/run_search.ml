@@ -1,6 +1,7 @@
 open Scc_exact
 open Scc_polyhedra
 open State_sets
+open Scc_state_sets
 
 type finish = There | Rests | Passes | Repeats of int | Goes_on of int
 type walk = { way : Concrete.way; node : int; inside : (int * Linear.t) option }

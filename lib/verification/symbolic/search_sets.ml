@@ -1,6 +1,7 @@
 open Scc_exact
 open Scc_polyhedra
 open Scc_property
+open Scc_state_sets
 module Truth = Scc_ctl.Truth
 
 type place = { node : Zone_graph.node; states : Polyhedron.t; passing : bool; prop : Property.prop }

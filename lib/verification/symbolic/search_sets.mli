@@ -4,6 +4,7 @@
 open Scc_exact
 open Scc_polyhedra
 open Scc_property
+open Scc_state_sets
 
 (** The end of a run, and the predicate that holds there: some states of a node, or states that pass by after
     it. *)

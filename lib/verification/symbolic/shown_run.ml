@@ -3,6 +3,7 @@ open Scc_polyhedra
 open Scc_property
 open State_sets
 open Run_search
+open Scc_state_sets
 
 type finish = Run_search.finish = There | Rests | Passes | Repeats of int | Goes_on of int
 

@@ -1,9 +1,11 @@
 open Scc_exact
 open Scc_geometry
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 open Scc_semantics
 open Instant
+open Scc_state_sets
 
 type fault = { at : (string * Rat.t) list; reason : reason }
 and reason = Interpenetrate of (int * int) * (int * int) | Apart of State.finish * State.finish
@@ -59,10 +61,10 @@ let apart c u (z : Zone.t) =
   let m = Semantics.model c.semantics in
   let parts = List.concat_map (parts m z) (Array.to_list z.skeleton.processes) in
   let at (f : State.finish) = List.find (fun part -> part.leaf = f.at && part.index = f.site.part) parts in
-  let side part (f : State.finish) = { Feature_cells.solid = part.solid; feature = f.site.feature } in
+  let side part (f : State.finish) = { Feature_offsets.solid = part.solid; feature = f.site.feature } in
   let of_joint (f, g) =
     let one = at f and two = at g in
-    let together = Feature_cells.offsets c.features (side one f) (side two g) in
+    let together = Feature_offsets.touching c.features (side one f) (side two g) in
     let x, y, z' = offset one two in
     let right = Polyhedron.preimage together ~dimension:(Zone.dimension z) [| x; y; z' |] in
     match Difference.pieces z.set right with

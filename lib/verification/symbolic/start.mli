@@ -2,6 +2,7 @@
 
 open Scc_exact
 open Scc_calculus
+open Scc_state_sets
 
 (** The reason why some starts are not well-formed (rule WellFormed), with values of the parameters for which
     it applies. *)

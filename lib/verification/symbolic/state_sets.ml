@@ -1,5 +1,6 @@
 open Scc_exact
 open Scc_polyhedra
+open Scc_state_sets
 module Truth = Scc_ctl.Truth
 
 exception Not_known of string

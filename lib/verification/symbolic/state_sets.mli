@@ -3,6 +3,7 @@
 
 open Scc_polyhedra
 open Scc_property
+open Scc_state_sets
 
 exception Not_known of string
 (** The reason, for readers, why something is not known. *)

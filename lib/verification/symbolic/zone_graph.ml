@@ -1,5 +1,6 @@
 open Scc_exact
 open Scc_polyhedra
+open Scc_state_sets
 
 type edge = {
   guard : Polyhedron.t;
@@ -58,7 +59,9 @@ let put e zone ~beyond parent =
   let g = e.graph in
   let depth = match parent with None -> 0 | Some (i, _) -> (node g i).depth + 1 in
   let parents = Option.to_list parent in
-  let node = { number = size g; zone; depth; parents; edges = []; cells = []; late = []; beyond; expanded = false } in
+  let node =
+    { number = size g; zone; depth; parents; edges = []; cells = []; late = []; beyond; expanded = false }
+  in
   Scc_data.Growable.push g.nodes node;
   Zone_index.add g.index zone node;
   Queue.add node g.waiting;
@@ -79,11 +82,11 @@ let cut_at_horizon e (z : Zone.t) =
 
 (* A node that has all of a zone, with its variables by those of the zone: one that is there, or a new one. *)
 let node_of e zone ~beyond ~parent =
-  let canonical, forms = Zone.canonical (if e.displaced then Zone.centred zone else zone) in
-  let sample = lazy (Zone.sample canonical) in
+  let canonical, forms = Zone_form.canonical (if e.displaced then Zone_form.centred zone else zone) in
+  let sample = lazy (Zone_form.sample canonical) in
   let holds n =
-    if Option.equal Int.equal n.beyond beyond && Zone.has n.zone (Lazy.force sample) then
-      Option.map (fun map -> (n, map)) (Zone.included canonical n.zone)
+    if Option.equal Int.equal n.beyond beyond && Zone_form.has n.zone (Lazy.force sample) then
+      Option.map (fun map -> (n, map)) (Zone_form.included canonical n.zone)
     else None
   in
   match Zone_index.last_around e.graph.index canonical holds with
@@ -92,7 +95,7 @@ let node_of e zone ~beyond ~parent =
   | None -> (
       let grown (n : node) =
         if n.expanded || n.parents = [] || not (Option.equal Int.equal n.beyond beyond) then None
-        else Option.map (fun z -> (n, z)) (Zone.merged n.zone canonical)
+        else Option.map (fun z -> (n, z)) (Zone_form.merged n.zone canonical)
       in
       match List.find_map grown (Zone_index.alike e.graph.index canonical) with
       | None -> (put e canonical ~beyond (parent (size e.graph) forms), forms)
@@ -104,7 +107,7 @@ let node_of e zone ~beyond ~parent =
 let link e (source : node) (step : Zone_steps.step) ~beyond (zone : Zone.t) =
   let renamed = Zone_symmetry.image ~classes:e.interchangeable zone in
   let edge n map = { guard = zone.set; step; target = n; map; renamed } in
-  let zone = Option.fold ~none:zone ~some:(Zone.renamed zone) renamed in
+  let zone = Option.fold ~none:zone ~some:(Zone_form.renamed zone) renamed in
   let n, map = node_of e zone ~beyond ~parent:(fun number map -> Some (source.number, edge number map)) in
   source.edges <- edge n.number map :: source.edges
 

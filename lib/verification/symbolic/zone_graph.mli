@@ -4,6 +4,7 @@
 open Scc_exact
 open Scc_polyhedra
 open Scc_property
+open Scc_state_sets
 
 (** A zone that is not expanded yet is merged with new states if their union is convex, so that fewer zones are
     expanded. *)
@@ -83,7 +84,8 @@ val explore :
   Zone.t list ->
   t * end_
 (** Explores from zones, which need not be canonical: the roots are their canonical forms. With [displaced]
-    each zone that is reached is {!Zone.centred} first: the place of the whole does not matter. With [visible],
+    each zone that is reached is {!Zone_form.centred} first: the place of the whole does not matter.
+    With [visible],
     independent events of one instant are followed in one order where no visible leaf takes part (rule Order);
     for searches only. Leaves of a class of [interchangeable] may be exchanged (rule Symmetry); the members of
     each class are increasing. Roots are never changed so. Each node is expanded by [attempt], which may give

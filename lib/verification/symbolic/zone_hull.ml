@@ -1,8 +1,9 @@
 open Scc_exact
-open Scc_geometry
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 open Scc_semantics
+open Scc_state_sets
 module Polyhedron = Scc_polyhedra.Polyhedron
 
 (* The least affine space that two zones are in, as a zone without borders. *)
@@ -12,10 +13,10 @@ let around (a : Zone.t) (b : Zone.t) =
     let forms = Zone.coordinates z in
     List.init (Zone.dimension z) (fun i -> Array.map (fun f -> Linear.coefficient f i) forms)
   in
-  let here = Zone.sample a and there = Zone.sample b in
+  let here = Zone_form.sample a and there = Zone_form.sample b in
   let equalities = Hull.affine ~through:here ((Array.map2 Rat.sub there here :: along a) @ along b) in
   let set = Polyhedron.of_constraints n equalities in
-  fst (Zone.canonical (Zone.of_coordinates a ~set ~basis:[||] (Array.init n (Linear.variable n))))
+  fst (Zone_form.canonical (Zone_form.of_coordinates a ~set ~basis:[||] (Array.init n (Linear.variable n))))
 
 let directions (m : Model.t) (z : Zone.t) =
   let leaves = Array.length m.leaves in
@@ -29,20 +30,19 @@ let directions (m : Model.t) (z : Zone.t) =
 (* That two parts are apart by a plane between them. *)
 let separations (c : Instant.context) (z : Zone.t) =
   let m = Semantics.model c.semantics in
-  let zero = Linear.constant (Zone.dimension z) Rat.zero in
   let of_pair (a, b) =
     let offset = Instant.offset a b in
     if Place.is_constant offset then []
     else
-      let beyond f = Constraint.at_most (Facet_forms.room offset f) zero in
-      List.map beyond (Array.to_list (Obstacle.facets (c.obstacle a.solid b.solid)))
+      List.concat_map Constraint.negation
+        (Half_space.overlap (Half_space.still (c.obstacle a.solid b.solid) offset))
   in
   List.concat_map of_pair (Instant.pairs m z)
 
 let join (c : Instant.context) (a : Zone.t) (b : Zone.t) =
-  let both = if Zone.same_forms a b then a else around a b in
+  let both = if Zone_form.same_forms a b then a else around a b in
   let there (z : Zone.t) =
-    if Zone.same_forms z both then z.set
+    if Zone_form.same_forms z both then z.set
     else
       let forms = Zone.coordinates z in
       Polyhedron.image z.set (Array.map (fun i -> forms.(i)) both.basis)
@@ -53,7 +53,7 @@ let join (c : Instant.context) (a : Zone.t) (b : Zone.t) =
   { both with set = Polyhedron.minimal (Polyhedron.add_all set (List.filter hold (separations c both))) }
 
 let widen c (old : Zone.t) (joined : Zone.t) =
-  if Zone.same_forms old joined then
+  if Zone_form.same_forms old joined then
     let kept = List.filter (Polyhedron.implies joined.set) (separations c joined) in
     { joined with set = Polyhedron.minimal (Polyhedron.add_all (Envelope.widen old.set joined.set) kept) }
   else joined
@@ -66,4 +66,4 @@ let meet (a : Zone.t) (b : Zone.t) =
   let given i f = Constraint.equals forms.(i) (Linear.compose f ~dimension chosen) in
   let equalities = Array.to_list (Array.mapi given (Zone.coordinates b)) in
   let set = Polyhedron.inter (Polyhedron.add_all a.set equalities) (Polyhedron.preimage b.set ~dimension chosen) in
-  fst (Zone.canonical { a with set })
+  fst (Zone_form.canonical { a with set })

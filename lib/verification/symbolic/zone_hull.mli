@@ -1,3 +1,5 @@
+open Scc_state_sets
+
 (** Zones around others of their kind, for proofs (rule Invariants). All of them are canonical, and do not keep
     time. *)
 

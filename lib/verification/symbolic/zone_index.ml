@@ -1,11 +1,12 @@
 open Scc_exact
 open Scc_polyhedra
+open Scc_state_sets
 
 module Kinds = Hashtbl.Make (struct
     type t = Zone.t
 
-    let equal = Zone.same_kind
-    let hash = Zone.hash_kind
+    let equal = Zone_form.same_kind
+    let hash = Zone_form.hash_kind
   end)
 
 let equal_arrays equal a b = Array.length a = Array.length b && Array.for_all2 equal a b

@@ -1,5 +1,6 @@
 open Scc_polyhedra
 open Scc_semantics
+open Scc_state_sets
 
 type step = Happens of Transition.label | Passes of Linear.t | Passes_some
 

@@ -1,6 +1,8 @@
 open Scc_exact
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
+open Scc_state_sets
 
 (* What a leaf is told by: what is discrete first, then the bounds of its coordinates and age over the zone, which
    depend on no name either, and in the end the forms as they are, which may. *)

@@ -1,3 +1,5 @@
+open Scc_state_sets
+
 (** Rule Symmetry for zones: of zones that differ by a permutation of interchangeable leaves, one is followed.
     No order of leaves is the same in all states of a zone. An order that depends on the zone as a whole is
     enough. It uses first the properties that no renaming changes. *)

@@ -4,7 +4,9 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_graph_search
+open Scc_state_sets
 open Scc_symbolic
+module Invariant = Scc_certificate.Invariant
 
 type t = { invariant : Invariant.t; proofs : Proof.t list }
 type end_ = Proved of t | None_found of string | Given_up of string

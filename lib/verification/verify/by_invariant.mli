@@ -8,7 +8,7 @@ open Scc_property
 open Scc_symbolic
 
 type t = {
-  invariant : Invariant.t;
+  invariant : Scc_certificate.Invariant.t;
   proofs : Proof.t list;  (** one for each check; something is proved *)
 }
 

@@ -5,6 +5,7 @@ open Scc_graph_search
 open Scc_calculus
 open Scc_semantics
 open Scc_property
+open Scc_state_sets
 open Scc_symbolic
 open Scc_verify
 
@@ -139,9 +140,10 @@ let explore (options : Setup.t) context (group : Zone_groups.t) ~initial zones ~
   let enough () =
     answers <> [] && List.for_all2 (fun a proved -> proved || Answers.is_known ~exactly a) answers proved
   in
-  let { time = horizon; events = beyond; by_user } = horizon options group looking in
+  let horizon = horizon options group looking in
   let depth = match (Zone_bounds.depth options.bounds).limit with Depth d -> d | _ -> Zone_bounds.default_depth in
-  let limits = { Zone_graph.depth = Some depth; nodes = Zone_bounds.given options.bounds.states; horizon; events = beyond } in
+  let nodes = Zone_bounds.given options.bounds.states in
+  let limits = { Zone_graph.depth = Some depth; nodes; horizon = horizon.time; events = horizon.events } in
   let visited = { size = 0; late = false; beyond = false; stop = None } in
   let model = Semantics.model context.Instant.semantics in
   let graph, end_ =
@@ -150,7 +152,7 @@ let explore (options : Setup.t) context (group : Zone_groups.t) ~initial zones ~
       ?visible:(Zone_reduction.visible options formulas)
       ~interchangeable:(Zone_reduction.interchangeable options model initial formulas)
       context ~events ~limits
-      ~visitor:(visitor options visited ~by_user ~looking ~enough)
+      ~visitor:(visitor options visited ~by_user:horizon.by_user ~looking ~enough)
       zones
   in
   iter_nodes graph (fun node ->

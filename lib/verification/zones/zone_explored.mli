@@ -2,6 +2,7 @@
     decided on one graph. *)
 
 open Scc_calculus
+open Scc_state_sets
 open Scc_symbolic
 open Scc_verify
 

@@ -14,8 +14,8 @@ type t = {
 }
 
 val make :
-  Instant.context -> bounded:bool -> part:(Property.check -> State.t option) -> premises:Property.check list -> Property.check list ->
-  t list
+  Instant.context -> bounded:bool -> part:(Property.check -> State.t option) -> premises:Property.check list ->
+  Property.check list -> t list
 (** [make context ~bounded ~part ~premises checks] are the groups, at least one; it has no members if there are no
     checks. With [bounded], there is a bound of time for all. The part of a check has to be enough for the
     premises of its name as well. *)

@@ -3,8 +3,8 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_graph_search
-open Scc_symbolic
 open Scc_verify
+open Scc_state_sets
 
 let named (m : Model.t) values =
   List.mapi (fun i v -> (m.ranges.(i).Ranges.name, v)) (Array.to_list values)

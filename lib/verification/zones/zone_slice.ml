@@ -6,6 +6,8 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_state_space
+open Scc_offsets
+open Scc_state_sets
 open Scc_symbolic
 
 type swarm = {
@@ -32,15 +34,7 @@ let some_pair f one two = List.exists (fun a -> List.exists (f a) two) one
 
 (* {1 On their lines} *)
 
-(* The room between an offset and the planes of an obstacle, with how far it moves along each normal in a unit of
-   time. *)
-let rooms s (a : Instant.part) (b : Instant.part) ~velocity =
-  let offset = Instant.offset a b in
-  let of_facet (f : Obstacle.facet) =
-    let normal = Ivec.to_vec f.normal in
-    (Facet_forms.room offset f, Vec.dot normal velocity, normal)
-  in
-  List.map of_facet (Array.to_list (Obstacle.facets (s.context.obstacle a.solid b.solid)))
+let obstacle s (a : Instant.part) (b : Instant.part) = s.context.obstacle a.solid b.solid
 
 (* Over the values of the parameters and so many instants more, which come last. *)
 let with_instants s more =
@@ -62,11 +56,12 @@ let collide s (a : Instant.part) (b : Instant.part) =
   &&
   let set, lift, instant, constant = with_instants s 2 in
   let meets = instant 0 and within = instant 1 in
-  let at_facet (room, speed, _) =
-    let at time = Linear.sub (lift room) (Linear.scale speed time) in
-    [ Constraint.at_least (at meets) (constant Rat.zero); Constraint.greater (at within) (constant Rat.zero) ]
+  let at_facet (h : Half_space.t) =
+    let lifted = { h with room = lift h.room } in
+    Half_space.contact [ Half_space.after meets lifted ] @ Half_space.overlap [ Half_space.after within lifted ]
   in
-  let constraints = List.concat_map at_facet (rooms s a b ~velocity) in
+  let facets = Half_space.moving (obstacle s a b) (Instant.offset a b) velocity in
+  let constraints = List.concat_map at_facet facets in
   let times = Constraint.at_least within meets :: in_time s meets constant in
   not (Polyhedron.is_empty (Polyhedron.add_all set (times @ constraints)))
 
@@ -107,14 +102,17 @@ let reach s ~energy ~until (p : Instant.part) =
 let may_meet s ~until (a, of_a) (b, of_b) ~velocity =
   let set, lift, instant, constant = with_instants s 1 in
   let slack = Rat.add of_a of_b and time = instant 0 in
-  let at_facet (room, speed, normal) =
-    let moved = Rat.mul slack (root_above (Vec.norm2 normal)) in
-    Constraint.at_least (Linear.sub (lift room) (Linear.scale speed time)) (constant (Rat.neg moved))
+  let obstacle = obstacle s a b in
+  let at_facet (h : Half_space.t) =
+    let moved = Rat.mul slack (root_above (Vec.norm2 (Ivec.to_vec (Obstacle.facets obstacle).(h.index).normal))) in
+    let room = Linear.add (lift h.room) (constant moved) in
+    Half_space.needs Side.contact (Half_space.after time { h with room })
   in
+  let facets = Half_space.moving obstacle (Instant.offset a b) velocity in
   let times =
     [ Constraint.at_least time (constant Rat.zero); Constraint.at_most time (constant until) ]
   in
-  not (Polyhedron.is_empty (Polyhedron.add_all set (times @ List.map at_facet (rooms s a b ~velocity))))
+  not (Polyhedron.is_empty (Polyhedron.add_all set (times @ List.map at_facet facets)))
 
 (* Whether a stirred group may meet some processes of another group. Without a horizon it gets everywhere. *)
 let reaches s g others =

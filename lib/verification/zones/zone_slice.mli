@@ -7,6 +7,7 @@
 
 open Scc_calculus
 open Scc_property
+open Scc_state_sets
 open Scc_symbolic
 
 val make : Instant.context -> Uncertain.t -> initial:State.t -> Zone.t -> Property.temporal list -> State.t option

@@ -4,6 +4,7 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_evaluate
+open Scc_state_sets
 open Scc_symbolic
 open Scc_explain
 

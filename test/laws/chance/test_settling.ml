@@ -1,6 +1,6 @@
-(* Rule Settling: an exploration that ends as soon as all that is asked is settled gives the answers of one that goes
-   on to its end. There nothing is reduced, what is said of the time is hidden in a choice of which nothing is known,
-   and a check is never settled. *)
+(* Rule Settling: an exploration that ends as soon as all that is asked is settled gives the answers of one that
+   goes on to its end. The latter reduces nothing, hides what is said of the time in a choice of which nothing is
+   known, and has a check that is never settled. *)
 
 open Scc_semantics
 open Scc_verify
@@ -184,7 +184,8 @@ let law =
   QCheck2.Test.make ~name:"Settling: the answers of a whole exploration" ~count:40 ~print generate same
 
 let scope () =
-  Printf.printf "%d questions: %d answers compared, %d known early alone, %d not known; %d explorations ended early\n"
+  Printf.printf
+    "%d questions: %d answers compared, %d known early alone, %d not known; %d explorations ended early\n"
     count.asked count.compared count.more count.unknown count.ended;
   Alcotest.(check bool) "most are compared" true (2 * count.compared > count.asked);
   Alcotest.(check bool) "some end early" true (count.ended > 10)

@@ -5,6 +5,7 @@
 open Scc_polyhedra
 open Scc_calculus
 open Scc_semantics
+open Scc_state_sets
 open Scc_symbolic
 open Scc_certificate
 open Scc_verify
@@ -90,7 +91,7 @@ let rejects l u (invariant : Invariant.t) =
   in
   List.iteri each invariant.locations;
   let all = Union.of_polyhedron (Ranges.box l.model.ranges) in
-  let truth = { Proof.never = Bool true; values = all } in
+  let truth = { Scc_certificate.Invariant.never = Bool true; values = all } in
   is_rejected l u invariant [ truth ] "that nothing is ever so"
 
 let few = 12

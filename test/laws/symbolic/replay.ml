@@ -2,6 +2,7 @@ open Scc_exact
 open Scc_polyhedra
 open Scc_calculus
 open Scc_semantics
+open Scc_state_sets
 open Scc_symbolic
 
 let successors c s = match Network.successors c s with Ok ts -> ts | Error _ -> failwith "a fault"

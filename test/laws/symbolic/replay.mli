@@ -3,6 +3,7 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_state_sets
 open Scc_symbolic
 
 val follow : Semantics.t -> State.t -> Concrete.t -> (State.t list, string) result

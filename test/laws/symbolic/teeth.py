@@ -26,22 +26,22 @@ import mistakes
 # name: (file, what stands there, what is put in its place)
 MISTAKES = {
     "grazing is a contact": (
-        "contact_cells.ml",
-        "List.map (fun f -> Constraint.greater f.room zero) parallel",
-        "List.map (fun f -> Constraint.at_least f.room zero) parallel",
+        "../../solids/offsets/half_space.ml",
+        "  overlap along\n",
+        "  contact along\n",
     ),
     "corners that are only touched are hit": (
-        "contact_cells.ml",
+        "../../solids/offsets/half_space.ml",
         "Constraint.less (crossing f) (crossing g)",
         "Constraint.at_most (crossing f) (crossing g)",
     ),
     "who leaves may come into contact": (
-        "contact_cells.ml",
-        "Constraint.greater (crossing g) zero",
-        "Constraint.at_least (crossing g) zero",
+        "../../solids/offsets/half_space.ml",
+        "Constraint.greater (crossing g) (zero g)",
+        "Constraint.at_least (crossing g) (zero g)",
     ),
     "a contact at the limit is late": (
-        "contact_cells.ml",
+        "../../solids/offsets/half_space.ml",
         "Constraint.at_most (crossing f) t ]",
         "Constraint.less (crossing f) t ]",
     ),
@@ -56,19 +56,19 @@ MISTAKES = {
         "",
     ),
     "entered planes have to be left behind": (
-        "instant.ml",
-        "if sign < 0 then Constraint.at_least room zero",
-        "if sign < 0 then Constraint.greater room zero",
+        "../../solids/geometry/side.ml",
+        "if speed < 0 then contact else overlap",
+        "(ignore speed; overlap)",
     ),
     "other planes may hold the offset": (
-        "instant.ml",
-        "Constraint.at_least room zero else Constraint.greater room zero",
-        "Constraint.at_least room zero else Constraint.at_least room zero",
+        "../../solids/geometry/side.ml",
+        "if speed < 0 then contact else overlap",
+        "(ignore speed; contact)",
     ),
     "which plane is entered does not matter": (
         "instant.ml",
-        "(List.fold_left cut [ meet ] entered, rest)",
-        "((ignore cut; ignore entered; [ meet ]), rest)",
+        "(List.fold_left cut [ meet ] (Half_space.passage facets).entered, rest)",
+        "((ignore cut; [ meet ]), rest)",
     ),
     "which features touch does not matter": (
         "instant.ml",
@@ -86,11 +86,13 @@ MISTAKES = {
         "List.concat_map (fun p -> ignore fall; [ p ]) regions",
     ),
     "features touch with their borders": (
-        "feature_cells.ml",
+        "../../solids/offsets/feature_offsets.ml",
         "let inside normal a = Constraint.greater",
         "let inside normal a = Constraint.at_least",
     ),
-    "touching is open": ("touching_cells.ml", "Constraint.(less room zero,", "Constraint.(at_most room zero,"),
+    "touching is open": (
+        "../../solids/offsets/touching_cells.ml", "Half_space.needs Side.contact h", "Half_space.needs Side.overlap h",
+    ),
     "other delays go on from the start": (
         "passing.ml",
         "Behaviour.wait (Linear.sub d passed) rest",
@@ -151,22 +153,22 @@ MISTAKES = {
     ),
     "time stands still": ("passing.ml", "Option.map (Linear.add time) z.time", "z.time"),
     "borders belong to zones": (
-        "zone.ml",
+        "zone_form.ml",
         "let set = Polyhedron.minimal set in",
         "let set = Polyhedron.minimal (Polyhedron.closure set) in",
     ),
     "a zone in the closure is known": (
-        "zone.ml",
+        "zone_form.ml",
         "Polyhedron.included a.set (Polyhedron.preimage b.set ~dimension:n forms)",
         "Polyhedron.included a.set (Polyhedron.closure (Polyhedron.preimage b.set ~dimension:n forms))",
     ),
     "zones that differ in what depends are one": (
-        "zone.ml",
+        "zone_form.ml",
         "if all 0 && Polyhedron",
         "if (ignore all; true) && Polyhedron",
     ),
-    "halted zones are zones": ("zone.ml", "Bool.equal a.halted b.halted && List", "List"),
-    "what led to a zone is forgotten": ("zone.ml", "List.equal Int.equal a.arrived b.arrived && ", ""),
+    "halted zones are zones": ("zone_form.ml", "Bool.equal a.halted b.halted && List", "List"),
+    "what led to a zone is forgotten": ("zone_form.ml", "List.equal Int.equal a.arrived b.arrived && ", ""),
     "open features do not come to meet": (
         "passing.ml",
         "if Model.binds_on_contact (Semantics.model c.semantics) then",
@@ -265,8 +267,8 @@ MISTAKES = {
         "../certificate/flow.ml", "if List.exists (Polyhedron.implies p) conditions then [ p ]", "if true then [ p ]",
     ),
     "contacts are not due": (
-        "../certificate/flow.ml", "List.concat_map collide (moving c ends)",
-        "List.concat_map collide (List.filter (fun _ -> false) (moving c ends))",
+        "../certificate/flow.ml", "(Half_space.collision facets)) (moving c ends)",
+        "(Half_space.collision facets)) (List.filter (fun _ -> false) (moving c ends))",
     ),
     "delays are not over": (
         "../certificate/certificate.ml", "List.map (fun f -> Polyhedron.add flow.states (over f)) left",

@@ -19,7 +19,8 @@ let anytime = { Property.low = Rat.zero; high = None }
 let settled leaves ~quantifier ~below =
   let open Gen in
   let prop = Predicates.generate leaves ~timed:false 1 in
-  let time ops = map2 (fun op n -> Property.Compare (op, Quantity Time, Const (Rat.of_int n))) (oneofl ops) (0 -- 4) in
+  let compare op n = Property.Compare (op, Quantity Time, Const (Rat.of_int n)) in
+  let time ops = map2 compare (oneofl ops) (0 -- 4) in
   let state p = map (fun p -> Property.State p) p in
   let late = state (time Law.[ Gt; Ge ]) and early = state (time Law.[ Lt; Le; Eq ]) in
   let both f g = map2 (fun f g -> Property.Temporal_and [ f; g ]) f g in
@@ -30,14 +31,14 @@ let settled leaves ~quantifier ~below =
   let one goal =
     frequency
       [
-        (2, finally (both goal early)); (2, globally (either goal late)); (1, until goal (both (state prop) early));
-        (1, until early goal); (1, until goal late); (1, finally late);
+        (2, finally (both goal early)); (2, globally (either goal late));
+        (1, until goal (both (state prop) early)); (1, until early goal); (1, until goal late); (1, finally late);
       ]
   in
   frequency [ (4, one below); (1, finally (both early (one below))) ]
 
-(* Where time is asked about, each operator has a bound and stands by itself, or a goal that ends with some time, as
-   all that is later is left out; but for the events that are next, which may be however late. *)
+(* Where time is asked about, each operator has a bound and stands by itself, or it has a goal that ends with some
+   time, since all that is later is left out; the events that are next may be however late. *)
 let formula leaves ~timed ~quantifiers =
   let open Gen in
   let prop = Predicates.generate leaves ~timed 1 in

@@ -8,7 +8,9 @@ open Scc_polyhedra
 open Scc_calculus
 open Scc_semantics
 open Scc_property
+open Scc_state_sets
 open Scc_symbolic
+module Invariant = Scc_certificate.Invariant
 module Gen = QCheck2.Gen
 
 type case = { scene : Scene.t; props : Property.prop list; seed : int }
@@ -85,7 +87,7 @@ let look case (m : Model.t) standard (invariant : Invariant.t) claims values =
       if not (List.exists (is v) invariant.locations) then fail case values "a state is not in the invariant"
     in
     List.iter reached visits;
-    let never (claim : Proof.claim) =
+    let never (claim : Scc_certificate.Invariant.claim) =
       if Union.mem claim.values values then begin
         incr denied;
         let all =

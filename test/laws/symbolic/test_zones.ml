@@ -8,6 +8,7 @@ open Scc_polyhedra
 open Scc_calculus
 open Scc_semantics
 open Scc_property
+open Scc_state_sets
 open Scc_symbolic
 module Gen = QCheck2.Gen
 

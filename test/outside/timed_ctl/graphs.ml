@@ -34,23 +34,23 @@ let graph_gen ~unsure ~truncated =
 type value = { start : int; slope : int }
 
 type mean =
-  | Time of Formula.t
-  | Events of Formula.t
+  | Time of Timed_formula.t
+  | Events of Timed_formula.t
   | Value of value option array * Rat.t  (** by node; none has a value *)
 
 type line = {
   graph : Small.t;
   events : Small.truth list list array;
   (** of the transitions of each node, of all that happens by each, whether it is counted *)
-  formulas : Formula.t list;
-  chances : (Formula.side * Formula.t) list;
-  means : (Formula.side * mean) list;
+  formulas : Timed_formula.t list;
+  chances : (Timed_formula.side * Timed_formula.t) list;
+  means : (Timed_formula.side * mean) list;
 }
 
 (* Of a formula that is an operator of time. *)
 let rec lasting_gen step =
   let open Gen in
-  let* (f : Formula.t) = Small.formula_gen step 2 in
+  let* (f : Timed_formula.t) = Small.formula_gen step 2 in
   match f with
   | Until _ | Finally _ | Globally _ -> return f
   | Predicate _ | Not _ | And _ | Or _ | Next _ -> lasting_gen step
@@ -83,7 +83,7 @@ let line_gen =
   let* events = flatten_a (Array.map (events_gen ~unsure) graph.nodes) in
   let* step = map Rat.of_int (frequencyl [ (3, 1); (1, 2); (1, 3) ]) in
   let* shallow = list_repeat 4 (Small.formula_gen step 1) and* deep = list_repeat 2 (Small.formula_gen step 3) in
-  let side = oneofl [ Formula.Least; Greatest ] in
+  let side = oneofl [ Timed_formula.Least; Greatest ] in
   let* chances = list_repeat 3 (pair side (lasting_gen step)) in
   let* means = list_repeat 3 (pair side (mean_gen (Array.length graph.nodes))) in
   return { graph; events; formulas = shallow @ deep; chances; means }
@@ -122,9 +122,9 @@ let node events (x : Small.node) : Yojson.Basic.t =
         ("trajectory", trajectory);
       ]
 
-let side letter : Formula.side -> string = function Least -> letter ^ "min" | Greatest -> letter ^ "max"
+let side letter : Timed_formula.side -> string = function Least -> letter ^ "min" | Greatest -> letter ^ "max"
 
-let quantifier : Formula.quantifier -> Yojson.Basic.t = function
+let quantifier : Timed_formula.quantifier -> Yojson.Basic.t = function
   | All -> `String "A"
   | Exists -> `String "E"
   | Chance { side = s; test = { relation; than } } ->
@@ -136,10 +136,10 @@ let quantifier : Formula.quantifier -> Yojson.Basic.t = function
 let whole r : Yojson.Basic.t =
   if Rat.is_integer r then `Int (Z.to_int (Rat.floor r)) else failwith "a bound that is no whole number"
 
-let bound (b : Formula.bound) : Yojson.Basic.t =
+let bound (b : Timed_formula.bound) : Yojson.Basic.t =
   `List [ whole b.low; (match b.high with None -> `Null | Some h -> whole h) ]
 
-let rec formula (f : Formula.t) : Yojson.Basic.t =
+let rec formula (f : Timed_formula.t) : Yojson.Basic.t =
   let list name l : Yojson.Basic.t = `List (`String name :: l) in
   match f with
   | Predicate p -> `String (String.make 1 (Char.chr (Char.code 'p' + p)))

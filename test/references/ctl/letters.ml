@@ -2,7 +2,7 @@
 
 open Scc_ctl
 open Scc_exact
-open Formula
+open Timed_formula
 
 (* The letters of p and of q: T, F as "." and undecided as "?". *)
 let truths text =
@@ -16,7 +16,7 @@ let node ?(edges = []) ?(drawn = false) ?(flow = Small.No_flow) ?(p = "") ?(q = 
 let graph nodes : Small.t = { nodes = Array.of_list nodes; unit = Rat.one }
 let p = Predicate 0
 let q = Predicate 1
-let bound ?high low = { Formula.low = Rat.of_int low; high = Option.map Rat.of_int high }
+let bound ?high low = { Timed_formula.low = Rat.of_int low; high = Option.map Rat.of_int high }
 let always = bound 0
 let ef ?(b = always) f = Finally (Exists, b, f)
 let af ?(b = always) f = Finally (All, b, f)

@@ -23,7 +23,7 @@ type t = {
   small : Small.t;
   steps : step array;
   numbers : (place, int) Hashtbl.t;
-  mutable known : (Formula.t * answer array) list;  (** by step *)
+  mutable known : (Timed_formula.t * answer array) list;  (** by step *)
 }
 
 let make (g : Small.t) =
@@ -102,7 +102,7 @@ let predicate t p =
 (* In halves; without an end, the clock stands still at the beginning of the window. *)
 type window = { from : int; until : int option }
 
-let window t (b : Formula.bound) =
+let window t (b : Timed_formula.bound) =
   let halves r =
     let x = Rat.div (Rat.mul (Rat.of_int 2) r) t.small.unit in
     if Rat.is_integer x then Z.to_int (Rat.floor x) else failwith "not on the grid"
@@ -194,7 +194,7 @@ let every t w ~generous ~f ~g =
 (** {1 Probabilities} *)
 
 (* A decision process whose states are steps and clocks, two more for the ends. Its solver is tested by itself. *)
-let likely t w (side : Formula.side) ~generous ~f ~g =
+let likely t w (side : Timed_formula.side) ~generous ~f ~g =
   let open Scc_chance in
   let n = Array.length t.steps and m = top w + 1 in
   let state (k, c) = 2 + (k * m) + c in
@@ -255,8 +255,8 @@ let next t ~generous f =
   done;
   holds
 
-let rec value t (f : Formula.t) =
-  match List.find_opt (fun (g, _) -> Formula.compare f g = 0) t.known with
+let rec value t (f : Timed_formula.t) =
+  match List.find_opt (fun (g, _) -> Timed_formula.compare f g = 0) t.known with
   | Some (_, v) -> v
   | None ->
     let v = judge t (compute t f) in
@@ -264,7 +264,7 @@ let rec value t (f : Formula.t) =
     v
 
 and compute t f =
-  let until (q : Formula.quantifier) b f g =
+  let until (q : Timed_formula.quantifier) b f g =
     let w = window t b in
     match q with
     | Chance { side; test } ->
@@ -298,7 +298,7 @@ and compute t f =
   | Globally (All, b, g) -> negation (until Exists b always (negation (value t g)))
   | Globally (Exists, b, g) -> negation (until All b always (negation (value t g)))
   | Globally (Chance { side; test }, b, g) ->
-    let chance : Formula.chance =
+    let chance : Timed_formula.chance =
       {
         side = (match side with Least -> Greatest | Greatest -> Least);
         test =

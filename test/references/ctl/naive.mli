@@ -26,15 +26,15 @@ type t = {
   small : Small.t;
   steps : step array;
   numbers : (place, int) Hashtbl.t;
-  mutable known : (Formula.t * answer array) list;  (** by step *)
+  mutable known : (Timed_formula.t * answer array) list;  (** by step *)
 }
 
 val make : Small.t -> t
 
-val value : t -> Formula.t -> answer array
+val value : t -> Timed_formula.t -> answer array
 val low : answer array -> bool array
 val high : answer array -> bool array
 
-val node : t -> Formula.t -> int -> answer
-val cell : t -> Formula.t -> int -> int -> answer
+val node : t -> Timed_formula.t -> int -> answer
+val cell : t -> Timed_formula.t -> int -> int -> answer
 (** In a cell of the flow of a node. *)

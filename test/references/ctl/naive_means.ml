@@ -4,7 +4,7 @@ open Naive
 
 type mean = Never_decided | Is of Scc_chance.Answer.t
 
-let direction : Formula.side -> Scc_chance.Equations.direction = function Least -> Min | Greatest -> Max
+let direction : Timed_formula.side -> Scc_chance.Equations.direction = function Least -> Min | Greatest -> Max
 
 (* States 0 and 1 are the goal and the failure; each choice has a reward, and what comes of it. *)
 let process choices states =

@@ -138,21 +138,21 @@ let complete g =
 let formula_gen unit_of_time depth =
   let time k = Rat.mul unit_of_time (Rat.of_int k) in
   let open Gen in
-  let bound : Formula.bound t =
+  let bound : Timed_formula.bound t =
     let* low = frequencyl [ (5, 0); (1, 1); (1, 2); (1, 4) ] in
     let* more = frequencyl [ (5, None); (1, Some 0); (2, Some 1); (2, Some 2); (1, Some 5) ] in
     return
-      { Formula.low = time low; high = Option.map (fun m -> time (low + m)) more }
+      { Timed_formula.low = time low; high = Option.map (fun m -> time (low + m)) more }
   in
-  let quantifier = oneofl [ Formula.All; Exists ] in
+  let quantifier = oneofl [ Timed_formula.All; Exists ] in
   let chance =
-    let* side = oneofl [ Formula.Least; Greatest ] in
+    let* side = oneofl [ Timed_formula.Least; Greatest ] in
     let* relation = oneofl [ Scc_chance.Answer.Less; At_most; At_least_so; More ] in
     let* n, d = oneofl [ (0, 1); (1, 6); (1, 3); (1, 2); (2, 3); (1, 1) ] in
-    return (Formula.Chance { side; test = { relation; than = Rat.make (Z.of_int n) (Z.of_int d) } })
+    return (Timed_formula.Chance { side; test = { relation; than = Rat.make (Z.of_int n) (Z.of_int d) } })
   in
   let lasting = frequency [ (2, quantifier); (2, chance) ] in
-  let leaf = map (fun p -> Formula.Predicate p) (int_range 0 (count - 1)) in
+  let leaf = map (fun p -> Timed_formula.Predicate p) (int_range 0 (count - 1)) in
   let rec go depth =
     if depth = 0 then leaf
     else
@@ -160,16 +160,16 @@ let formula_gen unit_of_time depth =
       frequency
         [
           (1, leaf);
-          (1, map (fun f -> Formula.Not f) sub);
-          (1, map2 (fun f g -> Formula.And [ f; g ]) sub sub);
-          (1, map2 (fun f g -> Formula.Or [ f; g ]) sub sub);
-          (2, map2 (fun q f -> Formula.Next (q, f)) quantifier sub);
-          (2, map3 (fun q b f -> Formula.Finally (q, b, f)) lasting bound sub);
-          (2, map3 (fun q b f -> Formula.Globally (q, b, f)) lasting bound sub);
+          (1, map (fun f -> Timed_formula.Not f) sub);
+          (1, map2 (fun f g -> Timed_formula.And [ f; g ]) sub sub);
+          (1, map2 (fun f g -> Timed_formula.Or [ f; g ]) sub sub);
+          (2, map2 (fun q f -> Timed_formula.Next (q, f)) quantifier sub);
+          (2, map3 (fun q b f -> Timed_formula.Finally (q, b, f)) lasting bound sub);
+          (2, map3 (fun q b f -> Timed_formula.Globally (q, b, f)) lasting bound sub);
           ( 4,
             let* q = lasting in
             let* b = bound in
-            map2 (fun f g -> Formula.Until (q, b, f, g)) sub sub );
+            map2 (fun f g -> Timed_formula.Until (q, b, f, g)) sub sub );
         ]
   in
   go depth
@@ -193,4 +193,4 @@ let print g =
   in
   String.concat "\n" (Array.to_list (Array.mapi node g.nodes) @ [ "unit " ^ Rat.to_string g.unit ])
 
-let print_formula f = Formula.to_string (fun p -> String.make 1 (Char.chr (Char.code 'p' + p))) f
+let print_formula f = Timed_formula.to_string (fun p -> String.make 1 (Char.chr (Char.code 'p' + p))) f

@@ -48,8 +48,8 @@ val gen : unsure:bool -> truncated:bool -> t QCheck2.Gen.t
 val complete : t -> t QCheck2.Gen.t
 (** The same where it is known, and anything elsewhere. *)
 
-val formula_gen : Rat.t -> int -> Formula.t QCheck2.Gen.t
+val formula_gen : Rat.t -> int -> Timed_formula.t QCheck2.Gen.t
 (** With bounds that are multiples of the unit, nested as deep as this. *)
 
 val print : t -> string
-val print_formula : Formula.t -> string
+val print_formula : Timed_formula.t -> string

@@ -2,7 +2,7 @@
 
 open Scc_ctl
 open Scc_exact
-open Formula
+open Timed_formula
 
 (* A linear congruential generator, the same everywhere. *)
 let state = ref 1
@@ -61,10 +61,10 @@ let () =
   let index = timed "edges backwards" (fun () -> Timed_graph.index graph) in
   let e = Eval.create index predicates in
   let p = Predicate 0 and q = Predicate 1 in
-  let always = { Formula.low = Rat.zero; high = None } in
+  let always = { Timed_formula.low = Rat.zero; high = None } in
   let within n = { always with high = Some (Rat.of_int n) } in
   let run f =
-    let name = Formula.to_string (fun p -> if p = 0 then "p" else "q") f in
+    let name = Timed_formula.to_string (fun p -> if p = 0 then "p" else "q") f in
     let v = timed name (fun () -> Eval.value e f) in
     let n = ref 0 in
     for s = 0 to size - 1 do

@@ -5,7 +5,7 @@ open Scc_exact
 open Scc_test_ctl
 module Gen = QCheck2.Gen
 
-type case = { graph : Small.t; formula : Formula.t }
+type case = { graph : Small.t; formula : Timed_formula.t }
 
 let print c = Small.print c.graph ^ "\n" ^ Small.print_formula c.formula
 

@@ -7,7 +7,7 @@ open Scc_chance
 open Scc_test_ctl
 module Gen = QCheck2.Gen
 
-type case = { graph : Small.t; formula : Formula.t }
+type case = { graph : Small.t; formula : Timed_formula.t }
 
 let print c = Small.print c.graph ^ "\n" ^ Small.print_formula c.formula
 
@@ -26,12 +26,12 @@ let fail c format =
   Printf.ksprintf (fun text -> QCheck2.Test.fail_reportf "%s\n%s" text (print c)) format
 
 let ensure c text b = if not b then fail c "%s" text
-let always : Formula.t = And []
+let always : Timed_formula.t = And []
 
 let same_position (p : Positions.position) (q : Positions.position) =
   Int.equal p.node q.node && Algebraic.equal p.offset q.offset
 
-let opposite = Formula.dual
+let opposite = Timed_formula.dual
 
 (* Rounds of a cycle until the window is passed, or has been reached and gone through once. *)
 let rounds (w : Walk.window) c =
@@ -57,7 +57,7 @@ let before_open_end (run : Run.t) pieces =
 let ends_at pieces = match List.rev pieces with [] -> None | (p : Walk.piece) :: _ -> Some p
 
 (* A run within a bound, from a node, is the earliest: within any less there is none. *)
-let earliest c naive (b : Formula.bound) f g (run : Run.t) (last : Walk.piece) =
+let earliest c naive (b : Timed_formula.bound) f g (run : Run.t) (last : Walk.piece) =
   match b.high with
   | Some _ when Rat.sign b.low = 0 && not (Positions.is_inside run.start) ->
     let before =
@@ -67,7 +67,7 @@ let earliest c naive (b : Formula.bound) f g (run : Run.t) (last : Walk.piece) =
       | _ -> Rat.sub last.from c.graph.unit
     in
     if Rat.sign before >= 0 then
-      let sooner = Formula.Until (Exists, { b with high = Some before }, f, g) in
+      let sooner = Timed_formula.Until (Exists, { b with high = Some before }, f, g) in
       ensure c "not the earliest" (not (surely c naive sooner run.start))
   | Some _ | None -> ()
 
@@ -117,7 +117,7 @@ let chosen depth stretches =
   let keep i = depth = 0 || i = 0 || i = n - 1 || i = n / 2 in
   List.filteri (fun i _ -> keep i) stretches
 
-let is_globally : Formula.t -> bool = function Globally _ -> true | _ -> false
+let is_globally : Timed_formula.t -> bool = function Globally _ -> true | _ -> false
 
 (* How likely it is once all is chosen as it is there. *)
 let chance_of c (run : Run.t) =
@@ -130,13 +130,13 @@ let chance_of c (run : Run.t) =
   List.fold_left step Rat.one run.steps
 
 (* [holds] is the truth of the U; [show] that of what its right side was made of. *)
-let rec check_until ?(depth = 0) c naive q (b : Formula.bound) f g ~holds (e : Explanation.t) =
+let rec check_until ?(depth = 0) c naive q (b : Timed_formula.bound) f g ~holds (e : Explanation.t) =
   let w = { Walk.low = b.low; high = b.high } in
   match e.because with
   | Everywhere (lazy n) ->
     ensure c "something is reached" (n > 0 || Positions.is_inside e.position);
     ensure c "only what no run shows is so everywhere"
-      (match (q : Formula.quantifier) with All -> holds | Exists -> not holds | Chance _ -> false)
+      (match (q : Timed_formula.quantifier) with All -> holds | Exists -> not holds | Chance _ -> false)
   | Given | Parts _ -> fail c "an operator without a run"
   | Likelihood { run = None; measured; _ } ->
     let known = if is_globally e.formula then Answer.complement measured.most else measured.least in
@@ -169,10 +169,10 @@ let rec check_until ?(depth = 0) c naive q (b : Formula.bound) f g ~holds (e : E
               | Some goal -> ensure c "a part elsewhere" (same_position goal p.position)
               | None -> fail c "a part of a run without end") parts;
           List.iter (check ~depth c naive) parts;
-          let before = match (q : Formula.quantifier) with Exists -> before_goal | All | Chance _ ->
+          let before = match (q : Timed_formula.quantifier) with Exists -> before_goal | All | Chance _ ->
             before_open_end in
           let claim, claimed, scope =
-            match (q : Formula.quantifier) with
+            match (q : Timed_formula.quantifier) with
             | Exists -> (f, true, fun _ -> true)
             | All | Chance _ -> (
                 match e.formula with
@@ -221,11 +221,11 @@ let rec check_until ?(depth = 0) c naive q (b : Formula.bound) f g ~holds (e : E
 
 (* What is claimed on the way: of each piece there is a place that stands for it, and a reason there. *)
 and check_along ~depth c naive run claim claimed pieces along =
-  match (along, (claim : Formula.t)) with
+  match (along, (claim : Timed_formula.t)) with
   | None, And [] -> ()
   | None, _ -> fail c "nothing is said of the way"
   | Some a, _ ->
-    ensure c "another claim" (Formula.compare a.claim claim = 0 && Bool.equal a.claimed claimed);
+    ensure c "another claim" (Timed_formula.compare a.claim claim = 0 && Bool.equal a.claimed claimed);
     let told (p : Walk.piece) =
       let v = value c naive claim p.position in
       if not (if claimed then v.surely else not v.perhaps) then
@@ -239,7 +239,7 @@ and check_along ~depth c naive run claim claimed pieces along =
       let why = Lazy.force s.why in
       ensure c "a reason elsewhere" (same_position why.position s.place.position);
       ensure c "a reason of something else"
-        (Formula.compare why.formula claim = 0 && Bool.equal why.holds claimed);
+        (Timed_formula.compare why.formula claim = 0 && Bool.equal why.holds claimed);
       List.iter (check_onward c run s.place.step) (onward why);
       check ~depth:(depth + 1) c naive why
     in
@@ -259,7 +259,7 @@ and check_next ~depth c naive f ~wanted (e : Explanation.t) =
     (match parts with
      | [ p ] ->
        ensure c "the part" (same_position p.position (Positions.start run.last));
-       ensure c "of the formula" (Formula.compare p.formula f = 0 && Bool.equal p.holds wanted)
+       ensure c "of the formula" (Timed_formula.compare p.formula f = 0 && Bool.equal p.holds wanted)
      | _ -> fail c "not one part");
     List.iter (check ~depth c naive) parts
 

@@ -4,11 +4,18 @@
 open Scc_ctl
 open Scc_exact
 open Scc_test_ctl
-open Formula
+open Timed_formula
 open Letters
 module Gen = QCheck2.Gen
 
-type case = { graph : Small.t; f : Formula.t; g : Formula.t; h : Formula.t; a : Rat.t; b : Rat.t }
+type case = {
+  graph : Small.t;
+  f : Timed_formula.t;
+  g : Timed_formula.t;
+  h : Timed_formula.t;
+  a : Rat.t;
+  b : Rat.t;
+}
 
 let print c =
   Printf.sprintf "%s\nf = %s\ng = %s\nh = %s\na = %s, b = %s" (Small.print c.graph) (Small.print_formula c.f)
@@ -116,10 +123,10 @@ let hold =
 (* {1 Fewer runs} *)
 
 (* With all quantifiers over all runs, when negations are driven inward. *)
-let rec universal q (f : Formula.t) : Formula.t =
+let rec universal q (f : Timed_formula.t) : Timed_formula.t =
   match f with
   | Predicate _ -> f
-  | Not f -> Not (universal (Formula.dual q) f)
+  | Not f -> Not (universal (Timed_formula.dual q) f)
   | And fs -> And (List.map (universal q) fs)
   | Or fs -> Or (List.map (universal q) fs)
   | Next (_, f) -> Next (q, universal q f)

@@ -2,10 +2,10 @@
 
 open Scc_ctl
 open Scc_exact
-open Formula
+open Timed_formula
 
 let size = 200_000
-let always = { Formula.low = Rat.zero; high = None }
+let always = { Timed_formula.low = Rat.zero; high = None }
 let until n = { always with high = Some (Rat.of_int n) }
 
 (* A line on which every second way takes 1, to the last node, of which [ends] says what follows. *)

@@ -8,8 +8,8 @@ module Gen = QCheck2.Gen
 
 type case = {
   graph : Small.t;
-  g : Formula.t;
-  side : Formula.side;
+  g : Timed_formula.t;
+  side : Timed_formula.side;
   counts : (int * int) array array;  (** of each edge of each node, how often what is counted happens by it *)
   numbers : (int * int) array;
   time : int;
@@ -36,7 +36,7 @@ let gen ~unsure ~truncated =
   let* g = Small.formula_gen graph.unit 1 in
   let of_node (x : Small.node) = array_repeat (List.length x.edges) (count_gen ~unsure) in
   let* counts = flatten_a (Array.map of_node graph.nodes) in
-  let* side = oneofl [ Formula.Least; Greatest ] in
+  let* side = oneofl [ Timed_formula.Least; Greatest ] in
   let* numbers = array_repeat (Array.length graph.nodes) (pair (int_range 0 9) (int_range 0 3)) in
   let* time = int_range 0 9 in
   return { graph; g; side; counts; numbers; time }

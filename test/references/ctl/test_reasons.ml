@@ -3,7 +3,7 @@
 open Scc_ctl
 open Scc_exact
 open Scc_test_ctl
-open Formula
+open Timed_formula
 open Letters
 
 (* {1 Explanations} *)

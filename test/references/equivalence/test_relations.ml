@@ -171,9 +171,25 @@ let efforts =
     Alcotest.test_case "long silent chains, weak" `Quick (long_chain Weak "tau");
   ]
 
+(* Made of several, an until is printed as the one that it is. *)
+let nested () =
+  let open Modal_formula in
+  let s = store () in
+  let yes = yes s and tau = 0 and a = 1 in
+  let prints expected f =
+    Alcotest.(check string) expected expected (to_string ~label:(fun i -> if i = tau then "tau" else "a") f)
+  in
+  let step phi = until s phi a yes in
+  let not_a = negation s (step yes) in
+  prints "(true until <a>true)" (until s yes tau (until s yes tau (step yes)));
+  prints "true" (until s (step yes) tau yes);
+  prints "(not (true until <a>true) until <a>true)" (until s not_a tau (step not_a));
+  prints "(true until (not (true until <a>true) until <a>true))" (until s yes tau (step not_a))
+
 let suite =
   ("relations",
    [
+     ("formulas", [ Alcotest.test_case "an until of untils" `Quick nested ]);
      ("pairs", pairs);
      ("explanations", explanations);
      ("unknown states", truncated);

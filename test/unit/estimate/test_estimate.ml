@@ -191,7 +191,7 @@ let outcome : Sample.outcome -> string = function
   | Number r -> Rat.to_string r
   | Never -> "never"
   | Free -> "free"
-  | Too_long -> "too long"
+  | Too_long _ -> "too long"
   | No_value why -> "no value: " ^ why
 
 let model name = Load.read (folder ^ name)

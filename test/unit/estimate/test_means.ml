@@ -71,7 +71,7 @@ let mean_of_open =
        let range = range Rat.zero (Rat.of_int 6) ~ends_only:false and miss = fraction 1 10 in
        let low, high = Tally.mean (tally (fun (x, _) -> Sample.Number (Rat.of_int x))) range ~miss in
        let below, above =
-         let known (x, open_) = if open_ then Sample.Too_long else Number (Rat.of_int x) in
+         let known (x, open_) = if open_ then Sample.Too_long Steps else Number (Rat.of_int x) in
          Tally.mean (tally known) range ~miss
        in
        Rat.compare below low <= 0 && Rat.compare above high >= 0)

@@ -222,10 +222,10 @@ let proofs_hold (c, (at, rate, left)) =
     | None -> None
     | Some flight ->
       Flight.move flight start;
-      let simplex = Simplex.make flight and plane = Separation.make flight in
-      (match Simplex.search simplex with
+      let simplex = Gjk.make flight and plane = Separation.make flight in
+      (match Gjk.search simplex with
        | Apart _ -> Heading.aim plane simplex
-       | Near -> Simplex.between flight plane.n);
+       | Near -> Gjk.between flight plane.n);
       Some plane
   in
   match searched c.b with

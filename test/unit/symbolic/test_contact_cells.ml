@@ -3,6 +3,7 @@
 open Scc_exact
 open Scc_geometry
 open Scc_polyhedra
+open Scc_offsets
 open Scc_symbolic
 module Gen = QCheck2.Gen
 

@@ -2,7 +2,7 @@
 
 open Scc_geometry
 open Scc_polyhedra
-open Scc_symbolic
+open Scc_offsets
 
 let at_point o scene point : Touching_cells.relation =
   let r = Scenes.offset_at scene point in

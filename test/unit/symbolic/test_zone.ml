@@ -3,6 +3,7 @@
 open Scc_exact
 open Scc_polyhedra
 open Scc_calculus
+open Scc_state_sets
 open Scc_symbolic
 
 let zone constraint_ : Zone.t =
@@ -23,7 +24,7 @@ let x = Linear.variable 1 0
 let zero = Linear.constant 1 Rat.zero
 let open_ = zone (Constraint.greater x zero)
 let closed = zone (Constraint.at_least x zero)
-let check name expected a b = Alcotest.(check bool) name expected (Zone.included a b <> None)
+let check name expected a b = Alcotest.(check bool) name expected (Zone_form.included a b <> None)
 
 let borders () =
   check "an open one in a closed one" true open_ closed;
@@ -50,7 +51,7 @@ let other_forms () =
     (by_second (least (Linear.constant 1 Rat.zero)))
 
 let kinds () =
-  let same name expected b = Alcotest.(check bool) name expected (Zone.same_kind closed b) in
+  let same name expected b = Alcotest.(check bool) name expected (Zone_form.same_kind closed b) in
   same "other numbers" true open_;
   same "halted" false { closed with halted = true };
   same "after an event" false { closed with arrived = [ 0 ] }

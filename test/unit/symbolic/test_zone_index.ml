@@ -3,6 +3,7 @@
 open Scc_exact
 open Scc_polyhedra
 open Scc_calculus
+open Scc_state_sets
 open Scc_symbolic
 module Gen = QCheck2.Gen
 
@@ -38,17 +39,17 @@ let zone : Zone.t option Gen.t =
           basis = [||];
         }
       in
-      Some (fst (Zone.canonical z))
+      Some (fst (Zone_form.canonical z))
   in
   Gen.map2 of_parts (Gen.array_size (Gen.return 3) (form 2)) (Gen.list_size (Gen.int_range 0 3) (constraint_of 2))
 
 let zones = Gen.map (List.filter_map Fun.id) (Gen.list_size (Gen.return 40) zone)
 
 let found_by_index index z =
-  Zone_index.last_around index z (fun (i, other) -> Option.map (fun _ -> i) (Zone.included z other))
+  Zone_index.last_around index z (fun (i, other) -> Option.map (fun _ -> i) (Zone_form.included z other))
 
 let last_of zones z =
-  let with_all (i, other) = if Zone.included z other = None then None else Some i in
+  let with_all (i, other) = if Zone_form.included z other = None then None else Some i in
   List.find_map with_all zones
 
 let in_others = ref 0
@@ -60,7 +61,7 @@ let around =
         let expected = last_of known z in
         if expected <> None then incr in_others;
         let so_far = so_far && Option.equal Int.equal expected (found_by_index index z) in
-        let alike = List.filter (fun (_, other) -> Zone.same_forms z other) known in
+        let alike = List.filter (fun (_, other) -> Zone_form.same_forms z other) known in
         let found = Zone_index.alike index z in
         let so_far = so_far && List.equal Int.equal (List.map fst alike) (List.map fst found) in
         let entry = (List.length known, z) in

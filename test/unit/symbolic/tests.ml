@@ -2,6 +2,7 @@ let () =
   Scc_test_support.Suites.run
     [ Test_contact_cells.suite;
       Test_touching_cells.suite;
+      Test_offsets.suite;
       Test_first.suite;
       Test_zone.suite;
       Test_zone_index.suite;

@@ -1,4 +1,3 @@
-open Scc_exact
 open Scc_geometry
 open Scc_polyhedra
 
@@ -10,20 +9,18 @@ let where region c =
 
 (* One facet after the other: beyond its plane they are apart, whatever the others say. *)
 let make o ~offset within =
-  let x, _, _ = offset in
-  let zero = Linear.constant (Linear.dimension x) Rat.zero in
-  let face (apart, cells) (i, f) =
-    let room = Facet_forms.room offset f in
-    let beyond, on_it, inside = Constraint.(less room zero, equals room zero, greater room zero) in
+  let face (apart, cells) (h : Half_space.t) =
+    let meet = Half_space.needs Side.contact h in
+    let on_it = Half_space.on_border h and inside = Half_space.needs Side.overlap h in
     let one (region, tight) =
-      List.map (fun p -> (p, i :: tight)) (where region on_it)
+      List.map (fun p -> (p, h.index :: tight)) (where region on_it)
       @ List.map (fun p -> (p, tight)) (where region inside)
     in
-    (List.concat_map (fun (p, _) -> where p beyond) cells @ apart, List.concat_map one cells)
+    let beyond (region, _) = List.concat_map (where region) (Constraint.negation meet) in
+    (List.concat_map beyond cells @ apart, List.concat_map one cells)
   in
-  let facets = Array.to_list (Array.mapi (fun i f -> (i, f)) (Obstacle.facets o)) in
   let start = if Polyhedron.is_empty within then [] else [ (within, []) ] in
-  let apart, cells = List.fold_left face ([], start) facets in
+  let apart, cells = List.fold_left face ([], start) (Half_space.still o offset) in
   let judged = function
     | p, [] -> (p, Interpenetrating)
     | p, tight -> (p, Touching (List.rev tight))

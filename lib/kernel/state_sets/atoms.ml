@@ -1,6 +1,7 @@
 open Scc_ctl
 open Scc_exact
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 open Scc_semantics
 open Scc_motion
@@ -8,10 +9,10 @@ open Scc_property
 open Scc_evaluate
 
 type view = { zone : Zone.t; passing : bool; quiescent : Polyhedron.t list }
-type context = { instant : Instant.context; events : Property.event array }
+type context = { instant : Zone_parts.context; events : Property.event array }
 
 let context instant ~events = { instant; events }
-let model c = Semantics.model c.instant.Instant.semantics
+let model c = Semantics.model c.instant.Zone_parts.semantics
 
 (* {1 From region to region} *)
 
@@ -58,9 +59,9 @@ module View = struct
   type number = value cells
   type truth = Truth.t cells
 
-  let semantics c = c.instant.Instant.semantics
+  let semantics c = c.instant.Zone_parts.semantics
   let model c = Semantics.model (semantics c)
-  let model_at c v point = Semantics.model (Instant.semantics_at c.instant v.zone point)
+  let model_at c v point = Semantics.model (Zone_parts.semantics_at c.instant v.zone point)
 
   (* Whether the parts of leaves are at known places in them. *)
   let are_known c leaves =
@@ -183,14 +184,14 @@ module View = struct
     let parts leaf =
       match home v leaf with
       | None -> []
-      | Some p -> List.filter (fun (part : Instant.part) -> part.leaf = leaf) (Instant.parts m v.zone p)
+      | Some p -> List.filter (fun (part : Zone_parts.part) -> part.leaf = leaf) (Zone_parts.parts m v.zone p)
     in
     let pair found (a, b) =
-      let obstacle = c.instant.obstacle a.Instant.solid b.Instant.solid in
+      let obstacle = c.instant.obstacle a.Zone_parts.solid b.Zone_parts.solid in
       let look (region, touch) =
         if touch then [ (region, true) ]
         else
-          Touching_cells.make obstacle ~offset:(Instant.offset a b) region
+          Touching_cells.make obstacle ~offset:(Zone_parts.offset a b) region
           |> List.map (fun (p, relation) -> (p, match relation with Touching_cells.Apart -> false | _ -> true))
       in
       List.concat_map look found
@@ -223,3 +224,6 @@ end
 module Over_zones = Terms.Make (View)
 
 let truth = Over_zones.prop
+
+let possible c prop v =
+  List.filter_map (fun (p, t) -> if Truth.equal t Truth.False then None else Some p) (truth c prop v)

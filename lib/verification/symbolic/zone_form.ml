@@ -1,38 +1,9 @@
 open Scc_exact
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
-
-type t = {
-  skeleton : State.t;
-  halted : bool;
-  arrived : int list;
-  set : Polyhedron.t;
-  parameters : Linear.t array;
-  time : Linear.t option;
-  ages : Linear.t array;
-  clocks : Linear.t array;
-  places : Place.t array;
-  basis : int array;
-}
-
-let dimension z = Polyhedron.dimension z.set
-
-let coordinates z =
-  let places = List.concat_map Place.coordinates (Array.to_list z.places) in
-  Array.concat [ z.parameters; Array.of_list (Option.to_list z.time); z.ages; z.clocks; Array.of_list places ]
-
-let map f z =
-  {
-    z with
-    parameters = Array.map f z.parameters;
-    time = Option.map f z.time;
-    ages = Array.map f z.ages;
-    clocks = Array.map f z.clocks;
-    places = Array.map (Place.map f) z.places;
-  }
-
-let with_variables z ~dimension forms set =
-  { (map (fun f -> Linear.compose f ~dimension forms) z) with set }
+open Scc_state_sets
+open Zone
 
 let centred z =
   let of_process (p : State.process) = List.map (fun (l : State.leaf) -> l.leaf) (Array.to_list p.leaves) in
@@ -180,19 +151,6 @@ let canonical z =
   let set = Polyhedron.minimal set in
   (of_coordinates z ~set ~basis given, forms)
 
-(* {1 States} *)
-
-let map_processes f (s : State.t) =
-  State.make ~processes:(List.map f (Array.to_list s.processes)) ~step:s.step ~time:s.time
-
-let at z point =
-  let leaf (l : State.leaf) = { l with State.position = Place.eval z.places.(l.leaf) point } in
-  let process (p : State.process) =
-    let clock = Option.map (fun _ -> Linear.eval z.clocks.(p.leaves.(0).leaf) point) p.clock in
-    State.with_clock clock (State.map_leaves leaf p)
-  in
-  map_processes process z.skeleton
-
 (* {1 Comparing} *)
 
 let same_kind a b =
@@ -230,3 +188,10 @@ let included a b =
 
 let merged a b =
   if same_forms a b then Option.map (fun set -> { a with set }) (Envelope.merge a.set b.set) else None
+
+let set_of (z : Zone.t) =
+  let coordinates = Zone.coordinates z in
+  let n = Array.length coordinates in
+  let chosen = Array.map (Linear.variable n) z.basis in
+  let given i f = Constraint.equals (Linear.variable n i) (Linear.compose f ~dimension:n chosen) in
+  Polyhedron.add_all (Polyhedron.embed z.set ~dimension:n z.basis) (Array.to_list (Array.mapi given coordinates))

@@ -34,7 +34,14 @@ let can store modality f =
   | Wait d, Can (Wait e, g) -> make store (Can (Wait (Rat.add d e), g)) f.size
   | _ -> make store (Can (modality, f)) (1 + f.size)
 
-let until store phi a psi = make store (Until (phi, a, psi)) (1 + phi.size + psi.size)
+(* Equal, as far as is seen without looking into them. *)
+let same f g = f.id = g.id || (f.node = Yes && g.node = Yes)
+
+let until store phi a psi =
+  match psi.node with
+  | Yes when Graph.is_tau a -> psi
+  | Until (again, _, _) when Graph.is_tau a && same phi again -> psi
+  | _ -> make store (Until (phi, a, psi)) (1 + phi.size + psi.size)
 
 (* {1 Truth} *)
 

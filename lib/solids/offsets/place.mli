@@ -17,6 +17,9 @@ val sub : t -> t -> t
 val moved : t -> Vec.t -> Linear.t -> t
 (** [moved p v t] is the place of a point at [p] that moves with the velocity [v], after the time [t]. *)
 
+val within : Polyhedron.t -> t -> Constraint.t list
+(** [within set p] holds where [p] is in [set], a polyhedron of dimension 3. *)
+
 val is_constant : t -> bool
 (** [is_constant p] is true if no variable occurs in any coordinate. *)
 
@@ -31,7 +34,3 @@ val coordinates : t -> Linear.t list
 
 val compose : t -> dimension:int -> Linear.t array -> t
 (** [compose p ~dimension forms] applies {!Linear.compose} to each coordinate. *)
-
-val of_part : dimension:int -> Linear.t array -> Scc_calculus.Model.part -> t
-(** [of_part ~dimension parameters part] is the vector from the reference point of the leaf to that of the
-    part. The parameters are these forms over [dimension] variables. *)

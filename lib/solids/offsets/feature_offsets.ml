@@ -59,7 +59,7 @@ let difference one two =
   let both = Polyhedron.of_constraints 6 (interior 6 ~first:0 one @ at_second) in
   Polyhedron.project both [| 3; 4; 5 |]
 
-let offsets memory one two = remembered memory.differences difference one two
+let touching memory one two = remembered memory.differences difference one two
 
 (* {1 Dimensions} *)
 

@@ -12,7 +12,7 @@ val create : unit -> memory
 
 type side = { solid : Solid.t; feature : Feature.t }
 
-val offsets : memory -> side -> side -> Polyhedron.t
+val touching : memory -> side -> side -> Polyhedron.t
 (** The offsets, of the second solid from the first, at which the two features touch: a polyhedron of dimension
     3. *)
 

@@ -7,6 +7,7 @@
 open Scc_polyhedra
 open Scc_calculus
 open Scc_property
+open Scc_state_sets
 
 type location = {
   skeleton : State.t;  (** as that of a {!Zone.t} *)
@@ -19,6 +20,9 @@ type t = {
   locations : location list;  (** locations of one kind are adjacent *)
 }
 
+(** The claim that no state of any run satisfies the predicate [never], for these values of the parameters. *)
+type claim = { never : Property.prop; values : Union.t }
+
 val dimension : Model.t -> int
 (** The number of coordinates: one for each parameter with a range, five for each leaf. *)
 
@@ -29,6 +33,3 @@ val name : Model.t -> int -> string
 
 val zone : Model.t -> location -> Zone.t
 (** The location as a zone with a variable for each coordinate. The zone is not canonical. *)
-
-val set_of : Zone.t -> Polyhedron.t
-(** The set of a canonical zone without time, as a polyhedron over all coordinates. *)

@@ -332,7 +332,7 @@ let cut t shape =
     attempt t ~default:() (fun () ->
         let known name = Option.map (fun s -> s.solid) (Names.find_opt name t.declared) in
         let g =
-          Geometry.of_solid { plain = t.plain; setting = t.setting; shape = known } shape.solid
+          Plain_solid.of_solid { plain = t.plain; setting = t.setting; shape = known } shape.solid
         in
         let declared name =
           Option.map snd (List.find_opt (fun ((n : Ast.name), _) -> String.equal n.it name) shape.regions)

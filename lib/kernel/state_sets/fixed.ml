@@ -1,4 +1,5 @@
 open Scc_polyhedra
+open Scc_offsets
 open Scc_calculus
 
 (* As if it were written with these values. *)

@@ -12,13 +12,12 @@ let moved (x, y, z) (v : Vec.t) t =
   let along c speed = if Rat.sign speed = 0 then c else Linear.add c (Linear.scale speed t) in
   (along x v.x, along y v.y, along z v.z)
 
+let within set (x, y, z) =
+  let at c = Constraint.substitute c ~dimension:(Linear.dimension x) [| x; y; z |] in
+  List.map at (Polyhedron.constraints set)
+
 let is_constant (x, y, z) = Linear.(is_constant x && is_constant y && is_constant z)
 let eval (x, y, z) point = Vec.make (Linear.eval x point) (Linear.eval y point) (Linear.eval z point)
 let map f (x, y, z) = (f x, f y, f z)
 let coordinates (x, y, z) = [ x; y; z ]
 let compose p ~dimension forms = map (fun f -> Linear.compose f ~dimension forms) p
-
-let of_part ~dimension parameters (p : Scc_calculus.Model.part) =
-  match p.open_offset with
-  | None -> constant dimension p.offset
-  | Some forms -> compose forms ~dimension parameters

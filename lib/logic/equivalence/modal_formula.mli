@@ -35,7 +35,8 @@ val can : store -> modality -> t -> t
 val until : store -> t -> int -> t -> t
 (** [until s phi a psi] holds if silent steps lead through states of [phi], and then the action a leads from a
     state of [phi] to a state of [psi]. With tau for a it holds if zero or more silent steps lead to a state of
-    [psi], all states before being of [phi] (the modality of branching bisimilarity). *)
+    [psi], all states before being of [phi] (the modality of branching bisimilarity). Then a [psi] that always holds, or that
+    is itself an until of the same [phi], is the whole formula. *)
 
 val size : t -> int
 (** [size f] is the number of operators in the text of [f], at most {!large}. Shared parts count as often

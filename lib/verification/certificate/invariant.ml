@@ -1,8 +1,10 @@
 open Scc_polyhedra
 open Scc_calculus
 open Scc_property
+open Scc_state_sets
 
 type location = { skeleton : State.t; arrived : int list; set : Polyhedron.t }
+type claim = { never : Property.prop; values : Union.t }
 type t = { events : Property.event array; locations : location list }
 
 let sizes (m : Model.t) = (Array.length m.ranges, Array.length m.leaves)
@@ -43,10 +45,3 @@ let zone (m : Model.t) { skeleton; arrived; set } : Zone.t =
     places = Array.init leaves place;
     basis = Array.init n Fun.id;
   }
-
-let set_of (z : Zone.t) =
-  let coordinates = Zone.coordinates z in
-  let n = Array.length coordinates in
-  let chosen = Array.map (Linear.variable n) z.basis in
-  let given i f = Constraint.equals (Linear.variable n i) (Linear.compose f ~dimension:n chosen) in
-  Polyhedron.add_all (Polyhedron.embed z.set ~dimension:n z.basis) (Array.to_list (Array.mapi given coordinates))
