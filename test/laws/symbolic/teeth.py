@@ -11,17 +11,12 @@ about half a minute for each.
 
 from __future__ import annotations
 
-import argparse
-import os
-import resource
-import shutil
-import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[3]
-ROOM = "lib/verification/symbolic"
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
+
+import mistakes
 
 # Not among them, as they change nothing: that time may be halted for a weak split also at the instant of the next
 # event (the split comes then as a choice of that instant), or that of delays that expire together only one does at
@@ -282,88 +277,13 @@ MISTAKES = {
 }
 
 TESTS = [
-    "test/unit/symbolic/tests.exe",
-    "test/laws/symbolic/test_zones.exe",
-    "test/laws/symbolic/test_formulas.exe",
-    "test/laws/symbolic/test_runs.exe",
-    "test/laws/invariants/test_models.exe",
-    "test/laws/symbolic/test_invariants.exe",
+    mistakes.Test("test/unit/symbolic/tests.exe"),
+    mistakes.Test("test/laws/symbolic/test_zones.exe"),
+    mistakes.Test("test/laws/symbolic/test_formulas.exe"),
+    mistakes.Test("test/laws/symbolic/test_runs.exe"),
+    mistakes.Test("test/laws/invariants/test_models.exe"),
+    mistakes.Test("test/laws/symbolic/test_invariants.exe"),
 ]
-SECONDS = 120
-
-
-def build(tree: Path) -> str:
-    """What the compiler complains of."""
-    done = subprocess.run(
-        ["dune", "build", *TESTS], cwd=tree, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
-    )
-    return done.stdout if done.returncode else ""
-
-
-def noticed_by(tree: Path) -> str:
-    """The first test that fails, or does not end; or none."""
-    for test in TESTS:
-        try:
-            done = subprocess.run(
-                [tree / "_build" / "default" / test, "-c"], cwd=tree, timeout=SECONDS,
-                env={**os.environ, "SCC_NO_SHRINKING": "1"},
-                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (3 << 30, 3 << 30)),
-            )
-        except subprocess.TimeoutExpired:
-            return f"{Path(test).stem}, which does not end"
-        if done.returncode:
-            return Path(test).stem
-    return ""
-
-
-def without_place() -> list[str]:
-    """The mistakes whose lines are not there once, since the code has changed."""
-    texts = {file: (ROOT / ROOM / file).read_text() for file, _, _ in MISTAKES.values()}
-    return [name for name, (file, old, _) in MISTAKES.items() if texts[file].count(old) != 1]
-
-
-def main() -> int:
-    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    options.add_argument("--tree", type=Path, help="where the copy is kept")
-    options.add_argument("--places", action="store_true", help="only whether each can be made")
-    options.add_argument("names", nargs="*", help="of mistakes; all by default")
-    given = options.parse_args()
-    if given.places:
-        lost = without_place()
-        for name in lost:
-            print(f"no place for '{name}': what it replaces is not in {MISTAKES[name][0]} once")
-        print(f"{len(MISTAKES) - len(lost)} passed, {len(lost)} failed")
-        return 1 if lost else 0
-    tree = given.tree or Path(tempfile.mkdtemp())
-    for folder in ("lib", "test", "specs", "bin", "clients", "scripts"):
-        shutil.copytree(ROOT / folder, tree / folder, dirs_exist_ok=True)
-    for file in ("dune", "dune-project", "scc.opam"):
-        shutil.copy(ROOT / file, tree / file)
-    first = build(tree) or noticed_by(tree)
-    if first:
-        print(f"without a mistake: {first}")
-        return 1
-    wrong = []
-    for name in given.names or MISTAKES:
-        file, old, new = MISTAKES[name]
-        path = tree / ROOM / file
-        text = path.read_text()
-        if text.count(old) == 1:
-            path.write_text(text.replace(old, new))
-            complaint = build(tree)
-            by = "" if complaint else noticed_by(tree)
-            path.write_text(text)
-        else:
-            complaint, by = f"`{old}` is not there once", ""
-        print(f"{name}: " + (f"noticed by {by}" if by else complaint[:600] or "NOT NOTICED"), flush=True)
-        if not by:
-            wrong.append(name)
-    print(f"{len(given.names or MISTAKES)} mistakes, {len(wrong)} not noticed")
-    if given.tree is None:
-        shutil.rmtree(tree)
-    return 1 if wrong else 0
-
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(mistakes.main(mistakes.Program(__doc__, "lib/verification/symbolic", MISTAKES, TESTS)))

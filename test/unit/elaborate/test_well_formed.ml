@@ -67,8 +67,19 @@ let overlaps () =
 let walls () =
   let pq, _ = sound () in
   let moving = alone ~velocity:(Vec.of_ints 0 0 1) w (Vec.of_ints 0 (-9) 0) in
-  Alcotest.(check strings) "moving" [ "the process of `w` holds a fixed body and moves" ]
-    (found (state [ pq; alone r (Vec.of_ints 0 9 0); moving ]))
+  let moves = "the process of `w` holds a fixed body and moves" in
+  let with_wall wall = found (state [ pq; alone r (Vec.of_ints 0 9 0); wall ]) in
+  Alcotest.(check strings) "moving" [ moves ] (with_wall moving);
+  let spin = Vec.of_ints 0 0 1 in
+  let spinning = State.with_turn ~spin ~since:Rat.zero ~lasts:None (alone w (Vec.of_ints 0 (-9) 0)) in
+  Alcotest.(check strings) "spinning" [ moves; "the process of `w` turns as it cannot" ] (with_wall spinning)
+
+let absorbers () =
+  let pq, rest = sound () in
+  let m = (accept text).model in
+  let absorbs i (l : Model.leaf) = { l with absorbs = i = q } in
+  Alcotest.(check strings) "bound" [ "in the process of `p` an absorbing body is bound" ]
+    (found ~model:{ m with leaves = Array.mapi absorbs m.leaves } (state (pq :: rest)))
 
 let bond one two = State.bond "a" { State.at = p; site = one } { State.at = q; site = two }
 let face k = { Site.part = 0; feature = Feature.Face k }
@@ -86,6 +97,9 @@ let bonds () =
     (found (joined beside (bond (face 1) (face 2))));
   Alcotest.(check strings) "apart" [ "the features of the bond <a, {p.right, q.left}> do not touch" ]
     (found (joined (Vec.of_ints 3 0 0) (bond (face 3) (face 2))));
+  Alcotest.(check strings) "interpenetrating"
+    [ "`p` and `q` interpenetrate"; "the features of the bond <a, {p.right, q.left}> do not touch" ]
+    (found (joined (Vec.of_ints 1 0 0) (bond (face 3) (face 2))));
   Alcotest.(check strings) "no such feature" [ "a bond `a` between `p` and `q` names what is not there" ]
     (found (joined beside (bond (face 6) (face 2))));
   Alcotest.(check strings) "no such part" [ "a bond `a` between `p` and `q` names what is not there" ]
@@ -209,6 +223,7 @@ let suite =
          case "leaves" leaves;
          case "overlaps" overlaps;
          case "walls" walls;
+         case "absorbers" absorbers;
          case "bonds" bonds;
          case "trees" trees;
          case "clocks" clocks;

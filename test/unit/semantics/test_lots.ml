@@ -340,6 +340,20 @@ let instants () =
   let m, s = network (beside_free opens) pair in
   check_labels "what opens as the instant comes is drawn for" [ released; kept ] m (take m s "time(1)")
 
+(* They bind at 1/2, between two instants. *)
+let bound_between () =
+  let bodies =
+    [
+      body "p" (0, 0, 0) ~velocity:(2, 0, 0)
+        ~behaviour:(open_ "a" [ "right" ] (chance (ratio 1 4) "a" [ "right" ] nil));
+      body "q" (3, 0, 0) ~behaviour:(co_open "a" [ "left" ] (weak "a" [ "left" ] nil));
+    ]
+  in
+  let m = { (model bodies) with lots = true } in
+  let s = List.fold_left (take m) (start m (declared bodies)) [ "time(1/2)"; "bind(a, p.right, q.left)" ] in
+  well_formed "a state like others" m s;
+  check_labels "at 1, and not at 3/2" [ released; kept ] m (take m s "time(1/2)")
+
 (* Laws are asked after the lots: each piece draws for itself. *)
 let before_laws () =
   let law = Law.Choose [ { velocity = (Const (q 1), Const (q 0), Const (q 0)); weight = Const (q 1) } ] in
@@ -376,6 +390,6 @@ let suite =
          case "Lot: chances that sum to more than 1" sum_beyond_one;
          case "Lot: what is repeated counts twice" repeated;
          case "Lot: before laws are asked" before_laws;
-         case "I-39: instants of the network" instants;
+         case "I-39: instants of the network" instants; case "I-39: bound between two" bound_between;
        ] );
    ])

@@ -290,6 +290,18 @@ let absorb_beside () =
   let m = { m with Model.collisions = Together } in
   check_labels "together, who may be taken never bounces" [ "absorb(p, drain)"; "absorb(q, drain)" ] m s
 
+(* p and q run into a wall from two sides. *)
+let wall_between () =
+  let bodies =
+    [
+      body "p" (-3, 0, 0) ~velocity:(1, 0, 0); body "q" (3, 0, 0) ~velocity:(-1, 0, 0);
+      body "wall" (0, 0, 0) ~fixed:true;
+    ]
+  in
+  let m, s = network bodies in
+  let m = { m with Model.collisions = Together } in
+  check_labels "a fixed body joins no cluster" [ "bounce(p, wall)"; "bounce(q, wall)" ] m (take m s "time(1)")
+
 (* p runs into two drains and into q, which rests; what q and p offer each other may bind them instead. *)
 let absorb_in_cluster () =
   let all behaviour other =
@@ -327,6 +339,7 @@ let suite =
          case "Absorb: what hits it is gone" absorb;
          case "Absorb: beside other collisions" absorb_beside;
          case "Absorb: in a cluster (I-32)" absorb_in_cluster;
+         case "Bounce: a wall between two (I-32)" wall_between;
          case "Bind: a compatible collision" bind;
          case "Bind: what is not compatible bounces" incompatible;
          case "Bind: the touching pairs of the highest dimension (I-12)" lower_dimension;

@@ -192,6 +192,17 @@ let instants () =
   let s = take m (take m s "time(1/4)") "time(1/8)" in
   check_labels "so does one that offers the same bond once more" [ "time(1/8)" ] m s
 
+(* The clock shows 1/2 when the pair of p and q runs into a wall. *)
+let bounced () =
+  let pair = [ body "p" (0, 0, 0) ~behaviour:(release nil); body "q" (2, 0, 0) ~behaviour:(release nil) ] in
+  let bodies = pair @ [ body "w" (5, 0, 0) ~fixed:true ] in
+  let whole = (joined ~velocity:(2, 0, 0) pair [ ("a", (0, "right"), (1, "left")) ]).processes.(0) in
+  let wall = (declared bodies).processes.(2) in
+  let m = model bodies in
+  let s = start m (State.make ~processes:[ whole; wall ] ~step:None ~time:None) in
+  let s = List.fold_left (take m) s [ "time(1/2)"; "bounce(p, w)" ] in
+  check_labels "a bounce starts the clock anew" [ "weak(a, p.right, q.left)"; "time(1)" ] m s
+
 (* p, q and r in a row: the bond of q and r can be released from 3/8 on. *)
 let one_more () =
   let bodies =
@@ -357,7 +368,7 @@ let suite =
        [
          case "WeakSplit: both ends must offer it (I-6)" both_ends;
          case "WeakSplit: only at split instants (I-9)" instants;
-         case "I-9: a further bond" one_more;
+         case "I-9: a further bond" one_more; case "I-9: a bounce" bounced;
          case "WeakSplit: at any time (I-9)" any_time;
          case "WeakSplit: the pieces keep their motion (I-11)" pieces_rest;
          case "StrongSplit: urgent" urgent;

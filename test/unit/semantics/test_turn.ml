@@ -358,6 +358,17 @@ let just_begun () =
   Alcotest.(check bool) "a turn of it is due" true (Turn.due after.processes.(0));
   check_rat "and began now" "0" after.processes.(0).since
 
+(* The turn of p began 1/3 ago, that of q 1/5 ago: the instants of the grid are those of q. *)
+let grid_of_the_last_turn () =
+  let bodies = [ body "p" (0, 0, 0); body "q" (4, 0, 0) ~velocity:(-4, 0, 0) ] in
+  let turn since p = State.with_turn ~spin:(Vec.of_ints 0 0 1) ~since ~lasts:(Some (q 1)) p in
+  let processes = Array.map2 turn [| ratio 1 3; ratio 1 5 |] (declared bodies).processes in
+  match Collisions.first_time_of_contact (standard (rigid (model bodies))) processes ~limit:(Some (q 1)) with
+  | None -> Alcotest.fail "they meet"
+  | Some t ->
+    let since_the_turn = Z.to_int (Q.den (Rat.add t (ratio 1 5))) in
+    Alcotest.(check int) "a power of two" 0 (since_the_turn land Int.pred since_the_turn)
+
 let suite =
   let case name f = Alcotest.test_case name `Quick f in
   ("turn",
@@ -370,7 +381,11 @@ let suite =
          case "turns of its own" own_turns; case "whoever stops time" bystander;
          case "steered into a contact" steered_into; case "a turn that has just begun" just_begun;
        ] );
-     ("cast", [ case "parts off their centres" off_centre; case "rounded down" thirds ]);
+     ( "cast",
+       [
+         case "parts off their centres" off_centre; case "rounded down" thirds;
+         case "the last turn" grid_of_the_last_turn;
+       ] );
      ( "meeting",
        [
          case "mirror images" mirror; case "bound to a fixed body" fixed_bind;

@@ -1,0 +1,207 @@
+#!/usr/bin/env python3
+"""Shows that the tests of the rules can fail: rules of lib/kernel/semantics are broken, one by one.
+
+    test/laws/networks/teeth.py [--tree DIR] [NAME ...]
+    test/laws/networks/teeth.py --places     only whether each mistake has a place to be made in; part of the tests
+
+Works on a copy of the source tree (below DIR, to be kept for the next time). Each mistake has to be noticed by the
+tests of test/unit/semantics, test/unit/elaborate or test/laws/networks, or by the suite of specs/conformance: some
+test fails, or does not end.
+"""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
+
+import mistakes
+
+# name: (file, what stands there, what is put in its place)
+MISTAKES = {
+    # Chapter 2: behaviours.
+    "the second summand offers nothing": (
+        "behaviours.ml", "derive defs how (derive defs how found x) y", "(ignore y; derive defs how found x)",
+    ),
+    "the second summand does not age": (
+        "behaviours.ml", "and y' = pass_term defs shortened y in", "and y' = y in",
+    ),
+    "what a name stands for does not age": (
+        "behaviours.ml",
+        "if ages defs defs.(k).body then pass_term defs shortened defs.(k).body else b",
+        "(ignore k; b)",
+    ),
+    "the longest delay is the horizon": (
+        "behaviours.ml", "Some s, Some t -> Some (Rat.min s t)", "Some s, Some t -> Some (Rat.max s t)",
+    ),
+    "equal chances count once": (
+        "behaviours.ml", "if by_chance offer then found", "if by_chance offer && found = [] then found",
+    ),
+    "of repeated summands by chance one remains": (
+        "behaviours.ml", "Terms.mem b known && not (left_to_chance defs b)",
+        "Terms.mem b known && (ignore left_to_chance; true)",
+    ),
+    # Chapter 3: bonds are released.
+    "bonds are released at any instant": (
+        "splits.ml",
+        "if Process.at_split_instant p then List.concat_map release (Array.to_list p.bonds) else []",
+        "List.concat_map release (Array.to_list p.bonds)",
+    ),
+    "only the first end pushes": (
+        "splits.ml",
+        "push = Rat.add (List.hd one).Process.push (List.hd two).push }",
+        "push = (ignore two; (List.hd one).Process.push) }",
+    ),
+    "a push pulls": (
+        "splits.ml",
+        "of_leaf bond.one.at (Rat.neg push) (of_leaf bond.two.at push q)",
+        "of_leaf bond.one.at push (of_leaf bond.two.at (Rat.neg push) q)",
+    ),
+    "only the first end continues": (
+        "splits.ml",
+        "[ (bond.one.at, (List.hd one).Process.rest); (bond.two.at, (List.hd two).rest) ]",
+        "(ignore two; [ (bond.one.at, (List.hd one).Process.rest) ])",
+    ),
+    "entries keep the bonds that they match first": (
+        "splits.ml", "match augment seen owners other with", "match ignore other; Error seen with",
+    ),
+    "who has chosen may get another bond": (
+        "splits.ml", "i > least && open_yet i", "i > least && (ignore open_yet; true)",
+    ),
+    "certain chances are too much": (
+        "splits.ml", "Rat.compare (total side.drawn) Rat.one > 0", "Rat.compare (total side.drawn) Rat.one >= 0",
+    ),
+    "both let go as often as the rarer one": ("splits.ml", "(s @ t, Rat.mul q r)", "(s @ t, Rat.min q r)"),
+    "lots wait a whole step": ("lots.ml", "Some (Rat.sub (step m) since)", "(ignore since; Some (step m))"),
+    "two bonds of a leaf are not contested": (
+        "lots.ml", "List.compare_length_with cluster 1 > 0", "List.compare_length_with cluster 2 > 0",
+    ),
+    "bonds hang together by their first ends": ("lots.ml", "[ b.one.at; b.two.at ]", "[ b.one.at ]"),
+    "any feature releases a bond": (
+        "process.ml",
+        "when String.equal c.name name && Behaviour.active c f.site ->", "when String.equal c.name name ->",
+    ),
+    # Chapter 3: bonds are made, and bodies bounce.
+    "three bodies close no ring": ("closings.ml", "Array.length p.leaves >= 3", "Array.length p.leaves > 3"),
+    "two leaves may be bound twice": (
+        "closings.ml", "i <> j && not (Array.exists (joins i j) p.bonds)", "i <> j && (ignore (joins, p); true)",
+    ),
+    "clocks run on when a ring closes": (
+        "closings.ml", "come = [ Process.restart_clock c.setting.model whole ]", "come = (ignore c; [ whole ])",
+    ),
+    "a name binds to itself": (
+        "collisions.ml", "complementary pol1 pol2 && String", "(ignore (complementary pol1 pol2); true) && String",
+    ),
+    "corners bind where faces do": ("collisions.ml", "c.dimension = highest", "c.dimension <= highest"),
+    "fixed bodies link collisions": (
+        "collisions.ml",
+        "List.mem i y.members && Option.is_some (State.mass model processes.(i))",
+        "List.mem i y.members && (ignore (model, processes); true)",
+    ),
+    "clocks run on when bodies bounce": (
+        "collisions.ml", "Process.end_step m (Process.restart_clock m p)", "Process.end_step m p",
+    ),
+    "the lots of what binds are lost": ("collisions.ml", "|> State.with_lots p.lots", "|> State.with_lots None"),
+    "who touches collides": (
+        "straight.ml", "(Part.relative_velocity a b) then Colliding else Touching",
+        "(Part.relative_velocity a b) then Colliding else Colliding",
+    ),
+    "masses are exchanged": (
+        "straight.ml",
+        "(Vec.add (Vec.scale mp p.velocity) (Vec.scale mq q.velocity))",
+        "(Vec.add (Vec.scale mq p.velocity) (Vec.scale mp q.velocity))",
+    ),
+    "who turns does not meet those at the same velocity": ("part.ml", "|| turns a || turns b)", "|| turns a)"),
+    # Laws of motion.
+    "fixed bodies are steered": (
+        "process.ml", "p.leaves\n  && Option.is_some (State.mass m p)", "p.leaves\n  && (ignore State.mass; true)",
+    ),
+    "the last one draws first": (
+        "process.ml", "if compare first p <= 0 then first else p", "if compare first p >= 0 then first else p",
+    ),
+    "a velocity that is drawn twice counts once": (
+        "steer.ml", "(w, Rat.add c chance) :: rest", "(w, Rat.max c chance) :: rest",
+    ),
+    "as many outcomes as allowed are too many": (
+        "steer.ml", "List.length others > Law.most_outcomes", "List.length others >= Law.most_outcomes",
+    ),
+    "masses of leaves do not weigh": (
+        "steer.ml", "(Vec.scale mass (Vec.sub v velocity), chance)", "(Vec.sub v velocity, chance)",
+    ),
+    "laws are asked before collisions": (
+        "steer.ml", "if Collisions.collides c s then None", "if false && Collisions.collides c s then None",
+    ),
+    "who moved a part of a step sees a whole one": (
+        "steer.ml", "Rat.sub m.timestep step.remaining", "(ignore step; m.timestep)",
+    ),
+    # Time.
+    "split clocks are not looked at": (
+        "time.ml", "Option.map (Rat.sub step) p.clock", "Option.map (fun _ -> step) p.clock",
+    ),
+    "clocks go on when a bond becomes releasable": (
+        "time.ml", "expires && gains_split m p aged", "expires && false && gains_split m p aged",
+    ),
+    "a delay that ends now has not expired": (
+        "time.ml", "Some h -> Rat.compare h d <= 0", "Some h -> Rat.compare h d < 0",
+    ),
+    "time may end a step late": ("time.ml", "if steered then least next step else next", "(ignore steered; next)"),
+    "turns without effect go on": (
+        "time.ml", "Option.is_some turn && nothing_ahead ()", "Option.is_some turn && false && nothing_ahead ()",
+    ),
+    # Successors, and what is well-formed.
+    "time passes beside what is urgent": (
+        "network.ml", "if is_urgent d then [] else time ()", "time ()",
+    ),
+    "what is steered collides and is steered again": ("network.ml", "| Steered -> Steered", "| Steered -> Due"),
+    "who may split is quiescent": (
+        "network.ml", "urgent c p = [] && Option.is_none p.State.clock", "urgent c p = []",
+    ),
+    "outcomes of one label are one": (
+        "transition.ml", " && List.equal State.equal_process a.come b.come", "",
+    ),
+    "a clock may show a whole step": (
+        "well_formed.ml", "Rat.sign c >= 0 && Rat.compare c step < 0",
+        "Rat.sign c >= 0 && Rat.compare c step <= 0",
+    ),
+    "a leaf may be there twice": (
+        "well_formed.ml", "| Some _ -> Some (Repeated_leaf leaf)",
+        "| Some n -> if n > 2 then Some (Repeated_leaf leaf) else None",
+    ),
+    "a process may be in two pieces": ("well_formed.ml", "| [ _ ] -> true\n  | _ -> false", "| _ -> true"),
+    "parts of one process may interpenetrate": (
+        "well_formed.ml", "{ p with process = i }", "(ignore i; p)",
+    ),
+    "an absorber may be bound": (
+        "well_formed.ml", "absorbs && Array.length p.leaves > 1", "absorbs && Array.length p.leaves > 2",
+    ),
+    "a wall may spin": (
+        "well_formed.ml", "not (Vec.is_zero p.velocity && Vec.is_zero p.spin)", "not (Vec.is_zero p.velocity)",
+    ),
+    # Chapter 4: bodies that turn.
+    "turns are longer than their bound": (
+        "turn.ml", "(Rat.make Z.one (Z.of_int 4)) <= 0", "(Rat.make Z.one (Z.of_int 1)) <= 0",
+    ),
+    "what has turned is forgotten": ("turn.ml", "Some (Rat.sub d p.since)", "Some d"),
+    "the grid counts from the later turn": (
+        "turning.ml", "Rat.min one.since two.since", "Rat.max one.since two.since",
+    ),
+    "what would collide is rounded": (
+        "round.ml", "if waiting = [] then (trial, changes)", "if waiting = [] || hit <> [] then (trial, changes)",
+    ),
+    "who collides begins a turn": (
+        "round.ml", "List.filter (fun i -> not (List.exists (involves i) hit)) due", "(ignore hit; due)",
+    ),
+}
+
+TESTS = [
+    mistakes.Test("test/unit/semantics/tests.exe"),
+    mistakes.Test("test/unit/elaborate/tests.exe"),
+    mistakes.Test(
+        "bin/main.exe",
+        ("python3", "-B", "specs/conformance/run.py", "--", "_build/default/bin/main.exe", "oracle"),
+    ),
+    mistakes.Test("test/laws/networks/test_rigid_laws.exe"),
+    mistakes.Test("test/laws/networks/tests.exe"),
+]
+
+if __name__ == "__main__":
+    sys.exit(mistakes.main(mistakes.Program(__doc__, "lib/kernel/semantics", MISTAKES, TESTS)))
