@@ -178,7 +178,8 @@ let agrees_together case =
     List.iter (at_point case standard report.where) (points m (Random.State.make [| case.seed |]) report.where);
     true
 
-(* Each by itself as well: the time up to which zones are explored is the latest of those that are asked together. *)
+(* Each by itself as well: the time up to which zones are explored is the latest of those that are asked together.
+   *)
 let agrees case =
   agrees_together case && List.for_all (fun f -> agrees_together { case with formulas = [ f ] }) case.formulas
 
