@@ -179,7 +179,7 @@ let agrees_together case =
     true
 
 (* Each by itself as well: the time up to which zones are explored is the latest of those that are asked together.
-   *)
+*)
 let agrees case =
   agrees_together case && List.for_all (fun f -> agrees_together { case with formulas = [ f ] }) case.formulas
 
