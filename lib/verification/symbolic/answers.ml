@@ -22,8 +22,7 @@ type t = {
   reach : Settling.reach option;
 }
 
-let reach_of (context : Instant.context) formula =
-  Settling.of_formula (Scc_semantics.Semantics.model context.semantics) ~from:Rat.zero formula
+let reach_of formula = Option.map (fun time -> { Settling.time; events = 0 }) (Plan.horizon formula)
 
 let make context atoms ~parameters formula =
   let n = Polyhedron.dimension parameters in
@@ -36,7 +35,7 @@ let make context atoms ~parameters formula =
     | Any plans -> Any (List.map plan plans)
     | Formula formula -> Branches { formula; answer = Error [] }
   in
-  { context; atoms; parameters; plan = plan (Plan.of_formula formula); reach = reach_of context formula }
+  { context; atoms; parameters; plan = plan (Plan.of_formula formula); reach = reach_of formula }
 
 let reach t = t.reach
 

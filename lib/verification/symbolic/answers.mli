@@ -11,8 +11,8 @@ val make : Instant.context -> Atoms.context -> parameters:Polyhedron.t -> Proper
 (** [make c atoms ~parameters formula] is the open question, where [parameters] are all values of the
     parameters. *)
 
-val reach_of : Instant.context -> Property.temporal -> Settling.reach option
-(** [reach_of c formula] is the positions that the truth of a formula in the initial states depends on; [None] if
+val reach_of : Property.temporal -> Settling.reach option
+(** [reach_of formula] is the positions that the truth of a formula in the initial states depends on; [None] if
     there is no such bound. *)
 
 val reach : t -> Settling.reach option

@@ -45,20 +45,11 @@ let spot w = (steps w, Option.map snd w.inside)
 let always = { Property.low = Rat.zero; high = None }
 let is_state f = Option.is_some (Formula.state_formula f)
 
-(* A run need not be followed any further once what has to be so on its way is so for good. *)
-let until_settled b (bound : Property.bound) what ~so =
-  match (bound.high, Settling.temporal (Atoms.model (Branching.model b).atoms) what) with
-  | None, Some { after; truth } when Bool.equal truth so -> { bound with high = Some after }
-  | _, _ -> bound
-
 (* What is so on the way of a run of such a formula, and where it leads; the third way to break an until is where
    it is over on an open interval. *)
-let told b (f : Property.temporal) search =
+let told (f : Property.temporal) search =
   let along bound what so = Some { what; so; bound } in
-  let stays bound what so =
-    let bound = until_settled b bound what ~so in
-    (along bound what so, [], bound)
-  in
+  let stays bound what so = (along bound what so, [], bound) in
   match (f, (search : Branching.search)) with
   | Finally (Exists, _, g), _ -> (None, [ (g, true) ], always)
   | Globally (All, _, g), _ -> (None, [ (g, false) ], always)
@@ -127,7 +118,7 @@ and all b ~outermost w claims =
 and by_run b w formula holds (q : Branching.quantified) =
   let m = Branching.model b in
   let of_search (search, win) =
-    let along, parts, bound = told b formula search in
+    let along, parts, bound = told formula search in
     let from w = Option.map (fun r -> (search, along, parts, r)) (some_run m search ~win ~high:bound.high w) in
     List.find_map from (among win w)
   in

@@ -195,7 +195,7 @@ let groups (options : Setup.t) context u ~initial ~premises checks =
   let slicing =
     List.exists (Reduction.equal Slice) options.reductions && Array.length initial.State.processes > 1
   in
-  if not slicing then Ok (Zone_groups.make context ~bounded ~part:(fun _ -> None) ~premises checks)
+  if not slicing then Ok (Zone_groups.make ~bounded ~part:(fun _ -> None) ~premises checks)
   else
     let formulas (c : Property.check) =
       let of_it = List.filter (fun (p : Property.check) -> String.equal p.name c.name) premises in
@@ -203,7 +203,7 @@ let groups (options : Setup.t) context u ~initial ~premises checks =
     in
     let part zones c = Zone_slice.make context u ~initial (List.hd zones) (formulas c) in
     Start.zones context u ~initial ~keeps_time:false
-    |> Result.map (fun zones -> Zone_groups.make context ~bounded ~part:(part zones) ~premises checks)
+    |> Result.map (fun zones -> Zone_groups.make ~bounded ~part:(part zones) ~premises checks)
 
 let report options semantics u ~declared ~initial explored : Check.report =
   let m = Semantics.model semantics in

@@ -11,10 +11,10 @@ type t = {
 
 (* Those that ask about time are explored apart: with time a coordinate, little ever recurs, but there is an end
    where all of them have a bound. A bound of time for all makes it a coordinate for all. *)
-let by_time context ~bounded part numbered =
+let by_time ~bounded part numbered =
   let of_check is (_, (c : Property.check)) = is c.formula in
   let timed, others = List.partition (of_check Answers.needs_time) numbered in
-  let ends, endless = List.partition (of_check (fun f -> Option.is_some (Answers.reach_of context f))) timed in
+  let ends, endless = List.partition (of_check (fun f -> Option.is_some (Answers.reach_of f))) timed in
   let some keeps_time = function [] -> [] | members -> [ { keeps_time; part; members; premises = [] } ] in
   some bounded others @ some true ends @ some true endless
 
@@ -30,7 +30,7 @@ let with_premises premises groups =
   List.rev (snd (List.fold_left put (List.mapi (fun i p -> (i, p)) premises, []) groups))
 
 (* Each slice is explored apart. *)
-let make context ~bounded ~part ~premises checks =
+let make ~bounded ~part ~premises checks =
   let put part member =
     let joined (same, members) =
       if Option.equal State.equal same part then Some (same, member :: members) else None
@@ -43,5 +43,5 @@ let make context ~bounded ~part ~premises checks =
   | _ :: _ ->
     List.fold_left add (0, []) checks
     |> snd
-    |> List.concat_map (fun (part, members) -> by_time context ~bounded part (List.rev members))
+    |> List.concat_map (fun (part, members) -> by_time ~bounded part (List.rev members))
     |> with_premises premises

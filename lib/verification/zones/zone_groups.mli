@@ -2,7 +2,6 @@
 
 open Scc_calculus
 open Scc_property
-open Scc_symbolic
 
 type t = {
   keeps_time : bool;  (** model time is a coordinate *)
@@ -14,8 +13,8 @@ type t = {
 }
 
 val make :
-  Instant.context -> bounded:bool -> part:(Property.check -> State.t option) -> premises:Property.check list ->
-  Property.check list -> t list
-(** [make context ~bounded ~part ~premises checks] are the groups, at least one; it has no members if there are no
+  bounded:bool -> part:(Property.check -> State.t option) -> premises:Property.check list -> Property.check list ->
+  t list
+(** [make ~bounded ~part ~premises checks] are the groups, at least one; it has no members if there are no
     checks. With [bounded], there is a bound of time for all. The part of a check has to be enough for the
     premises of its name as well. *)
