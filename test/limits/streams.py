@@ -8,8 +8,8 @@ input, output and error, alone and together, under a limit of open files or of t
 it is and ignored. A standard error that is lost changes nothing. A standard output that is lost makes the code 74, or 4
 where a reader has gone, if there was something to print. Then each command is signalled while it waits for its input,
 while it works, and while it begins: from its first instruction on each command with --json prints one document, whose
-exit code is that of the process. Nothing asks a clock: a signal is sent once the system tells that it is caught or held, or that the pipe
-is open.
+exit code is that of the process. Nothing asks a clock: a signal is sent once the system tells that it is caught or
+held, or that the pipe is open.
 
 Without --all, a share of it, a few seconds.
 """
@@ -414,6 +414,8 @@ def main():
     parser.add_argument("--verbose", action="store_true")
     args = parser.parse_args()
     draw = random.Random(47)
+    for number in SIGNALS:  # nohup, and shells for what runs beside them, ignore some
+        signal.signal(number, signal.default_int_handler if number == signal.SIGINT else signal.SIG_DFL)
 
     def pick(states):
         items = list(states.items())
