@@ -71,14 +71,11 @@ and until m q b g =
 
 (* {1 How far a formula looks} *)
 
-type reach = { time : Rat.t; events : int }
-
-let later a b = { time = Rat.max a.time b.time; events = Int.max a.events b.events }
-
+(* [None] is at all times. *)
 let latest = function
-  | [] -> Some { time = Rat.zero; events = 0 }
+  | [] -> Some Rat.zero
   | first :: rest ->
-    let both a b = match (a, b) with Some a, Some b -> Some (later a b) | None, _ | _, None -> None in
+    let both a b = match (a, b) with Some a, Some b -> Some (Rat.max a b) | None, _ | _, None -> None in
     List.fold_left both first rest
 
 let earlier a b =
@@ -86,27 +83,14 @@ let earlier a b =
   | Some a, Some b -> Some (Rat.min a b)
   | None, t | t, None -> t
 
-(* How many events a formula looks ahead where it asks for no time. *)
-let rec events = function
-  | State _ -> Some 0
-  | Temporal_not f -> events f
-  | Temporal_and fs | Temporal_or fs ->
-    let most a b = match (a, b) with Some a, Some b -> Some (Int.max a b) | None, _ | _, None -> None in
-    List.fold_left most (Some 0) (List.map events fs)
-  | Next (_, f) -> Option.map succ (events f)
-  | Finally _ | Globally _ | Until _ -> None
-
-(* Of a formula that is asked at times up to [until]; [None] is at all times. *)
+(* Of a formula that is evaluated at times up to [until]. The next event of X may be however late. *)
 let rec reach m ~until f =
   let until = earlier until (Option.map (fun s -> s.after) (temporal m f)) in
   match f with
-  | State _ -> Option.map (fun time -> { time; events = 0 }) until
+  | State _ -> until
   | Temporal_not f -> reach m ~until f
   | Temporal_and fs | Temporal_or fs -> latest (List.map (reach m ~until) fs)
-  | Next (_, f) -> (
-      match (until, events f) with
-      | Some time, Some n -> Some { time; events = n + 1 }
-      | None, _ | _, None -> None)
+  | Next _ -> None
   | Finally (_, b, g) -> reach_of_until m ~until b [] g
   | Globally (_, b, f) -> reach_of_until m ~until b [] (Temporal_not f)
   | Until (_, b, f, g) -> reach_of_until m ~until b [ f ] g
@@ -137,7 +121,7 @@ let of_check m ~from (c : check) =
   match c.asked with
   | Whether | How_likely _ | Expected (_, Time_until _, _) -> of_formula m ~from c.formula
   | Expected (_, Events_until (_, g), _) -> of_formula m ~from (Finally (All, always, g))
-  | Expected (_, Value_at (_, time), _) -> Some { time = Rat.add from time; events = 0 }
+  | Expected (_, Value_at (_, time), _) -> Some (Rat.add from time)
 
 let of_checks m ~from checks = latest (List.map (of_check m ~from) checks)
 

@@ -18,21 +18,6 @@ val last_goals : Model.t -> Property.temporal -> Rat.t list
 (** For each operator U in a formula whose right side settles on false, the time after which it is false. F and G
     count as U. *)
 
-type reach = { time : Rat.t; events : int }
-(** The positions up to [time], and those that follow them by at most so many discrete transitions after that
-    time. *)
-
-val latest : reach option list -> reach option
-(** The union of what several formulas depend on; [None] if one of them has no bound. *)
-
-val of_formula : Model.t -> from:Rat.t -> Property.temporal -> reach option
-(** [of_formula m ~from f] is the positions that the truth of [f] in a state at the time [from] depends on; [None]
-    if there is no such bound. *)
-
-val of_check : Model.t -> from:Rat.t -> Property.check -> reach option
-(** [of_check m ~from c] is the positions that the answer to [c] in a state at the time [from] depends on, as
-    in {!of_formula}. *)
-
-val of_checks : Model.t -> from:Rat.t -> Property.check list -> reach option
-(** The positions that the answers to several checks depend on ({!of_check}); [None] if one of them has no such
-    bound. *)
+val of_checks : Model.t -> from:Rat.t -> Property.check list -> Rat.t option
+(** [of_checks m ~from checks] is a time such that the answers in a state at the time [from] do not depend on later
+    positions; [None] if no such time is known, as with X, whose next event may be however late. *)

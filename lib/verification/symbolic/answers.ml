@@ -19,10 +19,8 @@ type t = {
   atoms : Atoms.context;
   parameters : Polyhedron.t;
   plan : plan;
-  reach : Settling.reach option;
+  bound : Rat.t option;
 }
-
-let reach_of formula = Option.map (fun time -> { Settling.time; events = 0 }) (Plan.horizon formula)
 
 let make context atoms ~parameters formula =
   let n = Polyhedron.dimension parameters in
@@ -35,9 +33,9 @@ let make context atoms ~parameters formula =
     | Any plans -> Any (List.map plan plans)
     | Formula formula -> Branches { formula; answer = Error [] }
   in
-  { context; atoms; parameters; plan = plan (Plan.of_formula formula); reach = reach_of formula }
+  { context; atoms; parameters; plan = plan (Plan.of_formula formula); bound = Plan.horizon formula }
 
-let reach t = t.reach
+let bound t = t.bound
 
 let rec bounded : Property.temporal -> bool = function
   | State _ -> false

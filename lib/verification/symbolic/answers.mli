@@ -11,12 +11,8 @@ val make : Instant.context -> Atoms.context -> parameters:Polyhedron.t -> Proper
 (** [make c atoms ~parameters formula] is the open question, where [parameters] are all values of the
     parameters. *)
 
-val reach_of : Property.temporal -> Settling.reach option
-(** [reach_of formula] is the positions that the truth of a formula in the initial states depends on; [None] if
-    there is no such bound. *)
-
-val reach : t -> Settling.reach option
-(** [reach t] is {!reach_of} the formula of [t]. *)
+val bound : t -> Scc_exact.Rat.t option
+(** [bound t] is the time up to which the formula of [t] looks ({!Plan.horizon}); [None] if there is no such time. *)
 
 val needs_time : Property.temporal -> bool
 (** [needs_time formula] is true if the formula mentions model time or has a bound of time. Model time then has

@@ -10,10 +10,7 @@ let horizon model ~initial checks =
   let from = start initial in
   match checks with
   | [] -> None
-  | _ :: _ -> (
-      match Settling.of_checks model ~from checks with
-      | Some { time; events = 0 } -> Some (Rat.sub time from)
-      | Some _ | None -> None)
+  | _ :: _ -> Option.map (fun time -> Rat.sub time from) (Settling.of_checks model ~from checks)
 
 let within model ~initial bound goal =
   match Settling.prop model goal with

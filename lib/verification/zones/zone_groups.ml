@@ -14,7 +14,7 @@ type t = {
 let by_time ~bounded part numbered =
   let of_check is (_, (c : Property.check)) = is c.formula in
   let timed, others = List.partition (of_check Answers.needs_time) numbered in
-  let ends, endless = List.partition (of_check (fun f -> Option.is_some (Answers.reach_of f))) timed in
+  let ends, endless = List.partition (of_check (fun f -> Option.is_some (Plan.horizon f))) timed in
   let some keeps_time = function [] -> [] | members -> [ { keeps_time; part; members; premises = [] } ] in
   some bounded others @ some true ends @ some true endless
 
