@@ -133,3 +133,20 @@ draws first.
   p_first: violated
   q_first: holds (exhaustive)
   p_first: violated
+
+An undecided check over a range has no split step in JSON.
+
+  $ cat > open.sc <<'EOF'
+  > param u in [-1, 1]
+  > shape C = box(1,1,1)
+  > behaviour P on C = <a, {right}>. omega(a, {right}). eps(1). P
+  > behaviour Q on C = <~a, {left}>. omega(a, {left}). eps(1). Q
+  > process p = C mass 1 velocity (1,0,0) [P]
+  > process q = C mass 2 velocity (-1/2,0,0) at translate (3,u,0) [Q]
+  > check c : AX time <= 3/2
+  > check d : EF[0, 3] bound(p, q)
+  > EOF
+  $ scc check open.sc --json --depth 8 | grep -E '"(verdict|split_step)"'
+        "verdict": "undecided",
+        "verdict": "violated",
+        "split_step": "1/1",

@@ -181,6 +181,10 @@ let run (v : Verdict.t) =
 
 let some = function [] -> None | _ :: _ as items -> Some items
 
+(* What is undecided rests on no step. *)
+let split_step (o : Verdict.outcome) =
+  match o.verdict with Undecided _ -> None | Holds _ | Violated _ | Measured _ -> o.scale.split_step
+
 let values (v : Verdict.t) =
   match v with Measured { values; _ } -> Some values | Holds _ | Violated _ | Undecided _ -> None
 
@@ -212,7 +216,7 @@ let property_members =
                "Runs in which time does not go on for ever: the run that decides, or some among all runs when \
                 no run decides by itself and the verdict could be another one without them.";
            within (fun (o : Verdict.outcome) -> o.converges) convergence;
-           maybe "split_step" Shared.rational (fun (o : Verdict.outcome) -> o.scale.split_step)
+           maybe "split_step" Shared.rational split_step
              ~about:
                "Of a verdict whose exploration saw weak splits enabled: they were looked at at multiples of it \
                 only.";
