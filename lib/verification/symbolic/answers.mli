@@ -12,7 +12,8 @@ val make : Instant.context -> Atoms.context -> parameters:Polyhedron.t -> Proper
     parameters. *)
 
 val bound : t -> Scc_exact.Rat.t option
-(** [bound t] is the time up to which the formula of [t] looks ({!Plan.horizon}); [None] if there is no such time. *)
+(** [bound t] is the time up to which the formula of [t] looks ({!Plan.horizon}); [None] if there is no such
+    time. *)
 
 val needs_time : Property.temporal -> bool
 (** [needs_time formula] is true if the formula mentions model time or has a bound of time. Model time then has
