@@ -28,7 +28,7 @@ let kind : Verdict.t -> string = function
   | Measured _ -> "measured"
   | Undecided _ -> "undecided"
 
-let kinds = [ "holds"; "holds-up-to-bound"; "violated"; "measured"; "undecided" ]
+let kind_format = word Fun.id [ "holds"; "holds-up-to-bound"; "violated"; "measured"; "undecided" ]
 
 let file = Witness_json.file
 let lost = list ~least:1 ~distinct:true text
@@ -196,7 +196,7 @@ let property_members =
          [
            field "name" some_text (fun (o : Verdict.outcome) -> o.check.name);
            field "formula" some_text (fun (o : Verdict.outcome) -> o.check.text);
-           field "verdict" (word Fun.id kinds) (fun (o : Verdict.outcome) -> kind o.verdict);
+           field "verdict" kind_format (fun (o : Verdict.outcome) -> kind o.verdict);
            field "text" some_text Verdict.outcome_to_string;
            field "bounds" (list Explored_json.truncation) (fun (o : Verdict.outcome) -> bounds o.verdict)
              ~about:"Within which it holds; empty for a proof.";

@@ -27,6 +27,9 @@ type judged
 val kind : Verdict.t -> string
 (** The kind of a verdict: ["holds"], ["holds-up-to-bound"], ["violated"], ["measured"] or ["undecided"]. *)
 
+val kind_format : (string, string) Json_format.t
+(** One of the texts of {!kind}. *)
+
 val property :
   ?full:bool -> ?cure:(Verdict.outcome -> string option) -> ?where:Scc_regions.Where.t -> Semantics.t ->
   Verdict.outcome -> Json.t

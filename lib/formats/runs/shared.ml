@@ -16,6 +16,8 @@ let matrix =
 
 let integer_text = form [ { set = "-"; least = 0; most = Some 1 }; { set = "0-9"; least = 1; most = None } ]
 
+let seed = named "seed" "Of a random choice: an integer of 64 bits." (from Int64.to_string integer_text)
+
 let quaternion =
   let items (q : Quaternion.t) = List.map Z.to_string [ q.w; q.x; q.y; q.z ] in
   checked (from items (list ~least:4 ~most:4 integer_text))

@@ -20,7 +20,6 @@ let ends =
 
 let bond_fields = all [ field "name" some_text (fun (_, (b : State.bond)) -> b.name); field "ends" ends Fun.id ]
 let bond_format = named "bond" (obj bond_fields)
-let bond m b = written_members bond_fields (m, b)
 
 let release_fields =
   let push (_, (r : Transition.release)) = if Rat.sign r.push = 0 then None else Some r.push in

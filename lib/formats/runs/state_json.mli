@@ -23,9 +23,6 @@ val label : Model.t -> Transition.label -> Json.t
 val state : Model.t -> State.t -> Json.t
 (** The state in {!state_format}. *)
 
-val bond : Model.t -> State.bond -> (string * Json.t) list
-(** The members [name] and [ends] of a bond. *)
-
 val behaviour : Model.t -> leaf:int -> Behaviour.aged -> string
 (** The term of the leaf in the syntax of the language, as by {!Behaviour_text.to_string}. *)
 

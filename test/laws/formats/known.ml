@@ -39,7 +39,11 @@ let all =
     file "inflate" "The report of scc inflate" Scc_cli.Inflate_command.format;
     file "simulation" "A line of scc simulate --format jsonl: header, run; with --summary header, moment"
       Scc_simulate.Report.format;
+    file "estimate" "The report of scc estimate" Scc_estimate.Estimate_report.format;
+    file "sweep" "A line of scc sweep --format jsonl: header, point" Scc_sweep.Table.format;
     file "graph" "The state space of a model: scc explore --format json" Scc_graphs.Graph_json.format;
+    file "zones" "The zones of a model with ranges or split_step any (rule Zones): scc explore --format json"
+      Scc_graphs.Zone_json.format;
     file "names" "What the names in explicit files stand for: FILE.names.json of scc explore --format tra"
       Scc_graphs.Explicit_files.names_format;
     file "check" "The report of scc check" Check_json.format;
