@@ -33,6 +33,12 @@ let digest =
      name>:<name><length>:<bytes>, the model first and with an empty name."
     (form (letters "md5:" @ [ { set = "0-9a-f"; least = 32; most = Some 32 } ]))
 
+let digit c = Printf.sprintf "%02x" (Char.code c)
+let hex text = String.concat "" (List.map digit (List.of_seq (String.to_seq text)))
+
+let bytes =
+  from hex (Json_format.repeated [ { set = "0-9a-f"; least = 2; most = Some 2 } ])
+
 let code = form (letters "SC" @ [ { set = "0-9"; least = 4; most = Some 4 } ])
 let exit = named "exit" "The exit code of the command." (one_of [ 0; 1; 2; 3; 4; 64; 70; 74 ])
 let texts = list text

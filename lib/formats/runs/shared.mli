@@ -24,6 +24,9 @@ val seed : (int64, string) Json_format.t
 val digest : (string, string) Json_format.t
 (** The digest of a model ({!Scc_loading.Origin.digest}). *)
 
+val bytes : (string, string) Json_format.t
+(** Bytes, one or more, as pairs of hexadecimal digits, which are what is read. *)
+
 val exit : (int, int) Json_format.t
 (** The exit code of a command. *)
 

@@ -43,6 +43,10 @@ let form runs =
   let read json = Option.bind (Json.string json) (fun s -> if Json_schema.matches runs s then Some s else None) in
   value (Form runs) ("a text of the form " ^ Json_schema.pattern runs) Json.text read
 
+let repeated runs =
+  let read json = Option.bind (Json.string json) (fun s -> if Json_schema.matches ~again:true runs s then Some s else None) in
+  value (Repeated runs) ("a text of the form " ^ Json_schema.repeated_pattern runs) Json.text read
+
 let bool = value Bool "a truth value" (fun b -> `Bool b) (function `Bool b -> Some b | _ -> None)
 
 let integer ?least ?most () =
@@ -312,6 +316,8 @@ let constrained keywords complaint t =
   { t with read; schema = Also (keywords, t.schema) }
 
 let named ~file name t = { t with schema = Reference { file; name; target = lazy t.schema } }
+
+let document ~file t = { (checked t) with schema = Document { file; target = t.schema } }
 
 let recursive ~file name make =
   let rec whole = lazy (make self)

@@ -47,6 +47,9 @@ val some_text : (string, string) t
 val form : Json_schema.run list -> (string, string) t
 (** A string of the form. *)
 
+val repeated : Json_schema.run list -> (string, string) t
+(** A string that consists of strings of the form, one or more. *)
+
 val bool : (bool, bool) t
 (** [true] or [false]. *)
 
@@ -178,6 +181,9 @@ val constrained : (string * Json.t) list -> (Json.t -> string option) -> ('w, 'r
 
 val named : file:string -> string -> ('w, 'r) t -> ('w, 'r) t
 (** The format as a definition of this name in the schemas of the file, to which other schemas refer. *)
+
+val document : file:string -> ('w, _) t -> ('w, unit) t
+(** The format of the whole document that the schema of the file describes. *)
 
 val recursive : file:string -> string -> (('w, 'r) t -> ('w, 'r) t) -> ('w, 'r) t
 (** [recursive ~file name f] is the format [t] that is [named ~file name (f t)]. *)

@@ -7,12 +7,14 @@ type t =
   | Integer of { least : int option; most : int option }
   | Text of { least : int }
   | Form of run list
+  | Repeated of run list
   | Constant of Json.t list
   | Items of { each : t; least : int; most : int option; distinct : bool }
   | Members of member list
   | Entries of t
   | Any_of of t list
   | Reference of { file : string; name : string; target : t Lazy.t }
+  | Document of { file : string; target : t }
   | About of string * t
   | Also of (string * Json.t) list * t
 
@@ -31,7 +33,9 @@ let one_run r =
   | n, Some m -> Printf.sprintf "%s{%d,%d}" set n m
   | n, None -> Printf.sprintf "%s{%d,}" set n
 
-let pattern runs = "^" ^ String.concat "" (List.map one_run runs) ^ "$"
+let body runs = String.concat "" (List.map one_run runs)
+let pattern runs = "^" ^ body runs ^ "$"
+let repeated_pattern runs = "^(" ^ body runs ^ ")+$"
 
 (* A set is characters and ranges, as in a regular expression; '-' is a range between two characters only. *)
 let mem set c =
@@ -43,19 +47,19 @@ let mem set c =
   in
   from 0
 
-let matches runs s =
+let matches ?(again = false) runs s =
   let n = String.length s in
   let rec taken r i k =
     let is_more = Option.fold ~none:true ~some:(fun m -> k < m) r.most in
     if is_more && i + k < n && mem r.set s.[i + k] then taken r i (k + 1) else k
   in
-  let rec from i = function
-    | [] -> i = n
+  let rec from start i = function
+    | [] -> i = n || (again && i > start && from i i runs)
     | r :: rest ->
       let k = taken r i 0 in
-      k >= r.least && from (i + k) rest
+      k >= r.least && from start (i + k) rest
   in
-  from 0 runs
+  from 0 0 runs
 
 (* {1 As JSON} *)
 
@@ -77,6 +81,7 @@ let rec keywords inside = function
   | Integer { least; most } -> (kind "integer" :: at_least "minimum" least) @ at_least "maximum" most
   | Text { least } -> kind "string" :: at_least "minLength" (positive least)
   | Form runs -> [ kind "string"; ("pattern", `String (pattern runs)) ]
+  | Repeated runs -> [ kind "string"; ("pattern", `String (repeated_pattern runs)) ]
   | Constant [ value ] -> [ ("const", value) ]
   | Constant values -> [ ("enum", `List values) ]
   | Items { each; least; most; distinct } ->
@@ -98,6 +103,7 @@ let rec keywords inside = function
   | Reference { file; name; _ } ->
     let at = if String.equal file inside then "" else file ^ ".schema.json" in
     [ ("$ref", `String (Printf.sprintf "%s#/$defs/%s" at name)) ]
+  | Document { file; _ } -> [ ("$ref", `String (file ^ ".schema.json")) ]
   | About (text, t) -> ("description", `String text) :: keywords inside t
   | Also (more, t) -> keywords inside t @ more
 
@@ -111,7 +117,7 @@ module Names = Map.Make (String)
 
 (* The definitions that a schema refers to, those of other files included. *)
 let rec collect found = function
-  | Anything | Null | Bool | Integer _ | Text _ | Form _ | Constant _ -> found
+  | Anything | Null | Bool | Integer _ | Text _ | Form _ | Repeated _ | Constant _ | Document _ -> found
   | Items { each; _ } | Entries each | About (_, each) | Also (_, each) -> collect found each
   | Members members -> List.fold_left (fun found m -> collect found m.value) found members
   | Any_of alternatives -> List.fold_left collect found alternatives

@@ -6,8 +6,8 @@ open Scc_reports
 type format = Format : ('w, 'r) Json_format.t * ('r -> 'w) option -> format
 type file = { schema : Json_schema.file; format : format option }
 
-let file ?again name title t =
-  let schema = { Json_schema.name; title; root = Some (Json_format.schema t); parts = [] } in
+let file ?again ?(parts = []) name title t =
+  let schema = { Json_schema.name; title; root = Some (Json_format.schema t); parts } in
   { schema; format = Some (Format (t, again)) }
 
 (* What schemas that are written by hand alone refer to is named here. *)
@@ -41,6 +41,9 @@ let all =
       Scc_simulate.Report.format;
     file "estimate" "The report of scc estimate" Scc_estimate.Estimate_report.format;
     file "sweep" "A line of scc sweep --format jsonl: header, point" Scc_sweep.Table.format;
+    (let parts = Json_format.[ schema Scc_successors.Told.moves_text; schema Scc_successors.Told.targets_text ] in
+     let title = "What scc successors tells: its header, its answers in lines, and the texts in its frames" in
+     file "successors" title Scc_successors.Told.format ~parts);
     file "graph" "The state space of a model: scc explore --format json" Scc_graphs.Graph_json.format;
     file "zones" "The zones of a model with ranges or split_step any (rule Zones): scc explore --format json"
       Scc_graphs.Zone_json.format;

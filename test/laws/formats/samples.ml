@@ -34,6 +34,9 @@ let rec made r deep (t : Json_schema.t) : Json.t =
     let empty = if least = 0 then [ "" ] else [] in
     `String (one_of r (empty @ [ "p"; "a text"; "Σ\"\\"; "p.right" ]))
   | Form runs -> `String (String.concat "" (List.map (of_run r) runs))
+  | Repeated runs ->
+    let once () = String.concat "" (List.map (of_run r) runs) in
+    `String (String.concat "" (List.init (1 + int r 3) (fun _ -> once ())))
   | Constant values -> one_of r values
   | Items { each; least; most; distinct } ->
     let more = if deep > 10 then 0 else int r 3 in
@@ -50,6 +53,7 @@ let rec made r deep (t : Json_schema.t) : Json.t =
   | Any_of alternatives ->
     inside (if deep > 10 then List.nth alternatives (List.length alternatives - 1) else one_of r alternatives)
   | Reference { target; _ } -> inside (Lazy.force target)
+  | Document { target; _ } -> inside target
   | About (_, t) | Also (_, t) -> inside t
 
 let document r t = made r 0 t
