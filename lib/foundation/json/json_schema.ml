@@ -67,12 +67,24 @@ let at_least name = function None -> [] | Some n -> [ (name, `Int n) ]
 let positive n = if n > 0 then Some n else None
 let kind name = ("type", `String name)
 
-(* What is of simple types alone is one list of types. *)
-let any_of alternatives =
+let of_types =
+  [
+    "minimum"; "maximum"; "minLength"; "pattern"; "items"; "minItems"; "maxItems"; "uniqueItems"; "properties";
+    "required"; "additionalProperties";
+  ]
+
+let is_of_type (keyword, _) = List.mem keyword of_types
+
+(* What is of simple types alone is one list of types. So is a value of one type, or null: the keywords about values
+   of a type allow all others. *)
+let any_of alternatives : (string * Json.t) list =
   let simple = function `Assoc [ ("type", `String t) ] -> Some (`String t) | _ -> None in
   let types = List.filter_map simple alternatives in
-  if List.compare_lengths types alternatives = 0 then [ ("type", `List types) ]
-  else [ ("anyOf", `List alternatives) ]
+  match alternatives with
+  | [ `Assoc (("type", `String t) :: rest); `Assoc [ ("type", `String "null") ] ] when List.for_all is_of_type rest ->
+    ("type", `List [ `String t; `String "null" ]) :: rest
+  | _ when List.compare_lengths types alternatives = 0 -> [ ("type", `List types) ]
+  | _ -> [ ("anyOf", `List alternatives) ]
 
 let rec keywords inside = function
   | Anything -> []
