@@ -119,9 +119,7 @@ let label m l = write label_format (m, l)
 (* {1 Leaves} *)
 
 let behaviour m ~leaf (b : Behaviour.aged) = Behaviour_text.to_string m ~leaf b.term
-let origin_name (m : Model.t) (b : Behaviour.aged) = Option.map (fun k -> m.definitions.(k).name) b.origin
-let origin m b = Json.option Json.text (origin_name m b)
-let quaternion = write Shared.quaternion
+let origin (m : Model.t) (b : Behaviour.aged) = Option.map (fun k -> m.definitions.(k).name) b.origin
 let only_if holds value = if holds then Some (value ()) else None
 
 let leaf =
@@ -139,7 +137,7 @@ let leaf =
       maybe "waited" Shared.rational of_each
         ~about:"How long ago its law of motion was asked; of models with `timestep ... local` alone.";
       field "behaviour" some_text term ~about:"In the syntax of the language.";
-      field "origin" (nullable text) (fun (m, (l : State.leaf)) -> origin_name m l.behaviour)
+      field "origin" (nullable text) (fun (m, (l : State.leaf)) -> origin m l.behaviour)
         ~about:"The definition whose ageing gave the behaviour, if any.";
     ]
   |> named "leaf"

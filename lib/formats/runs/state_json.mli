@@ -33,8 +33,5 @@ val kind : Transition.label -> string
 (** The kind of a label: ["time"], ["bind"], ["close"], ["bounce"], ["absorb"], ["weak"], ["strong"], ["draw"]
     or ["lot"]. *)
 
-val quaternion : Scc_exact.Quaternion.t -> Json.t
-(** An array of four integers as texts: w, x, y, z. *)
-
-val origin : Model.t -> Behaviour.aged -> Json.t
-(** The name of the definition that the behaviour comes from; [null] if there is none. *)
+val origin : Model.t -> Behaviour.aged -> string option
+(** The name of the definition that the behaviour comes from, if there is one. *)

@@ -125,6 +125,17 @@ let list ?(least = 0) ?most ?(distinct = false) t =
     schema = Items { each = t.schema; least; most; distinct };
   }
 
+let triple a b c =
+  let read at = function
+    | `List [ x; y; z ] -> (a.read (Item (at, 0)) x, b.read (Item (at, 1)) y, c.read (Item (at, 2)) z)
+    | _ -> refuse at "is not an array of three"
+  in
+  {
+    write = (fun (x, y, z) -> `List [ a.write x; b.write y; c.write z ]);
+    read; null = false;
+    schema = Tuple [ a.schema; b.schema; c.schema ];
+  }
+
 let from f t = { t with write = (fun x -> t.write (f x)) }
 let array ?least ?most t = from Array.to_list (list ?least ?most t)
 
@@ -217,9 +228,14 @@ let all list =
 
 let within f m = { m with put = (fun x rest -> m.put (f x) rest) }
 
+(* A member that stands in one place of some documents, and in another of others, is listed once. *)
+let rec listed_once : Json_schema.member list -> Json_schema.member list = function
+  | [] -> []
+  | m :: rest -> m :: listed_once (List.filter (fun (n : Json_schema.member) -> n.name <> m.name) rest)
+
 let obj m =
   let read at = function `Assoc members -> m.get at members | _ -> refuse at "is not an object" in
-  { write = (fun o -> `Assoc (m.put o [])); read; null = false; schema = Members m.listed }
+  { write = (fun o -> `Assoc (m.put o [])); read; null = false; schema = Members (listed_once m.listed) }
 
 let fields list = obj (all list)
 let ignored m = ( let+ ) m ignore

@@ -84,6 +84,9 @@ val list : ?least:int -> ?most:int -> ?distinct:bool -> ('w, 'r) t -> ('w list, 
 val array : ?least:int -> ?most:int -> ('w, 'r) t -> ('w array, 'r list) t
 (** An array as {!list} has it. *)
 
+val triple : ('a, 'x) t -> ('b, 'y) t -> ('c, 'z) t -> ('a * 'b * 'c, 'x * 'y * 'z) t
+(** An array of three values. *)
+
 val entries : ('w, 'r) t -> ((string * 'w) list, (string * 'r) list) t
 (** An object that has a member for each name. *)
 

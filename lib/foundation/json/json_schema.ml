@@ -10,6 +10,7 @@ type t =
   | Repeated of run list
   | Constant of Json.t list
   | Items of { each : t; least : int; most : int option; distinct : bool }
+  | Tuple of t list
   | Members of member list
   | Entries of t
   | Any_of of t list
@@ -69,7 +70,7 @@ let kind name = ("type", `String name)
 
 let of_types =
   [
-    "minimum"; "maximum"; "minLength"; "pattern"; "items"; "minItems"; "maxItems"; "uniqueItems"; "properties";
+    "minimum"; "maximum"; "minLength"; "pattern"; "items"; "prefixItems"; "minItems"; "maxItems"; "uniqueItems"; "properties";
     "required"; "additionalProperties";
   ]
 
@@ -101,6 +102,10 @@ let rec keywords inside = function
     @ at_least "minItems" (positive least)
     @ at_least "maxItems" most
     @ if distinct then [ ("uniqueItems", `Bool true) ] else []
+  | Tuple items ->
+    let count = List.length items in
+    [ kind "array"; ("prefixItems", `List (List.map (whole inside) items)) ]
+    @ [ ("minItems", `Int count); ("maxItems", `Int count) ]
   | Members members ->
     let property m = (m.name, whole inside m.value) in
     let required = List.filter_map (fun m -> if m.required then Some (`String m.name) else None) members in
@@ -132,7 +137,7 @@ let rec collect found = function
   | Anything | Null | Bool | Integer _ | Text _ | Form _ | Repeated _ | Constant _ | Document _ -> found
   | Items { each; _ } | Entries each | About (_, each) | Also (_, each) -> collect found each
   | Members members -> List.fold_left (fun found m -> collect found m.value) found members
-  | Any_of alternatives -> List.fold_left collect found alternatives
+  | Any_of all | Tuple all -> List.fold_left collect found all
   | Reference { file; name; target } ->
     let key = file ^ "#" ^ name in
     if Names.mem key found then found

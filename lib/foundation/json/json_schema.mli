@@ -15,6 +15,7 @@ type t =
   | Repeated of run list  (** a string that consists of such strings, one or more *)
   | Constant of Json.t list  (** one of these values *)
   | Items of { each : t; least : int; most : int option; distinct : bool }  (** an array *)
+  | Tuple of t list  (** an array of as many items, each of which has its own schema *)
   | Members of member list  (** an object with these members and no others *)
   | Entries of t  (** an object with any names of members, whose values are all of one kind *)
   | Any_of of t list

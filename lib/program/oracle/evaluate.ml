@@ -147,7 +147,7 @@ let extent (l : Models.loaded) (place : Network_at.place) (next : Transition.lab
 let along p (l : Models.loaded) kind piece =
   let one place next = piece (trajectory l.model.semantics place (extent l place next)) in
   let pieces = Network_at.along l.network (Models.choices p) one in
-  Reply.Value (`Assoc [ ("kind", `String kind); ("values", `List pieces) ])
+  Reply.Value (`Assoc [ ("kind", `String kind); ("values", Json_format.(write (list Curve_json.format)) pieces) ])
 
 let values store p =
   match asked store p with

@@ -41,6 +41,7 @@ let all =
       Scc_simulate.Report.format;
     file "estimate" "The report of scc estimate" Scc_estimate.Estimate_report.format;
     file "sweep" "A line of scc sweep --format jsonl: header, point" Scc_sweep.Table.format;
+    file "view" "What a page of scc view shows: scc view --data" Scc_view.Document.format;
     (let parts = Json_format.[ schema Scc_successors.Told.moves_text; schema Scc_successors.Told.targets_text ] in
      let title = "What scc successors tells: its header, its answers in lines, and the texts in its frames" in
      file "successors" title Scc_successors.Told.format ~parts);

@@ -43,6 +43,7 @@ let rec made r deep (t : Json_schema.t) : Json.t =
     let count = Option.fold ~none:(least + more) ~some:(Int.min (least + more)) most in
     let items = List.init count (fun _ -> inside each) in
     `List (if distinct then List.sort_uniq compare items else items)
+  | Tuple items -> `List (List.map inside items)
   | Members members ->
     let given (m : Json_schema.member) =
       if m.required || (deep < 12 && Random.State.bool r) then Some (m.name, inside m.value) else None
