@@ -122,7 +122,7 @@ let short_line ~most json =
   | () -> Some (Buffer.contents b)
   | exception Too_long -> None
 
-let rec add_pretty b ~width ~written_some indent (json : t) =
+let rec add_pretty b ~written_some indent (json : t) =
   let deeper = indent ^ "  " in
   let block opening closing write items =
     Buffer.add_char b opening;
@@ -138,25 +138,25 @@ let rec add_pretty b ~width ~written_some indent (json : t) =
   in
   match (short_line ~most:(width - String.length indent) json, json) with
   | Some short, _ -> Buffer.add_string b short
-  | None, `List items -> block '[' ']' (add_pretty b ~width ~written_some deeper) items
+  | None, `List items -> block '[' ']' (add_pretty b ~written_some deeper) items
   | None, `Assoc members ->
     block '{' '}'
       (fun (key, value) ->
          add_string b key;
          Buffer.add_string b ": ";
-         add_pretty b ~width ~written_some deeper value)
+         add_pretty b ~written_some deeper value)
       members
   | None, _ -> add b ~comma:"," ~colon:":" json
 
 let piece = 65536
 
-let pretty_pieces ?(width = width) put json =
+let pretty_pieces put json =
   let b = Buffer.create (2 * piece) in
   let send () =
     put (Buffer.contents b);
     Buffer.clear b
   in
-  add_pretty b ~width ~written_some:(fun () -> if Buffer.length b >= piece then send ()) "" json;
+  add_pretty b ~written_some:(fun () -> if Buffer.length b >= piece then send ()) "" json;
   Buffer.add_char b '\n';
   send ()
 

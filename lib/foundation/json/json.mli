@@ -37,9 +37,8 @@ val line : t -> string
 val pretty : t -> string
 (** The text with a line end. Arrays and objects that do not fit in 88 bytes are on several lines. *)
 
-val pretty_pieces : ?width:int -> (string -> unit) -> t -> unit
-(** [pretty_pieces put json] calls [put] with {!pretty} of [json] in pieces of about 64 KiB, in order. [width] is
-    another number of bytes than 88. *)
+val pretty_pieces : (string -> unit) -> t -> unit
+(** [pretty_pieces put json] calls [put] with {!pretty} of [json] in pieces of about 64 KiB, in order. *)
 
 (** {1 Reading} *)
 
