@@ -25,6 +25,7 @@ let common =
 let all =
   [
     common;
+    { schema = Scc_oracle.Oracle.schema_file; format = None };
     file "schedule" "A schedule: the choices that lead a model through one run" Schedule.format
       ~again:(fun place -> (1, place (fun _ -> Span.none)));
     file "trace" "A line of a trace (JSON Lines): header, state, transitions, instant (at most one), end"

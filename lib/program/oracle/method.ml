@@ -1,0 +1,20 @@
+open Scc_json
+
+(** A method: its params and its result as the schema has them, and what computes the result from the params. *)
+type 'store t = {
+  name : string;
+  params : Json_schema.member list;
+  result : Json_schema.t;
+  work : 'store -> Read.params -> Reply.t;
+}
+
+(* The member [limits]: of all methods, and of those that explore. *)
+let seconds = Read.member "seconds" Read.positive
+let states = Read.member "states" Read.natural
+let depth = Read.member "depth" Read.natural
+let time = Read.member "time" Read.not_negative
+let plain = Read.fields [ Read.may seconds ]
+let plain_limits = Read.member "limits" { plain with schema = Read.defined "limits" plain.schema }
+let all_limits = Read.member "limits" (Read.fields Read.[ may seconds; may states; may depth; may time ])
+let limits = Read.may plain_limits
+let limits_of_exploration = Read.may all_limits
