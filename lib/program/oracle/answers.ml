@@ -4,7 +4,7 @@ open Scc_json
 open Scc_runs
 open Json_format
 
-let named name t = named ~file:"oracle" name t
+let named name t = named ~file:Read.file name t
 let shape = named "shape" (Shared.numbered "s")
 let model = named "model" (Shared.numbered "m")
 let path = list natural |> about "Choices from the initial state on." |> named "path"

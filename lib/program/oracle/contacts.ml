@@ -87,7 +87,7 @@ let translational store p a b offset =
       ({ relation = "touching"; solids = (a, b); touch }, Option.map (Obstacle.approaching o offset) velocity)
   in
   Shapes.tidy store o;
-  Reply.of_format translational_result found
+  found
 
 let near_result =
   let near f (_, c) = Option.map f c in
@@ -113,11 +113,10 @@ let near resolution (a : Placed.t) (b : Placed.t) =
       let touch = { region = c.corners; normals = normals c.normals; pairs = c.pairs; highest = c.highest } in
       ({ relation; solids; touch = Some touch }, Some c)
   in
-  Reply.of_format near_result
-    (match Obstacle.relation o (Vec.sub b.at a.at) with
-     | Interpenetrating -> none "interpenetrating"
-     | Apart -> found "near"
-     | Touching -> found "touching")
+  match Obstacle.relation o (Vec.sub b.at a.at) with
+  | Interpenetrating -> none "interpenetrating"
+  | Apart -> found "near"
+  | Touching -> found "touching"
 
 let turned p member = Option.value (Read.optional p member) ~default:Quaternion.identity
 
@@ -125,9 +124,10 @@ let contact =
   let params =
     Read.[ needs a; needs b; needs offset; may velocity; may turned_a; may turned_b; may resolution; Method.limits ]
   in
-  let result = union [ case translational_result Option.some ignore; case near_result (fun _ -> None) ignore ] in
+  let result =
+    union [ case translational_result Either.find_left ignore; case near_result Either.find_right ignore ]
+  in
   let work store p =
-    Read.only p params;
     let a = Shapes.get store p a and b = Shapes.get store p b in
     let offset = Read.required p offset in
     let without other (m : Scc_json.Json_schema.member) =
@@ -136,13 +136,13 @@ let contact =
     match Read.optional p resolution with
     | None ->
       List.iter (without "with `resolution` only") Read.[ may turned_a; may turned_b ];
-      translational store p a b offset
+      Either.Left (translational store p a b offset)
     | Some resolution ->
       without "without `resolution` only" (Read.may velocity);
       let placed solid turn at = { Placed.solid; turned = turned p turn; at } in
-      near resolution (placed a turned_a Vec.zero) (placed b turned_b offset)
+      Right (near resolution (placed a turned_a Vec.zero) (placed b turned_b offset))
   in
-  { Method.name = "contact"; params; result = schema result; work }
+  Method.make "contact" params result work
 
 (* {1 First time of contact} *)
 

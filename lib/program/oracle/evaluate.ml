@@ -43,25 +43,20 @@ let valued kind format =
       field "reason" (nullable text) (function Ok _ -> None | Error reason -> Some reason);
     ]
 
-let truth = valued "state" bool
-let quantity = valued "number" Answers.quantity
-
 let state p (l : Models.loaded) prop =
   let place = Models.path p l.network in
-  Reply.of_format truth
-    (match (Trajectory.prop (at l.model.semantics place) prop).start with
-     | True -> Ok true
-     | False -> Ok false
-     | Undecided reason -> Error reason)
+  match (Trajectory.prop (at l.model.semantics place) prop).start with
+  | True -> Ok true
+  | False -> Ok false
+  | Undecided reason -> Error reason
 
 let number p (l : Models.loaded) num =
   let place = Models.path p l.network in
-  Reply.of_format quantity
-    (match (Trajectory.num (at l.model.semantics place) num).start with
-     | Undefined reason -> Error reason
-     | Ratio (n, d) ->
-       let at_start polynomial = Polynomial.eval polynomial Rat.zero in
-       Ok (Rat.div (at_start n) (at_start d)))
+  match (Trajectory.num (at l.model.semantics place) num).start with
+  | Undefined reason -> Error reason
+  | Ratio (n, d) ->
+    let at_start polynomial = Polynomial.eval polynomial Rat.zero in
+    Ok (Rat.div (at_start n) (at_start d))
 
 (* {1 Over runs} *)
 
@@ -123,7 +118,7 @@ let temporal bounds p (l : Models.loaded) check =
   let semantics = l.model.semantics in
   let report = Check.run options semantics ~initial:place.state [ check ] in
   match report.outcomes with
-  | [ outcome ] -> Reply.of_format verdict (l.model.model, semantics, outcome, report.stats)
+  | [ outcome ] -> (l.model.model, semantics, outcome, report.stats)
   | _ -> Bug.fail __POS__ "one check has one verdict"
 
 let formula =
@@ -135,8 +130,7 @@ let formula =
 
 let params = Read.[ needs Models.handle; may Models.along; needs formula ]
 
-let asked ~params store p =
-  Read.only p params;
+let asked store p =
   let handle = Read.required p Models.handle in
   let base = Models.model store p in
   let formula = Read.required p formula in
@@ -146,14 +140,21 @@ let asked ~params store p =
 
 let evaluate =
   let params = params @ [ Method.limits_of_exploration ] in
-  let result = Json_schema.Any_of [ schema truth; schema quantity; schema verdict ] in
-  let work (bounds, store) p =
-    match asked ~params store p with
-    | l, Question.State prop -> state p l prop
-    | l, Number num -> number p l num
-    | l, Temporal check -> temporal bounds p l check
+  let result =
+    union
+      [
+        case (valued "state" bool) (function `Truth x -> Some x | _ -> None) ignore;
+        case (valued "number" Answers.quantity) (function `Quantity x -> Some x | _ -> None) ignore;
+        case verdict (function `Verdict x -> Some x | _ -> None) ignore;
+      ]
   in
-  { Method.name = "evaluate"; params; result; work }
+  let work (bounds, store) p =
+    match asked store p with
+    | l, Question.State prop -> `Truth (state p l prop)
+    | l, Number num -> `Quantity (number p l num)
+    | l, Temporal check -> `Verdict (temporal bounds p l check)
+  in
+  Method.make "evaluate" params result work
 
 (* {1 Along a path} *)
 
@@ -176,12 +177,12 @@ let along_format =
 
 let along p (l : Models.loaded) kind piece =
   let one place next = piece (trajectory l.model.semantics place (extent l place next)) in
-  Reply.of_format along_format (kind, Network_at.along l.network (Models.choices p) one)
+  (kind, Network_at.along l.network (Models.choices p) one)
 
 let values =
   let params = params @ [ Method.limits ] in
   let work store p =
-    match asked ~params store p with
+    match asked store p with
     | l, Question.State prop ->
       let predicate = Trajectory.predicate l.model.semantics prop in
       along p l "state" (fun t -> Curve_json.truth (predicate t))
@@ -190,4 +191,4 @@ let values =
       Fault.invalid (Member "formula")
         "a temporal formula is about whole runs: `evaluate` answers it. A number or a state predicate is expected"
   in
-  { Method.name = "values"; params; result = schema along_format; work }
+  Method.make "values" params along_format work

@@ -214,15 +214,13 @@ let load =
   { Method.name = "model.load"; params; result = schema loaded_format; work }
 
 let release =
-  let params = [ Read.needs handle; Method.limits ] and result = Answers.(released model) in
   let work store p =
-    Read.only p params;
     let handle = Read.required p handle in
     ignore (Handles.release store.models handle);
     Last_few.retain store.lately (fun a -> not (String.equal a.handle handle));
-    Reply.of_format result handle
+    handle
   in
-  { Method.name = "model.release"; params; result = schema result; work }
+  Method.make "model.release" [ Read.needs handle; Method.limits ] Answers.(released model) work
 
 (* {1 With a formula} *)
 

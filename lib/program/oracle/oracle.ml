@@ -47,11 +47,8 @@ let describe =
         field "limits" (entries natural) (fun (s : Session.t) -> Quotas.listed s.quotas);
       ]
   in
-  let work (s, _) p =
-    Read.only p params;
-    Reply.of_format result s
-  in
-  fun name -> { Method.name; params; result = schema result; work }
+  let result = Scc_json.Json_format.named ~file:Read.file "description" result in
+  fun name -> Method.make name params result (fun (s, _) _ -> s)
 
 let table = List.map describe described @ undescribed
 
@@ -245,19 +242,19 @@ let schema_file : Scc_json.Json_schema.file =
   let result (m : _ Method.t) = defined (m.name ^ ".result") m.result in
   let anything = Json_schema.Entries Anything in
   let of_method (m : _ Method.t) : Json.t =
-    let properties name value = `Assoc [ ("properties", `Assoc [ (name, `Assoc [ value ]) ]) ] in
     let reference = `String (Printf.sprintf "#/$defs/%s.params" m.name) in
-    `Assoc
-      [ ("if", properties "method" ("const", `String m.name)); ("then", properties "params" ("$ref", reference)) ]
+    let properties =
+      [ ("method", `Assoc [ ("const", `String m.name) ]); ("params", `Assoc [ ("$ref", reference) ]) ]
+    in
+    `Assoc [ ("properties", `Assoc properties) ]
   in
   let version = member true "jsonrpc" (constant "2.0") in
-  let names = Json_schema.Constant (List.map (fun name -> `String name) methods) in
   let request =
     Json_schema.Members
-      [ version; member false "id" id; member true "method" names; member false "params" anything ]
+      [ version; member false "id" id; member true "method" (Text { least = 0 }); member false "params" anything ]
   in
   let request =
-    defined "request" (Also ([ ("allOf", `List (List.map of_method table)) ], request))
+    defined "request" (Also ([ ("anyOf", `List (List.map of_method table)) ], request))
   in
   let answer name value = Json_schema.Members [ version; member true "id" id; member true name value ] in
   let answers = [ answer "result" anything; answer "error" (schema Fault.format) ] in

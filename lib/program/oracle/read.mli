@@ -56,6 +56,9 @@ val reader : Json_schema.t -> (params -> Fault.place -> Wire.t -> 'a) -> 'a read
 val map : (params -> Fault.place -> 'a -> 'b) -> 'a reader -> 'b reader
 (** [map f r] reads [f] of what [r] reads. *)
 
+val file : string
+(** The name of the schema of the messages, for {!Json_format.named}. *)
+
 val defined : string -> Json_schema.t -> Json_schema.t
 (** The schema as a definition of this name in [specs/schema/oracle.schema.json]. *)
 

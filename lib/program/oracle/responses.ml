@@ -18,8 +18,6 @@ let result =
       field "second" motion (fun (_, _, second) -> second);
     ]
 
-let answer outcome first second = Reply.of_format result (outcome, first, second)
-
 (* {1 Bodies} *)
 
 let of_mass = Read.member "mass" Read.positive
@@ -114,9 +112,8 @@ let translational store p =
   let change = Vec.sub (Response.bounce touching w) w in
   List.iter (fun (t : Response.touching) -> Shapes.tidy store t.obstacle) touching;
   let moved share v = (Vec.axpy share change v, None) in
-  answer
-    (if Vec.is_zero change then "persistent" else "bounced")
-    (moved (Rat.neg share_first) v) (moved share_second u)
+  let outcome = if Vec.is_zero change then "persistent" else "bounced" in
+  (outcome, moved (Rat.neg share_first) v, moved share_second u)
 
 (* {1 Of rigid bodies} *)
 
@@ -159,14 +156,13 @@ let rigid store p resolution =
   let contacts = List.mapi (near resolution) pairs in
   let told (m : Impact.mover) = (m.velocity, Some m.spin) in
   match Impact.bounce a b contacts with
-  | Bounced (a, b) -> answer "bounced" (told a) (told b)
-  | Persistent -> answer "persistent" (told a) (told b)
+  | Bounced (a, b) -> ("bounced", told a, told b)
+  | Persistent -> ("persistent", told a, told b)
 
 let response =
   let resolution = Read.member "resolution" Read.positive in
   let params = Read.[ needs touching; needs first; needs second; may resolution; Method.limits ] in
   let work store p =
-    Read.only p params;
     let most = (Read.quotas p).touching in
     (match Read.required p touching with
      | List [] -> Fault.invalid (Member "touching") "at least one pair is needed"
@@ -176,4 +172,4 @@ let response =
     | None -> translational store p
     | Some resolution -> rigid store p resolution
   in
-  { Method.name = "response"; params; result = schema result; work }
+  Method.make "response" params result work

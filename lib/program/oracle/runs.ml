@@ -76,13 +76,12 @@ let successors =
   let states = Read.member "states" (one_of [ ("here", Here); ("all", Every); ("none", Neither) ]) in
   let params = Read.[ needs Models.handle; may Models.along; may states; Method.limits ] in
   let work store p =
-    Read.only p params;
     let { Models.network; _ } = Models.model store p in
     let states = Option.value (Read.optional p states) ~default:Here in
     let place = Models.path p network in
-    Reply.of_format successors_format (network, place, states, Network_at.next network place)
+    (network, place, states, Network_at.next network place)
   in
-  { Method.name = "successors"; params; result = schema successors_format; work }
+  Method.make "successors" params successors_format work
 
 (* {1 step} *)
 
@@ -118,7 +117,6 @@ let step =
       ]
   in
   let work store p =
-    Read.only p params;
     let { Models.network; _ } = Models.model store p in
     let m = Network_at.model network and place = Models.path p network in
     let next = Network_at.next network place in
@@ -129,9 +127,9 @@ let step =
       | v -> chosen m next place at v
     in
     let after = Network_at.follow network (Array.append place.path [| choice |]) in
-    Reply.of_format result ((m, choice, List.nth next choice), after)
+    ((m, choice, List.nth next choice), after)
   in
-  { Method.name = "step"; params; result = schema result; work }
+  Method.make "step" params result work
 
 (* {1 replay} *)
 

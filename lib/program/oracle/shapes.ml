@@ -183,7 +183,6 @@ let define =
       ]
   in
   let work store p =
-    Read.only p params;
     Handles.check_room store.shapes;
     let set = face_set p in
     let map = linear p in
@@ -194,18 +193,13 @@ let define =
       store.made <- store.made + 1;
       let solid = Solid.make ~id:store.made polyhedron map in
       let handle = Handles.add store.shapes solid in
-      Reply.of_format result (handle, solid, Solid_report.faults report)
+      (handle, solid, Solid_report.faults report)
   in
-  { Method.name = "shape.define"; params; result = schema result; work }
+  Method.make "shape.define" params result work
 
 let check =
-  let params = set_members @ [ Method.limits ] in
-  let result = obj Shape_json.report_members in
-  let work _ p =
-    Read.only p params;
-    Reply.of_format result (Solid_report.make (face_set p))
-  in
-  { Method.name = "shape.check"; params; result = schema result; work }
+  Method.make "shape.check" (set_members @ [ Method.limits ]) (obj Shape_json.report_members) (fun _ p ->
+      Solid_report.make (face_set p))
 
 let of_handle = Read.member "shape" handle
 
@@ -225,26 +219,23 @@ let mass =
       ]
   in
   let work store p =
-    Read.only p params;
     let solid = get store p of_handle in
     let mass = Option.value (Read.optional p of_mass) ~default:Rat.one in
     let turned = Option.value (Read.optional p turned) ~default:Quaternion.identity in
     let at = Option.value (Read.optional p at) ~default:Vec.zero in
     let inertia mass = Scc_rigid.Mass.of_part { body = { Scc_rigid.Placed.solid; turned; at }; mass } in
-    Reply.of_format result (solid, inertia solid.volume, inertia mass)
+    (solid, inertia solid.volume, inertia mass)
   in
-  { Method.name = "shape.mass"; params; result = schema result; work }
+  Method.make "shape.mass" params result work
 
 (* Obstacles of what is released go, too. *)
 let release =
-  let params = [ Read.needs of_handle; Method.limits ] and result = Answers.(released shape) in
   let work store p =
-    Read.only p params;
     let handle = Read.required p of_handle in
     let (solid : Solid.t) = Handles.release store.shapes handle in
     Pairs.filter_map_inplace
       (fun (a, b) o -> if a = solid.id || b = solid.id then None else Some o)
       store.obstacles;
-    Reply.of_format result handle
+    handle
   in
-  { Method.name = "shape.release"; params; result = schema result; work }
+  Method.make "shape.release" [ Read.needs of_handle; Method.limits ] Answers.(released shape) work

@@ -15,17 +15,16 @@ let source p =
   Source.make ~name:(Option.value (Read.optional p name) ~default:unnamed) text
 
 let format =
-  let params = Read.[ needs whole; may name; Method.limits ] and result = fields [ field "text" text Fun.id ] in
   let work _ p =
-    Read.only p params;
     let source = source p in
     match Scc_notation.Notation.canonical source with
-    | Ok text -> Reply.of_format result text
+    | Ok text -> text
     | Error diagnostics ->
       let named name = if String.equal name (Source.name source) then Some source else None in
       Fault.refuse (Model_refused (Fault.diagnostics ~source:named diagnostics))
   in
-  { Method.name = "text.format"; params; result = schema result; work }
+  let params = Read.[ needs whole; may name; Method.limits ] in
+  Method.make "text.format" params (fields [ field "text" text Fun.id ]) work
 
 (* {1 What stands somewhere} *)
 
@@ -54,14 +53,12 @@ let found =
 
 let describe =
   let offset = Read.member "offset" Read.natural ~about:"In bytes of UTF-8." in
-  let params = Read.[ needs whole; may name; needs offset; Method.limits ] in
-  let result = fields [ field "found" (nullable found) Fun.id ] in
   let work read_file p =
-    Read.only p params;
     let source = source p in
     let offset = Read.required p offset in
     let length = String.length (Source.text source) in
     if offset > length then Fault.invalid (Member "offset") "the text has %d bytes" length;
-    Reply.of_format result (Scc_describe.Describe.find ~read_module:(read_module read_file) source offset)
+    Scc_describe.Describe.find ~read_module:(read_module read_file) source offset
   in
-  { Method.name = "text.describe"; params; result = schema result; work }
+  let params = Read.[ needs whole; may name; needs offset; Method.limits ] in
+  Method.make "text.describe" params (fields [ field "found" (nullable found) Fun.id ]) work

@@ -70,12 +70,10 @@ let header_format =
 
 let check =
   let end_ of_number =
+    let infinite (n : Outcome.number) = if n.infinite then Some () else None in
     let finite (n : Outcome.number) = if n.infinite then None else Some (of_number n) in
-    union
-      [
-        case (constant (`String "infinite")) (fun (n : Outcome.number) -> if n.infinite then Some () else None) Fun.id;
-        case (nullable Shared.rational) finite ignore;
-      ]
+    union [ case (constant (`String "infinite")) infinite Fun.id; case (nullable Shared.rational) finite ignore ]
+    |> named ~file:"sweep" "end"
   in
   let number =
     fields
