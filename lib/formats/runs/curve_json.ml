@@ -35,8 +35,8 @@ let format =
       case
         (described
            "Several, each from a time since the state on; where that is irrational, from a rational within 10^-12 \
-            before it. A single instant that differs from what comes right after it has a piece of its own, and the \
-            next one begins where it does."
+            before it. A single instant that differs from what comes right after it has a piece of its own, and \
+            the next one begins where it does."
            (field "pieces" (list piece) Fun.id))
         (function Pieces all -> Some all | Whole _ -> None)
         ignore;

@@ -114,8 +114,6 @@ let label_format =
   in
   tagged "kind" choices |> about "What a transition does." |> named "label"
 
-let label m l = write label_format (m, l)
-
 (* {1 Leaves} *)
 
 let behaviour m ~leaf (b : Behaviour.aged) = Behaviour_text.to_string m ~leaf b.term
@@ -267,5 +265,3 @@ let state_format =
         ~about:"Who has been absorbed; of models in which some body absorbs alone.";
     ]
   |> named "state"
-
-let state m s = write state_format (m, s)

@@ -17,12 +17,6 @@ val bond_format : (Model.t * State.bond, unit) Json_format.t
 val ends : (Model.t * State.bond, unit) Json_format.t
 (** The format of the features at the two ends of a bond. *)
 
-val label : Model.t -> Transition.label -> Json.t
-(** A transition label in {!label_format}. *)
-
-val state : Model.t -> State.t -> Json.t
-(** The state in {!state_format}. *)
-
 val behaviour : Model.t -> leaf:int -> Behaviour.aged -> string
 (** The term of the leaf in the syntax of the language, as by {!Behaviour_text.to_string}. *)
 

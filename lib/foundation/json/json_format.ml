@@ -39,13 +39,14 @@ let text = value (Text { least = 0 }) "a text" Json.text Json.string
 let nonempty json = Option.bind (Json.string json) (fun s -> if s = "" then None else Some s)
 let some_text = value (Text { least = 1 }) "a text that is not empty" Json.text nonempty
 
-let form runs =
-  let read json = Option.bind (Json.string json) (fun s -> if Json_schema.matches runs s then Some s else None) in
-  value (Form runs) ("a text of the form " ^ Json_schema.pattern runs) Json.text read
+let formed schema pattern matches =
+  let read json = Option.bind (Json.string json) (fun s -> if matches s then Some s else None) in
+  value schema ("a text of the form " ^ pattern) Json.text read
+
+let form runs = formed (Form runs) (Json_schema.pattern runs) (Json_schema.matches runs)
 
 let repeated runs =
-  let read json = Option.bind (Json.string json) (fun s -> if Json_schema.matches ~again:true runs s then Some s else None) in
-  value (Repeated runs) ("a text of the form " ^ Json_schema.repeated_pattern runs) Json.text read
+  formed (Repeated runs) (Json_schema.repeated_pattern runs) (Json_schema.matches ~again:true runs)
 
 let bool = value Bool "a truth value" (fun b -> `Bool b) (function `Bool b -> Some b | _ -> None)
 
@@ -346,6 +347,3 @@ let recursive ~file name make =
     }
   in
   self
-
-let known ~file name =
-  json ~schema:(Reference { file; name; target = lazy Json_schema.Anything }) ()

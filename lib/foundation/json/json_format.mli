@@ -190,6 +190,3 @@ val document : file:string -> ('w, _) t -> ('w, unit) t
 
 val recursive : file:string -> string -> (('w, 'r) t -> ('w, 'r) t) -> ('w, 'r) t
 (** [recursive ~file name f] is the format [t] that is [named ~file name (f t)]. *)
-
-val known : file:string -> string -> (Json.t, Json.t) t
-(** A definition of this name in a schema that is written by hand. *)

@@ -70,20 +70,21 @@ let kind name = ("type", `String name)
 
 let of_types =
   [
-    "minimum"; "maximum"; "minLength"; "pattern"; "items"; "prefixItems"; "minItems"; "maxItems"; "uniqueItems"; "properties";
-    "required"; "additionalProperties";
+    "minimum"; "maximum"; "minLength"; "pattern"; "items"; "prefixItems"; "minItems"; "maxItems"; "uniqueItems";
+    "properties"; "required"; "additionalProperties";
   ]
 
 let is_of_type (keyword, _) = List.mem keyword of_types
 
-(* What is of simple types alone is one list of types. So is a value of one type, or null: the keywords about values
-   of a type allow all others. *)
+(* What is of simple types alone is one list of types. So is a value of one type, or null: the keywords about
+   values of a type allow all others. *)
 let any_of alternatives : (string * Json.t) list =
   let simple = function `Assoc [ ("type", `String t) ] -> Some (`String t) | _ -> None in
   let types = List.filter_map simple alternatives in
   match alternatives with
-  | [ `Assoc (("type", `String t) :: rest); `Assoc [ ("type", `String "null") ] ] when List.for_all is_of_type rest ->
-    ("type", `List [ `String t; `String "null" ]) :: rest
+  | [ `Assoc (("type", (`String _ as t)) :: rest); `Assoc [ ("type", `String "null") ] ]
+    when List.for_all is_of_type rest ->
+    ("type", `List [ t; `String "null" ]) :: rest
   | _ when List.compare_lengths types alternatives = 0 -> [ ("type", `List types) ]
   | _ -> [ ("anyOf", `List alternatives) ]
 

@@ -34,8 +34,9 @@ val repeated_pattern : run list -> string
 (** The regular expression of strings of the form, one or more, one after the other. *)
 
 val matches : ?again:bool -> run list -> string -> bool
-(** [matches runs s] is true if [s] is of the form; with [again], if it consists of one or more strings of it. Each run takes as many characters as it can, so a run must not
-    begin with characters that the run before it may take as well. *)
+(** [matches runs s] is true if [s] is of the form; with [again], if it consists of one or more strings of it. Each
+    run takes as many characters as it can, so a run must not begin with characters that the run before it may take
+    as well. *)
 
 (** A file of schemas. *)
 type file = {

@@ -91,7 +91,9 @@ let answer =
     [
       field "name" text (fun a -> a.path.check.name);
       field "text" text (fun a -> a.path.check.text);
-      field "verdict" (Json_format.word verdict [ Estimated; Holds; Violated; Undecided ]) (fun (a : answer) -> a.verdict);
+      field "verdict"
+        (Json_format.word verdict [ Estimated; Holds; Violated; Undecided ])
+        (fun (a : answer) -> a.verdict);
       field "value" (nullable value) known;
       field "runs" natural (tally (fun t -> t.runs))
         ~about:"All of them; each is counted in one of the next seven.";

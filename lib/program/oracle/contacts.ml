@@ -122,7 +122,10 @@ let turned p member = Option.value (Read.optional p member) ~default:Quaternion.
 
 let contact =
   let params =
-    Read.[ needs a; needs b; needs offset; may velocity; may turned_a; may turned_b; may resolution; Method.limits ]
+    Read.
+      [
+        needs a; needs b; needs offset; may velocity; may turned_a; may turned_b; may resolution; Method.limits;
+      ]
   in
   let result =
     union [ case translational_result Either.find_left ignore; case near_result Either.find_right ignore ]

@@ -172,7 +172,8 @@ let along_format =
   fields
     [
       field "kind" (word Fun.id [ "number"; "state" ]) fst;
-      field "values" (list ~least:1 Curve_json.format) snd ~about:"Of each state of the path, the initial one first.";
+      field "values" (list ~least:1 Curve_json.format) snd
+        ~about:"Of each state of the path, the initial one first.";
     ]
 
 let along p (l : Models.loaded) kind piece =

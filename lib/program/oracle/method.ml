@@ -1,6 +1,5 @@
 open Scc_json
 
-(** A method: its params and its result as the schema has them, and what computes the result from the params. *)
 type 'store t = {
   name : string;
   params : Json_schema.member list;

@@ -23,10 +23,10 @@ let explores m =
 
 let undescribed : (Session.t * float) Method.t list =
   [
-    shapes Contacts.first_time_of_contact; shapes Contacts.contact; shapes Responses.response; shapes Shapes.define;
-    plain Shapes.check; shapes Shapes.mass; shapes Shapes.release; models Models.load; models Models.release;
-    models Runs.successors; models Runs.step; models Runs.replay; explores Evaluate.evaluate; models Evaluate.values;
-    explores Checks.check; plain Texts.format;
+    shapes Contacts.first_time_of_contact; shapes Contacts.contact; shapes Responses.response;
+    shapes Shapes.define; plain Shapes.check; shapes Shapes.mass; shapes Shapes.release; models Models.load;
+    models Models.release; models Runs.successors; models Runs.step; models Runs.replay;
+    explores Evaluate.evaluate; models Evaluate.values; explores Checks.check; plain Texts.format;
     on (fun (s : Session.t) _ -> s.surroundings.read_file) Texts.describe;
   ]
 

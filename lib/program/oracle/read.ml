@@ -96,7 +96,8 @@ let number =
     ]
   in
   defined "number"
-    (About ("An exact number in a request: p/q, a decimal, or a JSON number taken as written.", Any_of alternatives))
+    (About
+       ("An exact number in a request: p/q, a decimal, or a JSON number taken as written.", Any_of alternatives))
 
 let rational =
   reader number (fun p at -> function
@@ -120,7 +121,8 @@ let natural =
       | _ -> Fault.invalid at "a natural number is expected")
 
 let seed =
-  let schema = Json_schema.Any_of [ Integer { least = None; most = None }; Json_format.schema Scc_runs.Shared.seed ] in
+  let text = Json_format.schema Scc_runs.Shared.seed in
+  let schema = Json_schema.Any_of [ Integer { least = None; most = None }; text ] in
   reader schema (fun _ at -> function
       | Number s | Text s -> (
           (* OCaml reads 0x1f and 1_0, too. *)

@@ -99,7 +99,9 @@ let corner table =
 let faces_of table = Read.list (Read.list (corner table))
 
 (* They are counted before any of them is read. *)
-let vertices = Read.member "vertices" (Read.short_list (Read.value Read.vector.schema) ~limit:"vertices" (fun q -> q.vertices))
+let vertices =
+  let vector = Read.value Read.vector.schema in
+  Read.member "vertices" (Read.short_list vector ~limit:"vertices" (fun q -> q.vertices))
 
 let faces =
   let corners = Read.value (Read.list (corner (by_name [||]))).schema in

@@ -4,7 +4,10 @@ open Scc_json.Json_format
 let unnamed = "<model>"
 
 let short limit most =
-  let bounded p _ s = if String.length s > most (Read.quotas p) then Fault.refuse (Limit (limit, most (Read.quotas p))) else s in
+  let bounded p _ s =
+    let most = most (Read.quotas p) in
+    if String.length s > most then Fault.refuse (Limit (limit, most)) else s
+  in
   Read.map bounded Read.text
 
 let whole = Read.member "text" (short "model_bytes" (fun q -> q.model_bytes))
@@ -34,13 +37,17 @@ let read_module read_file ~library name =
 let kinds =
   [
     "model"; "parameter"; "value"; "index"; "variable"; "argument"; "shape"; "compound"; "part"; "vertex"; "face";
-    "feature"; "behaviour"; "process"; "fixed"; "leaf"; "channel"; "check"; "module"; "imported"; "keyword"; "setting";
-    "quantity"; "predicate"; "event"; "function"; "component"; "name";
+    "feature"; "behaviour"; "process"; "fixed"; "leaf"; "channel"; "check"; "module"; "imported"; "keyword";
+    "setting"; "quantity"; "predicate"; "event"; "function"; "component"; "name";
   ]
 
 let found =
   let place =
-    all [ field "start" natural (fun (at : Span.t) -> at.start); field "stop" natural (fun (at : Span.t) -> at.stop) ]
+    all
+      [
+        field "start" natural (fun (at : Span.t) -> at.start);
+        field "stop" natural (fun (at : Span.t) -> at.stop);
+      ]
   in
   fields
     [

@@ -81,8 +81,8 @@ let all_rows =
 let format =
   fields (head :: List.map (fun r -> r.member) all_rows)
   |> about
-    "States, processes, behaviours, solids and labels are rows of tables, told by their numbers. A state is told by \
-     what has changed since another one, so that a run takes space for what happens in it."
+    "States, processes, behaviours, solids and labels are rows of tables, told by their numbers. A state is told \
+     by what has changed since another one, so that a run takes space for what happens in it."
 
 let write d put =
   let name name = Json.line (`String name) ^ ":" in

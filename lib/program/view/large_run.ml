@@ -19,7 +19,6 @@ type t = {
   mutable last : int;
   mutable now : Rat.t;
   mutable told : Runs.taken list;
-  mutable count : int;
   mutable rest : Rat.t;
 }
 
@@ -74,14 +73,11 @@ let start world ~state_after (initial : State.t) =
       last = first;
       now = Rat.zero;
       told = [];
-      count = 0;
       rest = Rat.zero;
     }
   in
   Array.iter (enter t Rat.zero) initial.processes;
   t
-
-let steps t = t.count
 
 let step t (event : Replay.event) =
   match event with
@@ -102,8 +98,7 @@ let step t (event : Replay.event) =
     let choice = if index < among then Some index else None in
     let label = States.label t.world taken.label in
     t.last <- target;
-    t.told <- { choice; label; target; rules = taken.rules; tail = false } :: t.told;
-    t.count <- t.count + 1
+    t.told <- { choice; label; target; rules = taken.rules; tail = false } :: t.told
 
 let run t ~name ~finish ~ending =
   tell_values t t.rest;

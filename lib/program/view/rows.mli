@@ -17,9 +17,6 @@ val create : unit -> t
 val add : t -> ('w, _) Json_format.t -> 'w -> int
 (** The number of the row of a value, from 0. The row is added if there is no equal one. *)
 
-val length : t -> int
-(** The number of rows. *)
-
 val since : t -> int -> string list
 (** The rows from that number on, each as JSON. *)
 

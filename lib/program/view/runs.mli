@@ -13,8 +13,8 @@ type about = {
   text : string;  (** the verdict in full *)
 }
 
-(** A transition of a document: its choice, the numbers of its label and of the state where it leads, and its rules.
-    With [tail], it is only time that passes where nothing happens any more. *)
+(** A transition of a document: its choice, the numbers of its label and of the state where it leads, and its
+    rules. With [tail], it is only time that passes where nothing happens any more. *)
 type taken = { choice : int option; label : int; target : int; rules : Rule.t list; tail : bool }
 
 (** A transition that was taken. *)

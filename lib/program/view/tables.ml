@@ -20,7 +20,8 @@ let feature =
   in
   from split (triple natural (word Fun.id [ "vertex"; "edge"; "face" ]) natural)
   |> checked
-  |> Rows.named "feature" ~text:"A feature of a part of a leaf: the number of the part, what it is, and its number in the solid."
+  |> Rows.named "feature"
+    ~text:"A feature of a part of a leaf: the number of the part, what it is, and its number in the solid."
 
 (* {1 Behaviours} *)
 

@@ -33,8 +33,8 @@ let begins text line = String.length line > String.length text && String.sub lin
 let texts = [ "\"description\""; "\"title\""; "\"$schema\""; "\"$id\"" ]
 let is_alone line = String.contains line '\n' || List.exists (fun text -> begins text line) texts
 
-(* What fits in the width is on one line; the name of a member does not count. Properties and definitions have lines of
-   their own, and so have texts; other members share a line. *)
+(* What fits in the width is on one line; the name of a member does not count. Properties and definitions have
+   lines of their own, and so have texts; other members share a line. *)
 let rec layout ?(names = false) indent (json : Json.t) =
   let deeper = indent ^ "  " in
   let block opening closing inside = opening ^ "\n" ^ inside ^ "\n" ^ indent ^ closing in
