@@ -67,7 +67,9 @@ let label =
     match e.step with Happens l -> Some (z.model, l) | Passes _ | Passes_some -> None
   in
   let time = `String "time" in
-  let is_time json = if Json.member "kind" json = Some time then Some "is a passing of time" else None in
+  let is_time json =
+    match Json.member "kind" json with Some (`String "time") -> Some "is a passing of time" | _ -> None
+  in
   let no_time = [ ("properties", `Assoc [ ("kind", `Assoc [ ("not", `Assoc [ ("const", time) ]) ]) ]) ] in
   union
     [

@@ -230,9 +230,11 @@ let all list =
 let within f m = { m with put = (fun x rest -> m.put (f x) rest) }
 
 (* A member that stands in one place of some documents, and in another of others, is listed once. *)
-let rec listed_once : Json_schema.member list -> Json_schema.member list = function
-  | [] -> []
-  | m :: rest -> m :: listed_once (List.filter (fun (n : Json_schema.member) -> n.name <> m.name) rest)
+let listed_once members =
+  let add found (m : Json_schema.member) =
+    if List.exists (fun (n : Json_schema.member) -> String.equal n.name m.name) found then found else m :: found
+  in
+  List.rev (List.fold_left add [] members)
 
 let obj m =
   let read at = function `Assoc members -> m.get at members | _ -> refuse at "is not an object" in

@@ -24,10 +24,10 @@ val limits_of_exploration : Json_schema.member
 (** The param of methods that explore. *)
 
 val plain_limits : Read.params Read.member
-(** {!limits}. *)
+(** The member of {!limits}, with what reads it. *)
 
 val all_limits : Read.params Read.member
-(** {!limits_of_exploration}. *)
+(** The member of {!limits_of_exploration}, with what reads it. *)
 
 val seconds : Scc_exact.Rat.t Read.member
 (** The greatest time for the request. *)

@@ -110,7 +110,7 @@ let by_follows : (string * Json.t) list * (Json.t -> string option) =
   let wrong json =
     let follows = Option.bind (Json.member "follows" json) Json.string in
     let has_reason = Option.is_some (Json.member "reason" json) in
-    let moves = Option.bind (Json.member "successors" json) Json.list <> Some [] in
+    let moves = match Json.member "successors" json with Some (`List []) -> false | _ -> true in
     if has_reason <> (follows = Some "ends" || follows = Some "fault") then
       Some "has a `reason` with another end than `ends` and `fault`, or has none with these"
     else if moves <> (follows = Some "moves") then Some "has successors where nothing moves, or has none"
