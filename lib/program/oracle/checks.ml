@@ -27,7 +27,7 @@ let result =
 
 let check =
   let where = Read.member "where" Read.truth and prove = Read.member "prove" Read.truth in
-  let params = Models.members @ Read.[ may where; may prove; Method.limits_of_exploration ] in
+  let params = Models.members @ Read.[ may where; may prove; may Method.all_limits ] in
   let work (bounds, store) p =
     let where = Option.value (Read.optional p where) ~default:false in
     let prove = Option.value (Read.optional p prove) ~default:false in

@@ -32,11 +32,7 @@ let feature =
 (* Where two touch. *)
 type touch = { region : Vec.t list; normals : Vec.t list; pairs : Contact.pair list; highest : Contact.pair }
 
-type found = {
-  relation : string;
-  solids : Solid.t * Solid.t;
-  touch : touch option;
-}
+type found = { relation : string; solids : Solid.t * Solid.t; touch : touch option }
 
 let pair =
   fields

@@ -139,7 +139,7 @@ let asked store p =
   read store ~handle ~formula
 
 let evaluate =
-  let params = params @ [ Method.limits_of_exploration ] in
+  let params = params @ [ Read.may Method.all_limits ] in
   let result =
     union
       [

@@ -24,4 +24,3 @@ let plain_limits = Read.member "limits" { plain with schema = Read.defined "limi
 let all = Read.fields Read.[ may seconds; may states; may depth; may time ]
 let all_limits = Read.member "limits" { all with schema = Read.defined "limits_of_exploration" all.schema }
 let limits = Read.may plain_limits
-let limits_of_exploration = Read.may all_limits

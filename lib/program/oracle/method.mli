@@ -17,17 +17,14 @@ val make :
 
 (** {1 The param limits} *)
 
-val limits : Json_schema.member
+val plain_limits : Read.params Read.member
 (** The param of methods that do not explore. *)
 
-val limits_of_exploration : Json_schema.member
-(** The param of methods that explore. *)
-
-val plain_limits : Read.params Read.member
-(** The member of {!limits}, with what reads it. *)
+val limits : Json_schema.member
+(** The member {!plain_limits} in the list of params of a method. *)
 
 val all_limits : Read.params Read.member
-(** The member of {!limits_of_exploration}, with what reads it. *)
+(** The param of methods that explore. *)
 
 val seconds : Scc_exact.Rat.t Read.member
 (** The greatest time for the request. *)

@@ -45,7 +45,7 @@ let plain_members = Read.[ needs of_mass; needs velocity ]
 
 let body =
   let object_of members = Scc_json.Json_schema.Members members in
-  Read.value (Any_of (List.map object_of [ plain_members; rigid_members; fixed_members ]))
+  Read.(value (defined "body" (Any_of (List.map object_of [ plain_members; rigid_members; fixed_members ]))))
 
 let first = Read.member "first" body
 let second = Read.member "second" body

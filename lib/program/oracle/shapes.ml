@@ -70,7 +70,7 @@ let default_names letter many = Array.init many (fun i -> letter ^ string_of_int
 
 let vertex_names = Read.member "vertices" (Read.list name)
 let face_names = Read.member "faces" (Read.list name)
-let names = Read.member "names" (Read.fields [ Read.may vertex_names; Read.may face_names ])
+let names = Read.(member "names" (fields [ may vertex_names; may face_names ]))
 
 let all_names p ~vertices ~faces =
   let given = Read.optional p names in

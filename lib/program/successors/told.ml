@@ -149,9 +149,7 @@ let answer =
 (* {1 The header} *)
 
 let plan =
-  let form name t part =
-    case (fields [ field name t Fun.id ]) part ignore
-  in
+  let form name t part = case (fields [ field name t Fun.id ]) part ignore in
   recursive ~file "plan" (fun plan ->
       union
         [
@@ -185,11 +183,7 @@ let bounds =
   let instant _ =
     match Scc_verify.Bounds.default.instant with Unbounded -> None | Default n | Given n -> Some n
   in
-  fields
-    [
-      field "instant" (nullable natural) instant;
-      field "bits" natural (fun (q : Question.t) -> q.bits);
-    ]
+  fields [ field "instant" (nullable natural) instant; field "bits" natural (fun (q : Question.t) -> q.bits) ]
 
 type header = { program : string; framing : string; filter : Filter.t }
 
