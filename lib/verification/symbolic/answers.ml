@@ -19,7 +19,7 @@ type t = {
   atoms : Atoms.context;
   parameters : Polyhedron.t;
   plan : plan;
-  bound : Rat.t option;
+  reach : Plan.reach option;
 }
 
 let make context atoms ~parameters formula =
@@ -33,9 +33,9 @@ let make context atoms ~parameters formula =
     | Any plans -> Any (List.map plan plans)
     | Formula formula -> Branches { formula; answer = Error [] }
   in
-  { context; atoms; parameters; plan = plan (Plan.of_formula formula); bound = Plan.horizon formula }
+  { context; atoms; parameters; plan = plan (Plan.of_formula formula); reach = Plan.reach formula }
 
-let bound t = t.bound
+let reach t = t.reach
 
 let rec bounded : Property.temporal -> bool = function
   | State _ -> false

@@ -11,9 +11,9 @@ val make : Instant.context -> Atoms.context -> parameters:Polyhedron.t -> Proper
 (** [make c atoms ~parameters formula] is the open question, where [parameters] are all values of the
     parameters. *)
 
-val bound : t -> Scc_exact.Rat.t option
-(** [bound t] is the time up to which the formula of [t] looks ({!Plan.horizon}); [None] if there is no such
-    time. *)
+val reach : t -> Plan.reach option
+(** [reach t] is the positions that the truth of the formula of [t] in the initial states depends on
+    ({!Plan.reach}); [None] if there is no such bound. *)
 
 val needs_time : Property.temporal -> bool
 (** [needs_time formula] is true if the formula mentions model time or has a bound of time. Model time then has

@@ -64,7 +64,9 @@ let exists_until m f g =
   in
   { at; along = Array.init (Array.length at) along }
 
-(* EG g. States after the horizon count as good: they are after the end of all bounds of time of the formula. *)
+let is_beyond n = Option.is_some n.it.beyond
+
+(* EG g. After the horizon a run goes on with g if g is there: the formula does not look further. *)
 let exists_globally m g =
   let not_g = complement m g in
   let zipped i = List.combine m.nodes.(i).stretches (List.combine g.along.(i) not_g.along.(i)) in
@@ -78,7 +80,7 @@ let exists_globally m g =
       let halted = reach_from_start s ~bad (inter g_along (halts n s at)) in
       union u (union to_end halted)
     in
-    inter g.at.(i) (List.fold_left of_stretch (at_once n at) (zipped i))
+    if is_beyond n then g.at.(i) else inter g.at.(i) (List.fold_left of_stretch (at_once n at) (zipped i))
   in
   let at = iterate m g.at step in
   let along i =
@@ -88,7 +90,7 @@ let exists_globally m g =
       let halted = reach s ~bad (inter g_along (halts n s at)) in
       inter g_along (union to_end halted)
     in
-    List.map of_stretch (zipped i)
+    if is_beyond n then g.along.(i) else List.map of_stretch (zipped i)
   in
   { at; along = Array.init (Array.length at) along }
 

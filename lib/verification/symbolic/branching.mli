@@ -11,7 +11,7 @@ type t
 
 val holds : Instant.context -> Atoms.context -> Zone_graph.t -> Property.temporal -> (t * Union.t, string) result
 (** [holds c atoms graph formula] are the values for which the formula holds at the start. In the graph all is
-    known up to the latest bound of the formula ({!Plan.horizon}). The error is the reason why it is not known.
+    known that the formula looks at ({!Plan.reach}). The error is the reason why it is not known.
     It may be a number that is not linear, a bound of time within another operator, a probability, or an
     iteration that does not converge. *)
 

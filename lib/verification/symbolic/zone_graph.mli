@@ -32,7 +32,9 @@ type node = {
   mutable cells : Passing.due First.cell list;
   (** regions on which time passes undisturbed until the first events, with these events *)
   mutable late : Polyhedron.t list;
-  (** the states whose next event comes after the horizon, over the variables of the node *)
+  (** the states whose next event comes after the horizon and is not followed, over the variables of the node *)
+  beyond : int option;
+  (** of states after the horizon: how many events have led to them after it; [None] up to the horizon *)
   mutable expanded : bool;
 }
 
@@ -52,6 +54,7 @@ type limits = {
   depth : int option;
   nodes : int option;
   horizon : Rat.t option;  (** of time, if it is a coordinate of zones: later events are left out *)
+  events : int;  (** how many later events are followed all the same, and the passing of time before each *)
 }
 
 type end_ =

@@ -68,18 +68,17 @@ type visited = {
   mutable stop : Limits.stop option;
 }
 
-let latest answers =
-  let bounds = List.map Answers.bound answers in
-  if List.exists Option.is_none bounds then None
-  else Some (List.fold_left (fun t b -> Rat.max t (Option.get b)) Rat.zero bounds)
+type horizon = { time : Rat.t option; events : int; by_user : bool  (** the bound of the user ends it *) }
 
-(* The time up to which zones are explored, and whether it is the bound of the user that ends them. *)
+(* The time up to which zones are explored, and how many events after it. *)
 let horizon (options : Setup.t) (group : Zone_groups.t) looking =
-  let asked = if group.keeps_time then latest looking else None in
+  let asked = if group.keeps_time then Plan.latest (List.map Answers.reach looking) else None in
   match (asked, Zone_bounds.given options.bounds.time) with
-  | Some a, Some b -> (Some (Rat.min a b), Rat.compare b a < 0)
-  | None, Some b -> (Some b, true)
-  | a, None -> (a, false)
+  | Some { time; events = 0 }, Some b when Rat.compare time b <= 0 ->
+    { time = Some time; events = 0; by_user = false }
+  | _, (Some _ as time) -> { time; events = 0; by_user = true }
+  | Some { time; events }, None -> { time = Some time; events; by_user = false }
+  | None, None -> { time = None; events = 0; by_user = false }
 
 let visitor (options : Setup.t) visited ~by_user ~looking ~enough : Zone_graph.visitor =
   {
@@ -141,10 +140,10 @@ let explore (options : Setup.t) context (group : Zone_groups.t) ~initial zones ~
   let enough () =
     answers <> [] && List.for_all2 (fun a proved -> proved || Answers.is_known ~exactly a) answers proved
   in
-  let horizon, by_user = horizon options group looking in
+  let horizon = horizon options group looking in
   let depth = match (Zone_bounds.depth options.bounds).limit with Depth d -> d | _ -> Zone_bounds.default_depth in
   let nodes = Zone_bounds.given options.bounds.states in
-  let limits = { Zone_graph.depth = Some depth; nodes; horizon } in
+  let limits = { Zone_graph.depth = Some depth; nodes; horizon = horizon.time; events = horizon.events } in
   let visited = { size = 0; late = false; beyond = false; stop = None } in
   let model = Semantics.model context.Instant.semantics in
   let graph, end_ =
@@ -153,7 +152,7 @@ let explore (options : Setup.t) context (group : Zone_groups.t) ~initial zones ~
       ?visible:(Zone_reduction.visible options formulas)
       ~interchangeable:(Zone_reduction.interchangeable options model initial formulas)
       context ~events ~limits
-      ~visitor:(visitor options visited ~by_user ~looking ~enough)
+      ~visitor:(visitor options visited ~by_user:horizon.by_user ~looking ~enough)
       zones
   in
   iter_nodes graph (fun node ->
