@@ -23,22 +23,23 @@ type node = {
   mutable expanded : bool;
 }
 
-type limits = { depth : int option; nodes : int option; horizon : Rat.t option; events : int }
+type later = Left_out | Followed of int | Unexplored
+type limits = { depth : int option; nodes : int option; horizon : Rat.t option; later : later }
 type end_ = Closed | Decided | Bounded of { depth : bool; nodes : bool } | Stopped | Not_affine of string
-
-type visitor = {
-  found : node -> unit;
-  expanded : node -> unit;
-  late : Zone.t -> unit;
-  enough : unit -> bool;
-  stop : unit -> bool;
-}
 
 type t = {
   nodes : node Scc_data.Growable.t;
   index : node Zone_index.t;
   waiting : node Queue.t;
   mutable roots : node list;
+}
+
+type visitor = {
+  found : node -> unit;
+  expanded : node -> unit;
+  late : Zone.t -> unit;
+  enough : t -> bool;
+  stop : unit -> bool;
 }
 
 let size g = Scc_data.Growable.length g.nodes
@@ -64,7 +65,7 @@ let put e zone ~beyond parent =
   in
   Scc_data.Growable.push g.nodes node;
   Zone_index.add g.index zone node;
-  Queue.add node g.waiting;
+  if Option.is_none beyond || e.limits.later <> Unexplored then Queue.add node g.waiting;
   e.visitor.found node;
   node
 
@@ -111,22 +112,28 @@ let link e (source : node) (step : Zone_steps.step) ~beyond (zone : Zone.t) =
   let n, map = node_of e zone ~beyond ~parent:(fun number map -> Some (source.number, edge number map)) in
   source.edges <- edge n.number map :: source.edges
 
+let is_followed e (source : node) =
+  match (e.limits.later, source.beyond) with
+  | Followed most, None -> most > 0
+  | Followed most, Some so_far -> so_far < most
+  | (Left_out | Unexplored), _ -> false
+
 (* After the horizon only so many events are followed, and the time that passes before them. *)
 let add_edge e (source : node) (step : Zone_steps.step) (target : Zone.t) =
   let within, late = cut_at_horizon e target in
   List.iter (link e source step ~beyond:None) within;
   let so_far = Option.value source.beyond ~default:0 in
-  let is_followed = if Option.is_none source.beyond then e.limits.events > 0 else so_far < e.limits.events in
-  match (late, step) with
-  | [], _ -> ()
-  | _ :: _, Happens _ when is_followed -> List.iter (link e source step ~beyond:(Some (so_far + 1))) late
-  | _ :: _, (Passes _ | Passes_some) when is_followed ->
-    List.iter (link e source step ~beyond:(Some so_far)) late
-  | _ :: _, (Passes _ | Happens _ | Passes_some) -> (
+  let linked events = List.iter (link e source step ~beyond:(Some events)) late in
+  match step with
+  | (Happens _ | Passes _ | Passes_some) when late = [] -> ()
+  | Happens _ when is_followed e source -> linked (so_far + 1)
+  | (Passes _ | Passes_some) when is_followed e source -> linked so_far
+  | Happens _ | Passes _ | Passes_some -> (
       e.visitor.late target;
-      match step with
-      | Passes _ -> source.late <- List.map (fun (z : Zone.t) -> z.set) late @ source.late
-      | Happens _ | Passes_some -> ())
+      match (step, e.limits.later) with
+      | _, Unexplored -> linked so_far
+      | Passes _, _ -> source.late <- List.map (fun (z : Zone.t) -> z.set) late @ source.late
+      | (Happens _ | Passes_some), _ -> ())
 
 let expand e ~events (source : node) =
   let { Zone_steps.cells; steps; postponed } =
@@ -167,7 +174,7 @@ let explore ?(displaced = false) ?visible ?(interchangeable = []) ?(attempt = al
   let full () = match limits.nodes with None -> false | Some n -> size graph >= n in
   let is_too_deep (n : node) = match limits.depth with None -> false | Some d -> n.depth >= d in
   let rec go () =
-    if visitor.enough () then Decided
+    if visitor.enough graph then Decided
     else if visitor.stop () then Stopped
     else if full () && not (Queue.is_empty graph.waiting) then Bounded { depth = !too_deep; nodes = true }
     else
