@@ -31,7 +31,8 @@ val reach : Property.temporal -> reach option
     that state; [None] if there is no such bound. *)
 
 val latest : reach option list -> reach option
-(** The union of what several formulas depend on: of time 0 and no events for the empty list, [None] if one of them has no bound. *)
+(** The union of what several formulas depend on: of time 0 and no events for the empty list, [None] if one of them
+    has no bound. *)
 
 val latest_horizon : Property.temporal list -> Rat.t option
 (** A model time from the initial state after which nothing changes the values of the formulas: 0 for the empty

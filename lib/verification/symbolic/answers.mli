@@ -40,8 +40,8 @@ val is_known : t -> exactly:bool -> bool
 (** {1 Afterwards} *)
 
 val conclude : t -> Zone_graph.t -> unit
-(** Decides what no search decides, on a graph. It may be called again when more is explored. If a bound of time has ended
-    the graph without unexplored states, {!reach} has no later states. *)
+(** Decides what no search decides, on a graph. It may be called again when more is explored. Where a bound of
+    time has ended a graph that has all nodes expanded, {!reach} has no later states. *)
 
 type sets = { holds : Union.t; fails : Union.t  (** disjoint; for all other values it is not known *) }
 

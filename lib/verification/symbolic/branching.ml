@@ -126,10 +126,10 @@ let right_before m ~may s =
   let at i n =
     if not (is_explored n) then unknown n ~may
     else
-    let of_stretch u (x, bad) = union u (reach_from_start x ~bad (all_along x)) in
-    List.fold_left of_stretch
-      (Union.empty (Zone.dimension n.it.zone))
-      (List.combine n.stretches not_s.along.(i))
+      let of_stretch u (x, bad) = union u (reach_from_start x ~bad (all_along x)) in
+      List.fold_left of_stretch
+        (Union.empty (Zone.dimension n.it.zone))
+        (List.combine n.stretches not_s.along.(i))
   in
   let along i n =
     let of_stretch x bad =

@@ -30,8 +30,8 @@ val model : t -> State_sets.model
 (** The states of the graph. *)
 
 val truth : t -> outermost:bool -> Property.temporal -> holds:bool -> State_sets.sets
-(** [truth t ~outermost f ~holds] are the states where [f] surely holds, or those where it surely does not. Of states
-    that depend on nodes that are not expanded, neither is sure. *)
+(** [truth t ~outermost f ~holds] are the states where [f] surely holds, or those where it surely does not. Of
+    states that depend on nodes that are not expanded, neither is sure. *)
 
 (** The runs that decide an operator of time. *)
 type search =

@@ -69,7 +69,11 @@ type visited = {
   mutable stop : Limits.stop option;
 }
 
-type horizon = { time : Rat.t option; later : Zone_graph.later; by_user : bool  (** the bound of the user ends it *) }
+type horizon = {
+  time : Rat.t option;
+  later : Zone_graph.later;
+  by_user : bool;  (** it is the bound of the user *)
+}
 
 (* The time up to which zones are explored, and what becomes of later ones. *)
 let horizon (options : Setup.t) (group : Zone_groups.t) looking =
@@ -176,7 +180,8 @@ let explore (options : Setup.t) context (group : Zone_groups.t) ~initial zones ~
     match end_ with
     | Decided -> None
     | Closed | Bounded _ | Stopped | Not_affine _ ->
-      Option.map (Bounds.stopped options.bounds) (Result.fold ~ok:(fun () -> None) ~error:Option.some (evaluate Concluding graph))
+      let stop = match evaluate Concluding graph with Ok () -> None | Error stop -> Some stop in
+      Option.map (Bounds.stopped options.bounds) stop
   in
   let edges, happens = count_edges graph in
   {

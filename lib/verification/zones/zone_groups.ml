@@ -9,9 +9,9 @@ type t = {
   premises : (int * Property.check) list;
 }
 
-(* With time a coordinate, little ever recurs, but there is an end where all that checks look at has a bound. So checks
-   with such a bound are explored apart, and of the others those that ask about time. A bound of time for all makes
-   it a coordinate for all. *)
+(* With time a coordinate, little ever recurs, but there is an end where all that checks look at has a bound. So
+   checks with such a bound are explored apart, and of the others those that ask about time. A bound of time for
+   all makes it a coordinate for all. *)
 let by_time ~bounded part numbered =
   let partition is = List.partition (fun (_, (c : Property.check)) -> is c.formula) in
   let ends, endless = partition (fun f -> Option.is_some (Plan.reach f)) numbered in

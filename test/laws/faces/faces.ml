@@ -294,7 +294,11 @@ let differences counts random case =
       | Ok sets -> (
           counts.models <- counts.models + 1;
           let points = points random l sets.where in
-          let face = match points with p :: _ when not case.any -> compare_face counts random case.bounds l sets p | _ -> [] in
+          let face =
+            match points with
+            | p :: _ when not case.any -> compare_face counts random case.bounds l sets p
+            | _ -> []
+          in
           match List.concat_map (compare_at counts case l sets) points with
           | exception Scc_base.Bug.Bug ((file, line, _, _), why) ->
             [ print "Bug at %s:%d: %s, at a point" file line why ]
