@@ -21,8 +21,7 @@ let translate console notation output path =
   let* read = from.read source in
   let* text = (notation : Notation.t).write read in
   let* () = if String.equal from.name notation.name then Ok () else check_readable console notation text in
-  let path = match output with Some "-" -> None | path -> path in
-  let* () = Result.map_error (fun d -> [ d ]) (Console.with_output console ~path (fun put -> put text)) in
+  let* () = Result.map_error (fun d -> [ d ]) (Console.with_output console ~path:output (fun put -> put text)) in
   Console.flush console;
   Ok Exit_code.Holds
 
@@ -39,11 +38,8 @@ let named =
   Arg.(value & opt (some (enum names)) None & info [ "to" ] ~docv:"NOTATION" ~doc)
 
 let output =
-  let doc =
-    "Writes to $(docv) instead of standard output; without $(b,--to), the ending of its name selects the \
-     notation."
-  in
-  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
+  Options.output ~docv:"OUT"
+    "Writes to $(docv) instead of standard output; without $(b,--to), the ending of its name selects the notation."
 
 let file =
   let doc =
