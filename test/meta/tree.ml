@@ -10,8 +10,8 @@ let read path =
       ~finally:(fun () -> close_in ic)
       (fun () -> really_input_string ic (in_channel_length ic))
 
-(* The build tree also contains folders of the compilers ([.objs]) and of test runners ([_build]). Their files come and
-   go while tests run. *)
+(* The build tree also contains folders of the compilers ([.objs]) and of test runners ([_build]). Their files come
+   and go while tests run. *)
 let is_source name = name.[0] <> '.' && name <> "_build"
 
 let rec files path =

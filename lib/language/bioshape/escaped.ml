@@ -1,4 +1,5 @@
-(* What a terminal does not show as it is ({!Scc_base.Visible}) is written as a reference, as it may have been read. *)
+(* What a terminal does not show as it is ({!Scc_base.Visible}) is written as a reference, as it may have been
+   read. *)
 let escaped ~quoted s =
   let b = Buffer.create (String.length s + 2) in
   (* `]]>` may stand nowhere but at the end of a marked section. *)

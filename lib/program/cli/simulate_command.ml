@@ -254,7 +254,8 @@ let options =
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.overrides $ runs $ Run_options.seed $ Run_options.jobs
        $ Task_part.option ~what:"runs" $ observed $ every $ until $ steps
-       $ summary $ quantiles $ form $ decimals $ Options.output "Writes to $(docv) instead of standard output." $ resume $ store_option $ plot))
+       $ summary $ quantiles $ form $ decimals
+       $ Options.output "Writes to $(docv) instead of standard output." $ resume $ store_option $ plot))
 
 let man =
   [

@@ -235,7 +235,8 @@ let options =
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ grid $ Check_options.budget $ Run_options.jobs
-       $ Task_part.option ~what:"points" $ form $ Options.output "Writes to $(docv) instead of standard output." $ resume $ store_option $ plot))
+       $ Task_part.option ~what:"points" $ form
+       $ Options.output "Writes to $(docv) instead of standard output." $ resume $ store_option $ plot))
 
 let man =
   [

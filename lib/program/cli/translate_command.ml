@@ -9,8 +9,8 @@ let target ~named ~output =
   | Some n, _ | None, Some n -> n
   | None, None -> Notation.shape_calculus
 
-(* In another notation things may nest deeper than the limits of the language allow. XML may have named characters by
-   their numbers that change the direction of the translation. *)
+(* In another notation things may nest deeper than the limits of the language allow. XML may have named characters
+   by their numbers that change the direction of the translation. *)
 let check_readable console ~from (notation : Notation.t) text =
   let source = Source.make ~name:"the translation" text in
   Console.add_source console source;
@@ -22,7 +22,10 @@ let translate console notation output path =
   let from = Notation.of_source source in
   let* read = from.read source in
   let* text = (notation : Notation.t).write read in
-  let* () = if String.equal from.name notation.name then Ok () else check_readable console ~from:source notation text in
+  let* () =
+    if String.equal from.name notation.name then Ok ()
+    else check_readable console ~from:source notation text
+  in
   let* () = Result.map_error (fun d -> [ d ]) (Console.with_output console ~path:output (fun put -> put text)) in
   Console.flush console;
   Ok Exit_code.Holds

@@ -162,8 +162,8 @@ let drifts m states =
     if Vec.equal by before && not (Vec.is_zero by) then Some (Drifts { by }) else None
   | _ -> None
 
-(* The squared distance of the centre of each process from the nearest other one. Others are taken in the order of their
-   x, as long as they may be nearer. *)
+(* The squared distance of the centre of each process from the nearest other one. Others are taken in the order of
+   their x, as long as they may be nearer. *)
 let nearest m (s : State.t) =
   let centres = Array.map (State.centre_of_mass m) s.processes in
   let order = Array.init (Array.length centres) Fun.id in
