@@ -82,7 +82,7 @@ let numbers states =
   let with_places = Array.map (fun s -> (s, places s)) states in
   let model_leaf (p : State.process) = p.leaves.(0).leaf in
   let n = Array.length states in
-  let of_leaf leaf quantity ((s : State.t), places) =
+  let of_leaf (leaf : int) quantity ((s : State.t), places) =
     Option.fold ~none:0 ~some:(fun i -> length quantity s.processes.(i)) (Hashtbl.find_opt places leaf)
   in
   let candidate p quantity =
@@ -183,7 +183,7 @@ let nearest m (s : State.t) =
   found
 
 (* The distances of a process from the nearest other, if it is never nearer than before, and farther in the end. *)
-let leaving distances leaf =
+let leaving distances (leaf : int) =
   let at k =
     let nearest, places = Lazy.force distances.(k) in
     Option.bind (Hashtbl.find_opt places leaf) (fun i -> nearest.(i))
