@@ -205,7 +205,8 @@ class Sweep:
             self.faults.append(what)
         if wrong or self.args.verbose:
             told = done.err.decode("utf-8", "replace").strip()[-200:]
-            print("%s %s: exit code %s for %s %s" % ("FAULT" if wrong else "ok   ", what, done.code, sorted(codes), told))
+            print("%s %s: exit code %s for %s %s" % ("FAULT" if wrong else "ok   ", what, done.code, sorted(codes), told),
+                  flush=True)
 
     # --- streams ---
 
@@ -339,9 +340,8 @@ class Sweep:
         if b"did not end" in done.err:
             self.expect("%s: a step that does not end" % " ".join(words), done, set())
 
-    def early(self, words, number, steps):
-        """From the first instruction of the program on: after so many looks."""
-        whole = self.run(words)
+    def early(self, words, number, steps, whole):
+        """From the first instruction of the program on: after so many looks. Not signalled, it ends as in whole."""
         running = self.started(words, stdin=subprocess.DEVNULL)
         for _ in range(steps + 1):
             self.caught(running.pid, number, ("SigBlk", "SigCgt"))
@@ -397,7 +397,7 @@ WORKING = [
     (["view", "LONG", "-o", "x.html"], {4, 0}),
 ]
 BEGINNING = [
-    ["check", "holds.sc", "--json"], ["compare", "holds.sc", "violated.sc", "--json"], ["decompose", "ell.off", "--json"],
+    ["check", "holds.sc", "--json"], ["compare", "holds.sc", "violated.sc", "--json", "--states", "50"], ["decompose", "ell.off", "--json"],
     ["conform", "holds.sc", "run.jsonl", "--json"], ["diff", "run.jsonl", "run.jsonl", "--json"],
     ["estimate", "chance.sc", "--runs", "5", "--json"], ["explain", "runs/c.json", "--json"],
     ["inflate", "square.pgm", "--json", "-o", "square.off"], ["shape", "solid.off", "--json"],
@@ -459,9 +459,10 @@ def main():
             file.write(ENDLESS + "check c : P >= 1/2 [ eventually x(p) > 2 within 2 ]\n")
         for words in BEGINNING:
             if args.only in " ".join(words):
+                whole = sweep.run(words)
                 for _, number in pick({n.name: n for n in SIGNALS}):
                     for steps in range(0, 300, 3) if args.all else (0, 10, draw.randrange(20, 200)):
-                        sweep.early(words, number, steps)
+                        sweep.early(words, number, steps, whole)
         if args.only in "serve":
             for _, number in pick({n.name: n for n in SIGNALS}):
                 sweep.serving(number)
