@@ -28,6 +28,11 @@ val answered : (unit -> unit) -> unit
 (** [answered react] lets the first request call [react] instead of raising an exception. It also calls {!listen}.
 *)
 
+val settle : unit -> unit
+(** [settle ()] is called when all work is done and a document with the exit code is about to be written. From now
+    on the first request changes nothing, so that the exit code of the process is that of the document. If
+    {!break_off} was called and its exception has not been raised yet, [settle] raises {!Interrupted}. *)
+
 val break_off : unit -> unit
 (** [break_off ()] raises {!Interrupted} now, or after the present critical section ({!Scc_base.Critical}). *)
 

@@ -42,6 +42,16 @@ val tell : t -> string -> unit
 val answer : t -> json:(unit -> Scc_json.Json.t) -> text:(unit -> string) -> unit
 (** Writes the result of a command, as one document or as text, and flushes it. *)
 
+val answer_and_write :
+  t -> json:(unit -> Scc_json.Json.t) -> text:(unit -> string) -> (unit -> (unit, 'e) result) -> (unit, 'e) result
+(** [answer_and_write c ~json ~text write] is {!answer} together with [write ()], which writes files. A report in
+    text comes before the files, and is there whatever becomes of them. A document comes after them, and only if
+    all were written: the error has a document of its own, with another exit code. *)
+
+val document : t -> Scc_json.Json.t -> unit
+(** [document c json] prints the one document of a command, and flushes it. A request to end that comes while it is
+    written does not change the exit code, which the document contains ({!Scc_system.Interruption.settle}). *)
+
 val report : t -> Diag.t list -> unit
 (** Shows diagnostics on standard error (not in [json] mode), and keeps them. *)
 

@@ -114,17 +114,21 @@ let work console ~mend path =
   Ok (t, mended)
 
 let report console ~mended ~mass output path (t : Parts.t) =
-  Console.answer console
-    ~text:(fun () -> text ~name:(Visible.line path) ~mended t)
-    ~json:(fun () ->
-        Scc_reports.Decomposition_json.document ~name:path ~exit:(Exit_code.to_int Holds) ~mended t);
-  match output with
-  | None -> Ok Exit_code.Holds
-  | Some (path, write) ->
-    let mass = match mass with Some m -> m | None -> Drawn.volume t.drawn.set in
-    let text = write ~path ~mass t in
-    let* () = Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text)) in
-    Ok Exit_code.Holds
+  let write () =
+    match output with
+    | None -> Ok ()
+    | Some (path, write) ->
+      let mass = match mass with Some m -> m | None -> Drawn.volume t.drawn.set in
+      let text = write ~path ~mass t in
+      Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
+  in
+  let* () =
+    Console.answer_and_write console write
+      ~text:(fun () -> text ~name:(Visible.line path) ~mended t)
+      ~json:(fun () ->
+          Scc_reports.Decomposition_json.document ~name:path ~exit:(Exit_code.to_int Holds) ~mended t)
+  in
+  Ok Exit_code.Holds
 
 let decompose console ~mend ~seconds ~mass output path =
   let watch = Watch.start ?seconds () in

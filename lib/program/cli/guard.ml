@@ -7,8 +7,7 @@ let document console code =
     Scc_runs.Diag_json.document ~source:(Console.source console)
       ~exit:(Exit_code.to_int code) (Console.kept console)
   in
-  Console.print console (Scc_json.Json.pretty json);
-  Console.flush console
+  Console.document console json
 
 let ended console code =
   if Console.is_json console then document console code;

@@ -144,19 +144,16 @@ let advice (r : Solid_report.t) =
     (if tries = [] then "" else Printf.sprintf "to mend it: scc shape %s\n" (String.concat " " tries))
     ^ if concave then "for convex parts of it: scc decompose; for its hull: scc shape --hull\n" else ""
 
-let report console argument ~mended ~gone ?snapped ?outer (set : Polyhedron.ifs) =
-  let r = Solid_report.make set in
-  let code = if Solid_report.accepted r then Exit_code.Holds else Exit_code.Invalid in
+let report console argument code ~mended ~gone ?snapped ?outer r write =
   let told =
     Mend_options.text mended
     ^ Option.fold ~none:"" ~some:outer_text outer
     ^ Option.fold ~none:"" ~some:(snap_text ~gone) snapped
   in
   let exit = Exit_code.to_int code in
-  Console.answer console
+  Console.answer_and_write console write
     ~text:(fun () -> told ^ Solid_report.to_text ~name:(Visible.line argument) r ^ advice r)
-    ~json:(fun () -> Scc_reports.Shape_json.document ~name:argument ~exit ~mended ?snap:snapped ?outer r);
-  code
+    ~json:(fun () -> Scc_reports.Shape_json.document ~name:argument ~exit ~mended ?snap:snapped ?outer r)
 
 let write console ~round output code set =
   match output with
@@ -164,18 +161,18 @@ let write console ~round output code set =
   | Some written -> Written_solid.concave console ~round written set
   | None -> Ok ()
 
-let draw o ~name set =
+let draw o ~name report =
   match o.svg with
   | None -> Ok ()
   | Some path ->
-    let text = Scc_picture.Solid_picture.svg ~name o.drawing (Solid_report.make set) in
+    let text = Scc_picture.Solid_picture.svg ~name o.drawing report in
     Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
 
-let show o ~name set =
+let show o ~name report =
   match o.page with
   | None -> Ok ()
   | Some path ->
-    let page = Scc_view.Solid_page.write ~name (Solid_report.make set) in
+    let page = Scc_view.Solid_page.write ~name report in
     Result.map_error (fun d -> [ d ]) (Whole_file.with_file path page)
 
 let shape console ~overrides o output argument =
@@ -197,13 +194,18 @@ let shape console ~overrides o output argument =
   let corners = Array.length set.ifs_vertices in
   let set = match snapped with Some (_, s) -> s.set | None -> set in
   let gone = corners - Array.length set.ifs_vertices in
-  let code = report console argument ~mended ~gone ?snapped ?outer set in
+  let r = Solid_report.make set in
+  let code = if Solid_report.accepted r then Exit_code.Holds else Exit_code.Invalid in
   (* One output that cannot be written keeps the others from nothing. *)
-  let write = write console ~round:o.round output code in
-  let written = [ draw o ~name:argument set; show o ~name:argument set; write set ] in
-  match List.concat_map (function Ok () -> [] | Error d -> d) written with
-  | [] -> Ok code
-  | faults -> Error faults
+  let write () =
+    let shape = write console ~round:o.round output code set in
+    let written = [ draw o ~name:argument r; show o ~name:argument r; shape ] in
+    match List.concat_map (function Ok () -> [] | Error d -> d) written with
+    | [] -> Ok ()
+    | faults -> Error faults
+  in
+  let* () = report console argument code ~mended ~gone ?snapped ?outer r write in
+  Ok code
 
 let run color json overrides o argument =
   let console = Console.make ~color ~json () in
