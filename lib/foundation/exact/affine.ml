@@ -2,7 +2,6 @@ type t = { linear : Mat.t; translation : Vec.t }
 
 let translate translation = { linear = Mat.identity; translation }
 let of_linear linear = { linear; translation = Vec.zero }
-let identity = of_linear Mat.identity
 let apply f v = Vec.add (Mat.apply f.linear v) f.translation
 
 let compose f g =

@@ -3,9 +3,6 @@
 
 type t = { linear : Mat.t; translation : Vec.t }
 
-val identity : t
-(** The map that keeps every point. *)
-
 val translate : Vec.t -> t
 (** [translate v] is x -> x + v. *)
 

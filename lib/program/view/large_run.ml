@@ -20,7 +20,6 @@ type t = {
   mutable last : int;
   mutable now : Rat.t;
   mutable told : Json.t list;
-  mutable count : int;
   mutable rest : Rat.t;
 }
 
@@ -75,14 +74,11 @@ let start world ~state_after (initial : State.t) =
       last = first;
       now = Rat.zero;
       told = [];
-      count = 0;
       rest = Rat.zero;
     }
   in
   Array.iter (enter t Rat.zero) initial.processes;
   t
-
-let steps t = t.count
 
 let step t (event : Replay.event) =
   match event with
@@ -110,8 +106,7 @@ let step t (event : Replay.event) =
         ]
     in
     t.last <- target;
-    t.told <- step :: t.told;
-    t.count <- t.count + 1
+    t.told <- step :: t.told
 
 let json t ~name ~finish ~ending =
   tell_values t t.rest;

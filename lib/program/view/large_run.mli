@@ -19,8 +19,5 @@ val step : t -> Replay.event -> unit
 (** Adds an event. It must be called with each event of a run from event to event ({!Scc_engine.Run.changes});
     another run is a bug. *)
 
-val steps : t -> int
-(** The number of transitions so far. *)
-
 val json : t -> name:string -> finish:string -> ending:string list -> Json.t
 (** The run as a run of the document, with its name, its kind of end and lines about its end. *)

@@ -11,9 +11,6 @@ val create : unit -> t
 val add : t -> Json.t -> int
 (** The number of the row, from 0. The row is added if there is no equal one. *)
 
-val length : t -> int
-(** The number of rows. *)
-
 val since : t -> int -> string list
 (** The rows from that number on, each as JSON. *)
 
