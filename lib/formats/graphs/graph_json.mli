@@ -1,9 +1,6 @@
 (** An explored graph as JSON (see [specs/schema/graph.schema.json]): states in full, transitions, and the
     predicates of the checks that hold in each state. *)
 
-val version : int
-(** The version of the format: 1. *)
-
 (** A graph with its labelling. *)
 type t
 

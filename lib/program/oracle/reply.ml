@@ -8,8 +8,6 @@ let quantity q =
   let x = Rat.to_float q in
   `Assoc [ ("exact", Json.rat q); ("float", if Float.is_finite x then `Float x else `Null) ]
 
-let nullable = Json.option
-
 let is_plain s i c = c <> '"' && c <> '\\' && Option.is_none (Visible.at s i)
 
 let add_string b s =

@@ -13,9 +13,6 @@ val quantity : Rat.t -> Json.t
 (** An object with the exact number and the nearest float: [{"exact": "5/4", "float": 1.25}]. The float is
     [null] if it is not finite. *)
 
-val nullable : ('a -> Json.t) -> 'a option -> Json.t
-(** The value by the function, or [null] for [None]. *)
-
 val result : Buffer.t -> id:Wire.t -> t -> unit
 (** Appends the response with a result. *)
 

@@ -2,9 +2,6 @@
 
 open Scc_json
 
-val version : int
-(** The version of the protocol: 2. *)
-
 val header : program:string -> framing:string -> Filter.t -> Json.t
 (** The header of a session: the program, the framing, the model, the exploration, its checks and goals, and its
     initial state. *)
@@ -24,11 +21,5 @@ val truth : Scc_ctl.Truth.t -> Json.t
 val ahead : Filter.ahead -> Json.t
 (** A goal ahead as an object with the members [met] and [doubt]. *)
 
-val follows : _ Filter.following -> string
-(** The name of the kind of continuation: ["moves"], ["rests"], ["ends"], ["stops"] or ["fault"]. *)
-
 val answer : Filter.t -> Filter.expanded -> Json.t
 (** The answer to a state: its fingerprint and goals, and its successors. *)
-
-val hex : string -> string
-(** The bytes of a text in hexadecimal digits. *)
