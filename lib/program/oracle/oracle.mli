@@ -6,5 +6,7 @@ type work = Session.t -> seconds:float -> Read.params -> Reply.t
 val handle : ?more:(string * work) list -> Session.t -> string -> string option
 (** The answer to a line, without line ends, by the methods of the service and [more]. It is [None] for
     notifications and for blank lines. No line causes an exception, except one that the surroundings pass on, and
-    the stack is bounded. *) val too_long : Session.t -> string (** The answer to a line beyond the limit
-    [line_bytes]. *)
+    the stack is bounded. *)
+
+val too_long : Session.t -> string
+(** The answer to a line beyond the limit [line_bytes]. *)
