@@ -16,7 +16,6 @@ type element = {
   tag : string;  (** without its prefix *)
   at : Span.t;  (** of the start tag *)
   whole : Span.t;  (** from there to the end of its end tag *)
-  close : int;  (** offset of the end tag, or of the end of an empty-element tag *)
   attributes : (string * (Span.t * Embedded.t)) list;
   (** with the places of their names, in the order of the text; [xmlns] and names with a prefix are left out *)
   children : element list;
