@@ -369,6 +369,10 @@ let () =
               none "state and its list disagree" (Parsed.unlisted_state ()));
           case "no function is long" (fun () -> none "functions that are too long" (Parsed.longest ~most:60));
         ] );
+      ( "files",
+        [
+          case "only sources, whatever comes and goes" Walked.sources_only;
+        ] );
       ( "documents",
         [
           case "every link leads somewhere" links; case "the version is that of dune-project" version;

@@ -131,7 +131,7 @@ let write =
     "Writes the two graphs as they are compared, renamed, hidden and with the relation's treatment of time, to \
      $(docv)-1.aut and $(docv)-2.aut."
   in
-  Arg.(value & opt (some string) None & info [ "write" ] ~docv:"PREFIX" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "write" ] ~docv:"PREFIX" ~doc)
 
 let options =
   let make relation first second overrides left right hidden renamed write budget =

@@ -138,7 +138,7 @@ let states =
 
 let run_file =
   let doc = "Writes a run that agrees with the trace to $(docv), as a schedule for $(b,scc trace --schedule)." in
-  Arg.(value & opt (some string) None & info [ "run" ] ~docv:"FILE" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "run" ] ~docv:"FILE" ~doc)
 
 let options =
   let make path trace given tolerance unobserved states run =

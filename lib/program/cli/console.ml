@@ -131,8 +131,9 @@ let note c line = complain c [ Visible.line line ^ "\n" ]
 
 let with_output ?(pieces = false) c ~path f =
   match path with
-  | Some path -> if pieces then Whole_file.with_pieces path f else Whole_file.with_file path f
-  | None ->
+  | Some path when not (String.equal path "-") ->
+    if pieces then Whole_file.with_pieces path f else Whole_file.with_file path f
+  | Some _ | None ->
     let result = f (print c) in
     flush c;
     Ok result

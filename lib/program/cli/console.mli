@@ -70,9 +70,10 @@ val styled : t -> style -> string -> string
 (** The text with colours, if standard output has them. *)
 
 val with_output : ?pieces:bool -> t -> path:string option -> ((string -> unit) -> 'a) -> ('a, Diag.t) result
-(** [with_output c ~path f] calls [f] with a function that writes to the file ({!Whole_file}). Without [path] it
-    writes to standard output, and raises {!Output_failed} or {!Output_closed}. With [pieces], the complete
-    pieces of a file are kept if it cannot be written to its end ({!Whole_file.with_pieces}). *)
+(** [with_output c ~path f] calls [f] with a function that writes to the file ({!Whole_file}). Without [path],
+    and if it is ["-"], the function writes to standard output, and raises {!Output_failed} or {!Output_closed}.
+    With [pieces], the complete pieces of a file are kept if it cannot be written to its end
+    ({!Whole_file.with_pieces}). *)
 
 val flush : t -> unit
 (** Flushes standard output. Raises {!Output_failed} or {!Output_closed}. *)

@@ -155,7 +155,7 @@ let output =
     "Writes the parts to $(docv), exactly. The ending of the name selects the format: $(b,.sc), a compound of \
      the language with a template for each part, glued where they touch; or $(b,.obj), each part an object."
   in
-  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
 
 let mass =
   let doc =

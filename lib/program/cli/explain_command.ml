@@ -55,7 +55,7 @@ let follow (l : Loaded.t) schedule check =
   let limits = { Replay.steps = None; time = None; instant = Replay.default_instant } in
   match Chosen_run.follow l (Scheduled schedule) limits ~interrupted:(fun () -> false) with
   | Ok (course, ending) -> Ok ({ Causes.declared = l.declared; course; over = over check ending }, ending)
-  | Error Interrupted -> Bug.fail __POS__ "a run that nobody interrupts"
+  | Error (Interrupted _) -> Bug.fail __POS__ "a run that nobody interrupts"
   | Error (Refused d) -> Error [ d ]
   | Error (Fault f) -> Error [ Replay.diagnostic l.model f ]
 

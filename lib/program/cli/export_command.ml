@@ -159,11 +159,9 @@ let format =
   Arg.(value & opt (some (enum formats)) None & info [ "format" ] ~docv:"FORMAT" ~doc)
 
 let output =
-  let doc =
+  Options.output
     "Writes to $(docv) instead of standard output. The series of $(b,vtp) and the meshes of $(b,simularium) go \
      to files beside it, so these formats need a name."
-  in
-  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
 
 let at =
   let doc = "With $(b,obj): the state at the time $(docv). The default is the end of the run." in
@@ -203,7 +201,6 @@ let fitting o =
   match (o.format, o.output) with
   | (Vtp | Simularium), (None | Some "-") ->
     Error "this format has several files: say by -o where they go"
-  | _, Some "-" -> Ok { o with output = None }
   | _, _ -> Ok o
 
 let options =

@@ -70,13 +70,6 @@ let rec failed console = function
     broken_off console why
   | Reading.Failed why ->
     invalid console [ Input.cannot_read Input.standard_input why ]
-  | Stack_overflow -> (
-      match Footprint.small_stack with
-      | Some kib ->
-        let limit = Printf.sprintf "the system sets this process a limit of %d KiB (ulimit -s)" kib in
-        complain [ "scc: no stack left: " ^ limit ];
-        Exit_code.Stopped
-      | None -> bug "stack overflow")
   | e -> (
       match Resources.refused e with
       | Some what ->

@@ -231,7 +231,7 @@ let output =
     Printf.sprintf "Writes the solid to $(docv), exactly. The ending of the name selects the format: %s."
       (String.concat ", " (List.map (fun e -> "$(b," ^ e ^ ")") Scc_mesh.Written.endings))
   in
-  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
 
 let icon =
   let doc = "The drawing: PNG, Netpbm (PBM, PGM, PPM) or SVG; $(b,-) reads it from standard input." in

@@ -19,4 +19,4 @@ let openly console ~folder identity =
 let code = List.map (fun (_ : Diag.t) -> Scc_verdicts.Exit_code.Unwritten)
 let conclude console = List.iter (tell console)
 
-let option ~doc = Arg.(value & opt (some string) None & info [ "store" ] ~docv:"DIR" ~doc)
+let option ~doc = Arg.(value & opt (some Options.named) None & info [ "store" ] ~docv:"DIR" ~doc)

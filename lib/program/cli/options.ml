@@ -36,6 +36,19 @@ let integer ?(least = min_int) ?(most = max_int) what =
   in
   Arg.conv ~docv:"N" (parse, Format.pp_print_int)
 
+(* {1 Outputs} *)
+
+let output ?(docv = "FILE") doc =
+  let doc = doc ^ " $(b,-) stands for standard output." in
+  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv ~doc)
+
+let named =
+  let parse = function
+    | "-" -> Error (`Msg "`-' stands for standard input or output: a name is needed here")
+    | path -> Ok path
+  in
+  Arg.conv ~docv:"FILE" (parse, Format.pp_print_string)
+
 let transitions = integer ~least:0 "number of transitions"
 
 let model_file =

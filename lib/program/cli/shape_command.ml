@@ -281,7 +281,7 @@ let output =
      template for a model, or a compound. Coordinates are decimals. A number without a decimal, such as 1/3, is \
      a fraction p/q, which other programs may not read; STL and PLY are then not written."
   in
-  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
 
 let round =
   let doc =
@@ -296,7 +296,7 @@ let svg =
      refused shape it shows the witness of each fault, and of each condition of Definition 4.3 that fails, at \
      its place. Hidden surfaces are computed exactly; places in the picture are rounded."
   in
-  Arg.(value & opt (some string) None & info [ "svg" ] ~docv:"PICTURE" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "svg" ] ~docv:"PICTURE" ~doc)
 
 let page =
   let doc =
@@ -304,20 +304,12 @@ let page =
      with the names and exact places of its faces, edges and vertices, and each fault at its place, as for \
      $(b,--svg)."
   in
-  Arg.(value & opt (some string) None & info [ "view" ] ~docv:"PAGE" ~doc)
-
-let page =
-  let one = function
-    | Some "-" -> Error "the page of --view is to have a file: the report goes to standard output"
-    | page -> Ok page
-  in
-  Term.(term_result' ~usage:true (const one $ page))
+  Arg.(value & opt (some Options.named) None & info [ "view" ] ~docv:"PAGE" ~doc)
 
 let drawn =
   let one svg drawing =
     match svg with
     | None when Picture_options.given drawing -> Error "--from, --up and --width tell how --svg draws"
-    | Some "-" -> Error "the picture of --svg is to have a file: the report goes to standard output"
     | _ -> Ok (svg, Picture_options.of_solid drawing)
   in
   Term.(term_result' ~usage:true (const one $ svg $ Picture_options.term))

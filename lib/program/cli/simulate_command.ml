@@ -197,7 +197,7 @@ let plot =
     "Draws a chart, as SVG: for each observable the mean over the time, and the range from the first to the \
      last of $(b,--quantiles)."
   in
-  Arg.(value & opt (some string) None & info [ "plot" ] ~docv:"FILE" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "plot" ] ~docv:"FILE" ~doc)
 
 let form =
   let doc = "$(b,csv) (RFC 4180), or $(b,jsonl), a JSON object a line." in
@@ -221,7 +221,7 @@ let resume =
      $(b,--summary) does not change the file, and summarises its runs together with the new ones, as $(b,--plot) \
      does; the numbers of the file must be exact."
   in
-  Arg.(value & opt (some string) None & info [ "resume" ] ~docv:"FILE" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "resume" ] ~docv:"FILE" ~doc)
 
 let store_option =
   Kept.option
@@ -254,7 +254,8 @@ let options =
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.overrides $ runs $ Run_options.seed $ Run_options.jobs
        $ Task_part.option ~what:"runs" $ observed $ every $ until $ steps
-       $ summary $ quantiles $ form $ decimals $ Run_options.output $ resume $ store_option $ plot))
+       $ summary $ quantiles $ form $ decimals
+       $ Options.output "Writes to $(docv) instead of standard output." $ resume $ store_option $ plot))
 
 let command =
   let told =

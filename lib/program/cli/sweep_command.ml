@@ -194,14 +194,14 @@ let resume =
     "Continues $(docv), written with $(b,--format jsonl) by a sweep that was interrupted. All options except \
      $(b,--jobs) must be the same. The exit code is about the new points."
   in
-  Arg.(value & opt (some string) None & info [ "resume" ] ~docv:"FILE" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "resume" ] ~docv:"FILE" ~doc)
 
 let plot =
   let doc =
     "Draws the sweep, as SVG: measured numbers as curves over one parameter; verdicts, and numbers over two \
      parameters, as coloured cells."
   in
-  Arg.(value & opt (some string) None & info [ "plot" ] ~docv:"FILE" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "plot" ] ~docv:"FILE" ~doc)
 
 let store_option =
   Kept.option
@@ -235,7 +235,8 @@ let options =
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ grid $ Check_options.budget $ Run_options.jobs
-       $ Task_part.option ~what:"points" $ form $ Run_options.output $ resume $ store_option $ plot))
+       $ Task_part.option ~what:"points" $ form
+       $ Options.output "Writes to $(docv) instead of standard output." $ resume $ store_option $ plot))
 
 let command =
   let told =

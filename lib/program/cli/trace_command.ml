@@ -69,9 +69,7 @@ let states =
   let kinds = [ ("all", Trace.All); ("ends", Trace.Ends) ] in
   Arg.(value & opt (enum kinds) Trace.All & info [ "states" ] ~docv:"WHICH" ~doc)
 
-let output =
-  let doc = "Writes to $(docv) instead of standard output." in
-  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
+let output = Options.output "Writes to $(docv) instead of standard output."
 
 let options =
   let full = Options.full "With $(b,--human): prints every step, every body and all digits of numbers." in

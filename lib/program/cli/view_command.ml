@@ -54,11 +54,10 @@ let run color budget o =
       Watch.finish watch;
       Console.progress_done console;
       let output = output_of o in
-      let path = if String.equal output "-" then None else Some output in
-      match Console.with_output console ~path write with
+      match Console.with_output console ~path:(Some output) write with
       | Error d -> Error [ d ]
       | Ok () ->
-        if Option.is_some path then Console.note console (Printf.sprintf "scc: wrote %s" output);
+        if not (String.equal output "-") then Console.note console (Printf.sprintf "scc: wrote %s" output);
         if interrupted then begin
           Console.note console "scc: interrupted: what was done until then is shown";
           Ok Exit_code.Stopped
@@ -68,8 +67,7 @@ let run color budget o =
 (* The command line. *)
 
 let output =
-  let doc = "Writes to $(docv) instead of the name of the model with $(b,.html), in the present folder." in
-  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
+  Options.output "Writes to $(docv) instead of the name of the model with $(b,.html), in the present folder."
 
 let data_alone =
   let doc =

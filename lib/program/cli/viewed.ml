@@ -53,7 +53,7 @@ let about (outcome : Verdict.outcome) : Runs.about =
 (* A run that is interrupted is shown as far as it came. *)
 let ended (l : Loaded.t) = function
   | Ok ending -> Ok ending
-  | Error Replay.Interrupted -> Ok Replay.Open
+  | Error (Replay.Interrupted _) -> Ok Replay.Open
   | Error (Refused d) -> Error [ d ]
   | Error (Fault f) -> Error [ Replay.diagnostic l.model f ]
 

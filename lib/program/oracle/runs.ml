@@ -200,7 +200,7 @@ let replay store p =
   | Error (Fault f) ->
     let diagnostics = Fault.diagnostics ~source:(fun _ -> None) [ Transition.diagnostic l.model f.fault ] in
     Fault.refuse (No_transitions { at = List.length told.taken; diagnostics })
-  | Error Interrupted -> Bug.fail __POS__ "nobody interrupts"
+  | Error (Interrupted _) -> Bug.fail __POS__ "nobody interrupts"
   | Ok _ -> (
       match told.finish with
       | None -> Bug.fail __POS__ "a run without its end"

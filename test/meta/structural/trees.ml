@@ -1,11 +1,14 @@
 (* The typed trees that the compiler left below a folder of the build. *)
 
+(* Temporary files of a compiler that runs meanwhile may vanish. *)
+let is_folder path = match Sys.is_directory path with is -> is | exception Sys_error _ -> false
+
 let rec files folder =
   let inside name = Filename.concat folder name in
   List.concat_map
     (fun name ->
-       if Sys.is_directory (inside name) then files (inside name)
-       else if List.mem (Filename.extension name) [ ".cmt"; ".cmti" ] then [ inside name ]
+       if List.mem (Filename.extension name) [ ".cmt"; ".cmti" ] then [ inside name ]
+       else if is_folder (inside name) then files (inside name)
        else [])
     (List.sort compare (Array.to_list (Sys.readdir folder)))
 
