@@ -87,6 +87,7 @@ let expire why = if !waiting > 0 && not (Critical.active ()) then raise (Interru
 let set behaviour = List.iter (fun s -> Sys.set_signal s behaviour)
 let ignored () = if not Sys.win32 then set Sys.Signal_ignore signals
 
+(* A terminal sends SIGINT and SIGHUP to the parent as well; SIGTERM and SIGXCPU end this process at once. *)
 let leave_to_parent () =
   answer := Some ignore;
   due := false;

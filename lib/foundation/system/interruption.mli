@@ -50,10 +50,6 @@ val expire : string -> unit
 val ignored : unit -> unit
 (** [ignored ()] ignores all {!signals} from now on: the program is ending. *)
 
-val leave_to_parent : unit -> unit
-(** [leave_to_parent ()] is for a process that this program has started. It ignores SIGINT and SIGHUP, which a
-    terminal sends to the parent as well. SIGTERM and SIGXCPU end the process at once. *)
-
 val fork : (unit -> int) -> int
-(** [fork work] starts a process that leaves signals to this one ({!leave_to_parent}) and runs [work], which must
+(** [fork work] starts a process that leaves the signals of a terminal to this one and runs [work], which must
     not return. The result is the number of the process. [Unix.Unix_error] if the system refuses it. *)

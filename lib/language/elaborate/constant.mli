@@ -52,9 +52,6 @@ val vector : ?why:string -> Report.t -> Env.t -> Ast.vector -> Vec.t option
 val corner : Report.t -> Env.t -> Ast.vector -> Vec.t option
 (** The point of a corner of a shape, in the frame of the shape; its components must be constants. *)
 
-val place : Report.t -> Env.t -> Ast.vector -> Form.place option
-(** A vector whose components may depend on parameters with known ranges. *)
-
 val transform : Report.t -> Env.t -> Ast.transform list -> Placement.t option
 (** The map [T1 * T2 * …], of which the last is applied first. Only its translation may depend on ranges. Each
     factor has a positive determinant (SC0311 otherwise). *)

@@ -156,6 +156,6 @@ let exits =
 
 let command =
   Cmd.v
-    (Cmd.info "compare" ~doc:"decide whether two models are equivalent, and why not" ~man:Compare_manual.text
+    (Cmd.info "compare" ~doc:"decide whether two models are equivalent, and why not" ~man:Manual.compare
        ~exits)
     Term.(const run $ Options.color $ Options.json $ options)

@@ -147,31 +147,6 @@ let options =
   Term.(
     const make $ Options.model_file $ trace $ Options.definitions $ tolerance $ unobserved $ states $ run_file)
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Decides whether a trace that another program recorded, such as a simulator, is a run of the model: each \
-       of its events is matched to an allowed transition. Where the trace leaves a choice open (which candidate \
-       bound, the order of simultaneous events), all choices are followed. If no run agrees, the report has the \
-       first item that no run does: the event of the trace, the allowed events there, the rules, and the \
-       difference.";
-    `P
-      "A trace has the JSON Lines of $(b,scc trace), most of whose members may be left out, or is CSV with the \
-       columns $(b,time), $(b,event), $(b,bodies), $(b,features) and some more. $(b,specs/conform.md) describes \
-       both, with examples.";
-    `P
-      "Events of separate bodies whose times differ by no more than the tolerance may stand in either order.";
-  ]
-  @ Options.diagnostics_man
-  @ [
-    `S Manpage.s_examples;
-    `Pre "  scc conform model.sc theirs.csv --tolerance 1e-9";
-    `Pre "  scc conform model.sc theirs.jsonl --unobserved bounce --json";
-    `Pre "  scc conform model.sc theirs.csv --tolerance 1e-6 --run same.json";
-    `Pre "  scc trace model.sc --schedule same.json";
-  ]
-
 let exits =
   Exits.man ()
     ~told:
@@ -185,5 +160,6 @@ let exits =
 
 let command =
   Cmd.v
-    (Cmd.info "conform" ~doc:"decide whether a recorded trace is a run of a model, and where not" ~man ~exits)
+    (Cmd.info "conform" ~doc:"decide whether a recorded trace is a run of a model, and where not"
+       ~man:Manual.conform ~exits)
     Term.(const run $ Options.color $ Options.json $ options)

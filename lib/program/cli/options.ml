@@ -152,11 +152,3 @@ let full doc =
        at most half a unit of the last digit; without $(b,~) the number itself."
   in
   Arg.(value & flag & info [ "full" ] ~doc)
-
-let diagnostics_man =
-  [
-    `S "DIAGNOSTICS";
-    `P
-      "Faults of an input are reported on standard error with their place, a stable code such as $(b,SC0201), an \
-       excerpt of the text and, where it helps, a hint. One run reports several faults.";
-  ]

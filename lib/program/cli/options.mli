@@ -53,9 +53,3 @@ val json : bool Term.t
 
 val full : string -> bool Term.t
 (** The flag [--full], with its meaning for the command. *)
-
-val sdocs : string
-(** The section of the manual for {!color}. *)
-
-val diagnostics_man : Manpage.block list
-(** The section on diagnostics in every manual. *)

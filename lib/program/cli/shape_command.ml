@@ -322,34 +322,11 @@ let options =
   in
   Term.(const make $ Mend_options.term $ round $ snap_option $ hull_option $ faces_option $ output $ page $ drawn)
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Reports on a polyhedron. It gives two separate verdicts: whether it is a convex closed polyhedron, which \
-       a template must be, with every fault; and each of the seven conditions of Definition 4.3 as printed, with \
-       a witness where it fails. Then come the numbers of vertices, edges and faces and, for an accepted shape, \
-       the exact volume, centroid and inertia. $(b,--snap) makes a rounded solid exact, $(b,--hull) makes a \
-       solid of points, $(b,--grid), $(b,--weld), $(b,--orient) and $(b,--merge) repair meshes of other \
-       programs, $(b,-o) writes the result, $(b,--svg) draws it, and $(b,--view) makes a page of it.";
-  ]
-  @ Options.diagnostics_man
-  @ [
-    `S Manpage.s_examples;
-    `Pre "  scc shape dodecahedron.off";
-    `Pre "  scc shape specs/models/hexokinase.sc:Cube --json";
-    `Pre "  scc shape --snap 1e-5 snub_cube.off -o exact.obj";
-    `Pre "  scc shape --hull --snap 1e-5 points.off -o solid.sc";
-    `Pre "  scc shape --hull --faces 50 points.off -o around.off";
-    `Pre "  scc shape --weld --orient --merge scanned.ply -o solid.stl";
-    `Pre "  scc shape broken.off --svg broken.svg --view broken.html";
-  ]
-
 let command =
   let exits =
     Exits.man () ~never:[ Violated; Undecided ]
       ~told:[ (Holds, "if the shape is accepted."); (Invalid, "if it is not, or cannot be read.") ]
   in
   Cmd.v
-    (Cmd.info "shape" ~doc:"report on a polyhedron" ~man ~exits)
+    (Cmd.info "shape" ~doc:"report on a polyhedron" ~man:Manual.shape ~exits)
     Term.(const run $ Options.color $ Options.json $ Options.overrides $ options $ argument)

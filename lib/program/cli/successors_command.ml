@@ -165,31 +165,6 @@ let framing =
   in
   Arg.(value & opt (enum framings) Lines & info [ "framing" ] ~docv:"HOW" ~doc)
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Answers states that other programs send with their successors. So a program that stores states, on any \
-       number of machines, can explore a model, and need not know anything about shapes.";
-    `P
-      "The first line of the output describes the exploration: the model, the properties, the state formulas \
-       that they search for (the $(i,goals)), and the initial state. Then each input state is answered by its \
-       transitions, in order: label, duration, target, a fingerprint of 128 bits of the target, and the goals \
-       that hold there. The answer also has the goals that hold at some moment before the next event.";
-    `P
-      "States are bytes, as described in $(b,specs/state-bytes.md). $(b,specs/successors.md) describes both \
-       framings, lines and batches. Every input line gets an answer. An invalid batch ends the program, since \
-       the start of the next one is unknown.";
-    `P
-      "The states are those that $(b,scc check --no-reduce order) distinguishes; counts, verdicts and shortest \
-       runs agree with it. In lines, a run becomes a schedule for $(b,scc trace): $(b,{\"goal\": 0, \"choices\": \
-       [0, 2]}).";
-    `S Manpage.s_examples;
-    `Pre
-      "  scc successors specs/models/chain.sc < /dev/null\n\
-      \  scc successors specs/models/figure4.sc <<< 010100010008040c04040400020008040404040400010004";
-  ]
-
 let options =
   let make names number reductions bits framing =
     { names; number; reductions; bits = Option.value bits ~default:100_000; framing }
@@ -207,5 +182,6 @@ let command =
         ]
   in
   Cmd.v
-    (Cmd.info "successors" ~doc:"answer states of other programs with their successors" ~man ~exits)
+    (Cmd.info "successors" ~doc:"answer states of other programs with their successors" ~man:Manual.successors
+       ~exits)
     Term.(const run $ Options.color $ options $ Options.definitions $ Options.model_file)

@@ -65,7 +65,7 @@ let man =
        $(b,--to) and $(b,-o), the model is written in the language of scc.";
   ]
   @ (`S "NOTATIONS" :: List.map told Notation.all)
-  @ Options.diagnostics_man
+  @ Manual.diagnostics
   @ [
     `S Manpage.s_examples;
     `Pre "  scc translate hexokinase.sc --to xml";

@@ -155,25 +155,9 @@ let options =
     const make $ Options.model_file $ Options.definitions $ output $ what $ check $ followed $ graph
     $ plots)
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Checks a model as $(b,scc check) does, and writes a page that shows the deciding runs: one file of HTML \
-       that opens in a browser from disk, needs no network, and can be mailed.";
-  ]
-  @ Options.diagnostics_man
-  @ [
-    `S Manpage.s_examples;
-    `Pre "  scc view specs/models/hexokinase.sc";
-    `Pre "  scc view model.sc --check safe -o safe.html";
-    `Pre "  scc view model.sc --schedule runs/safe.json";
-    `Pre "  scc view model.sc --svg 5/2 --names -o figure.svg";
-  ]
-
 let command =
   let told = [ (Exit_code.Holds, "if the page was written, for any verdicts on it.") ] in
   let exits = Exits.man ~told ~never:[ Violated; Undecided ] () in
   Cmd.v
-    (Cmd.info "view" ~doc:"write a page that shows the runs of a model" ~man ~exits)
+    (Cmd.info "view" ~doc:"write a page that shows the runs of a model" ~man:Manual.view ~exits)
     Term.(const run $ Options.color $ Check_options.budget $ options)

@@ -125,7 +125,6 @@ let add s (r : Simulation.run) =
 
 let runs s = s.runs
 let cells s = s.cells
-let early s = s.early
 
 let csv_summary t ~quantiles ~decimals s put =
   let quantile_name q = "quantile " ^ Rat.to_string q in
