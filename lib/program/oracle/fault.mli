@@ -34,9 +34,6 @@ val refuse : t -> 'a
 val invalid : place -> ('a, unit, string, 'b) format4 -> 'a
 (** Raises {!Refused} with [Invalid_params]. *)
 
-val place : place -> string
-(** The place as a text, such as ["faces[3][1]"] or ["first.mass"]. *)
-
 val format : (t, unit) Json_format.t
 (** The format of the member [error] of a response. Its codes are those of JSON-RPC (-32700 and -32603 to
     -32600) by its standard, and -32000 to -32008 for errors of the service. *)
