@@ -39,7 +39,8 @@ let write_witnesses loaded path folder verdicts =
     match Verdict.shown verdict with
     | None -> Ok ()
     | Some w ->
-      write_file (Filename.concat folder (check.name ^ ".json")) (Scheduled.of_witness loaded path check w)
+      let schedule = Scheduled.of_witness loaded path check w in
+      write_file (Filename.concat folder (check.name ^ ".json")) (Scc_runs.Schedule.to_string schedule)
   in
   let* () = make_folder folder in
   let add before v =

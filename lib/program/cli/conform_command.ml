@@ -44,7 +44,7 @@ let note_semantics console (trace : Recorded.t) =
   | Some _ | None -> ()
 
 let write_run path origin choices =
-  let text = Schedule.to_string origin choices ~offset:None in
+  let text = Schedule.to_string (Schedule.made origin choices ~offset:None) in
   Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
 
 (* An instant of a release that nobody told, or not exactly, could be any of uncountably many. *)

@@ -217,7 +217,7 @@ let estimate console o watch =
     }
   in
   Console.answer console
-    ~json:(fun () -> Estimate_report.json report ~exit)
+    ~json:(fun () -> Scc_json.Json_format.write Estimate_report.format (report, exit))
     ~text:(fun () -> text console report);
   Kept.conclude console unkept;
   (match ending with

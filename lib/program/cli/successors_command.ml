@@ -1,7 +1,6 @@
 open Scc_base
 open Scc_verdicts
 open Scc_state_space
-open Scc_json
 open Scc_successors
 open Cmdliner
 
@@ -40,7 +39,7 @@ let state f line =
   let* bytes = of_hex line in
   let* tuple = Filter.read f bytes ~from:0 ~stop:(String.length bytes) in
   let* e = Filter.expand f tuple in
-  Ok (Told.answer f e)
+  Ok (Told.Answer (f, e))
 
 (* Schedules are replayed with jumps. *)
 let run path f line =
@@ -50,13 +49,11 @@ let run path f line =
   else
     let* goal, choices = Found_run.request line in
     let* check, witness = Found_run.find f ~goal choices in
-    let schedule = Scheduled.of_witness q.loaded path check witness in
-    let* schedule = Json.parse (Source.make ~name:"-" schedule) in
-    Ok (`Assoc [ ("check", Json.text check.name); ("schedule", schedule) ] : Json.t)
+    Ok (Told.Run (check, Scheduled.of_witness q.loaded path check witness))
 
 let answer path f line =
   let is_run = String.length line > 0 && line.[0] = '{' in
-  Result.fold ~ok:Fun.id ~error:Told.refused (if is_run then run path f line else state f line)
+  Result.fold ~ok:Fun.id ~error:(fun d -> Told.Refused d) (if is_run then run path f line else state f line)
 
 let talk_in_lines path f c =
   let lines = Lines.make ~most:most_line in
@@ -66,10 +63,10 @@ let talk_in_lines path f c =
     | End -> Exit_code.Holds
     | Too_long ->
       let d = Diag.error Code.no_state Span.none "a line of more than %d bytes" most_line in
-      Conversation.say c (Json.line (Told.refused d));
+      Conversation.say c (Told.line (Refused d));
       loop f
     | Line line ->
-      Conversation.say c (Json.line (answer path f line));
+      Conversation.say c (Told.line (answer path f line));
       loop (Filter.renew f)
   in
   loop f
@@ -134,7 +131,7 @@ let talk console options (given : Options.definitions) path =
   let* q = Question.make ~reductions ~bits:options.bits ~names:options.names ~number:options.number l in
   let f = Filter.make q in
   let hold c =
-    Conversation.say c (Json.line (Told.header ~program:Version.told ~framing:(name options.framing) f));
+    Conversation.say c (Told.line (Header { program = Version.told; framing = name options.framing; filter = f }));
     Conversation.send c;
     match options.framing with Lines -> talk_in_lines path f c | Batches -> talk_in_batches console f c
   in
