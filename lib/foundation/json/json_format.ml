@@ -144,11 +144,6 @@ let into f t =
   let read at json = match f (t.read at json) with Ok x -> x | Error told -> refuse at "%s" told in
   { t with read }
 
-let vector =
-  let items (v : Vec.t) = [ v.x; v.y; v.z ] in
-  let vec = function [ x; y; z ] -> Ok (Vec.make x y z) | _ -> Error "is no vector of three" in
-  into vec (from items (list ~least:3 ~most:3 rational))
-
 let entries t =
   let read at = function
     | `Assoc members -> List.map (fun (name, x) -> (name, t.read (Member (at, name)) x)) members

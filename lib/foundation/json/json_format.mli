@@ -69,9 +69,6 @@ val duration : (Rat.t, Rat.t) t
 val number : (string, Rat.t) t
 (** The text of a number, ["p/q"] or a decimal such as ["-1.50"]. What {!Json.rational} takes is read. *)
 
-val vector : (Vec.t, Vec.t) t
-(** Three rationals. *)
-
 val word : ('a -> string) -> 'a list -> ('a, 'a) t
 (** [word name all] is one of the values [all], as its name. *)
 

@@ -2,7 +2,7 @@
     reports what it cannot evaluate and then gives [None].
 
     A value that depends on a parameter with a known range is refused (SC0218), with the reason [why] if it is
-    given. Only {!form}, {!place}, {!value} and {!transform} accept such values. *)
+    given. Only {!form}, {!value} and {!transform} accept such values. *)
 
 open Scc_base
 open Scc_exact
