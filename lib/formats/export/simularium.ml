@@ -147,7 +147,6 @@ let space (v : Vec.t) : json =
   let p = Floats.point v in
   `Assoc [ ("x", float p.(0)); ("y", float p.(1)); ("z", float p.(2)) ]
 
-let half = Rat.make Z.one (Z.of_int 2)
 
 (* All that the bodies need over the run, as far as its frames tell, and the channels of the bonds there are. *)
 let survey (f : Film.t) times =
@@ -158,9 +157,7 @@ let survey (f : Film.t) times =
     let s = Film.at f time in
     let bond (b : State.bond) = ignore (number channels b.name) in
     Array.iter (fun (p : State.process) -> Array.iter bond p.bonds) s.processes;
-    match (box, Figure.extent m s) with
-    | None, b | b, None -> b
-    | Some (l, h), Some (low, high) -> Some (join Rat.min l low, join Rat.max h high)
+    Option.merge (fun (l, h) (low, high) -> (join Rat.min l low, join Rat.max h high)) box (Figure.extent m s)
   in
   let box = List.fold_left widen None times in
   (Option.value box ~default:(Vec.zero, Vec.of_ints 1 1 1), channels)
@@ -171,7 +168,7 @@ let unit name : json = `Assoc [ ("magnitude", `Int 1); ("name", `String name) ]
 let write (f : Film.t) ~path k ~times put =
   let m = Film.model f in
   let (low, high), channels = survey f times in
-  let size = Vec.sub high low and middle = Vec.scale half (Vec.add low high) in
+  let size = Vec.sub high low and middle = Vec.middle low high in
   let greatest = Rat.max size.x (Rat.max size.y size.z) in
   let thickness = Floats.of_rat (Rat.div greatest (Rat.of_int 200)) in
   let bonds = numbers () in

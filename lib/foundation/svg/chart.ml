@@ -199,7 +199,7 @@ let map named top m =
   in
   let column i name =
     if labelled ~most:12 count i then
-      let middle = Rat.div (Rat.add (x i) (x (i + 1))) (Rat.of_int 2) in
+      let middle = Rat.middle (x i) (x (i + 1)) in
       label ~x:middle ~y:(Rat.of_int (base + 15)) ~anchor:"middle" name
     else []
   in

@@ -108,7 +108,7 @@ let rec simplest low high =
 let near n d offset =
   let tiny k = Rat.make Z.one (Z.pow (Z.of_int 10) k) in
   let low, high = Algebraic.enclose offset ~width:(tiny 30) in
-  let r = Rat.div (Rat.add low high) (Rat.of_int 2) in
+  let r = Rat.middle low high in
   let bottom = Polynomial.eval d r in
   if Rat.sign bottom = 0 then "(a quotient with a divisor near 0)"
   else

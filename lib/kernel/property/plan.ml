@@ -56,18 +56,8 @@ let rec horizon (f : Property.temporal) =
   | Temporal_not f -> horizon f
   | Temporal_and fs | Temporal_or fs -> latest_horizon fs
   | Next _ -> None
-  | Finally (_, b, f) | Globally (_, b, f) -> after b.high (horizon f)
-  | Until (_, b, f, g) -> after b.high (latest_horizon [ f; g ])
-
-and after a b =
-  match (a, b) with
-  | Some a, Some b -> Some (Rat.add a b)
-  | None, _ | _, None -> None
+  | Finally (_, b, f) | Globally (_, b, f) -> Option.map2 Rat.add b.high (horizon f)
+  | Until (_, b, f, g) -> Option.map2 Rat.add b.high (latest_horizon [ f; g ])
 
 and latest_horizon formulas =
-  List.fold_left
-    (fun latest f ->
-       match (latest, horizon f) with
-       | Some a, Some b -> Some (Rat.max a b)
-       | None, _ | _, None -> None)
-    (Some Rat.zero) formulas
+  List.fold_left (fun latest f -> Option.map2 Rat.max latest (horizon f)) (Some Rat.zero) formulas

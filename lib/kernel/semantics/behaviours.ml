@@ -53,10 +53,7 @@ let rules how =
 
 (* {1 Rule TimeBehaviour} *)
 
-let least a b =
-  match (a, b) with
-  | None, x | x, None -> x
-  | Some s, Some t -> Some (Rat.min s t)
+let least = Option.merge Rat.min
 
 let not_known () = Scc_base.Bug.fail __POS__ "the horizon of a delay that is not known"
 

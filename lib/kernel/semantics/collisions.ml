@@ -249,6 +249,5 @@ let first_time_of_contact (c : Semantics.t) processes ~limit =
   let contact = K.first_time_of_contact c.setting parts ~limit in
   if not (by_contact c) then contact
   else
-    match (contact, c.setting.neighbours.earliest ~margin:Rat.zero ~limit (binding_time c) parts) with
-    | Some t, Some t' -> Some (Rat.min t t')
-    | None, t | t, None -> t
+    Option.merge Rat.min contact
+      (c.setting.neighbours.earliest ~margin:Rat.zero ~limit (binding_time c) parts)

@@ -1,10 +1,7 @@
 open Scc_exact
 open Scc_calculus
 
-let least a b =
-  match (a, b) with
-  | None, x | x, None -> x
-  | Some s, Some t -> Some (Rat.min s t)
+let least = Option.merge Rat.min
 
 let horizon (m : Model.t) (p : State.process) =
   Array.fold_left

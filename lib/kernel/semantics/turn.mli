@@ -14,9 +14,6 @@ open Scc_rigid
 val rigid : Model.t -> Model.rigid
 (** The settings of a rigid model. A translational model is a bug. *)
 
-val half : Rat.t
-(** The number 1/2. *)
-
 val spinning : State.process -> bool
 (** [spinning p] is true if the spin of [p] is not zero. *)
 

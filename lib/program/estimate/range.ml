@@ -4,7 +4,6 @@ open Scc_property
 
 type t = { low : Rat.t; high : Rat.t; ends_only : bool }
 
-let ( let* ) = Option.bind
 let is_point r = Rat.equal r.low r.high
 let point x = { low = x; high = x; ends_only = true }
 let from_to low high = { low = Rat.of_int low; high = Rat.of_int high; ends_only = high - low <= 1 }
@@ -20,7 +19,7 @@ let combined f a b =
     [ f a.low b.low; f a.low b.high; f a.high b.low; f a.high b.high ]
 
 let either a b =
-  let* all = around ~ends_only:false [ a.low; a.high; b.low; b.high ] in
+  let*? all = around ~ends_only:false [ a.low; a.high; b.low; b.high ] in
   let at_an_end x = Rat.equal x all.low || Rat.equal x all.high in
   let ends r = r.ends_only && at_an_end r.low && at_an_end r.high in
   Some { all with ends_only = ends a && ends b }
@@ -41,8 +40,8 @@ let of_quantity (m : Model.t) ~time : Property.quantity -> t option =
 
 let rec of_number m ~time (n : Property.num) =
   let both f a b =
-    let* a = of_number m ~time a in
-    let* b = of_number m ~time b in
+    let*? a = of_number m ~time a in
+    let*? b = of_number m ~time b in
     f a b
   in
   match n with

@@ -64,7 +64,6 @@ let moves (s : State.t) =
     (fun (p : State.process) -> (not (Vec.is_zero p.velocity)) || not (Vec.is_zero p.spin))
     s.processes
 
-let half = Rat.make Z.one (Z.of_int 2)
 
 (* How long what moves takes to go about as far as leaves are from each other. *)
 let across (s : State.t) =
@@ -92,7 +91,7 @@ let a_while semantics ~over state =
   else
     let step = (Semantics.model semantics).timestep in
     let most = Rat.mul (Rat.of_int 100) (Rat.add step over) in
-    let long = Rat.max (Rat.mul half over) (Rat.min (across state) most) in
+    let long = Rat.max (Rat.mul Rat.half over) (Rat.min (across state) most) in
     Rat.mul step (Rat.make (Z.add Z.one (Rat.floor (Rat.div long step))) Z.one)
 
 let finished states world ~most (n, state) ~rests ~over offset =

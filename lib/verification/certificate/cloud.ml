@@ -39,7 +39,7 @@ let points set =
     let beside i =
       let rec go step =
         let p = Array.mapi (fun j x -> if i = j then Rat.add x step else x) middle in
-        if Polyhedron.mem set p then p else go (Rat.div step (Rat.of_int 2))
+        if Polyhedron.mem set p then p else go (Rat.mul Rat.half step)
       in
       go Rat.one
     in
