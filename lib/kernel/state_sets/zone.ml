@@ -42,13 +42,10 @@ let place z leaf (part : Model.part) =
 let with_variables z ~dimension forms set =
   { (map (fun f -> Linear.compose f ~dimension forms) z) with set }
 
-let map_processes f (s : State.t) =
-  State.make ~processes:(List.map f (Array.to_list s.processes)) ~step:s.step ~time:s.time
-
 let at z point =
   let leaf (l : State.leaf) = { l with State.position = Place.eval z.places.(l.leaf) point } in
   let process (p : State.process) =
     let clock = Option.map (fun _ -> Linear.eval z.clocks.(p.leaves.(0).leaf) point) p.clock in
     State.with_clock clock (State.map_leaves leaf p)
   in
-  map_processes process z.skeleton
+  State.mapi (fun _ -> process) z.skeleton

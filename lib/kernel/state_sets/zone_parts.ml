@@ -23,6 +23,8 @@ let semantics_at c (z : Zone.t) point =
 
 type part = { process : State.process; leaf : int; index : int; solid : Solid.t; place : Place.t }
 
+let fitting c (a, b) = Collisions.fitting c.semantics (a.process, a.leaf) (b.process, b.leaf)
+
 let parts (m : Model.t) z (process : State.process) =
   let of_leaf (l : State.leaf) =
     let of_part index (p : Model.part) =
@@ -33,10 +35,28 @@ let parts (m : Model.t) z (process : State.process) =
   in
   List.concat_map of_leaf (Array.to_list process.leaves)
 
-let two_of_different lists =
-  let with_each (ps, qs) = List.concat_map (fun p -> List.map (fun q -> (p, q)) qs) ps in
-  List.concat_map with_each (Scc_data.Lists.pairs lists)
-
-let pairs m (z : Zone.t) = two_of_different (List.map (parts m z) (Array.to_list z.skeleton.processes))
+let by_process m (z : Zone.t) = List.map (parts m z) (Array.to_list z.skeleton.processes)
+let all m z = List.concat (by_process m z)
+let each_with_each (ones, twos) = List.concat_map (fun a -> List.map (fun b -> (a, b)) twos) ones
+let pairs m z = List.concat_map each_with_each (Scc_data.Lists.pairs (by_process m z))
 let offset a b = Place.sub b.place a.place
 let relative_velocity a b = Vec.sub b.process.velocity a.process.velocity
+let facets c (a, b) = Half_space.moving (c.obstacle a.solid b.solid) (offset a b) (relative_velocity a b)
+
+(* {1 Features} *)
+
+let sides part sites =
+  let side (s : Site.t) =
+    if s.part = part.index then Some { Feature_offsets.solid = part.solid; feature = s.feature } else None
+  in
+  List.filter_map side sites
+
+let facing (a, b) (ones, twos) = each_with_each (sides a ones, sides b twos)
+let of_end parts (f : State.finish) = List.find (fun p -> p.leaf = f.at && p.index = f.site.part) parts
+
+let joint c (z : Zone.t) parts ((f : State.finish), (g : State.finish)) =
+  let one = of_end parts f and two = of_end parts g in
+  let side part (f : State.finish) = { Feature_offsets.solid = part.solid; feature = f.site.feature } in
+  let together = Feature_offsets.touching c.features (side one f) (side two g) in
+  let coordinates = Array.of_list (Place.coordinates (offset one two)) in
+  Polyhedron.preimage together ~dimension:(Zone.dimension z) coordinates

@@ -6,7 +6,6 @@ open Scc_semantics
 open Scc_state_sets
 
 type t = { label : Transition.label; target : Zone.t }
-type all = { urgent : t list; weak : t list }
 
 let forget_place (l : State.leaf) = { l with State.position = Vec.zero }
 
@@ -43,9 +42,7 @@ let target c ~events (z : Zone.t) region (state : State.t) (o : Transition.outco
 (* Split clocks of a process that is not touched go on; in a skeleton they say only that there is one. *)
 let normalized (z : Zone.t) =
   let process (p : State.process) = State.with_clock (Option.map (fun _ -> Rat.zero) p.clock) p in
-  let s = z.skeleton in
-  let processes = List.map process (Array.to_list s.processes) in
-  { z with skeleton = State.make ~processes ~step:s.step ~time:s.time }
+  { z with skeleton = State.mapi (fun _ -> process) z.skeleton }
 
 let all (c : Instant.context) ~events z region =
   let point =
@@ -62,7 +59,8 @@ let all (c : Instant.context) ~events z region =
   let semantics = Instant.semantics_at c z point in
   let of_each kind = List.concat_map (kind semantics) (Array.to_list state.processes) in
   let weak = of_each Network.weak in
-  if z.Zone.halted then { urgent = []; weak = happen weak }
+  let weak = happen weak in
+  if z.Zone.halted then { Network.urgent = []; weak; collisions = [] }
   else
-    let urgent = of_each Network.urgent @ Network.together semantics state.processes in
-    { urgent = happen urgent; weak = happen weak }
+    let collisions = happen (Network.together semantics state.processes) in
+    { urgent = happen (of_each Network.urgent); weak; collisions }

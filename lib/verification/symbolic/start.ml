@@ -18,13 +18,12 @@ let values (m : Model.t) set =
 
 (* Between which numbers the coordinates of a part are, wherever it may be; where there is no such number, None. *)
 let extent (z : Zone.t) (part : part) =
-  let value = function Some (Polyhedron.Bound { value; _ }) -> Some value | Some Unbounded | None -> None in
   let of_coordinate axis place =
     let reach i = Vec.component axis (Solid.vertex part.solid i) in
     let all = List.init (Array.length part.solid.vertices) reach in
     let least = List.fold_left Rat.min (List.hd all) all and greatest = List.fold_left Rat.max (List.hd all) all in
-    ( Option.map (Rat.add least) (value (Polyhedron.infimum z.set place)),
-      Option.map (Rat.add greatest) (value (Polyhedron.supremum z.set place)) )
+    ( Option.map (Rat.add least) (Polyhedron.limit (Polyhedron.infimum z.set place)),
+      Option.map (Rat.add greatest) (Polyhedron.limit (Polyhedron.supremum z.set place)) )
   in
   List.map2 of_coordinate [ Vec.X; Y; Z ] (Place.coordinates part.place)
 
@@ -36,15 +35,13 @@ let are_apart one two =
 
 let overlap c (z : Zone.t) =
   let m = Semantics.model c.semantics in
-  let all = List.concat_map (parts m z) (Array.to_list z.skeleton.processes) in
-  let all = List.map (fun part -> (part, extent z part)) all in
+  let all = List.map (fun part -> (part, extent z part)) (all m z) in
   let of_pair ((a, extent_of_a), (b, extent_of_b)) =
-    let inside = function p, Touching_cells.Interpenetrating -> Some p | _, (Apart | Touching _) -> None in
     if (a.leaf = b.leaf && Place.is_constant (offset a b)) || are_apart extent_of_a extent_of_b then None
     else
-      Touching_cells.make (c.obstacle a.solid b.solid) ~offset:(offset a b) z.set
-      |> List.find_map inside
-      |> Option.map (fun p -> { at = values m p; reason = Interpenetrate ((a.leaf, a.index), (b.leaf, b.index)) })
+      match Region.where z.set (Zone_well_formed.overlap c (a, b)) with
+      | [] -> None
+      | p :: _ -> Some { at = values m p; reason = Interpenetrate ((a.leaf, a.index), (b.leaf, b.index)) }
   in
   List.find_map of_pair (Scc_data.Lists.pairs all)
 
@@ -59,15 +56,9 @@ let joints (u : Uncertain.t) (z : Zone.t) =
 
 let apart c u (z : Zone.t) =
   let m = Semantics.model c.semantics in
-  let parts = List.concat_map (parts m z) (Array.to_list z.skeleton.processes) in
-  let at (f : State.finish) = List.find (fun part -> part.leaf = f.at && part.index = f.site.part) parts in
-  let side part (f : State.finish) = { Feature_offsets.solid = part.solid; feature = f.site.feature } in
+  let parts = all m z in
   let of_joint (f, g) =
-    let one = at f and two = at g in
-    let together = Feature_offsets.touching c.features (side one f) (side two g) in
-    let x, y, z' = offset one two in
-    let right = Polyhedron.preimage together ~dimension:(Zone.dimension z) [| x; y; z' |] in
-    match Difference.pieces z.set right with
+    match Difference.pieces z.set (joint c z parts (f, g)) with
     | [] -> None
     | p :: _ -> Some { at = values m p; reason = Apart (f, g) }
   in

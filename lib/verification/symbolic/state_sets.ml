@@ -94,7 +94,7 @@ let where truth =
   in
   List.filter_map pick truth
 
-let rests n (s : stretch) = s.for_ever && not (Passing.may_split n.it.zone)
+let rests n (s : stretch) = s.for_ever && not (Zone_time.may_split n.it.zone)
 
 let of_prop m prop =
   let truth = Atoms.truth m.atoms prop in

@@ -76,7 +76,7 @@ let latest answers =
 (* The time up to which zones are explored, and whether it is the bound of the user that ends them. *)
 let horizon (options : Setup.t) (group : Zone_groups.t) looking =
   let asked = if group.keeps_time then latest looking else None in
-  match (asked, Zone_bounds.given options.bounds.time) with
+  match (asked, Bounds.value options.bounds.time) with
   | Some a, Some b -> (Some (Rat.min a b), Rat.compare b a < 0)
   | None, Some b -> (Some b, true)
   | a, None -> (a, false)
@@ -124,7 +124,7 @@ let bounds_met (options : Setup.t) visited (end_ : Zone_graph.end_) : Verdict.tr
      @ if nodes then [ Zone_bounds.states options.bounds ] else []
    | Stopped -> List.map (Bounds.stopped options.bounds) (Option.to_list visited.stop))
   @
-  match Zone_bounds.given options.bounds.time with
+  match Bounds.value options.bounds.time with
   | Some t when visited.late -> [ { limit = Time t; origin = By_user } ]
   | _ -> []
 
@@ -143,7 +143,7 @@ let explore (options : Setup.t) context (group : Zone_groups.t) ~initial zones ~
   in
   let horizon, by_user = horizon options group looking in
   let depth = match (Zone_bounds.depth options.bounds).limit with Depth d -> d | _ -> Zone_bounds.default_depth in
-  let nodes = Zone_bounds.given options.bounds.states in
+  let nodes = Bounds.value options.bounds.states in
   let limits = { Zone_graph.depth = Some depth; nodes; horizon } in
   let visited = { size = 0; late = false; beyond = false; stop = None } in
   let model = Semantics.model context.Instant.semantics in

@@ -31,7 +31,7 @@ MISTAKES = {
         "(ignore k; b)",
     ),
     "the longest delay is the horizon": (
-        "behaviours.ml", "Some s, Some t -> Some (Rat.min s t)", "Some s, Some t -> Some (Rat.max s t)",
+        "behaviours.ml", "Option.merge Rat.min horizon", "Option.merge Rat.max horizon",
     ),
     "equal chances count once": (
         "behaviours.ml", "if by_chance offer then found", "if by_chance offer && found = [] then found",
@@ -91,7 +91,7 @@ MISTAKES = {
     "a name binds to itself": (
         "collisions.ml", "complementary pol1 pol2 && String", "(ignore (complementary pol1 pol2); true) && String",
     ),
-    "corners bind where faces do": ("collisions.ml", "c.dimension = highest", "c.dimension <= highest"),
+    "corners bind where faces do": ("collisions.ml", "| highest :: _ -> highest", "| _ :: _ -> shared"),
     "fixed bodies link collisions": (
         "collisions.ml",
         "List.mem i y.members && Option.is_some (State.mass model processes.(i))",
@@ -135,7 +135,7 @@ MISTAKES = {
     ),
     # Time.
     "split clocks are not looked at": (
-        "time.ml", "Option.map (Rat.sub step) p.clock", "Option.map (fun _ -> step) p.clock",
+        "time.ml", "Some (Rat.sub step clock)", "(ignore clock; Some step)",
     ),
     "clocks go on when a bond becomes releasable": (
         "time.ml", "expires && gains_split m p aged", "expires && false && gains_split m p aged",
