@@ -45,6 +45,9 @@ val max : t -> t -> t
 val middle : t -> t -> t
 (** [middle x y] is (x + y)/2. *)
 
+val span : t -> t list -> t * t
+(** [span x rest] is the least and the greatest of [x] and the numbers of [rest]. *)
+
 val sign : t -> int
 (** [sign x] is -1, 0 or 1. *)
 

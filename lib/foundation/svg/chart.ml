@@ -35,7 +35,7 @@ let axis numbers ~from ~until =
   match numbers with
   | [] -> { least = Rat.zero; greatest = Rat.one; from; until }
   | first :: rest ->
-    let least = List.fold_left Rat.min first rest and greatest = List.fold_left Rat.max first rest in
+    let least, greatest = Rat.span first rest in
     if Rat.equal least greatest then
       { least = Rat.sub least Rat.one; greatest = Rat.add greatest Rat.one; from; until }
     else { least; greatest; from; until }

@@ -67,15 +67,7 @@ let div ~reason extent a b =
     ~inside:(fun r pair -> divide pair (vanishes (fun m -> Polynomial.sign_at m r) pair))
     (Timeline.map2 (fun x y -> (x, y)) a b)
 
-let of_sign (comparison : Law.comparison) s =
-  Truth.of_bool
-    (match comparison with
-     | Lt -> s < 0
-     | Le -> s <= 0
-     | Gt -> s > 0
-     | Ge -> s >= 0
-     | Eq -> s = 0
-     | Ne -> s <> 0)
+let of_sign comparison s = Truth.of_bool (Law.by_sign comparison s)
 
 let compare comparison extent a b =
   let truth sign = function

@@ -232,10 +232,7 @@ let outcomes c processes cluster =
 let binding_time (c : Semantics.t) ~before:_ (a : Part.t) (b : Part.t) =
   let w = Part.relative_velocity a b in
   let corners (part : Part.t) (channel : Behaviour.channel) =
-    List.filter_map
-      (fun (s : Site.t) ->
-         if s.part = part.index then Some (Scc_rigid.Placed.corners part.placed s.feature) else None)
-      channel.sites
+    List.map (Scc_rigid.Placed.corners part.placed) (Site.on part.index channel.sites)
   in
   let of_channels ((_, one, _, _), (_, two, _, _)) =
     List.concat_map

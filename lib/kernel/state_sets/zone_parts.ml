@@ -18,7 +18,7 @@ let context semantics =
 let semantics_at c (z : Zone.t) point =
   let m = Semantics.model c.semantics in
   if Fixed.has_open_offsets m then
-    Semantics.with_model c.semantics (Fixed.offsets m (Array.map (fun f -> Linear.eval f point) z.parameters))
+    Semantics.with_model c.semantics (Fixed.offsets m (Zone.values z point))
   else c.semantics
 
 type part = { process : State.process; leaf : int; index : int; solid : Solid.t; place : Place.t }
@@ -45,18 +45,13 @@ let facets c (a, b) = Half_space.moving (c.obstacle a.solid b.solid) (offset a b
 
 (* {1 Features} *)
 
-let sides part sites =
-  let side (s : Site.t) =
-    if s.part = part.index then Some { Feature_offsets.solid = part.solid; feature = s.feature } else None
-  in
-  List.filter_map side sites
-
+let side part feature = { Feature_offsets.solid = part.solid; feature }
+let sides part sites = List.map (side part) (Site.on part.index sites)
 let facing (a, b) (ones, twos) = each_with_each (sides a ones, sides b twos)
 let of_end parts (f : State.finish) = List.find (fun p -> p.leaf = f.at && p.index = f.site.part) parts
 
 let joint c (z : Zone.t) parts ((f : State.finish), (g : State.finish)) =
   let one = of_end parts f and two = of_end parts g in
-  let side part (f : State.finish) = { Feature_offsets.solid = part.solid; feature = f.site.feature } in
-  let together = Feature_offsets.touching c.features (side one f) (side two g) in
+  let together = Feature_offsets.touching c.features (side one f.site.feature) (side two g.site.feature) in
   let coordinates = Array.of_list (Place.coordinates (offset one two)) in
   Polyhedron.preimage together ~dimension:(Zone.dimension z) coordinates

@@ -3,9 +3,6 @@ open Scc_offsets
 open Scc_calculus
 open Scc_semantics
 
-let leaves (z : Zone.t) =
-  List.concat_map (fun (p : State.process) -> Array.to_list p.leaves) (Array.to_list z.skeleton.processes)
-
 (* {1 Delays} *)
 
 let length (m : Model.t) : Behaviour.t -> Linear.t = function
@@ -39,7 +36,7 @@ let splits_at_any_time m (z : Zone.t) = Array.exists (Process.splits_at_any_time
 (* {1 Passing} *)
 
 let all_left m z =
-  List.concat_map (fun (l : State.leaf) -> List.map (left z l.leaf) (lengths m l)) (leaves z)
+  List.concat_map (fun (l : State.leaf) -> List.map (left z l.leaf) (lengths m l)) (State.leaves z.skeleton)
   @ List.map snd (to_split_instants m z)
 
 let after m (z : Zone.t) time =

@@ -4,9 +4,6 @@
 open Scc_polyhedra
 open Scc_calculus
 
-val leaves : Zone.t -> State.leaf list
-(** The leaves of all processes. *)
-
 val length : Model.t -> Behaviour.t -> Linear.t
 (** [length m b] is the length of the delay [b], as a form over the parameters of [m]. Any other prefix is a
     bug. *)

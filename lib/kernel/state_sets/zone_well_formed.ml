@@ -19,7 +19,7 @@ let not_over (m : Model.t) (z : Zone.t) =
     | Some (_, left) -> [ Constraint.at_least clock zero; Constraint.greater left zero ]
     | None -> [ Constraint.equals clock zero ]
   in
-  List.concat_map of_leaf (Zone_time.leaves z)
+  List.concat_map of_leaf (State.leaves z.skeleton)
   @ List.concat_map of_clock (Array.to_list z.skeleton.processes)
 
 let bonds_touch (c : Zone_parts.context) (z : Zone.t) =

@@ -11,7 +11,9 @@ let from_to low high = { low = Rat.of_int low; high = Rat.of_int high; ends_only
 (* The least range that has all of them. *)
 let around ~ends_only = function
   | [] -> None
-  | x :: xs -> Some { low = List.fold_left Rat.min x xs; high = List.fold_left Rat.max x xs; ends_only }
+  | x :: xs ->
+    let low, high = Rat.span x xs in
+    Some { low; high; ends_only }
 
 let combined f a b =
   around

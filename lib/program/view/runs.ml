@@ -67,14 +67,11 @@ let moves (s : State.t) =
 
 (* How long what moves takes to go about as far as leaves are from each other. *)
 let across (s : State.t) =
-  let places =
-    List.concat_map
-      (fun (p : State.process) -> List.map (fun (l : State.leaf) -> l.position) (Array.to_list p.leaves))
-      (Array.to_list s.processes)
-  in
+  let places = List.map (fun (l : State.leaf) -> l.position) (State.leaves s) in
   let along axis =
     let all = List.map (Vec.component axis) places in
-    Rat.sub (List.fold_left Rat.max (List.hd all) all) (List.fold_left Rat.min (List.hd all) all)
+    let least, greatest = Rat.span (List.hd all) all in
+    Rat.sub greatest least
   in
   let fastest axis =
     Array.fold_left

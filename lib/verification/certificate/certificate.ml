@@ -22,8 +22,7 @@ type context = {
 
 (* The rules for the values that a point of a cloud gives the parameters. *)
 let semantics_at t (z : Zone.t) point =
-  let values = Array.map (fun f -> Linear.eval f point) z.parameters in
-  Semantics.with_model t.cut.semantics (Fixed.model t.model values)
+  Semantics.with_model t.cut.semantics (Fixed.model t.model (Zone.values z point))
 
 (* {1 Landing} *)
 
@@ -39,7 +38,7 @@ let numbers t (location : Invariant.location) (z : Zone.t) ~middle (result : Sta
     match here leaf with None -> zero | Some p -> choose p leaf (forms : Linear.t array).(leaf)
   in
   let definitions = (Semantics.model (semantics_at t z middle)).definitions in
-  let values = Array.map (fun f -> Linear.eval f middle) z.parameters in
+  let values = Zone.values z middle in
   let age (p : State.process) leaf old =
     match State.home location.skeleton leaf with
     | None -> zero
@@ -234,21 +233,10 @@ let of_location t location =
   List.iter possible (Zone_well_formed.apart t.cut whole)
 
 let starts t (u : Uncertain.t) ~declared =
-  let n = Array.length t.model.ranges in
-  let zero = Linear.constant n Rat.zero in
-  let nothing = Array.map (fun _ -> zero) t.model.leaves in
-  let box = Ranges.box t.model.ranges in
-  let zone : Zone.t =
-    {
-      skeleton = declared; halted = false; arrived = []; set = box;
-      parameters = Array.init n (Linear.variable n);
-      time = None; ages = nothing; clocks = nothing; places = u.places; basis = [||];
-    }
-  in
-  let regions = Arrangement.by_signs (all_lengths t zone) [ box ] in
+  let zone = Zone.declared t.model u declared ~keeps_time:false in
+  let regions = Arrangement.by_signs (all_lengths t zone) [ zone.set ] in
   let initial z point =
-    let values = Array.map (fun f -> Linear.eval f point) z.Zone.parameters in
-    match Network.initial (semantics_at t z point) (Fixed.declared t.model u declared values) with
+    match Network.initial (semantics_at t z point) (Fixed.declared t.model u declared (Zone.values z point)) with
     | Ok s -> s
     | Error _ -> reject "the initial state is not known"
   in

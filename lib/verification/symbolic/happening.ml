@@ -7,17 +7,10 @@ open Scc_state_sets
 
 type t = { label : Transition.label; target : Zone.t }
 
-let forget_place (l : State.leaf) = { l with State.position = Vec.zero }
-
 let target c ~events (z : Zone.t) region (state : State.t) (o : Transition.outcome) =
   let n = Zone.dimension z in
   let zero = Linear.constant n Rat.zero in
-  let others = List.filter (fun p -> not (List.memq p o.gone)) (Array.to_list state.processes) in
-  let skeleton =
-    State.make
-      ~processes:(List.map (State.map_leaves forget_place) (o.come @ others))
-      ~step:state.step ~time:state.time
-  in
+  let skeleton = Zone.skeleton (State.exchange ~gone:o.gone ~come:o.come state) in
   (* the ends of bonds that are made or released are who goes on *)
   let ends = List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds o.label) in
   let first (p : State.process) = p.leaves.(0).leaf in
@@ -39,11 +32,6 @@ let target c ~events (z : Zone.t) region (state : State.t) (o : Transition.outco
   in
   List.map (fun target -> { label = o.label; target }) (Passing.settled c target)
 
-(* Split clocks of a process that is not touched go on; in a skeleton they say only that there is one. *)
-let normalized (z : Zone.t) =
-  let process (p : State.process) = State.with_clock (Option.map (fun _ -> Rat.zero) p.clock) p in
-  { z with skeleton = State.mapi (fun _ -> process) z.skeleton }
-
 let all (c : Instant.context) ~events z region =
   let point =
     match Polyhedron.point region with
@@ -51,11 +39,7 @@ let all (c : Instant.context) ~events z region =
     | None -> Scc_base.Bug.fail __POS__ "an empty region"
   in
   let state = Zone.at z point in
-  let happen outcomes =
-    List.map
-      (fun h -> { h with target = normalized h.target })
-      (List.concat_map (target c ~events z region state) outcomes)
-  in
+  let happen = List.concat_map (target c ~events z region state) in
   let semantics = Instant.semantics_at c z point in
   let of_each kind = List.concat_map (kind semantics) (Array.to_list state.processes) in
   let weak = of_each Network.weak in

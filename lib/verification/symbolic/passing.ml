@@ -36,7 +36,7 @@ let cells c z region =
     List.fold_left expire cells (List.sort_uniq Linear.compare (Zone_time.lengths m l))
   in
   let tick cells (first, left) = First.at left (Split_instant first) cells in
-  let expired = List.fold_left of_leaf (First.start region) (Zone_time.leaves z) in
+  let expired = List.fold_left of_leaf (First.start region) (State.leaves z.skeleton) in
   let by_themselves = List.fold_left tick expired (Zone_time.to_split_instants m z) in
   let meet (i, cells) (a, b) =
     let moves = not (Vec.is_zero (relative_velocity a b)) in
@@ -102,7 +102,7 @@ let rec settled c (z : Zone.t) =
   let of_leaf (l : State.leaf) =
     List.find_map (may_be_over l) (Zone_time.lengths (Semantics.model c.semantics) l)
   in
-  match List.find_map of_leaf (Zone_time.leaves z) with
+  match List.find_map of_leaf (State.leaves z.skeleton) with
   | None -> [ z ]
   | Some (leaf, d, over) ->
     let at constraint_ = { z with set = Polyhedron.add z.set constraint_ } in

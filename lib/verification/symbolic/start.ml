@@ -21,7 +21,7 @@ let extent (z : Zone.t) (part : part) =
   let of_coordinate axis place =
     let reach i = Vec.component axis (Solid.vertex part.solid i) in
     let all = List.init (Array.length part.solid.vertices) reach in
-    let least = List.fold_left Rat.min (List.hd all) all and greatest = List.fold_left Rat.max (List.hd all) all in
+    let least, greatest = Rat.span (List.hd all) all in
     ( Option.map (Rat.add least) (Polyhedron.limit (Polyhedron.infimum z.set place)),
       Option.map (Rat.add greatest) (Polyhedron.limit (Polyhedron.supremum z.set place)) )
   in
@@ -47,12 +47,11 @@ let overlap c (z : Zone.t) =
 
 (* What is bound, and what is glued where that depends on the values. *)
 let joints (u : Uncertain.t) (z : Zone.t) =
-  let of_process (p : State.process) = List.map (fun (b : State.bond) -> (b.one, b.two)) (Array.to_list p.bonds) in
   let of_glue (g : Uncertain.glue) =
     if Option.is_none (State.home z.skeleton g.leaf) then None
     else Some ({ State.at = g.leaf; site = g.one }, { State.at = g.leaf; site = g.two })
   in
-  List.concat_map of_process (Array.to_list z.skeleton.processes) @ List.filter_map of_glue u.glues
+  List.map (fun (b : State.bond) -> (b.one, b.two)) (State.bonds z.skeleton) @ List.filter_map of_glue u.glues
 
 let apart c u (z : Zone.t) =
   let m = Semantics.model c.semantics in
@@ -73,30 +72,8 @@ let known (m : Model.t) (s : State.t) : Uncertain.t =
 
 (* {1 The zone} *)
 
-let zone (m : Model.t) (u : Uncertain.t) ~(initial : State.t) ~keeps_time : Zone.t =
-  let n = Array.length m.ranges in
-  let zero = Linear.constant n Rat.zero in
-  let still (l : State.leaf) = { l with State.position = Vec.zero } in
-  let process (p : State.process) =
-    State.with_clock (Option.map (fun _ -> Rat.zero) p.clock) (State.map_leaves still p)
-  in
-  let included leaf = Option.is_some (State.home initial leaf) in
-  {
-    skeleton =
-      State.make ~processes:(List.map process (Array.to_list initial.processes)) ~step:initial.step ~time:None;
-    halted = false;
-    arrived = [];
-    set = Ranges.box m.ranges;
-    parameters = Array.init n (Linear.variable n);
-    time = (if keeps_time then Some zero else None);
-    ages = Array.map (fun _ -> zero) m.leaves;
-    clocks = Array.map (fun _ -> zero) m.leaves;
-    places = Array.mapi (fun i p -> if included i then p else Place.constant n Vec.zero) u.places;
-    basis = [||];
-  }
-
 let zones c u ~initial ~keeps_time =
-  let z = zone (Semantics.model c.semantics) u ~initial ~keeps_time in
+  let z = Zone.declared (Semantics.model c.semantics) u initial ~keeps_time in
   match overlap c z with
   | Some fault -> Error fault
   | None -> ( match apart c u z with Some fault -> Error fault | None -> Ok (Passing.settled c z))

@@ -51,6 +51,9 @@ MISTAKES = {
         "push = Rat.add (List.hd one).Process.push (List.hd two).push }",
         "push = (ignore two; (List.hd one).Process.push) }",
     ),
+    "the first normal of several is pushed along": (
+        "splits.ml", "[ n ] -> Some n | [] | _ :: _ -> None", "n :: _ -> Some n | [] -> None",
+    ),
     "a push pulls": (
         "splits.ml",
         "of_leaf bond.one.at (Rat.neg push) (of_leaf bond.two.at push q)",
