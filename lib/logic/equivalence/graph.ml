@@ -30,7 +30,7 @@ let exists g s f =
 module Names = Numbering.Make (struct
     include String
 
-    let hash = Hashtbl.hash
+    let hash (name : string) = Hashtbl.hash name
   end)
 
 type builder = {
