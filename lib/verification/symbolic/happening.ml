@@ -42,8 +42,7 @@ let all (c : Instant.context) ~events z region =
   let happen = List.concat_map (target c ~events z region state) in
   let semantics = Instant.semantics_at c z point in
   let of_each kind = List.concat_map (kind semantics) (Array.to_list state.processes) in
-  let weak = of_each Network.weak in
-  let weak = happen weak in
+  let weak = happen (of_each Network.weak) in
   if z.Zone.halted then { Network.urgent = []; weak; collisions = [] }
   else
     let collisions = happen (Network.together semantics state.processes) in

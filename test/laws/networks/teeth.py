@@ -122,7 +122,7 @@ MISTAKES = {
         "process.ml", "if compare first p <= 0 then first else p", "if compare first p >= 0 then first else p",
     ),
     "a velocity that is drawn twice counts once": (
-        "steer.ml", "(w, Rat.add c chance) :: rest", "(w, Rat.max c chance) :: rest",
+        "steer.ml", "merged Vec.compare Rat.add", "merged Vec.compare (fun q _ -> q)",
     ),
     "as many outcomes as allowed are too many": (
         "steer.ml", "List.length others > Law.most_outcomes", "List.length others >= Law.most_outcomes",
