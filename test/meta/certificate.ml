@@ -1,10 +1,10 @@
 let check = "lib/verification/certificate"
 let search = "lib/verification/symbolic"
 
-(* Foundation; polyhedra, rules about two solids as constraints; the kernel; predicates of states and of sets. *)
+(* Foundation; polyhedra, rules about two solids as constraints; the kernel; rules and predicates on sets. *)
 let shared =
   [
-    "scc_base"; "scc_data"; "scc_exact"; "scc_geometry"; "scc_broad_phase"; "scc_polyhedra"; "scc_offsets";
+    "scc_base"; "scc_data"; "scc_exact"; "scc_geometry"; "scc_polyhedra"; "scc_offsets";
     "scc_calculus"; "scc_semantics"; "scc_property"; "scc_evaluate"; "scc_state_sets";
   ]
 

@@ -237,15 +237,12 @@ let whole c tuple =
     Ok []
   | Error _ as fault -> fault
 
-let sooner d e =
-  match (d, e) with None, other | other, None -> other | Some d, Some e -> Some (if d == e then d else Rat.min d e)
-
 let by_parts c tuple =
   let now = now c tuple in
   let time () =
     let one, other = now.sections () in
-    let wait = sooner (Section.wait one) (Section.wait other) in
-    match sooner wait (now.contact ~limit:wait) with
+    let wait = Option.merge Rat.min (Section.wait one) (Section.wait other) in
+    match Option.merge Rat.min wait (now.contact ~limit:wait) with
     | None -> []
     | Some d -> [ pass c tuple now d ]
   in

@@ -101,14 +101,13 @@ let extent (m : Model.t) (s : State.t) =
   let process box (p : State.process) = Array.fold_left leaf box p.leaves in
   Array.fold_left process None s.processes
 
-let half = Rat.make Z.one (Z.of_int 2)
 let far = Rat.of_int 256
 
 let centre m s =
   match extent m s with
   | None -> Vec.zero
   | Some (low, high) ->
-    let middle = Vec.scale half (Vec.add low high) in
+    let middle = Vec.middle low high in
     if Rat.compare (Vec.norm2 middle) (Rat.mul far (Vec.norm2 (Vec.sub high low))) <= 0 then Vec.zero
     else
       let whole r = Q.of_bigint (Rat.floor r) in

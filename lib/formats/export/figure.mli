@@ -12,6 +12,10 @@ type family = {
   linear : float array;  (** [rgb] as linear light, from 0 to 1 *)
 }
 
+val numbering : unit -> ('a -> (int -> 'b) -> int) * (unit -> 'b array)
+(** [numbering ()] gives numbers from 0 to keys, which are plain data, in the order in which they come. The first
+    function takes a key, and what makes an item of its number if the key is new. The second returns all items. *)
+
 (** The families, meshes and forms of a model. *)
 type t
 

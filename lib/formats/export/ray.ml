@@ -4,12 +4,7 @@ open Scc_calculus
 open Scc_semantics
 
 let turn_left (s : State.t) =
-  let least d p =
-    match (d, Turn.left p) with
-    | None, x | x, None -> x
-    | Some a, Some b -> Some (Rat.min a b)
-  in
-  Array.fold_left least None s.processes
+  Array.fold_left (fun d p -> Option.merge Rat.min d (Turn.left p)) None s.processes
 
 let rec follow semantics ~start ~lasts s piece =
   if Rat.sign lasts > 0 then

@@ -67,18 +67,9 @@ let bond_entry i name =
       ] )
 
 (* Numbers for what is met, in order. *)
-type 'a numbers = { known : ('a, int) Hashtbl.t; mutable items : 'a list }
-
-let numbers () = { known = Hashtbl.create 16; items = [] }
-
-let number n item =
-  match Hashtbl.find_opt n.known item with
-  | Some i -> i
-  | None ->
-    let i = Hashtbl.length n.known in
-    Hashtbl.add n.known item i;
-    n.items <- item :: n.items;
-    i
+let numbers () =
+  let number, items = Figure.numbering () in
+  ((fun item -> number item (fun _ -> item)), items)
 
 (* {1 Frames} *)
 
@@ -90,17 +81,17 @@ let agent k (l : State.leaf) =
   [ Float.of_int usual; Float.of_int l.leaf; Float.of_int k.of_leaf.(l.leaf) ]
   @ Array.to_list at @ Array.to_list turned @ [ 1.; 0. ]
 
-let bond m k channels bonds ~thickness (p : State.process) (b : State.bond) =
+let bond m k channel id ~thickness (p : State.process) (b : State.bond) =
   let at (f : State.finish) = Array.to_list (Floats.point (State.centroid m (State.leaf_of p f.at))) in
-  let kind = Array.length k.firsts + number channels b.name in
-  let id = Array.length k.of_leaf + number bonds (b.name, b.one.at, b.two.at) in
+  let kind = Array.length k.firsts + channel b.name in
+  let id = Array.length k.of_leaf + id (b.name, b.one.at, b.two.at) in
   [ Float.of_int fiber; Float.of_int id; Float.of_int kind; 0.; 0.; 0.; 0.; 0.; 0.; thickness; 6. ]
   @ at b.one @ at b.two
 
-let frame m k channels bonds ~thickness i time (s : State.t) : json =
+let frame m k channel id ~thickness i time (s : State.t) : json =
   let process (p : State.process) =
     let agents = List.map (agent k) (Array.to_list p.leaves) in
-    let fibers = List.map (bond m k channels bonds ~thickness p) (Array.to_list p.bonds) in
+    let fibers = List.map (bond m k channel id ~thickness p) (Array.to_list p.bonds) in
     (agents, fibers)
   in
   let all = List.map process (Array.to_list s.processes) in
@@ -147,39 +138,36 @@ let space (v : Vec.t) : json =
   let p = Floats.point v in
   `Assoc [ ("x", float p.(0)); ("y", float p.(1)); ("z", float p.(2)) ]
 
-let half = Rat.make Z.one (Z.of_int 2)
 
 (* All that the bodies need over the run, as far as its frames tell, and the channels of the bonds there are. *)
 let survey (f : Film.t) times =
   let m = Film.model f in
   let join f (a : Vec.t) (b : Vec.t) = Vec.make (f a.x b.x) (f a.y b.y) (f a.z b.z) in
-  let channels = numbers () in
+  let channel, channels = numbers () in
   let widen box time =
     let s = Film.at f time in
-    let bond (b : State.bond) = ignore (number channels b.name) in
-    Array.iter (fun (p : State.process) -> Array.iter bond p.bonds) s.processes;
-    match (box, Figure.extent m s) with
-    | None, b | b, None -> b
-    | Some (l, h), Some (low, high) -> Some (join Rat.min l low, join Rat.max h high)
+    let bond (b : State.bond) = ignore (channel b.name : int) in
+    List.iter bond (State.bonds s);
+    Option.merge (fun (l, h) (low, high) -> (join Rat.min l low, join Rat.max h high)) box (Figure.extent m s)
   in
   let box = List.fold_left widen None times in
-  (Option.value box ~default:(Vec.zero, Vec.of_ints 1 1 1), channels)
+  (Option.value box ~default:(Vec.zero, Vec.of_ints 1 1 1), channel, channels)
 
 let unit name : json = `Assoc [ ("magnitude", `Int 1); ("name", `String name) ]
 
 (* Frames are made one at a time, since there may be many. *)
 let write (f : Film.t) ~path k ~times put =
   let m = Film.model f in
-  let (low, high), channels = survey f times in
-  let size = Vec.sub high low and middle = Vec.scale half (Vec.add low high) in
+  let (low, high), channel, channels = survey f times in
+  let size = Vec.sub high low and middle = Vec.middle low high in
   let greatest = Rat.max size.x (Rat.max size.y size.z) in
   let thickness = Floats.of_rat (Rat.div greatest (Rat.of_int 200)) in
-  let bonds = numbers () in
+  let id, _ = numbers () in
   let step = match times with a :: b :: _ -> Floats.of_rat (Rat.sub b a) | _ -> 0. in
   let away = Rat.add greatest Rat.one in
   let camera = Vec.add middle (Vec.make away (Rat.neg (Rat.mul (Rat.of_int 2) away)) away) in
   let agents = List.mapi (kind_entry ~path k) (Array.to_list k.firsts) in
-  let fibers = List.mapi (fun i c -> bond_entry (Array.length k.firsts + i) c) (List.rev channels.items) in
+  let fibers = List.mapi (fun i c -> bond_entry (Array.length k.firsts + i) c) (Array.to_list (channels ())) in
   let events = Film.events f in
   let over = Floats.of_rat (Film.duration f) in
   let json (j : json) = put (Yojson.Safe.to_string j) in
@@ -211,7 +199,7 @@ let write (f : Film.t) ~path k ~times put =
   List.iteri
     (fun i time ->
        if i > 0 then put ",";
-       json (frame m k channels bonds ~thickness i time (Film.at f time)))
+       json (frame m k channel id ~thickness i time (Film.at f time)))
     times;
   put "]},\"plotData\":";
   json (`Assoc [ ("version", `Int 1); ("data", `List (if events = [] then [] else [ plot events ~over ])) ]);

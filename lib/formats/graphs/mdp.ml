@@ -18,13 +18,7 @@ let passing m d ~target = { action = action m (Time d); duration = d; targets = 
 let loop action target = { action; duration = Rat.zero; targets = surely target }
 
 (* Each target once, in order. *)
-let distinct targets =
-  let add kept (t, chance) =
-    match kept with
-    | (u, c) :: rest when Int.equal t u -> (u, Rat.add c chance) :: rest
-    | _ -> (t, chance) :: kept
-  in
-  List.sort (fun (t, _) (u, _) -> Int.compare t u) targets |> List.fold_left add [] |> List.rev
+let distinct = Scc_data.Lists.merged Int.compare Rat.add
 
 (* Where something is drawn, that is all that happens: the one choice is to let it. *)
 let draw m text (edges : Explored.edge array) =

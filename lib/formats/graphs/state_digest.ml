@@ -30,23 +30,14 @@ let behaviour (m : Model.t) (l : State.leaf) =
     if String.equal name text then name else name ^ "*"
   | None -> cut text
 
-let bonds (s : State.t) =
-  Array.fold_left
-    (fun found (p : State.process) -> Array.fold_left (fun found b -> Bonds.add b found) found p.bonds)
-    Bonds.empty s.processes
-
-let leaves (s : State.t) =
-  List.concat_map
-    (fun (p : State.process) -> List.map (fun l -> (p, l)) (Array.to_list p.leaves))
-    (Array.to_list s.processes)
-  |> List.sort (fun (_, (l : State.leaf)) (_, (m : State.leaf)) -> Int.compare l.leaf m.leaf)
+let bonds s = Bonds.of_list (State.bonds s)
 
 let make ~positions model ~size state =
   let n = Array.length model.Model.leaves in
   let first = Array.make n "" and varies = Array.make n false in
   List.iter
-    (fun (_, (l : State.leaf)) -> first.(l.leaf) <- behaviour model l)
-    (leaves (state 0));
+    (fun (l : State.leaf) -> first.(l.leaf) <- behaviour model l)
+    (State.leaves (state 0));
   let common = ref (bonds (state 0)) in
   let compare_leaf (l : State.leaf) =
     if not (varies.(l.leaf) || String.equal first.(l.leaf) (behaviour model l)) then
@@ -71,7 +62,7 @@ let fixed (m : Model.t) ((_ : State.process), (l : State.leaf)) = m.leaves.(l.le
 let lines d i =
   let m = d.model in
   let s = d.state i in
-  let leaves = leaves s in
+  let leaves = State.by_leaf s in
   let bonds = Bonds.elements (Bonds.diff (bonds s) d.common) in
   let varying (_, (l : State.leaf)) =
     if d.varies.(l.leaf) then Some (Printf.sprintf "%s: %s" m.leaves.(l.leaf).name (behaviour m l))

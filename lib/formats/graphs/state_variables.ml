@@ -2,7 +2,7 @@ open Scc_calculus
 open Scc_verify
 open Scc_runs
 
-module Behaviours = Hashtbl.Make (struct
+module Behaviours = Scc_data.Numbering.Make (struct
     type t = Behaviour.aged
 
     let equal = Behaviour.equal_aged
@@ -17,17 +17,9 @@ type variable =
 
 type t = {
   space : Explored.t;
-  behaviours : int Behaviours.t array;  (** by leaf: numbers in order of appearance *)
+  behaviours : Behaviours.t array;  (** by leaf: numbers in order of appearance *)
   variables : (string * variable) list;
 }
-
-let number table behaviour =
-  match Behaviours.find_opt table behaviour with
-  | Some n -> n
-  | None ->
-    let n = Behaviours.length table in
-    Behaviours.replace table behaviour n;
-    n
 
 let iter_leaves f (s : State.t) =
   Array.iter
@@ -45,11 +37,11 @@ let count_bonds name (s : State.t) =
 let make (space : Explored.t) =
   let leaves = (Explored.model space).leaves in
   let n = Array.length leaves in
-  let behaviours = Array.init n (fun _ -> Behaviours.create 4) in
+  let behaviours = Array.init n (fun _ -> Behaviours.create ()) in
   let first = Array.make n (-1) and regrouped = Array.make n false in
   let bonds = Hashtbl.create 4 and bond_names = ref [] in
   let visit_leaf (p : State.process) (l : State.leaf) =
-    ignore (number behaviours.(l.leaf) l.behaviour);
+    ignore (Behaviours.number behaviours.(l.leaf) l.behaviour);
     let process = p.leaves.(0).leaf in
     if first.(l.leaf) < 0 then first.(l.leaf) <- process
     else if first.(l.leaf) <> process then regrouped.(l.leaf) <- true
@@ -69,7 +61,7 @@ let make (space : Explored.t) =
   let of_leaf k (l : Model.leaf) =
     (if regrouped.(k) then [ (Safe_names.name names ("process_" ^ l.name), Process k) ] else [])
     @
-    if Behaviours.length behaviours.(k) > 1 then
+    if Behaviours.size behaviours.(k) > 1 then
       [ (Safe_names.name names ("behaviour_" ^ l.name), Behaviour k) ]
     else []
   in
@@ -87,7 +79,7 @@ let values v i =
   iter_leaves
     (fun p l ->
        process.(l.leaf) <- p.leaves.(0).leaf;
-       behaviour.(l.leaf) <- number v.behaviours.(l.leaf) l.behaviour)
+       behaviour.(l.leaf) <- Behaviours.number v.behaviours.(l.leaf) l.behaviour)
     s;
   let value = function
     | Number -> i
@@ -98,17 +90,15 @@ let values v i =
   List.map (fun (_, variable) -> value variable) v.variables
 
 let behaviour_texts v leaf =
-  let texts = Array.make (Behaviours.length v.behaviours.(leaf)) "" in
-  Behaviours.iter
-    (fun b n ->
-       let text = State_json.behaviour (Explored.model v.space) ~leaf b in
-       texts.(n) <-
-         (match b.origin with
-          | Some k when not (String.equal (Explored.model v.space).definitions.(k).name text) ->
-            Printf.sprintf "%s, from %s" text (Explored.model v.space).definitions.(k).name
-          | _ -> text))
-    v.behaviours.(leaf);
-  Array.to_list texts
+  let m = Explored.model v.space in
+  let text (b : Behaviour.aged) =
+    let text = State_json.behaviour m ~leaf b in
+    match b.origin with
+    | Some k when not (String.equal m.definitions.(k).name text) ->
+      Printf.sprintf "%s, from %s" text m.definitions.(k).name
+    | _ -> text
+  in
+  List.map text (Behaviours.keys v.behaviours.(leaf))
 
 let meanings v =
   let meaning (name, variable) =

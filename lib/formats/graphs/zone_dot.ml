@@ -11,8 +11,7 @@ let place (m : Model.t) ~name (z : Zone.t) leaf =
   Printf.sprintf "%s at (%s, %s, %s)" m.leaves.(leaf).name (form x) (form y) (form z)
 
 let moving (m : Model.t) (z : Zone.t) =
-  let of_process (p : State.process) = List.map (fun (l : State.leaf) -> l.leaf) (Array.to_list p.leaves) in
-  List.concat_map of_process (Array.to_list z.skeleton.processes)
+  List.concat_map State.members (Array.to_list z.skeleton.processes)
   |> List.filter (fun leaf -> not m.leaves.(leaf).fixed)
 
 let where ~name prefix p =

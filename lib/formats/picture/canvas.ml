@@ -2,9 +2,7 @@ open Scc_exact
 
 type t = { width : int; height : int; unit_length : Rat.t; place : Ivec.t -> Rat.t * Rat.t }
 
-let extent values =
-  let first = List.hd values in
-  (List.fold_left Rat.min first values, List.fold_left Rat.max first values)
+let extent values = Rat.span (List.hd values) values
 
 let two = Rat.of_int 2
 let ceiling x = Z.to_int (Z.neg (Rat.floor (Rat.neg x)))

@@ -63,8 +63,6 @@ let open_features (t : Paint.t) colour body placed features =
 
 (* {1 Bonds} *)
 
-let half = Rat.make Z.one (Z.of_int 2)
-let between p q = Vec.scale half (Vec.add p q)
 
 let middle placed feature =
   let corners = Placed.corners placed feature in
@@ -73,7 +71,7 @@ let middle placed feature =
     (List.fold_left Vec.add Vec.zero corners)
 
 let bond t ~told (one, feature) (two, other) =
-  let contact = Paint.place t (between (middle one feature) (middle two other)) in
+  let contact = Paint.place t (Vec.middle (middle one feature) (middle two other)) in
   let ends = [ Paint.place t (Placed.centroid one); Paint.place t (Placed.centroid two) ] in
   let data = Svg.segments (List.map (fun p -> (p, contact)) ends) in
   let line colour width more =

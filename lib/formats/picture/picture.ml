@@ -89,15 +89,11 @@ let open_sites (m : Model.t) (leaf : State.leaf) =
 let open_features (m : Model.t) paint colour b =
   let sites = open_sites m b.leaf in
   let part i placed =
-    let here (s : Site.t) = if s.part = i then Some s.feature else None in
-    match (b.solids.(i), List.filter_map here sites) with
+    match (b.solids.(i), Site.on i sites) with
     | None, _ | _, [] -> []
     | Some solid, features -> Marks.open_features paint (colour b) solid placed features
   in
   List.concat (Array.to_list (Array.mapi part b.placed))
-
-let bonds (state : State.t) =
-  List.concat_map (fun (p : State.process) -> Array.to_list p.bonds) (Array.to_list state.processes)
 
 let bond (m : Model.t) paint bodies (b : State.bond) =
   let body (f : State.finish) = List.find (fun body -> body.leaf.leaf = f.at) bodies in
@@ -178,7 +174,7 @@ let drawn (m : Model.t) state options all =
     | painted -> Svg.tag "g" [] (Svg.title b.of_model.name @ painted)
   in
   let opened = if options.marks then List.concat_map (open_features m paint colour) bodies else [] in
-  let bonded = if options.marks then List.concat_map (bond m paint all) (bonds state) else [] in
+  let bonded = if options.marks then List.concat_map (bond m paint all) (State.bonds state) else [] in
   let names = if options.names then Marks.names ~width:canvas.width (List.map (name paint) bodies) else [] in
   let open_ = not (none opened) in
   let key =

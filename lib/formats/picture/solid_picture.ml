@@ -160,8 +160,7 @@ let badge text =
   let at = [ ("x", "0"); ("y", "4"); ("text-anchor", "middle"); ("font-size", "11"); ("font-weight", "bold") ] in
   circle @ Svg.text (at @ [ ("fill", alarm_hex); ("stroke", "none") ]) text
 
-let half = Rat.make Z.one (Z.of_int 2)
-let mean (x, y) (x', y') = (Rat.mul half (Rat.add x x'), Rat.mul half (Rat.add y y'))
+let mean (x, y) (x', y') = (Rat.middle x x', Rat.middle y y')
 
 (* The largest pieces that are seen of a face, the greatest first, and twice their area in all. *)
 let largest s parts f =

@@ -37,14 +37,7 @@ let triangles flat corners =
 
 (* Positive if the polygon runs counterclockwise in the picture. *)
 let orientation (flat : Ivec.t array) corners =
-  let places = Array.map (fun c -> Convex.place flat.(c)) corners in
-  let n = Array.length places in
-  let sum = ref Rat.zero in
-  for i = 0 to n - 1 do
-    let x, y = places.(i) and x', y' = places.((i + 1) mod n) in
-    sum := Rat.add !sum (Rat.sub (Rat.mul x y') (Rat.mul x' y))
-  done;
-  Rat.sign !sum
+  Rat.sign (Convex.area2 (Array.map (fun c -> flat.(c)) corners))
 
 let reversed corners = Array.of_list (List.rev (Array.to_list corners))
 

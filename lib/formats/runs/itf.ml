@@ -52,12 +52,6 @@ let start model (origin : Scc_loading.Origin.t) put =
        (Json.line (`List (List.map (fun v -> `String v) (variables model)))));
   { model; put; number = 0; waiting = None; closed = false }
 
-let by_leaf (s : State.t) =
-  List.concat_map
-    (fun (p : State.process) -> List.map (fun l -> (p, l)) (Array.to_list p.leaves))
-    (Array.to_list s.processes)
-  |> List.sort (fun (_, (l : State.leaf)) (_, (m : State.leaf)) -> Int.compare l.leaf m.leaf)
-
 let bond m (b : State.bond) =
   let site (f : State.finish) = Json.text (Model.site_name m ~leaf:f.at f.site) in
   `Assoc [ ("name", Json.text b.name); ("one", site b.one); ("two", site b.two) ]
@@ -75,7 +69,7 @@ let step (s : State.t) =
 let named (m : Model.t) (l : State.leaf) = Json.text m.leaves.(l.leaf).name
 
 (* For each leaf, by its name. *)
-let of_each m s f = map (List.map (fun (p, l) -> (named m l, f p l)) (by_leaf s))
+let of_each m s f = map (List.map (fun (p, l) -> (named m l, f p l)) (State.by_leaf s))
 
 (* For those processes that have one, by the name of their first leaf. *)
 let of_some m (s : State.t) f =
@@ -89,7 +83,6 @@ let of_all_models (m : Model.t) ~action ~time (s : State.t) =
     | Some k -> Json.text m.definitions.(k).name
     | None -> `String ""
   in
-  let bonds (p : State.process) = List.map (bond m) (Array.to_list p.bonds) in
   [
     ("action", Json.text action);
     ("time", rational time);
@@ -98,7 +91,7 @@ let of_all_models (m : Model.t) ~action ~time (s : State.t) =
     ("behaviour", each (fun _ (l : State.leaf) -> Json.text (State_json.behaviour m ~leaf:l.leaf l.behaviour)));
     ("origin", each (fun _ l -> origin l));
     ("process", each (fun (p : State.process) _ -> named m p.leaves.(0)));
-    ("bonds", set (List.concat_map bonds (Array.to_list s.processes)));
+    ("bonds", set (List.map (bond m) (State.bonds s)));
     ("clock", of_some m s (fun p -> Option.map rational p.clock));
     ("step", step s);
   ]

@@ -1,5 +1,18 @@
 (** The names that every file of [lib/] sees without opening a module ([lib/dune]). *)
 
 val ( let* ) : ('a, 'e) result -> ('a -> ('b, 'e) result) -> ('b, 'e) result
-(** [let* x = r in e] is [e] with the value of [r] for [x], or the error of [r]. Files that work with options
-    instead define it anew. *)
+(** [let* x = r in e] is [e] with the value of [r] for [x], or the error of [r]. *)
+
+val ( let*? ) : 'a option -> ('a -> 'b option) -> 'b option
+(** [let*? x = o in e] is [e] with the value of [o] for [x], or [None] if there is no value. *)
+
+(** [Stdlib.Option] and functions of two options. *)
+module Option : sig
+  include module type of Stdlib.Option
+
+  val merge : ('a -> 'a -> 'a) -> 'a option -> 'a option -> 'a option
+  (** [merge f a b] is [Some (f x y)] for two values, the value if there is one, and otherwise [None]. *)
+
+  val map2 : ('a -> 'b -> 'c) -> 'a option -> 'b option -> 'c option
+  (** [map2 f a b] is [Some (f x y)] for two values, and otherwise [None]. *)
+end

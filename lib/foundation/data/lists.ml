@@ -30,3 +30,11 @@ let put joined x list =
         | None -> go (y :: before) rest)
   in
   go [] list
+
+let merged compare add list =
+  let step merged (key, value) =
+    match merged with
+    | (last, sum) :: rest when compare key last = 0 -> (last, add sum value) :: rest
+    | _ -> (key, value) :: merged
+  in
+  List.stable_sort (fun (a, _) (b, _) -> compare a b) list |> List.fold_left step [] |> List.rev

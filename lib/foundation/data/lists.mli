@@ -13,6 +13,10 @@ val ring : 'a list -> ('a * 'a) list
 val take : int -> 'a list -> 'a list
 (** [take n list] is the first [n] elements, or all if there are fewer. *)
 
+val merged : ('a -> 'a -> int) -> ('b -> 'b -> 'b) -> ('a * 'b) list -> ('a * 'b) list
+(** [merged compare add list] has each key of [list] once, in the order of [compare]. The values of equal keys are
+    put together by [add], in the order of the list. *)
+
 val put : ('a -> 'a option) -> 'a -> 'a list -> 'a list
 (** [put joined x list] replaces the first [y] for which [joined y] is [Some z] by [z]. If there is none, it
     appends [x]. *)

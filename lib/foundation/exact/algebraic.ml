@@ -14,13 +14,12 @@ let isolated p ~low ~high = of_root (Polynomial.isolated p ~low ~high)
 let to_rat = function Rational r -> Some r | Irrational _ -> None
 let low_end = function Rational r -> r | Irrational i -> i.low
 let high_end = function Rational r -> r | Irrational i -> i.high
-let middle a b = Rat.div (Rat.add a b) (Rat.of_int 2)
 
 (* One bisection. The middle is no root: the only root inside is irrational. *)
 let halve = function
   | Rational r -> Rational r
   | Irrational { polynomial; low; high } ->
-    let m = middle low high in
+    let m = Rat.middle low high in
     if Polynomial.sign_at polynomial m = Polynomial.sign_at polynomial low then
       Irrational { polynomial; low = m; high }
     else Irrational { polynomial; low; high = m }
@@ -79,7 +78,7 @@ let rec between a b =
   | _ ->
     let h = high_end a and l = low_end b in
     let c = Rat.compare h l in
-    if c < 0 then middle h l
+    if c < 0 then Rat.middle h l
     else
       match (a, b) with
       | Irrational _, Irrational _ when c = 0 -> h

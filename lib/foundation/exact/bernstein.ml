@@ -67,8 +67,6 @@ let make polynomial ~low ~high =
   in
   { polynomial; low; high; coefficients }
 
-let middle a b = Rat.div (Rat.add a b) (Rat.of_int 2)
-
 (* De Casteljau's scheme without its divisions by two: after k rounds the numbers are 2^k times too great. *)
 let halve p =
   let n = Array.length p.coefficients - 1 in
@@ -81,7 +79,7 @@ let halve p =
       b.(i) <- Z.add b.(i) b.(i + 1)
     done
   done;
-  let m = middle p.low p.high in
+  let m = Rat.middle p.low p.high in
   ({ p with high = m; coefficients = left }, { p with low = m; coefficients = right })
 
 let variations p =

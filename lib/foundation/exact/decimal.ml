@@ -21,7 +21,7 @@ let stripped text =
     let i = last (String.length text - 1) in
     String.sub text 0 (if i = point then i else i + 1)
 
-let nearest x = Rat.floor (Rat.add x (Rat.make Z.one (Z.of_int 2)))
+let nearest x = Rat.floor (Rat.add x (Rat.half))
 let above x = Z.neg (Rat.floor (Rat.neg x))
 
 (* A size, rounded, is [digits] 10^[exponent]. *)

@@ -128,7 +128,6 @@ type root =
   | Exactly of Rat.t
   | Within of { polynomial : t; low : Rat.t; high : Rat.t }
 
-let middle a b = Rat.div (Rat.add a b) (Rat.of_int 2)
 let inside ~low ~high x =
   Rat.compare low x < 0 && match high with None -> true | Some h -> Rat.compare x h < 0
 
@@ -157,7 +156,7 @@ type look = Isolated of root list | Rational of Rat.t
 let rec narrow p sign_low low high width =
   if Rat.compare (Rat.sub high low) width < 0 then Ok (low, high)
   else
-    let m = middle low high in
+    let m = Rat.middle low high in
     let s = sign_at p m in
     if s = 0 then Error m
     else if s = sign_low then narrow p sign_low m high width
@@ -180,7 +179,7 @@ let rec look p chain low high =
   | 0 -> Isolated []
   | 1 -> single p low high
   | _ -> (
-      let m = middle low high in
+      let m = Rat.middle low high in
       if sign_at p m = 0 then Rational m
       else
         match look p chain low m with

@@ -26,11 +26,12 @@ let compare a b =
 
 let min a b = if compare a b <= 0 then a else b
 let max a b = if compare a b >= 0 then a else b
+let half = Q.of_ints 1 2
+let middle a b = Q.div (Q.add a b) (Q.of_int 2)
+let span x rest = (List.fold_left min x rest, List.fold_left max x rest)
 let hash x = (Z.hash (Q.num x) * 31) + Z.hash (Q.den x)
 let is_integer x = Z.equal (Q.den x) Z.one
 let floor x = Z.fdiv (Q.num x) (Q.den x)
-
-let half = Q.of_ints 1 2
 
 let round_to x ~quantum =
   let k = Q.div (Q.abs x) quantum in

@@ -9,6 +9,9 @@ val zero : t
 val one : t
 (** The number 1. *)
 
+val half : t
+(** The number 1/2. *)
+
 val of_int : int -> t
 (** [of_int n] is the integer [n]. *)
 
@@ -38,6 +41,12 @@ val min : t -> t -> t
 
 val max : t -> t -> t
 (** [max x y] is the greater of the two numbers. *)
+
+val middle : t -> t -> t
+(** [middle x y] is (x + y)/2. *)
+
+val span : t -> t list -> t * t
+(** [span x rest] is the least and the greatest of [x] and the numbers of [rest]. *)
 
 val sign : t -> int
 (** [sign x] is -1, 0 or 1. *)

@@ -20,6 +20,7 @@ let add a b = make (Q.add a.x b.x) (Q.add a.y b.y) (Q.add a.z b.z)
 let sub a b = make (Q.sub a.x b.x) (Q.sub a.y b.y) (Q.sub a.z b.z)
 let neg a = make (Q.neg a.x) (Q.neg a.y) (Q.neg a.z)
 let scale k a = make (Q.mul k a.x) (Q.mul k a.y) (Q.mul k a.z)
+let middle a b = scale Rat.half (add a b)
 let axpy k a b = add (scale k a) b
 let dot a b = Q.add (Q.mul a.x b.x) (Q.add (Q.mul a.y b.y) (Q.mul a.z b.z))
 

@@ -31,6 +31,9 @@ val neg : t -> t
 val scale : Rat.t -> t -> t
 (** [scale k a] is k a. *)
 
+val middle : t -> t -> t
+(** [middle a b] is (a + b)/2. *)
+
 val axpy : Rat.t -> t -> t -> t
 (** [axpy a x y] is a x + y. *)
 

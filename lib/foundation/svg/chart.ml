@@ -35,7 +35,7 @@ let axis numbers ~from ~until =
   match numbers with
   | [] -> { least = Rat.zero; greatest = Rat.one; from; until }
   | first :: rest ->
-    let least = List.fold_left Rat.min first rest and greatest = List.fold_left Rat.max first rest in
+    let least, greatest = Rat.span first rest in
     if Rat.equal least greatest then
       { least = Rat.sub least Rat.one; greatest = Rat.add greatest Rat.one; from; until }
     else { least; greatest; from; until }
@@ -199,7 +199,7 @@ let map named top m =
   in
   let column i name =
     if labelled ~most:12 count i then
-      let middle = Rat.div (Rat.add (x i) (x (i + 1))) (Rat.of_int 2) in
+      let middle = Rat.middle (x i) (x (i + 1)) in
       label ~x:middle ~y:(Rat.of_int (base + 15)) ~anchor:"middle" name
     else []
   in

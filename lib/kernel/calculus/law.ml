@@ -29,8 +29,7 @@ type fault = Division_by_zero | Bad_quantum | Too_long | Negative_weight | No_we
 let longest = 1 lsl 24
 let most_outcomes = 1_000_000
 
-let compare_rationals comparison a b =
-  let c = Rat.compare a b in
+let by_sign comparison c =
   match comparison with
   | Lt -> c < 0
   | Le -> c <= 0
@@ -38,6 +37,8 @@ let compare_rationals comparison a b =
   | Ge -> c >= 0
   | Eq -> c = 0
   | Ne -> c <> 0
+
+let compare_rationals comparison a b = by_sign comparison (Rat.compare a b)
 
 (* Neither a sum nor a product takes more bits than both together, and a carry. *)
 let both_known f a b = if Rat.bits a + Rat.bits b > longest then Error Too_long else Ok (f a b)

@@ -52,6 +52,9 @@ val longest : int
 val most_outcomes : int
 (** The greatest number of combinations of velocities that the leaves of one process may draw among: 1,000,000. *)
 
+val by_sign : comparison -> int -> bool
+(** [by_sign c s] is true if [a] stands in the relation [c] to [b], where [s] is the sign of [a] - [b]. *)
+
 val compare_rationals : comparison -> Rat.t -> Rat.t -> bool
 (** [compare_rationals c a b] is true if [a] stands in the relation [c] to [b]. *)
 

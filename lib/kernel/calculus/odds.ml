@@ -16,7 +16,6 @@ let to_string = function
   | Rate { rate; _ } -> "rate " ^ Rat.to_string rate
 
 let greatest = 1000
-let half = Rat.make Z.one (Z.of_int 2)
 let power k = Q.of_bigint (Z.shift_left Z.one k)
 
 (* Bounds of a number: the least and the greatest that it may be. *)
@@ -43,7 +42,7 @@ let square bits b = rounded bits { low = Rat.mul b.low b.low; high = Rat.mul b.h
 
 (* By exp(-x) = exp(-x/2)^2. *)
 let rec decay bits x =
-  if Rat.compare x half <= 0 then exponential bits x else square bits (decay bits (Rat.mul x half))
+  if Rat.compare x Rat.half <= 0 then exponential bits x else square bits (decay bits (Rat.mul x Rat.half))
 
 let tolerance = Rat.div Rat.one (power 40)
 

@@ -14,5 +14,8 @@ val equal : t -> t -> bool
 val compare : t -> t -> int
 (** A total order on sites: by part, then by feature. *)
 
+val on : int -> t list -> Feature.t list
+(** [on part sites] are the features of the part that are among [sites], in their order. *)
+
 val hash : t -> int
 (** A hash that agrees with {!equal}. *)

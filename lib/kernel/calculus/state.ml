@@ -116,6 +116,15 @@ let make ~processes ~step ~time = { processes = sorted compare_first processes; 
 let mapi f (s : t) =
   { s with processes = Scc_data.Long_array.init (Array.length s.processes) (fun i -> f i s.processes.(i)) }
 
+let members p = List.map (fun l -> l.leaf) (Array.to_list p.leaves)
+let leaves (s : t) = List.concat_map (fun p -> Array.to_list p.leaves) (Array.to_list s.processes)
+let bonds (s : t) = List.concat_map (fun p -> Array.to_list p.bonds) (Array.to_list s.processes)
+
+let by_leaf (s : t) =
+  let of_process p = List.map (fun l -> (p, l)) (Array.to_list p.leaves) in
+  List.concat_map of_process (Array.to_list s.processes)
+  |> List.sort (fun (_, l) (_, k) -> Int.compare l.leaf k.leaf)
+
 let at ~step ~time (s : t) = { s with step; time }
 
 let exchange ~gone ~come (s : t) =

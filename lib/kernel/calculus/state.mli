@@ -137,6 +137,18 @@ val exchange : gone:process list -> come:process list -> t -> t
 (** [exchange ~gone ~come s] is [s] without the processes [gone], and with the processes [come]. Those that go are
     found by physical equality. *)
 
+val members : process -> int list
+(** [members p] are the indices of the leaves of [p], in order. *)
+
+val leaves : t -> leaf list
+(** [leaves s] are the leaves of all processes of [s], process by process. *)
+
+val bonds : t -> bond list
+(** [bonds s] are the bonds of all processes of [s], process by process. *)
+
+val by_leaf : t -> (process * leaf) list
+(** [by_leaf s] are the leaves of [s] in the order of their indices, each with its process. *)
+
 val home : t -> int -> process option
 (** [home s leaf] is the process that has the leaf; [None] if the leaf has been absorbed (rule Absorb). *)
 

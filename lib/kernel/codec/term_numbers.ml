@@ -38,15 +38,10 @@ let collected roots =
 let make (m : Model.t) (initial : State.t) =
   let calls = List.init (Array.length m.definitions) Behaviour.call in
   let bodies = List.map (fun (d : Behaviour.definition) -> d.body) (Array.to_list m.definitions) in
-  let of_process (p : State.process) =
-    List.map (fun (l : State.leaf) -> (l.leaf, l.behaviour.term)) (Array.to_list p.leaves)
-  in
-  let leaves = List.concat_map of_process (Array.to_list initial.processes) in
-  let own = List.map snd (List.sort (fun (i, _) (j, _) -> Int.compare i j) leaves) in
+  let own = List.map (fun (_, (l : State.leaf)) -> l.behaviour.term) (State.by_leaf initial) in
   let number, terms = collected ((Behaviour.nil :: calls) @ bodies @ own) in
   let name (c : Behaviour.channel) = c.name in
-  let of_bonds (p : State.process) = List.map (fun (b : State.bond) -> b.name) (Array.to_list p.bonds) in
-  let bound = List.concat_map of_bonds (Array.to_list initial.processes) in
+  let bound = List.map (fun (b : State.bond) -> b.name) (State.bonds initial) in
   let offered = List.concat_map (fun b -> List.map name (channels b)) terms in
   let names = Array.of_list (List.sort_uniq String.compare (bound @ offered)) in
   let index = Hashtbl.create 16 in

@@ -189,9 +189,7 @@ let earliest memory ~margin ~limit time (parts : Part.t array) =
   let earlier best (i, j) =
     if not (Part.in_relative_motion parts.(i) parts.(j)) then best
     else
-      match (best, time ~before:best parts.(i) parts.(j)) with
-      | Some t, Some t' -> Some (Rat.min t t')
-      | None, t | t, None -> t
+      Option.merge Rat.min best (time ~before:best parts.(i) parts.(j))
   in
   let within_limit t = match limit with None -> true | Some l -> Rat.compare t l <= 0 in
   (* Pairs whose swept boxes do not meet within the window have no time in it: what is found in the window is the

@@ -11,7 +11,6 @@ let reason = "touching within resolution cannot be decided at this instant"
 type pair = { one : Motion.t; two : Motion.t; speed : Rat.t; reach : Rat.t; resolution : Rat.t }
 
 let square x = Rat.mul x x
-let half = Rat.make Z.one (Z.of_int 2)
 
 (* Not near each other at an instant, by a margin, for the spheres about the centres. *)
 let far_at p t margin =
@@ -53,7 +52,7 @@ let pieces p d =
   let rec go found = function
     | [] -> List.rev found
     | (low, high) :: rest -> (
-        let middle = Rat.mul half (Rat.add low high) and h = Rat.mul half (Rat.sub high low) in
+        let middle = Rat.middle low high and h = Rat.mul Rat.half (Rat.sub high low) in
         incr looks;
         match throughout p middle h with
         | Some known -> go (join (low, high, Some known) found) rest

@@ -68,15 +68,7 @@ let div ~reason extent a b =
     ~inside:(fun r pair -> divide pair (vanishes (fun m -> Polynomial.sign_at m r) pair))
     (Timeline.map2 (fun x y -> (x, y)) a b)
 
-let of_sign (comparison : Law.comparison) s =
-  Truth.of_bool
-    (match comparison with
-     | Lt -> s < 0
-     | Le -> s <= 0
-     | Gt -> s > 0
-     | Ge -> s >= 0
-     | Eq -> s = 0
-     | Ne -> s <> 0)
+let of_sign comparison s = Truth.of_bool (Law.by_sign comparison s)
 
 let compare comparison extent a b =
   let truth sign = function
@@ -109,7 +101,7 @@ let rec simplest low high =
 let near n d offset =
   let tiny k = Rat.make Z.one (Z.pow (Z.of_int 10) k) in
   let low, high = Algebraic.enclose offset ~width:(tiny 30) in
-  let r = Rat.div (Rat.add low high) (Rat.of_int 2) in
+  let r = Rat.middle low high in
   let bottom = Polynomial.eval d r in
   if Rat.sign bottom = 0 then "(a quotient with a divisor near 0)"
   else

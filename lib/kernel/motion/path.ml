@@ -16,7 +16,6 @@ type t = { model : Model.t; process : State.process; kinematics : kinematics }
 type vector = { x : Polynomial.t; y : Polynomial.t; z : Polynomial.t }
 
 let two = Rat.of_int 2
-let half = Rat.make Z.one (Z.of_int 2)
 let quarter = Rat.make Z.one (Z.of_int 4)
 
 let component (a : Vec.axis) c =
@@ -258,5 +257,5 @@ let turning_energy t k =
 
 let energy t =
   match t.kinematics with
-  | Straight -> of_mass t (fun mass -> Rat.mul half (Rat.mul mass (Vec.norm2 t.process.velocity)))
+  | Straight -> of_mass t (fun mass -> Rat.mul Rat.half (Rat.mul mass (Vec.norm2 t.process.velocity)))
   | Turning k -> turning_energy t (Later.force k)

@@ -52,14 +52,9 @@ let rec searches : t -> Property.temporal list = function
 
 type reach = { time : Rat.t; events : int }
 
-let both f a b =
-  match (a, b) with
-  | Some a, Some b -> Some (f a b)
-  | None, _ | _, None -> None
-
 let latest reaches =
   let later a b = { time = Rat.max a.time b.time; events = Int.max a.events b.events } in
-  List.fold_left (both later) (Some { time = Rat.zero; events = 0 }) reaches
+  List.fold_left (Option.map2 later) (Some { time = Rat.zero; events = 0 }) reaches
 
 (* The next event may be however late, so a bound of time that is to be counted from there gives no end. *)
 let rec reach (f : Property.temporal) =
@@ -73,7 +68,7 @@ let rec reach (f : Property.temporal) =
   | Finally (_, b, f) | Globally (_, b, f) -> after b (reach f)
   | Until (_, b, f, g) -> after b (latest [ reach f; reach g ])
 
-and after b f = both (fun high f -> { f with time = Rat.add high f.time }) b.high f
+and after b f = Option.map2 (fun high f -> { f with time = Rat.add high f.time }) b.high f
 
 let latest_horizon formulas =
   match latest (List.map reach formulas) with

@@ -74,18 +74,11 @@ and until m q b g =
 (* [None] is at all times. *)
 let latest = function
   | [] -> Some Rat.zero
-  | first :: rest ->
-    let both a b = match (a, b) with Some a, Some b -> Some (Rat.max a b) | None, _ | _, None -> None in
-    List.fold_left both first rest
-
-let earlier a b =
-  match (a, b) with
-  | Some a, Some b -> Some (Rat.min a b)
-  | None, t | t, None -> t
+  | first :: rest -> List.fold_left (Option.map2 Rat.max) first rest
 
 (* Of a formula that is evaluated at times up to [until]. The next event of X may be however late. *)
 let rec reach m ~until f =
-  let until = earlier until (Option.map (fun s -> s.after) (temporal m f)) in
+  let until = Option.merge Rat.min until (Option.map (fun s -> s.after) (temporal m f)) in
   match f with
   | State _ -> until
   | Temporal_not f -> reach m ~until f
@@ -110,7 +103,7 @@ and reach_of_until m ~until b left g =
     | Some { after; truth = false } -> Option.map (Rat.max after) until
     | Some { truth = true; _ } | None -> None
   in
-  match List.fold_left earlier (earlier by_bound by_goal) (List.map by_left left) with
+  match List.fold_left (Option.merge Rat.min) by_bound (by_goal :: List.map by_left left) with
   | None -> None
   | Some _ as until -> latest (List.map (reach m ~until) (g :: left))
 

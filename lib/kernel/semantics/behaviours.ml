@@ -53,31 +53,23 @@ let rules how =
 
 (* {1 Rule TimeBehaviour} *)
 
-let least a b =
-  match (a, b) with
-  | None, x | x, None -> x
-  | Some s, Some t -> Some (Rat.min s t)
-
 let not_known () = Scc_base.Bug.fail __POS__ "the horizon of a delay that is not known"
 
-let rec term_horizon (defs : definitions) : t -> Rat.t option = function
-  | Nil | Open _ | Weak _ | Strong _ -> None
-  | Delay (t, _) -> Some t
-  | Wait _ -> not_known ()
-  | Sum (a, b) -> least (term_horizon defs a) (term_horizon defs b)
-  | Call k -> term_horizon defs defs.(k).body
-
-let horizon defs (b : aged) = term_horizon defs b.term
-
-let rec term_delays (defs : definitions) found (b : t) =
+(* Over the exposed eps of a term. *)
+let rec fold_delays (defs : definitions) f found (b : t) =
   match b with
   | Nil | Open _ | Weak _ | Strong _ -> found
-  | Delay _ | Wait _ -> b :: found
-  | Sum (x, y) -> term_delays defs (term_delays defs found x) y
-  | Call k -> term_delays defs found defs.(k).body
+  | Delay _ | Wait _ -> f found b
+  | Sum (x, y) -> fold_delays defs f (fold_delays defs f found x) y
+  | Call k -> fold_delays defs f found defs.(k).body
 
-let delays defs (b : aged) = List.rev (term_delays defs [] b.term)
-let ages defs b = term_delays defs [] b <> []
+let sooner horizon : t -> Rat.t option = function
+  | Delay (t, _) -> Option.merge Rat.min horizon (Some t)
+  | Nil | Open _ | Weak _ | Strong _ | Wait _ | Sum _ | Call _ -> not_known ()
+
+let horizon defs (b : aged) = fold_delays defs sooner None b.term
+let delays defs (b : aged) = List.rev (fold_delays defs (fun found delay -> delay :: found) [] b.term)
+let ages defs b = fold_delays defs (fun _ _ -> true) false b
 
 (* Whether it offers something by chance, or will when delays have expired. *)
 let left_to_chance defs =

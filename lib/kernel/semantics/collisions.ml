@@ -36,11 +36,14 @@ let complementary a b =
   | Behaviour.Name, Behaviour.Co_name | Co_name, Name -> true
   | Name, Name | Co_name, Co_name -> false
 
+let in_turn dimension pairs =
+  let pairs_of d = match List.filter (fun pair -> dimension pair = d) pairs with [] -> None | some -> Some some in
+  List.filter_map pairs_of [ 2; 1; 0 ]
+
 (* The touching pairs that two channels share, of the highest dimension among them. *)
 let shared_pairs pairs ~active_one ~active_two =
   let shared = List.filter (fun (c : Contact.pair) -> active_one c.first && active_two c.second) pairs in
-  let highest = List.fold_left (fun d (c : Contact.pair) -> Int.max d c.dimension) 0 shared in
-  List.filter (fun (c : Contact.pair) -> c.dimension = highest) shared
+  match in_turn (fun (c : Contact.pair) -> c.dimension) shared with [] -> [] | highest :: _ -> highest
 
 let fit ((pol1, (c1 : Behaviour.channel), _, _), (pol2, (c2 : Behaviour.channel), _, _)) =
   complementary pol1 pol2 && String.equal c1.name c2.name
@@ -229,10 +232,7 @@ let outcomes c processes cluster =
 let binding_time (c : Semantics.t) ~before:_ (a : Part.t) (b : Part.t) =
   let w = Part.relative_velocity a b in
   let corners (part : Part.t) (channel : Behaviour.channel) =
-    List.filter_map
-      (fun (s : Site.t) ->
-         if s.part = part.index then Some (Scc_rigid.Placed.corners part.placed s.feature) else None)
-      channel.sites
+    List.map (Scc_rigid.Placed.corners part.placed) (Site.on part.index channel.sites)
   in
   let of_channels ((_, one, _, _), (_, two, _, _)) =
     List.concat_map
@@ -249,6 +249,5 @@ let first_time_of_contact (c : Semantics.t) processes ~limit =
   let contact = K.first_time_of_contact c.setting parts ~limit in
   if not (by_contact c) then contact
   else
-    match (contact, c.setting.neighbours.earliest ~margin:Rat.zero ~limit (binding_time c) parts) with
-    | Some t, Some t' -> Some (Rat.min t t')
-    | None, t | t, None -> t
+    Option.merge Rat.min contact
+      (c.setting.neighbours.earliest ~margin:Rat.zero ~limit (binding_time c) parts)

@@ -28,6 +28,11 @@ val fitting :
 (** All pairs of open and compatible channels, the first of one leaf and the second of another. Each leaf is given
     with its process. *)
 
+val in_turn : ('a -> int) -> 'a list -> 'a list list
+(** [in_turn dimension pairs] are the pairs of features that two channels share, in the order in which rule Bind
+    looks for pairs that touch. The first of these lists that has some is all that bind: pairs of the highest
+    dimension. No list is empty. *)
+
 val bonds : Semantics.t -> Part.t * Part.t -> candidate list
 (** The bonds that the leaves of two parts may make (rules Bind and Close), for all their open and compatible
     channels. The features of a bond are a pair in which the two parts touch and which the channels share. Of these

@@ -16,11 +16,7 @@ let pairs parts =
 
 let everyone =
   let earlier time best (a, b) =
-    if not (Part.in_relative_motion a b) then best
-    else
-      match (best, time ~before:best a b) with
-      | Some t, Some t' -> Some (Rat.min t t')
-      | None, t | t, None -> t
+    if Part.in_relative_motion a b then Option.merge Rat.min best (time ~before:best a b) else best
   in
   {
     within = (fun _ parts -> pairs parts);

@@ -69,6 +69,14 @@ let joined_step m (p : State.process) (q : State.process) whole =
 
 let piece_step m ~(whole : State.process) piece = in_phase m whole.phase piece
 
+let running_clock (m : Model.t) (p : State.process) =
+  match (m.splits, p.clock) with
+  | Every step, Some clock -> Some (step, clock)
+  | Every _, None | Any_time, _ -> None
+
+let splits_at_any_time (m : Model.t) (p : State.process) =
+  match m.splits with Any_time -> Option.is_some p.clock | Every _ -> false
+
 let at_split_instant (p : State.process) =
   match p.clock with
   | Some clock -> Scc_exact.Rat.sign clock = 0

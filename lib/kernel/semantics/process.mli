@@ -29,6 +29,14 @@ val releasable : Model.t -> State.process -> State.bond -> bool
 val weak_split_enabled : Model.t -> State.process -> bool
 (** [weak_split_enabled m p] is true if a bond of [p] may be released by rule WeakSplit ({!releasable}). *)
 
+val running_clock : Model.t -> State.process -> (Scc_exact.Rat.t * Scc_exact.Rat.t) option
+(** [running_clock m p] is the split step and the split clock of [p]; [None] if it has no clock, or one that stands
+    still ({!Model.Any_time}). *)
+
+val splits_at_any_time : Model.t -> State.process -> bool
+(** [splits_at_any_time m p] is true if [p] may release a bond at any time: weak splits are enabled, and are not on
+    a grid ({!Model.Any_time}). *)
+
 val at_split_instant : State.process -> bool
 (** [at_split_instant p] is true if [p] has a split clock and this is at 0, that is at a multiple of the split step
     (reading I-9). Weak splits happen at these instants. *)

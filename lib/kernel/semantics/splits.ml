@@ -12,6 +12,8 @@ let part (c : Semantics.t) p ({ at; site } : State.finish) =
   let (module K) = c.kinematics in
   List.find (fun (part : Part.t) -> Part.name part = (at, site.part)) (K.parts c.setting 0 p)
 
+let normal_of_push = function [ n ] -> Some n | [] | _ :: _ -> None
+
 (* Where two parts that hold a bond are pushed apart, and in which direction, of length 1 or hardly less: along the
    only normal of their contact, or from the centroid of the one to that of the other. *)
 let line_of_push (c : Semantics.t) p (b : State.bond) =
@@ -21,9 +23,9 @@ let line_of_push (c : Semantics.t) p (b : State.bond) =
   | None -> Bug.fail __POS__ "a bond of parts that are apart"
   | Some { normals; corners; _ } ->
     let along =
-      match normals with
-      | [ n ] -> Ivec.to_vec n
-      | _ -> Vec.sub (Placed.centroid two.placed) (Placed.centroid one.placed)
+      match normal_of_push normals with
+      | Some n -> Ivec.to_vec n
+      | None -> Vec.sub (Placed.centroid two.placed) (Placed.centroid one.placed)
     in
     let sum = List.fold_left Vec.add Vec.zero corners in
     let mean = Vec.scale (Rat.div Rat.one (Rat.of_int (List.length corners))) sum in

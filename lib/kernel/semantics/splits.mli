@@ -14,3 +14,8 @@ val lots : Semantics.t -> Lots.due -> (Transition.outcome list, Transition.fault
 
 val strong : Semantics.t -> State.process -> Transition.outcome list
 (** Rule StrongSplit: every reaction of a connected set of bonds (reading I-7). Each is urgent. *)
+
+val normal_of_push : 'a list -> 'a option
+(** [normal_of_push normals] is the direction in which a release pushes two parts apart, given the normals of
+    their contact: the only one, if there is only one. Else it is [None], and they are pushed along the line
+    between their centroids. *)

@@ -14,13 +14,7 @@ let all_ok list =
   Result.map List.rev (List.fold_left add (Ok []) list)
 
 (* Each vector once, in order, with all of its chance. *)
-let distinct chances =
-  let add kept (v, chance) =
-    match kept with
-    | (w, c) :: rest when Vec.equal v w -> (w, Rat.add c chance) :: rest
-    | _ -> (v, chance) :: kept
-  in
-  List.sort (fun (v, _) (w, _) -> Vec.compare v w) chances |> List.fold_left add [] |> List.rev
+let distinct = Scc_data.Lists.merged Vec.compare Rat.add
 
 let environment (m : Model.t) ~time ~dt (l : State.leaf) centre (v : Vec.t) : Law.variable -> Rat.t = function
   | X -> centre.Vec.x

@@ -1,20 +1,17 @@
 open Scc_exact
 open Scc_calculus
 
-let least a b =
-  match (a, b) with
-  | None, x | x, None -> x
-  | Some s, Some t -> Some (Rat.min s t)
+let least = Option.merge Rat.min
 
 let horizon (m : Model.t) (p : State.process) =
   Array.fold_left
     (fun h (l : State.leaf) -> least h (Behaviours.horizon m.definitions l.behaviour))
     None p.leaves
 
-let to_split_instant (m : Model.t) (p : State.process) =
-  match m.splits with
-  | Every step -> Option.map (Rat.sub step) p.clock
-  | Any_time -> None
+let to_split_instant m p =
+  match Process.running_clock m p with
+  | Some (step, clock) -> Some (Rat.sub step clock)
+  | None -> None
 
 (* The time to the end of the first turn that ends. *)
 let turn_left (s : State.t) = Array.fold_left (fun d p -> least d (Turn.left p)) None s.processes
@@ -61,9 +58,9 @@ let age_clock (m : Model.t) d (p : State.process) aged =
   let expires = match horizon m p with Some h -> Rat.compare h d <= 0 | None -> false in
   if expires && gains_split m p aged then Some Rat.zero
   else
-    match m.splits with
-    | Every step -> Option.map (fun clock -> Rat.modulo (Rat.add clock d) step) p.clock
-    | Any_time -> p.clock
+    match Process.running_clock m p with
+    | Some (step, clock) -> Some (Rat.modulo (Rat.add clock d) step)
+    | None -> p.clock
 
 (* Where no eps is exposed and no clock runs, nothing ages. *)
 let age_process (m : Model.t) d (p : State.process) =

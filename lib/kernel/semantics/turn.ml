@@ -8,10 +8,9 @@ let rigid (m : Model.t) =
   | None -> Scc_base.Bug.fail __POS__ "a translational model does not turn"
 
 let spinning (p : State.process) = not (Vec.is_zero p.spin)
-let half = Rat.make Z.one (Z.of_int 2)
 
 (* What a turn by a spin has done after a time. *)
-let turned spin time = Quaternion.cayley (Vec.scale (Rat.mul half time) spin)
+let turned spin time = Quaternion.cayley (Vec.scale (Rat.mul Rat.half time) spin)
 
 let pass m d (p : State.process) =
   if Rat.sign d = 0 then p
@@ -116,7 +115,7 @@ let estimate (v : Vec.t) =
 (* |spin| d / 2 <= 1/4 *)
 let fits spin d = Rat.compare (Rat.mul (Vec.norm2 spin) (Rat.mul d d)) (Rat.make Z.one (Z.of_int 4)) <= 0
 
-let rec fitted spin d = if fits spin d then d else fitted spin (Rat.mul half d)
+let rec fitted spin d = if fits spin d then d else fitted spin (Rat.mul Rat.half d)
 let length (m : Model.t) spin = if Vec.is_zero spin then Rat.zero else fitted spin m.timestep
 
 (* {1 Turns that begin and end} *)
@@ -131,9 +130,9 @@ let midway m (p : State.process) =
   | Some mass ->
     let start = estimate p.spin in
     let rec attempt d =
-      let half_way = Quaternion.mul (turned start (Rat.mul half d)) p.leaves.(0).turned in
+      let half_way = Quaternion.mul (turned start (Rat.mul Rat.half d)) p.leaves.(0).turned in
       let spin = estimate (turn_rate mass half_way p.kept) in
-      if fits spin d then State.with_turn ~spin ~since:Rat.zero ~lasts:(Some d) p else attempt (Rat.mul half d)
+      if fits spin d then State.with_turn ~spin ~since:Rat.zero ~lasts:(Some d) p else attempt (Rat.mul Rat.half d)
     in
     Some (attempt (length m p.spin))
 

@@ -19,16 +19,12 @@ type fault =
   | Bad_lots
   | Bad_time
 
-let leaves (state : State.t) =
-  Array.to_list state.processes
-  |> List.concat_map (fun (p : State.process) -> Array.to_list p.leaves)
-
 (* Each leaf of the model is in one process, once; or in none, if it may have been absorbed. *)
 let check_leaves (m : Model.t) state =
   let add counts (l : State.leaf) =
     Counts.update l.leaf (fun n -> Some (1 + Option.value n ~default:0)) counts
   in
-  let counts = List.fold_left add Counts.empty (leaves state) in
+  let counts = List.fold_left add Counts.empty (State.leaves state) in
   let fault leaf =
     match Counts.find_opt leaf counts with
     | None when Model.absorbs m && not m.leaves.(leaf).fixed -> None

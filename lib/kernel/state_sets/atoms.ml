@@ -31,13 +31,8 @@ let map2 f (a : 'a cells) (b : 'b cells) : 'c cells =
 
 (* Where the constraint holds, and where not. *)
 let by_constraint region c =
-  if Polyhedron.implies region c then [ (region, true) ]
-  else
-    let where truth c =
-      let p = Polyhedron.add region c in
-      if Polyhedron.is_empty p then [] else [ (p, truth) ]
-    in
-    where true c @ List.concat_map (where false) (Constraint.negation c)
+  let holds, fails = Region.split region [ c ] in
+  List.map (fun p -> (p, true)) (Option.to_list holds) @ List.map (fun p -> (p, false)) fails
 
 (* {1 Numbers} *)
 

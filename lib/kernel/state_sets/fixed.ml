@@ -46,5 +46,4 @@ let declared m (u : Uncertain.t) (s : State.t) values =
       behaviour = Behaviour.fresh (known l.behaviour.term);
     }
   in
-  let processes = List.map (State.map_leaves leaf) (Array.to_list s.processes) in
-  State.make ~processes ~step:s.step ~time:s.time
+  State.mapi (fun _ -> State.map_leaves leaf) s

@@ -1,3 +1,4 @@
+open Scc_exact
 open Scc_polyhedra
 open Scc_offsets
 open Scc_calculus
@@ -14,6 +15,34 @@ type t = {
   places : Place.t array;
   basis : int array;
 }
+
+(* {1 Making} *)
+
+let skeleton s =
+  let still (l : State.leaf) = { l with position = Vec.zero } in
+  let process (p : State.process) =
+    State.with_clock (Option.map (fun _ -> Rat.zero) p.clock) (State.map_leaves still p)
+  in
+  State.mapi (fun _ -> process) s
+
+let declared (m : Model.t) (u : Uncertain.t) (s : State.t) ~keeps_time =
+  let n = Array.length m.ranges in
+  let zero = Linear.constant n Rat.zero in
+  let place leaf p = if Option.is_some (State.home s leaf) then p else Place.constant n Vec.zero in
+  {
+    skeleton = skeleton (State.at ~step:s.step ~time:None s);
+    halted = false;
+    arrived = [];
+    set = Ranges.box m.ranges;
+    parameters = Array.init n (Linear.variable n);
+    time = (if keeps_time then Some zero else None);
+    ages = Array.map (fun _ -> zero) m.leaves;
+    clocks = Array.map (fun _ -> zero) m.leaves;
+    places = Array.mapi place u.places;
+    basis = [||];
+  }
+
+(* {1 Coordinates} *)
 
 let dimension z = Polyhedron.dimension z.set
 
@@ -42,8 +71,7 @@ let place z leaf (part : Model.part) =
 let with_variables z ~dimension forms set =
   { (map (fun f -> Linear.compose f ~dimension forms) z) with set }
 
-let map_processes f (s : State.t) =
-  State.make ~processes:(List.map f (Array.to_list s.processes)) ~step:s.step ~time:s.time
+let values z point = Array.map (fun f -> Linear.eval f point) z.parameters
 
 let at z point =
   let leaf (l : State.leaf) = { l with State.position = Place.eval z.places.(l.leaf) point } in
@@ -51,4 +79,4 @@ let at z point =
     let clock = Option.map (fun _ -> Linear.eval z.clocks.(p.leaves.(0).leaf) point) p.clock in
     State.with_clock clock (State.map_leaves leaf p)
   in
-  map_processes process z.skeleton
+  State.mapi (fun _ -> process) z.skeleton

@@ -30,6 +30,13 @@ type t = {
   basis : int array;  (** of a canonical zone: for each variable, the number of its coordinate *)
 }
 
+val skeleton : State.t -> State.t
+(** [skeleton s] is [s] with the places of leaves zero and the split clocks [Some 0]. *)
+
+val declared : Model.t -> Uncertain.t -> State.t -> keeps_time:bool -> t
+(** [declared m u s ~keeps_time] are the declared states for all values of the parameters, where [s] is that for
+    some values. The variables are the parameters. With [keeps_time], time is a coordinate, and is 0. *)
+
 val dimension : t -> int
 (** The number of variables. *)
 
@@ -42,6 +49,9 @@ val place : t -> int -> Model.part -> Place.t
 val with_variables : t -> dimension:int -> Linear.t array -> Polyhedron.t -> t
 (** [with_variables z ~dimension forms set] is [z] over other variables, which take the values of [set]. The
     old variables are these forms over the new ones. *)
+
+val values : t -> Rat.t array -> Rat.t array
+(** [values z point] are the values of the parameters for these values of the variables. *)
 
 val at : t -> Rat.t array -> State.t
 (** [at z point] is the state for these values of the variables. Its behaviours are as they were when they were

@@ -18,10 +18,12 @@ let context semantics =
 let semantics_at c (z : Zone.t) point =
   let m = Semantics.model c.semantics in
   if Fixed.has_open_offsets m then
-    Semantics.with_model c.semantics (Fixed.offsets m (Array.map (fun f -> Linear.eval f point) z.parameters))
+    Semantics.with_model c.semantics (Fixed.offsets m (Zone.values z point))
   else c.semantics
 
 type part = { process : State.process; leaf : int; index : int; solid : Solid.t; place : Place.t }
+
+let fitting c (a, b) = Collisions.fitting c.semantics (a.process, a.leaf) (b.process, b.leaf)
 
 let parts (m : Model.t) z (process : State.process) =
   let of_leaf (l : State.leaf) =
@@ -33,10 +35,23 @@ let parts (m : Model.t) z (process : State.process) =
   in
   List.concat_map of_leaf (Array.to_list process.leaves)
 
-let two_of_different lists =
-  let with_each (ps, qs) = List.concat_map (fun p -> List.map (fun q -> (p, q)) qs) ps in
-  List.concat_map with_each (Scc_data.Lists.pairs lists)
-
-let pairs m (z : Zone.t) = two_of_different (List.map (parts m z) (Array.to_list z.skeleton.processes))
+let by_process m (z : Zone.t) = List.map (parts m z) (Array.to_list z.skeleton.processes)
+let all m z = List.concat (by_process m z)
+let each_with_each (ones, twos) = List.concat_map (fun a -> List.map (fun b -> (a, b)) twos) ones
+let pairs m z = List.concat_map each_with_each (Scc_data.Lists.pairs (by_process m z))
 let offset a b = Place.sub b.place a.place
 let relative_velocity a b = Vec.sub b.process.velocity a.process.velocity
+let facets c (a, b) = Half_space.moving (c.obstacle a.solid b.solid) (offset a b) (relative_velocity a b)
+
+(* {1 Features} *)
+
+let side part feature = { Feature_offsets.solid = part.solid; feature }
+let sides part sites = List.map (side part) (Site.on part.index sites)
+let facing (a, b) (ones, twos) = each_with_each (sides a ones, sides b twos)
+let of_end parts (f : State.finish) = List.find (fun p -> p.leaf = f.at && p.index = f.site.part) parts
+
+let joint c (z : Zone.t) parts ((f : State.finish), (g : State.finish)) =
+  let one = of_end parts f and two = of_end parts g in
+  let together = Feature_offsets.touching c.features (side one f.site.feature) (side two g.site.feature) in
+  let coordinates = Array.of_list (Place.coordinates (offset one two)) in
+  Polyhedron.preimage together ~dimension:(Zone.dimension z) coordinates

@@ -1,6 +1,7 @@
 (** The parts of the processes of a zone, where they are: as forms over its variables. *)
 
 open Scc_geometry
+open Scc_polyhedra
 open Scc_offsets
 open Scc_calculus
 open Scc_semantics
@@ -24,6 +25,9 @@ type part = { process : State.process; leaf : int; index : int; solid : Solid.t;
 val parts : Model.t -> Zone.t -> State.process -> part list
 (** The parts of a process, with their places as forms over the variables of the zone. *)
 
+val all : Model.t -> Zone.t -> part list
+(** The parts of all processes, in their order. *)
+
 val pairs : Model.t -> Zone.t -> (part * part) list
 (** All pairs of parts of different processes. *)
 
@@ -32,3 +36,23 @@ val offset : part -> part -> Place.t
 
 val relative_velocity : part -> part -> Scc_exact.Vec.t
 (** [relative_velocity a b] is the velocity of [b] less that of [a]. *)
+
+val facets : context -> part * part -> Half_space.t list
+(** [facets c (a, b)] are the facets of the obstacle of two parts, for the offset and velocity of [b] from [a]. *)
+
+(** {1 Features} *)
+
+val fitting : context -> part * part -> (Behaviour.channel * Behaviour.channel) list
+(** [fitting c (a, b)] are all pairs of channels that are open and fit, the first of the leaf of [a] and the second
+    of the leaf of [b] ({!Collisions.fitting}). *)
+
+val facing : part * part -> Site.t list * Site.t list -> (Feature_offsets.side * Feature_offsets.side) list
+(** [facing (a, b) (ones, twos)] are all pairs of a feature in [ones] that is on [a] and one in [twos] that is on
+    [b]. *)
+
+val of_end : part list -> State.finish -> part
+(** [of_end parts f] is the part, among [parts], that has the feature of [f]. *)
+
+val joint : context -> Zone.t -> part list -> State.finish * State.finish -> Polyhedron.t
+(** [joint c z parts (f, g)] are the values of the variables of [z] at which two features touch. Their parts are
+    among [parts]. The result may be empty, and need not be in the set of [z]. *)

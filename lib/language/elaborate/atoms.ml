@@ -3,8 +3,6 @@ open Scc_syntax
 open Scc_property
 open Subjects
 
-let ( let* ) = Option.bind
-
 let axes : (string * Property.axis) list = [ ("x", X); ("y", Y); ("z", Z) ]
 
 let quantity make p : (Property.num, Property.prop) Typed.value = Num (Property.Quantity (make p))
@@ -62,19 +60,19 @@ let bonds t env at arguments =
   match arguments with
   | [] -> count None None
   | [ a ] ->
-    let* _, a = channel t a in
+    let*? _, a = channel t a in
     count (Some a) None
   | [ a; p; q ] ->
     let a = channel t a and p = leaf t env p and q = leaf t env q in
-    let* _, a = a in
-    let* p, q = Typed.both p q in
+    let*? _, a = a in
+    let*? p, q = Typed.both p q in
     count (Some a) (Some (p, q))
   | _ -> arity t at "bonds" "a channel, or a channel and two processes" (List.length arguments)
 
 let offers t env at arguments =
   match arguments with
   | [ p; a ] ->
-    let* p, (polarity, a) = Typed.both (leaf t env p) (channel t a) in
+    let*? p, (polarity, a) = Typed.both (leaf t env p) (channel t a) in
     Some (Typed.Cond (Property.State (Fact (Offers (p, polarity, a)))))
   | _ -> arity t at "offers" "a process and a channel" (List.length arguments)
 
@@ -98,23 +96,23 @@ let event t env at (word : Ast.name) arguments =
   let made e = Some (Typed.Cond (Property.State (Fact (Event e)))) in
   match (word.it, List.assoc_opt word.it changes, arguments) with
   | "bounce", _, ([] | [ _ ] | [ _; _ ]) ->
-    let* ends = ends t env arguments in
+    let*? ends = ends t env arguments in
     made (Bounce ends)
   | "absorb", _, ([] | [ _ ] | [ _; _ ]) ->
-    let* ends = ends t env arguments in
+    let*? ends = ends t env arguments in
     made (Absorbed ends)
   | "absorb", _, _ -> arity t at "absorb" "at most two processes" (List.length arguments)
   | "hit", _, [ p ] ->
-    let* p = spot t env p in
+    let*? p = spot t env p in
     made (Hit (p, None))
   | "hit", _, [ p; q ] ->
-    let* p, q = Typed.both (spot t env p) (spot t env q) in
+    let*? p, q = Typed.both (spot t env p) (spot t env q) in
     made (Hit (p, Some q))
   | "hit", _, _ -> arity t at "hit" "one body or two, or parts of them" (List.length arguments)
   | "bounce", _, _ -> arity t at "bounce" "at most two processes" (List.length arguments)
   | _, Some change, [] -> made (Bond (change, None, Any))
   | _, Some change, a :: (([] | [ _ ] | [ _; _ ]) as rest) ->
-    let* a, ends = Typed.both (bond_name t env a) (ends t env rest) in
+    let*? a, ends = Typed.both (bond_name t env a) (ends t env rest) in
     made (Bond (change, Some a, ends))
   | name, Some _, _ ->
     arity t at name "a channel and at most two processes after it" (List.length arguments)
@@ -165,9 +163,9 @@ let variable t env (path : Ast.path) =
     None
 
 let is_definition t env negated p k =
-  let* i = leaf t env p in
-  let* owner = owner t i in
-  let* k = Behaviours.definition t.behaviours env owner k in
+  let*? i = leaf t env p in
+  let*? owner = owner t i in
+  let*? k = Behaviours.definition t.behaviours env owner k in
   let atom = Property.Fact (Behaviour (i, k)) in
   Some (Typed.Cond (Property.State (if negated then Not atom else atom)))
 

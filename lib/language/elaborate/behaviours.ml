@@ -29,8 +29,6 @@ type t = {
   channel_names : (string, unit) Hashtbl.t;
 }
 
-let ( let* ) = Option.bind
-
 (* Instances of all behaviours on all structures. *)
 let max_definitions = 10_000
 
@@ -107,7 +105,7 @@ let request_instance t owner at (declared : Program.behaviour) label env =
     | None -> Some (enter t declared label env owner key)
 
 let request t env owner (r : Ast.reference) =
-  let* reference = Family.reference t.c.report env r in
+  let*? reference = Family.reference t.c.report env r in
   match Family.find t.program.behaviours reference with
   | _ when Family.is_open reference ->
     if not (Family.has t.program.behaviours reference) then unknown t r reference;
@@ -121,7 +119,7 @@ let request t env owner (r : Ast.reference) =
     request_instance t owner r.target.at declared reference.label env
 
 let definition t env owner (r : Ast.reference) =
-  let* i = request t env owner r in
+  let*? i = request t env owner r in
   Hashtbl.replace t.uses (owner.name, i) r.target.at;
   Some i
 
@@ -134,8 +132,8 @@ type scope = {
 }
 
 let site t scope (f : Ast.feature) =
-  let* read = Feature_name.read t.c.report scope.env f in
-  let* meaning = Feature_name.on_shape t.c.report ~own:(Some scope.owner.name) scope.owner.shape read in
+  let*? read = Feature_name.read t.c.report scope.env f in
+  let*? meaning = Feature_name.on_shape t.c.report ~own:(Some scope.owner.name) scope.owner.shape read in
   (match read.prefix with
    | (first, _) :: _ when String.equal first scope.owner.name -> scope.own_name ()
    | _ -> ());
@@ -166,7 +164,7 @@ let channel t scope (ch : Ast.channel) =
   use_channel t name;
   let read (m : Ast.member) =
     if m.only then check_only t m;
-    let* meaning = site t scope m.feature in
+    let*? meaning = site t scope m.feature in
     check_pieces t scope m meaning;
     Some (m.only, meaning)
   in
@@ -225,23 +223,23 @@ let rec elaborate t scope (b : Ast.behaviour) =
   | Nil -> Some Behaviour.nil
   | Name r -> Option.map Behaviour.call (scope.call r)
   | Open (ch, rest) ->
-    let* c, b = Typed.both (channel t scope ch) (elaborate t scope rest) in
+    let*? c, b = Typed.both (channel t scope ch) (elaborate t scope rest) in
     Some (Behaviour.open_ (polarity ch) c b)
   | Weak (ch, j, rest) ->
-    let* (c, b), (push, odds) =
+    let*? (c, b), (push, odds) =
       Typed.both (Typed.both (channel t scope ch) (elaborate t scope rest)) (loosening t scope.env j)
     in
     Some (Behaviour.weak ~push ?odds c b)
   | Strong (list, j, rest) ->
-    let* (cs, b), push =
+    let*? (cs, b), push =
       Typed.both (Typed.both (channels_of t scope b.at list) (elaborate t scope rest)) (push t scope.env j)
     in
     Some (Behaviour.strong ~push cs b)
   | Delay (e, rest) ->
-    let* d, b = Typed.both (delay t scope.env e) (elaborate t scope rest) in
+    let*? d, b = Typed.both (delay t scope.env e) (elaborate t scope rest) in
     Some (Behaviour.written d b)
   | Sum (first, second) ->
-    let* a, b = Typed.both (elaborate t scope first) (elaborate t scope second) in
+    let*? a, b = Typed.both (elaborate t scope first) (elaborate t scope second) in
     Some (Behaviour.sum a b)
 
 let term t env owner b = elaborate t { env; owner; call = definition t env owner; own_name = ignore } b

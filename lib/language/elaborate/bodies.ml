@@ -28,8 +28,6 @@ type process = {
 
 type t = { leaves : leaf option array; processes : process array; registry : Registry.t }
 
-let ( let* ) = Option.bind
-
 (* The mass of a fixed body has no meaning; one stands for it. *)
 let check_fixed report (a : Attributes.t) =
   let refuse what = function
@@ -58,7 +56,7 @@ let check_compound_mass report (compound : Shape.compound) (a : Attributes.t) =
     a.mass
 
 let basic_parts (c : Context.t) ~fixed name at (a : Attributes.t) (b : Shape.basic) =
-  let* mass = if fixed then Some Rat.one else basic_mass c.report name at a in
+  let*? mass = if fixed then Some Rat.one else basic_mass c.report name at a in
   let solid = c.solid b a.at.linear in
   Some [| { Model.name; template = b.label; solid; offset = Vec.zero; open_offset = None; mass } |]
 
@@ -130,8 +128,8 @@ let leaf (c : Context.t) (body : Program.body) ~process ~name (at : Span.t) (l :
   let shape = Templates.shape c body.env ~label:name l.solid in
   let a = Attributes.read c.report body.env l.attributes in
   check_absorbing c.report ~fixed:body.fixed name a l;
-  let* shape = shape in
-  let* parts = parts c ~fixed:body.fixed name at a shape in
+  let*? shape = shape in
+  let*? parts = parts c ~fixed:body.fixed name at a shape in
   if not a.complete then None
   else
     let velocity, spin = own_motion ~fixed:body.fixed a shape in
@@ -172,7 +170,7 @@ type reading = {
 }
 
 let read_leaf r (body : Program.body) (segment : Ast.segment) (l : Ast.leaf) =
-  let* name = Constant.segment r.c.report body.env segment in
+  let*? name = Constant.segment r.c.report body.env segment in
   let number = r.count in
   Registry.add r.names segment name (Registry.Leaf number);
   r.found <- leaf r.c body ~process:r.group_count ~name segment.name.at l :: r.found;
@@ -180,7 +178,7 @@ let read_leaf r (body : Program.body) (segment : Ast.segment) (l : Ast.leaf) =
   Some number
 
 let read_body r (body : Program.body) =
-  let* name = Constant.segment r.c.report body.env body.name in
+  let*? name = Constant.segment r.c.report body.env body.name in
   let labelled = Option.is_some body.first.label in
   let label (l : Ast.leaf) = Option.value ~default:body.name l.label in
   let read l = read_leaf r body (label l) l in

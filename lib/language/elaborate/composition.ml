@@ -4,8 +4,6 @@ open Scc_calculus
 
 type t = { included : bool array; index : int array; laws : (Law.t * Span.t) array }
 
-let ( let* ) = Option.bind
-
 let single report env (path : Ast.path) =
   match path.it with
   | [ segment ] -> Option.map (fun name -> (name, path.at)) (Constant.segment report env segment)
@@ -58,8 +56,8 @@ let select report (bodies : Bodies.t) env paths =
     | None -> listed.(p) <- Some (at, name)
   in
   let add path =
-    let* name = single report env path in
-    let* target = find report bodies name in
+    let*? name = single report env path in
+    let*? target = find report bodies name in
     if check_whole report bodies owner name target then
       List.iter (fun i -> mark name owner.(i)) (leaves target);
     Some ()
@@ -130,9 +128,9 @@ let read_motion report budget ~timestep (bodies : Bodies.t) laws general (m : Pr
   | None, Some law -> read_general report general m law
   | Some path, law ->
     let assigned =
-      let* name = single report m.env path in
-      let* target = find report bodies name in
-      let* law = law in
+      let*? name = single report m.env path in
+      let*? target = find report bodies name in
+      let*? law = law in
       List.iter (assign report bodies laws m target law) (leaves target);
       Some ()
     in

@@ -5,8 +5,6 @@ open Scc_geometry
 open Scc_broad_phase
 open Scc_syntax
 
-let ( let* ) = Option.bind
-
 (* A part with what was written about its motion. *)
 type draft = { part : Shape.part; motion : Attributes.t }
 
@@ -26,8 +24,8 @@ let read_part (c : Context.t) env (p : Ast.part) =
   if Option.is_none a.mass then
     Report.error c.report Code.bad_value p.part.at "the part `%s` has no mass" p.part.it
       ~hint:"every part of a compound needs `mass m` with m > 0";
-  let* basic = basic in
-  let* mass, _ = a.mass in
+  let*? basic = basic in
+  let*? mass, _ = a.mass in
   let placement = placement c a in
   if not a.complete then None
   else
@@ -142,7 +140,7 @@ let check_contact (c : Context.t) at (p, f) (q, g) =
              (feature_text q highest.second))
 
 let read_site (c : Context.t) env compound (f : Ast.feature) =
-  let* f = Feature_name.read c.report env f in
+  let*? f = Feature_name.read c.report env f in
   Option.bind (Feature_name.on_shape c.report ~own:None (Compound compound) f) Feature_name.one
 
 let read_glue (c : Context.t) env (compound : Shape.compound) joined (g : Ast.glue) =

@@ -4,8 +4,6 @@ open Scc_geometry
 open Scc_syntax
 open Scc_concave
 
-let ( let* ) = Option.bind
-
 let scaled (set : Polyhedron.ifs) (f : Vec.t) =
   let scale (name, (v : Vec.t)) = (name, Vec.make (Rat.mul f.x v.x) (Rat.mul f.y v.y) (Rat.mul f.z v.z)) in
   { set with ifs_vertices = Array.map scale set.ifs_vertices }
@@ -16,7 +14,7 @@ let rec read (c : Context.t) env (s : Ast.solid) =
   | Mesh (path, snap) -> Mesh_file.read c.report env ~read_file:c.read_file path snap
   | Scaled (inner, factors) ->
     let set = read c env inner and factors = Constant.scaling c.report env s.at factors in
-    let* set = set in
+    let*? set = set in
     Option.map (scaled set) factors
   | Template _ | Hull _ -> Bug.fail __POS__ "no solid that can be decomposed"
 
@@ -106,11 +104,11 @@ let make (c : Context.t) at (solid : Ast.solid) attributes env label =
   let set = read c env solid in
   let a = Attributes.read c.report env attributes in
   let mass = checked c at a in
-  let* set = set in
+  let*? set = set in
   if too_fine c solid.at set then None
   else
-    let* drawn = parts c solid set in
-    let* mass = mass in
+    let*? drawn = parts c solid set in
+    let*? mass = mass in
     Some (compound c at label drawn a mass)
 
 let declare c env (h : Ast.head) solid attributes definitions =

@@ -2,7 +2,6 @@ open Scc_base
 open Scc_exact
 open Scc_syntax
 
-let ( let* ) = Option.bind
 let all options = if List.for_all Option.is_some options then Some (List.filter_map Fun.id options) else None
 let blanks list = String.concat "," (List.map (fun _ -> "_") list)
 
@@ -107,11 +106,11 @@ let base report env (r : Ast.reference) =
         None)
 
 let reference report env (r : Ast.reference) =
-  let* base = base report env r in
+  let*? base = base report env r in
   match (r.indices, r.arguments) with
   | [], [] -> Some { label = base; keys = [ base ]; arguments = [] }
   | [], arguments ->
-    let* values = all (List.map (argument report env) arguments) in
+    let*? values = all (List.map (argument report env) arguments) in
     Some
       {
         label = Printf.sprintf "%s(%s)" base (String.concat "," (List.map printed values));
@@ -119,7 +118,7 @@ let reference report env (r : Ast.reference) =
         arguments = values;
       }
   | indices, _ ->
-    let* values = all (List.map (index report env) indices) in
+    let*? values = all (List.map (index report env) indices) in
     let label = Printf.sprintf "%s[%s]" base (String.concat "," (List.map printed values)) in
     Some { label; keys = [ label; Printf.sprintf "%s[%s]" base (blanks values) ]; arguments = values }
 

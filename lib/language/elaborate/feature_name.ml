@@ -6,8 +6,6 @@ open Scc_calculus
 type t = { prefix : (string * Span.t) list; what : what; span : Span.t }
 and what = Name of string * Span.t | Cycle of (string * Span.t) list
 
-let ( let* ) = Option.bind
-
 let segment_span (s : Ast.segment) =
   match List.rev s.indices with
   | [] -> s.name.at
@@ -43,7 +41,7 @@ let vertices report env (paths : Ast.path list) =
     | Some found, Some names -> Some (split_last names :: found)
     | _ -> None
   in
-  let* all = Option.map List.rev (List.fold_left add (Some []) paths) in
+  let*? all = Option.map List.rev (List.fold_left add (Some []) paths) in
   match all with
   | [] -> Some ([], [])
   | (prefix, _) :: _ ->
@@ -59,12 +57,12 @@ let vertices report env (paths : Ast.path list) =
 let read report env (f : Ast.feature) =
   match f.it with
   | Named path ->
-    let* names = segments report env path in
+    let*? names = segments report env path in
     let prefix, (name, at) = split_last names in
     Some { prefix; what = Name (name, at); span = f.at }
   | Tuple (prefix, paths) ->
-    let* outer = Option.fold ~none:(Some []) ~some:(segments report env) prefix in
-    let* inner, cycle = vertices report env paths in
+    let*? outer = Option.fold ~none:(Some []) ~some:(segments report env) prefix in
+    let*? inner, cycle = vertices report env paths in
     Some { prefix = outer @ inner; what = Cycle cycle; span = f.at }
 
 let feature_names (p : Polyhedron.t) =

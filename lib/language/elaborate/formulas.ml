@@ -4,8 +4,6 @@ open Scc_syntax
 open Scc_property
 open Subjects
 
-let ( let* ) = Option.bind
-
 type t = Subjects.t
 
 let state_of t at ~hint = function
@@ -32,11 +30,11 @@ let disjunction formulas =
 let members t env v = function
   | Ast.Numbers r -> Indices.numbers t.c.report env v r
   | Ast.Bodies e ->
-    let* leaves = range t env e in
+    let*? leaves = range t env e in
     Some (List.filter_map (fun i -> if i >= 0 then Some (Env.Leaf i) else None) leaves)
 
 let quantified t eval env (q : Ast.quantifier) (v : Ast.name) over (body : Ast.expr) =
-  let* values = members t env v over in
+  let*? values = members t env v over in
   let instance value =
     let env = Env.add v.it { Env.value; span = v.at; used = false } env in
     match eval env body with
@@ -46,13 +44,13 @@ let quantified t eval env (q : Ast.quantifier) (v : Ast.name) over (body : Ast.e
       None
     | None -> None
   in
-  let* formulas = all (List.map instance values) in
+  let*? formulas = all (List.map instance values) in
   match q with
   | Forall -> Some (Typed.Cond (conjunction formulas))
   | Exists -> Some (Typed.Cond (disjunction formulas))
   | Count ->
     let hint = "what is counted holds or not at an instant" in
-    let* ps = all (List.map (state_of t body.at ~hint) formulas) in
+    let*? ps = all (List.map (state_of t body.at ~hint) formulas) in
     Some (Typed.Num (Property.Count ps))
 
 let duration t env (e : Ast.expr) =
@@ -70,7 +68,7 @@ let bound t env = function
   | Some (Ast.Within e | Ast.At_most e) ->
     Option.map (fun high -> { Property.low = Rat.zero; high = Some high }) (duration t env e)
   | Some (Ast.Between (a, b)) ->
-    let* low, high = Typed.both (duration t env a) (duration t env b) in
+    let*? low, high = Typed.both (duration t env a) (duration t env b) in
     if Rat.compare low high <= 0 then Some { Property.low; high = Some high }
     else begin
       error t Code.bad_value b.at "the time bound [%s, %s] is empty" (Rat.to_string low) (Rat.to_string high);
@@ -125,19 +123,19 @@ let other t eval env (e : Ast.expr) =
   | Apply (f, arguments) -> Atoms.apply t env e f arguments
   | Quantified (q, v, template, body) -> quantified t eval env q v template body
   | Temporal (operator, written, f) ->
-    let* b, f = Typed.both (bound t env written) (formula t eval env f) in
+    let*? b, f = Typed.both (bound t env written) (formula t eval env f) in
     Option.map (fun f -> Typed.Cond f) (temporal t e.at operator written b f)
   | Until (q, f, written, g) ->
     let f = formula t eval env f and g = formula t eval env g in
-    let* b = bound t env written in
-    let* f, g = Typed.both f g in
+    let*? b = bound t env written in
+    let*? f, g = Typed.both f g in
     Some (Typed.Cond (Property.Until (path_quantifier q, b, f, g)))
   | Measured (m, test, o) ->
     Option.map (fun f -> Typed.Cond f) (Measures.formula (reader t eval env) e.at m test o)
   | Leads_to (f, written, g) ->
     let f = formula t eval env f and g = formula t eval env g in
-    let* b = bound t env written in
-    let* f, g = Typed.both f g in
+    let*? b = bound t env written in
+    let*? f, g = Typed.both f g in
     Some (Typed.Cond (leads_to b f g))
   | Event (word, arguments) -> Atoms.event t env e.at word arguments
   | Co name ->
@@ -221,7 +219,7 @@ let rec is_temporal (e : Ast.expr) =
   | Number _ | True | False | Path _ | Co _ | Apply _ | Apply_in _ | Vector _ | Neg _ | Event _ -> false
 
 let truth_of t (k : Program.check) =
-  let* f = Eval.cond t k.env k.formula in
+  let*? f = Eval.cond t k.env k.formula in
   match Formula.state_formula f with
   | Some _ when not (is_temporal k.formula) ->
     error t Code.not_a_formula k.formula.at
@@ -246,10 +244,10 @@ let operators_within limit formula =
   look [ (0, formula) ]
 
 let check t (k : Program.check) =
-  let* (c : Property.check) =
+  let*? (c : Property.check) =
     match k.formula.it with
     | Measured (m, test, o) when Measures.is_question m test ->
-      let* asked, formula = Measures.question (reader t (Eval.eval t) k.env) m test o in
+      let*? asked, formula = Measures.question (reader t (Eval.eval t) k.env) m test o in
       Some { Property.name = k.name; span = k.span; text = k.written k.formula; asked; formula }
     | _ -> truth_of t k
   in
@@ -264,7 +262,7 @@ let check t (k : Program.check) =
 let premises t (k : Program.check) =
   let t = { t with budget = Typed.budget () } in
   let read (premise, possibly) =
-    let* f = Eval.cond t k.env possibly in
+    let*? f = Eval.cond t k.env possibly in
     match f with
     | Property.Finally (_, _, State _) ->
       Some { Property.name = k.name; span = premise.Ast.at; text = k.written premise; asked = Whether; formula = f

@@ -1,11 +1,9 @@
 open Scc_exact
 open Scc_syntax
 
-let ( let* ) = Option.bind
-
 let numbers report env (v : Ast.name) (r : Ast.bounds) =
   let integer = Constant.integer report env "the bound of a range" in
-  let* low, high = Typed.both (integer r.low) (integer r.high) in
+  let*? low, high = Typed.both (integer r.low) (integer r.high) in
   if Z.compare (Z.sub high low) (Z.of_int Limits.items) > 0 then begin
     Report.error report Scc_base.Code.too_deep r.high.at "this range has more than %d numbers" Limits.items;
     None
@@ -20,7 +18,7 @@ let numbers report env (v : Ast.name) (r : Ast.bounds) =
           | None -> Some true
           | Some c -> Constant.truth report (Env.add v.it { Env.value; span = v.at; used = false } env) c
         in
-        let* admitted = admitted in
+        let*? admitted = admitted in
         from (Z.succ i) (if admitted then value :: found else found)
     in
     from low []
@@ -33,9 +31,9 @@ let scopes report env (over : Ast.range list) =
       incr count;
       Some (env :: found)
     | (r : Ast.range) :: rest ->
-      let* values = numbers report env r.index r.bounds in
+      let*? values = numbers report env r.index r.bounds in
       let one found value =
-        let* found = found in
+        let*? found = found in
         if !count >= Limits.items then begin
           Report.error report Scc_base.Code.too_deep r.index.at "this `for` names more than %d velocities"
             Limits.items;

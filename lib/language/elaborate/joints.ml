@@ -8,11 +8,9 @@ open Scc_calculus
 
 type t = { name : string; one : int * Site.t; two : int * Site.t }
 
-let ( let* ) = Option.bind
-
 (* The leaf that a feature begins with, and the feature on its shape. *)
 let read_end (c : Context.t) env (bodies : Bodies.t) (f : Ast.feature) =
-  let* f = Feature_name.read c.report env f in
+  let*? f = Feature_name.read c.report env f in
   match f.prefix with
   | [] ->
     Report.error c.report Code.unknown_feature f.span "say of which process this feature is, as in `p.right`";
@@ -20,8 +18,8 @@ let read_end (c : Context.t) env (bodies : Bodies.t) (f : Ast.feature) =
   | (name, at) :: rest -> (
       match Registry.find bodies.registry name with
       | Some (Leaf i) | Some (Process [ i ]) ->
-        let* leaf = bodies.leaves.(i) in
-        let* meaning = Feature_name.on_shape c.report ~own:None leaf.shape { f with prefix = rest } in
+        let*? leaf = bodies.leaves.(i) in
+        let*? meaning = Feature_name.on_shape c.report ~own:None leaf.shape { f with prefix = rest } in
         Some (i, meaning)
       | Some (Process _ | Family _) ->
         Report.error c.report Code.wrong_kind at
@@ -162,8 +160,8 @@ let joins (c : Context.t) joined at ((p : Bodies.leaf), i) ((q : Bodies.leaf), j
 (* [admits]: whether the bond may join these two. *)
 let read_bond (c : Context.t) (bodies : Bodies.t) joined ~admits (env, (b : Ast.bond)) =
   let one = read_end c env bodies b.first and two = read_end c env bodies b.second in
-  let* i, m = one in
-  let* j, n = two in
+  let*? i, m = one in
+  let*? j, n = two in
   let p = leaf bodies i and q = leaf bodies j in
   if not (admits (b.first.at, i) (b.second.at, j)) then None
   else if Int.equal i j then begin

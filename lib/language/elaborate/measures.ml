@@ -3,8 +3,6 @@ open Scc_exact
 open Scc_syntax
 open Scc_property
 
-let ( let* ) = Option.bind
-
 type reader = {
   report : Report.t;
   env : Env.t;
@@ -61,7 +59,7 @@ let threshold r sides (o, (e : Ast.expr)) =
   Option.map (fun than -> (side, { Scc_chance.Answer.relation; than })) (Constant.number r.report r.env e)
 
 let chance r sides ((_, (e : Ast.expr)) as test) =
-  let* side, test = threshold r sides test in
+  let*? side, test = threshold r sides test in
   if Rat.sign test.than >= 0 && Rat.compare test.than Rat.one <= 0 then Some (Property.Chance { side; test })
   else begin
     error r Code.bad_value e.at "a probability is from 0 to 1, and this is %s" (Rat.to_string test.than);
@@ -73,12 +71,12 @@ let chance r sides ((_, (e : Ast.expr)) as test) =
 let outcome r quantifier (o : Ast.outcome) =
   match o with
   | Does { it = Temporal (((Eventually | Always) as operator), written, f); _ } ->
-    let* b, f = Typed.both (r.bound written) (r.formula f) in
+    let*? b, f = Typed.both (r.bound written) (r.formula f) in
     Some (match operator with Always -> Property.Globally (quantifier, b, f) | _ -> Finally (quantifier, b, f))
   | Goes_until (f, written, g) ->
     let f = r.formula f and g = r.formula g in
-    let* b = r.bound written in
-    let* f, g = Typed.both f g in
+    let*? b = r.bound written in
+    let*? f, g = Typed.both f g in
     Some (Property.Until (quantifier, b, f, g))
   | Does e ->
     error r Code.not_a_formula e.at "what a run does is expected here, and this is none"
@@ -101,7 +99,7 @@ let all_events f =
 
 let until r any (f : Ast.expr) g =
   let left = r.value f and g = r.formula g in
-  let* left, g = Typed.both left g in
+  let*? left, g = Typed.both left g in
   match left with
   | Typed.Num (Quantity Time) -> Some (Property.Time_until g, Property.Finally (any, Formula.always, g))
   | Cond (State p) when all_events (Property.State p) ->
@@ -118,7 +116,7 @@ let mean r any (o : Ast.outcome) =
     None
   | Has_at (e, t) -> (
       let value = r.value e and time = Constant.number r.report r.env t in
-      let* value, time = Typed.both value time in
+      let*? value, time = Typed.both value time in
       match value with
       | Typed.Num n when Rat.sign time >= 0 ->
         let at = { Property.low = time; high = Some time } in
@@ -132,10 +130,10 @@ let mean r any (o : Ast.outcome) =
 (* {1 Both} *)
 
 let formula r at m test o =
-  let* kind, sides = measure r m in
+  let*? kind, sides = measure r m in
   match (kind, test) with
   | Probability, Some test ->
-    let* quantifier = chance r sides test in
+    let*? quantifier = chance r sides test in
     outcome r quantifier o
   | Probability, None | Mean, _ ->
     error r Code.not_a_formula at "this asks about a number, and a formula is expected here"
@@ -148,10 +146,10 @@ let any sides =
   Property.Chance { side; test = { relation = At_least_so; than = Rat.zero } }
 
 let question r m test o =
-  let* kind, sides = measure r m in
+  let*? kind, sides = measure r m in
   match (kind, test) with
   | Probability, _ -> Option.map (fun f -> (Property.How_likely sides, f)) (outcome r (any sides) o)
   | Mean, None -> Option.map (fun (mean, f) -> (Property.Expected (sides, mean, None), f)) (mean r (any sides) o)
   | Mean, Some test ->
-    let* side, test = threshold r sides test in
+    let*? side, test = threshold r sides test in
     Option.map (fun (mean, f) -> (Property.Expected ([ side ], mean, Some test), f)) (mean r (any [ side ]) o)

@@ -2,8 +2,6 @@ open Scc_base
 open Scc_syntax
 open Scc_snap
 
-let ( let* ) = Option.bind
-
 let file report read_file (path : string Ast.loc) =
   match read_file path.it with
   | Error why ->
@@ -33,6 +31,6 @@ let read report env ~read_file (path : string Ast.loc) snap =
   | None -> set
   | Some e ->
     let tolerance = Constant.positive report env "distance to snap" e in
-    let* set = set in
-    let* tolerance = tolerance in
+    let*? set = set in
+    let*? tolerance = tolerance in
     snapped report path set tolerance

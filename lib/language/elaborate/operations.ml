@@ -38,7 +38,6 @@ let takes = function
 
 module Make (A : Algebra.S) = struct
   let error ctx ?hint code span fmt = Report.error (A.report ctx) ?hint code span fmt
-  let ( let* ) = Option.bind
 
   let as_num ctx at = function
     | None -> None
@@ -146,7 +145,7 @@ module Make (A : Algebra.S) = struct
   let abs ctx at a = choose ctx at (compare Ge a zero) a (negated a)
 
   let sign ctx at a =
-    let* below = choose ctx at (compare Lt a zero) (negated one) zero in
+    let*? below = choose ctx at (compare Lt a zero) (negated one) zero in
     choose ctx at (compare Gt a zero) one below
 
   (* From the nearest integer, which is at most one beside it. *)
@@ -156,8 +155,8 @@ module Make (A : Algebra.S) = struct
       | Some q -> Some (A.const (Rat.round_to q ~quantum:Rat.one))
       | None -> A.nearest ctx at what a
     in
-    let* n = nearest in
-    let* beside = arithmetic ctx at step n one in
+    let*? n = nearest in
+    let*? beside = arithmetic ctx at step n one in
     choose ctx at (compare beyond n a) beside n
 
   let floor ctx at what a = integer ctx at what a Law.Gt Sub
@@ -165,28 +164,28 @@ module Make (A : Algebra.S) = struct
 
   (* a - b*floor(a/b). *)
   let modulo ctx at a b =
-    let* quotient = arithmetic ctx at Div a b in
-    let* whole = floor ctx at "mod" quotient in
-    let* below = arithmetic ctx at Mul b whole in
+    let*? quotient = arithmetic ctx at Div a b in
+    let*? whole = floor ctx at "mod" quotient in
+    let*? below = arithmetic ctx at Mul b whole in
     arithmetic ctx at Sub a below
 
   let dot ctx at (a, b, c) (x, y, z) =
-    let* p, q = both (arithmetic ctx at Mul a x) (arithmetic ctx at Mul b y) in
-    let* r, s = both (arithmetic ctx at Mul c z) (arithmetic ctx at Add p q) in
+    let*? p, q = both (arithmetic ctx at Mul a x) (arithmetic ctx at Mul b y) in
+    let*? r, s = both (arithmetic ctx at Mul c z) (arithmetic ctx at Add p q) in
     arithmetic ctx at Add s r
 
   let cross ctx at (a, b, c) (x, y, z) =
     let minor p q r s =
-      let* m, n = both (arithmetic ctx at Mul p s) (arithmetic ctx at Mul q r) in
+      let*? m, n = both (arithmetic ctx at Mul p s) (arithmetic ctx at Mul q r) in
       arithmetic ctx at Sub m n
     in
-    let* u, v = both (minor b c y z) (minor c a z x) in
-    let* w = minor a b x y in
+    let*? u, v = both (minor b c y z) (minor c a z x) in
+    let*? w = minor a b x y in
     Some (Vec (u, v, w))
 
   let each f (a, b, c) (x, y, z) =
-    let* u, v = both (f a x) (f b y) in
-    let* w = f c z in
+    let*? u, v = both (f a x) (f b y) in
+    let*? w = f c z in
     Some (Vec (u, v, w))
 
   let is_constant = function
@@ -239,7 +238,7 @@ module Make (A : Algebra.S) = struct
     let rec fold f = function
       | [ Num n ] -> Some (Num n)
       | Num a :: Num b :: rest ->
-        let* n = f ctx at a b in
+        let*? n = f ctx at a b in
         fold f (Num n :: rest)
       | _ -> wrong ()
     in

@@ -28,9 +28,6 @@ module Make (A : Algebra.S) : sig
     A.context -> ?hint:string -> Code.t -> Span.t -> ('a, unit, string, unit) format4 -> 'a
   (** Reports an error as {!Report.error} does. *)
 
-  val ( let* ) : 'a option -> ('a -> 'b option) -> 'b option
-  (** [Option.bind]. *)
-
   (** {2 Types} *)
 
   val num : A.num option -> (A.num, A.cond) value option

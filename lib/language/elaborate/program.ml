@@ -76,8 +76,6 @@ type gathered = {
    have. *)
 type place = { env : Env.t; loops : Z.t list; names : string list }
 
-let ( let* ) = Option.bind
-
 let at_top env = { env; loops = []; names = [] }
 
 let in_loop place =
@@ -129,7 +127,7 @@ let param_in g place (name : Ast.name) (low : Ast.limit) (high : Ast.limit) =
   let given = Overrides.given g.overrides g.c.report ~name:global ~also in
   let at = Span.make ~file:name.at.file ~start:low.value.at.start ~stop:high.value.at.stop in
   let range =
-    let* low, high = Typed.both (end_ g place low) (end_ g place high) in
+    let*? low, high = Typed.both (end_ g place low) (end_ g place high) in
     Restricted.range g.c.report at { Ranges.name = global; low; high } given
   in
   match range with

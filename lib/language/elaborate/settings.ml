@@ -87,16 +87,11 @@ let round t report env (what : Ast.name) (e : Ast.expr) =
 
 (* {1 The default resolution} *)
 
-let least a b =
-  match (a, b) with
-  | None, x | x, None -> x
-  | Some a, Some b -> Some (Rat.min a b)
-
 let least_edge2 leaves =
   let of_edge (solid : Solid.t) (i, j) = Vec.norm2 (Vec.sub (Solid.vertex solid i) (Solid.vertex solid j)) in
   let of_part found (p : Model.part) =
     Array.fold_left
-      (fun found edge -> least found (Some (of_edge p.solid edge)))
+      (fun found edge -> Option.merge Rat.min found (Some (of_edge p.solid edge)))
       found p.solid.polyhedron.edges
   in
   Array.fold_left (fun found (l : Model.leaf) -> Array.fold_left of_part found l.parts) None leaves

@@ -3,8 +3,6 @@ open Scc_exact
 open Scc_geometry
 open Scc_syntax
 
-let ( let* ) = Option.bind
-
 (* {1 Hulls} *)
 
 let max_points = 100
@@ -51,7 +49,7 @@ let positive report (r : Ast.reference) numbers =
 let made_box report r (arguments : Env.value list) =
   match arguments with
   | [ Number a; Number b; Number c ] | [ Vector { x = a; y = b; z = c } ] ->
-    let* () = positive report r [ a; b; c ] in
+    let*? () = positive report r [ a; b; c ] in
     Some (Named_solids.box a b c)
   | _ -> wrong report r arguments lengths
 
@@ -65,7 +63,7 @@ let round report (r : Ast.reference) make (arguments : Env.value list) =
       None
     end
     else
-      let* () = positive report r [ radius; height ] in
+      let*? () = positive report r [ radius; height ] in
       Some (make corners radius height)
   | _ -> wrong report r arguments (corners r)
 

@@ -3,8 +3,6 @@ open Scc_syntax
 open Scc_calculus
 open Scc_property
 
-let ( let* ) = Option.bind
-
 type t = {
   c : Context.t;
   bodies : Bodies.t;
@@ -34,7 +32,7 @@ let resolve_leaf t (name, at) =
         ~near:(name, fun () -> Registry.names t.bodies.registry);
       None
   in
-  let* i = number in
+  let*? i = number in
   if t.composition.index.(i) >= 0 then Some t.composition.index.(i)
   else begin
     error t Code.wrong_kind at "`%s` is not in the network" name;
@@ -52,7 +50,7 @@ let leaf t env (e : Ast.expr) =
       match bound with
       | Some (Env.Leaf i) -> Some i
       | Some (Number _ | Truth _ | Vector _ | Affine _ | Word _ | Macro _ | Unknown) | None ->
-        let* name = Composition.single t.c.report env path in
+        let*? name = Composition.single t.c.report env path in
         resolve_leaf t name)
   | _ ->
     error t Code.type_mismatch e.at "the name of a process is expected here";
@@ -65,8 +63,8 @@ let spot t env (e : Ast.expr) : Property.spot option =
   | Path ({ it = path; at } as p) when List.length path > 1 -> (
       match List.rev path with
       | { name = part; indices = [] } :: (_ :: _ as before) ->
-        let* leaf = leaf t env { e with it = Path { p with it = List.rev before } } in
-        let* { shape; _ } = Option.map (fun (l : Bodies.leaf) -> l) t.bodies.leaves.(t.numbers.(leaf)) in
+        let*? leaf = leaf t env { e with it = Path { p with it = List.rev before } } in
+        let*? { shape; _ } = Option.map (fun (l : Bodies.leaf) -> l) t.bodies.leaves.(t.numbers.(leaf)) in
         (match shape with
          | Compound c -> (
              match Shape.part_index c part.it with
@@ -136,9 +134,9 @@ let template_of (e : Ast.expr) =
 let of_template t label = Option.value ~default:[] (Hashtbl.find_opt t.by_template label)
 
 let template_members t env r =
-  let* r = r in
+  let*? r = r in
   let scratch = Report.create () in
-  let* reference = Family.reference scratch env r in
+  let*? reference = Family.reference scratch env r in
   match Hashtbl.find_opt t.c.templates reference.label with
   | Some template ->
     template.used <- true;
@@ -151,12 +149,12 @@ let template_members t env r =
 
 let body_members t env (e : Ast.expr) =
   let scratch = Report.create () in
-  let* name =
+  let*? name =
     match e.it with
     | Path { it = [ segment ]; _ } -> Constant.segment scratch env segment
     | _ -> None
   in
-  let* found = Registry.find t.bodies.registry name in
+  let*? found = Registry.find t.bodies.registry name in
   match found with
   | Leaf i -> Some [ t.composition.index.(i) ]
   | Process list | Family list ->

@@ -3,8 +3,6 @@ open Scc_exact
 open Scc_geometry
 open Scc_syntax
 
-let ( let* ) = Option.bind
-
 let names (model : Ast.model) =
   List.filter_map
     (fun (item : Ast.item) ->
@@ -27,8 +25,8 @@ let listed report env vertices faces =
   let face ((n : Ast.name), corners) =
     Option.map (fun c -> (n.it, Array.of_list c)) (all (List.map corner corners))
   in
-  let* vertices = all (List.map place vertices) in
-  let* faces = all (List.map face faces) in
+  let*? vertices = all (List.map place vertices) in
+  let*? faces = all (List.map face faces) in
   Some { Polyhedron.ifs_vertices = Array.of_list vertices; ifs_faces = Array.of_list faces }
 
 let scaled (set : Polyhedron.ifs) (f : Vec.t) =
@@ -39,7 +37,7 @@ let scaled (set : Polyhedron.ifs) (f : Vec.t) =
 
 let hull report env at points =
   let place ((n : Ast.name), v) = Option.map (fun p -> (n.it, p)) (Constant.corner report env v) in
-  let* points = all (List.map place points) in
+  let*? points = all (List.map place points) in
   Solids.hull report at points
 
 (* References from shape to shape, as those of {!Templates}. *)
@@ -51,13 +49,13 @@ let rec set (c : Context.t) report depth env (solid : Ast.solid) =
   | Hull points -> hull report env solid.at points
   | Mesh (path, snap) -> Mesh_file.read report env ~read_file:c.read_file path snap
   | Scaled (inner, factors) ->
-    let* set = set c report depth env inner in
-    let* f = Constant.scaling report env solid.at factors in
+    let*? set = set c report depth env inner in
+    let*? f = Constant.scaling report env solid.at factors in
     Some (scaled set f)
   | Template r -> named c report depth env r
 
 and named c report depth env (r : Ast.reference) =
-  let* reference = Family.reference report env r in
+  let*? reference = Family.reference report env r in
   let is_compound () =
     Report.error report Code.wrong_kind r.target.at "`%s` is a compound, and a single shape is needed here"
       reference.label ~hint:"its parts are the shapes to look at";

@@ -3,8 +3,6 @@ open Scc_exact
 open Scc_geometry
 open Scc_syntax
 
-let ( let* ) = Option.bind
-
 (* Instances that are made for one another. *)
 let max_nesting = 100
 
@@ -162,7 +160,7 @@ let find_known (c : Context.t) (r : Ast.reference) (reference : Family.reference
         None)
 
 let find (c : Context.t) env (r : Ast.reference) =
-  let* reference = Family.reference c.report env r in
+  let*? reference = Family.reference c.report env r in
   find_known c r reference
 
 let resolve_corners (c : Context.t) index (face : Ast.name) corners =
@@ -197,17 +195,17 @@ let places_of at vertices faces =
   { whole = at; vertices = spans vertices; faces = spans faces }
 
 let listed (c : Context.t) env ~label at vertices faces =
-  let* set = listed_set c env vertices faces in
+  let*? set = listed_set c env vertices faces in
   accept c (places_of at vertices faces) ~label set
 
 let mesh (c : Context.t) env ~label (path : string Ast.loc) snap =
-  let* ifs = Mesh_file.read c.report env ~read_file:c.read_file path snap in
+  let*? ifs = Mesh_file.read c.report env ~read_file:c.read_file path snap in
   accept c { whole = path.at; vertices = [||]; faces = [||] } ~label ifs
 
 let rec basic (c : Context.t) env ~label (s : Ast.solid) =
   match s.it with
   | Template r -> (
-      let* shape = find c env r in
+      let*? shape = find c env r in
       match shape with
       | Basic b -> Some b
       | Compound _ ->
@@ -216,8 +214,8 @@ let rec basic (c : Context.t) env ~label (s : Ast.solid) =
         None)
   | Scaled (inner, factors) ->
     let inner = basic c env ~label inner and factors = Constant.scaling c.report env s.at factors in
-    let* b = inner in
-    let* f = factors in
+    let*? b = inner in
+    let*? f = factors in
     let polyhedron, id = c.scaled b f in
     Some { b with id; polyhedron }
   | Mesh (path, snap) -> mesh c env ~label path snap

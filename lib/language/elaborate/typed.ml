@@ -41,8 +41,8 @@ module Make (A : ALGEBRA) = struct
       | Vector (x, y, z) ->
         let component = num_at ctx (depth + 1) env in
         let x = component x and y = component y and z = component z in
-        let* x, y = both x y in
-        let* z = z in
+        let*? x, y = both x y in
+        let*? z = z in
         Some (Vec (x, y, z))
       | Neg a -> (
           match at_depth ctx (depth + 1) env a with
@@ -90,7 +90,7 @@ module Make (A : ALGEBRA) = struct
       None
 
   and component ctx (axis : Ast.name) v =
-    let* x, y, z = v in
+    let*? x, y, z = v in
     match axis.it with
     | "x" -> Some (Num x)
     | "y" -> Some (Num y)
@@ -113,7 +113,7 @@ module Make (A : ALGEBRA) = struct
   and apply ctx depth env at name es =
     let values = List.map (at_depth ctx (depth + 1) env) es in
     if List.exists Option.is_none values then check_arity ctx at name (List.length values);
-    let* values = all values in
+    let*? values = all values in
     if not (List.for_all is_constant values) then
       List.iter2 (fun e v -> again ctx depth env (Operations.copies name) e v) es values;
     if (A.budget ctx).left > 0 then call ctx at name values else None
@@ -123,7 +123,7 @@ module Make (A : ALGEBRA) = struct
     | Mod -> apply ctx depth env at "mod" [ a; b ]
     | Add | Sub | Mul | Div -> (
         let operand e = at_depth ctx (depth + 1) env e in
-        let* x, y = both (operand a) (operand b) in
+        let*? x, y = both (operand a) (operand b) in
         match (x, y) with
         | Cond _, _ ->
           ignore (as_num ctx a.at (Some x));
@@ -139,19 +139,19 @@ module Make (A : ALGEBRA) = struct
           operate ctx at op x y
         | (Num _ | Vec _), _ -> operate ctx at op x y)
     | And | Or | Implies ->
-      let* x, y = both (cond_at ctx (depth + 1) env a) (cond_at ctx (depth + 1) env b) in
+      let*? x, y = both (cond_at ctx (depth + 1) env a) (cond_at ctx (depth + 1) env b) in
       Some (Cond (connective op x y))
     | Lt | Le | Gt | Ge | Eq | Ne -> (
         match (A.comparison ctx env op a b, comparison_of op) with
         | Some result, _ -> result
         | None, Some c -> (
-            let* x, y = both (at_depth ctx (depth + 1) env a) (at_depth ctx (depth + 1) env b) in
+            let*? x, y = both (at_depth ctx (depth + 1) env a) (at_depth ctx (depth + 1) env b) in
             match (op, x, y) with
             | (Eq | Ne), Vec (a, b, c), Vec (x, y, z) ->
               let equal = conj (compare Eq a x) (conj (compare Eq b y) (compare Eq c z)) in
               Some (Cond (match op with Ne -> negate equal | _ -> equal))
             | _ ->
-              let* x, y = both (as_num ctx a.at (Some x)) (as_num ctx b.at (Some y)) in
+              let*? x, y = both (as_num ctx a.at (Some x)) (as_num ctx b.at (Some y)) in
               Some (Cond (compare c x y)))
         | None, None -> Bug.fail __POS__ "not a comparison")
 
@@ -159,7 +159,7 @@ module Make (A : ALGEBRA) = struct
     let below = at_depth ctx (depth + 1) env in
     let condition = cond_at ctx (depth + 1) env c in
     let branches = both (below a) (below b) in
-    let* condition = condition in
+    let*? condition = condition in
     match branches with
     | None -> None
     | Some (Num x, Num y) -> (
@@ -172,7 +172,7 @@ module Make (A : ALGEBRA) = struct
         | None ->
           (* What is made has the condition twice: read again, it is counted twice. Otherwise conditions
              within conditions would make terms beyond every limit. *)
-          let* _ = cond_at ctx (depth + 1) env c in
+          let*? _ = cond_at ctx (depth + 1) env c in
           Some (Cond (A.choose_cond condition x y)))
     | Some (Vec (p, q, r), Vec (x, y, z)) ->
       (match A.truth condition with

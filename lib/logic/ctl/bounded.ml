@@ -14,20 +14,12 @@ let in_time bound = function
 let shift d (m : Timeline.moment) = { m with offset = Algebraic.add_rat d m.offset }
 
 let earliest times targets =
-  let better acc t =
-    match (acc, times t) with
-    | None, m | m, None -> m
-    | Some a, Some b -> if Timeline.compare_moment b a < 0 then Some b else acc
-  in
-  Array.fold_left better None targets
+  let better a b = if Timeline.compare_moment b a < 0 then b else a in
+  Array.fold_left (fun found t -> Option.merge better found (times t)) None targets
 
 let latest times targets =
-  let worse acc t =
-    match (acc, times t) with
-    | None, _ | _, None -> None
-    | Some a, Some b -> if Timeline.compare_moment b a > 0 then Some b else acc
-  in
-  Array.fold_left worse (Some now) targets
+  let worse a b = if Timeline.compare_moment b a > 0 then b else a in
+  Array.fold_left (fun found t -> Option.map2 worse found (times t)) (Some now) targets
 
 (** {2 Shortest} *)
 

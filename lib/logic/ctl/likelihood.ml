@@ -117,11 +117,7 @@ let set q effort yes =
 
 (* In the flow of a node, where g begins to hold in time. *)
 let finish q w (p : place) (moment : Timeline.moment) =
-  let limit =
-    match (p.elapsed, w.high) with
-    | Some e, Some h -> Some (Algebraic.add_rat (Rat.neg e) h)
-    | None, _ | _, None -> None
-  in
+  let limit = Option.map2 (fun e -> Algebraic.add_rat (Rat.neg e)) p.elapsed w.high in
   Run.during q.graph ~f:q.f ~g:q.g ?limit p.node moment
 
 let start_of w (position : Positions.position) = place w position.node Rat.zero

@@ -22,11 +22,7 @@ let goal r : Positions.position option =
 (* To a moment inside the flow of s; where an open interval begins there, an offset in it, before the limit too.
 *)
 let during graph ~f ~g ?limit s (moment : Timeline.moment) =
-  let least a b =
-    match (a, b) with
-    | None, x | x, None -> x
-    | Some a, Some b -> Some (if Algebraic.compare a b <= 0 then a else b)
-  in
+  let least = Option.merge (fun a b -> if Algebraic.compare a b <= 0 then a else b) in
   let next cuts =
     Array.fold_left
       (fun acc c -> if Algebraic.compare c moment.offset > 0 then least acc (Some c) else acc)

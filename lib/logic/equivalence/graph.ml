@@ -27,33 +27,25 @@ let exists g s f =
   let rec from e = e < stop && (f (Int_array.get g.label e) (Int_array.get g.target e) || from (e + 1)) in
   from (Int_array.get g.first s)
 
+module Names = Numbering.Make (struct
+    include String
+
+    let hash (name : string) = Hashtbl.hash name
+  end)
+
 type builder = {
-  numbers : (string, int) Hashtbl.t;
-  mutable names : string list;  (* the last first *)
+  names : Names.t;
   from : Int_array.buffer;
   by : Int_array.buffer;
   into : Int_array.buffer;
 }
 
 let builder () =
-  let numbers = Hashtbl.create 64 in
-  Hashtbl.add numbers tau 0;
-  {
-    numbers;
-    names = [ tau ];
-    from = Int_array.buffer ();
-    by = Int_array.buffer ();
-    into = Int_array.buffer ();
-  }
+  let names = Names.create () in
+  ignore (Names.number names tau);
+  { names; from = Int_array.buffer (); by = Int_array.buffer (); into = Int_array.buffer () }
 
-let intern b name =
-  match Hashtbl.find_opt b.numbers name with
-  | Some i -> i
-  | None ->
-    let i = Hashtbl.length b.numbers in
-    Hashtbl.add b.numbers name i;
-    b.names <- name :: b.names;
-    i
+let intern b = Names.number b.names
 
 let add b ~source ~label ~target =
   Int_array.push b.from source;
@@ -98,7 +90,7 @@ let sort_codes codes n =
 (* Edges are put to their sources, and sorted there; repetitions leave a gap, which the next ones fill. *)
 let finish b ~size ~initial ~unknown =
   let items = Int_array.size b.from in
-  let labels = Array.of_list (List.rev b.names) in
+  let labels = Array.of_list (Names.keys b.names) in
   let begin_ = starts ~keys:size ~items (Int_array.nth b.from) in
   let next = starts ~keys:size ~items (Int_array.nth b.from) in
   let label = Int_array.make items 0 and target = Int_array.make items 0 in

@@ -14,10 +14,7 @@ let left (b : Scc_verdicts.Budget.t) ~elapsed (p : Limits.progress) =
     else Some (elapsed *. float_of_int (max 0 (n - p.states)) /. float_of_int p.states)
   in
   let of_seconds s = Some (Float.max 0. (s -. elapsed)) in
-  match (Option.bind b.states of_states, Option.bind b.seconds of_seconds) with
-  | Some x, Some y -> Some (Float.min x y)
-  | Some x, None | None, Some x -> Some x
-  | None, None -> None
+  Option.merge Float.min (Option.bind b.states of_states) (Option.bind b.seconds of_seconds)
 
 let line ~bounds ~elapsed ~heap (p : Limits.progress) =
   let rate = if elapsed > 0. then float_of_int p.states /. elapsed else 0. in

@@ -6,9 +6,8 @@ type event = { item : int; leaves : int list; before : State.t; time : Rat.t; or
 
 let met (h : State.t) ~firsts ~time ~item ~order =
   let processes = List.filter_map (State.home h) (List.sort_uniq Int.compare firsts) in
-  let leaves (p : State.process) = List.map (fun (l : State.leaf) -> l.leaf) (Array.to_list p.leaves) in
   {
-    item; time; order; leaves = List.concat_map leaves processes;
+    item; time; order; leaves = List.concat_map State.members processes;
     before = State.make ~processes ~step:h.step ~time:h.time;
   }
 
@@ -19,7 +18,7 @@ let without against e time =
   let model = Against.model against in
   let d = Rat.sub time e.time in
   let go p = if Rat.sign d < 0 && Turn.spinning p then p else Turn.pass model d p in
-  State.make ~processes:(List.map go (Array.to_list e.before.processes)) ~step:e.before.step ~time:e.before.time
+  State.mapi (fun _ -> go) e.before
 
 (* A way to read a body: which of its events have happened, by their orders, and how far off that is. *)
 type reading = { happened : (int * bool) list; deviation : Against.deviation }

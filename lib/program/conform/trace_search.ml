@@ -190,9 +190,8 @@ let passing t layer h index (taken : Transition.t) =
 (* Where bonds may be released at any time, less time may pass than until the next transition: just as much as
    until the next item, which may be that release. All times of such traces are exact. *)
 let stop t h transitions =
-  let may_split (p : State.process) = Option.is_some p.clock in
-  let at_any_time = (Against.model t.against).splits = Any_time in
-  if not (at_any_time && Array.exists may_split h.state.State.processes) then None
+  let at_any_time = Process.splits_at_any_time (Against.model t.against) in
+  if not (Array.exists at_any_time h.state.State.processes) then None
   else
     let numbered = List.mapi (fun i x -> (i, x)) transitions in
     let is_time (_, (x : Transition.t)) = Transition.is_time x.label in

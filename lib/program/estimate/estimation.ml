@@ -112,7 +112,7 @@ let is_hopeless t q ~miss value =
   let n = q.tally.runs and k = Tally.open_ended q.tally in
   match (value, range q) with
   | (Probability _ | Mean _), Some range when k > 0 ->
-    let share = Clopper_pearson.lower ~n ~k ~miss:(Rat.div miss (Rat.of_int 2)) in
+    let share = Clopper_pearson.lower ~n ~k ~miss:(Rat.mul Rat.half miss) in
     Rat.compare (Rat.mul share (Rat.sub range.high range.low)) (allowed t value) > 0
   | (Probability _ | Mean _), _ -> false
   | Infinite, _ -> k > 0

@@ -4,7 +4,6 @@ open Scc_property
 
 type t = { low : Rat.t; high : Rat.t; ends_only : bool }
 
-let ( let* ) = Option.bind
 let is_point r = Rat.equal r.low r.high
 let point x = { low = x; high = x; ends_only = true }
 let from_to low high = { low = Rat.of_int low; high = Rat.of_int high; ends_only = high - low <= 1 }
@@ -12,7 +11,9 @@ let from_to low high = { low = Rat.of_int low; high = Rat.of_int high; ends_only
 (* The least range that has all of them. *)
 let around ~ends_only = function
   | [] -> None
-  | x :: xs -> Some { low = List.fold_left Rat.min x xs; high = List.fold_left Rat.max x xs; ends_only }
+  | x :: xs ->
+    let low, high = Rat.span x xs in
+    Some { low; high; ends_only }
 
 let combined f a b =
   around
@@ -20,7 +21,7 @@ let combined f a b =
     [ f a.low b.low; f a.low b.high; f a.high b.low; f a.high b.high ]
 
 let either a b =
-  let* all = around ~ends_only:false [ a.low; a.high; b.low; b.high ] in
+  let*? all = around ~ends_only:false [ a.low; a.high; b.low; b.high ] in
   let at_an_end x = Rat.equal x all.low || Rat.equal x all.high in
   let ends r = r.ends_only && at_an_end r.low && at_an_end r.high in
   Some { all with ends_only = ends a && ends b }
@@ -41,8 +42,8 @@ let of_quantity (m : Model.t) ~time : Property.quantity -> t option =
 
 let rec of_number m ~time (n : Property.num) =
   let both f a b =
-    let* a = of_number m ~time a in
-    let* b = of_number m ~time b in
+    let*? a = of_number m ~time a in
+    let*? b = of_number m ~time b in
     f a b
   in
   match n with

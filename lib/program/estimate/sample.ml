@@ -24,17 +24,12 @@ let next_look n = n + (n / 2)
 
 (* Nothing that is asked depends on what comes a unit of time after all horizons. *)
 let horizon plan =
-  let later h (p : Path.t) =
-    match (h, p.horizon) with Some a, Some b -> Some (Rat.max a b) | _, _ -> None
-  in
+  let later h (p : Path.t) = Option.map2 Rat.max h p.horizon in
   match plan.paths with
   | [] -> None
   | p :: rest -> Option.map (Rat.add Rat.one) (List.fold_left later p.horizon rest)
 
-let until plan =
-  match (horizon plan, plan.until) with
-  | Some a, Some b -> Some (Rat.min a b)
-  | (Some _ as t), None | None, t -> t
+let until plan = Option.merge Rat.min (horizon plan) plan.until
 
 let is_free (s : Scc_engine.Run.alternative) ~among = among > 1 && not (Scc_semantics.Transition.is_drawn s.label)
 

@@ -39,7 +39,7 @@ let add t (o : Sample.outcome) =
 let open_ended t = t.free + t.too_long + t.no_value
 
 let likelihood t ~miss =
-  let miss = Rat.div miss (Rat.of_int 2) in
+  let miss = Rat.mul Rat.half miss in
   ( Clopper_pearson.lower ~n:t.runs ~k:t.yes ~miss,
     Clopper_pearson.upper ~n:t.runs ~k:(t.yes + open_ended t) ~miss )
 

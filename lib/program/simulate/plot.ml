@@ -6,7 +6,7 @@ let band quantiles cell =
   match quantiles with
   | [] | [ _ ] -> None
   | q :: rest ->
-    let low = List.fold_left Rat.min q rest and high = List.fold_left Rat.max q rest in
+    let low, high = Rat.span q rest in
     Some (Statistics.quantile cell low, Statistics.quantile cell high)
 
 (* In pieces, where at some times no run has a value. *)

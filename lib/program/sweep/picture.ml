@@ -34,7 +34,7 @@ let range (c : Outcome.check) =
       | Some low, Some high when not (n.infinite || last.infinite) -> Some (low, high)
       | _, _ -> None)
 
-let middle (low, high) = Rat.div (Rat.add low high) (Rat.of_int 2)
+let middle (low, high) = Rat.middle low high
 
 let curve (axis : Grid.axis) outcomes name : Chart.panel =
   let add i pieces =

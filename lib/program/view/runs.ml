@@ -146,18 +146,14 @@ let moves (s : State.t) =
     (fun (p : State.process) -> (not (Vec.is_zero p.velocity)) || not (Vec.is_zero p.spin))
     s.processes
 
-let half = Rat.make Z.one (Z.of_int 2)
 
 (* How long what moves takes to go about as far as leaves are from each other. *)
 let across (s : State.t) =
-  let places =
-    List.concat_map
-      (fun (p : State.process) -> List.map (fun (l : State.leaf) -> l.position) (Array.to_list p.leaves))
-      (Array.to_list s.processes)
-  in
+  let places = List.map (fun (l : State.leaf) -> l.position) (State.leaves s) in
   let along axis =
     let all = List.map (Vec.component axis) places in
-    Rat.sub (List.fold_left Rat.max (List.hd all) all) (List.fold_left Rat.min (List.hd all) all)
+    let least, greatest = Rat.span (List.hd all) all in
+    Rat.sub greatest least
   in
   let fastest axis =
     Array.fold_left
@@ -174,7 +170,7 @@ let a_while semantics ~over state =
   else
     let step = (Semantics.model semantics).timestep in
     let most = Rat.mul (Rat.of_int 100) (Rat.add step over) in
-    let long = Rat.max (Rat.mul half over) (Rat.min (across state) most) in
+    let long = Rat.max (Rat.mul Rat.half over) (Rat.min (across state) most) in
     Rat.mul step (Rat.make (Z.add Z.one (Rat.floor (Rat.div long step))) Z.one)
 
 let finished states world ~most (n, state) ~rests ~over offset =

@@ -41,7 +41,7 @@ let boxed (s : shell) (t : shell) =
 (* Shells have no points in common but corners, and so the middle of an edge is on none but its own. *)
 let around set shells s =
   let c = corners set shells.(s).first in
-  let middle = Vec.scale (Rat.make Z.one (Z.of_int 2)) (Vec.add (place set c.(0)) (place set c.(1))) in
+  let middle = Vec.middle (place set c.(0)) (place set c.(1)) in
   let is t = t <> s && boxed shells.(s) shells.(t) && Within.surface set shells.(t).faces middle in
   List.filter is (List.init (Array.length shells) Fun.id)
 

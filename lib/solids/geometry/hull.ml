@@ -28,16 +28,14 @@ let find n test =
   let rec go i = if i >= n then None else if test i then Some i else go (i + 1) in
   go 0
 
-let ( let* ) = Option.bind
-
 let first_four p =
   let n = Array.length p in
-  let* a = if n > 0 then Some 0 else None in
-  let* b = find n (fun i -> not (Ivec.equal p.(i) p.(a))) in
+  let*? a = if n > 0 then Some 0 else None in
+  let*? b = find n (fun i -> not (Ivec.equal p.(i) p.(a))) in
   let across i = Ivec.cross (Ivec.sub p.(b) p.(a)) (Ivec.sub p.(i) p.(a)) in
-  let* c = find n (fun i -> not (Ivec.is_zero (across i))) in
+  let*? c = find n (fun i -> not (Ivec.is_zero (across i))) in
   let f = facet p a b c in
-  let* d = find n (fun i -> Z.sign (height f p.(i)) <> 0) in
+  let*? d = find n (fun i -> Z.sign (height f p.(i)) <> 0) in
   (* d is to be behind the triangle of the others *)
   Some (if Z.sign (height f p.(d)) < 0 then (a, b, c, d) else (a, c, b, d))
 
@@ -166,7 +164,7 @@ let start points (a, b, c, d) =
 
 let triangles positions =
   let points, _ = Ivec.of_vecs positions in
-  let* four = first_four points in
+  let*? four = first_four points in
   let points = about_the_middle points four in
   let edges = Edges.create 1024 in
   let first = start points four in

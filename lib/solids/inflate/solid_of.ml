@@ -16,23 +16,23 @@ let everything r =
   cells r (fun _ -> incr n);
   2 * !n
 
+(* By their places in the plane. *)
+module Corners = Scc_data.Numbering.Make (struct
+    type t = Front.corner
+
+    let equal (a : t) (b : t) = a.x = b.x && a.y = b.y
+    let hash (c : t) = Hashtbl.hash (c.x, c.y)
+  end)
+
 (* The front as corners and triangles of them. *)
 let all_of r =
-  let numbers = Hashtbl.create 4096 and corners = ref [] and found = ref [] in
-  let number (c : Front.corner) =
-    match Hashtbl.find_opt numbers (c.x, c.y) with
-    | Some n -> n
-    | None ->
-      let n = Hashtbl.length numbers in
-      Hashtbl.add numbers (c.x, c.y) n;
-      corners := c :: !corners;
-      n
-  in
+  let corners = Corners.create () and found = ref [] in
+  let number = Corners.number corners in
   cells r (fun (p, q, s) ->
       let p = number p in
       let q = number q in
       found := (p, q, number s) :: !found);
-  (Array.of_list (List.rev !corners), List.rev !found)
+  (Array.of_list (Corners.keys corners), List.rev !found)
 
 let simple t =
   ( Array.init (Triangulation.vertices t) (Triangulation.vertex t),

@@ -4,20 +4,15 @@ open Scc_polyhedra
 open Scc_rigid
 
 type side = { solid : Solid.t; feature : Feature.t }
-type key = int * Feature.t * int * Feature.t
-type memory = { differences : (key, Polyhedron.t) Hashtbl.t; dimensions : (key, int) Hashtbl.t }
 
-let create () = { differences = Hashtbl.create 64; dimensions = Hashtbl.create 256 }
+module Made = Scc_data.Once.Make (struct
+    type t = side * side
 
-(* What has been made of two sides once is not made again. *)
-let remembered table make one two =
-  let key = (one.solid.Solid.id, one.feature, two.solid.Solid.id, two.feature) in
-  match Hashtbl.find_opt table key with
-  | Some found -> found
-  | None ->
-    let made = make one two in
-    Hashtbl.add table key made;
-    made
+    let same a b = Int.equal a.solid.id b.solid.id && Feature.equal a.feature b.feature
+    let equal (a, b) (a', b') = same a a' && same b b'
+    let one { solid; feature } = (31 * solid.id) + Feature.hash feature
+    let hash (a, b) = (65599 * one a) + one b
+  end)
 
 let corners { solid; feature } =
   Placed.corners { Placed.solid; turned = Quaternion.identity; at = Vec.zero } feature
@@ -52,14 +47,12 @@ let interior n ~first side =
     equal normal a :: List.map (fun (p, q) -> inside (Vec.cross normal (Vec.sub q p)) p) sides
 
 (* Over a point p of the first feature, and the offset r at which p is the point p - r of the second. *)
-let difference one two =
+let difference (one, two) =
   let of_second = interior 3 ~first:0 two in
   let less i = Linear.sub (Linear.variable 6 i) (Linear.variable 6 (i + 3)) in
   let at_second = List.map (fun c -> Constraint.substitute c ~dimension:6 (Array.init 3 less)) of_second in
   let both = Polyhedron.of_constraints 6 (interior 6 ~first:0 one @ at_second) in
   Polyhedron.project both [| 3; 4; 5 |]
-
-let touching memory one two = remembered memory.differences difference one two
 
 (* {1 Dimensions} *)
 
@@ -76,8 +69,14 @@ let rank vectors =
       | None -> 1
       | Some n -> if List.for_all (fun v -> Rat.sign (Vec.dot n v) = 0) rest then 2 else 3)
 
-let dimension_of_both one two =
+let dimension_of_both (one, two) =
   let d = directions one and e = directions two in
   rank d + rank e - rank (d @ e)
 
-let dimension memory one two = remembered memory.dimensions dimension_of_both one two
+(* {1 By memory} *)
+
+type memory = { differences : Polyhedron.t Made.t; dimensions : int Made.t }
+
+let create () = { differences = Made.create difference; dimensions = Made.create dimension_of_both }
+let touching memory one two = Made.find memory.differences (one, two)
+let dimension memory one two = Made.find memory.dimensions (one, two)

@@ -82,14 +82,13 @@ let frame ~resolution ~path attributes =
 (* What is around an element: its style, and its map to pixels. *)
 type around = { style : Svg_style.t; map : Plane_map.t }
 
-let half = Rat.make Z.one (Z.of_int 2)
 
 let paint raster ~budget here name attributes =
   let s = here.style in
   if s.displayed && s.shown then begin
     if s.stroked then raise (Unread "strokes (turn them into paths, or set stroke to none)");
     match s.fill with
-    | Some colour when Rat.compare s.opacity half >= 0 ->
+    | Some colour when Rat.compare s.opacity Rat.half >= 0 ->
       Fill.polygons raster s.rule ~colour (polygons (Svg_path.pen ~budget here.map) name attributes)
     | _ -> ()
   end

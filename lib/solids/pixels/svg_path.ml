@@ -9,7 +9,6 @@ let bad format = Printf.ksprintf (fun m -> raise (Bad m)) format
 let ( +: ) (a, b) (c, d) = (Rat.add a c, Rat.add b d)
 let ( -: ) (a, b) (c, d) = (Rat.sub a c, Rat.sub b d)
 let ( *: ) q (a, b) = (Rat.mul q a, Rat.mul q b)
-let half = Rat.make Z.one (Z.of_int 2)
 
 (* The polygon that is being drawn has its corners in reverse. [here] and [start] are in the drawing's units. *)
 type pen = {
@@ -117,7 +116,7 @@ let arc p (rx, ry) angle ~large ~sweep place =
   else if Rat.sign rx = 0 || Rat.sign ry = 0 then line p place
   else begin
     let c, s = Plane_map.cos_sin angle in
-    let x, y = half *: (p.here -: place) in
+    let x, y = Rat.half *: (p.here -: place) in
     let turned = (Rat.add (Rat.mul c x) (Rat.mul s y), Rat.sub (Rat.mul c y) (Rat.mul s x)) in
     let a = (Rat.div (fst turned) rx, Rat.div (snd turned) ry) in
     let size = norm2 a in
@@ -129,7 +128,7 @@ let arc p (rx, ry) angle ~large ~sweep place =
     let q = if large = sweep then Rat.neg q else q in
     let centre = q *: (snd a, Rat.neg (fst a)) in
     let radii = Plane_map.scaling (Rat.mul rx grown) (Rat.mul ry grown) in
-    let mx, my = half *: (p.here +: place) in
+    let mx, my = Rat.half *: (p.here +: place) in
     let cx, cy = centre in
     let map =
       Plane_map.(
@@ -228,7 +227,7 @@ let ellipse p (cx, cy) rx ry =
   p.polygons
 
 let rectangle p (x, y) (w, h) (rx, ry) =
-  let rx = Rat.min rx (Rat.mul half w) and ry = Rat.min ry (Rat.mul half h) in
+  let rx = Rat.min rx (Rat.mul Rat.half w) and ry = Rat.min ry (Rat.mul Rat.half h) in
   let right = Rat.add x w and bottom = Rat.add y h in
   let round place = arc p (rx, ry) Rat.zero ~large:false ~sweep:true place in
   move p (Rat.add x rx, y);

@@ -1,7 +1,5 @@
 open Scc_exact
 
-let ( let* ) = Option.bind
-
 (* Of twice the area of the face, along its normal. *)
 let normal (vertices : Vec.t array) face =
   let n = Array.length face in
@@ -113,17 +111,17 @@ let along vertices all by_direction n =
   let low = Directions.find by_direction (Ivec.neg n) and high = Directions.find by_direction n in
   let is_cap m = Ivec.equal m n || Ivec.equal m (Ivec.neg n) in
   let n = Ivec.to_vec n in
-  let* bottom = level vertices n low in
-  let* top = level vertices n high in
-  let* next_low = boundary low in
-  let* next_high = boundary high in
-  let* low = loops next_low in
-  let* high = loops next_high in
-  let* t, above = match_corners vertices low high in
+  let*? bottom = level vertices n low in
+  let*? top = level vertices n high in
+  let*? next_low = boundary low in
+  let*? next_high = boundary high in
+  let*? low = loops next_low in
+  let*? high = loops next_high in
+  let*? t, above = match_corners vertices low high in
   let is_wall (_, m) = is_cap m || Rat.sign (Vec.dot (Ivec.to_vec m) t) = 0 in
   if Rat.compare bottom top >= 0 || not (List.for_all is_wall all) then None
   else
-    let* polygon, corners = polygon vertices (Vec.neg n) low in
+    let*? polygon, corners = polygon vertices (Vec.neg n) low in
     let prism piece =
       let base = Array.map (fun k -> corners.(k)) piece in
       Array.append base (Array.map (Hashtbl.find above) base)

@@ -79,6 +79,9 @@ val infimum : t -> Linear.t -> bound option
 (** [infimum p f] is the greatest lower bound of [f] on [p], and whether a point attains it; [None] if [p] is
     empty. *)
 
+val limit : bound option -> Rat.t option
+(** [limit b] is the value of a bound that exists. *)
+
 val is_bounded : t -> bool
 (** [is_bounded p] is true if some box contains [p]. The empty set is bounded. *)
 

@@ -253,7 +253,7 @@ let small_enough t =
   in
   let delta = ref Rat.one in
   Array.iteri (fun r v -> delta := consider !delta t.rows.(r) v) t.basic;
-  Rat.div !delta (Rat.of_int 2)
+  Rat.mul Rat.half !delta
 
 let point t =
   let delta = small_enough t in

@@ -58,9 +58,8 @@ let matrix q =
 
 (* (1 + spin (since + from + length s)/2) times how the solid was turned before, without a common factor. *)
 let quaternion (m : Motion.t) from length =
-  let half = Rat.make Z.one (Z.of_int 2) in
-  let start = Vec.scale (Rat.mul half (Rat.add m.since from)) m.spin in
-  let u, d = Ivec.of_vecs [| start; Vec.scale (Rat.mul half length) m.spin |] in
+  let start = Vec.scale (Rat.mul Rat.half (Rat.add m.since from)) m.spin in
+  let u, d = Ivec.of_vecs [| start; Vec.scale (Rat.mul Rat.half length) m.spin |] in
   let { Quaternion.w; x; y; z } = m.turned in
   let v = Ivec.make x y z in
   (* (r + u)(w + v) = r w - u.v + r v + w u + u x v *)

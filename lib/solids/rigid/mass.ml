@@ -57,4 +57,4 @@ let angular_momentum b ~velocity ~spin ~about =
 
 let energy (b : t) ~velocity ~spin =
   let twice = Rat.add (Rat.mul b.mass (Vec.norm2 velocity)) (Vec.dot spin (Mat.apply b.inertia spin)) in
-  Rat.div twice (Rat.of_int 2)
+  Rat.mul Rat.half twice

@@ -12,11 +12,10 @@ type t = {
 }
 
 let turns m = not (Vec.is_zero m.spin)
-let half = Rat.make Z.one (Z.of_int 2)
 
 (* C(spin (since + t)/2). *)
 let turn m t =
-  if turns m then Quaternion.cayley (Vec.scale (Rat.mul half (Rat.add m.since t)) m.spin)
+  if turns m then Quaternion.cayley (Vec.scale (Rat.mul Rat.half (Rat.add m.since t)) m.spin)
   else Quaternion.identity
 
 let rotation m t = Quaternion.mul (turn m t) m.turned

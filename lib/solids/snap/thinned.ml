@@ -30,7 +30,7 @@ let parts = Rat.of_int (1 lsl 40)
 let rounded points =
   let larger m (v : Vec.t) = List.fold_left Rat.max m (List.map Rat.abs [ v.x; v.y; v.z ]) in
   let quantum = Rat.div (Array.fold_left larger Rat.zero points) parts in
-  let round q = Rat.floor (Rat.add (Rat.div q quantum) (Rat.make Z.one (Z.of_int 2))) in
+  let round q = Rat.floor (Rat.add (Rat.div q quantum) (Rat.half)) in
   (Array.map (fun (v : Vec.t) -> Ivec.make (round v.x) (round v.y) (round v.z)) points, quantum)
 
 type t = {

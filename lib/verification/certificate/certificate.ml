@@ -11,7 +11,7 @@ exception Rejected of string
 let reject format = Printf.ksprintf (fun text -> raise (Rejected text)) format
 
 type context = {
-  cut : Arrangement.context;
+  cut : Zone_parts.context;
   model : Model.t;
   invariant : Invariant.t;
   locations : (Invariant.location * Zone.t) list;  (** with a variable for each coordinate *)
@@ -22,8 +22,7 @@ type context = {
 
 (* The rules for the values that a point of a cloud gives the parameters. *)
 let semantics_at t (z : Zone.t) point =
-  let values = Array.map (fun f -> Linear.eval f point) z.parameters in
-  Semantics.with_model t.cut.semantics (Fixed.model t.model values)
+  Semantics.with_model t.cut.semantics (Fixed.model t.model (Zone.values z point))
 
 (* {1 Landing} *)
 
@@ -39,7 +38,7 @@ let numbers t (location : Invariant.location) (z : Zone.t) ~middle (result : Sta
     match here leaf with None -> zero | Some p -> choose p leaf (forms : Linear.t array).(leaf)
   in
   let definitions = (Semantics.model (semantics_at t z middle)).definitions in
-  let values = Array.map (fun f -> Linear.eval f middle) z.parameters in
+  let values = Zone.values z middle in
   let age (p : State.process) leaf old =
     match State.home location.skeleton leaf with
     | None -> zero
@@ -142,11 +141,6 @@ let nothing_claimed t (z : Zone.t) ~passing =
 
 (* {1 Time} *)
 
-let at_any_time t (z : Zone.t) =
-  match t.model.splits with
-  | Every _ -> false
-  | Any_time -> Array.exists (fun (p : State.process) -> Option.is_some p.clock) z.skeleton.processes
-
 (* A cloud of the ends of passings, with the single states that they are, by the ordinary rules. *)
 let passed t (start : Zone.t) (ends : Zone.t) region =
   let n = Polyhedron.dimension region in
@@ -177,12 +171,12 @@ let pass t (z : Zone.t) region =
         let points = Cloud.points ends.set in
         land_in t ends ~what:"a passing of time" ~arrived:[] points (List.map state points)
     in
-    let left = Flow.delays t.cut flow.ends @ Flow.clocks t.cut flow.ends in
+    let left = Zone_time.all_left t.model flow.ends in
     let over f = Constraint.equals f (Linear.constant (Linear.dimension f) Rat.zero) in
     let ended = List.map (fun f -> Polyhedron.add flow.states (over f)) left in
     let due = Flow.contacts t.cut flow @ List.filter (fun p -> not (Polyhedron.is_empty p)) ended in
     List.iter land_ends (Arrangement.by_signs left due);
-    if at_any_time t z then
+    if Zone_time.splits_at_any_time t.model z then
       (* What is over at the end has led to a location, which has weak splits of its own. *)
       let before = List.map (fun f -> Constraint.greater f (Linear.constant (Linear.dimension f) Rat.zero)) left in
       let set = Polyhedron.add_all flow.ends.set before in
@@ -198,17 +192,6 @@ let pass t (z : Zone.t) region =
   List.iter of_flow (Flow.passings t.cut z region)
 
 (* {1 All of it} *)
-
-(* Numbers that are those of some state at all: what waits is not over, and the parameters are in their ranges. *)
-let of_states t (z : Zone.t) =
-  let zero = Linear.constant (Zone.dimension z) Rat.zero in
-  let more = List.map (fun f -> Constraint.greater f zero) in
-  let at_least_zero = List.map (fun f -> Constraint.at_least f zero) in
-  let box = Polyhedron.preimage (Ranges.box t.model.ranges) ~dimension:(Zone.dimension z) z.parameters in
-  Polyhedron.add_all (Polyhedron.inter z.set box)
-    (more (Flow.delays t.cut z @ Flow.clocks t.cut z)
-     @ at_least_zero (Array.to_list z.ages @ Array.to_list z.clocks)
-     @ Arrangement.bonds_touch t.cut z)
 
 (* The lengths of all delays that a behaviour may ever come to, as far as they depend on parameters: one that has
    no length is over as it begins (rule Eps0). *)
@@ -233,7 +216,7 @@ let at_one_instant t (z : Zone.t) = Arrangement.by_signs (all_lengths t z @ Arra
 
 let of_location t location =
   let whole = Cloud.of_location t.model location in
-  let whole = { whole with set = of_states t whole } in
+  let whole = { whole with set = Zone_well_formed.convex t.cut whole } in
   let possible region =
     let z = { whole with set = region } in
     nothing_claimed t z ~passing:false;
@@ -247,24 +230,13 @@ let of_location t location =
     List.iter of_cell
       (List.concat_map (fun set -> Arrangement.cells t.cut { z with set }) (at_one_instant t z))
   in
-  List.iter possible (Arrangement.well_formed t.cut whole)
+  List.iter possible (Zone_well_formed.apart t.cut whole)
 
 let starts t (u : Uncertain.t) ~declared =
-  let n = Array.length t.model.ranges in
-  let zero = Linear.constant n Rat.zero in
-  let nothing = Array.map (fun _ -> zero) t.model.leaves in
-  let box = Ranges.box t.model.ranges in
-  let zone : Zone.t =
-    {
-      skeleton = declared; halted = false; arrived = []; set = box;
-      parameters = Array.init n (Linear.variable n);
-      time = None; ages = nothing; clocks = nothing; places = u.places; basis = [||];
-    }
-  in
-  let regions = Arrangement.by_signs (all_lengths t zone) [ box ] in
+  let zone = Zone.declared t.model u declared ~keeps_time:false in
+  let regions = Arrangement.by_signs (all_lengths t zone) [ zone.set ] in
   let initial z point =
-    let values = Array.map (fun f -> Linear.eval f point) z.Zone.parameters in
-    match Network.initial (semantics_at t z point) (Fixed.declared t.model u declared values) with
+    match Network.initial (semantics_at t z point) (Fixed.declared t.model u declared (Zone.values z point)) with
     | Ok s -> s
     | Error _ -> reject "the initial state is not known"
   in
@@ -285,14 +257,14 @@ let not_for m =
 
 let check_all semantics u ~declared invariant claims ~stop =
   let model = { (Semantics.model semantics) with keeps_time = false } in
-  let semantics = Semantics.with_model semantics model in
+  let cut = Zone_parts.context (Semantics.with_model semantics model) in
   let t =
     {
-      cut = Arrangement.context semantics;
+      cut;
       model;
       invariant;
       locations = List.map (fun l -> (l, Invariant.zone model l)) invariant.locations;
-      atoms = Atoms.context (Zone_parts.context semantics) ~events:invariant.events;
+      atoms = Atoms.context cut ~events:invariant.events;
       claims;
       stop;
     }

@@ -1,6 +1,5 @@
 open Scc_exact
 open Scc_polyhedra
-open Scc_offsets
 open Scc_calculus
 open Scc_semantics
 open Scc_state_sets
@@ -39,7 +38,7 @@ let points set =
     let beside i =
       let rec go step =
         let p = Array.mapi (fun j x -> if i = j then Rat.add x step else x) middle in
-        if Polyhedron.mem set p then p else go (Rat.div step (Rat.of_int 2))
+        if Polyhedron.mem set p then p else go (Rat.mul Rat.half step)
       in
       go Rat.one
     in
@@ -57,23 +56,17 @@ let tidied (definitions : Behaviour.definitions) (b : Behaviour.aged) =
   | [] -> Behaviour.aged b.origin Behaviour.nil
   | x :: rest -> Behaviour.aged b.origin (List.fold_left Behaviour.sum x rest)
 
+let map_leaves f s = State.mapi (fun _ -> State.map_leaves f) s
+
 let tidy definitions (s : State.t) =
   let leaf (l : State.leaf) = { l with State.behaviour = tidied definitions l.behaviour } in
-  let processes = List.map (State.map_leaves leaf) (Array.to_list s.processes) in
-  State.make ~processes ~step:s.step ~time:None
+  map_leaves leaf (State.at ~step:s.step ~time:None s)
 
 let state (m : Model.t) (z : t) point =
-  let at f = Linear.eval f point in
-  let values = Array.map at z.parameters in
+  let values = Zone.values z point in
   let definitions = (Fixed.model m values).definitions and fixed = Fixed.behaviour m values in
   let leaf (l : State.leaf) =
     let known = Behaviour.aged l.behaviour.origin (fixed l.behaviour.term) in
-    let behaviour = Behaviours.pass definitions (at z.ages.(l.leaf)) known in
-    { l with State.position = Place.eval z.places.(l.leaf) point; behaviour }
+    { l with State.behaviour = Behaviours.pass definitions (Linear.eval z.ages.(l.leaf) point) known }
   in
-  let process (p : State.process) =
-    let clock = Option.map (fun _ -> at z.clocks.(p.leaves.(0).leaf)) p.clock in
-    State.with_clock clock (State.map_leaves leaf p)
-  in
-  let s = z.skeleton in
-  State.make ~processes:(List.map process (Array.to_list s.processes)) ~step:s.step ~time:None
+  map_leaves leaf (Zone.at z point)

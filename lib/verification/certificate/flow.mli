@@ -9,13 +9,7 @@ type t = {
   ends : Zone.t;  (** what becomes of its states, over the same variables; behaviours as they were *)
 }
 
-val delays : Arrangement.context -> Zone.t -> Linear.t list
-(** The remaining time of each delay that waits, as forms over the variables of the zone. *)
-
-val clocks : Arrangement.context -> Zone.t -> Linear.t list
-(** The time until each next split instant, if split instants are on a grid; else none. *)
-
-val passings : Arrangement.context -> Zone.t -> Polyhedron.t -> t list
+val passings : Zone_parts.context -> Zone.t -> Polyhedron.t -> t list
 (** [passings c z region] are, taken together, all passings of time from a region in which nothing collides.
     Their times are at most those of any delay that waits, of any next split instant, and of any collision.
     They may overlap.
@@ -24,5 +18,5 @@ val passings : Arrangement.context -> Zone.t -> Polyhedron.t -> t list
     that move in straight lines have not collided up to an instant in exactly two cases. Either two of these
     intervals are disjoint up to then, or one of them is empty (E. Helly's theorem on a line). *)
 
-val contacts : Arrangement.context -> t -> Polyhedron.t list
+val contacts : Zone_parts.context -> t -> Polyhedron.t list
 (** The regions of [states] where two parts collide at the end. *)

@@ -58,8 +58,7 @@ let behaviour_of last leaves = List.concat_map (changed last.behaviour Behaviour
 
 (* {1 The events of a run} *)
 
-let leaves_of (p : State.process) = List.map (fun (l : State.leaf) -> l.leaf) (Array.to_list p.leaves)
-let home s leaf = Option.fold ~none:[] ~some:leaves_of (State.home s leaf)
+let home s leaf = Option.fold ~none:[] ~some:State.members (State.home s leaf)
 
 (* The leaf that takes part itself stands for its process. *)
 let first (leaf : int) leaves = leaf :: List.filter (fun l -> l <> leaf) leaves
@@ -89,7 +88,7 @@ let expires (m : Model.t) d (l : State.leaf) =
 let expiries w ~step ~time d (source : State.t) =
   let of_one (p : State.process) =
     let expiring = List.filter (expires w.model d) (Array.to_list p.leaves) in
-    List.map (fun (l : State.leaf) -> (l.leaf, leaves_of p)) expiring
+    List.map (fun (l : State.leaf) -> (l.leaf, State.members p)) expiring
   in
   let all = List.concat_map of_one (Array.to_list source.processes) in
   let tell (leaf, process) =

@@ -11,7 +11,7 @@ module Graph = State_graph
 
 let rec drop n l = match l with _ :: rest when n > 0 -> drop (n - 1) rest | _ -> l
 
-let at_time time (s : State.t) = State.make ~processes:(Array.to_list s.processes) ~step:s.step ~time
+let at_time time (s : State.t) = State.at ~step:s.step ~time s
 
 (* By how much a state is the other one moved as a whole, whatever time it is: the two stand for one state of the
    graph, so that nobody who asks can tell their times apart. *)

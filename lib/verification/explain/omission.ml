@@ -169,9 +169,7 @@ let rec leave_out attempt out candidates =
         let out, matter' = leave_out attempt out second in
         (out, matter @ matter'))
 
-let bodies (run : Causes.run) =
-  let leaves (p : State.process) = List.map (fun (l : State.leaf) -> l.leaf) (Array.to_list p.leaves) in
-  List.map leaves (Array.to_list run.declared.processes)
+let bodies (run : Causes.run) = List.map State.members (Array.to_list run.declared.processes)
 
 let meets leaves list = List.exists (fun l -> Ints.mem l leaves) list
 

@@ -85,7 +85,7 @@ let offset w =
       | None ->
         let width = Rat.make Z.one (Z.pow (Z.of_int 10) 12) in
         let low, high = Algebraic.enclose offset ~width in
-        Some (Rat.div (Rat.add low high) (Rat.of_int 2)))
+        Some (Rat.middle low high))
   | At_state | Rests _ | Stops | Repeats _ | Passes _ | Goes_on _ -> None
 
 let step_line model number s =

@@ -7,8 +7,7 @@ let compare a b =
   let c = Rat.compare a.x b.x in
   if c <> 0 then c else Rat.compare a.y b.y
 
-let half = Rat.make Z.one (Z.of_int 2)
-let midpoint a b = { x = Rat.mul half (Rat.add a.x b.x); y = Rat.mul half (Rat.add a.y b.y) }
+let midpoint a b = { x = Rat.middle a.x b.x; y = Rat.middle a.y b.y }
 let mem u p = Union.mem u [| p.x; p.y |]
 let normal (c : Constraint.t) = (Q.of_bigint c.normal.(0), Q.of_bigint c.normal.(1))
 let dot (a, b) (x, y) = Rat.add (Rat.mul a x) (Rat.mul b y)

@@ -2,10 +2,6 @@ open Scc_polyhedra
 
 type 'a cell = { region : Polyhedron.t; time : Linear.t option; due : 'a list }
 
-let where region c =
-  let p = Polyhedron.add region c in
-  if Polyhedron.is_empty p then None else Some p
-
 let start within = if Polyhedron.is_empty within then [] else [ { region = within; time = None; due = [] } ]
 
 (* One event more on a region in which it comes at a time. *)
@@ -13,7 +9,7 @@ let merge event (cell : 'a cell) region time =
   match cell.time with
   | None -> [ { region; time = Some time; due = [ event ] } ]
   | Some t ->
-    let on c time due = Option.to_list (Option.map (fun region -> { region; time; due }) (where region c)) in
+    let on c time due = List.map (fun region -> { region; time; due }) (Region.where region [ c ]) in
     on (Constraint.less t time) cell.time cell.due
     @ on (Constraint.equals t time) cell.time (cell.due @ [ event ])
     @ on (Constraint.greater t time) (Some time) [ event ]

@@ -6,19 +6,11 @@ open Scc_semantics
 open Scc_state_sets
 
 type t = { label : Transition.label; target : Zone.t }
-type all = { urgent : t list; weak : t list }
-
-let forget_place (l : State.leaf) = { l with State.position = Vec.zero }
 
 let target c ~events (z : Zone.t) region (state : State.t) (o : Transition.outcome) =
   let n = Zone.dimension z in
   let zero = Linear.constant n Rat.zero in
-  let others = List.filter (fun p -> not (List.memq p o.gone)) (Array.to_list state.processes) in
-  let skeleton =
-    State.make
-      ~processes:(List.map (State.map_leaves forget_place) (o.come @ others))
-      ~step:state.step ~time:state.time
-  in
+  let skeleton = Zone.skeleton (State.exchange ~gone:o.gone ~come:o.come state) in
   (* the ends of bonds that are made or released are who goes on *)
   let ends = List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds o.label) in
   let first (p : State.process) = p.leaves.(0).leaf in
@@ -40,13 +32,6 @@ let target c ~events (z : Zone.t) region (state : State.t) (o : Transition.outco
   in
   List.map (fun target -> { label = o.label; target }) (Passing.settled c target)
 
-(* Split clocks of a process that is not touched go on; in a skeleton they say only that there is one. *)
-let normalized (z : Zone.t) =
-  let process (p : State.process) = State.with_clock (Option.map (fun _ -> Rat.zero) p.clock) p in
-  let s = z.skeleton in
-  let processes = List.map process (Array.to_list s.processes) in
-  { z with skeleton = State.make ~processes ~step:s.step ~time:s.time }
-
 let all (c : Instant.context) ~events z region =
   let point =
     match Polyhedron.point region with
@@ -54,15 +39,11 @@ let all (c : Instant.context) ~events z region =
     | None -> Scc_base.Bug.fail __POS__ "an empty region"
   in
   let state = Zone.at z point in
-  let happen outcomes =
-    List.map
-      (fun h -> { h with target = normalized h.target })
-      (List.concat_map (target c ~events z region state) outcomes)
-  in
+  let happen = List.concat_map (target c ~events z region state) in
   let semantics = Instant.semantics_at c z point in
   let of_each kind = List.concat_map (kind semantics) (Array.to_list state.processes) in
-  let weak = of_each Network.weak in
-  if z.Zone.halted then { urgent = []; weak = happen weak }
+  let weak = happen (of_each Network.weak) in
+  if z.Zone.halted then { Network.urgent = []; weak; collisions = [] }
   else
-    let urgent = of_each Network.urgent @ Network.together semantics state.processes in
-    { urgent = happen urgent; weak = happen weak }
+    let collisions = happen (Network.together semantics state.processes) in
+    { urgent = happen (of_each Network.urgent); weak; collisions }

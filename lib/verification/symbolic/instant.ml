@@ -15,10 +15,9 @@ exception Not_affine of string
 (* Rules Contact and Approach. Regions where two parts collide, on each of which the same planes of their obstacle
    hold the offset, and regions where they do not collide. *)
 let colliding c region (a, b) =
-  let w = relative_velocity a b in
-  if Vec.is_zero w then ([], [ region ])
+  if Vec.is_zero (relative_velocity a b) then ([], [ region ])
   else
-    let facets = Half_space.moving (c.obstacle a.solid b.solid) (offset a b) w in
+    let facets = facets c (a, b) in
     match Region.split region (Half_space.collision facets) with
     | None, rest -> ([], rest)
     | Some meet, rest ->
@@ -41,43 +40,32 @@ let touching c region (a, b) =
   in
   List.partition_map judge regions
 
-let whether_in region (set : Polyhedron.t) offset =
-  Region.split region (Place.within set offset)
-
-(* What of a channel is on a part. *)
-let sides part =
-  let side (s : Site.t) =
-    if s.part = part.index then Some { Feature_offsets.solid = part.solid; feature = s.feature } else None
-  in
-  List.filter_map side
-
 (* Two channels share the touching pairs of features of the highest dimension among them: so pairs are looked at in
    falling dimension, as long as none of a higher one touches. *)
 let by_channels c (a, b) regions ((one : Behaviour.channel), (two : Behaviour.channel)) =
-  let twos = sides b two.surface in
-  let both = List.concat_map (fun one -> List.map (fun two -> (one, two)) twos) (sides a one.surface) in
-  let of_dimension d = List.filter (fun (one, two) -> Feature_offsets.dimension c.features one two = d) both in
   let offset = offset a b in
   (* Regions with whether some pair touches there. *)
   let look cells (one, two) =
-    let set = Feature_offsets.touching c.features one two in
+    let touch = Place.within (Feature_offsets.touching c.features one two) offset in
     let cut (region, found) =
-      let yes, no = whether_in region set offset in
+      let yes, no = Region.split region touch in
       List.map (fun p -> (p, true)) (Option.to_list yes) @ List.map (fun p -> (p, found)) no
     in
     List.concat_map cut cells
   in
-  let rec fall d region =
-    if d < 0 then [ region ]
-    else
-      List.fold_left look [ (region, false) ] (of_dimension d)
-      |> List.concat_map (fun (p, found) -> if found then [ p ] else fall (d - 1) p)
+  let rec fall turns region =
+    match turns with
+    | [] -> [ region ]
+    | pairs :: lower ->
+      List.fold_left look [ (region, false) ] pairs
+      |> List.concat_map (fun (p, found) -> if found then [ p ] else fall lower p)
   in
-  List.concat_map (fall 2) regions
+  let dimension (one, two) = Feature_offsets.dimension c.features one two in
+  let turns = Collisions.in_turn dimension (facing (a, b) (one.surface, two.surface)) in
+  List.concat_map (fall turns) regions
 
 let by_features c (a, b) region =
-  List.fold_left (by_channels c (a, b)) [ region ]
-    (Collisions.fitting c.semantics (a.process, a.leaf) (b.process, b.leaf))
+  List.fold_left (by_channels c (a, b)) [ region ] (fitting c (a, b))
 
 (* All that two parts touch each other with. *)
 let apart_by_touching c regions pair =
@@ -91,12 +79,11 @@ let apart_by_touching c regions pair =
 
 (* The features that two parts list for channels that are open and fit, as the offsets at which they meet. *)
 let meeting_offsets c (a, b) =
+  let offsets (f, g) = Polyhedron.closure (Feature_offsets.touching c.features f g) in
   let of_channels ((one : Behaviour.channel), (two : Behaviour.channel)) =
-    let twos = sides b two.sites in
-    let offsets f g = Polyhedron.closure (Feature_offsets.touching c.features f g) in
-    List.concat_map (fun f -> List.map (offsets f) twos) (sides a one.sites)
+    List.map offsets (facing (a, b) (one.sites, two.sites))
   in
-  List.concat_map of_channels (Collisions.fitting c.semantics (a.process, a.leaf) (b.process, b.leaf))
+  List.concat_map of_channels (fitting c (a, b))
 
 (* {1 Collisions} *)
 
@@ -118,8 +105,7 @@ let of_collisions c all (region, hits) =
 
 (* Reading I-33: who touches may bind, whether they collide or not. *)
 let of_contacts c all region =
-  let fit (a, b) = Collisions.fitting c.semantics (a.process, a.leaf) (b.process, b.leaf) <> [] in
-  List.fold_left (apart_by_touching c) [ region ] (List.filter fit all)
+  List.fold_left (apart_by_touching c) [ region ] (List.filter (fun pair -> fitting c pair <> []) all)
 
 (* {1 Within one process} *)
 
@@ -128,7 +114,7 @@ let of_closings c z regions (p : State.process) =
   if not (Closings.may_close m p) then regions
   else
     let may_join (a, b) =
-      Closings.free p a.leaf b.leaf && Collisions.fitting c.semantics (p, a.leaf) (p, b.leaf) <> []
+      Closings.free p a.leaf b.leaf && fitting c (a, b) <> []
     in
     List.fold_left (apart_by_touching c) regions (List.filter may_join (Scc_data.Lists.pairs (parts m z p)))
 
@@ -137,17 +123,16 @@ let of_closings c z regions (p : State.process) =
 let of_pushes c z regions (p : State.process) =
   let m = Semantics.model c.semantics in
   let parts = parts m z p in
-  let at (f : State.finish) = List.find (fun part -> part.leaf = f.at && part.index = f.site.part) parts in
   let of_bond regions (b : State.bond) =
-    let pair = (at b.one, at b.two) in
-    if Place.is_constant (offset (at b.one) (at b.two)) then regions
+    let one = of_end parts b.one and two = of_end parts b.two in
+    if Place.is_constant (offset one two) then regions
     else
       let one region =
-        let touch, _ = touching c region pair in
+        let touch, _ = touching c region (one, two) in
         let plain (p, facets) =
-          match facets with
-          | [ _ ] -> p
-          | [] | _ :: _ ->
+          match Splits.normal_of_push facets with
+          | Some _ -> p
+          | None ->
             raise
               (Not_affine "a push along a line that is not known, as the contact has no normal of its own")
         in

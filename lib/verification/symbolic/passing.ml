@@ -1,6 +1,5 @@
 open Scc_exact
 open Scc_polyhedra
-open Scc_offsets
 open Scc_calculus
 open Scc_semantics
 open Instant
@@ -8,30 +7,7 @@ open Scc_state_sets
 
 type due = Contact of int | Expiry of int * Linear.t | Split_instant of int
 
-let leaves (z : Zone.t) =
-  List.concat_map (fun (p : State.process) -> Array.to_list p.leaves) (Array.to_list z.skeleton.processes)
-
-(* {1 Delays} *)
-
-(* Durations are forms over the parameters. *)
-let duration c : Behaviour.t -> Linear.t = function
-  | Delay (t, _) -> Linear.constant (Array.length (Semantics.model c.semantics).ranges) t
-  | Wait (t, _) -> t
-  | Nil | Open _ | Weak _ | Strong _ | Sum _ | Call _ -> Scc_base.Bug.fail __POS__ "no delay"
-
-let delays c (l : State.leaf) =
-  List.map (duration c) (Behaviours.delays (Semantics.model c.semantics).definitions l.behaviour)
-
-(* What is left of a duration of a leaf. *)
-let left (z : Zone.t) leaf duration =
-  Linear.sub (Linear.compose duration ~dimension:(Zone.dimension z) z.parameters) z.ages.(leaf)
-
 (* {1 What comes first} *)
-
-let with_clock (z : Zone.t) =
-  List.filter (fun (p : State.process) -> Option.is_some p.clock) (Array.to_list z.skeleton.processes)
-
-let may_split z = with_clock z <> []
 
 let contact c (a, b) ~limit region =
   let velocity = relative_velocity a b in
@@ -54,48 +30,22 @@ let same_due a b =
   | (Contact _ | Expiry _ | Split_instant _), _ -> false
 
 let cells c z region =
+  let m = Semantics.model c.semantics in
   let of_leaf cells (l : State.leaf) =
-    let durations = List.sort_uniq Linear.compare (delays c l) in
-    List.fold_left (fun cells d -> First.at (left z l.leaf d) (Expiry (l.leaf, d)) cells) cells durations
+    let expire cells d = First.at (Zone_time.left z l.leaf d) (Expiry (l.leaf, d)) cells in
+    List.fold_left expire cells (List.sort_uniq Linear.compare (Zone_time.lengths m l))
   in
-  let tick cells (p : State.process) =
-    match (Semantics.model c.semantics).splits with
-    | Any_time -> cells
-    | Every step ->
-      let first = p.leaves.(0).leaf in
-      let left = Linear.sub (Linear.constant (Zone.dimension z) step) z.clocks.(first) in
-      First.at left (Split_instant first) cells
-  in
-  let by_themselves =
-    List.fold_left of_leaf (First.start region) (leaves z) |> fun cells -> List.fold_left tick cells (with_clock z)
-  in
+  let tick cells (first, left) = First.at left (Split_instant first) cells in
+  let expired = List.fold_left of_leaf (First.start region) (State.leaves z.skeleton) in
+  let by_themselves = List.fold_left tick expired (Zone_time.to_split_instants m z) in
   let meet (i, cells) (a, b) =
     let moves = not (Vec.is_zero (relative_velocity a b)) in
     let on cells comes = First.on comes (Contact i) cells in
     (i + 1, if moves then List.fold_left on cells (contact c (a, b) :: meetings c (a, b)) else cells)
   in
-  List.fold_left meet (0, by_themselves) (pairs (Semantics.model c.semantics) z) |> snd |> First.merged same_due
+  List.fold_left meet (0, by_themselves) (pairs m z) |> snd |> First.merged same_due
 
 (* {1 Passing} *)
-
-let on_grid c = match (Semantics.model c.semantics).splits with Every _ -> true | Any_time -> false
-
-let after c (z : Zone.t) time =
-  let ages = Array.copy z.ages and clocks = Array.copy z.clocks and places = Array.copy z.places in
-  let of_process (p : State.process) =
-    let of_leaf (l : State.leaf) =
-      places.(l.leaf) <- Place.moved places.(l.leaf) p.velocity time;
-      if delays c l <> [] then ages.(l.leaf) <- Linear.add ages.(l.leaf) time
-    in
-    Array.iter of_leaf p.leaves;
-    let first = p.leaves.(0).leaf in
-    if Option.is_some p.clock && on_grid c then clocks.(first) <- Linear.add clocks.(first) time
-  in
-  Array.iter of_process z.skeleton.processes;
-  { z with arrived = []; halted = false; time = Option.map (Linear.add time) z.time; ages; clocks; places }
-
-let with_processes f (s : State.t) =
-  State.make ~processes:(List.map f (Array.to_list s.processes)) ~step:s.step ~time:s.time
 
 let set array i x =
   let array = Array.copy array in
@@ -109,7 +59,7 @@ let expire c (z : Zone.t) (leaf, durations) =
   let shortened (b : Behaviour.t) =
     match b with
     | Delay (_, rest) | Wait (_, rest) ->
-      let d = duration c b in
+      let d = Zone_time.length m b in
       if List.exists (Linear.equal d) durations then rest else Behaviour.wait (Linear.sub d passed) rest
     | Nil | Open _ | Weak _ | Strong _ | Sum _ | Call _ -> Scc_base.Bug.fail __POS__ "no delay"
   in
@@ -128,7 +78,7 @@ let expire c (z : Zone.t) (leaf, durations) =
       else aged
   in
   let zero = Linear.constant (Zone.dimension z) Rat.zero in
-  let skeleton = with_processes of_process z.skeleton in
+  let skeleton = State.mapi (fun _ -> of_process) z.skeleton in
   let clocks = match !restarted with None -> z.clocks | Some first -> set z.clocks first zero in
   { z with skeleton; clocks; ages = set z.ages leaf zero }
 
@@ -146,11 +96,13 @@ let rec settled c (z : Zone.t) =
   let n = Zone.dimension z in
   let none f = Constraint.equals f (Linear.constant n Rat.zero) in
   let may_be_over (l : State.leaf) d =
-    let c = none (left z l.leaf d) in
+    let c = none (Zone_time.left z l.leaf d) in
     if Polyhedron.is_empty (Polyhedron.add z.set c) then None else Some (l.leaf, d, c)
   in
-  let of_leaf (l : State.leaf) = List.find_map (may_be_over l) (delays c l) in
-  match List.find_map of_leaf (leaves z) with
+  let of_leaf (l : State.leaf) =
+    List.find_map (may_be_over l) (Zone_time.lengths (Semantics.model c.semantics) l)
+  in
+  match List.find_map of_leaf (State.leaves z.skeleton) with
   | None -> [ z ]
   | Some (leaf, d, over) ->
     let at constraint_ = { z with set = Polyhedron.add z.set constraint_ } in
@@ -158,24 +110,9 @@ let rec settled c (z : Zone.t) =
     let still = List.filter some (List.map at (Constraint.negation over)) in
     List.concat_map (settled c) (expire c (at over) (leaf, [ d ]) :: still)
 
-let not_over c (z : Zone.t) =
-  let zero = Linear.constant (Zone.dimension z) Rat.zero in
-  let of_leaf (l : State.leaf) =
-    Constraint.at_least z.ages.(l.leaf) zero
-    :: List.map (fun d -> Constraint.greater (left z l.leaf d) zero) (delays c l)
-  in
-  let of_clock (p : State.process) =
-    let clock = z.clocks.(p.leaves.(0).leaf) in
-    match (Semantics.model c.semantics).splits with
-    | Any_time -> [ Constraint.equals clock zero ]
-    | Every step ->
-      [ Constraint.at_least clock zero; Constraint.at_most clock (Linear.constant (Zone.dimension z) step) ]
-  in
-  List.concat_map of_leaf (leaves z) @ List.concat_map of_clock (with_clock z)
-
 let until c (z : Zone.t) (cell : due First.cell) =
   let time = match cell.time with Some t -> t | None -> Scc_base.Bug.fail __POS__ "nothing comes" in
-  let z = after c { z with set = cell.region } time in
+  let z = Zone_time.after (Semantics.model c.semantics) { z with set = cell.region } time in
   let zero = Linear.constant (Zone.dimension z) Rat.zero in
   let tick (z : Zone.t) = function
     | Split_instant first -> { z with clocks = set z.clocks first zero }
@@ -195,7 +132,7 @@ let until_then (c : Instant.context) (z : Zone.t) (cell : due First.cell) ~begin
     :: List.map (fun t -> Constraint.less passed (lift t)) (Option.to_list cell.time)
   in
   let set = Polyhedron.add_all (Polyhedron.embed cell.region ~dimension:(n + 1) (Array.init n Fun.id)) within in
-  after c (Zone.with_variables z ~dimension:(n + 1) old set) passed
+  Zone_time.after (Semantics.model c.semantics) (Zone.with_variables z ~dimension:(n + 1) old set) passed
 
 let trajectory c z cell = until_then c z cell ~begins:Constraint.greater
 let within c z cell = { (until_then c z cell ~begins:Constraint.at_least) with halted = true }

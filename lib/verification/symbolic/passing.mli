@@ -28,16 +28,6 @@ val trajectory : Instant.context -> Zone.t -> due First.cell -> Zone.t
 (** [trajectory c z cell] are all states strictly after now and before the cell's time, as they pass by. The
     zone has one more variable, the last one: the time that has passed. *)
 
-val may_split : Zone.t -> bool
-(** [may_split z] is true if a weak split is enabled in some process. *)
-
-val on_grid : Instant.context -> bool
-(** [on_grid c] is true if weak splits happen only at instants of a grid ({!Scc_calculus.Model.Every}). *)
-
 val settled : Instant.context -> Zone.t -> Zone.t list
 (** The zone, cut in two where a delay that has just begun may have the length 0. In one part it expires (rule
     Eps0). *)
-
-val not_over : Instant.context -> Zone.t -> Constraint.t list
-(** The constraints that the passing of time implies for all zones that are {!settled}. Ages are not negative,
-    and less than all delays that wait. Clocks on a grid are not negative, and at most the step. *)

@@ -62,7 +62,7 @@ let asks_for_rest prop =
   List.exists (fun (a : Atom.t) -> String.equal a.word "quiescent") (Formula.atoms (State prop))
 
 let quiescent (node : Zone_graph.node) =
-  if Passing.may_split node.zone then []
+  if Zone_time.may_split node.zone then []
   else
     List.filter_map
       (fun (cell : Passing.due First.cell) -> if cell.time = None then Some cell.region else None)
@@ -77,7 +77,7 @@ let look context t (node : Zone_graph.node) =
     if t.while_passing then
       let of_cell (cell : Passing.due First.cell) =
         let zone = Passing.trajectory context node.zone cell in
-        let rests = cell.time = None && not (Passing.may_split node.zone) in
+        let rests = cell.time = None && not (Zone_time.may_split node.zone) in
         note t node { zone; passing = true; quiescent = (if rests then [ zone.set ] else []) }
       in
       List.iter of_cell node.cells

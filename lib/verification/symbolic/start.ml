@@ -18,13 +18,12 @@ let values (m : Model.t) set =
 
 (* Between which numbers the coordinates of a part are, wherever it may be; where there is no such number, None. *)
 let extent (z : Zone.t) (part : part) =
-  let value = function Some (Polyhedron.Bound { value; _ }) -> Some value | Some Unbounded | None -> None in
   let of_coordinate axis place =
     let reach i = Vec.component axis (Solid.vertex part.solid i) in
     let all = List.init (Array.length part.solid.vertices) reach in
-    let least = List.fold_left Rat.min (List.hd all) all and greatest = List.fold_left Rat.max (List.hd all) all in
-    ( Option.map (Rat.add least) (value (Polyhedron.infimum z.set place)),
-      Option.map (Rat.add greatest) (value (Polyhedron.supremum z.set place)) )
+    let least, greatest = Rat.span (List.hd all) all in
+    ( Option.map (Rat.add least) (Polyhedron.limit (Polyhedron.infimum z.set place)),
+      Option.map (Rat.add greatest) (Polyhedron.limit (Polyhedron.supremum z.set place)) )
   in
   List.map2 of_coordinate [ Vec.X; Y; Z ] (Place.coordinates part.place)
 
@@ -36,38 +35,29 @@ let are_apart one two =
 
 let overlap c (z : Zone.t) =
   let m = Semantics.model c.semantics in
-  let all = List.concat_map (parts m z) (Array.to_list z.skeleton.processes) in
-  let all = List.map (fun part -> (part, extent z part)) all in
+  let all = List.map (fun part -> (part, extent z part)) (all m z) in
   let of_pair ((a, extent_of_a), (b, extent_of_b)) =
-    let inside = function p, Touching_cells.Interpenetrating -> Some p | _, (Apart | Touching _) -> None in
     if (a.leaf = b.leaf && Place.is_constant (offset a b)) || are_apart extent_of_a extent_of_b then None
     else
-      Touching_cells.make (c.obstacle a.solid b.solid) ~offset:(offset a b) z.set
-      |> List.find_map inside
-      |> Option.map (fun p -> { at = values m p; reason = Interpenetrate ((a.leaf, a.index), (b.leaf, b.index)) })
+      match Region.where z.set (Zone_well_formed.overlap c (a, b)) with
+      | [] -> None
+      | p :: _ -> Some { at = values m p; reason = Interpenetrate ((a.leaf, a.index), (b.leaf, b.index)) }
   in
   List.find_map of_pair (Scc_data.Lists.pairs all)
 
 (* What is bound, and what is glued where that depends on the values. *)
 let joints (u : Uncertain.t) (z : Zone.t) =
-  let of_process (p : State.process) = List.map (fun (b : State.bond) -> (b.one, b.two)) (Array.to_list p.bonds) in
   let of_glue (g : Uncertain.glue) =
     if Option.is_none (State.home z.skeleton g.leaf) then None
     else Some ({ State.at = g.leaf; site = g.one }, { State.at = g.leaf; site = g.two })
   in
-  List.concat_map of_process (Array.to_list z.skeleton.processes) @ List.filter_map of_glue u.glues
+  List.map (fun (b : State.bond) -> (b.one, b.two)) (State.bonds z.skeleton) @ List.filter_map of_glue u.glues
 
 let apart c u (z : Zone.t) =
   let m = Semantics.model c.semantics in
-  let parts = List.concat_map (parts m z) (Array.to_list z.skeleton.processes) in
-  let at (f : State.finish) = List.find (fun part -> part.leaf = f.at && part.index = f.site.part) parts in
-  let side part (f : State.finish) = { Feature_offsets.solid = part.solid; feature = f.site.feature } in
+  let parts = all m z in
   let of_joint (f, g) =
-    let one = at f and two = at g in
-    let together = Feature_offsets.touching c.features (side one f) (side two g) in
-    let x, y, z' = offset one two in
-    let right = Polyhedron.preimage together ~dimension:(Zone.dimension z) [| x; y; z' |] in
-    match Difference.pieces z.set right with
+    match Difference.pieces z.set (joint c z parts (f, g)) with
     | [] -> None
     | p :: _ -> Some { at = values m p; reason = Apart (f, g) }
   in
@@ -82,30 +72,8 @@ let known (m : Model.t) (s : State.t) : Uncertain.t =
 
 (* {1 The zone} *)
 
-let zone (m : Model.t) (u : Uncertain.t) ~(initial : State.t) ~keeps_time : Zone.t =
-  let n = Array.length m.ranges in
-  let zero = Linear.constant n Rat.zero in
-  let still (l : State.leaf) = { l with State.position = Vec.zero } in
-  let process (p : State.process) =
-    State.with_clock (Option.map (fun _ -> Rat.zero) p.clock) (State.map_leaves still p)
-  in
-  let included leaf = Option.is_some (State.home initial leaf) in
-  {
-    skeleton =
-      State.make ~processes:(List.map process (Array.to_list initial.processes)) ~step:initial.step ~time:None;
-    halted = false;
-    arrived = [];
-    set = Ranges.box m.ranges;
-    parameters = Array.init n (Linear.variable n);
-    time = (if keeps_time then Some zero else None);
-    ages = Array.map (fun _ -> zero) m.leaves;
-    clocks = Array.map (fun _ -> zero) m.leaves;
-    places = Array.mapi (fun i p -> if included i then p else Place.constant n Vec.zero) u.places;
-    basis = [||];
-  }
-
 let zones c u ~initial ~keeps_time =
-  let z = zone (Semantics.model c.semantics) u ~initial ~keeps_time in
+  let z = Zone.declared (Semantics.model c.semantics) u initial ~keeps_time in
   match overlap c z with
   | Some fault -> Error fault
   | None -> ( match apart c u z with Some fault -> Error fault | None -> Ok (Passing.settled c z))

@@ -98,7 +98,7 @@ let where truth =
   in
   List.filter_map pick truth
 
-let rests n (s : stretch) = s.for_ever && not (Passing.may_split n.it.zone)
+let rests n (s : stretch) = s.for_ever && not (Zone_time.may_split n.it.zone)
 
 let unknown n ~may = if may then all_of n else Union.empty (Zone.dimension n.it.zone)
 

@@ -6,8 +6,7 @@ open Scc_state_sets
 open Zone
 
 let centred z =
-  let of_process (p : State.process) = List.map (fun (l : State.leaf) -> l.leaf) (Array.to_list p.leaves) in
-  match List.concat_map of_process (Array.to_list z.skeleton.processes) with
+  match List.concat_map State.members (Array.to_list z.skeleton.processes) with
   | [] -> z
   | first :: _ as leaves ->
     let origin = z.places.(first) in

@@ -33,28 +33,28 @@ let some_leaf (h : Happening.t) =
     Scc_base.Bug.fail __POS__ "an event of nobody"
 
 (* Rule Order: what one group does that nobody can see, if it has to do something, before what all others do. *)
-let in_one_order c z region ~visible { Happening.urgent; weak } =
-  let all = urgent @ weak in
+let in_one_order c z region ~visible ~must all =
   match all with
   | [] | [ _ ] -> (all, [])
   | _ :: _ :: _ -> (
       let groups = Near_groups.make c z region in
       let group h = Near_groups.of_leaf groups (some_leaf h) in
-      match List.find_opt (fun h -> Near_groups.hidden groups ~visible (group h)) urgent with
+      match List.find_opt (fun h -> Near_groups.hidden groups ~visible (group h)) must with
       | None -> (all, [])
       | Some first -> List.partition (fun h -> group h = group first) all)
 
 let all ?visible c ~events (z : Zone.t) =
-  let may_split = Passing.may_split z && not (Passing.on_grid c) in
+  let may_split = Zone_time.splits_at_any_time (Semantics.model c.Zone_parts.semantics) z in
   let of_region region =
     let happenings = Happening.all c ~events z region in
-    let passes = happenings.urgent = [] && not z.halted in
+    let passes = not (Network.is_urgent happenings || z.halted) in
     (* Where time may halt for a weak split, the one at once is the one after no time. *)
-    let happenings = if passes && may_split then { happenings with weak = [] } else happenings in
+    let weak = if passes && may_split then [] else happenings.weak in
+    let must = happenings.urgent @ happenings.collisions in
     let first, later =
       match visible with
-      | None -> (happenings.urgent @ happenings.weak, [])
-      | Some visible -> in_one_order c z region ~visible happenings
+      | None -> (must @ weak, [])
+      | Some visible -> in_one_order c z region ~visible ~must (must @ weak)
     in
     let now = { steps = List.map happens first; postponed = List.map happens later; cells = [] } in
     if passes then

@@ -32,15 +32,10 @@ let value = function
   | Unbounded -> None
   | Default v | Given v -> Some v
 
-let earlier a b =
-  match (a, b) with
-  | Some a, Some b -> Some (Rat.min a b)
-  | None, x | x, None -> x
-
 let limits b ~horizon : Limits.t =
   {
     depth = value b.depth;
-    time = earlier (value b.time) horizon;
+    time = Option.merge Rat.min (value b.time) horizon;
     instant = value b.instant;
     states = value b.states;
     bits = value b.bits;

@@ -23,8 +23,8 @@ type t = {
 val default : t
 (** No bounds except 10 000 transitions in an instant and 100 000 bits for a number, both by default. *)
 
-val earlier : Rat.t option -> Rat.t option -> Rat.t option
-(** The lesser of two times; [None] is none. *)
+val value : 'a bound -> 'a option
+(** [value b] is the bound; [None] if there is none. *)
 
 val limits : t -> horizon:Rat.t option -> Limits.t
 (** [limits b ~horizon] are the limits of an exploration, where [horizon] is the time up to which the

@@ -229,7 +229,7 @@ let stepping (options : Setup.t) semantics ~(initial : State.t) =
   else
     let step = Some { State.remaining = model.timestep; phase = Steered } in
     ( Semantics.with_model semantics stepwise,
-      State.make ~processes:(Array.to_list initial.processes) ~step ~time:initial.time )
+      State.at ~step ~time:initial.time initial )
 
 let run options semantics ~initial checks =
   let semantics, initial = stepping options semantics ~initial in

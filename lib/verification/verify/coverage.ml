@@ -73,7 +73,7 @@ let beginnings (m : Model.t) (initial : State.t) =
       (l.leaf, fst key, l.behaviour) :: found
     end
   in
-  let leaves = Array.to_list initial.processes |> List.concat_map (fun p -> Array.to_list p.State.leaves) in
+  let leaves = State.leaves initial in
   List.sort (fun (a : State.leaf) (b : State.leaf) -> Int.compare a.leaf b.leaf) leaves
   |> List.fold_left add [] |> List.rev
 

@@ -110,7 +110,7 @@ let steps (m : Model.t) arrivals =
 
 (** {2 What comes back} *)
 
-let without_time (s : State.t) = State.make ~processes:(Array.to_list s.processes) ~step:s.step ~time:None
+let without_time (s : State.t) = State.at ~step:s.step ~time:None s
 
 let without leaf (s : State.t) =
   let others = List.filter (fun p -> not (State.has_leaf p leaf)) (Array.to_list s.processes) in
@@ -121,7 +121,7 @@ let place (s : State.t) = s.processes.(0).leaves.(0).position
 
 let moved by (s : State.t) =
   let move = State.map_leaves (fun l -> { l with position = Vec.sub l.position by }) in
-  State.make ~processes:(List.map move (Array.to_list s.processes)) ~step:s.step ~time:s.time
+  State.mapi (fun _ -> move) s
 
 let at_origin (s : State.t) = if Array.length s.processes = 0 then s else moved (place s) s
 
@@ -204,8 +204,7 @@ let leaves_all (m : Model.t) states =
     let leaf = p.leaves.(0).leaf in
     match leaving distances leaf with
     | Some (from, until) when Option.is_some (recurs (others leaf)) ->
-      let leaves = List.map (fun (l : State.leaf) -> l.leaf) (Array.to_list p.leaves) in
-      Some (Leaves { leaves; from; until })
+      Some (Leaves { leaves = State.members p; from; until })
     | Some _ | None -> None
   in
   let n = Array.length states in

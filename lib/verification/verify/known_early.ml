@@ -14,7 +14,7 @@ let horizon model ~initial checks =
 
 let within model ~initial bound goal =
   match Settling.prop model goal with
-  | Some { after; truth = false } -> Bounds.earlier bound (Some (Rat.sub after (start initial)))
+  | Some { after; truth = false } -> Option.merge Rat.min bound (Some (Rat.sub after (start initial)))
   | Some { truth = true; _ } | None -> bound
 
 type question = { asked : Property.asked; formula : int }

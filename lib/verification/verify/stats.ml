@@ -39,17 +39,12 @@ let none =
     left_out = None;
   }
 
-let greatest a b =
-  match (a, b) with
-  | Some a, Some b -> Some (Rat.max a b)
-  | None, t | t, None -> t
-
 let add a b =
   {
     states = a.states + b.states;
     transitions = a.transitions + b.transitions;
     depth = Int.max a.depth b.depth;
-    model_time = greatest a.model_time b.model_time;
+    model_time = Option.merge Rat.max a.model_time b.model_time;
     complete = a.complete && b.complete;
     eventful = a.eventful || b.eventful;
     decided_early = a.decided_early || b.decided_early;

@@ -10,8 +10,6 @@ let depth (b : Bounds.t) : Verdict.truncation =
   | Default d -> { limit = Depth d; origin = By_default }
   | Unbounded -> { limit = Depth default_depth; origin = By_default }
 
-let given = function Bounds.Unbounded -> None | Default v | Given v -> Some v
-
 let states (b : Bounds.t) : Verdict.truncation =
   match b.states with
   | Given n -> { limit = States n; origin = By_user }

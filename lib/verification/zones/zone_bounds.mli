@@ -5,9 +5,6 @@ open Scc_verify
 val default_depth : int
 (** The bound on the depth if none is given: 1 000 transitions. There is always a bound on depth. *)
 
-val given : 'a Bounds.bound -> 'a option
-(** [given b] is the value of a bound, given or default; [None] if there is none. *)
-
 val depth : Bounds.t -> Verdict.truncation
 (** The truncation by the bound on the depth: the given one, or {!default_depth}. *)
 

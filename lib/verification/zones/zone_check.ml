@@ -193,7 +193,7 @@ let of_group (options : Setup.t) semantics context u ~declared ~initial ~exactly
 
 (* The checks by the slice and the time that they need. What all slices leave out has to be well-formed as well. *)
 let groups (options : Setup.t) context u ~initial ~premises checks =
-  let bounded = Option.is_some (Zone_bounds.given options.bounds.time) in
+  let bounded = Option.is_some (Bounds.value options.bounds.time) in
   let slicing =
     List.exists (Reduction.equal Slice) options.reductions && Array.length initial.State.processes > 1
   in

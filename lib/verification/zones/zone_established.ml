@@ -36,13 +36,11 @@ type window = { from : Rat.t; until : Rat.t option }
 
 let whole = { from = Rat.zero; until = None }
 
-let least a b = match (a, b) with Some a, Some b -> Some (Rat.min a b) | None, t | t, None -> t
-
 (* Whether a predicate is so at all offsets of a window that are in time, of those before what comes next. *)
 let all_along r k prop ~so ~(bound : Property.bound) window =
   let since = clock r k and timeline = Trajectory.prop (trajectory r k) prop in
   let lasts = match timeline.extent with Lasts d -> Some d | Instant | Forever -> None in
-  let window = { window with until = least window.until lasts } in
+  let window = { window with until = Option.merge Rat.min window.until lasts } in
   let low = Rat.max window.from (Rat.sub bound.low since) in
   let high = Option.map (fun h -> Rat.sub h since) bound.high in
   let in_window offset =
@@ -50,7 +48,7 @@ let all_along r k prop ~so ~(bound : Property.bound) window =
     && Option.fold ~none:true ~some:(fun h -> Algebraic.compare_rat offset h <= 0) high
     && Option.fold ~none:true ~some:(fun u -> Algebraic.compare_rat offset u < 0) window.until
   in
-  let ends = least high window.until in
+  let ends = Option.merge Rat.min high window.until in
   (* Of an open interval, some of which may be in the window. *)
   let meets from until =
     let before_end = Option.fold ~none:true ~some:(fun e -> Algebraic.compare_rat from e < 0) ends in

@@ -78,7 +78,7 @@ type horizon = {
 (* The time up to which zones are explored, and what becomes of later ones. *)
 let horizon (options : Setup.t) (group : Zone_groups.t) looking =
   let asked = if group.keeps_time then Plan.latest (List.map Answers.reach looking) else None in
-  match (asked, Zone_bounds.given options.bounds.time) with
+  match (asked, Bounds.value options.bounds.time) with
   | Some { time; events = 0 }, Some b when Rat.compare time b <= 0 ->
     { time = Some time; later = Left_out; by_user = false }
   | _, (Some _ as time) ->
@@ -129,7 +129,7 @@ let bounds_met (options : Setup.t) visited (end_ : Zone_graph.end_) : Verdict.tr
      @ if nodes then [ Zone_bounds.states options.bounds ] else []
    | Stopped -> List.map (Bounds.stopped options.bounds) (Option.to_list visited.stop))
   @
-  match Zone_bounds.given options.bounds.time with
+  match Bounds.value options.bounds.time with
   | Some t when visited.late -> [ { limit = Time t; origin = By_user } ]
   | _ -> []
 
@@ -160,7 +160,7 @@ let explore (options : Setup.t) context (group : Zone_groups.t) ~initial zones ~
   in
   let horizon = horizon options group looking in
   let depth = match (Zone_bounds.depth options.bounds).limit with Depth d -> d | _ -> Zone_bounds.default_depth in
-  let nodes = Zone_bounds.given options.bounds.states in
+  let nodes = Bounds.value options.bounds.states in
   let limits = { Zone_graph.depth = Some depth; nodes; horizon = horizon.time; later = horizon.later } in
   let visited = { size = 0; late = false; beyond = false; stop = None } in
   let model = Semantics.model context.Instant.semantics in

@@ -30,7 +30,7 @@ and at_last r finish (a : Shown_run.along) goal =
   | None, _ -> []
   | Some prop, _ when Rat.sign early <= 0 -> facts_at r { goal with since = None } prop
   | Some prop, (Rests | Passes) ->
-    facts_at r { goal with since = Some (Rat.add early (Rat.div lasts (Rat.of_int 2))) } prop
+    facts_at r { goal with since = Some (Rat.add early (Rat.mul Rat.half lasts)) } prop
   | Some _, (There | Repeats _ | Goes_on _) -> []
 
 let rec last_run (c : Shown_run.claim) =

@@ -58,8 +58,8 @@ let of_start (options : Setup.t) context zones =
   in
   let depth = Zone_bounds.depth bounds in
   let most = match depth.limit with Depth d -> d | _ -> Zone_bounds.default_depth in
-  let horizon = Zone_bounds.given bounds.time in
-  let nodes = Zone_bounds.given bounds.states in
+  let horizon = Bounds.value bounds.time in
+  let nodes = Bounds.value bounds.states in
   let limits = { Zone_graph.depth = Some most; nodes; horizon; later = Left_out } in
   let graph, end_ = Zone_graph.explore ~attempt context ~events:[||] ~limits ~visitor zones in
   let stopped_by : Verdict.truncation list =
@@ -88,7 +88,7 @@ let explore (options : Setup.t) semantics u ~declared =
     | Error _ -> Bug.fail __POS__ "a law of motion in a model with ranges"
   in
   let keeps_time =
-    (Semantics.model semantics).keeps_time || Option.is_some (Zone_bounds.given options.bounds.time)
+    (Semantics.model semantics).keeps_time || Option.is_some (Bounds.value options.bounds.time)
   in
   Start.zones context u ~initial ~keeps_time
   |> Result.map (of_start options context)

@@ -31,7 +31,7 @@ MISTAKES = {
         "(ignore k; b)",
     ),
     "the longest delay is the horizon": (
-        "behaviours.ml", "Some s, Some t -> Some (Rat.min s t)", "Some s, Some t -> Some (Rat.max s t)",
+        "behaviours.ml", "Option.merge Rat.min horizon", "Option.merge Rat.max horizon",
     ),
     "equal chances count once": (
         "behaviours.ml", "if by_chance offer then found", "if by_chance offer && found = [] then found",
@@ -50,6 +50,9 @@ MISTAKES = {
         "splits.ml",
         "push = Rat.add (List.hd one).Process.push (List.hd two).push }",
         "push = (ignore two; (List.hd one).Process.push) }",
+    ),
+    "the first normal of several is pushed along": (
+        "splits.ml", "[ n ] -> Some n | [] | _ :: _ -> None", "n :: _ -> Some n | [] -> None",
     ),
     "a push pulls": (
         "splits.ml",
@@ -91,7 +94,7 @@ MISTAKES = {
     "a name binds to itself": (
         "collisions.ml", "complementary pol1 pol2 && String", "(ignore (complementary pol1 pol2); true) && String",
     ),
-    "corners bind where faces do": ("collisions.ml", "c.dimension = highest", "c.dimension <= highest"),
+    "corners bind where faces do": ("collisions.ml", "| highest :: _ -> highest", "| _ :: _ -> shared"),
     "fixed bodies link collisions": (
         "collisions.ml",
         "List.mem i y.members && Option.is_some (State.mass model processes.(i))",
@@ -119,7 +122,7 @@ MISTAKES = {
         "process.ml", "if compare first p <= 0 then first else p", "if compare first p >= 0 then first else p",
     ),
     "a velocity that is drawn twice counts once": (
-        "steer.ml", "(w, Rat.add c chance) :: rest", "(w, Rat.max c chance) :: rest",
+        "steer.ml", "merged Vec.compare Rat.add", "merged Vec.compare (fun q _ -> q)",
     ),
     "as many outcomes as allowed are too many": (
         "steer.ml", "List.length others > Law.most_outcomes", "List.length others >= Law.most_outcomes",
@@ -135,7 +138,7 @@ MISTAKES = {
     ),
     # Time.
     "split clocks are not looked at": (
-        "time.ml", "Option.map (Rat.sub step) p.clock", "Option.map (fun _ -> step) p.clock",
+        "time.ml", "Some (Rat.sub step clock)", "(ignore clock; Some step)",
     ),
     "clocks go on when a bond becomes releasable": (
         "time.ml", "expires && gains_split m p aged", "expires && false && gains_split m p aged",

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Shows that the tests of zones can fail: rules of lib/verification/symbolic are broken, one by one.
+"""Shows that the tests of zones can fail: rules of lib/verification/symbolic, and those they use, are broken one by one.
 
     test/laws/symbolic/teeth.py [--tree DIR] [NAME ...]
     test/laws/symbolic/teeth.py --places     only whether each mistake has a place to be made in; part of the tests
@@ -82,8 +82,8 @@ MISTAKES = {
     ),
     "only where they are looked at do features touch": (
         "instant.ml",
-        "List.concat_map (fall 2) regions",
-        "List.concat_map (fun p -> ignore fall; [ p ]) regions",
+        "List.concat_map (fall turns) regions",
+        "List.concat_map (fun p -> ignore (fall turns); [ p ]) regions",
     ),
     "features touch with their borders": (
         "../../solids/offsets/feature_offsets.ml",
@@ -121,14 +121,14 @@ MISTAKES = {
     ),
     "no time between events": (
         "zone_steps.ml",
-        "let may_split = Passing.may_split z && not (Passing.on_grid c) in",
-        "let may_split = Passing.may_split z && Passing.on_grid c in",
+        "let may_split = Zone_time.splits_at_any_time (",
+        "let may_split = not @@ Zone_time.splits_at_any_time (",
     ),
     "no weak split at once": ("passing.ml", "~begins:Constraint.at_least", "~begins:Constraint.greater"),
     "halted zones do all": ("passing.ml", "halted = true", "halted = false"),
     "eps(0) waits": (
         "passing.ml",
-        "match List.find_map of_leaf (leaves z) with",
+        "match List.find_map of_leaf (State.leaves z.skeleton) with",
         "match List.find_map of_leaf [] with",
     ),
     "eps(t) is eps(0) where it may be": (
@@ -138,20 +138,36 @@ MISTAKES = {
     ),
     "time passes before what is urgent": (
         "zone_steps.ml",
-        "let passes = happenings.urgent = [] && not z.halted in",
+        "let passes = not (Network.is_urgent happenings || z.halted) in",
         "let passes = not z.halted in",
     ),
     "no weak split beside what is urgent": (
         "zone_steps.ml",
-        "let happenings = if passes && may_split then",
-        "let happenings = if happenings.urgent <> [] || (passes && may_split) then",
+        "let weak = if passes && may_split then",
+        "let weak = if Network.is_urgent happenings || (passes && may_split) then",
     ),
     "the horizon is too early": (
         "zone_graph.ml",
         "let in_time = Constraint.at_most time",
         "let in_time = Constraint.less time",
     ),
-    "time stands still": ("passing.ml", "Option.map (Linear.add time) z.time", "z.time"),
+    "time stands still": (
+        "../../kernel/state_sets/zone_time.ml", "Option.map (Linear.add time) z.time", "z.time",
+    ),
+    "bodies that wait do not move": (
+        "../../kernel/state_sets/zone_time.ml", "Place.moved places.(l.leaf) p.velocity time",
+        "Place.moved places.(l.leaf) Scc_exact.Vec.zero time",
+    ),
+    "delays begin anew when time passes": (
+        "../../kernel/state_sets/zone_time.ml", "Linear.add ages.(l.leaf) time", "time",
+    ),
+    "a delay that has just begun is none": (
+        "../../kernel/state_sets/zone_well_formed.ml", "Constraint.at_least z.ages.(l.leaf) zero",
+        "Constraint.greater z.ages.(l.leaf) zero",
+    ),
+    "nobody is at a split instant": (
+        "../../kernel/state_sets/zone_well_formed.ml", "Constraint.at_least clock zero", "Constraint.greater clock zero",
+    ),
     "borders belong to zones": (
         "zone_form.ml",
         "let set = Polyhedron.minimal set in",
@@ -246,7 +262,7 @@ MISTAKES = {
         "let hold c = Polyhedron.implies a c in",
     ),
     "narrowing forgets the start": ("invariant_search.ml", "  List.iter add starts;\n", "  List.iter ignore starts;\n"),
-    "bodies that interpenetrate are states": ("plausible.ml", "(apart c { z with set })", "(ignore apart; [ set ])"),
+    "bodies that interpenetrate are states": ("plausible.ml", "Zone_well_formed.apart c { z with set }", "[ set ]"),
     "what happens at once is not checked": (
         "../certificate/certificate.ml", "  List.iteri each first;\n", "  ignore each;\n",
     ),

@@ -126,7 +126,7 @@ let count_labels ~contact g =
   in
   List.iter (fun (n : Zone_graph.node) -> List.iter count n.edges) (nodes g)
 
-(* {1 The three laws} *)
+(* {1 The four laws} *)
 
 (* All that the ordinary rules reach is in some zone. *)
 let all_in_zones case (m : Model.t) g p (plain : Plain.t) =
@@ -156,6 +156,17 @@ let follows case (m : Model.t) g standard (node : Zone_graph.node) =
       match List.find_opt (Replay.is_in m node.zone p.values) ends with
       | None -> fail case p.values "node %d: the run to it leads elsewhere" node.number
       | Some _ -> ())
+
+(* No state of a run is taken for one that rule WellFormed excludes. *)
+let is_well_formed case g (node : Zone_graph.node) =
+  let z = node.zone in
+  let right = Zone_well_formed.apart g.context { z with set = Zone_well_formed.convex g.context z } in
+  let right = Union.of_polyhedra (Zone.dimension z) right in
+  match Union.pieces (Union.difference (Union.of_polyhedron z.set) right) with
+  | [] -> ()
+  | wrong :: _ ->
+    let point = Option.get (Polyhedron.point wrong) in
+    fail case (Array.map (fun f -> Linear.eval f point) z.parameters) "node %d: not well-formed" node.number
 
 (* The first places that searches found. *)
 let finds case g standard search =
@@ -260,6 +271,7 @@ let agrees case =
         size := !size + Zone_graph.size g.graph;
         count_labels ~contact:s.contact g;
         List.iter (follows case m g standard) (some random 20 (nodes g));
+        List.iter (is_well_formed case g) (some random 20 (nodes g));
         List.iter (finds case g standard) g.searches;
         let look values =
           let p = at s standard values in

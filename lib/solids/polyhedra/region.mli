@@ -1,6 +1,4 @@
-(** Regions of a zone: cut by constraints. *)
-
-open Scc_polyhedra
+(** Sets of values, none empty, cut by constraints. *)
 
 val where : Polyhedron.t -> Constraint.t list -> Polyhedron.t list
 (** [where p constraints] is the region where all constraints hold, if it is not empty. *)

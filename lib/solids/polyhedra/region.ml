@@ -1,5 +1,3 @@
-open Scc_polyhedra
-
 let where region constraints =
   let p = Polyhedron.add_all region constraints in
   if Polyhedron.is_empty p then [] else [ p ]
