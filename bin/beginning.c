@@ -10,39 +10,39 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 /* Those of lib/verification/session/exit_code.ml. */
 enum { STOPPED = 4, BUG = 70 };
 
-/* Of lib/foundation/system/held.c. */
+/* Of lib/foundation/system/held.c and limits.c. */
 extern void scc_hold_signals(void);
+extern void scc_withhold_errors(void);
+extern int scc_errors(void);
+extern long long scc_limit_in_bytes(int which);
+enum { ADDRESSES, DATA, STACK };
 
 /* Of gmp.h, which need not be where this is compiled; zarith links the library. */
 extern void __gmp_set_memory_functions(void *(*)(size_t), void *(*)(void *, size_t, size_t), void (*)(void *, size_t));
 
 /* The lesser of the limits of addresses and of data, in MiB; 0 where there is none. */
-static unsigned long long limit(void)
+static long long limit(void)
 {
-  static const int limits[] = { RLIMIT_AS, RLIMIT_DATA };
-  rlim_t least = RLIM_INFINITY;
-  struct rlimit found;
-  for (size_t i = 0; i < sizeof limits / sizeof *limits; i++)
-    if (getrlimit(limits[i], &found) == 0 && found.rlim_cur < least) least = found.rlim_cur;
-  return least == RLIM_INFINITY ? 0 : (unsigned long long) least / 1048576;
+  long long addresses = scc_limit_in_bytes(ADDRESSES), data = scc_limit_in_bytes(DATA);
+  long long least = addresses < 0 || (data >= 0 && data < addresses) ? data : addresses;
+  return least < 0 ? 0 : least / 1048576;
 }
 
 /* No channel is used, and nothing is allocated. */
 static void leave(int code, const char *why, const char *detail)
 {
   char line[512], set[128] = "";
-  unsigned long long mib = code == STOPPED ? limit() : 0;
+  long long mib = code == STOPPED ? limit() : 0;
   if (mib > 0)
     snprintf(set, sizeof set,
-             " within the memory limit of %llu MiB that the system sets this process (ulimit -v or -d)", mib);
+             " within the memory limit of %lld MiB that the system sets this process (ulimit -v or -d)", mib);
   int n = snprintf(line, sizeof line, "scc: %s%s%s%.200s\n", why, set, *detail ? ": " : "", detail);
-  if (write(STDERR_FILENO, line, n) != n) { /* Nobody can be told. */ }
+  if (write(scc_errors(), line, n) != n) { /* Nobody can be told. */ }
   _exit(code);
 }
 
@@ -88,10 +88,11 @@ enum { LEAST_STACK = 128 * 1024 };
 /* Before the runtime begins. */
 __attribute__((constructor)) static void begin(void)
 {
-  struct rlimit stack;
-  if (getrlimit(RLIMIT_STACK, &stack) == 0 && stack.rlim_cur < LEAST_STACK)
+  long long stack = scc_limit_in_bytes(STACK);
+  if (stack >= 0 && stack < LEAST_STACK)
     leave(STOPPED, "no stack left: the system sets this process a limit of less than 128 KiB (ulimit -s)", "");
   scc_hold_signals();
+  scc_withhold_errors();
   setvbuf(stderr, unsaid, _IOFBF, sizeof unsaid);
   caml_fatal_error_hook = on_fatal_error;
   __gmp_set_memory_functions(allocate, reallocate, release);

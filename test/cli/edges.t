@@ -137,16 +137,78 @@ draws first.
 An undecided check over a range has no split step in JSON.
 
   $ cat > open.sc <<'EOF'
-  > param u in [-1, 1]
+  > param u in [-1/2, 1/2]
   > shape C = box(1,1,1)
   > behaviour P on C = <a, {right}>. omega(a, {right}). eps(1). P
   > behaviour Q on C = <~a, {left}>. omega(a, {left}). eps(1). Q
   > process p = C mass 1 velocity (1,0,0) [P]
   > process q = C mass 2 velocity (-1/2,0,0) at translate (3,u,0) [Q]
-  > check c : AX time <= 3/2
+  > check c : AF event bounce(p, q)
   > check d : EF[0, 3] bound(p, q)
   > EOF
-  $ scc check open.sc --json --depth 8 | grep -E '"(verdict|split_step)"'
+  $ scc check open.sc --json --depth 1 | grep -E '"(verdict|split_step)"'
         "verdict": "undecided",
-        "verdict": "violated",
-        "split_step": "1/1",
+        "verdict": "undecided",
+
+The next event over all values: X looks at no more than so many events, within a bound of time as well, and however
+late they are. What a run does at the same instant after them does not count.
+
+  $ cat > next.sc <<'EOF'
+  > param u in [0, 1]
+  > shape C = box(1,1,1)
+  > fixed l = C at translate (-4,0,0)
+  > fixed r = C at translate (4,0,0)
+  > process p = C mass 1 velocity (-1,0,0) at translate (-1 - u,0,0) [nil]
+  > process q = C mass 1 velocity (1,0,0) at translate (1 + u,0,0) [nil]
+  > check comes : EG[<= 1] EX event bounce
+  > EOF
+  $ scc check next.sc --where | grep -E '^[a-z]+: |everywhere'
+  comes: holds (exhaustive, all u in [0, 1])
+    holds everywhere
+          everywhere on this run, EX event bounce holds: that is known of all states that it goes through
+  explored: 10 states, 10 transitions, depth 5; complete
+  $ cat > three.sc <<'EOF'
+  > param u in [0, 1]
+  > shape C = box(1,1,1)
+  > fixed l = C at translate (-3,0,0)
+  > fixed r = C at translate (3 + u/3,0,0)
+  > process p = C mass 1 velocity (1,0,0) at translate (u,0,0) [nil]
+  > process q = C mass 1 velocity (1,7/5,0) at translate (0,40,0) [nil]
+  > check a : EX event bounce
+  > check b : EF[<= 1] EX event bounce(p, r)
+  > check c : EF[<= 4] (event bounce and EX event bounce(p, l))
+  > check d : AG[<= 7] (not event bounce(p,r) or EX (event bounce(p,l) and EX event bounce(p,r)))
+  > check e : E[true U[1,2] AX event bounce(p, r)]
+  > EOF
+  $ scc check three.sc | grep -E '^[a-z]+: '
+  a: holds (exhaustive, all u in [0, 1])
+  b: holds (exhaustive, all u in [0, 1])
+  c: holds (exhaustive, all u in [0, 1])
+  d: holds (exhaustive, all u in [0, 1])
+  e: holds (exhaustive, all u in [0, 1])
+  explored: 9 states, 8 transitions, depth 8; complete
+
+Formulas that no search decides are known over all values before all is explored, which here would never end.
+
+  $ (grep -v '^check' three.sc; cat <<'EOF'
+  > check a : E[not event bounce U event bounce(p) and EX event bounce(p, l)]
+  > check b : EF (event bounce(p, r) and EX event bounce(p, l))
+  > check c : A[not event bounce U event bounce(p, r) and AX event bounce(p, l)]
+  > check d : AG (event bounce(p, r) or AX event bounce(p, r))
+  > check e : EG AX event bounce(p)
+  > EOF
+  > ) > known.sc
+  $ scc check known.sc --depth 30 | grep -E '^[a-z]+: '
+  a: holds (exhaustive, all u in [0, 1])
+  b: holds (exhaustive, all u in [0, 1])
+  c: holds (exhaustive, all u in [0, 1])
+  d: violated for u = 1/2
+  e: undecided: the exploration ended at the depth bound 30; one unexplored state matters
+  explored: 31 states, 30 transitions, depth 30; not complete: stopped by the depth bound 30
+  $ scc check known.sc --time 6 | grep -E '^[a-z]+: '
+  a: holds (exhaustive, all u in [0, 1])
+  b: holds (exhaustive, all u in [0, 1])
+  c: holds (exhaustive, all u in [0, 1])
+  d: violated for u = 1/2
+  e: undecided: the exploration ended at the time bound 6; one unexplored state matters
+  explored: 6 states, 5 transitions, depth 5; not complete: stopped by the time bound 6

@@ -26,6 +26,17 @@ let console = Console.make ~color:Never ~json:false ()
 let lost () = raise (Console.output_failed "x" "lost")
 let refused () = raise (Unix.Unix_error (EMFILE, "open", "x"))
 let interrupted () = raise (Interruption.Interrupted "interrupted")
+
+let requested () =
+  Unix.kill (Unix.getpid ()) Sys.sigint;
+  Unix.sleepf 0.;
+  0
+
+let settled () = Interruption.settle (); requested ()
+
+(* The request came before, where it could not be raised. *)
+let due () = Scc_base.Critical.run Interruption.break_off; Interruption.settle (); 0
+
 let rec deep n = 1 + deep (n + 1)
 
 (* What is raised, and the exit code. *)
@@ -42,6 +53,9 @@ let raised =
     ("an interruption", 4, interrupted);
     ("an interruption of what cleans up", 4, fun () -> Fun.protect ~finally:interrupted (fun () -> 0));
     ("a lost output", 74, lost);
+    ("a request", 4, requested);
+    ("a request when all is settled", 0, settled);
+    ("a request before that", 4, due);
   ]
 
 let ended work =

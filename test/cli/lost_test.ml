@@ -40,9 +40,12 @@ let in_words () =
     ]
     (List.map (Check_text.property (console ()) ~full:false loaded.semantics) outcomes)
 
+let property (l : Scc_loading.Loaded.t) o =
+  Scc_reports.Check_json.(Scc_json.Json_format.write property_format (judged l.semantics o))
+
 let in_json () =
   let member o =
-    match Json.member "lost" (Scc_reports.Check_json.property loaded.semantics o) with
+    match Json.member "lost" (property loaded o) with
     | Some (`List [ `String what ]) -> Some what
     | Some _ -> Some "something else"
     | None -> None
@@ -107,7 +110,7 @@ let left_out_in_words () =
 let left_out_in_json () =
   let member name json = Option.map Json.pretty (Json.member name json) in
   let json = Some (Json.pretty (Scc_json.Json_format.write Scc_reports.Explored_json.truncation interruption)) in
-  let of_property o = member "run_left_out" (Scc_reports.Check_json.property loaded.semantics o) in
+  let of_property o = member "run_left_out" (property loaded o) in
   Alcotest.(check (list (option string))) "runs" [ json; json; json ] (List.map of_property left_out);
   Alcotest.(check (option string)) "nothing" None
     (of_property (outcome [] (Verdict.Holds { bounds = []; witness = None }) (List.hd loaded.checks)))

@@ -1,5 +1,6 @@
 """Checks, simulations and sweeps on a cluster of Ray, beside those of scc: see `run`."""
 
+import contextlib
 import os
 import signal
 import sys
@@ -40,13 +41,16 @@ def with_nodes(scc, times):
 
     def kill_node(rand, at, hits):
         def kill():
-            # All of it at once, as when a machine loses its power.
+            # All of it at once, as when a machine loses its power. What has ended meanwhile is dead as well.
+            if not several.worker_nodes:
+                return
             node = rand.choice(sorted(several.worker_nodes, key=str))
             raylet = node.all_processes['raylet'][0].process.pid
             pids = [raylet, *support.children(raylet)]
             owners = sum('ray::Owner' in support.title(pid) for pid in pids)
             for pid in pids:
-                os.kill(pid, signal.SIGKILL)
+                with contextlib.suppress(ProcessLookupError):
+                    os.kill(pid, signal.SIGKILL)
             several.remove_node(node, allow_graceful=False)
             hits.append('node')
             print('killed: a node with %d owners' % owners, flush=True)

@@ -7,11 +7,13 @@ Runs commands under limits of addresses (ulimit -v), of data (ulimit -d) and of 
 not even the libraries can be loaded to those that are enough. Each run ends as it does without a limit, with the same output; or with code 4,
 says that a limit of memory or of the stack was met, and names no limit but the one that is set. What it writes to standard error
 beside that is what it writes without a limit. Below what the system needs to load
-the program, nothing of it runs: 126, 127, or a signal. Without --all, a share: every 37th run.
+the program, nothing of it runs: 126, 127, or a signal. Without --all, a share: every 37th run. In both cases, two commands run
+in finer steps of the limit of data: one that does next to nothing, while the program begins, and one that needs a deep stack.
 """
 
 import argparse
 import collections
+import functools
 import os
 import re
 import resource
@@ -36,6 +38,8 @@ COMMANDS = [
     ["simulate", "short.sc", "--runs", "2", "--observe", "x(p)", "--every", "1", "--until", "3"],
     ["check", "--json", "long.sc", "--jobs", "2", "--states", "2000"], ["check", "none.sc"], ["fmt", "--none"], ["check", "deep.sc"], ["fmt", "deep.sc"],
 ]
+# Limits of data, in KiB: OCaml 5 allocates while its own modules begin, and takes the stack from this memory.
+FINE = [(["--version"], range(10000, 20000, 80)), (["fmt", "deep.sc"], range(20000, 40000, 250))]
 STOPPED = 4
 OF_MEMORY = re.compile(r"memory|no stack left|Cannot allocate|not enough", re.IGNORECASE)
 NAMED = re.compile(r"limit of (\d+) MiB")
@@ -100,6 +104,20 @@ def fault(done, whole, kib):
     return None
 
 
+def runs(step, every):
+    """Each run that is made: the command, and the limit's name, kind and KiB."""
+    number = 0
+    for name, limit, sizes in limits(step):
+        for kib in sizes:
+            for words in COMMANDS:
+                number += 1
+                if number % every == 0:
+                    yield words, name, limit, kib
+    for words, sizes in FINE:
+        for kib in sizes:
+            yield words, "data", resource.RLIMIT_DATA, kib
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scc", type=os.path.abspath)
@@ -108,37 +126,30 @@ def main():
     parser.add_argument("--verbose", action="store_true")
     args = parser.parse_args()
     here = os.path.dirname(os.path.abspath(__file__))
-    passed, failed, unloaded, number, seen = 0, 0, 0, 0, collections.Counter()
+    passed, failed, unloaded, seen = 0, 0, 0, collections.Counter()
     with tempfile.TemporaryDirectory() as folder:
         for name, text in (("long.sc", LONG), ("deep.sc", DEEP), ("short.sc", SHORT), ("invalid.sc", SHORT + "check x : y\n")):
             with open(os.path.join(folder, name), "w") as file:
                 file.write(text)
         with open(os.path.join(here, "..", "cli", "ell.off")) as mesh, open(os.path.join(folder, "ell.off"), "w") as copy:
             copy.write(mesh.read())
-        wholes = [run([args.scc, *words], folder) for words in COMMANDS]
-        for name, limit, sizes in limits(args.step):
-            for kib in sizes:
-                here_loads = None
-                for words, whole in zip(COMMANDS, wholes):
-                    number += 1
-                    if not args.all and number % 37:
-                        continue
-                    what = "%s, %d KiB of %s" % (" ".join(words), kib, name)
-                    try:
-                        done = run([args.scc, *words], folder, limit, kib)
-                    except (OSError, subprocess.SubprocessError) as e:
-                        done = Done(126, b"", str(e))
-                    if done.code in (126, 127) or done.code < 0:
-                        if here_loads is None:
-                            here_loads = loads(args.scc, folder, limit, kib)
-                        wrong = "code %d: %s" % (done.code, done.err[-200:]) if here_loads else None
-                        unloaded += not here_loads
-                    else:
-                        wrong = fault(done, whole, kib)
-                    seen[done.code] += 1
-                    passed, failed = (passed, failed + 1) if wrong else (passed + 1, failed)
-                    if wrong or args.verbose:
-                        print("%s %s: %s" % ("FAULT" if wrong else "ok   ", what, wrong or done.code), flush=True)
+        wholes = {tuple(words): run([args.scc, *words], folder) for words in COMMANDS}
+        loaded = functools.lru_cache(None)(lambda limit, kib: loads(args.scc, folder, limit, kib))
+        for words, name, limit, kib in runs(args.step, 1 if args.all else 37):
+            try:
+                done = run([args.scc, *words], folder, limit, kib)
+            except (OSError, subprocess.SubprocessError) as e:
+                done = Done(126, b"", str(e))
+            if done.code in (126, 127) or done.code < 0:
+                wrong = "code %d: %s" % (done.code, done.err[-200:]) if loaded(limit, kib) else None
+                unloaded += not loaded(limit, kib)
+            else:
+                wrong = fault(done, wholes[tuple(words)], kib)
+            seen[done.code] += 1
+            passed, failed = (passed, failed + 1) if wrong else (passed + 1, failed)
+            if wrong or args.verbose:
+                what = "%s, %d KiB of %s" % (" ".join(words), kib, name)
+                print("%s %s: %s" % ("FAULT" if wrong else "ok   ", what, wrong or done.code), flush=True)
     print("not loaded: %d; codes: %s" % (unloaded, dict(sorted(seen.items()))))
     # Without either there was no limit that counts.
     if seen[STOPPED] == 0 or seen[0] == 0:

@@ -25,6 +25,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 HANG = 120  # seconds until a run is taken to be one that does not end; nothing else depends on it
 SQUARE = b"P2\n8 8\n1\n" + b"0 0 0 0 0 0 0 0 " * 2 + b"0 0 1 1 1 1 0 0 " * 4 + b"0 0 0 0 0 0 0 0 " * 2
@@ -64,6 +65,8 @@ def cases(folder, models):
         file.write("OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
     with open(f("square.pgm"), "wb") as file:
         file.write(SQUARE)
+    with open(f("holds.jsonl"), "w") as file:
+        file.write('{"type": "header", "format": "scc-trace", "version": 1}\n')
     nowhere = "/nowhere/file"
     found = [
         Case("version", ["--version"], 0),
@@ -115,10 +118,17 @@ def cases(folder, models):
         Case("conform-3", ["conform", f("holds.sc"), f("bad.sc")], 3, False),
         Case("diff-3", ["diff", f("bad.sc"), f("bad.sc")], 3, False),
         Case("shape-0", ["shape", f("solid.off")], 0),
+        Case("shape-json-74", ["shape", f("solid.off"), "--json", "--svg", nowhere, "-o", nowhere + ".off"], 74),
+        Case("shape-page-74", ["shape", f("solid.off"), "--json", "--view", nowhere], 74),
         Case("shape-3", ["shape", f("bad.sc")], 3, False),
         Case("inflate-0", ["inflate", f("square.pgm"), "-o", f("square.off")], 0),
         Case("inflate-3", ["inflate", f("bad.sc"), "-o", f("square.off")], 3, False),
         Case("decompose-0", ["decompose", f("ell.off")], 0),
+        Case("decompose-74", ["decompose", f("ell.off"), "--json", "-o", nowhere + ".obj"], 74),
+        Case("inflate-74", ["inflate", f("square.pgm"), "--json", "-o", nowhere + ".off"], 74),
+        Case("check-json-74", ["check", f("violated.sc"), "--json", "--sarif", nowhere, "--witness", nowhere], 74),
+        Case("compare-74", ["compare", f("graph.aut"), f("other.aut"), "--json", "--write", nowhere], 74),
+        Case("conform-74", ["conform", f("holds.sc"), f("holds.jsonl"), "--json", "--run", nowhere], 74),
         Case("decompose-3", ["decompose", f("bad.sc")], 3, False),
         Case("oracle-0", ["oracle"], 0, False, True),
         Case("oracle-64", ["oracle", "--seconds", "x"], 64, False),
@@ -205,7 +215,8 @@ class Sweep:
             self.faults.append(what)
         if wrong or self.args.verbose:
             told = done.err.decode("utf-8", "replace").strip()[-200:]
-            print("%s %s: exit code %s for %s %s" % ("FAULT" if wrong else "ok   ", what, done.code, sorted(codes), told))
+            print("%s %s: exit code %s for %s %s" % ("FAULT" if wrong else "ok   ", what, done.code, sorted(codes), told),
+                  flush=True)
 
     # --- streams ---
 
@@ -214,7 +225,18 @@ class Sweep:
         self.expect(case.name, done, {case.code} if not case.reads else {0, 3, case.code})
         if bool(done.out) != case.prints and not case.reads:
             self.expect(case.name + ": what it prints", done, set())
+        if "--json" in case.args:
+            self.documented(case.name, done)
         return done
+
+    def documented(self, what, done):
+        """One document, with the exit code of the process."""
+        try:
+            told = json.loads(done.out)["exit"]
+        except ValueError:
+            told = None
+        if told != done.code:
+            self.expect(what + ": its document has the exit code %s" % told, done, set())
 
     def streams(self, case, whole, pick):
         exact = "--stats" not in case.args and case.code != 4
@@ -293,6 +315,16 @@ class Sweep:
             if any(int(lines[mask], 16) >> (number - 1) & 1 for mask in masks):
                 return True
 
+    def asleep(self, pid, number):
+        """Waits until the program waits, and lets a signal through."""
+        while True:
+            with open("/proc/%d/status" % pid) as file:
+                lines = dict(line.split(":", 1) for line in file if ":" in line)
+            held = int(lines["SigBlk"], 16) >> (number - 1) & 1
+            if lines["State"].split()[0] == "S" and not held and int(lines["SigCgt"], 16) >> (number - 1) & 1:
+                return
+            time.sleep(0.001)
+
     def started(self, words, **more):
         return subprocess.Popen([self.args.scc, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                 cwd=self.folder, **more)
@@ -339,9 +371,8 @@ class Sweep:
         if b"did not end" in done.err:
             self.expect("%s: a step that does not end" % " ".join(words), done, set())
 
-    def early(self, words, number, steps):
-        """From the first instruction of the program on: after so many looks."""
-        whole = self.run(words)
+    def early(self, words, number, steps, whole):
+        """From the first instruction of the program on: after so many looks. Not signalled, it ends as in whole."""
         running = self.started(words, stdin=subprocess.DEVNULL)
         for _ in range(steps + 1):
             self.caught(running.pid, number, ("SigBlk", "SigCgt"))
@@ -349,12 +380,24 @@ class Sweep:
         done = self.ended(running)
         what = "%s, %s at its beginning, after %d looks" % (" ".join(words), number.name, steps)
         self.expect(what, done, {4, whole.code})
-        try:
-            told = json.loads(done.out)["exit"]
-        except ValueError:
-            told = None
-        if told != done.code:
-            self.expect(what + ": its document has the exit code %s" % told, done, set())
+        self.documented(what, done)
+
+    def late(self, words, number, whole):
+        """While it waits to write its document, into a pipe that is full: the work is done, and nothing changes."""
+        out, into = os.pipe()
+        fcntl.fcntl(into, fcntl.F_SETPIPE_SZ, 4096)
+        filled = os.write(into, b" " * 4096)
+        running = subprocess.Popen([self.args.scc, *words], stdin=subprocess.DEVNULL, stdout=into, stderr=subprocess.PIPE,
+                                   cwd=self.folder)
+        os.close(into)
+        self.asleep(running.pid, number)
+        running.send_signal(number)
+        with open(out, "rb") as file:
+            text = file.read()[filled:]
+        done = Done(running.wait(HANG), text, running.stderr.read())
+        running.stderr.close()
+        self.count += 1
+        self.expect("%s, %s as it writes its document" % (" ".join(words), number.name), done, {whole.code}, whole.out)
 
     def serving(self, number):
         running = self.started(["serve"], stdin=subprocess.DEVNULL)
@@ -397,7 +440,7 @@ WORKING = [
     (["view", "LONG", "-o", "x.html"], {4, 0}),
 ]
 BEGINNING = [
-    ["check", "holds.sc", "--json"], ["compare", "holds.sc", "violated.sc", "--json"], ["decompose", "ell.off", "--json"],
+    ["check", "holds.sc", "--json"], ["compare", "holds.sc", "violated.sc", "--json", "--states", "50"], ["decompose", "ell.off", "--json"],
     ["conform", "holds.sc", "run.jsonl", "--json"], ["diff", "run.jsonl", "run.jsonl", "--json"],
     ["estimate", "chance.sc", "--runs", "5", "--json"], ["explain", "runs/c.json", "--json"],
     ["inflate", "square.pgm", "--json", "-o", "square.off"], ["shape", "solid.off", "--json"],
@@ -459,9 +502,11 @@ def main():
             file.write(ENDLESS + "check c : P >= 1/2 [ eventually x(p) > 2 within 2 ]\n")
         for words in BEGINNING:
             if args.only in " ".join(words):
+                whole = sweep.run(words)
                 for _, number in pick({n.name: n for n in SIGNALS}):
                     for steps in range(0, 300, 3) if args.all else (0, 10, draw.randrange(20, 200)):
-                        sweep.early(words, number, steps)
+                        sweep.early(words, number, steps, whole)
+                    sweep.late(words, number, whole)
         if args.only in "serve":
             for _, number in pick({n.name: n for n in SIGNALS}):
                 sweep.serving(number)

@@ -8,9 +8,10 @@ begins with "Of", "The same" or "Whether" (DEVEL.md, "Words"). The last line is
 'N values: N without documentation, N that cannot be read alone'; --list names them; --strict as well, and ends with an
 error if there are any.
 """
-import pathlib
 import re
 import sys
+
+import sources
 
 ITEM = re.compile(r'\s*(val|external|type|module|exception|include|open|end|and|sig)\b')
 ELLIPTIC = re.compile(r'(Of|The same|Whether|That of|Those)\b')
@@ -56,9 +57,9 @@ def main(arguments):
     listed = '--list' in arguments or '--strict' in arguments
     without = elliptic = count = 0
     for folder in (a for a in arguments if not a.startswith('--')):
-        for file in sorted(pathlib.Path(folder).rglob('*.mli')):
+        for file in sources.under(folder, '.mli'):
             # The parser's is written by menhir.
-            if '_build' in file.parts or file.name == 'parser.mli':
+            if file.name == 'parser.mli':
                 continue
             for name, documentation in values(file.read_text().split('\n')):
                 count += 1

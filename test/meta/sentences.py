@@ -17,6 +17,8 @@ import re
 import sys
 from pathlib import Path
 
+import sources
+
 FENCE = re.compile(r'\s*(```|~~~)')
 ITEM = re.compile(r'(\s*)([-*+]|\d+[.)])\s+')
 RULE = re.compile(r'\s*\|?[\s:|-]+\|?\s*$')
@@ -164,7 +166,7 @@ def main(arguments):
     count = long = 0
     files = []
     for name in map(Path, arguments):
-        files += sorted(name.rglob('*.md')) if name.is_dir() else [name]
+        files += sources.under(name, '.md') if name.is_dir() else [name]
     for file in files:
         for line, block in blocks(file.read_text(encoding='utf-8')):
             for at, words, sentence in sentences(block, line):

@@ -189,18 +189,6 @@ let every_case () =
   |> none "cases that no test runs"
 
 (* By the name of a case that must be refused, or in what a test of the program expects. *)
-(* SARIF has a rule for each code that is listed, and none for another. *)
-let listed_codes () =
-  let listed = List.map (fun (code, _) -> (code : Scc_base.Code.t :> string)) Scc_base.Code.all in
-  let declared line =
-    match String.split_on_char '"' line with
-    | [ head; code; "" ] when String.length head > 4 && String.equal (String.sub head 0 4) "let " -> Some code
-    | _ -> None
-  in
-  let codes = List.filter_map declared (String.split_on_char '\n' (Tree.read "lib/foundation/base/code.ml")) in
-  Alcotest.(check bool) "there are codes" true (List.length codes > 50);
-  none "codes that are not listed" (List.filter (fun code -> not (List.mem code listed)) codes)
-
 let every_code () =
   let cases = Tree.files "specs/conformance/invalid" in
   let transcripts =
@@ -343,7 +331,6 @@ let () =
       ( "cases",
         [
           case "every case is run by a test" every_case;
-          case "every code is listed" listed_codes;
           case "every code has a case" every_code;
         ] );
       ( "conformance suite",
@@ -381,6 +368,10 @@ let () =
           case "top-level state is listed" (fun () ->
               none "state and its list disagree" (Parsed.unlisted_state ()));
           case "no function is long" (fun () -> none "functions that are too long" (Parsed.longest ~most:60));
+        ] );
+      ( "files",
+        [
+          case "only sources, whatever comes and goes" Walked.sources_only;
         ] );
       ( "documents",
         [

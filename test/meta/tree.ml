@@ -10,15 +10,22 @@ let read path =
       ~finally:(fun () -> close_in ic)
       (fun () -> really_input_string ic (in_channel_length ic))
 
+(* The build tree also contains folders of the compilers ([.objs]) and of test runners ([_build]). Their files come
+   and go while tests run. *)
+let is_source name = name.[0] <> '.' && name <> "_build"
+
 let rec files path =
   match Sys.readdir (from_root path) with
   | exception Sys_error _ -> []
   | names ->
     Array.sort String.compare names;
-    Array.to_list names
+    Array.to_list names |> List.filter is_source
     |> List.concat_map (fun name ->
         let path = path ^ "/" ^ name in
-        if Sys.is_directory (from_root path) then files path else [ path ])
+        match Sys.is_directory (from_root path) with
+        | true -> files path
+        | false -> [ path ]
+        | exception Sys_error _ -> [])
 
 let matches_at text part i =
   let n = String.length part in

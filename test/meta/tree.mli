@@ -7,7 +7,8 @@ val read : string -> string
 (** The bytes of a file; empty when there is none. *)
 
 val files : string -> string list
-(** Every file under a folder, sorted. *)
+(** [files folder] lists every source file under [folder], sorted: names that begin with a dot, and folders
+    [_build], are left out. A file that vanishes meanwhile is left out as well. *)
 
 val contains : string -> string -> bool
 (** [contains text part]. *)

@@ -9,6 +9,8 @@ import os
 import re
 import sys
 
+import sources
+
 
 def rows(text):
     """The rows of the tables of the chapter, as (file, functions)."""
@@ -43,11 +45,9 @@ def faults(root):
 def libraries(root):
     """The folder of each library, by its name."""
     folders = {}
-    for folder, _, files in os.walk(os.path.join(root, "lib")):
-        if "dune" in files:
-            with open(os.path.join(folder, "dune")) as file:
-                for name in re.findall(r"\(name (scc_\w+)\)", file.read()):
-                    folders[name] = folder
+    for path in sources.under(os.path.join(root, "lib"), "dune"):
+        for name in re.findall(r"\(name (scc_\w+)\)", path.read_text()):
+            folders[name] = path.parent
     return folders
 
 

@@ -7,9 +7,6 @@ val make : ?full:int -> Log.t -> t
     last block. That time is at most a second, so little is lost of slow computations. It grows with the time
     that writing takes, so writing takes a small part of the whole. *)
 
-val is_empty : t -> bool
-(** [is_empty b] is true if the next note begins a block. *)
-
 val add : t -> (Buffer.t -> unit) -> unit
 (** [add b put] gathers the bytes that [put] appends, in one block, and writes the block if it is time. *)
 

@@ -326,7 +326,7 @@ module Make
           !crew
       in
       let asked c source =
-        { Graph.asks = (fun _ -> false); tell = (fun _ ~count:_ arrows -> note_origins c source arrows) }
+        { Graph.asks = (fun _ -> false); tell = (fun _ noted -> note_origins c source noted.arrows) }
       in
       let expanded () = Option.bind !crew (fun c -> Option.map (asked c) c.source) in
       { expand; expanded; finish }

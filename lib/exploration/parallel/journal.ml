@@ -10,7 +10,7 @@ module Make
     (Graph : module type of Explore.Make (L)) = struct
   module Wire = Wire.Make (E)
 
-  type note = { state : int; count : int; arrows : Graph.arrow list }
+  type note = { state : int; noted : Graph.noted }
 
   type t = {
     log : Log.t;
@@ -25,9 +25,9 @@ module Make
 
   (** {2 Notes as bytes}
 
-      The state, as a difference from the one after that of the note before; how many edges it has; and those
-      that are told. An edge is its label and 0, with what is different in the new state, or 1 + the number of a
-      state. *)
+      The state, as a difference from the one after that of the note before; twice the number of its edges, and one
+      more if further transitions are postponed; and those that are told. An edge is its label and 0, with what is
+      different in the new state, or 1 + the number of a state. *)
 
   let zigzag n = if n >= 0 then 2 * n else (-2 * n) - 1
   let unzigzag n = if n land 1 = 0 then n / 2 else -((n + 1) / 2)
@@ -46,9 +46,9 @@ module Make
   let put j note buffer =
     if Buffer.length buffer = 0 then Packed.put_nat buffer (Bool.to_int j.all_edges);
     Packed.put_nat buffer (zigzag (note.state - j.last - 1));
-    Packed.put_nat buffer note.count;
-    Packed.put_nat buffer (List.length note.arrows);
-    List.iter (put_arrow j buffer) note.arrows;
+    Packed.put_nat buffer ((2 * note.noted.count) + Bool.to_int note.noted.reduced);
+    Packed.put_nat buffer (List.length note.noted.arrows);
+    List.iter (put_arrow j buffer) note.noted.arrows;
     j.last <- note.state
 
   let arrow j source : Graph.arrow =
@@ -61,7 +61,8 @@ module Make
     let state = j.last + 1 + unzigzag (Packed.nat source) in
     let count = Packed.nat source in
     j.last <- state;
-    { state; count; arrows = Packed.list source (arrow j) }
+    let arrows = Packed.list source (arrow j) in
+    { state; noted = { arrows; count = count / 2; reduced = count land 1 = 1 } }
 
   (** {2 Blocks} *)
 
@@ -92,8 +93,8 @@ module Make
      up, so that all are known of the edges of a graph. *)
   let asks j label = j.all_edges || not (Wire.knows_label j.wire label)
 
-  let tell j state ~count arrows =
-    if count > 0 then Critical.run (fun () -> Blocks.add j.blocks (put j { state; count; arrows }))
+  let tell j state (noted : Graph.noted) =
+    if noted.count > 0 then Critical.run (fun () -> Blocks.add j.blocks (put j { state; noted }))
 
   let follow j =
     Critical.run (fun () ->
@@ -123,7 +124,7 @@ module Make
       | Some n when n.state = state ->
         j.followed <- true;
         let n = Option.get (follow j) in
-        Ok (Graph.Noted { arrows = n.arrows; count = n.count })
+        Ok (Graph.Noted n.noted)
       | Some _ -> (
           (* What is not noted has no transitions. *)
           match afresh state tuple with
@@ -135,7 +136,7 @@ module Make
     in
     (* Asked of each edge: no partial applications. *)
     let told =
-      Some { Graph.asks = (fun label -> asks j label); tell = (fun i ~count arrows -> tell j i ~count arrows) }
+      Some { Graph.asks = (fun label -> asks j label); tell = (fun i noted -> tell j i noted) }
     in
     (* Others may want to know as well. *)
     let expanded () =
@@ -144,9 +145,9 @@ module Make
         match (Lazy.force after).expanded () with
         | None -> told
         | Some t ->
-          let tell i ~count arrows =
-            tell j i ~count arrows;
-            t.tell i ~count arrows
+          let tell i noted =
+            tell j i noted;
+            t.tell i noted
           in
           Some { asks = (fun label -> asks j label || t.asks label); tell }
     in

@@ -137,7 +137,6 @@ let rational c i = Rationals.get c.times i
 (* The tuple of the empty network has a slot all the same. *)
 let width c = Int.max 1 (mark_slot c + option_slot c.marked)
 let bodies c = Pairs.size c.processes
-let forms c = Forms.size c.forms
 let resting _ velocity = velocity = 0
 let first_leaf (p : State.process) = p.leaves.(0).leaf
 

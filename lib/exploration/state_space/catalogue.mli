@@ -154,9 +154,6 @@ val duration : t -> int -> Rat.t
 val bodies : t -> int
 (** The number of different processes so far. *)
 
-val forms : t -> int
-(** The number of different forms of processes so far. *)
-
 val greatest_bits : t -> int
 (** The greatest length in bits of a number in any component so far, numerator and denominator together. In
     forms, places are relative to the first leaf. It takes constant time. *)

@@ -156,7 +156,6 @@ let doubts_of_mean t i =
 
 let possible_doubts t i = Scc_ctl.Doubts.possible t.eval t.asked.formulas.(i) origin
 let doubts t i = Scc_ctl.Doubts.find t.eval t.asked.formulas.(i) origin
-let formula t i = t.asked.formulas.(i)
 let predicate t i = t.asked.props.(i)
 
 let choice t (s : Scc_ctl.Run.step) : Graph.step =

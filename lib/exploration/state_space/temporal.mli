@@ -47,9 +47,6 @@ val possible_doubts : t -> int -> Scc_ctl.Doubts.t
 val doubts_of_mean : t -> int -> Scc_ctl.Doubts.t
 (** The unexplored nodes and undefined predicates that keep the mean of a check from being known. *)
 
-val formula : t -> int -> Scc_ctl.Timed_formula.t
-(** The skeleton of the formula with this index ({!Scc_property.Skeleton}). *)
-
 val predicate : t -> int -> Property.prop
 (** The state predicate with this number in skeletons, explanations and doubts. *)
 

@@ -13,7 +13,6 @@ type t = {
   db : Database.t;
   writable : bool;
   identity : string;  (** a digest, on which those of the blocks rest *)
-  had_blocks : bool;
   begun : (string, int) Hashtbl.t;  (** how many explorations of each name *)
   warn : Diag.t -> unit;
   mutable failed : Diag.t option;
@@ -125,27 +124,24 @@ let look_at_blocks db identity =
       damaged (Printf.sprintf "block %d of the exploration of %s is not what was written" next e);
     (Some e, next + 1, digest)
   in
-  let exploration, _, _ =
-    Database.fold db "SELECT exploration, number, digest, bytes FROM blocks ORDER BY exploration, number" [] add
-      (None, 0, identity)
-  in
-  Option.is_some exploration
+  ignore
+    (Database.fold db "SELECT exploration, number, digest, bytes FROM blocks ORDER BY exploration, number" [] add
+       (None, 0, identity))
 
-(* That it is whole, and of this; whether it has blocks. They rest on what it says that it is of, so that this is
-   compared once it is known to be what was written. *)
+(* That it is whole, and of this. Its blocks rest on what it says that it is of, so that this is compared once it
+   is known to be what was written. *)
 let look_at db identity =
   Database.look_through db;
   let kept = recorded db in
-  let had_blocks = look_at_blocks db (digest_of_identity kept) in
-  same_identity kept identity;
-  had_blocks
+  look_at_blocks db (digest_of_identity kept);
+  same_identity kept identity
 
 (* Nothing is changed of a file that is not ours. From the first look on nobody else can write to it: of two that
    come at once to one that is not made yet, one does not get to the transaction. *)
 let begin_to_write db identity =
   Database.run db "PRAGMA locking_mode = EXCLUSIVE";
   let there = is_ours db in
-  let had_blocks = there && look_at db identity in
+  if there then look_at db identity;
   (* Blocks are long: fewer pages are fewer writes. Of a file that is there it stays as it is. *)
   Database.run db "PRAGMA page_size = 16384";
   Database.run db "BEGIN IMMEDIATE";
@@ -153,8 +149,7 @@ let begin_to_write db identity =
   if not there then create db identity;
   Database.run db "COMMIT";
   Database.run db "PRAGMA journal_mode = WAL";
-  Database.run db "PRAGMA synchronous = FULL";
-  had_blocks
+  Database.run db "PRAGMA synchronous = FULL"
 
 let begin_to_read db identity =
   if not (is_ours db) then fail Code.no_store "the store cannot be written to, and has nothing yet";
@@ -166,9 +161,9 @@ let connect folder identity warn =
   let path = Filename.concat folder file in
   let db = if writable then Database.open_to_write path else Database.open_to_read path in
   match if writable then begin_to_write db identity else begin_to_read db identity with
-  | had_blocks ->
+  | () ->
     let identity = digest_of_identity identity in
-    { folder; db; writable; identity; had_blocks; begun = Hashtbl.create 8; warn; failed = None }
+    { folder; db; writable; identity; begun = Hashtbl.create 8; warn; failed = None }
   | exception e ->
     Database.close db;
     raise e
@@ -180,7 +175,6 @@ let openly folder ~identity ~warn =
 (** {2 Use} *)
 
 let folder t = t.folder
-let resumed t = t.had_blocks
 let failed t = t.failed
 
 let key exploration number = [ Sqlite3.Data.TEXT exploration; INT (Int64.of_int number) ]

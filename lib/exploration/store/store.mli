@@ -28,9 +28,6 @@ val log : t -> string -> Scc_parallel.Log.t
     exploration, and so on: explorations of one name come in the same order in each run. After a block that
     cannot be kept, no later blocks are kept, and {!failed} has the reason. *)
 
-val resumed : t -> bool
-(** [resumed t] is true if the store had blocks when it was opened. *)
-
 val failed : t -> Diag.t option
 (** Why the store keeps no more blocks, if so: an output that cannot be written (SC0103), or damage since it was
     opened (SC0912). *)

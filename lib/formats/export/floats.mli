@@ -21,9 +21,6 @@ val single : float -> float
 val unit : Z.t array -> float array
 (** The vector of length 1 in the direction of these integers, which are not all zero. *)
 
-val atan2 : float -> float -> float
-(** [atan2 y x] is the angle of the point in radians, within some units of the last place. *)
-
 val axis_angle : Quaternion.t -> float array
 (** The axis, of length 1, and the angle in radians, from 0 to pi. *)
 

@@ -4,8 +4,6 @@ open Scc_json
 open Scc_runs
 open Json_format
 
-let version = 1
-
 let status : Labelling.status -> string = function
   | Moves -> "expanded"
   | Rests -> "quiescent"
@@ -84,7 +82,7 @@ let head =
   let bounds (s : Explored.t) = List.map Verdict.truncation_to_string s.stopped_by in
   let predicates t = List.mapi (fun k _ -> (t.labelling, k)) (Array.to_list (Labelling.predicates t.labelling)) in
   all
-    (Shared.head "scc-graph" version
+    (Shared.head "scc-graph" 1
      @ [
        Shared.semantics ();
        within (fun t -> t.exported.loaded.origin) Origin_json.fields;
@@ -98,23 +96,10 @@ let head =
          ~about:"The state predicates of the checks: each atom, and check_NAME for the whole one of a check.";
      ])
 
-let format =
-  let states t = List.init t.exported.space.size (fun i -> (t.labelling, i)) in
-  fields
-    [
-      head;
-      field "states" (list ~least:1 state) states
-        ~about:"In the order in which they were found; the first is the initial one.";
-    ]
+let document =
+  let get t = (t.exported.space.size, fun i -> (t.labelling, i)) in
+  let about = "In the order in which they were found; the first is the initial one." in
+  { Long_document.head; rows = "states"; about; row = state; get }
 
-(* A state is made when it is written: there may be many. *)
-let write exported labelling put =
-  let member (name, json) = put (Json.line (`String name) ^ ": " ^ Json.line json ^ ",\n") in
-  put "{\n";
-  List.iter member (written_members head { exported; labelling });
-  put "\"states\": [\n";
-  let size = exported.Exported.space.size in
-  for i = 0 to size - 1 do
-    put (Json.line (write state (labelling, i)) ^ if i = size - 1 then "\n" else ",\n")
-  done;
-  put "]\n}\n"
+let format = Long_document.format document
+let write exported labelling = Long_document.write document { exported; labelling }

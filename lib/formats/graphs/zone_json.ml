@@ -1,6 +1,5 @@
 open Scc_polyhedra
 open Scc_calculus
-open Scc_property
 open Scc_offsets
 open Scc_state_sets
 open Scc_symbolic
@@ -8,105 +7,174 @@ open Scc_zones
 open Scc_json
 open Scc_runs
 open Scc_reports
+open Json_format
 
-let version = 1
-let names n name = List.init n (fun i -> Json.text (name i))
-let polyhedron = Where_json.polyhedron_of
-let list encode array = `List (List.map encode (Array.to_list array))
+let form = Where_json.form_format
+let polyhedron = Where_json.polyhedron_format
 
-let leaf m ~name (z : Zone.t) (l : State.leaf) =
-  let form = Where_json.form ~name in
-  let origin k = Json.text m.Model.definitions.(k).name in
-  `Assoc
-    [
-      ("name", Json.text m.leaves.(l.leaf).name);
-      ("position", `List (List.map form (Place.coordinates z.places.(l.leaf))));
-      ("behaviour", Json.text (State_json.behaviour m ~leaf:l.leaf l.behaviour));
-      ("origin", Json.option origin l.behaviour.origin);
-      ("age", form z.ages.(l.leaf));
-    ]
+(* A zone of a model. What is within it comes with it: the names of its variables are its own. *)
+type of_zone = { model : Model.t; zone : Zone.t; name : int -> string }
 
-let process m ~name (z : Zone.t) (p : State.process) =
-  let clock = Option.map (fun _ -> z.clocks.(p.leaves.(0).leaf)) p.clock in
-  `Assoc
-    [
-      ("velocity", Json.vec p.velocity);
-      ("clock", Json.option (Where_json.form ~name) clock);
-      ("leaves", list (leaf m ~name z) p.leaves);
-      ("bonds", list (fun b -> `Assoc (State_json.bond m b)) p.bonds);
-    ]
+let of_zone model zone = { model; zone; name = Zone_names.variable model zone }
+let named_by z f x = (z.name, f x)
+let all_of z array = List.map (fun x -> (z, x)) (Array.to_list array)
 
-let edge m ~name (target : int -> Zone.t) (e : Zone_graph.edge) =
-  let time text duration =
-    `Assoc [ ("kind", `String "time"); ("text", Json.text text); ("duration", Where_json.form ~name duration) ]
+let leaf =
+  let leaf_form f (z, (l : State.leaf)) = (z.name, f z.zone l.leaf) in
+  let place (z, (l : State.leaf)) =
+    List.map (named_by z Fun.id) (Place.coordinates z.zone.places.(l.leaf))
   in
-  let label =
-    match e.step with
-    | Happens l -> State_json.label m l
-    | Passes f -> time (Printf.sprintf "time(%s)" (Text.form ~name f)) f
-    | Passes_some ->
-      let n = Polyhedron.dimension e.guard in
-      time "time(time passed)" (Linear.variable n (n - 1))
+  let behaviour (z, (l : State.leaf)) = State_json.behaviour z.model ~leaf:l.leaf l.behaviour in
+  let origin (z, (l : State.leaf)) = Option.map (fun k -> z.model.definitions.(k).name) l.behaviour.origin in
+  fields
+    [
+      field "name" some_text (fun (z, (l : State.leaf)) -> z.model.leaves.(l.leaf).name);
+      field "position" (list ~least:3 ~most:3 form) place ~about:"x, y, z in the world.";
+      field "behaviour" some_text behaviour
+        ~about:"As it was when it was last set, in the syntax of the language.";
+      field "origin" (nullable text) origin;
+      field "age" form (leaf_form (fun zone leaf -> zone.ages.(leaf)))
+        ~about:"For how long the behaviour has aged since.";
+    ]
+
+let process =
+  let clock (z, (p : State.process)) =
+    Option.map (fun _ -> (z.name, z.zone.clocks.(p.leaves.(0).leaf))) p.clock
   in
-  let becomes = Zone_names.variable m (target e.target) in
-  let given i f = (becomes i, Where_json.form ~name f) in
-  `Assoc
+  fields
     [
-      ("label", label);
-      ("guard", polyhedron ~name (Polyhedron.minimal e.guard));
-      ("target", `Int e.target);
-      ("map", `Assoc (Array.to_list (Array.mapi given e.map)));
+      field "velocity" Shared.vector (fun (_, (p : State.process)) -> p.velocity);
+      field "clock" (nullable form) clock
+        ~about:
+          "Time since the split clock was set, 0 with split_step any; null when no weak split is enabled.";
+      field "leaves" (list ~least:1 leaf) (fun (z, (p : State.process)) -> all_of z p.leaves);
+      field "bonds" (list State_json.bond_format) (fun (z, (p : State.process)) ->
+          List.map (fun (z, b) -> (z.model, b)) (all_of z p.bonds));
     ]
 
-let node (s : Zone_space.t) (n : Zone_graph.node) =
-  let m = Zone_space.model s in
-  let z = n.zone in
-  let name = Zone_names.variable m z in
-  let form = Where_json.form ~name in
-  let parameter i f = (Ranges.name m.ranges i, form f) in
-  let target i = (Zone_graph.node s.graph i).zone in
-  let gone = State.gone m z.skeleton in
-  `Assoc
+(* {1 Edges} *)
+
+let passing (z, (e : Zone_graph.edge)) =
+  match e.step with
+  | Happens _ -> None
+  | Passes f -> Some (Printf.sprintf "time(%s)" (Text.form ~name:z.name f), (z.name, f))
+  | Passes_some ->
+    let n = Polyhedron.dimension e.guard in
+    Some ("time(time passed)", (z.name, Linear.variable n (n - 1)))
+
+let label =
+  let happening (z, (e : Zone_graph.edge)) =
+    match e.step with Happens l -> Some (z.model, l) | Passes _ | Passes_some -> None
+  in
+  let time = `String "time" in
+  let is_time json =
+    match Json.member "kind" json with Some (`String "time") -> Some "is a passing of time" | _ -> None
+  in
+  let no_time = [ ("properties", `Assoc [ ("kind", `Assoc [ ("not", `Assoc [ ("const", time) ]) ]) ]) ] in
+  union
     [
-      ("number", `Int n.number);
-      ("depth", `Int n.depth);
-      ("status", `String (if n.expanded then "expanded" else "unexplored"));
-      ("halted", `Bool z.halted);
-      ("variables", `List (names (Zone.dimension z) name));
-      ("where", Json.text (Text.polyhedron ~name z.set));
-      ("polyhedron", polyhedron ~name z.set);
-      ("parameters", `Assoc (Array.to_list (Array.mapi parameter z.parameters)));
-      ("time", Json.option form z.time);
-      ("processes", list (process m ~name z) z.skeleton.processes);
-      ("gone", `List (List.map (fun leaf -> Json.text m.leaves.(leaf).name) gone));
-      ("rests", `List (List.map (polyhedron ~name) (Zone_space.rests n)));
-      ("late", `List (List.map (fun p -> polyhedron ~name (Polyhedron.minimal p)) n.late));
-      ("edges", `List (List.map (edge m ~name target) n.edges));
+      case (fields [ fixed "kind" time; field "text" some_text fst; field "duration" form snd ]) passing Fun.id;
+      case (constrained no_time is_time State_json.label_format) happening Fun.id;
     ]
 
-let write (e : Zone_exported.t) put =
-  let space = e.space in
-  let add key json = put (Json.line (`String key) ^ ": " ^ Json.line json ^ ",\n") in
-  let texts list = `List (List.map Json.text list) in
-  let check (c : Property.check) = `Assoc [ ("name", Json.text c.name); ("text", Json.text c.text) ] in
-  let ranges = e.loaded.model.ranges in
-  let size = Zone_graph.size space.graph in
-  put "{\n";
-  add "format" (`String "scc-zones");
-  add "version" (`Int version);
-  add "semantics" (`String Parameters.version);
-  List.iter (fun (key, json) -> add key json) (Origin_json.members e.loaded.origin);
-  add "ranges" (texts (List.map Ranges.range_to_string (Array.to_list ranges)));
-  add "range" (polyhedron ~name:(Ranges.name ranges) (Ranges.box ranges));
-  add "complete" (`Bool (Zone_space.complete space));
-  add "unexplored" (`Int (Zone_space.unexpanded space));
-  add "bounds" (texts (Zone_exported.bounds e));
-  add "faults" (texts (List.map (fun (f : Scc_base.Diag.t) -> f.message) space.faults));
-  add "checks" (`List (List.map check e.loaded.checks));
-  let roots = Zone_space.roots space in
-  add "roots" (`List (List.map (fun i -> `Int i) roots));
-  put "\"zones\": [\n";
-  for i = 0 to size - 1 do
-    put (Json.line (node space (Zone_graph.node space.graph i)) ^ if i = size - 1 then "\n" else ",\n")
-  done;
-  put "]\n}\n"
+let edge =
+  let target ((z, e), _) = (z, e) in
+  let map ((z, (e : Zone_graph.edge)), after) =
+    let becomes = Zone_names.variable z.model after in
+    Array.to_list (Array.mapi (fun i f -> (becomes i, (z.name, f))) e.map)
+  in
+  fields
+    [
+      field "label" label target
+        ~about:
+          "Of a passing of time the duration is a form: until what comes next or, where it is the variable `time \
+           passed`, any time that the guard allows, to a zone that is halted.";
+      field "guard" polyhedron (fun ((z, (e : Zone_graph.edge)), _) -> (z.name, Polyhedron.minimal e.guard))
+        ~about:"From where the edge is taken: over the variables of the zone, and `time passed`.";
+      field "target" natural (fun ((_, (e : Zone_graph.edge)), _) -> e.target);
+      field "map" (entries form) map ~about:"The variables of the target, as forms over those of the guard.";
+    ]
+
+(* {1 Zones} *)
+
+let zone =
+  let in_zone f (z, _, _) = f z in
+  let in_node f (_, (n : Zone_graph.node), _) = f n in
+  let variables z = List.init (Zone.dimension z.zone) z.name in
+  let parameters z =
+    Array.to_list (Array.mapi (fun i f -> (Ranges.name z.model.ranges i, (z.name, f))) z.zone.parameters)
+  in
+  let gone z = List.map (fun leaf -> z.model.leaves.(leaf).name) (State.gone z.model z.zone.skeleton) in
+  let status (n : Zone_graph.node) = if n.expanded then "expanded" else "unexplored" in
+  let polyhedra f (z, n, _) = List.map (named_by z Fun.id) (f n) in
+  let late (n : Zone_graph.node) = List.map Polyhedron.minimal n.late in
+  let edges (z, (n : Zone_graph.node), graph) =
+    List.map (fun (e : Zone_graph.edge) -> ((z, e), (Zone_graph.node graph e.target).zone)) n.edges
+  in
+  fields
+    [
+      field "number" natural (in_node (fun n -> n.number));
+      field "depth" natural (in_node (fun n -> n.depth))
+        ~about:"How many edges lead there from the start, at least.";
+      field "status" (word Fun.id [ "expanded"; "unexplored" ]) (in_node status)
+        ~about:"unexplored: its edges are not known.";
+      field "halted" bool (in_zone (fun z -> z.zone.halted))
+        ~about:"Time has stopped here for a weak split, which is all that may happen.";
+      field "variables" (list ~distinct:true some_text) (in_zone variables)
+        ~about:
+          "The numbers of its states that the others depend on: parameters, `model time`, age(p), clock(p), x(p), \
+           y(p), z(p).";
+      field "where" some_text (in_zone (fun z -> Text.polyhedron ~name:z.name z.zone.set))
+        ~about:"The polyhedron, for people.";
+      field "polyhedron" polyhedron (in_zone (fun z -> (z.name, z.zone.set)))
+        ~about:"The values of the variables.";
+      field "parameters" (entries form) (in_zone parameters);
+      field "time" (nullable form) (in_zone (fun z -> Option.map (named_by z Fun.id) z.zone.time))
+        ~about:"Since the start; null where it is not kept.";
+      field "processes" (list process) (in_zone (fun z -> all_of z z.zone.skeleton.processes));
+      field "gone" (list some_text) (in_zone gone) ~about:"Who has been absorbed.";
+      field "rests" (list polyhedron) (polyhedra Zone_space.rests)
+        ~about:"From where nothing comes next: time may pass for ever. Disjoint.";
+      field "late" (list polyhedron) (polyhedra late)
+        ~about:"From where what comes next is later than the bound of time.";
+      field "edges" (list edge) edges;
+    ]
+
+(* {1 The document} *)
+
+let head =
+  let space f (e : Zone_exported.t) = f e.space in
+  let ranges f (e : Zone_exported.t) = f e.loaded.model.ranges in
+  let faults (s : Zone_space.t) = List.map (fun (f : Scc_base.Diag.t) -> f.message) s.faults in
+  all
+    (Shared.head "scc-zones" 1
+     @ [
+       Shared.semantics ();
+       within (fun (e : Zone_exported.t) -> e.loaded.origin) Origin_json.fields;
+       field "ranges" (list some_text)
+         (ranges (fun r -> List.map Ranges.range_to_string (Array.to_list r)))
+         ~about:"The parameters that are known by ranges, for people.";
+       field "range" polyhedron (ranges (fun r -> (Ranges.name r, Ranges.box r))) ~about:"All their values.";
+       field "complete" bool (space Zone_space.complete) ~about:"All edges of all zones are there.";
+       field "unexplored" natural (space Zone_space.unexpanded)
+         ~about:"How many zones have edges that are not known.";
+       field "bounds" Shared.texts Zone_exported.bounds ~about:"The bounds that left something out, in words.";
+       field "faults" Shared.texts (space faults) ~about:"Why what comes of some zone is not known.";
+       field "checks" (list Graph_json.check) (fun (e : Zone_exported.t) -> e.loaded.checks);
+       field "roots" (list ~least:1 natural) (space Zone_space.roots)
+         ~about:"The numbers of the zones of the start.";
+     ])
+
+let document =
+  let get (e : Zone_exported.t) =
+    let model = Zone_space.model e.space and graph = e.space.graph in
+    let one i =
+      let node = Zone_graph.node graph i in
+      (of_zone model node.zone, node, graph)
+    in
+    (Zone_graph.size graph, one)
+  in
+  { Long_document.head; rows = "zones"; about = "In the order in which they were found."; row = zone; get }
+
+let format = Long_document.format document
+let write = Long_document.write document

@@ -18,9 +18,6 @@ type t = {
 val make : Camera.t -> origin:Ivec.t -> Canvas.t -> Hidden.t -> t
 (** A picture of these visible parts. Lines are thinner if solids are small on the paper. *)
 
-val point : t -> Vec.t -> Ivec.t
-(** The place of a point of space in the view. *)
-
 val place : t -> Vec.t -> Rat.t * Rat.t
 (** The place of a point of space on the paper. *)
 

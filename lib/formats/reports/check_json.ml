@@ -28,7 +28,7 @@ let kind : Verdict.t -> string = function
   | Measured _ -> "measured"
   | Undecided _ -> "undecided"
 
-let kinds = [ "holds"; "holds-up-to-bound"; "violated"; "measured"; "undecided" ]
+let kind_format = word Fun.id [ "holds"; "holds-up-to-bound"; "violated"; "measured"; "undecided" ]
 
 let file = Witness_json.file
 let lost = list ~least:1 ~distinct:true text
@@ -196,7 +196,7 @@ let property_members =
          [
            field "name" some_text (fun (o : Verdict.outcome) -> o.check.name);
            field "formula" some_text (fun (o : Verdict.outcome) -> o.check.text);
-           field "verdict" (word Fun.id kinds) (fun (o : Verdict.outcome) -> kind o.verdict);
+           field "verdict" kind_format (fun (o : Verdict.outcome) -> kind o.verdict);
            field "text" some_text Verdict.outcome_to_string;
            field "bounds" (list Explored_json.truncation) (fun (o : Verdict.outcome) -> bounds o.verdict)
              ~about:"Within which it holds; empty for a proof.";
@@ -277,9 +277,8 @@ let property_format =
   let keywords, wrong = by_verdict in
   constrained keywords wrong (fields property_members) |> named ~file "property"
 
-let property ?(full = false) ?(cure = fun _ -> None) ?where semantics outcome =
-  write property_format
-    { semantics; outcome; whole = full; likely_cure = cure outcome; holds_where = where }
+let judged ?(full = false) ?(cure = fun _ -> None) ?where semantics outcome =
+  { semantics; outcome; whole = full; likely_cure = cure outcome; holds_where = where }
 
 (* {1 The report} *)
 
@@ -291,10 +290,8 @@ let slice =
       field "explored" Explored_json.format (fun (m, (s : Check.slice)) -> (m, s.explored));
     ]
 
-let judged r =
-  let one holds_where outcome =
-    { semantics = r.loaded.semantics; outcome; whole = r.full; likely_cure = r.cure outcome; holds_where }
-  in
+let all_judged r =
+  let one where outcome = judged ~full:r.full ~cure:r.cure ?where r.loaded.semantics outcome in
   match r.where with
   | [] -> List.map (one None) r.verdicts
   | where -> List.map2 (fun w o -> one (Some w) o) where r.verdicts
@@ -303,8 +300,6 @@ let invariants_member =
   maybe "invariants" (list ~least:1 Invariant_json.format) (fun (m, (report : Check.report)) ->
       Option.map (List.map (fun i -> (m, i))) (some report.invariants))
     ~about:"Where invariants were looked for (rule Invariants): each that was found, and why none was."
-
-let invariants m report = written_members invariants_member (m, report)
 
 let format =
   let report part = within (fun (_, r) -> r.report) part in
@@ -320,7 +315,7 @@ let format =
        field "exit" Shared.exit (fun (_, r) -> r.exit);
        maybe "resolution" Shared.rational (fun r -> Model.resolution (model r))
          ~about:"of a rigid model: contacts are known within this length, and verdicts are meant so";
-       field "properties" (list property_format) (fun (_, r) -> judged r);
+       field "properties" (list property_format) (fun (_, r) -> all_judged r);
        field "explored" Explored_json.format (fun ((_, r) as x) -> (model x, r.report.stats));
        field "slices" (list slice) (fun ((_, r) as x) -> List.map (fun s -> (model x, s)) r.report.slices)
          ~about:"The explorations that left out leaves that cannot matter for some properties.";

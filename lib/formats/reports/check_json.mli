@@ -27,20 +27,23 @@ type judged
 val kind : Verdict.t -> string
 (** The kind of a verdict: ["holds"], ["holds-up-to-bound"], ["violated"], ["measured"] or ["undecided"]. *)
 
-val property :
+val kind_format : (string, string) Json_format.t
+(** One of the texts of {!kind}. *)
+
+val judged :
   ?full:bool -> ?cure:(Verdict.outcome -> string option) -> ?where:Scc_regions.Where.t -> Semantics.t ->
-  Verdict.outcome -> Json.t
-(** A member of [properties]. The way to a state that was not explored has its first and last 100 steps, and all
+  Verdict.outcome -> judged
+(** A verdict as it is told. The way to a state that was not explored has its first and last 100 steps, and all
     of them if [full]. [cure] is the text that may help with a verdict that met a bound. *)
 
 val property_format : (judged, unit) Json_format.t
-(** The format of {!property}. *)
+(** The format of a member of [properties]. *)
 
 val format : (Diag_json.source * t, unit) Json_format.t
 (** The format of {!document}. *)
 
-val invariants : Scc_calculus.Model.t -> Check.report -> (string * Json.t) list
-(** The member [invariants], if invariants were sought. *)
+val invariants_member : (Scc_calculus.Model.t * Check.report, unit) Json_format.members
+(** The format of the member [invariants], which is there if invariants were sought. *)
 
 val document : source:Diag_json.source -> t -> Json.t
 (** The whole document. [source] returns the text of a file by its name, for lines and columns. *)

@@ -58,5 +58,3 @@ let format =
      and z(p), the time since its behaviour was set, age(p), and the split clock of the process whose first \
      body it is, clock(p). Or why none was found that proves anything."
   |> named ~file:Shared.file "invariant"
-
-let found m end_ = write format (m, end_)

@@ -2,8 +2,5 @@
 
 open Scc_json
 
-val format : ((string * string) list, unit) Json_format.t
-(** The format of {!field}: the name of each option and a line on its effect, in this order. *)
-
 val field : ((string * string) list, unit) Json_format.members
 (** A field with the name of each option and a line on its effect, in this order. No field if there are none. *)

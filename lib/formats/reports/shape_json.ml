@@ -85,6 +85,7 @@ let paper =
       field "euler_ordered" (integer ()) (whole Definition_4_3.euler_ordered)
         ~about:"The same with ordered pairs, as printed.";
     ]
+  |> in_shape "paper"
 
 (* {1 Solids} *)
 
@@ -97,10 +98,11 @@ let mass =
         ~about:"About the centroid, for density 1.";
       field "inertia_of_unit_mass" Shared.matrix (Mass_properties.inertia ~mass:Rat.one);
     ]
+  |> in_shape "mass"
 
 let mass_of (r : Solid_report.t) = match r.verdict with Accepted (_, m) -> Some m | Rejected _ -> None
 
-let vertex = fields [ field "name" some_text fst; field "position" Shared.vector snd ]
+let vertex = fields [ field "name" some_text fst; field "position" Shared.vector snd ] |> in_shape "vertex"
 
 let corner =
   let is_one ((r : Solid_report.t), i) = i >= 0 && i < Array.length r.set.ifs_vertices in
@@ -114,6 +116,7 @@ let face =
       field "name" some_text (fun (_, (name, _)) -> name);
       field "corners" (list corner) corners ~about:"Names of vertices; a number is an index that no vertex has.";
     ]
+  |> in_shape "face"
 
 let geometry =
   let faces (r : Solid_report.t) = List.map (fun f -> (r, f)) (Array.to_list r.set.ifs_faces) in

@@ -9,6 +9,9 @@ type t
 val format : (t, unit) Json_format.t
 (** The format of {!document}. *)
 
+val fault : ((Solid_report.t * Polyhedron_fault.t), unit) Json_format.t
+(** The format of a fault. *)
+
 val faults : (Solid_report.t, unit) Json_format.t
 (** The format of the member [faults]. *)
 

@@ -46,9 +46,6 @@ let form_format =
   |> named "form"
     "The sum of the constant and of the variables with their coefficients, of which those that are 0 are left out."
 
-let constraint_ ~name c = write constraint_format (name, c)
-let polyhedron_of ~name p = write polyhedron_format (name, p)
-let form ~name f = write form_format (name, f)
 
 (* {1 Sets of values of parameters} *)
 

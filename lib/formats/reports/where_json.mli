@@ -17,12 +17,3 @@ val form_format : ((int -> string) * Linear.t, unit) Json_format.t
 
 val where : Where.t -> Json.t
 (** The whole member in {!format}. *)
-
-val constraint_ : name:(int -> string) -> Constraint.t -> Json.t
-(** A constraint over variables of these names, in the form of {!where}. *)
-
-val polyhedron_of : name:(int -> string) -> Polyhedron.t -> Json.t
-(** All constraints of a polyhedron, in the form of {!where}. *)
-
-val form : name:(int -> string) -> Linear.t -> Json.t
-(** A linear form as [{"coefficients", "constant"}], in the form of {!where}. *)

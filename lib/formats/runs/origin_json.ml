@@ -26,4 +26,3 @@ let fields =
 
 let parameters (o : Origin.t) = write parameters_format o.parameters
 let settings (o : Origin.t) = write settings_format o.settings
-let members = written_members fields

@@ -21,6 +21,3 @@ val parameters : Origin.t -> Json.t
 
 val settings : Origin.t -> Json.t
 (** An object of the settings, as strings. *)
-
-val members : Origin.t -> (string * Json.t) list
-(** The members of {!fields}. *)

@@ -40,7 +40,7 @@ type event =
       rounded : (Totals.t * Totals.t) option;
     }
 
-type failure = Fault of given_up | Refused of Diag.t | Interrupted
+type failure = Fault of given_up | Refused of Diag.t | Interrupted of Scc_graph_search.Limits.stop
 
 (* What is left of the policy. *)
 type guide = Always_first | Generator of Splitmix64.t | Choices of Schedule.choice list
@@ -221,7 +221,7 @@ let unbounded : Scc_graph_search.Limits.attempt = { run = (fun _ f -> Ok (f ()))
 
 let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy limits ~interrupted emit =
   (* A step may take long, as its numbers do. *)
-  let step f = Result.map_error (fun _ -> Interrupted) (attempt.run Exploring f) in
+  let step f = Result.map_error (fun stop -> Interrupted stop) (attempt.run Exploring f) in
   let model = Semantics.model semantics in
   let guide, offset =
     match policy with
@@ -234,7 +234,7 @@ let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy 
   let* run = Result.map_error not_started started in
   let state () = Run.state run and changes () = Run.changes run in
   let rec from place =
-    if interrupted () then Error Interrupted
+    if interrupted () then Error (Interrupted Scc_graph_search.Limits.Interrupted)
     else
       let* ahead = Result.join (step (fun () -> ahead run place)) in
       if out_of_steps limits place || place.still >= limits.instant then finish run limits emit place ahead

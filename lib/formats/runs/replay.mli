@@ -69,7 +69,7 @@ type event =
 type failure =
   | Fault of given_up  (** SC0601: the transitions of the present state cannot be computed *)
   | Refused of Diag.t  (** SC0802: the schedule does not fit here; the note lists what was possible *)
-  | Interrupted
+  | Interrupted of Scc_graph_search.Limits.stop
 
 val run :
   ?passing:(start:Rat.t -> lasts:Rat.t -> (unit -> State.t) -> unit) ->

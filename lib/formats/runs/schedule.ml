@@ -73,15 +73,13 @@ let format =
 
 (* {1 Writing} *)
 
-let to_string ?model ?check (origin : Scc_loading.Origin.t) choices ~offset =
+let made ?model ?check (origin : Scc_loading.Origin.t) choices ~offset =
   let choice (index, label) = numbered ~index:(Some index) ~label:(Some label) Span.none in
   let { Scc_loading.Origin.digest; parameters; _ } = origin in
-  let schedule =
-    {
-      model; check; digest = Some digest; parameters; choices = List.map choice choices; offset;
-      offset_at = Span.none;
-    }
-  in
+  let choices = List.map choice choices in
+  (version origin, { model; check; digest = Some digest; parameters; choices; offset; offset_at = Span.none })
+
+let to_string schedule =
   let b = Buffer.create 1024 in
   let separated separator add items =
     List.iteri
@@ -99,7 +97,7 @@ let to_string ?model ?check (origin : Scc_loading.Origin.t) choices ~offset =
       Buffer.add_string b " ]"
     | _ -> Buffer.add_string b (Json.line json)
   in
-  (match write format (version origin, schedule) with
+  (match write format schedule with
    | `Assoc members ->
      Buffer.add_string b "{ ";
      separated ",\n  " member members;

@@ -34,14 +34,12 @@ val version : Scc_loading.Origin.t -> int
 (** The version of the format: 2 if labels [time(d)] may be less than the greatest time, and 1 otherwise. Both
     can be read. *)
 
-val to_string :
-  ?model:string ->
-  ?check:string ->
-  Scc_loading.Origin.t ->
-  (int * string) list ->
-  offset:Rat.t option ->
-  string
-(** The file for the choices (number and label), one a line. *)
+val made :
+  ?model:string -> ?check:string -> Scc_loading.Origin.t -> (int * string) list -> offset:Rat.t option -> int * t
+(** The schedule of these choices (number and label), with its version. *)
+
+val to_string : int * t -> string
+(** The file, with a choice on each line. *)
 
 val read : Source.t -> (t, Diag.t) result
 (** Reads a schedule, or a trace, each line of which contains a choice. Any other text is SC0801. *)

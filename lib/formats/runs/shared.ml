@@ -16,6 +16,8 @@ let matrix =
 
 let integer_text = form [ { set = "-"; least = 0; most = Some 1 }; { set = "0-9"; least = 1; most = None } ]
 
+let seed = named "seed" "Of a random choice: an integer of 64 bits." (from Int64.to_string integer_text)
+
 let quaternion =
   let items (q : Quaternion.t) = List.map Z.to_string [ q.w; q.x; q.y; q.z ] in
   checked (from items (list ~least:4 ~most:4 integer_text))
@@ -30,6 +32,12 @@ let digest =
     "MD5 of the model's text and the files that it reads, meshes and imports; each as <length of its \
      name>:<name><length>:<bytes>, the model first and with an empty name."
     (form (letters "md5:" @ [ { set = "0-9a-f"; least = 32; most = Some 32 } ]))
+
+let digit c = Printf.sprintf "%02x" (Char.code c)
+let hex text = String.concat "" (List.map digit (List.of_seq (String.to_seq text)))
+
+let bytes =
+  from hex (Json_format.repeated [ { set = "0-9a-f"; least = 2; most = Some 2 } ])
 
 let code = form (letters "SC" @ [ { set = "0-9"; least = 4; most = Some 4 } ])
 let exit = named "exit" "The exit code of the command." (one_of [ 0; 1; 2; 3; 4; 64; 70; 74 ])

@@ -18,8 +18,14 @@ val matrix : (Mat.t, unit) Json_format.t
 val quaternion : (Quaternion.t, unit) Json_format.t
 (** Four integers as texts: w, x, y, z. *)
 
+val seed : (int64, string) Json_format.t
+(** The seed of random choices. *)
+
 val digest : (string, string) Json_format.t
 (** The digest of a model ({!Scc_loading.Origin.digest}). *)
+
+val bytes : (string, string) Json_format.t
+(** Bytes, one or more, as pairs of hexadecimal digits, which are what is read. *)
 
 val exit : (int, int) Json_format.t
 (** The exit code of a command. *)

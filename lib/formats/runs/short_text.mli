@@ -3,9 +3,6 @@
 open Scc_exact
 open Scc_calculus
 
-val rat : Rat.t -> string
-(** The number, exact up to 24 characters, and by {!Decimal.marked} beyond. *)
-
 val exact : Rat.t -> string
 (** The number, exact up to 60 characters. A fraction of more than 15 characters also has a decimal by
     {!Decimal.marked}: ["137174210/109739369 (~1.250000)"]. Beyond 60 there is the decimal alone, with the

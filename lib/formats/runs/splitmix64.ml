@@ -17,6 +17,8 @@ let rec below n g =
   if Int64.compare (Int64.add (Int64.sub bits r) (Int64.pred n64)) 0L < 0 then below n g
   else (Int64.to_int r, g)
 
+(* An integer from 0 to n - 1, each equally likely: the highest bits, as many as n - 1 has, of as few outputs as
+   needed, one after the other. It is drawn again until it is less than n. *)
 let rec below_integer n g =
   let rec outputs bits raw g =
     if bits = 0 then (raw, g)

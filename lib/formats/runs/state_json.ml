@@ -20,7 +20,6 @@ let ends =
 
 let bond_fields = all [ field "name" some_text (fun (_, (b : State.bond)) -> b.name); field "ends" ends Fun.id ]
 let bond_format = named "bond" (obj bond_fields)
-let bond m b = written_members bond_fields (m, b)
 
 let release_fields =
   let push (_, (r : Transition.release)) = if Rat.sign r.push = 0 then None else Some r.push in
@@ -115,14 +114,10 @@ let label_format =
   in
   tagged "kind" choices |> about "What a transition does." |> named "label"
 
-let label m l = write label_format (m, l)
-
 (* {1 Leaves} *)
 
 let behaviour m ~leaf (b : Behaviour.aged) = Behaviour_text.to_string m ~leaf b.term
-let origin_name (m : Model.t) (b : Behaviour.aged) = Option.map (fun k -> m.definitions.(k).name) b.origin
-let origin m b = Json.option Json.text (origin_name m b)
-let quaternion = write Shared.quaternion
+let origin (m : Model.t) (b : Behaviour.aged) = Option.map (fun k -> m.definitions.(k).name) b.origin
 let only_if holds value = if holds then Some (value ()) else None
 
 let leaf =
@@ -140,7 +135,7 @@ let leaf =
       maybe "waited" Shared.rational of_each
         ~about:"How long ago its law of motion was asked; of models with `timestep ... local` alone.";
       field "behaviour" some_text term ~about:"In the syntax of the language.";
-      field "origin" (nullable text) (fun (m, (l : State.leaf)) -> origin_name m l.behaviour)
+      field "origin" (nullable text) (fun (m, (l : State.leaf)) -> origin m l.behaviour)
         ~about:"The definition whose ageing gave the behaviour, if any.";
     ]
   |> named "leaf"
@@ -270,5 +265,3 @@ let state_format =
         ~about:"Who has been absorbed; of models in which some body absorbs alone.";
     ]
   |> named "state"
-
-let state m s = write state_format (m, s)

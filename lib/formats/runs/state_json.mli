@@ -17,15 +17,6 @@ val bond_format : (Model.t * State.bond, unit) Json_format.t
 val ends : (Model.t * State.bond, unit) Json_format.t
 (** The format of the features at the two ends of a bond. *)
 
-val label : Model.t -> Transition.label -> Json.t
-(** A transition label in {!label_format}. *)
-
-val state : Model.t -> State.t -> Json.t
-(** The state in {!state_format}. *)
-
-val bond : Model.t -> State.bond -> (string * Json.t) list
-(** The members [name] and [ends] of a bond. *)
-
 val behaviour : Model.t -> leaf:int -> Behaviour.aged -> string
 (** The term of the leaf in the syntax of the language, as by {!Behaviour_text.to_string}. *)
 
@@ -36,8 +27,5 @@ val kind : Transition.label -> string
 (** The kind of a label: ["time"], ["bind"], ["close"], ["bounce"], ["absorb"], ["weak"], ["strong"], ["draw"]
     or ["lot"]. *)
 
-val quaternion : Scc_exact.Quaternion.t -> Json.t
-(** An array of four integers as texts: w, x, y, z. *)
-
-val origin : Model.t -> Behaviour.aged -> Json.t
-(** The name of the definition that the behaviour comes from; [null] if there is none. *)
+val origin : Model.t -> Behaviour.aged -> string option
+(** The name of the definition that the behaviour comes from, if there is one. *)

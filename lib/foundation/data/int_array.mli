@@ -22,9 +22,6 @@ val unsafe_get : t -> int -> int
 (** [unsafe_get a i] is {!get} without a check of the index: for the innermost loops, over indices that are in
     range by construction. *)
 
-val fill : t -> int -> unit
-(** [fill a x] sets all elements to [x]. *)
-
 val prefix : t -> int -> t
 (** [prefix a n] is the first [n] elements. It shares memory with [a]. *)
 

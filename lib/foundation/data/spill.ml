@@ -4,8 +4,6 @@ type place = Memory | Folder of { path : string; beyond : int }
 
 let place = ref Memory
 let in_memory = ref 0
-let bytes_on_disk = ref 0
-let on_disk () = !bytes_on_disk
 
 (* Small tables share a file, of which this is what is left: systems allow some ten thousand mappings only. *)
 let slab = 1 lsl 24
@@ -42,9 +40,7 @@ let map kind folder count =
     (fun () ->
        Unix.unlink name;
        fill fd (Bytes.make 65536 '\000') bytes;
-       let table = array1_of_genarray (Unix.map_file fd kind c_layout true [| count |]) in
-       bytes_on_disk := !bytes_on_disk + bytes;
-       table)
+       array1_of_genarray (Unix.map_file fd kind c_layout true [| count |]))
 
 (* Where a file cannot be made, as on a full disk, memory is what is left. *)
 let mapped kind folder count =

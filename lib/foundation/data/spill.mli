@@ -21,6 +21,3 @@ val int32s : int -> (int32, int32_elt, c_layout) Array1.t
 
 val int16s : int -> (int, int16_signed_elt, c_layout) Array1.t
 (** [int16s n] is a new table of [n] numbers of 2 bytes, with unspecified contents. *)
-
-val on_disk : unit -> int
-(** [on_disk ()] is the size of all files made so far, in bytes. *)

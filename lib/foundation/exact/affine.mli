@@ -3,14 +3,11 @@
 
 type t = { linear : Mat.t; translation : Vec.t }
 
-val identity : t
-(** The map that keeps every point. *)
-
-val translate : Vec.t -> t
-(** [translate v] is x -> x + v. *)
-
 val of_linear : Mat.t -> t
 (** [of_linear m] is x -> m x. *)
+
+val identity : t
+(** The map that keeps every point. *)
 
 val apply : t -> Vec.t -> Vec.t
 (** [apply f x] is the image of the point [x], translation included. *)
@@ -18,5 +15,8 @@ val apply : t -> Vec.t -> Vec.t
 val compose : t -> t -> t
 (** [compose f g] is x -> f (g x). *)
 
-val equal : t -> t -> bool
-(** [equal f g] is true if linear part and translation are equal. *)
+val mirrors : t -> bool
+(** [mirrors f] is true if the determinant is negative: counter-clockwise becomes clockwise. *)
+
+val too_long : t -> bool
+(** [too_long f] is true if some number has more than 4 000 bits: numbers grow with each composition. *)

@@ -21,13 +21,6 @@ val halve : t -> t * t
 val variations : t -> int
 (** [variations p] is the number of changes of sign of the coefficients, zeros left out. *)
 
-val sign_after_low : t -> int
-(** [sign_after_low p] is the sign of the polynomial right after the low end: at all points of the interval that
-    are greater than it and close enough to it. It is 0 for the zero polynomial only. *)
-
-val sign_before_high : t -> int
-(** [sign_before_high p] is the sign of the polynomial right before the high end, as {!sign_after_low}. *)
-
 (** {1 Roots} *)
 
 (** A real number. *)

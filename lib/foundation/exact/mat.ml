@@ -46,11 +46,4 @@ let of_quaternion (w, x, y, z) =
 
 let equal a b = Vec.equal a.r0 b.r0 && Vec.equal a.r1 b.r1 && Vec.equal a.r2 b.r2
 
-let compare a b =
-  let c = Vec.compare a.r0 b.r0 in
-  if c <> 0 then c
-  else
-    let c = Vec.compare a.r1 b.r1 in
-    if c <> 0 then c else Vec.compare a.r2 b.r2
-
 let hash a = (((Vec.hash a.r0 * 31) + Vec.hash a.r1) * 31) + Vec.hash a.r2

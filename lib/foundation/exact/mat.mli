@@ -39,8 +39,5 @@ val inverse : t -> t option
 val equal : t -> t -> bool
 (** [equal a b] is true if all entries are equal. *)
 
-val compare : t -> t -> int
-(** The lexicographic order of the entries, row by row. *)
-
 val hash : t -> int
 (** A hash that is equal for equal matrices. *)

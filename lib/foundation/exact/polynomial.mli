@@ -47,9 +47,6 @@ val mul : t -> t -> t
 val scale : Rat.t -> t -> t
 (** [scale k p] is k p. *)
 
-val derivative : t -> t
-(** [derivative p] is the derivative dp/dt. *)
-
 val eval : t -> Rat.t -> Rat.t
 (** [eval p x] is the exact value p(x). *)
 
@@ -79,10 +76,6 @@ val odd_part : t -> t
 
 val substitute : t -> scale:Rat.t -> shift:Rat.t -> t
 (** [substitute p ~scale ~shift] is p(scale t + shift). *)
-
-val root_bound : t -> Rat.t
-(** [root_bound p] is greater than the magnitude of every real root of [p], by Cauchy's bound. [p] is not zero (a
-    bug otherwise). *)
 
 (** {1 Counting roots: Sturm's theorem} *)
 

@@ -39,9 +39,14 @@ let text = value (Text { least = 0 }) "a text" Json.text Json.string
 let nonempty json = Option.bind (Json.string json) (fun s -> if s = "" then None else Some s)
 let some_text = value (Text { least = 1 }) "a text that is not empty" Json.text nonempty
 
-let form runs =
-  let read json = Option.bind (Json.string json) (fun s -> if Json_schema.matches runs s then Some s else None) in
-  value (Form runs) ("a text of the form " ^ Json_schema.pattern runs) Json.text read
+let formed schema pattern matches =
+  let read json = Option.bind (Json.string json) (fun s -> if matches s then Some s else None) in
+  value schema ("a text of the form " ^ pattern) Json.text read
+
+let form runs = formed (Form runs) (Json_schema.pattern runs) (Json_schema.matches runs)
+
+let repeated runs =
+  formed (Repeated runs) (Json_schema.repeated_pattern runs) (Json_schema.matches ~again:true runs)
 
 let bool = value Bool "a truth value" (fun b -> `Bool b) (function `Bool b -> Some b | _ -> None)
 
@@ -121,17 +126,23 @@ let list ?(least = 0) ?most ?(distinct = false) t =
     schema = Items { each = t.schema; least; most; distinct };
   }
 
+let triple a b c =
+  let read at = function
+    | `List [ x; y; z ] -> (a.read (Item (at, 0)) x, b.read (Item (at, 1)) y, c.read (Item (at, 2)) z)
+    | _ -> refuse at "is not an array of three"
+  in
+  {
+    write = (fun (x, y, z) -> `List [ a.write x; b.write y; c.write z ]);
+    read; null = false;
+    schema = Tuple [ a.schema; b.schema; c.schema ];
+  }
+
 let from f t = { t with write = (fun x -> t.write (f x)) }
 let array ?least ?most t = from Array.to_list (list ?least ?most t)
 
 let into f t =
   let read at json = match f (t.read at json) with Ok x -> x | Error told -> refuse at "%s" told in
   { t with read }
-
-let vector =
-  let items (v : Vec.t) = [ v.x; v.y; v.z ] in
-  let vec = function [ x; y; z ] -> Ok (Vec.make x y z) | _ -> Error "is no vector of three" in
-  into vec (from items (list ~least:3 ~most:3 rational))
 
 let entries t =
   let read at = function
@@ -213,9 +224,16 @@ let all list =
 
 let within f m = { m with put = (fun x rest -> m.put (f x) rest) }
 
+(* A member that stands in one place of some documents, and in another of others, is listed once. *)
+let listed_once members =
+  let add found (m : Json_schema.member) =
+    if List.exists (fun (n : Json_schema.member) -> String.equal n.name m.name) found then found else m :: found
+  in
+  List.rev (List.fold_left add [] members)
+
 let obj m =
   let read at = function `Assoc members -> m.get at members | _ -> refuse at "is not an object" in
-  { write = (fun o -> `Assoc (m.put o [])); read; null = false; schema = Members m.listed }
+  { write = (fun o -> `Assoc (m.put o [])); read; null = false; schema = Members (listed_once m.listed) }
 
 let fields list = obj (all list)
 let ignored m = ( let+ ) m ignore
@@ -313,6 +331,8 @@ let constrained keywords complaint t =
 
 let named ~file name t = { t with schema = Reference { file; name; target = lazy t.schema } }
 
+let document ~file t = { (checked t) with schema = Document { file; target = t.schema } }
+
 let recursive ~file name make =
   let rec whole = lazy (make self)
   and self =
@@ -324,6 +344,3 @@ let recursive ~file name make =
     }
   in
   self
-
-let known ~file name =
-  json ~schema:(Reference { file; name; target = lazy Json_schema.Anything }) ()

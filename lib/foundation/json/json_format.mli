@@ -47,6 +47,9 @@ val some_text : (string, string) t
 val form : Json_schema.run list -> (string, string) t
 (** A string of the form. *)
 
+val repeated : Json_schema.run list -> (string, string) t
+(** A string that consists of strings of the form, one or more. *)
+
 val bool : (bool, bool) t
 (** [true] or [false]. *)
 
@@ -66,9 +69,6 @@ val duration : (Rat.t, Rat.t) t
 val number : (string, Rat.t) t
 (** The text of a number, ["p/q"] or a decimal such as ["-1.50"]. What {!Json.rational} takes is read. *)
 
-val vector : (Vec.t, Vec.t) t
-(** Three rationals. *)
-
 val word : ('a -> string) -> 'a list -> ('a, 'a) t
 (** [word name all] is one of the values [all], as its name. *)
 
@@ -80,6 +80,9 @@ val list : ?least:int -> ?most:int -> ?distinct:bool -> ('w, 'r) t -> ('w list, 
 
 val array : ?least:int -> ?most:int -> ('w, 'r) t -> ('w array, 'r list) t
 (** An array as {!list} has it. *)
+
+val triple : ('a, 'x) t -> ('b, 'y) t -> ('c, 'z) t -> ('a * 'b * 'c, 'x * 'y * 'z) t
+(** An array of three values. *)
 
 val entries : ('w, 'r) t -> ((string * 'w) list, (string * 'r) list) t
 (** An object that has a member for each name. *)
@@ -179,8 +182,8 @@ val constrained : (string * Json.t) list -> (Json.t -> string option) -> ('w, 'r
 val named : file:string -> string -> ('w, 'r) t -> ('w, 'r) t
 (** The format as a definition of this name in the schemas of the file, to which other schemas refer. *)
 
+val document : file:string -> ('w, _) t -> ('w, unit) t
+(** The format of the whole document that the schema of the file describes. *)
+
 val recursive : file:string -> string -> (('w, 'r) t -> ('w, 'r) t) -> ('w, 'r) t
 (** [recursive ~file name f] is the format [t] that is [named ~file name (f t)]. *)
-
-val known : file:string -> string -> (Json.t, Json.t) t
-(** A definition of this name in a schema that is written by hand. *)

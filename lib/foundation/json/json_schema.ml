@@ -7,12 +7,15 @@ type t =
   | Integer of { least : int option; most : int option }
   | Text of { least : int }
   | Form of run list
+  | Repeated of run list
   | Constant of Json.t list
   | Items of { each : t; least : int; most : int option; distinct : bool }
+  | Tuple of t list
   | Members of member list
   | Entries of t
   | Any_of of t list
   | Reference of { file : string; name : string; target : t Lazy.t }
+  | Document of { file : string; target : t }
   | About of string * t
   | Also of (string * Json.t) list * t
 
@@ -31,7 +34,9 @@ let one_run r =
   | n, Some m -> Printf.sprintf "%s{%d,%d}" set n m
   | n, None -> Printf.sprintf "%s{%d,}" set n
 
-let pattern runs = "^" ^ String.concat "" (List.map one_run runs) ^ "$"
+let body runs = String.concat "" (List.map one_run runs)
+let pattern runs = "^" ^ body runs ^ "$"
+let repeated_pattern runs = "^(" ^ body runs ^ ")+$"
 
 (* A set is characters and ranges, as in a regular expression; '-' is a range between two characters only. *)
 let mem set c =
@@ -43,19 +48,19 @@ let mem set c =
   in
   from 0
 
-let matches runs s =
+let matches ?(again = false) runs s =
   let n = String.length s in
   let rec taken r i k =
     let is_more = Option.fold ~none:true ~some:(fun m -> k < m) r.most in
     if is_more && i + k < n && mem r.set s.[i + k] then taken r i (k + 1) else k
   in
-  let rec from i = function
-    | [] -> i = n
+  let rec from start i = function
+    | [] -> i = n || (again && i > start && from i i runs)
     | r :: rest ->
       let k = taken r i 0 in
-      k >= r.least && from (i + k) rest
+      k >= r.least && from start (i + k) rest
   in
-  from 0 runs
+  from 0 0 runs
 
 (* {1 As JSON} *)
 
@@ -63,12 +68,25 @@ let at_least name = function None -> [] | Some n -> [ (name, `Int n) ]
 let positive n = if n > 0 then Some n else None
 let kind name = ("type", `String name)
 
-(* What is of simple types alone is one list of types. *)
-let any_of alternatives =
+let of_types =
+  [
+    "minimum"; "maximum"; "minLength"; "pattern"; "items"; "prefixItems"; "minItems"; "maxItems"; "uniqueItems";
+    "properties"; "required"; "additionalProperties";
+  ]
+
+let is_of_type (keyword, _) = List.mem keyword of_types
+
+(* What is of simple types alone is one list of types. So is a value of one type, or null: the keywords about
+   values of a type allow all others. *)
+let any_of alternatives : (string * Json.t) list =
   let simple = function `Assoc [ ("type", `String t) ] -> Some (`String t) | _ -> None in
   let types = List.filter_map simple alternatives in
-  if List.compare_lengths types alternatives = 0 then [ ("type", `List types) ]
-  else [ ("anyOf", `List alternatives) ]
+  match alternatives with
+  | [ `Assoc (("type", (`String _ as t)) :: rest); `Assoc [ ("type", `String "null") ] ]
+    when List.for_all is_of_type rest ->
+    ("type", `List [ t; `String "null" ]) :: rest
+  | _ when List.compare_lengths types alternatives = 0 -> [ ("type", `List types) ]
+  | _ -> [ ("anyOf", `List alternatives) ]
 
 let rec keywords inside = function
   | Anything -> []
@@ -77,6 +95,7 @@ let rec keywords inside = function
   | Integer { least; most } -> (kind "integer" :: at_least "minimum" least) @ at_least "maximum" most
   | Text { least } -> kind "string" :: at_least "minLength" (positive least)
   | Form runs -> [ kind "string"; ("pattern", `String (pattern runs)) ]
+  | Repeated runs -> [ kind "string"; ("pattern", `String (repeated_pattern runs)) ]
   | Constant [ value ] -> [ ("const", value) ]
   | Constant values -> [ ("enum", `List values) ]
   | Items { each; least; most; distinct } ->
@@ -84,6 +103,10 @@ let rec keywords inside = function
     @ at_least "minItems" (positive least)
     @ at_least "maxItems" most
     @ if distinct then [ ("uniqueItems", `Bool true) ] else []
+  | Tuple items ->
+    let count = List.length items in
+    [ kind "array"; ("prefixItems", `List (List.map (whole inside) items)) ]
+    @ [ ("minItems", `Int count); ("maxItems", `Int count) ]
   | Members members ->
     let property m = (m.name, whole inside m.value) in
     let required = List.filter_map (fun m -> if m.required then Some (`String m.name) else None) members in
@@ -98,6 +121,7 @@ let rec keywords inside = function
   | Reference { file; name; _ } ->
     let at = if String.equal file inside then "" else file ^ ".schema.json" in
     [ ("$ref", `String (Printf.sprintf "%s#/$defs/%s" at name)) ]
+  | Document { file; _ } -> [ ("$ref", `String (file ^ ".schema.json")) ]
   | About (text, t) -> ("description", `String text) :: keywords inside t
   | Also (more, t) -> keywords inside t @ more
 
@@ -111,10 +135,10 @@ module Names = Map.Make (String)
 
 (* The definitions that a schema refers to, those of other files included. *)
 let rec collect found = function
-  | Anything | Null | Bool | Integer _ | Text _ | Form _ | Constant _ -> found
+  | Anything | Null | Bool | Integer _ | Text _ | Form _ | Repeated _ | Constant _ | Document _ -> found
   | Items { each; _ } | Entries each | About (_, each) | Also (_, each) -> collect found each
   | Members members -> List.fold_left (fun found m -> collect found m.value) found members
-  | Any_of alternatives -> List.fold_left collect found alternatives
+  | Any_of all | Tuple all -> List.fold_left collect found all
   | Reference { file; name; target } ->
     let key = file ^ "#" ^ name in
     if Names.mem key found then found

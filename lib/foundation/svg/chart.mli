@@ -16,10 +16,6 @@ type curve = {
 
 type panel = { title : string; curves : curve list }
 
-val ticks : least:Rat.t -> greatest:Rat.t -> about:int -> Rat.t list
-(** [ticks ~least ~greatest ~about] is the multiples, from [least] to [greatest], of 1, 2 or 5 times a power of
-    ten. They are at most [about + 2]. For an empty range it is [least] alone. *)
-
 (** {1 Maps} *)
 
 type amount =

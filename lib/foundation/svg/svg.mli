@@ -2,10 +2,6 @@
 
 open Scc_exact
 
-val escape : string -> string
-(** [escape text] is [text], in UTF-8, as the content of an element or of an attribute. Control characters, which
-    XML excludes, are written out by {!Scc_base.Visible.text}. *)
-
 val number : Rat.t -> string
 (** [number x] is [x] rounded to two places. *)
 

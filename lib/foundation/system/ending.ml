@@ -23,9 +23,12 @@ let run main =
     leave code
   | exception e -> after e
 
+external give_errors : unit -> unit = "scc_give_errors" [@@noalloc]
+
 (* Before the other modules are set up. *)
 let () =
   Printexc.set_uncaught_exception_handler (fun e _ -> after e);
+  give_errors ();
   Descriptors.secure ();
   (* Writing to a closed pipe, or beyond the size of files, is an error to be handled, and not the end. *)
   if not Sys.win32 then List.iter (fun s -> Sys.set_signal s Sys.Signal_ignore) [ Sys.sigpipe; Sys.sigxfsz ];

@@ -11,6 +11,9 @@ let first = ref infinity
 let waiting = ref 0
 let due = ref false
 
+(* It is due, and has not been raised yet. *)
+let pending = ref false
+
 (* Seconds in which one wish to stop may arrive twice, sent to the program and to its group of processes. *)
 let again = 0.5
 
@@ -20,14 +23,19 @@ let end_by signal =
   Sys.set_signal signal Sys.Signal_default;
   Unix.kill (Unix.getpid ()) signal
 
-let check () = if !due then raise interrupted
+let check () =
+  if !due then begin
+    pending := false;
+    raise interrupted
+  end
 
 (* Seconds of work from one try to the next. *)
 let retry = 0.001
 
 let rec break_off () =
   due := true;
-  if Critical.active () then begin
+  pending := Critical.active ();
+  if !pending then begin
     Sys.set_signal Sys.sigvtalrm (Signal_handle (fun _ -> break_off ()));
     ignore (Unix.setitimer ITIMER_VIRTUAL { it_interval = 0.; it_value = retry })
   end
@@ -62,6 +70,10 @@ let answered react =
   listen ();
   answer := Some react
 
+let settle () =
+  answered ignore;
+  if !pending then check ()
+
 let at_once f =
   incr waiting;
   Fun.protect
@@ -75,9 +87,11 @@ let expire why = if !waiting > 0 && not (Critical.active ()) then raise (Interru
 let set behaviour = List.iter (fun s -> Sys.set_signal s behaviour)
 let ignored () = if not Sys.win32 then set Sys.Signal_ignore signals
 
+(* A terminal sends SIGINT and SIGHUP to the parent as well; SIGTERM and SIGXCPU end this process at once. *)
 let leave_to_parent () =
   answer := Some ignore;
   due := false;
+  pending := false;
   waiting := 0;
   set Sys.Signal_ignore [ Sys.sigint; Sys.sighup ];
   set Sys.Signal_default [ Sys.sigterm; Sys.sigxcpu ]

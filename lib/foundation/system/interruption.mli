@@ -28,6 +28,11 @@ val answered : (unit -> unit) -> unit
 (** [answered react] lets the first request call [react] instead of raising an exception. It also calls {!listen}.
 *)
 
+val settle : unit -> unit
+(** [settle ()] is called when all work is done and a document with the exit code is about to be written. From now
+    on the first request changes nothing, so that the exit code of the process is that of the document. If
+    {!break_off} was called and its exception has not been raised yet, [settle] raises {!Interrupted}. *)
+
 val break_off : unit -> unit
 (** [break_off ()] raises {!Interrupted} now, or after the present critical section ({!Scc_base.Critical}). *)
 
@@ -45,10 +50,6 @@ val expire : string -> unit
 val ignored : unit -> unit
 (** [ignored ()] ignores all {!signals} from now on: the program is ending. *)
 
-val leave_to_parent : unit -> unit
-(** [leave_to_parent ()] is for a process that this program has started. It ignores SIGINT and SIGHUP, which a
-    terminal sends to the parent as well. SIGTERM and SIGXCPU end the process at once. *)
-
 val fork : (unit -> int) -> int
-(** [fork work] starts a process that leaves signals to this one ({!leave_to_parent}) and runs [work], which must
+(** [fork work] starts a process that leaves the signals of a terminal to this one and runs [work], which must
     not return. The result is the number of the process. [Unix.Unix_error] if the system refuses it. *)

@@ -18,9 +18,11 @@ let rec write fd bytes from stop =
   if from < stop then begin
     Interruption.heed ();
     let hurried = Interruption.heard () in
-    if hurried then wait_until_writable fd ~since:(Unix.gettimeofday ());
-    let size = if hurried then Int.min morsel (stop - from) else stop - from in
-    match Unix.single_write fd bytes from size with
+    let some () =
+      if hurried then wait_until_writable fd ~since:(Unix.gettimeofday ());
+      Unix.single_write fd bytes from (if hurried then Int.min morsel (stop - from) else stop - from)
+    in
+    match some () with
     | n -> write fd bytes (from + n) stop
     | exception Unix.Unix_error (EINTR, _, _) -> write fd bytes from stop
     | exception Unix.Unix_error ((EAGAIN | EWOULDBLOCK), _, _) ->

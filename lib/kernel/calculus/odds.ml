@@ -9,7 +9,6 @@ let compare a b =
   | Chance _, Rate _ -> -1
   | Rate _, Chance _ -> 1
 
-let equal a b = compare a b = 0
 let hash = function Chance q -> Rat.hash q | Rate { rate; _ } -> 1 + Rat.hash rate
 
 let to_string = function

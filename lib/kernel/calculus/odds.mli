@@ -8,15 +8,12 @@ type t =
   (** [rate]: how often per unit of time, 0 or more; [alone]: the probability within a split step, if nothing
       competes with it *)
 
-val equal : t -> t -> bool
-(** [equal a b] is true if both are chances, or both are rates, with equal numbers. It does not compare the field
-    [alone], which follows from the rate and the split step. *)
-
 val compare : t -> t -> int
-(** A total order that agrees with {!equal}: chances before rates, each by their numbers. *)
+(** A total order: chances before rates, each by their numbers. The field [alone] follows from the rate and the
+    split step, and is not compared. *)
 
 val hash : t -> int
-(** A hash that agrees with {!equal}. *)
+(** A hash that agrees with {!compare}. *)
 
 val to_string : t -> string
 (** The text of the odds as in the language: [chance 1/10] or [rate 2]. *)

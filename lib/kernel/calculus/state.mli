@@ -193,9 +193,6 @@ val components : leaf array -> bond array -> (leaf list * bond list) list
 val equal : t -> t -> bool
 (** [equal s t] is true if [s] and [t] are structurally congruent (rule State). *)
 
-val compare : t -> t -> int
-(** A total order on states that agrees with {!equal}. *)
-
 val hash : t -> int
 (** A hash that agrees with {!equal}. *)
 

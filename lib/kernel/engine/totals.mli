@@ -9,24 +9,9 @@ type t = {
   energy : Rat.t;  (** kinetic energy *)
 }
 
-val zero : t
-(** All quantities 0. *)
-
-val of_state : Model.t -> State.t -> t
-(** The totals of a state, exactly. *)
-
 val added : Model.t -> Scc_semantics.Transition.t -> t Lazy.t option
 (** The change of the totals by rule Round in a transition, exactly; [None] if the transition does not use the
     rule. *)
-
-val add : t -> t -> t
-(** The sum of each quantity. *)
-
-val sub : t -> t -> t
-(** The difference of each quantity, the first less the second. *)
-
-val map : (Rat.t -> Rat.t) -> t -> t
-(** [map f t] is [t] with [f] applied to each component of each quantity. *)
 
 (** {1 Long sums}
 

@@ -25,6 +25,7 @@ let lift f a b =
   | Undefined r, _ | _, Undefined r -> Undefined r
   | Ratio (n, d), Ratio (m, e) -> f (n, d) (m, e)
 
+(* Of a numerator or a denominator: finding the roots of polynomials of greater degrees could take hours. *)
 let greatest_degree = 200
 
 let too_high =

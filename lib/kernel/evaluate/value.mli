@@ -12,10 +12,6 @@ val equal : t -> t -> bool
 (** [equal a b] is true if [a] and [b] are represented alike: as quotients of the same polynomials, or as
     undefined for the same reason. *)
 
-val greatest_degree : int
-(** The greatest degree of a numerator or a denominator: 200. Numbers that would need a greater one are
-    undefined, as finding the roots of such a polynomial could take hours. *)
-
 val of_curve : Scc_motion.Path.curve -> t
 (** The number that a curve has; undefined, for the reason {!not_followed}, if the curve is not followed. *)
 
@@ -32,7 +28,8 @@ val of_int : int -> t
 (** The constant number. *)
 
 val add : t -> t -> t
-(** The sum; undefined if a side is undefined, or if a degree would exceed {!greatest_degree}. *)
+(** The sum; undefined if a side is undefined, or if a degree would exceed 200: finding the roots of such a
+    polynomial could take hours. *)
 
 val sub : t -> t -> t
 (** The difference, the first less the second; undefined as in {!add}. *)

@@ -13,9 +13,3 @@ val event : event -> event -> int
 
 val temporal : temporal -> temporal -> int
 (** A total order on formulas: 0 for equal terms only. *)
-
-val quantifier : path_quantifier -> path_quantifier -> int
-(** The order {!Scc_ctl.Timed_formula.compare_quantifier}. *)
-
-val bound : bound -> bound -> int
-(** The order {!Scc_ctl.Timed_formula.compare_bound}. *)

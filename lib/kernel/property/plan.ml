@@ -50,14 +50,27 @@ let rec searches : t -> Property.temporal list = function
   | Formula f -> [ f ]
   | All plans | Any plans -> List.concat_map searches plans
 
-let rec horizon (f : Property.temporal) =
-  match f with
-  | State _ -> Some Rat.zero
-  | Temporal_not f -> horizon f
-  | Temporal_and fs | Temporal_or fs -> latest_horizon fs
-  | Next _ -> None
-  | Finally (_, b, f) | Globally (_, b, f) -> Option.map2 Rat.add b.high (horizon f)
-  | Until (_, b, f, g) -> Option.map2 Rat.add b.high (latest_horizon [ f; g ])
+type reach = { time : Rat.t; events : int }
 
-and latest_horizon formulas =
-  List.fold_left (fun latest f -> Option.map2 Rat.max latest (horizon f)) (Some Rat.zero) formulas
+let latest reaches =
+  let later a b = { time = Rat.max a.time b.time; events = Int.max a.events b.events } in
+  List.fold_left (Option.map2 later) (Some { time = Rat.zero; events = 0 }) reaches
+
+(* The next event may be however late, so a bound of time that is to be counted from there gives no end. *)
+let rec reach (f : Property.temporal) =
+  match f with
+  | State _ -> latest []
+  | Temporal_not f -> reach f
+  | Temporal_and fs | Temporal_or fs -> latest (List.map reach fs)
+  | Next (_, f) ->
+    let after f = if Rat.sign f.time = 0 then Some { f with events = f.events + 1 } else None in
+    Option.bind (reach f) after
+  | Finally (_, b, f) | Globally (_, b, f) -> after b (reach f)
+  | Until (_, b, f, g) -> after b (latest [ reach f; reach g ])
+
+and after b f = Option.map2 (fun high f -> { f with time = Rat.add high f.time }) b.high f
+
+let latest_horizon formulas =
+  match latest (List.map reach formulas) with
+  | Some { time; events = 0 } -> Some time
+  | Some _ | None -> None

@@ -23,9 +23,17 @@ val searches : t -> Property.temporal list
 (** The elements of a plan in order, each as a formula of its own: its searches, and what is to be evaluated on the
     graph. *)
 
-val horizon : Property.temporal -> Rat.t option
-(** A model time from the initial state after which nothing changes the value of the formula; [None] if there is no
-    such bound. *)
+type reach = { time : Rat.t; events : int }
+(** The positions of runs up to a model time, and those that follow by at most so many events after that time. *)
+
+val reach : Property.temporal -> reach option
+(** [reach f] is the positions that the truth of [f] in the initial state depends on, where [time] is counted from
+    that state; [None] if there is no such bound. *)
+
+val latest : reach option list -> reach option
+(** The union of what several formulas depend on: of time 0 and no events for the empty list, [None] if one of them
+    has no bound. *)
 
 val latest_horizon : Property.temporal list -> Rat.t option
-(** The latest {!horizon} of several formulas: 0 for the empty list, [None] if one of them has none. *)
+(** A model time from the initial state after which nothing changes the values of the formulas: 0 for the empty
+    list, [None] if there is no such time, as with X, whose next event may be however late. *)

@@ -100,4 +100,3 @@ let compare_moving m ((_, p) as one) ((_, q) as two) =
   match Scc_exact.Vec.compare p.State.velocity q.State.velocity with 0 -> compare_placed m one two | c -> c
 
 let first_by_velocity m processes = first (compare_moving m) m processes
-let by_velocity m processes = List.map snd (List.stable_sort (compare_moving m) (List.map (placed m) processes))

@@ -12,7 +12,6 @@ type view = { zone : Zone.t; passing : bool; quiescent : Polyhedron.t list }
 type context = { instant : Zone_parts.context; events : Property.event array }
 
 let context instant ~events = { instant; events }
-let model c = Semantics.model c.instant.Zone_parts.semantics
 
 (* {1 From region to region} *)
 

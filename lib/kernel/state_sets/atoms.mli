@@ -15,9 +15,6 @@ type context
 val context : Zone_parts.context -> events:Property.event array -> context
 (** The context for predicates whose events are numbered as in the array. *)
 
-val model : context -> Scc_calculus.Model.t
-(** The model whose states are looked at. *)
-
 val truth : context -> Property.prop -> view -> (Polyhedron.t * Scc_ctl.Truth.t) list
 (** [truth c prop view] are disjoint regions, none empty, whose union is the set of the zone, with the truth of
     the predicate on each. It is undecided, with a reason, where a number is compared that is not affine, or

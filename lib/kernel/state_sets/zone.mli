@@ -43,9 +43,6 @@ val dimension : t -> int
 val coordinates : t -> Linear.t array
 (** The coordinates in order: parameters, time if it is kept, ages, clocks, then x, y and z of each place. *)
 
-val map : (Linear.t -> Linear.t) -> t -> t
-(** [map f z] applies [f] to all coordinates. *)
-
 val place : t -> int -> Model.part -> Place.t
 (** [place z leaf part] is the place of the reference point of a part of the leaf. *)
 

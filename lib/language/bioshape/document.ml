@@ -5,7 +5,6 @@ type element = {
   tag : string;
   at : Span.t;
   whole : Span.t;
-  close : int;
   attributes : (string * (Span.t * Embedded.t)) list;
   children : element list;
   text : Embedded.t;
@@ -209,7 +208,7 @@ let rec element r consumed depth (tag : Xmlm.tag) =
     r.fresh <- false
   end;
   {
-    tag = local (String.sub r.text (start + 1) (named - start - 1)); at; whole = span r start r.cursor; close;
+    tag = local (String.sub r.text (start + 1) (named - start - 1)); at; whole = span r start r.cursor;
     attributes = List.map value (List.filter own attributes); children; text;
   }
 

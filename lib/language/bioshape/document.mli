@@ -2,8 +2,9 @@
     second pass over the text finds the places.
 
     Errors: a text that is not UTF-8 (SC0102) or not well-formed (SC0350), and elements nested deeper than
-    {!max_nesting} (SC0111). Document types, entities except the five of XML, and declarations of another
-    encoding are refused (SC0351).
+    2 010 levels (SC0111): a choice within a choice takes two, so this is enough for all that the language can
+    nest. Document types, entities except the five of XML, and declarations of another encoding are refused
+    (SC0351).
 
     Nothing is fetched and nothing is expanded. So a document in memory is at most a constant factor larger than
     its text. *)
@@ -15,7 +16,6 @@ type element = {
   tag : string;  (** without its prefix *)
   at : Span.t;  (** of the start tag *)
   whole : Span.t;  (** from there to the end of its end tag *)
-  close : int;  (** offset of the end tag, or of the end of an empty-element tag *)
   attributes : (string * (Span.t * Embedded.t)) list;
   (** with the places of their names, in the order of the text; [xmlns] and names with a prefix are left out *)
   children : element list;
@@ -28,16 +28,10 @@ type t = {
   trivia : Trivia.t list;  (** the comments, as comments of the language, and empty lines *)
 }
 
-val max_nesting : int
-(** The greatest depth of nested elements: 2 010. A choice within a choice takes two elements, so this is enough
-    for all that the language can nest. *)
-
-val max_attributes : int
-(** The greatest number of attributes of one element: 100 (SC0352). *)
-
 val read : namespace:string -> each:(element -> unit) -> Source.t -> (t, Diag.t) result
 (** Reads a document. [each] receives the children of the root one by one, with all that they contain; they are
-    not kept. An element or attribute of another namespace is SC0352. [each] may end the reading by {!Stop}. *)
+    not kept. An element or attribute of another namespace is SC0352, and so is an element with more than 100
+    attributes. [each] may end the reading by {!Stop}. *)
 
 exception Stop
 (** Ends the reading: [each] may raise it, and {!read} does not catch it. *)

@@ -1,17 +1,28 @@
+(* What a terminal does not show as it is ({!Scc_base.Visible}) is written as a reference, as it may have been
+   read. *)
 let escaped ~quoted s =
   let b = Buffer.create (String.length s + 2) in
   (* `]]>` may stand nowhere but at the end of a marked section. *)
   let ends_section i = i >= 2 && s.[i - 1] = ']' && s.[i - 2] = ']' in
+  let reference code = Printf.bprintf b "&#%d;" code in
   let add i = function
     | '<' -> Buffer.add_string b "&lt;"
     | '>' when ends_section i -> Buffer.add_string b "&gt;"
     | '&' -> Buffer.add_string b "&amp;"
     | '"' when quoted -> Buffer.add_string b "&quot;"
-    | ('\t' | '\n' | '\r') as c when quoted -> Buffer.add_string b (Printf.sprintf "&#%d;" (Char.code c))
-    | '\r' -> Buffer.add_string b "&#13;"
     | c -> Buffer.add_char b c
   in
-  String.iteri add s;
+  let rec from i =
+    if i < String.length s then
+      match Scc_base.Visible.at s i with
+      | Some (code, length) when quoted || not (s.[i] = '\t' || s.[i] = '\n') ->
+        reference code;
+        from (i + length)
+      | Some _ | None ->
+        add i s.[i];
+        from (i + 1)
+  in
+  from 0;
   Buffer.contents b
 
 let attribute s = "\"" ^ escaped ~quoted:true s ^ "\""

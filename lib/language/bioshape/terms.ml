@@ -5,7 +5,6 @@ open Ast
 let whole c = (Content.element c).Document.whole
 let loc c it = { it; at = whole c }
 let expr c key = Content.required c key Content.expression
-let reference n = { qualifier = None; target = n; indices = []; arguments = [] }
 
 (* {1 Features} *)
 

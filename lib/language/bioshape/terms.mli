@@ -15,6 +15,3 @@ val solid : Content.t -> Ast.solid
 
 val attributes : Content.t -> Ast.attribute list
 (** Takes any number of [<mass>], [<velocity>], [<spin>], [<absorb>] and [<at>], in any order. *)
-
-val reference : Ast.name -> Ast.reference
-(** A reference to a shape or behaviour by its name alone. *)

@@ -334,7 +334,6 @@ let of_model all (model : Ast.model) =
   ignore (List.fold_left (item t) nowhere model);
   t
 
-let all t = Hashtbl.fold (fun _ u list -> u :: list) t.uses []
 let at t offset = Hashtbl.find_opt t.uses offset
 
 let channel t name =

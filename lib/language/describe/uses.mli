@@ -8,9 +8,6 @@ type t = Scope.t
 val of_model : Declared.all -> Ast.model -> t
 (** The names of a text with these declarations. *)
 
-val all : t -> Scope.use list
-(** All uses, in no particular order. *)
-
 val at : t -> int -> Scope.use option
 (** The use whose name begins at an offset. *)
 

@@ -3,7 +3,7 @@ open Scc_exact
 open Scc_syntax
 open Scc_calculus
 
-type owner = { name : string; shape : Shape.t; span : Span.t }
+type owner = { name : string; shape : Shape.t }
 
 (* A definition on a structure. *)
 type entry = {
@@ -367,7 +367,7 @@ let read_unused t =
       if reaches_itself t b then unguarded_at t b.name.at b.label
     | Some _, None -> check_names t env b.body
     | Some _, Some shape ->
-      ignore (request_instance t { name = ""; shape; span = b.name.at } b.name.at b b.label env);
+      ignore (request_instance t { name = ""; shape } b.name.at b b.label env);
       b.used <- false
   in
   List.iter read (List.sort in_order (Hashtbl.fold unused t.program.behaviours []))

@@ -1,7 +1,6 @@
 (** Behaviours (Definition 5.1) on shapes. A definition K is elaborated once for each structure of shape that it
     is used on, since shapes of one structure have the same features. All entries of K have its name. *)
 
-open Scc_base
 open Scc_syntax
 open Scc_calculus
 
@@ -12,7 +11,6 @@ type t
 type owner = {
   name : string;  (** the leaf *)
   shape : Shape.t;
-  span : Span.t;
 }
 
 val create : Context.t -> Program.t -> t

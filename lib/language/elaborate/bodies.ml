@@ -24,7 +24,6 @@ type process = {
   labelled : bool;
   members : int list;
   bonds : (Env.t * Ast.bond) list;
-  span : Span.t;
 }
 
 type t = { leaves : leaf option array; processes : process array; registry : Registry.t }
@@ -186,7 +185,7 @@ let read_body r (body : Program.body) =
   let members = List.filter_map read (body.first :: List.map snd body.rest) in
   if labelled then Registry.add r.names body.name name (Registry.Process members);
   let bonds = List.map (fun (bond, _) -> (body.env, bond)) body.rest in
-  r.groups <- { name; labelled; members; bonds; span = body.name.name.at } :: r.groups;
+  r.groups <- { name; labelled; members; bonds } :: r.groups;
   r.group_count <- r.group_count + 1;
   Some ()
 

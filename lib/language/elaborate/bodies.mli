@@ -26,7 +26,6 @@ type process = {
   labelled : bool;  (** its leaves have names of their own *)
   members : int list;
   bonds : (Env.t * Ast.bond) list;
-  span : Span.t;
 }
 
 type t = {

@@ -2,7 +2,7 @@
     reports what it cannot evaluate and then gives [None].
 
     A value that depends on a parameter with a known range is refused (SC0218), with the reason [why] if it is
-    given. Only {!form}, {!place}, {!value} and {!transform} accept such values. *)
+    given. Only {!form}, {!value} and {!transform} accept such values. *)
 
 open Scc_base
 open Scc_exact
@@ -51,9 +51,6 @@ val vector : ?why:string -> Report.t -> Env.t -> Ast.vector -> Vec.t option
 
 val corner : Report.t -> Env.t -> Ast.vector -> Vec.t option
 (** The point of a corner of a shape, in the frame of the shape; its components must be constants. *)
-
-val place : Report.t -> Env.t -> Ast.vector -> Form.place option
-(** A vector whose components may depend on parameters with known ranges. *)
 
 val transform : Report.t -> Env.t -> Ast.transform list -> Placement.t option
 (** The map [T1 * T2 * …], of which the last is applied first. Only its translation may depend on ranges. Each

@@ -32,7 +32,7 @@ let behaviour behaviours (l : Bodies.leaf) =
   match l.behaviour with
   | None -> Behaviour.nil
   | Some (env, b) ->
-    let owner = { Behaviours.name = l.name; shape = l.shape; span = l.span } in
+    let owner = { Behaviours.name = l.name; shape = l.shape } in
     Option.value ~default:Behaviour.nil (Behaviours.term behaviours env owner b)
 
 let behaviours_of table (bodies : Bodies.t) keep =

@@ -36,9 +36,6 @@ val bits : t -> int
 val names : t -> string list
 (** The names of the parameters on which a form depends, in order of declaration. *)
 
-val eval : t -> Rat.t array -> Rat.t
-(** [eval f point] is the value of [f] at the values of the parameters, which are by index. *)
-
 val linear : int -> t -> Linear.t
 (** [linear n f] is the form over [n] parameters in all. *)
 

@@ -6,7 +6,7 @@ open Scc_broad_phase
 open Scc_syntax
 open Scc_calculus
 
-type t = { name : string; one : int * Site.t; two : int * Site.t; span : Span.t }
+type t = { name : string; one : int * Site.t; two : int * Site.t }
 
 (* The leaf that a feature begins with, and the feature on its shape. *)
 let read_end (c : Context.t) env (bodies : Bodies.t) (f : Ast.feature) =
@@ -178,7 +178,7 @@ let read_bond (c : Context.t) (bodies : Bodies.t) joined ~admits (env, (b : Ast.
   else begin
     let found = ends c b.bond_span (p, m) (q, n) in
     check_motion c b.bond_span p q;
-    Option.map (fun (f, g) -> { name = b.bond.it; one = (i, f); two = (j, g); span = b.bond_span }) found
+    Option.map (fun (f, g) -> { name = b.bond.it; one = (i, f); two = (j, g) }) found
   end
 
 let included (composition : Composition.t) joint = composition.included.(fst joint.one)

@@ -1,7 +1,6 @@
 (** Bonds at birth (Definition 5.2): those within processes, and those between processes that are declared
     apart. *)
 
-open Scc_base
 open Scc_calculus
 
 (** A bond with its two ends. Leaves have their numbers in the order of declaration. *)
@@ -9,7 +8,6 @@ type t = {
   name : string;
   one : int * Site.t;
   two : int * Site.t;
-  span : Span.t;
 }
 
 val read : Context.t -> Program.t -> Bodies.t -> Composition.t -> t list

@@ -11,6 +11,3 @@ let compose f g =
     linear = Mat.mul f.linear g.linear;
     translation = Form.add_place (Form.turned f.linear g.translation) f.translation;
   }
-
-let fixed p =
-  Option.map (fun translation -> { Affine.linear = p.linear; translation }) (Form.fixed p.translation)

@@ -15,6 +15,3 @@ val of_linear : Mat.t -> t
 
 val compose : t -> t -> t
 (** [compose f g] applies [g] first. *)
-
-val fixed : t -> Affine.t option
-(** The map as an affine map of constants, or [None] if its translation depends on a range. *)

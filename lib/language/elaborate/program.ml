@@ -9,7 +9,6 @@ type body = {
   first : Ast.leaf;
   rest : (Ast.bond * Ast.leaf) list;
   fixed : bool;
-  span : Span.t;
 }
 
 type behaviour = {
@@ -201,8 +200,8 @@ let splits g place (e : Ast.expr) =
     Some Model.Any_time
   | _ -> Option.map (fun q -> Model.Every q) (Constant.positive g.c.report place.env "split_step" e)
 
-let body g place fixed name first rest span =
-  g.all_bodies <- { env = place.env; name; first; rest; fixed; span } :: g.all_bodies
+let body g place fixed name first rest =
+  g.all_bodies <- { env = place.env; name; first; rest; fixed } :: g.all_bodies
 
 (* Declarations that have no index to tell their copies apart do not stand in a loop. *)
 let allowed_in_loop (item : Ast.item) =
@@ -284,8 +283,8 @@ and simple g place (i : Ast.item) =
     g.templates <- Env.own place.env head.declared.it :: g.templates;
     Decomposition.declare g.c place.env head solid attributes definitions
   | Behaviour (head, on, b, definitions) -> declare_behaviour g place head definitions on b
-  | Process (name, first, rest) -> body g place false name first rest i.at
-  | Fixed (name, first, rest) -> body g place true name first rest i.at
+  | Process (name, first, rest) -> body g place false name first rest
+  | Fixed (name, first, rest) -> body g place true name first rest
   | Bond b -> g.all_bonds <- (place.env, b) :: g.all_bonds
   | Network paths ->
     Option.iter (fun (_, _, first) -> repeated g i.at "`network`" first) g.composition;

@@ -13,7 +13,6 @@ type body = {
   first : Ast.leaf;
   rest : (Ast.bond * Ast.leaf) list;
   fixed : bool;
-  span : Span.t;
 }
 
 type behaviour = {

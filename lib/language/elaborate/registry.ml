@@ -8,7 +8,6 @@ type t = { report : Report.t; entries : (string, entry) Hashtbl.t }
 
 let create report = { report; entries = Hashtbl.create 64 }
 let find t name = Option.map (fun e -> e.target) (Hashtbl.find_opt t.entries name)
-let span t name = Option.map (fun e -> e.span) (Hashtbl.find_opt t.entries name)
 let names t = Hashtbl.fold (fun name _ all -> name :: all) t.entries [] |> List.sort String.compare
 
 let leaves = function

@@ -1,6 +1,5 @@
 (** The names of bodies: leaves, processes with several leaves, and families ([c] for all [c[i]]). *)
 
-open Scc_base
 open Scc_syntax
 
 type target =
@@ -20,9 +19,6 @@ val add : t -> Ast.segment -> string -> target -> unit
 
 val find : t -> string -> target option
 (** The body, process or family of a printed name. *)
-
-val span : t -> string -> Span.t option
-(** The place of the first declaration of a printed name. *)
 
 val names : t -> string list
 (** All names, sorted. *)

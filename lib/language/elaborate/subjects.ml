@@ -116,7 +116,7 @@ let bond_name t env (e : Ast.expr) =
 
 let owner t i =
   Option.map
-    (fun (l : Bodies.leaf) -> { Behaviours.name = l.name; shape = l.shape; span = l.span })
+    (fun (l : Bodies.leaf) -> { Behaviours.name = l.name; shape = l.shape })
     t.bodies.leaves.(t.numbers.(i))
 
 (* [T], [m.T] and [T(a, b)] as references; of a family, [T] alone is all of its members. *)

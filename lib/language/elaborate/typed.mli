@@ -25,12 +25,6 @@ module Make (A : ALGEBRA) : sig
 
   val vec : A.context -> Env.t -> Ast.expr -> (A.num * A.num * A.num) option
   (** The components of an expression that is a vector (SC0205 otherwise). *)
-
-  val as_num : A.context -> Span.t -> (A.num, A.cond) value option -> A.num option
-  (** The number of a value. A value of another kind is an error (SC0205) at the span. *)
-
-  val as_cond : A.context -> Span.t -> (A.num, A.cond) value option -> A.cond option
-  (** The truth value of a value. A value of another kind is an error (SC0205) at the span. *)
 end
 
 val functions : string list

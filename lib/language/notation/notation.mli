@@ -19,12 +19,6 @@ type t = {
 val shape_calculus : t
 (** The language of [specs/language.md], in files [.sc]. *)
 
-val bioshape : t
-(** XML by [specs/bioshape-xml.md], in files [.xml]. *)
-
-val original : t
-(** The original calculus by [specs/original.md], in files [.osc]. *)
-
 val all : t list
 (** The table of all notations; a further notation is a further line of it. *)
 

@@ -166,8 +166,3 @@ let items t (name : Ast.name) =
   let parts = List.map2 (part name) pieces (fractions t) in
   let glues = List.map (glue t name) (Pieces.joints (Array.map (fun p -> p.cut) t.pieces)) in
   List.map (shape name) pieces @ [ Tree.at name.at (Ast.Compound (head, parts, glues, [])) ]
-
-let face_area t f =
-  let pieces = List.map (fun p -> Pieces.area p.cut f) (Array.to_list t.pieces) in
-  let whole = Pieces.area (Pieces.whole (Polyhedron.to_ifs t.whole)) f in
-  (Vec.norm2 whole, Vec.norm2 (List.fold_left Vec.add Vec.zero pieces))

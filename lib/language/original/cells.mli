@@ -7,12 +7,9 @@ open Scc_syntax
 (** A shape, whole or in pieces. *)
 type t
 
-val max_pieces : int
-(** The greatest number of pieces of one shape: 256. *)
-
 val make : Extent.solid -> Scc_geometry.Polyhedron.t -> at:Span.t -> (Span.t * Extent.t) list -> t
 (** [make solid p ~at regions] is the solid [p], cut along the planes of its regions. Raises {!Fault.Found}:
-    SC0366 at [at] for more than {!max_pieces}. *)
+    SC0366 at [at] for more than 256 pieces. *)
 
 val is_cut : t -> bool
 (** [is_cut t] is true if the shape has more than one piece. *)
@@ -27,7 +24,3 @@ val fractions : t -> Rat.t list
 
 val items : t -> Ast.name -> Ast.item list
 (** [items t name] is the shapes of the pieces and their compound [name], which has one parameter: the mass. *)
-
-val face_area : t -> int -> Rat.t * Rat.t
-(** [face_area t f] is two squares, for the tests. The first is that of twice the area of the face [f] of the
-    whole. The second is that of twice the area that all pieces together have of this face. *)

@@ -130,13 +130,3 @@ let volume piece =
   in
   let of_face sum (_, corners) = match corners with [] -> sum | a :: rest -> fan a sum rest in
   Rat.div (List.fold_left of_face Rat.zero piece.faces) (Rat.of_int 6)
-
-let area piece number =
-  let rec fan a sum = function
-    | b :: (c :: _ as rest) -> fan a (Vec.add sum (Vec.cross (Vec.sub b a) (Vec.sub c a))) rest
-    | [ _ ] | [] -> sum
-  in
-  let of_face sum (f, corners) =
-    match (f, corners) with Face i, a :: rest when Int.equal i number -> fan a sum rest | _ -> sum
-  in
-  List.fold_left of_face Vec.zero piece.faces

@@ -31,7 +31,3 @@ val joints : piece array -> (int * int * int) list
 
 val volume : piece -> Rat.t
 (** The exact volume of a piece. *)
-
-val area : piece -> int -> Vec.t
-(** [area p f] is twice the area of the part of face [f] of the whole that belongs to [p]. It is a vector along
-    the normal of the face, so that areas add up over pieces. *)

@@ -14,7 +14,7 @@ type place = Known of Vec.t | Written of Ast.expr
 let same a b =
   match (a, b) with
   | Known v, Known w -> Vec.equal v w
-  | Written e, Written f -> Ast_equal.expr e f
+  | Written e, Written f -> String.equal (Text.expr e) (Text.expr f)
   | Known _, Written _ | Written _, Known _ -> false
 
 let place plain e = match Plain.vector plain e with Ok v -> Known v | Error _ -> Written e

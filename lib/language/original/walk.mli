@@ -15,9 +15,6 @@ val same : t
 val behaviour : t -> Ast.behaviour -> Ast.behaviour
 (** Changes the channels of a behaviour, in all its prefixes and summands. *)
 
-val leaf : t -> Ast.leaf -> Ast.leaf
-(** Changes the solid and the behaviour of a leaf. *)
-
 val bond : t -> Ast.bond -> Ast.bond
 (** Changes the two features of a bond. *)
 

@@ -7,9 +7,6 @@
 (** A document: pieces, spaces and line ends, nested and grouped. *)
 type t
 
-val width : int
-(** The width of a text: 100 columns, where the pieces allow it. *)
-
 val text : at:int -> string -> t
 (** [text ~at s] is the piece [s] on one line. [at] is its offset in the source, or negative if the source has
     no such text. *)

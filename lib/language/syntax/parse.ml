@@ -236,17 +236,3 @@ let parse source = Result.map fst (with_trivia source)
 let model_of t source = of_tokens t source Parser.Incremental.model
 let expression_of t source = of_tokens t source Parser.Incremental.expression
 let expression source = expression_of (Tokens.read source) source
-
-let rational source =
-  let text = Source.text source in
-  let error code message =
-    let span = Span.make ~file:(Source.name source) ~start:0 ~stop:(String.length text) in
-    Error [ Diag.error code span "%s" message ]
-  in
-  match Rat.of_literal text with
-  | Ok q -> Ok q
-  | Error Malformed -> error Code.lexical "this is not a number such as 6, -1/4, 0.125 or 1e-3"
-  | Error Too_large ->
-    error Code.number_too_large
-      (Printf.sprintf "this number has more than %d digits when written out" Rat.max_digits)
-  | Error Zero_denominator -> error Code.zero_denominator "this is a division by zero"

@@ -9,7 +9,6 @@
     is at most as deep as {!Tokens.max_depth} allows, so a plain recursion over it is safe. *)
 
 open Scc_base
-open Scc_exact
 
 val max_errors : int
 (** The most errors that one reading returns: 20. *)
@@ -36,7 +35,3 @@ val model_of : Tokens.t -> Source.t -> (Ast.model, Diag.t list) result
 
 val expression_of : Tokens.t -> Source.t -> (Ast.expr, Diag.t list) result
 (** Reads a number or formula from tokens. Their places are places in the given source. *)
-
-val rational : Source.t -> (Rat.t, Diag.t list) result
-(** Reads a number of the command line: ["6"], ["-1/4"], ["0.125"], ["1e-3"]. Codes: SC0104 (no number), SC0106
-    (too many digits), SC0107 (division by zero). *)

@@ -1,7 +1,7 @@
 (** Models in canonical form, as [scc fmt] writes them: ASCII, two spaces a level, at most 100 columns where
     the pieces allow it, no more parentheses than needed.
 
-    Reading back what is printed gives the same tree ({!Ast_equal}), and printing that the same text. *)
+    Reading back what is printed gives the same tree, but for places, and printing that the same text. *)
 
 val model : ?trivia:Trivia.t list -> Ast.model -> string
 (** [model items] is the text of a model and ends with a line end. [trivia] (default: none) are comments and

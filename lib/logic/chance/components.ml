@@ -1,17 +1,5 @@
 open Scc_data
 
-let targets m ~first ~last =
-  let a = Array.make (Mdp.first_branch m last - Mdp.first_branch m first) 0 in
-  let base = Mdp.first_branch m first in
-  for i = 0 to Array.length a - 1 do
-    a.(i) <- Mdp.target m (base + i)
-  done;
-  a
-
-let strong m ~inside =
-  let successors s = targets m ~first:(Mdp.first_choice m s) ~last:(Mdp.first_choice m (s + 1)) in
-  Strong_components.compute ~size:(Mdp.states m) ~inside ~successors
-
 type ends = { count : int; number : int array; internal : Bits.t }
 
 let none m =

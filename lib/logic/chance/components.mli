@@ -3,9 +3,6 @@
 
 open Scc_data
 
-val strong : Mdp.t -> inside:(int -> bool) -> Strong_components.t
-(** [strong m ~inside] is the strong components of the graph of all branches between states that pass [inside]. *)
-
 (** Maximal end components: sets of states with some of their choices. These choices stay in the set, and connect
     each of its states to each other one. *)
 type ends = {

@@ -44,9 +44,6 @@ val leads_into : t -> int -> Scc_data.Bits.t -> bool
 val stays_in : t -> int -> Scc_data.Bits.t -> bool
 (** [stays_in m c set] is true if all targets of choice [c] are in the set. *)
 
-val some_branch : t -> int -> (int -> bool) -> bool
-(** [some_branch m c test] is true if some target of choice [c] passes the test. *)
-
 val every_branch : t -> int -> (int -> bool) -> bool
 (** [every_branch m c test] is true if all targets of choice [c] pass the test. *)
 

@@ -15,18 +15,11 @@ type t
 val until : Backwards.t -> stay:(int -> bool) -> goal:(int -> bool) -> t
 (** [until b ~stay ~goal] is the formula "stay until goal" on the MDP of [b]. *)
 
-val mdp : t -> Mdp.t
-(** [mdp q] is the MDP. *)
-
 val backwards : t -> Backwards.t
 (** [backwards q] is the reversed branches given to {!until}. *)
 
 val goal : t -> int -> bool
 (** [goal q s] is true if state [s] is in goal. *)
-
-val on_the_way : t -> int -> bool
-(** [on_the_way q s] is true if state [s] is in stay and not in goal: there the formula is undecided, and choices
-    matter. *)
 
 val zero_max : t -> Bits.t
 (** [zero_max q] is the states from which the greatest probability is 0. *)

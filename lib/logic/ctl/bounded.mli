@@ -15,9 +15,6 @@ val greatest : Timed_graph.index -> generous:bool -> f:Positions.t -> g:Position
 (** [greatest index ~generous ~f ~g] is the greatest time of all runs to g through f; [None] if some run does not
     come to g. *)
 
-val in_time : Rat.t -> Timeline.moment option -> bool
-(** [in_time bound m] is true if [m] is a moment that comes by the bound. *)
-
 val shift : Rat.t -> Timeline.moment -> Timeline.moment
 (** [shift d m] is [m], later by [d]. *)
 

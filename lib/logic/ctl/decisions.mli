@@ -40,9 +40,6 @@ val one : ?reward:Rat.t -> way -> next -> branch list
 val window : question -> window
 (** [window q] is the window of a run that begins at a node: the bound of [q]. *)
 
-val is_open : window -> bool
-(** [is_open w] is true if the window has no end. *)
-
 val is_unbounded : question -> bool
 (** [is_unbounded q] is true if every time is in the window. *)
 

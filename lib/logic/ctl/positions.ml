@@ -63,13 +63,6 @@ let map2 f a b =
     varied;
   }
 
-let equal_on g a b s =
-  Bool.equal (at a s) (at b s)
-  &&
-  match Timed_graph.flow g s with
-  | No_flow -> true
-  | Lasts _ | Forever -> Pieces.equal (along a s) (along b s)
-
 let equal a b =
   a == b
   || Bytes.equal a.at b.at

@@ -36,9 +36,6 @@ val not_ : t -> t
 val map2 : (bool -> bool -> bool) -> t -> t -> t
 (** [map2 f a b] has the positions at which [f] is true for the membership in [a] and in [b]. *)
 
-val equal_on : Timed_graph.t -> t -> t -> int -> bool
-(** [equal_on g a b s] is true if two sets agree at node [s] and along its flow. *)
-
 val equal : t -> t -> bool
 (** [equal a b] is true if two sets of one graph are stored alike: then they are equal. It may be false for equal
     sets that differ in what is stored for nodes without a flow. *)

@@ -39,11 +39,8 @@ val until : store -> t -> int -> t -> t
     holds, or that is itself an until of the same [phi], is the whole formula. *)
 
 val size : t -> int
-(** [size f] is the number of operators in the text of [f], at most {!large}. Shared parts count as often
+(** [size f] is the number of operators in the text of [f], at most 1 000 000. Shared parts count as often
     as they are printed. *)
-
-val large : int
-(** 1 000 000: sizes beyond it are not counted. *)
 
 (** {1 Truth} *)
 

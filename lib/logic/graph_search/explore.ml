@@ -22,7 +22,8 @@ module Make (L : Lts.S) = struct
 
   type arrow = New of Lts.step | Known of edge
   type steps = { steps : Lts.step list; reduced : bool }
-  type expansion = Found of steps | Noted of { arrows : arrow list; count : int }
+  type noted = { arrows : arrow list; count : int; reduced : bool }
+  type expansion = Found of steps | Noted of noted
 
   type visitor = {
     found : t -> int -> int array -> unit;
@@ -41,7 +42,7 @@ module Make (L : Lts.S) = struct
       enough = (fun () -> false);
     }
 
-  type told = { asks : int -> bool; tell : int -> count:int -> arrow list -> unit }
+  type told = { asks : int -> bool; tell : int -> noted -> unit }
 
   type expander = {
     expand : int -> int array -> (expansion, L.fault) result;
@@ -264,11 +265,12 @@ module Make (L : Lts.S) = struct
     Tuples.load g.tuples g.near i;
     let tuple = Tuples.slots g.near in
     (* There are [count] transitions, these steps among them, whose targets [look_up] finds. *)
-    let grow { steps; reduced } ~look_up ~length ~count ~all_told =
+    let grow ({ steps; reduced } : steps) ~look_up ~length ~count ~all_told =
       match limits.states with
       | Some n when not (fits g (n - size g) steps length) -> Some States
       | Some _ | None ->
         mark g i Expanded;
+        if reduced then Statuses.note_reduced g.statuses i;
         let first = size g in
         make_room_for_targets g length;
         look_up ();
@@ -278,23 +280,23 @@ module Make (L : Lts.S) = struct
         introduce g around visitor ~first tuple steps;
         let told = expander.expanded () in
         let arrows = relax_all g limits visitor i ~first steps told in
-        if all_told && List.for_all (fun (s : Lts.step) -> takes_time g s.label) steps then
+        if all_told && (not reduced) && List.for_all (fun (s : Lts.step) -> takes_time g s.label) steps then
           Statuses.note_timed g.statuses i
-        else if all_told && not reduced then remember_at_once g i steps;
+        else if all_told then remember_at_once g i steps;
         let edges () = Array.map2 (fun label target -> { label; target }) (labels_of steps) (targets ()) in
         Option.iter (fun opened -> Limits.within around (fun () -> opened g i tuple (edges ()))) visitor.opened;
-        Option.iter (fun t -> t.tell i ~count arrows) told;
+        Option.iter (fun t -> t.tell i { arrows; count; reduced }) told;
         None
     in
     match Limits.within around (fun () -> expander.expand i tuple) with
     | Error fault ->
       leave_out g i (Fault fault);
       None
-    | Ok (Found ({ steps; _ } as found)) ->
+    | Ok (Found ({ steps; _ } as found : steps)) ->
       let count = List.length steps in
       grow found ~look_up:(look_up g limits i tuple steps count) ~length:count ~count ~all_told:true
-    | Ok (Noted { arrows; count }) ->
-      let noted = { steps = List.map without_target arrows; reduced = false } in
+    | Ok (Noted { arrows; count; reduced }) ->
+      let noted = { steps = List.map without_target arrows; reduced } in
       grow noted ~look_up:(look_up_noted g limits i tuple arrows) ~length:(List.length arrows) ~count
         ~all_told:false
 

@@ -59,17 +59,19 @@ module Make (L : Lts.S) : sig
 
   type steps = { steps : Lts.step list; reduced : bool  (** further transitions are postponed *) }
 
+  (** The edges of a state that change something, in order, with the number of all its edges. *)
+  type noted = { arrows : arrow list; count : int; reduced : bool  (** further transitions are postponed *) }
+
   (** The result of an expansion: the transitions of a state. For a state that was expanded before in the same
-      graph, it may be only those that change something, with the number of all. *)
-  type expansion = Found of steps | Noted of { arrows : arrow list; count : int }
+      graph, it may be only what was noted of them. *)
+  type expansion = Found of steps | Noted of noted
 
   (** The receiver of the results of one state that was expanded completely. *)
   type told = {
     asks : int -> bool;
     (** [asks label] is true if edges of this label are passed on even if they lead to known states and have
         changed nothing. All other edges are passed on. *)
-    tell : int -> count:int -> arrow list -> unit;
-    (** [tell i ~count arrows] gets the state, the number of its edges, and the edges passed on, in order. *)
+    tell : int -> noted -> unit;  (** [tell i noted] gets the state, and the edges that are passed on. *)
   }
 
   (** The way in which transitions of states are computed. The graph does not depend on it. *)

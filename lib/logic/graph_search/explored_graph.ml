@@ -73,20 +73,20 @@ module Make (L : Lts.S) = struct
 
   let takes_time g label = Timed_labels.takes_time g.timed label
 
-  (* Those that were put off when the state was expanded may lead to states that are not there. *)
-  let edges_of_steps g steps =
-    let edge (s : Lts.step) =
-      match Tuples.find g.tuples ~near:g.reader s.changes with
-      | -1 -> None
-      | target -> Some { label = s.label; target }
-    in
-    Array.of_list (List.filter_map edge steps)
+  let edge_of_step g (s : Lts.step) =
+    match Tuples.find g.tuples ~near:g.reader s.changes with
+    | -1 -> Scc_base.Bug.fail __POS__ "a transition that is made again leads to no state of the graph"
+    | target -> { label = s.label; target }
 
   let made_anew g i =
     let tuple = tuple g i in
-    match L.successors g.context tuple with
-    | Ok steps -> edges_of_steps g steps
-    | Error _ -> Scc_base.Bug.fail __POS__ "the transitions of a state cannot be made again"
+    let steps =
+      if Statuses.is_reduced g.statuses i then L.reduced g.context tuple
+      else Result.to_option (L.successors g.context tuple)
+    in
+    match steps with
+    | Some steps -> Array.of_list (List.map (edge_of_step g) steps)
+    | None -> Scc_base.Bug.fail __POS__ "the transitions of a state cannot be made again"
 
   (* Of a state whose transitions have been made, though it may not have been looked at to the end. *)
   let known_edges g i =

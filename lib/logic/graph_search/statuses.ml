@@ -52,7 +52,7 @@ let mark_at s i =
 let get s i =
   match mark_at s i with
   | 'q' -> Queued
-  | 'e' | 't' -> Expanded
+  | 'e' | 't' | 'r' -> Expanded
   | '0' -> Unexpanded Depth
   | '1' -> Unexpanded Time
   | '2' -> Unexpanded Instant
@@ -111,8 +111,10 @@ let count s reason = s.counts.(Char.code (mark (Unexpanded reason)))
 
 (* The reasons have the ten digits. *)
 let unexpanded s = Array.fold_left ( + ) 0 (Array.sub s.counts (Char.code '0') 10)
-let is_expanded s i = match mark_at s i with 'e' | 't' -> true | _ -> false
+let is_expanded s i = match mark_at s i with 'e' | 't' | 'r' -> true | _ -> false
 
 let note_timed s i = put s i 't'
 let is_timed s i = Char.equal (mark_at s i) 't'
+let note_reduced s i = put s i 'r'
+let is_reduced s i = Char.equal (mark_at s i) 'r'
 let bytes s = Array.fold_left (fun n chunk -> n + 8 + Bytes.length chunk) (Bytes.length s.common) s.chunks

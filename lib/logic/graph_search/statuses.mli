@@ -48,5 +48,12 @@ val note_timed : 'fault t -> int -> unit
 val is_timed : 'fault t -> int -> bool
 (** [is_timed s i] is true if {!note_timed} was called for state [i], and its status was not set since. *)
 
+val note_reduced : 'fault t -> int -> unit
+(** [note_reduced s i] notes that the transitions of the expanded state [i] in the graph are its reduced ones
+    ({!Lts.S.reduced}). *)
+
+val is_reduced : 'fault t -> int -> bool
+(** [is_reduced s i] is true if {!note_reduced} was called for state [i], and its status was not set since. *)
+
 val bytes : 'fault t -> int
 (** [bytes s] is about how much memory the table takes, in bytes. *)

@@ -84,7 +84,6 @@ let create ~width =
     ids = [||];
   }
 
-let width t = t.width
 let size t = Pairs.size t.roots
 let spread t = { count = t.width; node = Array.make ((2 * t.width) - 1) (-1) }
 let slots s = Array.sub s.node 0 s.count

@@ -8,9 +8,6 @@ type t
 val create : width:int -> t
 (** [create ~width] is an empty table for tuples of [width] numbers. [width] is at least 1 (a bug otherwise). *)
 
-val width : t -> int
-(** [width t] is the number of slots of each tuple. *)
-
 val size : t -> int
 (** [size t] is the number of tuples. *)
 

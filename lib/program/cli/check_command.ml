@@ -39,7 +39,8 @@ let write_witnesses loaded path folder verdicts =
     match Verdict.shown verdict with
     | None -> Ok ()
     | Some w ->
-      write_file (Filename.concat folder (check.name ^ ".json")) (Scheduled.of_witness loaded path check w)
+      let schedule = Scheduled.of_witness loaded path check w in
+      write_file (Filename.concat folder (check.name ^ ".json")) (Scc_runs.Schedule.to_string schedule)
   in
   let* () = make_folder folder in
   let add before v =
@@ -244,99 +245,9 @@ let run color json budget (extras : Check_extras.t) given path =
            | Some _ | None -> ());
           Ok code)
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Reads and validates a model, explores all its runs over every non-deterministic choice, and prints a \
-       verdict for each of its $(b,check)s. Properties are about every instant of a run, not only about its \
-       events.";
-    `P "A verdict is one of";
-    `I ("$(b,holds (exhaustive\\))", "a proof: all that counts was explored.");
-    `I ("$(b,holds up to the bound)", "no counterexample exists within the named bounds.");
-    `I ("$(b,violated)", "with a run that shows it.");
-    `I ("$(b,undecided)", "with the reason.");
-    `S "BOUNDS";
-    `P
-      "The exploration ends when every property is decided, when nothing is left to explore, or at a bound; some \
-       bounds have defaults. If a default bound ended the exploration, the exit code is 2. A bound that you gave \
-       does not change the exit code, but a limit of seconds or of memory makes it 4.";
-    `P
-      "A state takes some 20 to 30 bytes. Nested operators and bounds of time also store its transitions, at 8 \
-       bytes each. $(b,--stats) prints what a run cost.";
-    `S "REDUCTIONS";
-    `P
-      "Depending on the properties, much need not be explored. Each reduction is used only where it changes no \
-       verdict, and can be switched off with $(b,--no-reduce).";
-    `I ("$(b,symmetry)", "bodies that differ only by name are distinguished only by their places.");
-    `I
-      ( "$(b,translation)",
-        "the place of the whole network does not matter, unless a property, a law of motion or a fixed body \
-         depends on it." );
-    `I
-      ( "$(b,order)",
-        "events of one instant happen in one order, if they cannot influence each other or the property. Only \
-         for $(b,possibly) and $(b,always) about named bodies." );
-    `I
-      ( "$(b,slice)",
-        "bodies are left out if they cannot come near those in the property before its bound of time. Only for \
-         $(b,possibly) and $(b,always) about named bodies." );
-    `I
-      ( "$(b,time)",
-        "$(b,time) counts only for the properties and laws of motion that use it, and up to the greatest \
-         constant with which they compare it." );
-    `I
-      ( "$(b,drift)",
-        "the distance of bodies that never meet again does not matter beyond all constants with which places and \
-         distances are compared. Not with laws of motion, and not for bodies that turn." );
-    `I ("$(b,jump)", "without a law of motion, time passes over the ends of movement steps at once.");
-    `P
-      "Models with ranges of parameters, or with $(b,split_step any), are explored by sets of states. For these \
-       only $(b,slice), $(b,order), $(b,symmetry) and $(b,translation) are used, and $(b,--shortest) and \
-       $(b,--hash-compact) do not apply. They have a default bound of 1000 transitions ($(b,--depth)).";
-    `P
-      "With $(b,order) and $(b,slice) a run that is shown may contain irrelevant events of other bodies; $(b,scc \
-       explain) finds those that matter. Without reductions it is the shortest of all runs that show the fact: \
-       the one with the fewest steps, or with $(b,--shortest time) the earliest. Runs of nested formulas are as \
-       short as possible from each operator to the next.";
-    `S "STORES";
-    `P
-      "With $(b,--store) an exploration is stored in a folder while it proceeds. After Ctrl-C, the end of its \
-       seconds, a kill or a power cut, the same command resumes; its report is that of a run that was never \
-       interrupted. Options that end the work early may change (limits of seconds and of memory, the number of \
-       processes), and so may the options of the output. A store of something else is refused, and so is one \
-       that is damaged or in use. If the store cannot be written any more, as on a full disk, a warning says so \
-       at once. The exploration then continues without it, and the exit code is 74.";
-    `P
-      "Models with ranges of parameters, or with $(b,split_step any), have no store: they are explored by sets \
-       of states. See $(b,specs/large-models.md).";
-    `S "PROOFS";
-    `P
-      "Where states never recur, exploring does not end. $(b,--prove) searches for an invariant: a set of \
-       states, with inequalities between their numbers, that contains the initial ones and that no run leaves. \
-       If no state in it breaks $(b,always), the property holds. If no state in it satisfies $(b,possibly), the \
-       property is violated. The verdict says $(b,proved by an invariant). An invariant decides nothing else. \
-       Independent code checks it before it counts; $(b,--invariant) shows it. The work of a search is counted \
-       in steps of arithmetic, and so is the same on every machine. It is 10 million steps before anything is \
-       explored, and 200 million where a bound ended the exploration. For each state that $(b,--states) allows \
-       beyond its default, 50 and 1000 steps are added. $(b,--seconds) and $(b,--memory) end the search as well. \
-       The search before the exploration has half of the seconds; if it was given up, the exploration after it \
-       has half of the remaining ones. For models with ranges of parameters, or with $(b,split_step any), scc \
-       searches without this option, where a bound has kept a verdict from being a proof. Models with bodies \
-       that turn, laws of motion, rounded velocities or $(b,binding contact) have no invariants.";
-  ]
-  @ Options.diagnostics_man
-  @ [
-    `S Manpage.s_examples;
-    `Pre "  scc check specs/models/hexokinase.sc";
-    `Pre "  scc check specs/models/chain.sc -D n=6 --time 20 --witness runs";
-    `Pre "  scc trace specs/models/chain.sc --schedule runs/joined.json --human";
-    `Pre "  scc explain runs/joined.json";
-  ]
-
 let command =
   Cmd.v
-    (Cmd.info "check" ~doc:"explore a model and verify its properties" ~man ~exits:(Exits.man ()))
+    (Cmd.info "check" ~doc:"explore a model and verify its properties" ~man:Manual.check ~exits:(Exits.man ()))
     Term.(
       const run $ Options.color $ Options.json $ Check_options.budget $ Check_extras.term $ Options.definitions
       $ Options.model_file)

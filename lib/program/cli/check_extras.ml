@@ -26,7 +26,7 @@ let witness =
     "Writes a schedule for each property that has a witness to the folder $(docv), which is created if \
      necessary: $(docv)/$(i,PROPERTY).json. $(b,scc trace --schedule) replays it."
   in
-  Arg.(value & opt (some string) None & info [ "witness" ] ~docv:"DIR" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "witness" ] ~docv:"DIR" ~doc)
 
 let coverage =
   let doc =
@@ -50,7 +50,7 @@ let sarif =
     "Writes errors, warnings, and the properties that are violated or undecided to $(docv), as SARIF 2.1.0. \
      Editors and code reviews show them at their places. The steps of a witness are a code flow."
   in
-  Arg.(value & opt (some string) None & info [ "sarif" ] ~docv:"FILE" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "sarif" ] ~docv:"FILE" ~doc)
 
 let kind =
   let parse text =
@@ -105,14 +105,14 @@ let smt =
     "Like $(b,--where), but writes the sets to $(docv), as a script of SMT-LIB 2.6 that defines for each \
      property where it holds, where it fails, and where that is unknown."
   in
-  Arg.(value & opt (some string) None & info [ "smt" ] ~docv:"FILE" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "smt" ] ~docv:"FILE" ~doc)
 
 let draw =
   let doc =
     "Like $(b,--where), but draws the sets to $(docv), in SVG: the line of one parameter or the plane of two, \
      divided into regions by the properties that hold there."
   in
-  Arg.(value & opt (some string) None & info [ "draw" ] ~docv:"FILE" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "draw" ] ~docv:"FILE" ~doc)
 
 let axes =
   let doc = "The one or two parameters to $(b,--draw); by default the first ones." in

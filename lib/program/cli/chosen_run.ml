@@ -98,8 +98,8 @@ let finish console (l : Loaded.t) (result : (Replay.ending, Replay.failure) resu
          Replay.default_instant);
     Exit_code.Stopped
   | Ok (Open | Quiescent) -> Exit_code.Holds
-  | Error Interrupted ->
-    Console.note console "scc: interrupted";
+  | Error (Interrupted stop) ->
+    Console.note console ("scc: " ^ Watch.reason stop);
     Exit_code.Stopped
   | Error (Refused d) ->
     report d;

@@ -131,7 +131,7 @@ let write =
     "Writes the two graphs as they are compared, renamed, hidden and with the relation's treatment of time, to \
      $(docv)-1.aut and $(docv)-2.aut."
   in
-  Arg.(value & opt (some string) None & info [ "write" ] ~docv:"PREFIX" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "write" ] ~docv:"PREFIX" ~doc)
 
 let options =
   let make relation first second overrides left right hidden renamed write budget =
@@ -156,6 +156,6 @@ let exits =
 
 let command =
   Cmd.v
-    (Cmd.info "compare" ~doc:"decide whether two models are equivalent, and why not" ~man:Compare_manual.text
+    (Cmd.info "compare" ~doc:"decide whether two models are equivalent, and why not" ~man:Manual.compare
        ~exits)
     Term.(const run $ Options.color $ Options.json $ options)

@@ -18,9 +18,6 @@ type t = {
   complete : bool;  (** no state is unknown *)
 }
 
-val is_graph_file : string -> bool
-(** [is_graph_file path] is true if the extension is [.aut]. *)
-
 val graph_of_space : ?renamed:(string -> string) -> Explored.t -> Graph.t
 (** The graph of an exploration with the labels of its transitions. The two bodies of a bounce have the least
     names of their processes, so the order of declarations does not matter. [renamed] gives the names that are

@@ -44,7 +44,7 @@ let note_semantics console (trace : Recorded.t) =
   | Some _ | None -> ()
 
 let write_run path origin choices =
-  let text = Schedule.to_string origin choices ~offset:None in
+  let text = Schedule.to_string (Schedule.made origin choices ~offset:None) in
   Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
 
 (* An instant of a release that nobody told, or not exactly, could be any of uncountably many. *)
@@ -138,7 +138,7 @@ let states =
 
 let run_file =
   let doc = "Writes a run that agrees with the trace to $(docv), as a schedule for $(b,scc trace --schedule)." in
-  Arg.(value & opt (some string) None & info [ "run" ] ~docv:"FILE" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "run" ] ~docv:"FILE" ~doc)
 
 let options =
   let make path trace given tolerance unobserved states run =
@@ -146,31 +146,6 @@ let options =
   in
   Term.(
     const make $ Options.model_file $ trace $ Options.definitions $ tolerance $ unobserved $ states $ run_file)
-
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Decides whether a trace that another program recorded, such as a simulator, is a run of the model: each \
-       of its events is matched to an allowed transition. Where the trace leaves a choice open (which candidate \
-       bound, the order of simultaneous events), all choices are followed. If no run agrees, the report has the \
-       first item that no run does: the event of the trace, the allowed events there, the rules, and the \
-       difference.";
-    `P
-      "A trace has the JSON Lines of $(b,scc trace), most of whose members may be left out, or is CSV with the \
-       columns $(b,time), $(b,event), $(b,bodies), $(b,features) and some more. $(b,specs/conform.md) describes \
-       both, with examples.";
-    `P
-      "Events of separate bodies whose times differ by no more than the tolerance may stand in either order.";
-  ]
-  @ Options.diagnostics_man
-  @ [
-    `S Manpage.s_examples;
-    `Pre "  scc conform model.sc theirs.csv --tolerance 1e-9";
-    `Pre "  scc conform model.sc theirs.jsonl --unobserved bounce --json";
-    `Pre "  scc conform model.sc theirs.csv --tolerance 1e-6 --run same.json";
-    `Pre "  scc trace model.sc --schedule same.json";
-  ]
 
 let exits =
   Exits.man ()
@@ -185,5 +160,6 @@ let exits =
 
 let command =
   Cmd.v
-    (Cmd.info "conform" ~doc:"decide whether a recorded trace is a run of a model, and where not" ~man ~exits)
+    (Cmd.info "conform" ~doc:"decide whether a recorded trace is a run of a model, and where not"
+       ~man:Manual.conform ~exits)
     Term.(const run $ Options.color $ Options.json $ options)

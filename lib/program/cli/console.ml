@@ -131,8 +131,9 @@ let note c line = complain c [ Visible.line line ^ "\n" ]
 
 let with_output ?(pieces = false) c ~path f =
   match path with
-  | Some path -> if pieces then Whole_file.with_pieces path f else Whole_file.with_file path f
-  | None ->
+  | Some path when not (String.equal path "-") ->
+    if pieces then Whole_file.with_pieces path f else Whole_file.with_file path f
+  | Some _ | None ->
     let result = f (print c) in
     flush c;
     Ok result
@@ -141,6 +142,26 @@ let with_output ?(pieces = false) c ~path f =
 let switches = switch_off :: List.map switch styles
 let tell c text = print c (Visible.text ~kept:(if c.out_color then switches else []) text)
 
-let answer c ~json ~text =
-  if c.json then print c (Scc_json.Json.pretty (json ())) else tell c (text ());
+let document c json =
+  let text = Scc_json.Json.pretty json in
+  Scc_system.Interruption.settle ();
+  print c text;
   flush c
+
+let answer c ~json ~text =
+  if c.json then document c (json ())
+  else begin
+    tell c (text ());
+    flush c
+  end
+
+let answer_and_write c ~json ~text write =
+  if c.json then begin
+    let* () = write () in
+    Ok (document c (json ()))
+  end
+  else begin
+    tell c (text ());
+    flush c;
+    write ()
+  end

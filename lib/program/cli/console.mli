@@ -42,6 +42,16 @@ val tell : t -> string -> unit
 val answer : t -> json:(unit -> Scc_json.Json.t) -> text:(unit -> string) -> unit
 (** Writes the result of a command, as one document or as text, and flushes it. *)
 
+val answer_and_write :
+  t -> json:(unit -> Scc_json.Json.t) -> text:(unit -> string) -> (unit -> (unit, 'e) result) -> (unit, 'e) result
+(** [answer_and_write c ~json ~text write] is {!answer} together with [write ()], which writes files. A report in
+    text comes before the files, and is there whatever becomes of them. A document comes after them, and only if
+    all were written: the error has a document of its own, with another exit code. *)
+
+val document : t -> Scc_json.Json.t -> unit
+(** [document c json] prints the one document of a command, and flushes it. A request to end that comes while it is
+    written does not change the exit code, which the document contains ({!Scc_system.Interruption.settle}). *)
+
 val report : t -> Diag.t list -> unit
 (** Shows diagnostics on standard error (not in [json] mode), and keeps them. *)
 
@@ -70,9 +80,10 @@ val styled : t -> style -> string -> string
 (** The text with colours, if standard output has them. *)
 
 val with_output : ?pieces:bool -> t -> path:string option -> ((string -> unit) -> 'a) -> ('a, Diag.t) result
-(** [with_output c ~path f] calls [f] with a function that writes to the file ({!Whole_file}). Without [path] it
-    writes to standard output, and raises {!Output_failed} or {!Output_closed}. With [pieces], the complete
-    pieces of a file are kept if it cannot be written to its end ({!Whole_file.with_pieces}). *)
+(** [with_output c ~path f] calls [f] with a function that writes to the file ({!Whole_file}). Without [path],
+    and if it is ["-"], the function writes to standard output, and raises {!Output_failed} or {!Output_closed}.
+    With [pieces], the complete pieces of a file are kept if it cannot be written to its end
+    ({!Whole_file.with_pieces}). *)
 
 val flush : t -> unit
 (** Flushes standard output. Raises {!Output_failed} or {!Output_closed}. *)

@@ -114,17 +114,21 @@ let work console ~mend path =
   Ok (t, mended)
 
 let report console ~mended ~mass output path (t : Parts.t) =
-  Console.answer console
-    ~text:(fun () -> text ~name:(Visible.line path) ~mended t)
-    ~json:(fun () ->
-        Scc_reports.Decomposition_json.document ~name:path ~exit:(Exit_code.to_int Holds) ~mended t);
-  match output with
-  | None -> Ok Exit_code.Holds
-  | Some (path, write) ->
-    let mass = match mass with Some m -> m | None -> Drawn.volume t.drawn.set in
-    let text = write ~path ~mass t in
-    let* () = Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text)) in
-    Ok Exit_code.Holds
+  let write () =
+    match output with
+    | None -> Ok ()
+    | Some (path, write) ->
+      let mass = match mass with Some m -> m | None -> Drawn.volume t.drawn.set in
+      let text = write ~path ~mass t in
+      Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
+  in
+  let* () =
+    Console.answer_and_write console write
+      ~text:(fun () -> text ~name:(Visible.line path) ~mended t)
+      ~json:(fun () ->
+          Scc_reports.Decomposition_json.document ~name:path ~exit:(Exit_code.to_int Holds) ~mended t)
+  in
+  Ok Exit_code.Holds
 
 let decompose console ~mend ~seconds ~mass output path =
   let watch = Watch.start ?seconds () in
@@ -155,7 +159,7 @@ let output =
     "Writes the parts to $(docv), exactly. The ending of the name selects the format: $(b,.sc), a compound of \
      the language with a template for each part, glued where they touch; or $(b,.obj), each part an object."
   in
-  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
 
 let mass =
   let doc =
@@ -167,34 +171,6 @@ let seconds =
   let doc = "Gives up after $(docv) seconds of the clock. No default." in
   Arg.(value & opt (some Check_options.seconds_conv) None & info [ "seconds" ] ~docv:"S" ~doc)
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Cuts a closed polyhedron into convex parts, exactly: they have no inner point in common, and their union \
-       is the solid, to the last digit. The solid need not be convex, and may have holes and hollows. Faces that \
-       cross each other, that are not flat, or that leave a gap are refused, with the place. Meshes of other \
-       programs can be repaired first: $(b,--grid), $(b,--weld), $(b,--orient) and $(b,--merge), in this order, \
-       as for $(b,scc shape).";
-    `P
-      "A prism over a polygon without holes is cut into as few parts as cuts between its corners allow. Any \
-       other solid is cut by planes through its reflex edges, which are those of its faces or go through a third \
-       corner, and parts are joined while they stay convex. As a rule there are no more parts than reflex edges. \
-       Some solids need about the square of that number, so there is no such bound. Parts are cut further where \
-       one of their faces would lie in two faces of the solid, so that a name of a face means that face.";
-    `P
-      "In a model, $(b,compound C = decompose \"FILE\" mass 1) does the same, and the names of the faces of the \
-       file are names of features.";
-  ]
-  @ Options.diagnostics_man
-  @ [
-    `S Manpage.s_examples;
-    `Pre "  scc decompose bracket.obj";
-    `Pre "  scc decompose bracket.obj -o bracket.sc --mass 3";
-    `Pre "  scc decompose bracket.stl --weld --orient -o bracket.obj";
-    `Pre "  scc decompose bracket.off --json";
-  ]
-
 let command =
   let exits =
     Exits.man () ~never:[ Violated; Undecided ]
@@ -205,5 +181,5 @@ let command =
         ]
   in
   Cmd.v
-    (Cmd.info "decompose" ~doc:"cut a solid that is not convex into convex parts" ~man ~exits)
+    (Cmd.info "decompose" ~doc:"cut a solid that is not convex into convex parts" ~man:Manual.decompose ~exits)
     Term.(const run $ Options.color $ Options.json $ Mend_options.term $ seconds $ mass $ output $ mesh)

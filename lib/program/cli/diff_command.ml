@@ -58,23 +58,6 @@ let options =
   let make first second tolerance = { first; second; tolerance } in
   Term.(const make $ trace 0 "FIRST" $ trace 1 "SECOND" $ tolerance_option)
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Prints the first difference of two traces in terms of the calculus. It compares the models and their \
-       parameters; then the events, with their times and choices; then the states, in which a body may differ in \
-       some quantity; and then the ends. Data that only one of the two has (features, states, behaviours) are \
-       not compared. The formats are those of $(b,scc conform), which decides whether a trace is allowed; two \
-       different traces may both be.";
-  ]
-  @ Options.diagnostics_man
-  @ [
-    `S Manpage.s_examples;
-    `Pre "  scc diff one.jsonl two.jsonl";
-    `Pre "  scc diff exact.jsonl floats.csv --tolerance 1e-9 --json";
-  ]
-
 let exits =
   Exits.man () ~never:[ Undecided ]
     ~told:
@@ -87,5 +70,5 @@ let exits =
 
 let command =
   Cmd.v
-    (Cmd.info "diff" ~doc:"tell the first difference of two traces" ~man ~exits)
+    (Cmd.info "diff" ~doc:"tell the first difference of two traces" ~man:Manual.diff ~exits)
     Term.(const run $ Options.color $ Options.json $ options)

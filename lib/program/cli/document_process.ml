@@ -56,12 +56,12 @@ let desk ~path =
 
 (* {1 A document} *)
 
-let verdict : Json.t -> Json.t option = function
-  | `Assoc run -> (
-      match (List.assoc_opt "name" run, List.assoc_opt "check" run) with
-      | Some name, Some (`Assoc check) -> Some (`Assoc (("name", name) :: check))
-      | _ -> None)
-  | _ -> None
+let verdict =
+  Json_format.(fields [ field "name" some_text (fun (r, _) -> r.Runs.name); within snd Runs.about_members ])
+
+let verdicts (runs : Runs.t list) =
+  let of_check (r : Runs.t) = Option.map (fun check -> (r, check)) r.check in
+  Json_format.(write (list verdict)) (List.filter_map of_check runs)
 
 let diagnostics console found =
   `List (List.map (Diag_json.diagnostic ~source:(Console.source console)) found)
@@ -73,7 +73,7 @@ let ready console (d : Document.t) ~interrupted =
         `Assoc
           [
             ("interrupted", `Bool interrupted);
-            ("verdicts", `List (List.filter_map verdict d.runs));
+            ("verdicts", verdicts d.runs);
             ("diagnostics", diagnostics console (Console.kept console));
           ] );
     ]

@@ -217,7 +217,7 @@ let estimate console o watch =
     }
   in
   Console.answer console
-    ~json:(fun () -> Estimate_report.json report ~exit)
+    ~json:(fun () -> Scc_json.Json_format.write Estimate_report.format (report, exit))
     ~text:(fun () -> text console report);
   Kept.conclude console unkept;
   (match ending with
@@ -319,36 +319,6 @@ let options =
        $ free $ steps $ until $ Run_options.seconds $ Run_options.seed $ Run_options.jobs
        $ store_option))
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Makes runs of a model, and estimates from them the probabilities and means in its checks: $(b,P) and \
-       $(b,E), if the formula in the brackets is about states. Each run is judged exactly; the only error is \
-       that of the sample. An answer says $(b,estimated), and is no proof; $(b,scc check) proves, if it \
-       finishes.";
-    `P
-      "Intervals of probabilities are those of Clopper and Pearson, with proved bounds, and hold for any number \
-       of runs. Without $(b,--runs) they are evaluated again and again, each time with a share of the remaining \
-       error probability, so that the confidence holds for all evaluations together.";
-    `P
-      "A mean has such an interval if its number has a known range for every run: counts, numbers of bonds, of \
-       processes and of shapes at a time, and expressions of these. Other means are undecided: a value too rare \
-       to be among the runs may move the mean by any amount. Their sample mean and standard deviation are shown, \
-       and prove nothing; $(b,--runs) makes more runs.";
-    `P
-      "The same options give the same answers, for any number of processes, except after $(b,--seconds) and \
-       interruptions; then the answer rests on the runs that were made.";
-  ]
-  @ Kept.man
-  @ Options.diagnostics_man
-  @ [
-    `S Manpage.s_examples;
-    `Pre "  scc estimate brownian.sc --jobs 4";
-    `Pre "  scc estimate brownian.sc --property 'P = ? [ eventually bound(ligand, pocket) within 30 ]' \\\\\n\
-         \      --width 1/100 --confidence 0.999";
-  ]
-
 let command =
   let told =
     [
@@ -361,5 +331,5 @@ let command =
     ]
   in
   let exits = Exits.man ~told () in
-  let info = Cmd.info "estimate" ~doc:"tell probabilities and means from many runs" ~man ~exits in
+  let info = Cmd.info "estimate" ~doc:"tell probabilities and means from many runs" ~man:Manual.estimate ~exits in
   Cmd.v info Term.(const run $ Options.color $ Options.json $ options)

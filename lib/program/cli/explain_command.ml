@@ -55,7 +55,7 @@ let follow (l : Loaded.t) schedule check =
   let limits = { Replay.steps = None; time = None; instant = Replay.default_instant } in
   match Chosen_run.follow l (Scheduled schedule) limits ~interrupted:(fun () -> false) with
   | Ok (course, ending) -> Ok ({ Causes.declared = l.declared; course; over = over check ending }, ending)
-  | Error Interrupted -> Bug.fail __POS__ "a run that nobody interrupts"
+  | Error (Interrupted _) -> Bug.fail __POS__ "a run that nobody interrupts"
   | Error (Refused d) -> Error [ d ]
   | Error (Fault f) -> Error [ Replay.diagnostic l.model f ]
 
@@ -128,35 +128,10 @@ let options =
   let make witness model check given full = { witness; model; check; given; full } in
   Term.(const make $ witness $ model $ check $ Options.definitions $ full)
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Replays a run and finds the events on which the facts at its end depend: the atoms of a check, or the \
-       last event. An event depends on the earlier ones that last changed its bodies: their motion, bonds, \
-       behaviour, or the start of their split clock; and on the causes of these. The steps that matter are \
-       marked with $(b,*), each with its reasons.";
-    `P
-      "Irrelevance is tried, not assumed: a body that takes no part in the causes could have pushed another out \
-       of the way. The run is made again without all such bodies. If the same happens (the same causes at the \
-       same times, the same facts at the end), the report says so. Otherwise it names the bodies that matter by \
-       what they keep away, and counts their collisions among the causes.";
-    `P
-      "A run may end in a dead end (SC0602, a warning here): it is explained up to there. The end is then one of \
-       the facts, unless the check searches for something that the run has met ($(b,possibly), $(b,always)).";
-  ]
-  @ Options.diagnostics_man
-  @ [
-    `S Manpage.s_examples;
-    `Pre "  scc check specs/models/hexokinase.sc --witness runs";
-    `Pre "  scc explain runs/reached.json";
-    `Pre "  scc trace model.sc > run.jsonl; scc explain run.jsonl model.sc --check meets";
-  ]
-
 let command =
   let exits =
     Exits.man () ~never:[ Violated; Undecided ]
       ~told:[ (Holds, "if the run is explained, also one that ends in a dead end.") ]
   in
-  let info = Cmd.info "explain" ~doc:"tell why a run leads where it does" ~man ~exits in
+  let info = Cmd.info "explain" ~doc:"tell why a run leads where it does" ~man:Manual.explain ~exits in
   Cmd.v info Term.(const run $ Options.color $ Options.json $ options)

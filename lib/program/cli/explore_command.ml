@@ -225,6 +225,6 @@ let options =
 
 let command =
   Cmd.v
-    (Cmd.info "explore" ~doc:"write the state space of a model for other tools" ~man:Explore_manual.text
+    (Cmd.info "explore" ~doc:"write the state space of a model for other tools" ~man:Manual.explore
        ~exits:(Exits.man ()))
     Term.(const run $ Options.color $ options)

@@ -159,11 +159,9 @@ let format =
   Arg.(value & opt (some (enum formats)) None & info [ "format" ] ~docv:"FORMAT" ~doc)
 
 let output =
-  let doc =
+  Options.output
     "Writes to $(docv) instead of standard output. The series of $(b,vtp) and the meshes of $(b,simularium) go \
      to files beside it, so these formats need a name."
-  in
-  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
 
 let at =
   let doc = "With $(b,obj): the state at the time $(docv). The default is the end of the run." in
@@ -203,7 +201,6 @@ let fitting o =
   match (o.format, o.output) with
   | (Vtp | Simularium), (None | Some "-") ->
     Error "this format has several files: say by -o where they go"
-  | _, Some "-" -> Ok { o with output = None }
   | _, _ -> Ok o
 
 let options =
@@ -218,58 +215,6 @@ let options =
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.definitions $ choices $ format $ at $ every $ observed $ output))
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Makes one run of a model, chosen as by $(b,scc trace), and writes it for programs that show, render or \
-       plot: glTF, X3D, ParaView, Simularium, Wavefront OBJ, and tables. Bodies have the colours of their \
-       templates, and fixed ones are transparent; bodies that are absorbed vanish. The same run gives the same \
-       bytes.";
-    `P
-      "All of these formats except $(b,csv) use floats: each number is rounded to the nearest one on output. \
-       Animations ($(b,glb), $(b,x3d)) have a key wherever the motion of a body changes. Between keys players \
-       interpolate linearly, which is exact for straight motion. Bodies that turn have more keys, so that none \
-       turns by more than a tenth of a radian between two of them. Their motion between keys is approximate, and \
-       the files say so. The exact run is that of $(b,scc trace).";
-    `I
-      ( "$(b,glb)",
-        "glTF 2.0, binary, with an animation: a unit of time lasts a second. There is a node for each body, \
-         below it one for each part of a compound; $(b,asset.extras) has the events with their exact times. \
-         Coordinates are relative to a point near the bodies. The root turns z up into y up, as glTF requires." );
-    `I
-      ( "$(b,x3d)",
-        "X3D 3.3 (XML, profile Interchange): interpolators of place, orientation and, for bodies that vanish, \
-         scale, driven by one TimeSensor." );
-    `I
-      ( "$(b,vtp)",
-        "A series for ParaView: $(i,FILE).pvd, and in the folder $(i,FILE) a file $(b,.vtp) for each time. The \
-         files have the faces of all bodies and a line for each bond, in the coordinates of the world, with the \
-         numbers of leaf, part, family and process, the bond's channel, and the velocity. Field data give the \
-         names for these numbers." );
-    `I
-      ( "$(b,simularium)",
-        "A trajectory for Simularium: bodies as agents with a mesh for each kind, in files $(b,.obj) beside it, \
-         which must be loaded with it; bonds as fibers between centroids; events so far as a plot. Its times are \
-         evenly spaced, so that events lie between them. Its units are called metre and second, whatever the \
-         units of the model are." );
-    `I ("$(b,obj)", "One state, $(b,--at) a time: an object for each part, with its faces as groups.");
-    `I
-      ( "$(b,csv)",
-        "A table: time, event, and each $(b,--observe), exactly (p/q) and beside it as a float. A cell without a \
-         value is empty." );
-  ]
-  @ Options.diagnostics_man
-  @ [
-    `S Manpage.s_examples;
-    `Pre "  scc export specs/models/hexokinase.sc -o reaction.glb";
-    `Pre "  scc export model.sc --schedule runs/meet.json -o meet.x3d";
-    `Pre "  scc export model.sc --time 5 --every 1/10 -o series.pvd";
-    `Pre "  scc export model.sc --at 3/2 -o state.obj";
-    `Pre "  scc export model.sc --observe 'x(p)' --observe 'distance2(p, q)' --every 1/4 -o run.csv";
-    `Pre "  scc export model.sc --format csv --observe 'touching(p, q)'";
-  ]
-
 let command =
   let told =
     [
@@ -279,5 +224,5 @@ let command =
   in
   let exits = Exits.man ~told ~never:[ Violated ] () in
   Cmd.v
-    (Cmd.info "export" ~doc:"write a run for other programs" ~man ~exits)
+    (Cmd.info "export" ~doc:"write a run for other programs" ~man:Manual.export ~exits)
     Term.(const run $ Options.color $ options)

@@ -55,20 +55,10 @@ let files =
   let doc = "The models; $(b,-) is standard input." in
   Arg.(non_empty & pos_all string [] & info [] ~docv:"MODEL" ~doc)
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Prints models in canonical layout: each construct is written in one way, and comments are kept in their \
-       places. Formatting a formatted model changes nothing.";
-  ]
-  @ Options.diagnostics_man
-  @ [ `S Manpage.s_examples; `Pre "  scc fmt --inplace *.sc"; `Pre "  scc fmt --check *.sc" ]
-
 let command =
   let exits =
     Exits.man () ~told:[ (Violated, "with $(b,--check), if some file is not in canonical layout.") ]
   in
   Cmd.v
-    (Cmd.info "fmt" ~doc:"print models in canonical layout" ~man ~exits)
+    (Cmd.info "fmt" ~doc:"print models in canonical layout" ~man:Manual.fmt ~exits)
     Term.(const run $ Options.color $ mode $ files)

@@ -1,29 +1,23 @@
 open Scc_base
+open Scc_system
 
 let page = 4096.
 let of_heap () = float_of_int (Memory.bytes_of_words (Memory.heap_words ()))
 
 let words line = List.filter (fun w -> w <> "") (String.split_on_char ' ' line)
 
-(* The first line of a file that is what is looked for. *)
-let line_of path is_it =
+let first_line path =
   match open_in_bin path with
   | exception Sys_error _ -> None
   | file ->
-    let rec find () =
-      match input_line file with
-      | exception (End_of_file | Sys_error _) -> None
-      | line when is_it line -> Some line
-      | _ -> find ()
-    in
-    let line = find () in
+    let line = match input_line file with line -> Some line | exception (End_of_file | Sys_error _) -> None in
     close_in_noerr file;
     line
 
 type memory = { addresses : float; resident : float; shared : float; data : float }
 
 let memory () =
-  match Option.map words (line_of "/proc/self/statm" (fun _ -> true)) with
+  match Option.map words (first_line "/proc/self/statm") with
   | Some [ addresses; resident; shared; _; _; data; _ ] ->
     let bytes text = page *. float_of_string text in
     Some { addresses = bytes addresses; resident = bytes resident; shared = bytes shared; data = bytes data }
@@ -36,37 +30,20 @@ type room = { of_memory : memory -> float; limit : float; before : float; most :
 (* What is left at the end is for steps between two looks: heaps grow by leaps, and tables double. *)
 let usable = 0.6
 
-let limit name =
-  let is_it line =
-    String.length line > String.length name && String.equal (String.sub line 0 (String.length name)) name
-  in
-  match Option.map words (line_of "/proc/self/limits" is_it) with
-  | Some (_ :: _ :: _ :: soft :: _) -> float_of_string_opt soft
-  | Some _ | None -> None
-
-let room (name, of_memory) =
-  match (limit name, memory ()) with
-  | Some limit, Some m when limit < infinity ->
-    let before = of_memory m in
+let room (limit, of_memory) =
+  match (Resources.limit limit, memory ()) with
+  | Some limit, Some m ->
+    let limit = float_of_int limit and before = of_memory m in
     Some { of_memory; limit; before; most = Float.max 1. (usable *. (limit -. before)) }
   | _ -> None
 
 (* Since the program began. *)
 let rooms =
-  List.filter_map room
-    [ ("Max address space", fun m -> m.addresses); ("Max data size", fun m -> m.data) ]
+  List.filter_map room [ (Resources.Addresses, fun m -> m.addresses); (Resources.Data, fun m -> m.data) ]
 
 let is_limited = match rooms with [] -> false | _ :: _ -> true
 
 let words_of bytes = Memory.words_of_bytes (int_of_float (Float.min bytes (float_of_int max_int /. 2.)))
-
-(* What test/limits/deep.py runs everything with. *)
-let enough_stack = 1048576.
-
-let small_stack =
-  match limit "Max stack size" with
-  | Some bytes when bytes < enough_stack -> Some (int_of_float bytes / 1024)
-  | Some _ | None -> None
 
 let at_most words = List.fold_left (fun words room -> Int.max 1 (Int.min words (words_of room.most))) words rooms
 

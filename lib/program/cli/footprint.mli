@@ -23,6 +23,3 @@ val room_below : int -> int option
 val taken : unit -> float
 (** The part of the usable addresses or data that is taken; at 1 there are enough left to end well. It is 0 without
     a limit. *)
-
-val small_stack : int option
-(** The limit of the system on the stack, in KiB, if it is below the 1 MiB with which every command works. *)

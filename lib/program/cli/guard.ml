@@ -7,8 +7,7 @@ let document console code =
     Scc_runs.Diag_json.document ~source:(Console.source console)
       ~exit:(Exit_code.to_int code) (Console.kept console)
   in
-  Console.print console (Scc_json.Json.pretty json);
-  Console.flush console
+  Console.document console json
 
 let ended console code =
   if Console.is_json console then document console code;
@@ -70,13 +69,6 @@ let rec failed console = function
     broken_off console why
   | Reading.Failed why ->
     invalid console [ Input.cannot_read Input.standard_input why ]
-  | Stack_overflow -> (
-      match Footprint.small_stack with
-      | Some kib ->
-        let limit = Printf.sprintf "the system sets this process a limit of %d KiB (ulimit -s)" kib in
-        complain [ "scc: no stack left: " ^ limit ];
-        Exit_code.Stopped
-      | None -> bug "stack overflow")
   | e -> (
       match Resources.refused e with
       | Some what ->

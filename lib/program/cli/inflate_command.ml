@@ -231,7 +231,7 @@ let output =
     Printf.sprintf "Writes the solid to $(docv), exactly. The ending of the name selects the format: %s."
       (String.concat ", " (List.map (fun e -> "$(b," ^ e ^ ")") Scc_mesh.Written.endings))
   in
-  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
 
 let icon =
   let doc = "The drawing: PNG, Netpbm (PBM, PGM, PPM) or SVG; $(b,-) reads it from standard input." in
@@ -245,27 +245,6 @@ let options =
   Term.(
     const make $ icon $ resolution $ output $ background $ piece $ strengths $ shaded $ profile $ faces $ scale)
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Makes a solid of a drawn silhouette, as inflatable icons do (section 6 of the paper; Repenning 2005). The \
-       height over the centre of each pixel is the fixed point of a diffusion: the mean of the heights of its \
-       four neighbours, plus its strength over the radius; outside of the shape it is 0. The back is the mirror \
-       image of the front. The solid is closed, does not intersect itself, and its coordinates are exact; holes \
-       in the drawing become holes in it.";
-    `P
-      "The heights are multiples of 1/256 of a pixel. The report has a proved bound on their distance from the \
-       exact solution, and the distance of the simplified surface from that over all pixels.";
-  ]
-  @ Options.diagnostics_man
-  @ [
-    `S Manpage.s_examples;
-    `Pre "  scc inflate bean.png -o bean.obj";
-    `Pre "  scc inflate bean.svg --resolution 64 --profile round --faces 120 --scale 1/8 -o bean.off";
-    `Pre "  scc inflate cell.png --strength 1 --strength '#ff0000=2' --json";
-  ]
-
 let command =
   let exits =
     Exits.man () ~never:[ Violated; Undecided ]
@@ -276,5 +255,5 @@ let command =
         ]
   in
   Cmd.v
-    (Cmd.info "inflate" ~doc:"make a solid of a drawn silhouette" ~man ~exits)
+    (Cmd.info "inflate" ~doc:"make a solid of a drawn silhouette" ~man:Manual.inflate ~exits)
     Term.(const run $ Options.color $ Options.json $ options)

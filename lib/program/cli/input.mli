@@ -3,12 +3,9 @@
 open Scc_base
 open Scc_exact
 
-val max_bytes : int
-(** The greatest size of a file: 64 MiB. Larger ones are refused. *)
-
 val read : ?max_bytes:int -> string -> (Source.t, Diag.t) result
 (** The content of a file; ["-"] is standard input. A file that cannot be read, or has more than [max_bytes]
-    (default: {!max_bytes}), is SC0101. *)
+    (default: 64 MiB), is SC0101. *)
 
 val standard_input : string
 (** The name of standard input in diagnostics. *)

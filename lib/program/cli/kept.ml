@@ -19,16 +19,4 @@ let openly console ~folder identity =
 let code = List.map (fun (_ : Diag.t) -> Scc_verdicts.Exit_code.Unwritten)
 let conclude console = List.iter (tell console)
 
-let option ~doc = Arg.(value & opt (some string) None & info [ "store" ] ~docv:"DIR" ~doc)
-
-let man =
-  [
-    `S "STORES";
-    `P
-      "With $(b,--store) finished work goes to a folder at once. After Ctrl-C, $(b,kill -9) or a power cut the \
-       same command resumes, and ends with the bytes of a run that was never interrupted. At most a second of \
-       work is lost. If the store cannot be written any more, as on a full disk, a warning says so at once. The \
-       work then continues without it, and the exit code is 74. A store belongs to one model, one build of scc \
-       and one set of options. A store of something else is refused, with the difference. Only one process at a \
-       time can use it.";
-  ]
+let option ~doc = Arg.(value & opt (some Options.named) None & info [ "store" ] ~docv:"DIR" ~doc)

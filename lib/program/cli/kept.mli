@@ -20,6 +20,3 @@ val conclude : Console.t -> Diag.t list -> unit
 
 val option : doc:string -> string option Cmdliner.Term.t
 (** The option [--store DIR]. *)
-
-val man : Cmdliner.Manpage.block list
-(** The section on stores in manuals of commands that keep runs or points. *)

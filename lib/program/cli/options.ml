@@ -36,6 +36,19 @@ let integer ?(least = min_int) ?(most = max_int) what =
   in
   Arg.conv ~docv:"N" (parse, Format.pp_print_int)
 
+(* {1 Outputs} *)
+
+let output ?(docv = "FILE") doc =
+  let doc = doc ^ " $(b,-) stands for standard output." in
+  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv ~doc)
+
+let named =
+  let parse = function
+    | "-" -> Error (`Msg "`-' stands for standard input or output: a name is needed here")
+    | path -> Ok path
+  in
+  Arg.conv ~docv:"FILE" (parse, Format.pp_print_string)
+
 let transitions = integer ~least:0 "number of transitions"
 
 let model_file =
@@ -139,11 +152,3 @@ let full doc =
        at most half a unit of the last digit; without $(b,~) the number itself."
   in
   Arg.(value & flag & info [ "full" ] ~doc)
-
-let diagnostics_man =
-  [
-    `S "DIAGNOSTICS";
-    `P
-      "Faults of an input are reported on standard error with their place, a stable code such as $(b,SC0201), an \
-       excerpt of the text and, where it helps, a hint. One run reports several faults.";
-  ]

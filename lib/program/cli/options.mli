@@ -15,6 +15,14 @@ val positive : string -> Rat.t Arg.conv
 val integer : ?least:int -> ?most:int -> string -> int Arg.conv
 (** An integer from [least] to [most]. The text describes it in messages. *)
 
+val output : ?docv:string -> string -> string option Term.t
+(** [output doc] is the option [-o] of a command whose output goes to a file or to standard output. [doc] is its
+    text in the manual, and [docv], by default [FILE], the name of its value there. ["-"] stands for standard
+    output ({!Console.with_output}). *)
+
+val named : string Arg.conv
+(** The path of a file or folder that is written or read beside standard input and output. ["-"] is refused. *)
+
 val transitions : int Arg.conv
 (** A number of transitions, at least 0. *)
 
@@ -45,9 +53,3 @@ val json : bool Term.t
 
 val full : string -> bool Term.t
 (** The flag [--full], with its meaning for the command. *)
-
-val sdocs : string
-(** The section of the manual for {!color}. *)
-
-val diagnostics_man : Manpage.block list
-(** The section on diagnostics in every manual. *)

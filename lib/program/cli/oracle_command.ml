@@ -53,20 +53,6 @@ let memory =
   option "memory" "MIB" ~most:1_000_000 Quotas.default.memory_mib
     "Gives a request up if with it the program takes more than $(docv) MiB."
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Answers questions of other programs about shapes and models: JSON-RPC 2.0 over standard input and output, \
-       one message a line, batches included. Shapes and models are defined once and used by handle: contact, \
-       first time of contact, response; transitions, runs, formulas. Numbers are exact, as texts $(b,\"p/q\").";
-    `P
-      "$(b,specs/oracle.md) describes methods, errors and limits, and $(b,specs/schema/oracle.schema.json) the \
-       messages. Each request gets its answer, even if it is malformed. The service ends with the input.";
-    `S Manpage.s_examples;
-    `Pre {|  echo '{"jsonrpc":"2.0","id":1,"method":"service.describe"}' | scc oracle|};
-  ]
-
 let command =
   let exits =
     Exits.man () ~never:[ Violated; Undecided ]
@@ -78,5 +64,5 @@ let command =
         ]
   in
   Cmd.v
-    (Cmd.info "oracle" ~doc:"answer other programs' questions" ~man ~exits)
+    (Cmd.info "oracle" ~doc:"answer other programs' questions" ~man:Manual.oracle ~exits)
     Term.(const run $ line_bytes $ seconds $ memory)

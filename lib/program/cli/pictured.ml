@@ -11,7 +11,7 @@ let by_choices (l : Loaded.t) policy ~until ~interrupted =
   let limits = { Replay.steps = None; time = until; instant = Replay.default_instant } in
   match Chosen_run.follow l policy limits ~interrupted with
   | Ok (course, _) -> Ok course
-  | Error Interrupted -> Error []
+  | Error (Interrupted _) -> Error []
   | Error (Refused d) -> Error [ d ]
   | Error (Fault f) -> Error [ Replay.diagnostic l.model f ]
 

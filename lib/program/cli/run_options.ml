@@ -27,7 +27,3 @@ let seconds =
   let doc = "Makes runs for at most $(docv) seconds of the clock. No default." in
   Arg.(value & opt (some Check_options.seconds_conv) None & info [ "seconds" ] ~docv:"S" ~doc)
 
-let output =
-  let doc = "Writes to $(docv) instead of standard output." in
-  let path = Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc) in
-  Term.(const (function Some "-" -> None | path -> path) $ path)

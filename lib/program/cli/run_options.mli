@@ -11,5 +11,3 @@ val jobs : int Term.t
 val seconds : float option Term.t
 (** The option [--seconds]: the greatest time for runs, in seconds of the clock. *)
 
-val output : string option Term.t
-(** The option [--output]: a file, or [None] for standard output, which [-] names. *)

@@ -13,12 +13,6 @@ val label : ?full:bool -> Model.t -> Transition.label -> string
 val passes : ?full:bool -> int -> Rat.t -> string
 (** Several passings of equal time: ["time passes 8 times by 1/4"]. *)
 
-val listed : string list -> string
-(** Names as a list: ["p, q and r"]. *)
-
-val name : Model.t -> int -> string
-(** The name of a leaf. *)
-
 val fixed : Model.t -> State.process -> bool
 (** [fixed m p] is true if the process has a fixed leaf. *)
 

@@ -1,15 +1,6 @@
 open Scc_verdicts
 open Cmdliner
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "$(mname) executes models of the Shape Calculus: three-dimensional shapes that move, collide, bind, \
-       split and react in space and time. All numbers are exact rationals.";
-    `P "Every command has a manual: $(mname) $(i,COMMAND) $(b,--help).";
-  ]
-
 let commands =
   [
     Check_command.command;
@@ -50,8 +41,8 @@ let without_pager () =
 
 let evaluate () : Exit_code.t =
   let info =
-    Cmd.info "scc" ~version:Version.told ~doc:"interpreter and model checker for the Shape Calculus" ~man
-      ~exits:(Exits.man ())
+    Cmd.info "scc" ~version:Version.told ~doc:"interpreter and model checker for the Shape Calculus"
+      ~man:Manual.scc ~exits:(Exits.man ())
   in
   match Cmd.eval_value ~help ~err:complaints ~catch:false (Cmd.group info commands) with
   | Ok (`Ok code) -> code

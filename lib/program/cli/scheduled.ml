@@ -42,6 +42,6 @@ let of_witness (l : Loaded.t) path (check : Scc_property.Property.check) (w : Sc
   let path = if String.equal path "-" then None else Some path in
   let values = Option.fold ~none:[] ~some:(fun (f : Scc_explain.Witness.fixed) -> f.values) w.fixed in
   let origin = { l.origin with parameters = l.origin.parameters @ values } in
-  Schedule.to_string ?model:path ~check:check.name origin
+  Schedule.made ?model:path ~check:check.name origin
     (List.map choice w.steps)
     ~offset:(Scc_explain.Witness.offset w)

@@ -13,6 +13,6 @@ val model :
     the schedule but not change them. A schedule for another text is SC0801. *)
 
 val of_witness :
-  Loaded.t -> string -> Scc_property.Property.check -> Scc_explain.Witness.t -> string
+  Loaded.t -> string -> Scc_property.Property.check -> Scc_explain.Witness.t -> int * Schedule.t
 (** The schedule of a run that is the witness of a property, with the path of the model, unless that is standard
     input. *)

@@ -171,22 +171,6 @@ let options =
   let make model given port task = { model; given; port; task } in
   Term.(const make $ model $ Options.definitions $ port $ task)
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Serves a page on which a model is written, checked and shown. On the left is the text, with errors shown \
-       while you type. On the right is the page of $(b,scc view), where other possibilities are computed on \
-       request. So a state space may have any size.";
-    `P
-      "The service is for this machine only: it listens on the loopback, and answers only requests with the \
-       secret that is part of the printed address. Ctrl-C ends it. Each shown model has a process of its own, \
-       bounded by the options below.";
-    `S Manpage.s_examples;
-    `Pre "  scc serve specs/models/hexokinase.sc";
-    `Pre "  scc serve model.sc --port 8080 --seconds 60";
-  ]
-
 let command =
   let told =
     [
@@ -197,5 +181,5 @@ let command =
   in
   let exits = Exits.man ~told ~never:[ Violated; Undecided; Invalid ] () in
   Cmd.v
-    (Cmd.info "serve" ~doc:"write and look at a model in a browser" ~man ~exits)
+    (Cmd.info "serve" ~doc:"write and look at a model in a browser" ~man:Manual.serve ~exits)
     Term.(const run $ Options.color $ Check_options.budget $ options)

@@ -144,19 +144,16 @@ let advice (r : Solid_report.t) =
     (if tries = [] then "" else Printf.sprintf "to mend it: scc shape %s\n" (String.concat " " tries))
     ^ if concave then "for convex parts of it: scc decompose; for its hull: scc shape --hull\n" else ""
 
-let report console argument ~mended ~gone ?snapped ?outer (set : Polyhedron.ifs) =
-  let r = Solid_report.make set in
-  let code = if Solid_report.accepted r then Exit_code.Holds else Exit_code.Invalid in
+let report console argument code ~mended ~gone ?snapped ?outer r write =
   let told =
     Mend_options.text mended
     ^ Option.fold ~none:"" ~some:outer_text outer
     ^ Option.fold ~none:"" ~some:(snap_text ~gone) snapped
   in
   let exit = Exit_code.to_int code in
-  Console.answer console
+  Console.answer_and_write console write
     ~text:(fun () -> told ^ Solid_report.to_text ~name:(Visible.line argument) r ^ advice r)
-    ~json:(fun () -> Scc_reports.Shape_json.document ~name:argument ~exit ~mended ?snap:snapped ?outer r);
-  code
+    ~json:(fun () -> Scc_reports.Shape_json.document ~name:argument ~exit ~mended ?snap:snapped ?outer r)
 
 let write console ~round output code set =
   match output with
@@ -164,18 +161,18 @@ let write console ~round output code set =
   | Some written -> Written_solid.concave console ~round written set
   | None -> Ok ()
 
-let draw o ~name set =
+let draw o ~name report =
   match o.svg with
   | None -> Ok ()
   | Some path ->
-    let text = Scc_picture.Solid_picture.svg ~name o.drawing (Solid_report.make set) in
+    let text = Scc_picture.Solid_picture.svg ~name o.drawing report in
     Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
 
-let show o ~name set =
+let show o ~name report =
   match o.page with
   | None -> Ok ()
   | Some path ->
-    let page = Scc_view.Solid_page.write ~name (Solid_report.make set) in
+    let page = Scc_view.Solid_page.write ~name report in
     Result.map_error (fun d -> [ d ]) (Whole_file.with_file path page)
 
 let shape console ~overrides o output argument =
@@ -197,13 +194,18 @@ let shape console ~overrides o output argument =
   let corners = Array.length set.ifs_vertices in
   let set = match snapped with Some (_, s) -> s.set | None -> set in
   let gone = corners - Array.length set.ifs_vertices in
-  let code = report console argument ~mended ~gone ?snapped ?outer set in
+  let r = Solid_report.make set in
+  let code = if Solid_report.accepted r then Exit_code.Holds else Exit_code.Invalid in
   (* One output that cannot be written keeps the others from nothing. *)
-  let write = write console ~round:o.round output code in
-  let written = [ draw o ~name:argument set; show o ~name:argument set; write set ] in
-  match List.concat_map (function Ok () -> [] | Error d -> d) written with
-  | [] -> Ok code
-  | faults -> Error faults
+  let write () =
+    let shape = write console ~round:o.round output code set in
+    let written = [ draw o ~name:argument r; show o ~name:argument r; shape ] in
+    match List.concat_map (function Ok () -> [] | Error d -> d) written with
+    | [] -> Ok ()
+    | faults -> Error faults
+  in
+  let* () = report console argument code ~mended ~gone ?snapped ?outer r write in
+  Ok code
 
 let run color json overrides o argument =
   let console = Console.make ~color ~json () in
@@ -281,7 +283,7 @@ let output =
      template for a model, or a compound. Coordinates are decimals. A number without a decimal, such as 1/3, is \
      a fraction p/q, which other programs may not read; STL and PLY are then not written."
   in
-  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
 
 let round =
   let doc =
@@ -296,7 +298,7 @@ let svg =
      refused shape it shows the witness of each fault, and of each condition of Definition 4.3 that fails, at \
      its place. Hidden surfaces are computed exactly; places in the picture are rounded."
   in
-  Arg.(value & opt (some string) None & info [ "svg" ] ~docv:"PICTURE" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "svg" ] ~docv:"PICTURE" ~doc)
 
 let page =
   let doc =
@@ -304,20 +306,12 @@ let page =
      with the names and exact places of its faces, edges and vertices, and each fault at its place, as for \
      $(b,--svg)."
   in
-  Arg.(value & opt (some string) None & info [ "view" ] ~docv:"PAGE" ~doc)
-
-let page =
-  let one = function
-    | Some "-" -> Error "the page of --view is to have a file: the report goes to standard output"
-    | page -> Ok page
-  in
-  Term.(term_result' ~usage:true (const one $ page))
+  Arg.(value & opt (some Options.named) None & info [ "view" ] ~docv:"PAGE" ~doc)
 
 let drawn =
   let one svg drawing =
     match svg with
     | None when Picture_options.given drawing -> Error "--from, --up and --width tell how --svg draws"
-    | Some "-" -> Error "the picture of --svg is to have a file: the report goes to standard output"
     | _ -> Ok (svg, Picture_options.of_solid drawing)
   in
   Term.(term_result' ~usage:true (const one $ svg $ Picture_options.term))
@@ -328,34 +322,11 @@ let options =
   in
   Term.(const make $ Mend_options.term $ round $ snap_option $ hull_option $ faces_option $ output $ page $ drawn)
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Reports on a polyhedron. It gives two separate verdicts: whether it is a convex closed polyhedron, which \
-       a template must be, with every fault; and each of the seven conditions of Definition 4.3 as printed, with \
-       a witness where it fails. Then come the numbers of vertices, edges and faces and, for an accepted shape, \
-       the exact volume, centroid and inertia. $(b,--snap) makes a rounded solid exact, $(b,--hull) makes a \
-       solid of points, $(b,--grid), $(b,--weld), $(b,--orient) and $(b,--merge) repair meshes of other \
-       programs, $(b,-o) writes the result, $(b,--svg) draws it, and $(b,--view) makes a page of it.";
-  ]
-  @ Options.diagnostics_man
-  @ [
-    `S Manpage.s_examples;
-    `Pre "  scc shape dodecahedron.off";
-    `Pre "  scc shape specs/models/hexokinase.sc:Cube --json";
-    `Pre "  scc shape --snap 1e-5 snub_cube.off -o exact.obj";
-    `Pre "  scc shape --hull --snap 1e-5 points.off -o solid.sc";
-    `Pre "  scc shape --hull --faces 50 points.off -o around.off";
-    `Pre "  scc shape --weld --orient --merge scanned.ply -o solid.stl";
-    `Pre "  scc shape broken.off --svg broken.svg --view broken.html";
-  ]
-
 let command =
   let exits =
     Exits.man () ~never:[ Violated; Undecided ]
       ~told:[ (Holds, "if the shape is accepted."); (Invalid, "if it is not, or cannot be read.") ]
   in
   Cmd.v
-    (Cmd.info "shape" ~doc:"report on a polyhedron" ~man ~exits)
+    (Cmd.info "shape" ~doc:"report on a polyhedron" ~man:Manual.shape ~exits)
     Term.(const run $ Options.color $ Options.json $ Options.overrides $ options $ argument)

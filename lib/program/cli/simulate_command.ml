@@ -197,7 +197,7 @@ let plot =
     "Draws a chart, as SVG: for each observable the mean over the time, and the range from the first to the \
      last of $(b,--quantiles)."
   in
-  Arg.(value & opt (some string) None & info [ "plot" ] ~docv:"FILE" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "plot" ] ~docv:"FILE" ~doc)
 
 let form =
   let doc = "$(b,csv) (RFC 4180), or $(b,jsonl), a JSON object a line." in
@@ -221,7 +221,7 @@ let resume =
      $(b,--summary) does not change the file, and summarises its runs together with the new ones, as $(b,--plot) \
      does; the numbers of the file must be exact."
   in
-  Arg.(value & opt (some string) None & info [ "resume" ] ~docv:"FILE" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "resume" ] ~docv:"FILE" ~doc)
 
 let store_option =
   Kept.option
@@ -254,36 +254,8 @@ let options =
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.overrides $ runs $ Run_options.seed $ Run_options.jobs
        $ Task_part.option ~what:"runs" $ observed $ every $ until $ steps
-       $ summary $ quantiles $ form $ decimals $ Run_options.output $ resume $ store_option $ plot))
-
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Makes independent runs of a model, and writes what is observed of each at given times, or a summary of \
-       all. Velocities are drawn by their exact probabilities. Free choices (which of several collisions comes \
-       first, whether a weak split happens) are made evenly among all possible transitions. The model gives no \
-       probabilities for them, so numbers may depend on this; $(b,scc check) computes the least and the \
-       greatest.";
-    `P
-      "An observation at a time is made after all events of that instant, when time goes on. $(b,event) is false \
-       then. A number without a value, such as the place of a body that is gone, is empty. So are observations \
-       after the end of a run that ends before the last time; the column $(b,ended) gives the reason.";
-    `P
-      "The same model, seed and observables give the same bytes, for any number of processes. Ctrl-C keeps all \
-       finished runs.";
-  ]
-  @ Kept.man
-  @ Options.diagnostics_man
-  @ [
-    `S Manpage.s_examples;
-    `Pre "  scc simulate brownian.sc --runs 1000 --observe 'x(ligand)' --observe 'bound(ligand, pocket)' \\\\\n\
-         \      --every 1/2 --until 20 --summary -o brownian.csv";
-    `Pre "  scc simulate ruin.sc --runs 100000 --jobs 4 --observe 'gone(walker)' --every 1 --until 100 \\\\\n\
-         \      --format jsonl -o ruin.jsonl";
-    `Pre "  scc simulate ruin.sc --runs 200000 --jobs 4 --observe 'gone(walker)' --every 1 --until 100 \\\\\n\
-         \      --format jsonl --resume ruin.jsonl";
-  ]
+       $ summary $ quantiles $ form $ decimals
+       $ Options.output "Writes to $(docv) instead of standard output." $ resume $ store_option $ plot))
 
 let command =
   let told =
@@ -294,5 +266,6 @@ let command =
     ]
   in
   let exits = Exits.man ~told ~never:[ Violated ] () in
-  let info = Cmd.info "simulate" ~doc:"make many runs of a model, and write what is observed" ~man ~exits in
+  let doc = "make many runs of a model, and write what is observed" in
+  let info = Cmd.info "simulate" ~doc ~man:Manual.simulate ~exits in
   Cmd.v info Term.(const run $ Options.color $ options)

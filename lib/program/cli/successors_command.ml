@@ -1,7 +1,6 @@
 open Scc_base
 open Scc_verdicts
 open Scc_state_space
-open Scc_json
 open Scc_successors
 open Cmdliner
 
@@ -40,7 +39,7 @@ let state f line =
   let* bytes = of_hex line in
   let* tuple = Filter.read f bytes ~from:0 ~stop:(String.length bytes) in
   let* e = Filter.expand f tuple in
-  Ok (Told.answer f e)
+  Ok (Told.Answer (f, e))
 
 (* Schedules are replayed with jumps. *)
 let run path f line =
@@ -50,13 +49,11 @@ let run path f line =
   else
     let* goal, choices = Found_run.request line in
     let* check, witness = Found_run.find f ~goal choices in
-    let schedule = Scheduled.of_witness q.loaded path check witness in
-    let* schedule = Json.parse (Source.make ~name:"-" schedule) in
-    Ok (`Assoc [ ("check", Json.text check.name); ("schedule", schedule) ] : Json.t)
+    Ok (Told.Run (check, Scheduled.of_witness q.loaded path check witness))
 
 let answer path f line =
   let is_run = String.length line > 0 && line.[0] = '{' in
-  Result.fold ~ok:Fun.id ~error:Told.refused (if is_run then run path f line else state f line)
+  Result.fold ~ok:Fun.id ~error:(fun d -> Told.Refused d) (if is_run then run path f line else state f line)
 
 let talk_in_lines path f c =
   let lines = Lines.make ~most:most_line in
@@ -66,10 +63,10 @@ let talk_in_lines path f c =
     | End -> Exit_code.Holds
     | Too_long ->
       let d = Diag.error Code.no_state Span.none "a line of more than %d bytes" most_line in
-      Conversation.say c (Json.line (Told.refused d));
+      Conversation.say c (Told.line (Refused d));
       loop f
     | Line line ->
-      Conversation.say c (Json.line (answer path f line));
+      Conversation.say c (Told.line (answer path f line));
       loop (Filter.renew f)
   in
   loop f
@@ -134,7 +131,7 @@ let talk console options (given : Options.definitions) path =
   let* q = Question.make ~reductions ~bits:options.bits ~names:options.names ~number:options.number l in
   let f = Filter.make q in
   let hold c =
-    Conversation.say c (Json.line (Told.header ~program:Version.told ~framing:(name options.framing) f));
+    Conversation.say c (Told.line (Header { program = Version.told; framing = name options.framing; filter = f }));
     Conversation.send c;
     match options.framing with Lines -> talk_in_lines path f c | Batches -> talk_in_batches console f c
   in
@@ -168,31 +165,6 @@ let framing =
   in
   Arg.(value & opt (enum framings) Lines & info [ "framing" ] ~docv:"HOW" ~doc)
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Answers states that other programs send with their successors. So a program that stores states, on any \
-       number of machines, can explore a model, and need not know anything about shapes.";
-    `P
-      "The first line of the output describes the exploration: the model, the properties, the state formulas \
-       that they search for (the $(i,goals)), and the initial state. Then each input state is answered by its \
-       transitions, in order: label, duration, target, a fingerprint of 128 bits of the target, and the goals \
-       that hold there. The answer also has the goals that hold at some moment before the next event.";
-    `P
-      "States are bytes, as described in $(b,specs/state-bytes.md). $(b,specs/successors.md) describes both \
-       framings, lines and batches. Every input line gets an answer. An invalid batch ends the program, since \
-       the start of the next one is unknown.";
-    `P
-      "The states are those that $(b,scc check --no-reduce order) distinguishes; counts, verdicts and shortest \
-       runs agree with it. In lines, a run becomes a schedule for $(b,scc trace): $(b,{\"goal\": 0, \"choices\": \
-       [0, 2]}).";
-    `S Manpage.s_examples;
-    `Pre
-      "  scc successors specs/models/chain.sc < /dev/null\n\
-      \  scc successors specs/models/figure4.sc <<< 010100010008040c04040400020008040404040400010004";
-  ]
-
 let options =
   let make names number reductions bits framing =
     { names; number; reductions; bits = Option.value bits ~default:100_000; framing }
@@ -210,5 +182,6 @@ let command =
         ]
   in
   Cmd.v
-    (Cmd.info "successors" ~doc:"answer states of other programs with their successors" ~man ~exits)
+    (Cmd.info "successors" ~doc:"answer states of other programs with their successors" ~man:Manual.successors
+       ~exits)
     Term.(const run $ Options.color $ options $ Options.definitions $ Options.model_file)

@@ -194,14 +194,14 @@ let resume =
     "Continues $(docv), written with $(b,--format jsonl) by a sweep that was interrupted. All options except \
      $(b,--jobs) must be the same. The exit code is about the new points."
   in
-  Arg.(value & opt (some string) None & info [ "resume" ] ~docv:"FILE" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "resume" ] ~docv:"FILE" ~doc)
 
 let plot =
   let doc =
     "Draws the sweep, as SVG: measured numbers as curves over one parameter; verdicts, and numbers over two \
      parameters, as coloured cells."
   in
-  Arg.(value & opt (some string) None & info [ "plot" ] ~docv:"FILE" ~doc)
+  Arg.(value & opt (some Options.named) None & info [ "plot" ] ~docv:"FILE" ~doc)
 
 let store_option =
   Kept.option
@@ -235,26 +235,8 @@ let options =
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ grid $ Check_options.budget $ Run_options.jobs
-       $ Task_part.option ~what:"points" $ form $ Run_options.output $ resume $ store_option $ plot))
-
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Checks a model with each combination of values of its parameters, as $(b,scc check -D) does, and writes a \
-       table of the verdicts, and of measured numbers. Bounds hold for each point by itself; without \
-       $(b,--memory) the processes share the default memory of $(b,scc check).";
-    `P
-      "Where the model is invalid the table says so, and the sweep continues. Without $(b,--seconds) the same \
-       sweep gives the same bytes, for any number of processes. Ctrl-C keeps all finished points.";
-  ]
-  @ Kept.man
-  @ Options.diagnostics_man
-  @ [
-    `S Manpage.s_examples;
-    `Pre "  scc sweep chain.sc -D n=1..6 --jobs 2";
-    `Pre "  scc sweep model.sc -D n=1,2,4 -D v=0:2:1/8 --format jsonl -o sweep.jsonl --plot sweep.svg";
-  ]
+       $ Task_part.option ~what:"points" $ form
+       $ Options.output "Writes to $(docv) instead of standard output." $ resume $ store_option $ plot))
 
 let command =
   let told =
@@ -269,5 +251,5 @@ let command =
     ]
   in
   let exits = Exits.man ~told ~never:[ Violated ] () in
-  let info = Cmd.info "sweep" ~doc:"check a model over a grid of parameters" ~man ~exits in
+  let info = Cmd.info "sweep" ~doc:"check a model over a grid of parameters" ~man:Manual.sweep ~exits in
   Cmd.v info Term.(const run $ Options.color $ options)

@@ -69,9 +69,7 @@ let states =
   let kinds = [ ("all", Trace.All); ("ends", Trace.Ends) ] in
   Arg.(value & opt (enum kinds) Trace.All & info [ "states" ] ~docv:"WHICH" ~doc)
 
-let output =
-  let doc = "Writes to $(docv) instead of standard output." in
-  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
+let output = Options.output "Writes to $(docv) instead of standard output."
 
 let options =
   let full = Options.full "With $(b,--human): prints every step, every body and all digits of numbers." in
@@ -83,40 +81,6 @@ let options =
   Term.(
     const make $ Options.model_file $ Options.definitions $ choices $ form $ full $ states $ output)
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Makes one run of a model and prints it as JSON Lines, one object a line: a header (format and semantics \
-       versions, digest of the model, values of its parameters), the initial state, then the transitions. Each \
-       transition has its label, the rules that made it, the model time after it and the resulting state in full \
-       (see $(b,--states)). Numbers are exact, as texts $(b,\"p/q\"). The format is described by \
-       $(b,specs/schema/trace.schema.json).";
-    `P
-      "The output is the same, byte for byte, for the same model and choices. Each transition has the number of \
-       its choice, so that a trace is its own schedule: $(b,scc trace --schedule) with a trace prints the trace \
-       again.";
-  ]
-  @ [
-    `P
-      "With $(b,split_step any) bonds may be released at any time. By default a run considers weak splits only \
-       at the instants of other events: it splits then, or lets all the time pass up to the next such instant. A \
-       schedule may let less time pass: a choice whose label is $(b,time\\(5/4\\)) stands for any time that is \
-       at most the greatest, and the choice after it may be the split. The witnesses of $(b,scc check) use such \
-       choices.";
-  ]
-  @ Options.diagnostics_man
-  @ [
-    `S Manpage.s_examples;
-    `Pre "  scc trace model.sc --choose random:7 -o run.jsonl";
-    `Pre "  scc trace model.sc --schedule run.jsonl | cmp - run.jsonl";
-    `Pre "  scc trace model.sc --human --time 5";
-    `Pre "  scc trace model.sc --human --full";
-    `Pre "  scc trace ranges.sc -D y=1 --start random:7 --choose random:7";
-    `Pre "  scc trace large.sc --time 100 --states=ends";
-    `Pre "  scc trace model.sc --schedule runs/meet.json --itf -o meet.itf.json";
-  ]
-
 let command =
   let told =
     [
@@ -127,5 +91,5 @@ let command =
     ]
   in
   let exits = Exits.man ~told ~never:[ Violated ] () in
-  let info = Cmd.info "trace" ~doc:"run a model and print what happens" ~man ~exits in
+  let info = Cmd.info "trace" ~doc:"run a model and print what happens" ~man:Manual.trace ~exits in
   Cmd.v info Term.(const run $ Options.color $ options)

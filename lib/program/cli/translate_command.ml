@@ -9,10 +9,12 @@ let target ~named ~output =
   | Some n, _ | None, Some n -> n
   | None, None -> Notation.shape_calculus
 
-(* In another notation things may nest deeper than the limits of the language allow. *)
-let check_readable console (notation : Notation.t) text =
+(* In another notation things may nest deeper than the limits of the language allow. XML may have named characters
+   by their numbers that change the direction of the translation. *)
+let check_readable console ~from (notation : Notation.t) text =
   let source = Source.make ~name:"the translation" text in
   Console.add_source console source;
+  if Direction.warnings from = [] then Console.report console (Direction.warnings source);
   Result.map ignore (notation.read source)
 
 let translate console notation output path =
@@ -20,9 +22,11 @@ let translate console notation output path =
   let from = Notation.of_source source in
   let* read = from.read source in
   let* text = (notation : Notation.t).write read in
-  let* () = if String.equal from.name notation.name then Ok () else check_readable console notation text in
-  let path = match output with Some "-" -> None | path -> path in
-  let* () = Result.map_error (fun d -> [ d ]) (Console.with_output console ~path (fun put -> put text)) in
+  let* () =
+    if String.equal from.name notation.name then Ok ()
+    else check_readable console ~from:source notation text
+  in
+  let* () = Result.map_error (fun d -> [ d ]) (Console.with_output console ~path:output (fun put -> put text)) in
   Console.flush console;
   Ok Exit_code.Holds
 
@@ -39,11 +43,8 @@ let named =
   Arg.(value & opt (some (enum names)) None & info [ "to" ] ~docv:"NOTATION" ~doc)
 
 let output =
-  let doc =
-    "Writes to $(docv) instead of standard output; without $(b,--to), the ending of its name selects the \
-     notation."
-  in
-  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
+  Options.output ~docv:"OUT"
+    "Writes to $(docv) instead of standard output; without $(b,--to), the ending of its name selects the notation."
 
 let file =
   let doc =
@@ -64,7 +65,7 @@ let man =
        $(b,--to) and $(b,-o), the model is written in the language of scc.";
   ]
   @ (`S "NOTATIONS" :: List.map told Notation.all)
-  @ Options.diagnostics_man
+  @ Manual.diagnostics
   @ [
     `S Manpage.s_examples;
     `Pre "  scc translate hexokinase.sc --to xml";

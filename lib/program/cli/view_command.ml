@@ -54,11 +54,10 @@ let run color budget o =
       Watch.finish watch;
       Console.progress_done console;
       let output = output_of o in
-      let path = if String.equal output "-" then None else Some output in
-      match Console.with_output console ~path write with
+      match Console.with_output console ~path:(Some output) write with
       | Error d -> Error [ d ]
       | Ok () ->
-        if Option.is_some path then Console.note console (Printf.sprintf "scc: wrote %s" output);
+        if not (String.equal output "-") then Console.note console (Printf.sprintf "scc: wrote %s" output);
         if interrupted then begin
           Console.note console "scc: interrupted: what was done until then is shown";
           Ok Exit_code.Stopped
@@ -68,8 +67,7 @@ let run color budget o =
 (* The command line. *)
 
 let output =
-  let doc = "Writes to $(docv) instead of the name of the model with $(b,.html), in the present folder." in
-  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
+  Options.output "Writes to $(docv) instead of the name of the model with $(b,.html), in the present folder."
 
 let data_alone =
   let doc =
@@ -157,25 +155,9 @@ let options =
     const make $ Options.model_file $ Options.definitions $ output $ what $ check $ followed $ graph
     $ plots)
 
-let man =
-  [
-    `S Manpage.s_description;
-    `P
-      "Checks a model as $(b,scc check) does, and writes a page that shows the deciding runs: one file of HTML \
-       that opens in a browser from disk, needs no network, and can be mailed.";
-  ]
-  @ Options.diagnostics_man
-  @ [
-    `S Manpage.s_examples;
-    `Pre "  scc view specs/models/hexokinase.sc";
-    `Pre "  scc view model.sc --check safe -o safe.html";
-    `Pre "  scc view model.sc --schedule runs/safe.json";
-    `Pre "  scc view model.sc --svg 5/2 --names -o figure.svg";
-  ]
-
 let command =
   let told = [ (Exit_code.Holds, "if the page was written, for any verdicts on it.") ] in
   let exits = Exits.man ~told ~never:[ Violated; Undecided ] () in
   Cmd.v
-    (Cmd.info "view" ~doc:"write a page that shows the runs of a model" ~man ~exits)
+    (Cmd.info "view" ~doc:"write a page that shows the runs of a model" ~man:Manual.view ~exits)
     Term.(const run $ Options.color $ Check_options.budget $ options)

@@ -53,7 +53,7 @@ let about (outcome : Verdict.outcome) : Runs.about =
 (* A run that is interrupted is shown as far as it came. *)
 let ended (l : Loaded.t) = function
   | Ok ending -> Ok ending
-  | Error Replay.Interrupted -> Ok Replay.Open
+  | Error (Replay.Interrupted _) -> Ok Replay.Open
   | Error (Refused d) -> Error [ d ]
   | Error (Fault f) -> Error [ Replay.diagnostic l.model f ]
 
@@ -92,15 +92,13 @@ let world_of making semantics =
   States.world making.states making.tables ~words:(fun m l -> Run_text.label m l) ~plots:making.plots semantics
 
 (* Where the parts of leaves may depend on parameters, a run says how they are in it. *)
-let with_leaves making (own : Model.t) (run : Json.t) : Json.t =
+let with_leaves making (own : Model.t) (run : Runs.t) =
   let own, all =
     let leaves = Bodies.leaves ~solids:making.tables.solids in
     (leaves own, leaves making.loaded.model)
   in
-  match run with
-  | `Assoc members when not (String.equal (Json.line own) (Json.line all)) ->
-    `Assoc (members @ [ ("leaves", own) ])
-  | run -> run
+  let line leaves = Json.line Json_format.(write (list Bodies.format) leaves) in
+  if String.equal (line own) (line all) then run else { run with leaves = Some own }
 
 (* Follows the run again up to a step: that costs less than to keep all states. *)
 let state_after (l : Loaded.t) policy (limits : Replay.limits) n =
@@ -124,14 +122,14 @@ let large_run making world ~name policy limits ~interrupted =
     | _, None -> Bug.fail __POS__ "a run without a start"
   in
   let* how = ended l (Replay.run l.semantics l.declared policy limits ~interrupted note) in
-  let told r = Large_run.json r ~name ~finish:(Trace.ending how) ~ending:(ending l how) in
+  let told r = Large_run.run r ~name ~finish:(Trace.ending how) ~ending:(ending l how) in
   match !run with Some r -> Ok (told r) | None -> Bug.fail __POS__ "a run without a start"
 
 let small_run making world ~name policy limits ~interrupted =
   let l = making.loaded in
   let* initial, steps, offset, how = follow l policy limits ~interrupted in
   Ok
-    (Runs.of_steps making.states world ~most:making.most ~name None ~initial steps ~offset
+    (Runs.of_steps making.states world ~most:making.most ~name ~initial steps ~offset
        ~finish:(Trace.ending how) ~ending:(ending l how))
 
 let run_by_choices making = if Large_run.is_for making.loaded.model then large_run making else small_run making
@@ -178,10 +176,7 @@ let samples making (l : Loaded.t) view where ~interrupted =
     let limits = { Replay.steps = Some sample_steps; time = None; instant = Replay.default_instant } in
     let world = world_of at_point point.semantics in
     let* run = run_by_choices at_point world ~name:(Sample.to_string values) First limits ~interrupted in
-    let numbers = List.map (fun (name, v) -> (name, Json.rat v)) values in
-    match with_leaves making point.model run with
-    | `Assoc members -> Ok (`Assoc (members @ [ ("sample", `Bool true); ("values", `Assoc numbers) ]))
-    | run -> Ok run
+    Ok { (with_leaves making point.model run) with sample = true; values }
   in
   let add all values =
     let* all = all in
@@ -200,8 +195,8 @@ let regions making (l : Loaded.t) outcomes where ~before ~interrupted =
         let names = List.map (fun (o : Verdict.outcome) -> o.check.name) outcomes in
         let* sampled = samples making l view where ~interrupted in
         let numbered = List.mapi (fun i (values, _) -> (values, before + i)) sampled in
-        let json = Regions.json l.model.ranges view (List.combine names where) ~samples:numbered in
-        Ok (Some json, List.map snd sampled))
+        let checks = List.combine names where in
+        Ok (Some { Regions.ranges = l.model.ranges; view; checks; samples = numbered }, List.map snd sampled))
 
 let read_schedule console o =
   match o.schedule with

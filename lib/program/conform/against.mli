@@ -29,9 +29,6 @@ val names : t -> Recorded.t -> Diag.t list
 
 (** {1 Events} *)
 
-val leaves : t -> Recorded.event -> int list
-(** The leaves that an event names, by bodies or features, sorted. *)
-
 val matches : t -> State.t -> Recorded.event -> Transition.label -> bool
 (** [matches t s e label] is true if the recorded event [e] can be the transition [label] of the state [s]. *)
 

@@ -44,12 +44,9 @@ type t = {
   closest : allowed option;
   off : Rat.t option;  (** the time of the item less that of [closest] *)
   differences : Against.difference list;  (** of a state *)
-  allowed : allowed list;  (** those nearest in time, in order of it, at most {!most_allowed} *)
+  allowed : allowed list;  (** those nearest in time, in order of it, at most 12 *)
   after : allowed option;  (** the latest transition before it *)
 }
-
-val most_allowed : int
-(** The greatest length of [allowed]: 12. *)
 
 val find :
   Against.t -> Recorded.t -> observed:(Scc_semantics.Transition.label -> bool) -> Trace_search.dead_end -> t

@@ -20,7 +20,7 @@ type hypothesis = {
 
 and untold = { before : hypothesis; labels : Transition.label list }
 
-type possible = { from : hypothesis; index : int; taken : Transition.t }
+type possible = { from : hypothesis; taken : Transition.t }
 type misfit = { of_ : hypothesis; differences : Against.difference list }
 
 type dead_end = {
@@ -174,7 +174,7 @@ let tell_one t layer ~before labels target =
   each_of_them [] one labels
 
 let event t layer h index (taken : Transition.t) =
-  layer.found <- { layer.found with possible = { from = h; index; taken } :: layer.found.possible };
+  layer.found <- { layer.found with possible = { from = h; taken } :: layer.found.possible };
   let target = after t h index taken in
   meet t layer h taken.label target;
   tell_one t layer ~before:h (one_by_one taken.label) target;

@@ -37,7 +37,7 @@ type hypothesis = {
 and untold = { before : hypothesis; labels : Transition.label list }
 
 (** A transition that is possible in a hypothesis. *)
-type possible = { from : hypothesis; index : int; taken : Transition.t }
+type possible = { from : hypothesis; taken : Transition.t }
 
 (** A state of the trace that does not fit a hypothesis. *)
 type misfit = { of_ : hypothesis; differences : Against.difference list }

@@ -3,6 +3,7 @@ open Scc_loading
 open Scc_verdicts
 open Scc_json
 open Scc_runs
+open Json_format
 open Estimation
 
 type t = {
@@ -54,22 +55,28 @@ let line (a : answer) ~confidence =
 
 (* {1 For programs} *)
 
-let value : value -> Json.t = function
-  | Unknown -> `Null
-  | Infinite -> `Assoc [ ("kind", `String "infinite") ]
-  | Probability (low, high) ->
-    `Assoc [ ("kind", `String "probability"); ("low", Json.rat low); ("high", Json.rat high) ]
-  | Mean { mean; low; high } ->
-    `Assoc
-      [
-        ("kind", `String "mean");
-        ("mean", Json.option Json.rat mean);
-        ("low", Json.rat low);
-        ("high", Json.rat high);
-      ]
-  | Sample { mean; deviation } ->
-    `Assoc
-      [ ("kind", `String "sample"); ("mean", Json.rat mean); ("deviation", Json.option Json.rat deviation) ]
+let value =
+  let number = Shared.rational in
+  let bounds = all [ field "low" number fst; field "high" number snd ] in
+  tagged "kind"
+    [
+      variant "infinite" (function Infinite -> Some () | _ -> None) (all []) Fun.id;
+      variant "probability" (function Probability (low, high) -> Some (low, high) | _ -> None) bounds Fun.id;
+      variant "mean"
+        (function Mean { mean; low; high } -> Some (mean, (low, high)) | _ -> None)
+        (all [ field "mean" (nullable number) fst; within snd bounds ])
+        Fun.id
+        ~about:
+          "Of a number that is always in a range which is known. The mean over the runs is null if not all have \
+           come to a number.";
+      variant "sample"
+        (function Sample { mean; deviation } -> Some (mean, deviation) | _ -> None)
+        (all [ field "mean" number fst; field "deviation" (nullable number) snd ])
+        Fun.id
+        ~about:
+          "Of a number of which no range is known: what the runs came to. No interval follows, and the verdict is \
+           undecided. The deviation is null for a single run.";
+    ]
 
 let verdict = function
   | Estimated -> "estimated"
@@ -77,44 +84,56 @@ let verdict = function
   | Violated -> "estimated_violated"
   | Undecided -> "undecided"
 
-let answer (a : answer) : Json.t =
-  let t = a.tally in
-  `Assoc
+let answer =
+  let tally f (a : answer) = f a.tally in
+  let known a = match a.value with Unknown -> None | _ -> Some a.value in
+  fields
     [
-      ("name", `String a.path.check.name);
-      ("text", Json.text a.path.check.text);
-      ("verdict", `String (verdict a.verdict));
-      ("value", value a.value);
-      ("runs", `Int t.runs);
-      ("yes", `Int t.yes);
-      ("no", `Int t.no);
-      ("numbers", `Int (t.numbers));
-      ("never", `Int t.never);
-      ("free", `Int t.free);
-      ("too_long", `Int t.too_long);
-      ("no_value", `Int t.no_value);
-      ("chosen_evenly", `Bool a.chosen);
-      ("reasons", `List (List.map Json.text a.reasons));
+      field "name" text (fun a -> a.path.check.name);
+      field "text" text (fun a -> a.path.check.text);
+      field "verdict"
+        (Json_format.word verdict [ Estimated; Holds; Violated; Undecided ])
+        (fun (a : answer) -> a.verdict);
+      field "value" (nullable value) known;
+      field "runs" natural (tally (fun t -> t.runs))
+        ~about:"All of them; each is counted in one of the next seven.";
+      field "yes" natural (tally (fun t -> t.yes));
+      field "no" natural (tally (fun t -> t.no));
+      field "numbers" natural (tally (fun t -> t.numbers)) ~about:"Runs with a number, of which the mean is.";
+      field "never" natural (tally (fun t -> t.never))
+        ~about:"Runs that never come to where the number would be known.";
+      field "free" natural (tally (fun t -> t.free))
+        ~about:"Runs that depend on a choice that nothing draws.";
+      field "too_long" natural (tally (fun t -> t.too_long)) ~about:"Runs that were left before it was known.";
+      field "no_value" natural (tally (fun t -> t.no_value));
+      field "chosen_evenly" bool (fun a -> a.chosen)
+        ~about:"Choices that nothing draws were taken, and the probability is one of that.";
+      field "reasons" Shared.texts (fun a -> a.reasons)
+        ~about:"Why it is undecided, or not as narrow as was asked for.";
     ]
 
-let json t ~exit : Json.t =
-  let left (name, why) : Json.t = `Assoc [ ("name", `String name); ("reason", Json.text why) ] in
-  let sequential = match t.aim.size with Exactly _ -> false | At_most _ -> true in
-  `Assoc
-    ([
-      ("format", `String "scc-estimate");
-      ("version", `Int 2);
-      ("semantics", `String Scc_calculus.Parameters.version);
-    ]
-      @ Origin_json.members t.origin
-      @ [
-        ("seed", `String (Int64.to_string t.seed));
-        ("confidence", Json.rat t.aim.confidence);
-        ("width", Json.rat t.aim.width);
-        ("sequential", `Bool sequential);
-        ("free", `String (match t.aim.free with Apart -> "apart" | Evenly -> "evenly"));
-        ("interrupted", `Bool t.interrupted);
-        ("exit", `Int (Exit_code.to_int exit));
-        ("properties", `List (List.map answer t.answers));
-        ("left_out", `List (List.map left t.left_out));
-      ])
+let left_out = fields [ field "name" text fst; field "reason" text snd ]
+
+let format =
+  let aim f (t, _) = f t.aim in
+  let sequential (a : aim) = match a.size with Exactly _ -> false | At_most _ -> true in
+  let free (a : aim) = match a.free with Apart -> "apart" | Evenly -> "evenly" in
+  fields
+    (Shared.head "scc-estimate" 2
+     @ [
+       Shared.semantics ();
+       within (fun (t, _) -> t.origin) Origin_json.fields;
+       field "seed" Shared.seed (fun (t, _) -> t.seed);
+       field "confidence" Shared.rational (aim (fun a -> a.confidence)) ~about:"Of each property by itself.";
+       field "width" Shared.rational (aim (fun a -> a.width));
+       field "sequential" bool (aim sequential)
+         ~about:"Looked at again and again; false: once, after --runs.";
+       field "free" (Json_format.word Fun.id [ "apart"; "evenly" ]) (aim free)
+         ~about:"What became of runs with a choice that nothing draws.";
+       field "interrupted" bool (fun (t, _) -> t.interrupted)
+         ~about:"By a limit of seconds, a signal, or the end of a process.";
+       field "exit" Shared.exit (fun (_, exit) -> Exit_code.to_int exit);
+       field "properties" (list answer) (fun (t, _) -> t.answers);
+       field "left_out" (list left_out) (fun (t, _) -> t.left_out)
+         ~about:"Checks of the model that ask for no probability and no mean, or about other runs.";
+     ])

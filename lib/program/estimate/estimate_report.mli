@@ -20,5 +20,5 @@ val word : Estimation.verdict -> string
 val line : Estimation.answer -> confidence:Scc_exact.Rat.t -> string
 (** The text after name and verdict: the interval, rounded outwards, and the number of runs. *)
 
-val json : t -> exit:Exit_code.t -> Scc_json.Json.t
+val format : (t * Exit_code.t, unit) Scc_json.Json_format.t
 (** The document by [specs/schema/estimate.schema.json]; all numbers are exact. *)

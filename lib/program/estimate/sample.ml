@@ -71,7 +71,7 @@ let run plan ~seed number =
   let policy = Replay.Random (Simulation.seed_of seed number) and interrupted () = !over in
   (match Replay.run plan.semantics plan.declared policy limits ~interrupted note with
    | Ok _ | Error (Fault _) -> if not !over then look ()
-   | Error (Interrupted | Refused _) -> ());
+   | Error (Interrupted _ | Refused _) -> ());
   let outcome : Chain.answer -> outcome = function
     | Truth b -> Truth b
     | Number r -> Number r

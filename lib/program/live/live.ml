@@ -6,17 +6,25 @@ open Scc_view
 
 type have = { solids : int; behaviours : int; processes : int; labels : int; states : int }
 
-let have p at v =
-  let p = Read.fields p at v in
-  Read.only p [ "solids"; "behaviours"; "processes"; "labels"; "states" ];
-  let count name = Read.required p name Read.natural in
-  {
-    solids = count "solids";
-    behaviours = count "behaviours";
-    processes = count "processes";
-    labels = count "labels";
-    states = count "states";
-  }
+let count name = Read.member name Read.natural
+let solids = count "solids"
+let behaviours = count "behaviours"
+let processes = count "processes"
+let labels = count "labels"
+let states = count "states"
+
+let have =
+  let read _ _ p =
+    {
+      solids = Read.required p solids;
+      behaviours = Read.required p behaviours;
+      processes = Read.required p processes;
+      labels = Read.required p labels;
+      states = Read.required p states;
+    }
+  in
+  let members = List.map Read.needs [ solids; behaviours; processes; labels; states ] in
+  Read.(member "have" (map read (fields members)))
 
 let states_since states n =
   List.init (Int.max 0 (States.count states - n)) (fun i -> Json.line (States.json states (n + i)))
@@ -45,14 +53,19 @@ let look p (d : Document.t) n =
   let next = Option.value (States.next d.states n) ~default:[] in
   List.filter_map (fun (possible : States.possible) -> possible.target) next
 
-let state (d : Document.t) p at v =
-  let n = Read.natural p at v in
-  if n < States.count d.states then n else Fault.invalid at "the document has no such state"
+let state_member = count "state"
+
+let state (d : Document.t) p =
+  let n = Read.required p state_member in
+  if n < States.count d.states then n
+  else Fault.invalid (Read.place p state_member) "the document has no such state"
+
+let members = Read.[ needs state_member; needs have; Method.limits ]
 
 let expand d p =
-  Read.only p [ "state"; "have"; "limits" ];
-  let have = Read.required p "have" have in
-  let n = Read.required p "state" (state d) in
+  Read.only p members;
+  let have = Read.required p have in
+  let n = state d p in
   ignore (look p d n);
   Reply.Fields [ ("more", more d have [ n ]) ]
 
@@ -60,11 +73,12 @@ let told d have ~choices ~looked =
   let choices = Reply.Value (`List (List.rev_map (fun k -> `Int k) choices)) in
   Reply.Fields [ ("choices", choices); ("more", more d have looked) ]
 
+let choices = Read.member "choices" (Read.short_list Read.natural ~limit:"path" (fun q -> q.path))
+
 let walk d p =
-  Read.only p [ "state"; "choices"; "have"; "limits" ];
-  let have = Read.required p "have" have in
-  let most = (Read.quotas p).path in
-  let wanted = Read.required p "choices" (Read.short_list Read.natural ~limit:"path" ~most) in
+  Read.only p (Read.needs choices :: members);
+  let have = Read.required p have in
+  let wanted = Read.required p choices in
   let rec from n taken looked wanted =
     let possible = look p d n in
     let looked = n :: looked in
@@ -75,14 +89,16 @@ let walk d p =
         | None -> told d have ~choices:taken ~looked
         | Some target -> from target (k :: taken) looked rest)
   in
-  from (Read.required p "state" (state d)) [] [] wanted
+  from (state d p) [] [] wanted
 
 let most_onwards = 1000
 
+let most = count "most"
+
 let onwards d p =
-  Read.only p [ "state"; "most"; "have"; "limits" ];
-  let have = Read.required p "have" have in
-  let most = Int.min most_onwards (Read.required p "most" Read.natural) in
+  Read.only p (Read.needs most :: members);
+  let have = Read.required p have in
+  let most = Int.min most_onwards (Read.required p most) in
   let rec from n taken looked left =
     match look p d n with
     | target :: _ when left > 0 ->
@@ -91,7 +107,7 @@ let onwards d p =
       else from target (0 :: taken) looked (left - 1)
     | [] | _ :: _ -> told d have ~choices:taken ~looked:(n :: looked)
   in
-  from (Read.required p "state" (state d)) [] [] most
+  from (state d p) [] [] most
 
 let methods d =
   let on f : Oracle.work = fun _ ~seconds:_ p -> f d p in

@@ -2,5 +2,5 @@
     known ranges, and for all instants of splits that the model leaves open. On request, the answer has the
     values for which they hold. *)
 
-val check : Evaluate.bounds -> Models.store -> Read.params -> Reply.t
+val check : (Evaluate.bounds * Models.store) Method.t
 (** The method [model.check]. A refused model ends it with [Model_refused]. *)

@@ -1,7 +1,8 @@
 open Scc_exact
 open Scc_geometry
 open Scc_rigid
-open Scc_json
+open Scc_runs
+open Scc_json.Json_format
 
 let relation : Obstacle.relation -> string = function
   | Apart -> "apart"
@@ -10,126 +11,196 @@ let relation : Obstacle.relation -> string = function
 
 (* {1 Features} *)
 
-let feature (s : Solid.t) (f : Feature.t) =
-  let p = s.polyhedron in
-  let kind, vertices =
+let feature =
+  let kind (_, (f : Feature.t)) = match f with Vertex _ -> "vertex" | Edge _ -> "edge" | Face _ -> "face" in
+  let vertices ((s : Solid.t), (f : Feature.t)) =
     match f with
-    | Vertex v -> ("vertex", [ v ])
+    | Vertex v -> [ v ]
     | Edge e ->
-      let v, w = p.edges.(e) in
-      ("edge", [ v; w ])
-    | Face i -> ("face", Array.to_list (snd p.faces.(i)))
+      let v, w = s.polyhedron.edges.(e) in
+      [ v; w ]
+    | Face i -> Array.to_list (snd s.polyhedron.faces.(i))
   in
-  `Assoc
+  fields
     [
-      ("kind", `String kind);
-      ("name", Json.text (Polyhedron.feature_name p f));
-      ("vertices", `List (List.map (fun v -> `Int v) vertices));
+      field "kind" (word Fun.id [ "vertex"; "edge"; "face" ]) kind;
+      field "name" some_text (fun ((s : Solid.t), f) -> Polyhedron.feature_name s.polyhedron f);
+      field "vertices" (list ~least:1 natural) vertices;
+    ]
+  |> Answers.named "feature"
+
+(* Where two touch. *)
+type touch = { region : Vec.t list; normals : Vec.t list; pairs : Contact.pair list; highest : Contact.pair }
+
+type found = { relation : string; solids : Solid.t * Solid.t; touch : touch option }
+
+let pair =
+  fields
+    [
+      field "first" feature (fun ((a, _), (t : Contact.pair)) -> (a, t.first));
+      field "second" feature (fun ((_, b), (t : Contact.pair)) -> (b, t.second));
+      field "dimension" (one_of [ 0; 1; 2 ]) (fun (_, (t : Contact.pair)) -> t.dimension);
+    ]
+  |> Answers.named "pair"
+
+let found =
+  let touch f found = Option.map f found.touch in
+  let pairs found = touch (fun t -> List.map (fun p -> (found.solids, p)) t.pairs) found in
+  let relations = [ "apart"; "near"; "touching"; "interpenetrating" ] in
+  all
+    [
+      field "relation" (word Fun.id relations) (fun f -> f.relation);
+      field "region" (nullable (list ~least:1 Shared.vector)) (touch (fun t -> t.region));
+      field "normals" (nullable (list ~least:1 Shared.vector)) (touch (fun t -> t.normals));
+      field "pairs" (nullable (list ~least:1 pair)) pairs;
+      field "highest" (nullable pair) (fun f -> touch (fun t -> (f.solids, t.highest)) f);
     ]
 
-let pair (a : Solid.t) (b : Solid.t) (t : Contact.pair) =
-  `Assoc
-    [ ("first", feature a t.first); ("second", feature b t.second); ("dimension", `Int t.dimension) ]
-
-let vectors list = `List (List.map Json.vec list)
-let normals list = vectors (List.map Ivec.to_vec list)
-
-(* How two are, and where they touch. *)
-let touch ~relation ~region ~normals:ns ~pairs ~highest a b =
-  [
-    ("relation", `String relation);
-    ("region", vectors region);
-    ("normals", normals ns);
-    ("pairs", `List (List.map (pair a b) pairs));
-    ("highest", pair a b highest);
-  ]
-
-let no_touch relation =
-  ("relation", `String relation)
-  :: List.map (fun member -> (member, `Null)) [ "region"; "normals"; "pairs"; "highest" ]
+let normals list = List.map Ivec.to_vec list
 
 (* {1 Contact} *)
 
+let a = Read.member "a" Shapes.handle
+let b = Read.member "b" Shapes.handle
+let offset = Read.member "offset" Read.vector
+let velocity = Read.member "velocity" Read.vector
+let turned_a = Read.member "turned_a" Read.quaternion
+let turned_b = Read.member "turned_b" Read.quaternion
+let resolution = Read.member "resolution" Read.positive
+
+let translational_result = fields [ within fst found; field "approaching" (nullable bool) snd ]
+
 let translational store p a b offset =
-  let velocity = Read.optional p "velocity" Read.vector in
+  let velocity = Read.optional p velocity in
   let o = Shapes.obstacle store a b in
-  let members =
+  let found =
     match Obstacle.relation o offset with
-    | (Apart | Interpenetrating) as r -> no_touch (relation r) @ [ ("approaching", `Null) ]
+    | (Apart | Interpenetrating) as r -> ({ relation = relation r; solids = (a, b); touch = None }, None)
     | Touching ->
-      let approaching w = `Bool (Obstacle.approaching o offset w) in
-      touch ~relation:"touching" ~region:(Contact.region o offset) ~normals:(Obstacle.separating o offset)
-        ~pairs:(Contact.touching o offset) ~highest:(Contact.highest o offset) a b
-      @ [ ("approaching", Json.option approaching velocity) ]
+      let normals = normals (Obstacle.separating o offset) in
+      let pairs = Contact.touching o offset and highest = Contact.highest o offset in
+      let touch = Some { region = Contact.region o offset; normals; pairs; highest } in
+      ({ relation = "touching"; solids = (a, b); touch }, Option.map (Obstacle.approaching o offset) velocity)
   in
   Shapes.tidy store o;
-  members
+  found
+
+let near_result =
+  let near f (_, c) = Option.map f c in
+  let plane = fields [ field "normal" Shared.vector fst; field "height" Shared.rational snd ] in
+  fields
+    [
+      within fst found;
+      field "gap" (nullable Shared.vector) (near (fun (c : Near_contact.t) -> c.gap));
+      field "plane" (nullable plane)
+        (near (fun (c : Near_contact.t) ->
+             let n, height = c.plane in
+             (Ivec.to_vec n, height)));
+    ]
 
 let near resolution (a : Placed.t) (b : Placed.t) =
   let o = Obstacle.make (Placed.fixed_solid a) (Placed.fixed_solid b) in
-  let none relation = no_touch relation @ [ ("gap", `Null); ("plane", `Null) ] in
-  let found name =
+  let solids = (a.solid, b.solid) in
+  let none relation = ({ relation; solids; touch = None }, None) in
+  let found relation =
     match Near_contact.find ~resolution a b with
     | None -> none "apart"
     | Some c ->
-      let n, height = c.plane in
-      let plane = `Assoc [ ("normal", Json.vec (Ivec.to_vec n)); ("height", Json.rat height) ] in
-      touch ~relation:name ~region:c.corners ~normals:c.normals ~pairs:c.pairs ~highest:c.highest a.solid b.solid
-      @ [ ("gap", Json.vec c.gap); ("plane", plane) ]
+      let touch = { region = c.corners; normals = normals c.normals; pairs = c.pairs; highest = c.highest } in
+      ({ relation; solids; touch = Some touch }, Some c)
   in
   match Obstacle.relation o (Vec.sub b.at a.at) with
   | Interpenetrating -> none "interpenetrating"
   | Apart -> found "near"
   | Touching -> found "touching"
 
-let turned p name = Option.value (Read.optional p name Read.quaternion) ~default:Quaternion.identity
+let turned p member = Option.value (Read.optional p member) ~default:Quaternion.identity
 
-let contact store p =
-  Read.only p [ "a"; "b"; "offset"; "velocity"; "turned_a"; "turned_b"; "resolution"; "limits" ];
-  let a = Read.required p "a" (Shapes.shape store) and b = Read.required p "b" (Shapes.shape store) in
-  let offset = Read.required p "offset" Read.vector in
-  let without other member =
-    if Read.has p member then Fault.invalid (Member member) "it goes %s" other
+let contact =
+  let params =
+    Read.
+      [
+        needs a; needs b; needs offset; may velocity; may turned_a; may turned_b; may resolution; Method.limits;
+      ]
   in
-  match Read.optional p "resolution" Read.positive with
-  | None ->
-    List.iter (without "with `resolution` only") [ "turned_a"; "turned_b" ];
-    Reply.Value (`Assoc (translational store p a b offset))
-  | Some resolution ->
-    without "without `resolution` only" "velocity";
-    let placed solid name at = { Placed.solid; turned = turned p name; at } in
-    Reply.Value (`Assoc (near resolution (placed a "turned_a" Vec.zero) (placed b "turned_b" offset)))
+  let result =
+    union [ case translational_result Either.find_left ignore; case near_result Either.find_right ignore ]
+  in
+  let work store p =
+    let a = Shapes.get store p a and b = Shapes.get store p b in
+    let offset = Read.required p offset in
+    let without other (m : Scc_json.Json_schema.member) =
+      if Read.has p m then Fault.invalid (Member m.name) "it goes %s" other
+    in
+    match Read.optional p resolution with
+    | None ->
+      List.iter (without "with `resolution` only") Read.[ may turned_a; may turned_b ];
+      Either.Left (translational store p a b offset)
+    | Some resolution ->
+      without "without `resolution` only" (Read.may velocity);
+      let placed solid turn at = { Placed.solid; turned = turned p turn; at } in
+      Right (near resolution (placed a turned_a Vec.zero) (placed b turned_b offset))
+  in
+  Method.make "contact" params result work
 
 (* {1 First time of contact} *)
 
-let never = ("outcome", `String "never")
-let inside = ("outcome", `String "inside")
-let at = ("outcome", `String "at")
+(* What was found, and by which grid where they may turn. *)
+let cast_result =
+  let outcome (o, _) = match (o : Obstacle.cast) with Never -> "never" | Inside -> "inside" | At _ -> "at" in
+  let time (o, _) = match (o : Obstacle.cast) with At t -> Some t | Never | Inside -> None in
+  fields
+    [
+      field "outcome" (word Fun.id [ "never"; "inside"; "at" ]) outcome;
+      field "time" (nullable Answers.quantity) time;
+      maybe "grid" natural snd;
+    ]
 
 let cast store a b offset velocity =
   let o = Shapes.obstacle store a b in
-  let members =
-    match Obstacle.first_time_of_contact o offset velocity with
-    | Never -> [ never; ("time", `Null) ]
-    | Inside -> [ inside; ("time", `Null) ]
-    | At t -> [ at; ("time", Reply.quantity t) ]
-  in
+  let found = Obstacle.first_time_of_contact o offset velocity in
+  let answer = Reply.of_format cast_result (found, None) in
   Shapes.tidy store o;
-  members
+  answer
 
-let turning = [ "turned_"; "spin_"; "since_"; "arm_" ]
-let of_side side = List.map (fun name -> name ^ side) turning
-let spans = [ "span"; "until" ]
-let rigid_members = spans @ [ "resolution"; "grid"; "phase" ] @ of_side "a" @ of_side "b"
+(* What a body that may turn has beside its shape. *)
+type side = {
+  turned : Quaternion.t Read.member;
+  spin : Vec.t Read.member;
+  since : Rat.t Read.member;
+  arm : Vec.t Read.member;
+}
+
+let side turned name =
+  {
+    turned;
+    spin = Read.member ("spin_" ^ name) Read.vector;
+    since = Read.member ("since_" ^ name) Read.not_negative;
+    arm = Read.member ("arm_" ^ name) Read.vector;
+  }
+
+let side_a = side turned_a "a"
+let side_b = side turned_b "b"
+let of_side s = Read.[ may s.turned; may s.spin; may s.since; may s.arm ]
+let span = Read.member "span" Read.not_negative
+let until = Read.member "until" Read.not_negative
+let grid = Read.member "grid" Read.natural
+
+let phase =
+  let schema = Scc_json.Json_schema.Any_of [ Constant [ `String "turn" ]; Read.not_negative.schema ] in
+  Read.member "phase" (Read.value schema)
+    ~about:"Since when the grid counts; \"turn\": since the last of their turns began."
+
+let spans = Read.[ may span; may until ]
+let rigid_members = spans @ Read.[ may resolution; may grid; may phase ] @ of_side side_a @ of_side side_b
 
 (* [reference] is where the reference point is now; the turn has taken the arm with it. *)
 let motion p side (solid : Solid.t) reference velocity : Motion.t =
-  let read name kind = Read.optional p (name ^ side) kind in
-  let turned = Option.value (read "turned_" Read.quaternion) ~default:Quaternion.identity in
-  let spin = Option.value (read "spin_" Read.vector) ~default:Vec.zero in
-  let since = Option.value (read "since_" Read.not_negative) ~default:Rat.zero in
+  let turned = turned p side.turned in
+  let spin = Option.value (Read.optional p side.spin) ~default:Vec.zero in
+  let since = Option.value (Read.optional p side.since) ~default:Rat.zero in
   let from_centroid () = Vec.neg (Quaternion.apply turned solid.centroid) in
-  let arm = match read "arm_" Read.vector with Some v -> v | None -> from_centroid () in
+  let arm = match Read.optional p side.arm with Some v -> v | None -> from_centroid () in
   let still = { Motion.solid; turned; arm; centre = Vec.zero; velocity; spin; since } in
   { still with centre = Vec.sub reference (Motion.reference still Rat.zero) }
 
@@ -141,14 +212,14 @@ let turn_phase (a : Motion.t) (b : Motion.t) =
   | true, false -> b.since
   | true, true -> Rat.zero
 
-let phase a b p place : Wire.t -> Rat.t = function
+let phase_of a b p : Wire.t -> Rat.t = function
   | Text "turn" -> turn_phase a b
-  | value -> Read.not_negative p place value
+  | value -> Read.not_negative.value p (Read.place p phase) value
 
 let rigid store p a b offset velocity =
-  let motion_a = motion p "a" a Vec.zero Vec.zero and motion_b = motion p "b" b offset velocity in
+  let motion_a = motion p side_a a Vec.zero Vec.zero and motion_b = motion p side_b b offset velocity in
   let grid =
-    match (Read.optional p "grid" Read.natural, Read.optional p "resolution" Read.positive) with
+    match (Read.optional p grid, Read.optional p resolution) with
     | Some k, None -> k
     | None, Some resolution -> Cast.grid motion_a motion_b ~resolution
     | None, None ->
@@ -157,9 +228,9 @@ let rigid store p a b offset velocity =
   in
   let most = (Read.quotas p).grid in
   if grid > most then Fault.refuse (Limit ("grid", most));
-  let phase = Option.value (Read.optional p "phase" (phase motion_a motion_b)) ~default:Rat.zero in
+  let phase = Option.fold ~none:Rat.zero ~some:(phase_of motion_a motion_b p) (Read.optional p phase) in
   let span =
-    match (Read.optional p "span" Read.not_negative, Read.optional p "until" Read.not_negative) with
+    match (Read.optional p span, Read.optional p until) with
     | Some span, None -> span
     | None, Some limit -> Cast.next_instant ~grid ~phase limit
     | None, None -> Fault.invalid (Member "span") "a number is missing"
@@ -168,27 +239,28 @@ let rigid store p a b offset velocity =
   let obstacle = Shapes.obstacle store a b in
   let outcome = Cast.first_time_of_contact ~obstacle ~phase motion_a motion_b ~span ~grid in
   Shapes.tidy store obstacle;
-  let answer =
-    match outcome with
-    | Never -> [ never; ("time", `Null) ]
-    | Inside -> [ inside; ("time", `Null) ]
-    | At t -> [ at; ("time", Reply.quantity t) ]
+  let found : Obstacle.cast = match outcome with Never -> Never | Inside -> Inside | At t -> At t in
+  Reply.of_format cast_result (found, Some grid)
+
+let plain_members = Read.[ needs a; needs b; needs offset; needs velocity ]
+
+let first_time_of_contact =
+  let params = plain_members @ rigid_members @ [ Method.limits ] in
+  let work store p =
+    let a = Shapes.get store p a and b = Shapes.get store p b in
+    let offset = Read.required p offset in
+    let velocity = Read.required p velocity in
+    if List.exists (Read.has p) spans then begin
+      Read.only p params;
+      rigid store p a b offset velocity
+    end
+    else begin
+      let without (m : Scc_json.Json_schema.member) =
+        if Read.has p m then Fault.invalid (Member m.name) "it goes with `span` or `until` only"
+      in
+      List.iter without rigid_members;
+      Read.only p (plain_members @ [ Method.limits ]);
+      cast store a b offset velocity
+    end
   in
-  answer @ [ ("grid", `Int grid) ]
-
-let plain_members = [ "a"; "b"; "offset"; "velocity"; "limits" ]
-
-let first_time_of_contact store p =
-  let a = Read.required p "a" (Shapes.shape store) and b = Read.required p "b" (Shapes.shape store) in
-  let offset = Read.required p "offset" Read.vector in
-  let velocity = Read.required p "velocity" Read.vector in
-  if List.exists (Read.has p) spans then begin
-    Read.only p (rigid_members @ plain_members);
-    Reply.Value (`Assoc (rigid store p a b offset velocity))
-  end
-  else begin
-    let without name = if Read.has p name then Fault.invalid (Member name) "it goes with `span` or `until` only" in
-    List.iter without rigid_members;
-    Read.only p plain_members;
-    Reply.Value (`Assoc (cast store a b offset velocity))
-  end
+  { Method.name = "first_time_of_contact"; params; result = schema cast_result; work }

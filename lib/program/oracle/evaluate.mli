@@ -11,9 +11,9 @@ val options : bounds -> Read.params -> Scc_verify.Setup.t
 (** The options of an exploration, by the member [limits] and within the bounds. More [states] than the quota
     are refused. *)
 
-val evaluate : bounds -> Models.store -> Read.params -> Reply.t
+val evaluate : (bounds * Models.store) Method.t
 (** The method [evaluate]: the value of a formula at the end of a path, or the verdict on a temporal formula
     from there. *)
 
-val values : Models.store -> Read.params -> Reply.t
+val values : Models.store Method.t
 (** The method [values]: the values of a number or state predicate along a path, over time. *)

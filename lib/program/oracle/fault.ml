@@ -1,5 +1,6 @@
 open Scc_json
 open Scc_runs
+open Json_format
 
 type stop = Seconds | Memory
 type place = Member of string | Item of place * int | Within of place * string
@@ -30,22 +31,6 @@ let rec place = function
   | Item (p, i) -> Printf.sprintf "%s[%d]" (place p) i
   | Within (p, name) -> place p ^ "." ^ name
 
-let code = function
-  | Parse _ -> -32700
-  | Invalid_request _ -> -32600
-  | No_method _ -> -32601
-  | Invalid_params _ -> -32602
-  | Internal _ -> -32603
-  | Limit _ -> -32000
-  | Unknown_handle _ -> -32001
-  | Shape_refused _ -> -32002
-  | Model_refused _ -> -32003
-  | Stopped _ -> -32004
-  | Not_possible _ -> -32005
-  | No_transitions _ -> -32006
-  | Formula_refused _ -> -32007
-  | Not_in_contact _ -> -32008
-
 (* The first of some reasons speaks for all. *)
 let first what reasons =
   match List.find_map (fun r -> Option.bind (Json.member "message" r) Json.string) reasons with
@@ -69,22 +54,56 @@ let message = function
   | Formula_refused diagnostics -> first "the formula is refused" diagnostics
   | Not_in_contact { at; relation } -> Printf.sprintf "pair %d of `touching` is %s" at relation
 
-let members = function
-  | Parse (offset, _) -> [ ("offset", `Int offset) ]
-  | Invalid_request _ -> []
-  | No_method name -> [ ("method", Json.text name) ]
-  | Invalid_params (at, _) -> [ ("at", Json.text (place at)) ]
-  | Internal what -> [ ("what", Json.text what) ]
-  | Limit (name, most) -> [ ("limit", `String name); ("most", `Int most) ]
-  | Unknown_handle handle -> [ ("handle", Json.text handle) ]
-  | Shape_refused faults -> [ ("faults", `List faults) ]
-  | Stopped Seconds -> [ ("limit", `String "seconds") ]
-  | Stopped Memory -> [ ("limit", `String "memory") ]
-  | Not_possible { at; possible; _ } ->
-    [ ("at", `Int at); ("possible", `List (List.map Json.text possible)) ]
-  | No_transitions { at; diagnostics } -> [ ("at", `Int at); ("diagnostics", `List diagnostics) ]
-  | Model_refused diagnostics | Formula_refused diagnostics -> [ ("diagnostics", `List diagnostics) ]
-  | Not_in_contact { at; relation } -> [ ("at", `Int at); ("relation", `String relation) ]
+(* The code of one kind of faults, and its data. *)
+type kind = Kind : int * (t -> 'a option) * ('a, unit) members -> kind
 
-let data fault = `Assoc (members fault)
+let kinds =
+  let at part = field "at" natural part in
+  let rendered t = list ~least:1 (json ~schema:(schema t) ()) in
+  let diagnostics part = field "diagnostics" (rendered Diag_json.format) part in
+  [
+    Kind (-32700, (function Parse (at, _) -> Some at | _ -> None), field "offset" natural Fun.id);
+    Kind (-32600, (function Invalid_request _ -> Some () | _ -> None), all []);
+    Kind (-32601, (function No_method name -> Some name | _ -> None), field "method" text Fun.id);
+    Kind (-32602, (function Invalid_params (at, _) -> Some at | _ -> None), field "at" text place);
+    Kind (-32603, (function Internal what -> Some what | _ -> None), field "what" text Fun.id);
+    Kind
+      ( -32000,
+        (function Limit (name, most) -> Some (name, most) | _ -> None),
+        all [ field "limit" text fst; field "most" natural snd ] );
+    Kind (-32001, (function Unknown_handle handle -> Some handle | _ -> None), field "handle" text Fun.id);
+    Kind
+      ( -32002,
+        (function Shape_refused faults -> Some faults | _ -> None),
+        field "faults" (rendered Scc_reports.Shape_json.fault) Fun.id );
+    Kind (-32003, (function Model_refused all -> Some all | _ -> None), diagnostics Fun.id);
+    Kind
+      ( -32004,
+        (function Stopped Seconds -> Some "seconds" | Stopped Memory -> Some "memory" | _ -> None),
+        field "limit" (word Fun.id [ "seconds"; "memory" ]) Fun.id );
+    Kind
+      ( -32005,
+        (function Not_possible { at; possible; _ } -> Some (at, possible) | _ -> None),
+        all [ at fst; field "possible" Shared.texts snd ] );
+    Kind
+      ( -32006,
+        (function No_transitions { at; diagnostics } -> Some (at, diagnostics) | _ -> None),
+        all [ at fst; diagnostics snd ] );
+    Kind (-32007, (function Formula_refused all -> Some all | _ -> None), diagnostics Fun.id);
+    Kind
+      ( -32008,
+        (function Not_in_contact { at; relation } -> Some (at, relation) | _ -> None),
+        all [ at fst; field "relation" (word Fun.id [ "apart"; "interpenetrating" ]) snd ] );
+  ]
+
+let format =
+  let of_kind (Kind (code, part, data)) =
+    let error =
+      fields
+        [ fixed "code" (`Int code); field "message" some_text fst; field "data" (obj data) snd ]
+    in
+    case error (fun fault -> Option.map (fun data -> (message fault, data)) (part fault)) ignore
+  in
+  union (List.map of_kind kinds) |> named ~file:"oracle" "error"
+
 let diagnostics ~source list = List.map (Diag_json.diagnostic ~source) list

@@ -34,18 +34,9 @@ val refuse : t -> 'a
 val invalid : place -> ('a, unit, string, 'b) format4 -> 'a
 (** Raises {!Refused} with [Invalid_params]. *)
 
-val place : place -> string
-(** The place as a text, such as ["faces[3][1]"] or ["first.mass"]. *)
-
-val code : t -> int
-(** The code of JSON-RPC: -32700 and -32603 to -32600 by its standard, and -32000 to -32008 for errors of the
-    service. *)
-
-val message : t -> string
-(** The member [message] of the response. *)
-
-val data : t -> Json.t
-(** The member [data] of the response. *)
+val format : (t, unit) Json_format.t
+(** The format of the member [error] of a response. Its codes are those of JSON-RPC (-32700 and -32603 to
+    -32600) by its standard, and -32000 to -32008 for errors of the service. *)
 
 val diagnostics : source:(string -> Source.t option) -> Diag.t list -> Json.t list
 (** Diagnostics as objects, as in {!Scc_runs.Diag_json}. [source] returns the text of a file by its name. *)

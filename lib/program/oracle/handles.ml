@@ -34,8 +34,6 @@ let get h handle =
   | Some x -> x
   | None -> Fault.refuse (Unknown_handle (shown handle))
 
-let find h p at v = get h (Read.text p at v)
-
 let release h handle =
   let x = get h handle in
   set h (Table.remove handle h.table);

@@ -13,9 +13,6 @@ val check_room : 'a t -> unit
 val add : 'a t -> 'a -> string
 (** Adds a value and gives it a new handle. *)
 
-val find : 'a t -> 'a Read.reader
-(** Reads a handle as its value, as by {!get}. *)
-
 val get : 'a t -> string -> 'a
 (** The value of a handle. An unknown or released handle is refused ([Unknown_handle]). *)
 

@@ -15,8 +15,14 @@ val store : Quotas.t -> read_file:Loaded.reader -> store
 val no_files : Loaded.reader
 (** A reader without files: every file is an error. *)
 
-val model : store -> loaded Read.reader
-(** Reads a handle as its model. *)
+val handle : string Read.member
+(** The param [model]: a handle. *)
+
+val model : store -> Read.params -> loaded
+(** The model of the param {!handle}. *)
+
+val along : int list Read.member
+(** The param [path]. *)
 
 val choices : Read.params -> int array
 (** The param [path], or the empty path. *)
@@ -27,14 +33,21 @@ val path : Read.params -> Network_at.t -> Network_at.place
 val forget : store -> unit
 (** Empties the caches of all models, which may be incomplete. *)
 
-val load : store -> Read.params -> Reply.t
+val word_or_seed : string -> simple:'a -> random:(int64 -> 'a) -> 'a Read.reader
+(** [word_or_seed word ~simple ~random] reads the word as [simple], and the seed of random choices as [random]. *)
+
+val load : store Method.t
 (** The method [model.load]. *)
 
-val read : store -> more:string list -> Read.params -> Loaded.t * (string -> Source.t option)
-(** The model of a request that contains all of it, as in [model.load], and no other members except [more], with
-    its texts by name. Its parameters may have ranges, and its bonds may be released at any time. *)
+val members : Scc_json.Json_schema.member list
+(** The params that make a model: its text, files and parameters. *)
 
-val release : store -> Read.params -> Reply.t
+val read :
+  store -> params:Scc_json.Json_schema.member list -> Read.params -> Loaded.t * (string -> Source.t option)
+(** The model of a request that contains all of it, in {!members} and no other members than [params], with its
+    texts by name. Its parameters may have ranges, and its bonds may be released at any time. *)
+
+val release : store Method.t
 (** The method [model.release]. *)
 
 (** {1 With a formula} *)

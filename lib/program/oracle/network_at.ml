@@ -37,7 +37,6 @@ let make semantics ~initial =
 
 let semantics t = t.semantics
 let model t = Semantics.model t.semantics
-let initial t = t.initial
 
 (* {1 What is kept} *)
 

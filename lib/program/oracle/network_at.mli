@@ -24,9 +24,6 @@ val semantics : t -> Semantics.t
 val model : t -> Model.t
 (** The model. *)
 
-val initial : t -> State.t
-(** The initial state. *)
-
 val follow : t -> int array -> place
 (** The end of a path. A choice that is not possible is refused ([Not_possible]), and so is a state whose
     transitions cannot be computed ([No_transitions]). *)

@@ -1,5 +1,5 @@
 open Scc_base
-open Scc_json
+open Scc_json.Json_format
 
 (* {1 Methods} *)
 
@@ -7,61 +7,55 @@ let protocol = 1
 
 type work = Session.t -> seconds:float -> Read.params -> Reply.t
 
-let evaluate (s : Session.t) ~seconds p =
-  let memory = Memory.words_of_mib s.quotas.memory_mib in
-  Evaluate.evaluate { seconds; memory; now = s.surroundings.now } s.models p
+(* What a method needs of a session. *)
+let on part (m : _ Method.t) = { m with work = (fun (s, seconds) p -> m.work (part s seconds) p) }
 
-let check (s : Session.t) ~seconds p =
-  let memory = Memory.words_of_mib s.quotas.memory_mib in
-  Checks.check { seconds; memory; now = s.surroundings.now } s.models p
+let shapes m = on (fun (s : Session.t) _ -> s.shapes) m
+let models m = on (fun (s : Session.t) _ -> s.models) m
+let plain m = on (fun _ _ -> ()) m
 
-let describe_text (s : Session.t) ~seconds:_ p = Texts.describe ~read_file:s.surroundings.read_file p
-let plain f : work = fun _ ~seconds:_ p -> f p
-let on_shapes f : work = fun s ~seconds:_ p -> f s.Session.shapes p
-let on_models f : work = fun s ~seconds:_ p -> f s.Session.models p
+let explores m =
+  let bounds (s : Session.t) seconds =
+    let memory = Memory.words_of_mib s.quotas.memory_mib in
+    ({ Evaluate.seconds; memory; now = s.surroundings.now }, s.models)
+  in
+  on bounds m
 
-let described = "service.describe"
-let discover = "rpc.discover"
-
-let table : (string * work) list =
+let undescribed : (Session.t * float) Method.t list =
   [
-    ("first_time_of_contact", on_shapes Contacts.first_time_of_contact);
-    ("contact", on_shapes Contacts.contact);
-    ("response", on_shapes Responses.response);
-    ("shape.define", on_shapes Shapes.define);
-    ("shape.check", plain Shapes.check);
-    ("shape.mass", on_shapes Shapes.mass);
-    ("shape.release", on_shapes Shapes.release);
-    ("model.load", on_models Models.load);
-    ("model.release", on_models Models.release);
-    ("successors", on_models Runs.successors);
-    ("step", on_models Runs.step);
-    ("replay", on_models Runs.replay);
-    ("evaluate", evaluate);
-    ("values", on_models Evaluate.values);
-    ("model.check", check);
-    ("text.format", plain Texts.format);
-    ("text.describe", describe_text);
+    shapes Contacts.first_time_of_contact; shapes Contacts.contact; shapes Responses.response;
+    shapes Shapes.define; plain Shapes.check; shapes Shapes.mass; shapes Shapes.release; models Models.load;
+    models Models.release; models Runs.successors; models Runs.step; models Runs.replay;
+    explores Evaluate.evaluate; models Evaluate.values; explores Checks.check; plain Texts.format;
+    on (fun (s : Session.t) _ -> s.surroundings.read_file) Texts.describe;
   ]
 
-let methods = List.sort String.compare (described :: discover :: List.map fst table)
+let described = [ "rpc.discover"; "service.describe" ]
+let method_name (m : _ Method.t) = m.name
+let methods = List.sort String.compare (described @ List.map method_name undescribed)
 
-let describe (s : Session.t) p =
-  Read.only p [ "limits" ];
-  Reply.Value
-    (`Assoc
-       [
-         ("service", `String "scc-oracle");
-         ("protocol", `Int protocol);
-         ("version", Json.text s.version);
-         ("semantics", `String Scc_calculus.Parameters.version);
-         ("methods", `List (List.map (fun m -> `String m) methods));
-         ("limits", `Assoc (List.map (fun (name, n) -> (name, `Int n)) (Quotas.listed s.quotas)));
-       ])
+let describe =
+  let params = [ Method.limits ] in
+  let result =
+    fields
+      [
+        fixed "service" (`String "scc-oracle");
+        fixed "protocol" (`Int protocol);
+        field "version" text (fun (s : Session.t) -> s.version);
+        Scc_runs.Shared.semantics ();
+        field "methods" (list text) (fun _ -> methods);
+        field "limits" (entries natural) (fun (s : Session.t) -> Quotas.listed s.quotas);
+      ]
+  in
+  let result = Scc_json.Json_format.named ~file:Read.file "description" result in
+  fun name -> Method.make name params result (fun (s, _) _ -> s)
+
+let table = List.map describe described @ undescribed
 
 let work more name : work option =
-  if String.equal name described || String.equal name discover then Some (fun s ~seconds:_ p -> describe s p)
-  else match List.assoc_opt name table with Some _ as found -> found | None -> List.assoc_opt name more
+  match List.find_opt (fun m -> String.equal name (method_name m)) table with
+  | Some m -> Some (fun s ~seconds p -> m.work (s, seconds) p)
+  | None -> List.assoc_opt name more
 
 (* What a notification may ask for to any effect. *)
 let has_effect name = String.equal name "shape.release" || String.equal name "model.release"
@@ -123,14 +117,10 @@ let explores name = String.equal name "evaluate" || String.equal name "model.che
 
 let seconds (s : Session.t) name p =
   let most = float_of_int s.quotas.seconds in
-  match Read.optional p "limits" Read.fields with
+  let limits = if explores name then Method.all_limits else Method.plain_limits in
+  match Option.bind (Read.optional p limits) (fun limits -> Read.optional limits Method.seconds) with
   | None -> most
-  | Some limits -> (
-      let others = if explores name then [ "states"; "depth"; "time" ] else [] in
-      Read.only limits ("seconds" :: others);
-      match Read.optional limits "seconds" Read.positive with
-      | None -> most
-      | Some x -> Float.min most (Scc_exact.Rat.to_float x))
+  | Some x -> Float.min most (Scc_exact.Rat.to_float x)
 
 let shown name = if String.length name <= 64 then name else "a long name"
 
@@ -239,3 +229,42 @@ let too_long (s : Session.t) =
   let b = Buffer.create 256 in
   ignore (refused s b (Limit ("line_bytes", s.quotas.line_bytes)));
   Buffer.contents b
+
+(* {1 The schema} *)
+
+let schema_file : Scc_json.Json_schema.file =
+  let open Scc_json in
+  let defined = Read.defined in
+  let constant text : Json_schema.t = Constant [ `String text ] in
+  let member required name value : Json_schema.member = { name; required; value } in
+  let id = defined "id" (Json_schema.Any_of [ Text { least = 0 }; Integer { least = None; most = None }; Null ]) in
+  let params (m : _ Method.t) = defined (m.name ^ ".params") (Members m.params) in
+  let result (m : _ Method.t) = defined (m.name ^ ".result") m.result in
+  let anything = Json_schema.Entries Anything in
+  let of_method (m : _ Method.t) : Json.t =
+    let reference = `String (Printf.sprintf "#/$defs/%s.params" m.name) in
+    let properties =
+      [ ("method", `Assoc [ ("const", `String m.name) ]); ("params", `Assoc [ ("$ref", reference) ]) ]
+    in
+    `Assoc [ ("properties", `Assoc properties) ]
+  in
+  let version = member true "jsonrpc" (constant "2.0") in
+  let request =
+    Json_schema.Members
+      [ version; member false "id" id; member true "method" (Text { least = 0 }); member false "params" anything ]
+  in
+  let request =
+    defined "request" (Also ([ ("anyOf", `List (List.map of_method table)) ], request))
+  in
+  let answer name value = Json_schema.Members [ version; member true "id" id; member true name value ] in
+  let answers = [ answer "result" anything; answer "error" (schema Fault.format) ] in
+  let response =
+    defined "response" (About ("The answer to a request; result is described by METHOD.result.", Any_of answers))
+  in
+  let some each = Json_schema.Items { each; least = 1; most = None; distinct = false } in
+  {
+    name = "oracle";
+    title = "Messages of scc oracle: a line to it, or from it";
+    root = Some (Any_of [ request; some request; response; some response ]);
+    parts = List.map params table @ List.map result table;
+  }

@@ -1,14 +1,9 @@
 open Scc_base
-open Scc_exact
 open Scc_json
 
 type t = Value of Json.t | Fields of (string * t) list | Printed of string list
 
-let quantity q =
-  let x = Rat.to_float q in
-  `Assoc [ ("exact", Json.rat q); ("float", if Float.is_finite x then `Float x else `Null) ]
-
-let nullable = Json.option
+let of_format format x = Value (Json_format.write format x)
 
 let is_plain s i c = c <> '"' && c <> '\\' && Option.is_none (Visible.at s i)
 
@@ -97,11 +92,5 @@ let result b ~id answer =
 let error b ~id fault =
   head b id;
   Buffer.add_string b ",\"error\":";
-  add_json b
-    (`Assoc
-       [
-         ("code", `Int (Fault.code fault));
-         ("message", Json.text (Fault.message fault));
-         ("data", Fault.data fault);
-       ]);
+  add_json b (Json_format.write Fault.format fault);
   Buffer.add_char b '}'

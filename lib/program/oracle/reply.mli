@@ -1,6 +1,5 @@
 (** Responses as text. *)
 
-open Scc_exact
 open Scc_json
 
 (** A result. *)
@@ -9,12 +8,8 @@ type t =
   | Fields of (string * t) list
   | Printed of string list  (** an array of texts that are JSON already *)
 
-val quantity : Rat.t -> Json.t
-(** An object with the exact number and the nearest float: [{"exact": "5/4", "float": 1.25}]. The float is
-    [null] if it is not finite. *)
-
-val nullable : ('a -> Json.t) -> 'a option -> Json.t
-(** The value by the function, or [null] for [None]. *)
+val of_format : ('a, _) Json_format.t -> 'a -> t
+(** The value in the format. *)
 
 val result : Buffer.t -> id:Wire.t -> t -> unit
 (** Appends the response with a result. *)

@@ -1,32 +1,73 @@
 open Scc_exact
 open Scc_geometry
 open Scc_rigid
-open Scc_json
+open Scc_runs
+open Scc_json.Json_format
 
 let not_in_contact at relation = Fault.refuse (Not_in_contact { at; relation })
 
-let answer outcome first second =
-  Reply.Value
-    (`Assoc [ ("outcome", `String outcome); ("first", `Assoc first); ("second", `Assoc second) ])
+(* The velocity afterwards, and the spin of what may turn. *)
+let result =
+  let motion =
+    fields [ field "velocity" Shared.vector fst; maybe "spin" Shared.vector snd ] |> Answers.named "motion"
+  in
+  fields
+    [
+      field "outcome" (word Fun.id [ "bounced"; "persistent" ]) (fun (outcome, _, _) -> outcome);
+      field "first" motion (fun (_, first, _) -> first);
+      field "second" motion (fun (_, _, second) -> second);
+    ]
 
-(* {1 In translation} *)
+(* {1 Bodies} *)
 
-let is_fixed p =
-  match Read.optional p "fixed" Read.value with
-  | None -> false
-  | Some (Bool true) ->
-    Read.only p [ "fixed" ];
-    true
-  | Some _ -> Fault.invalid (Read.within p "fixed") "`true` is expected"
+let of_mass = Read.member "mass" Read.positive
+let velocity = Read.member "velocity" Read.vector
+let is_fixed = Read.member "fixed" (Read.value (Constant [ `Bool true ]))
+let fixed_members = [ Read.needs is_fixed ]
+
+let positive_definite (m : Mat.t) =
+  let minor = Rat.sub (Rat.mul m.r0.x m.r1.y) (Rat.mul m.r0.y m.r1.x) in
+  Rat.sign m.r0.x > 0 && Rat.sign minor > 0 && Rat.sign (Mat.det m) > 0
+
+let inertia =
+  let definite _ at m =
+    if not (Mat.equal m (Mat.transpose m)) then Fault.invalid at "a symmetric matrix is expected"
+    else if positive_definite m then m
+    else Fault.invalid at "a positive definite matrix is expected"
+  in
+  Read.member "inertia" (Read.map definite Read.matrix)
+
+let centre = Read.member "centre" Read.vector
+let spin = Read.member "spin" Read.vector
+let rigid_members = Read.[ needs of_mass; needs centre; needs inertia; needs velocity; needs spin ]
+
+let plain_members = Read.[ needs of_mass; needs velocity ]
+
+let body =
+  let object_of members = Scc_json.Json_schema.Members members in
+  Read.(value (defined "body" (Any_of (List.map object_of [ plain_members; rigid_members; fixed_members ]))))
+
+let first = Read.member "first" body
+let second = Read.member "second" body
+
+(* A body by its members, or one that is fixed: nothing else is said of it then. *)
+let mover members ~fixed read =
+  let body _ _ p =
+    match Read.optional p is_fixed with
+    | None ->
+      Read.only p members;
+      read p
+    | Some (Wire.Bool true) ->
+      Read.only p fixed_members;
+      fixed
+    | Some _ -> Fault.invalid (Read.place p is_fixed) "`true` is expected"
+  in
+  Read.map body Read.any_fields
 
 (* Mass and velocity; no mass when fixed. *)
-let mover p at v =
-  let p = Read.fields p at v in
-  if is_fixed p then (None, Vec.zero)
-  else begin
-    Read.only p [ "mass"; "velocity" ];
-    (Some (Read.required p "mass" Read.positive), Read.required p "velocity" Read.vector)
-  end
+let plain_mover =
+  mover plain_members ~fixed:(None, Vec.zero) (fun p ->
+      (Some (Read.required p of_mass), Read.required p velocity))
 
 (* How the change of the relative velocity is shared: in inverse proportion to the masses. *)
 let shares first second =
@@ -38,11 +79,24 @@ let shares first second =
   | Some _, None -> (Rat.one, Rat.zero)
   | None, None -> Fault.invalid (Member "second") "two fixed bodies do not collide"
 
-let pair store p at v =
-  let p = Read.fields p at v in
-  Read.only p [ "a"; "b"; "offset" ];
-  let a = Read.required p "a" (Shapes.shape store) and b = Read.required p "b" (Shapes.shape store) in
-  { Response.obstacle = Shapes.obstacle store a b; offset = Read.required p "offset" Read.vector }
+(* {1 In translation} *)
+
+let a = Read.member "a" Shapes.handle
+let b = Read.member "b" Shapes.handle
+let offset = Read.member "offset" Read.vector
+let turned_a = Read.member "turned_a" Read.quaternion
+let turned_b = Read.member "turned_b" Read.quaternion
+let here = Read.member "at" Read.vector
+let plain_pair = Read.fields Read.[ needs a; needs b; needs offset ]
+
+let rigid_pair =
+  Read.fields Read.[ needs a; needs b; needs offset; may turned_a; may turned_b; may here ]
+
+let touching = Read.member "touching" (Read.value (Read.list ~least:1 rigid_pair).schema)
+
+let pair store _ _ p =
+  let a = Shapes.get store p a and b = Shapes.get store p b in
+  { Response.obstacle = Shapes.obstacle store a b; offset = Read.required p offset }
 
 let check_touching i (t : Response.touching) =
   match Obstacle.relation t.obstacle t.offset with
@@ -50,55 +104,39 @@ let check_touching i (t : Response.touching) =
   | (Apart | Interpenetrating) as r -> not_in_contact i (Contacts.relation r)
 
 let translational store p =
-  let touching = Read.required p "touching" (Read.list (pair store)) in
-  let m, v = Read.required p "first" mover and n, u = Read.required p "second" mover in
+  let touching = Read.(required_as (list (map (pair store) plain_pair)) p touching) in
+  let m, v = Read.required_as plain_mover p first and n, u = Read.required_as plain_mover p second in
   let share_first, share_second = shares m n in
   List.iteri check_touching touching;
   let w = Vec.sub u v in
   let change = Vec.sub (Response.bounce touching w) w in
   List.iter (fun (t : Response.touching) -> Shapes.tidy store t.obstacle) touching;
-  let moved share v = [ ("velocity", Json.vec (Vec.axpy share change v)) ] in
-  answer
-    (if Vec.is_zero change then "persistent" else "bounced")
-    (moved (Rat.neg share_first) v) (moved share_second u)
+  let moved share v = (Vec.axpy share change v, None) in
+  let outcome = if Vec.is_zero change then "persistent" else "bounced" in
+  (outcome, moved (Rat.neg share_first) v, moved share_second u)
 
 (* {1 Of rigid bodies} *)
 
-let positive_definite (m : Mat.t) =
-  let minor = Rat.sub (Rat.mul m.r0.x m.r1.y) (Rat.mul m.r0.y m.r1.x) in
-  Rat.sign m.r0.x > 0 && Rat.sign minor > 0 && Rat.sign (Mat.det m) > 0
+let rigid_mover =
+  let fixed = { Impact.mass = None; velocity = Vec.zero; spin = Vec.zero } in
+  mover rigid_members ~fixed (fun p ->
+      let mass =
+        {
+          Mass.mass = Read.required p of_mass;
+          centre = Read.required p centre;
+          inertia = Read.required p inertia;
+        }
+      in
+      let velocity = Read.required p velocity in
+      { Impact.mass = Some mass; velocity; spin = Read.required p spin })
 
-let inertia p at v =
-  let m = Read.matrix p at v in
-  if not (Mat.equal m (Mat.transpose m)) then Fault.invalid at "a symmetric matrix is expected"
-  else if positive_definite m then m
-  else Fault.invalid at "a positive definite matrix is expected"
-
-let rigid_mover p at v : Impact.mover =
-  let p = Read.fields p at v in
-  if is_fixed p then { mass = None; velocity = Vec.zero; spin = Vec.zero }
-  else begin
-    Read.only p [ "mass"; "centre"; "inertia"; "velocity"; "spin" ];
-    let mass =
-      {
-        Mass.mass = Read.required p "mass" Read.positive;
-        centre = Read.required p "centre" Read.vector;
-        inertia = Read.required p "inertia" inertia;
-      }
-    in
-    let velocity = Read.required p "velocity" Read.vector in
-    { mass = Some mass; velocity; spin = Read.required p "spin" Read.vector }
-  end
-
-let rigid_pair store p at v =
-  let p = Read.fields p at v in
-  Read.only p [ "a"; "b"; "offset"; "turned_a"; "turned_b"; "at" ];
-  let solid name = Read.required p name (Shapes.shape store) in
-  let turned name = Option.value (Read.optional p name Read.quaternion) ~default:Quaternion.identity in
-  let here = Option.value (Read.optional p "at" Read.vector) ~default:Vec.zero in
-  let there = Vec.add here (Read.required p "offset" Read.vector) in
-  ( { Placed.solid = solid "a"; turned = turned "turned_a"; at = here },
-    { Placed.solid = solid "b"; turned = turned "turned_b"; at = there } )
+let pair_of_bodies store _ _ p =
+  let solid member = Shapes.get store p member in
+  let turned member = Option.value (Read.optional p member) ~default:Quaternion.identity in
+  let here = Option.value (Read.optional p here) ~default:Vec.zero in
+  let there = Vec.add here (Read.required p offset) in
+  ( { Placed.solid = solid a; turned = turned turned_a; at = here },
+    { Placed.solid = solid b; turned = turned turned_b; at = there } )
 
 let near resolution i ((a : Placed.t), (b : Placed.t)) =
   let o = Obstacle.make (Placed.fixed_solid a) (Placed.fixed_solid b) in
@@ -110,24 +148,28 @@ let near resolution i ((a : Placed.t), (b : Placed.t)) =
       | None -> not_in_contact i "apart")
 
 let rigid store p resolution =
-  let pairs = Read.required p "touching" (Read.list (rigid_pair store)) in
-  let a = Read.required p "first" rigid_mover and b = Read.required p "second" rigid_mover in
+  let pairs = Read.(required_as (list (map (pair_of_bodies store) rigid_pair)) p touching) in
+  let a = Read.required_as rigid_mover p first and b = Read.required_as rigid_mover p second in
   (match (a.mass, b.mass) with
    | None, None -> Fault.invalid (Member "second") "two fixed bodies do not collide"
    | Some _, _ | None, Some _ -> ());
   let contacts = List.mapi (near resolution) pairs in
-  let told (m : Impact.mover) = [ ("velocity", Json.vec m.velocity); ("spin", Json.vec m.spin) ] in
+  let told (m : Impact.mover) = (m.velocity, Some m.spin) in
   match Impact.bounce a b contacts with
-  | Bounced (a, b) -> answer "bounced" (told a) (told b)
-  | Persistent -> answer "persistent" (told a) (told b)
+  | Bounced (a, b) -> ("bounced", told a, told b)
+  | Persistent -> ("persistent", told a, told b)
 
-let response store p =
-  Read.only p [ "touching"; "first"; "second"; "resolution"; "limits" ];
-  let most = (Read.quotas p).touching in
-  (match Read.required p "touching" Read.value with
-   | List [] -> Fault.invalid (Member "touching") "at least one pair is needed"
-   | List items when List.compare_length_with items most > 0 -> Fault.refuse (Limit ("touching", most))
-   | _ -> ());
-  match Read.optional p "resolution" Read.positive with
-  | None -> translational store p
-  | Some resolution -> rigid store p resolution
+let response =
+  let resolution = Read.member "resolution" Read.positive in
+  let params = Read.[ needs touching; needs first; needs second; may resolution; Method.limits ] in
+  let work store p =
+    let most = (Read.quotas p).touching in
+    (match Read.required p touching with
+     | List [] -> Fault.invalid (Member "touching") "at least one pair is needed"
+     | List items when List.compare_length_with items most > 0 -> Fault.refuse (Limit ("touching", most))
+     | _ -> ());
+    match Read.optional p resolution with
+    | None -> translational store p
+    | Some resolution -> rigid store p resolution
+  in
+  Method.make "response" params result work

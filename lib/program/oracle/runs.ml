@@ -3,58 +3,85 @@ open Scc_exact
 open Scc_semantics
 open Scc_json
 open Scc_runs
+open Json_format
 
 let label_text = Transition.label_to_string
 
-let one_of p name choices ~default =
-  let at = Read.within p name in
-  match Read.optional p name Read.text with
-  | None -> default
-  | Some s -> (
-      match List.assoc_opt s choices with
-      | Some x -> x
-      | None -> Fault.invalid at "one of these is expected: %s" (String.concat ", " (List.map fst choices)))
+let one_of choices =
+  let chosen _ at s =
+    match List.assoc_opt s choices with
+    | Some x -> x
+    | None -> Fault.invalid at "one of these is expected: %s" (String.concat ", " (List.map fst choices))
+  in
+  { (Read.map chosen Read.text) with schema = Constant (List.map (fun (word, _) -> `String word) choices) }
 
-let path_json path = `List (List.map (fun c -> `Int c) (Array.to_list path))
-let rules list = `List (List.map (fun r -> `String (Rule.id r)) list)
+let place_members =
+  all
+    [
+      field "path" Answers.path (fun (p : Network_at.place) -> Array.to_list p.path);
+      field "time" Shared.rational (fun (p : Network_at.place) -> p.time);
+    ]
+
+let taken_members =
+  all
+    [
+      field "choice" natural (fun (_, choice, _) -> choice);
+      field "label" State_json.label_format (fun (m, _, (t : Transition.t)) -> (m, t.label));
+      field "rules" Answers.rules (fun (_, _, (t : Transition.t)) -> t.rules);
+    ]
 
 (* {1 successors} *)
 
 type states = Here | Every | Neither
 
-let totals (t : Scc_engine.Totals.t) =
-  `Assoc
-    [ ("momentum", Json.vec t.momentum); ("angular", Json.vec t.angular); ("energy", Json.rat t.energy) ]
+let totals =
+  fields
+    [
+      field "momentum" Shared.vector (fun (t : Scc_engine.Totals.t) -> t.momentum);
+      field "angular" Shared.vector (fun (t : Scc_engine.Totals.t) -> t.angular);
+      field "energy" Shared.rational (fun (t : Scc_engine.Totals.t) -> t.energy);
+    ]
+  |> Answers.named "totals"
 
-let transition m states choice (t : Transition.t) =
-  let state = match states with Every -> [ ("state", State_json.state m t.target) ] | Here | Neither -> [] in
-  let added = Scc_engine.Totals.added m t in
-  let rounded = Option.map (fun r -> ("rounded", totals (Lazy.force r))) added in
-  `Assoc
-    ([ ("choice", `Int choice); ("label", State_json.label m t.label); ("rules", rules t.rules) ]
-     @ Option.to_list rounded @ state)
-
-let successors store p =
-  Read.only p [ "model"; "path"; "states"; "limits" ];
-  let { Models.network; _ } = Read.required p "model" (Models.model store) in
-  let states = one_of p "states" [ ("here", Here); ("all", Every); ("none", Neither) ] ~default:Here in
-  let place = Models.path p network and m = Network_at.model network in
-  let next = Network_at.next network place in
-  let ending =
-    match next with
-    | [] -> `String (if Network.quiescent (Network_at.semantics network) place.state then "quiescent" else "stuck")
-    | _ :: _ -> `Null
+let successors_format =
+  let target ((m, _, (t : Transition.t)), states) = if states = Every then Some (m, t.target) else None in
+  let rounded ((m, _, t), _) = Option.map Lazy.force (Scc_engine.Totals.added m t) in
+  let transition =
+    fields
+      [
+        within fst taken_members; maybe "rounded" totals rounded;
+        maybe "state" State_json.state_format target;
+      ]
   in
-  let here = match states with Here | Every -> State_json.state m place.state | Neither -> `Null in
-  Reply.Value
-    (`Assoc
-       [
-         ("path", path_json place.path);
-         ("time", Json.rat place.time);
-         ("state", here);
-         ("transitions", `List (List.mapi (transition m states) next));
-         ("ending", ending);
-       ])
+  let here (network, (place : Network_at.place), states, _) =
+    if states = Neither then None else Some (Network_at.model network, place.state)
+  in
+  let transitions (network, _, states, next) =
+    List.mapi (fun choice t -> ((Network_at.model network, choice, t), states)) next
+  in
+  let ending (network, (place : Network_at.place), _, next) =
+    if next <> [] then None
+    else if Network.quiescent (Network_at.semantics network) place.state then Some "quiescent"
+    else Some "stuck"
+  in
+  fields
+    [
+      within (fun (_, place, _, _) -> place) place_members;
+      field "state" (nullable State_json.state_format) here;
+      field "transitions" (list transition) transitions;
+      field "ending" (nullable (word Fun.id [ "quiescent"; "stuck" ])) ending;
+    ]
+
+let successors =
+  let states = Read.member "states" (one_of [ ("here", Here); ("all", Every); ("none", Neither) ]) in
+  let params = Read.[ needs Models.handle; may Models.along; may states; Method.limits ] in
+  let work store p =
+    let { Models.network; _ } = Models.model store p in
+    let states = Option.value (Read.optional p states) ~default:Here in
+    let place = Models.path p network in
+    (network, place, states, Network_at.next network place)
+  in
+  Method.make "successors" params successors_format work
 
 (* {1 step} *)
 
@@ -68,68 +95,75 @@ let index_of m next label =
   in
   from 0 next
 
-let chosen m next (place : Network_at.place) at : Wire.t -> int option -> int = fun v index ->
-  match (v, index) with
-  | _, Some i -> i
-  | Text label, None -> (
+let chosen m next (place : Network_at.place) at : Wire.t -> int = function
+  | Text label -> (
       match index_of m next label with
       | Some i -> i
       | None ->
         let message = Printf.sprintf "`%s` is not possible here" (shown label) in
         Fault.refuse (Not_possible { at = Array.length place.path; possible = Network_at.labels m next; message }))
-  | _, None -> Fault.invalid at "an index or the text of a label is expected"
+  | _ -> Fault.invalid at "an index or the text of a label is expected"
 
-let step store p =
-  Read.only p [ "model"; "path"; "choice"; "limits" ];
-  let { Models.network; _ } = Read.required p "model" (Models.model store) in
-  let m = Network_at.model network and place = Models.path p network in
-  let next = Network_at.next network place in
-  let choice p at : Wire.t -> int = function
-    | Number _ as v -> Read.natural p at v
-    | v -> chosen m next place at v None
+let step =
+  let choice =
+    Read.member "choice" (Read.value (Any_of [ Read.natural.schema; Read.text.schema ]))
   in
-  let choice = Read.required p "choice" choice in
-  let after = Network_at.follow network (Array.append place.path [| choice |]) in
-  let taken = List.nth next choice in
-  Reply.Value
-    (`Assoc
-       [
-         ("choice", `Int choice);
-         ("label", State_json.label m taken.label);
-         ("rules", rules taken.rules);
-         ("path", path_json after.path);
-         ("time", Json.rat after.time);
-         ("state", State_json.state m after.state);
-       ])
+  let params = Read.[ needs Models.handle; may Models.along; needs choice; Method.limits ] in
+  let result =
+    fields
+      [
+        within fst taken_members; within snd place_members;
+        field "state" State_json.state_format (fun ((m, _, _), (after : Network_at.place)) -> (m, after.state));
+      ]
+  in
+  let work store p =
+    let { Models.network; _ } = Models.model store p in
+    let m = Network_at.model network and place = Models.path p network in
+    let next = Network_at.next network place in
+    let at = Read.place p choice in
+    let choice =
+      match Read.required p choice with
+      | Number _ as v -> Read.natural.value p at v
+      | v -> chosen m next place at v
+    in
+    let after = Network_at.follow network (Array.append place.path [| choice |]) in
+    ((m, choice, List.nth next choice), after)
+  in
+  Method.make "step" params result work
 
 (* {1 replay} *)
 
-let choice p at (v : Wire.t) : Schedule.choice =
-  match v with
-  | Number _ -> { index = Some (Read.natural p at v); label = None; at = Span.none }
-  | Text label -> { index = None; label = Some label; at = Span.none }
-  | Object _ ->
-    let p = Read.fields p at v in
-    Read.only p [ "choice"; "label" ];
-    let index = Read.optional p "choice" Read.natural and label = Read.optional p "label" Read.text in
-    if Option.is_none index && Option.is_none label then
-      Fault.invalid at "`choice` or `label` is needed"
-    else { index; label; at = Span.none }
-  | Null | Bool _ | List _ -> Fault.invalid at "an index, a label or an object is expected"
+let choice =
+  let index = Read.member "choice" Read.natural and label = Read.member "label" Read.text in
+  let both = Read.fields Read.[ may index; may label ] in
+  let some = ("minProperties", `Int 1) in
+  let schema = Json_schema.Any_of [ Read.natural.schema; Read.text.schema; Also ([ some ], both.schema) ] in
+  Read.reader schema (fun p at v : Schedule.choice ->
+      match v with
+      | Number _ -> { index = Some (Read.natural.value p at v); label = None; at = Span.none }
+      | Text label -> { index = None; label = Some label; at = Span.none }
+      | Object _ ->
+        let p = both.value p at v in
+        let index = Read.optional p index and label = Read.optional p label in
+        if Option.is_none index && Option.is_none label then
+          Fault.invalid at "`choice` or `label` is needed"
+        else { index; label; at = Span.none }
+      | Null | Bool _ | List _ -> Fault.invalid at "an index, a label or an object is expected")
 
-let choose p at : Wire.t -> Replay.policy = function
-  | Text "first" -> First
-  | Object _ as v ->
-    let p = Read.fields p at v in
-    Read.only p [ "random" ];
-    Random (Read.required p "random" Read.seed)
-  | _ -> Fault.invalid at "`first` or `random` with a seed is expected"
+let choices = Read.member "choices" (Read.short_list choice ~limit:"steps" (fun q -> q.steps))
+let offset = Read.member "offset" Read.not_negative
+
+let choose =
+  Read.member "choose"
+    (Models.word_or_seed "first" ~simple:Replay.First ~random:(fun seed -> Replay.Random seed))
+
+let steps = Read.member "steps" Read.natural
+let time = Read.member "time" Read.not_negative
 
 let policy p : Replay.policy =
-  let most = (Read.quotas p).steps in
-  let choices = Read.optional p "choices" (Read.short_list choice ~limit:"steps" ~most) in
-  let offset = Read.optional p "offset" Read.not_negative in
-  match (choices, Read.optional p "choose" choose) with
+  let choices = Read.optional p choices in
+  let offset = Read.optional p offset in
+  match (choices, Read.optional p choose) with
   | Some choices, None ->
     Scheduled
       {
@@ -149,9 +183,9 @@ let policy p : Replay.policy =
 
 let limits p (policy : Replay.policy) : Replay.limits =
   let most = (Read.quotas p).steps in
-  let given = Read.optional p "steps" Read.natural in
+  let given = Read.optional p steps in
   Option.iter (fun n -> if n > most then Fault.refuse (Limit ("steps", most))) given;
-  let time = Read.optional p "time" Read.not_negative in
+  let time = Read.optional p time in
   let steps =
     match (given, policy) with
     | Some n, _ -> Some n
@@ -186,29 +220,47 @@ let misfit network told message =
   let possible = Network_at.labels (Network_at.model network) (Network_at.next network place) in
   Fault.refuse (Not_possible { at = List.length told.taken; possible; message })
 
-let replay store p =
-  Read.only p [ "model"; "choices"; "offset"; "choose"; "steps"; "time"; "states"; "limits" ];
-  let { Models.network; model = l } = Read.required p "model" (Models.model store) in
-  let policy = policy p in
-  let limits = limits p policy and q = Read.quotas p in
-  let states = one_of p "states" [ ("all", Trace.All); ("ends", Trace.Ends) ] ~default:Trace.All in
-  let told = { lines = []; bytes = 0; taken = []; finish = None } in
-  tell q told (Trace.header l.origin);
-  let interrupted () = false in
-  match Replay.run l.semantics l.declared policy limits ~interrupted (on_event q l.model states told) with
-  | Error (Refused d) -> misfit network told d.message
-  | Error (Fault f) ->
-    let diagnostics = Fault.diagnostics ~source:(fun _ -> None) [ Transition.diagnostic l.model f.fault ] in
-    Fault.refuse (No_transitions { at = List.length told.taken; diagnostics })
-  | Error Interrupted -> Bug.fail __POS__ "nobody interrupts"
-  | Ok _ -> (
-      match told.finish with
-      | None -> Bug.fail __POS__ "a run without its end"
-      | Some (steps, time, ending) ->
-        Reply.Fields
-          [
-            ("lines", Printed (List.rev told.lines));
-            ("steps", Value (`Int steps));
-            ("time", Value (Json.rat time));
-            ("ending", Value (`String (Trace.ending ending)));
-          ])
+let end_members =
+  all
+    [
+      field "steps" natural (fun (steps, _, _) -> steps);
+      field "time" Shared.rational (fun (_, time, _) -> time);
+      field "ending" (word Fun.id [ "open"; "quiescent"; "stuck"; "zeno" ]) (fun (_, _, e) -> Trace.ending e);
+    ]
+
+let replay =
+  let states = Read.member "states" (one_of [ ("all", Trace.All); ("ends", Trace.Ends) ]) in
+  let params =
+    Read.
+      [
+        needs Models.handle; may choices; may offset; may choose; may steps; may time; may states; Method.limits;
+      ]
+  in
+  (* The lines are texts already. *)
+  let result =
+    fields [ field "lines" (list ~least:1 (document ~file:"trace" Trace.format)) (fun _ -> []); end_members ]
+  in
+  let work store p =
+    Read.only p params;
+    let { Models.network; model = l } = Models.model store p in
+    let policy = policy p in
+    let limits = limits p policy and q = Read.quotas p in
+    let states = Option.value (Read.optional p states) ~default:Trace.All in
+    let told = { lines = []; bytes = 0; taken = []; finish = None } in
+    tell q told (Trace.header l.origin);
+    let interrupted () = false in
+    match Replay.run l.semantics l.declared policy limits ~interrupted (on_event q l.model states told) with
+    | Error (Refused d) -> misfit network told d.message
+    | Error (Fault f) ->
+      let diagnostics = Fault.diagnostics ~source:(fun _ -> None) [ Transition.diagnostic l.model f.fault ] in
+      Fault.refuse (No_transitions { at = List.length told.taken; diagnostics })
+    | Error (Interrupted _) -> Bug.fail __POS__ "nobody interrupts"
+    | Ok _ -> (
+        match told.finish with
+        | None -> Bug.fail __POS__ "a run without its end"
+        | Some finish ->
+          let value (name, json) = (name, Reply.Value json) in
+          let lines = ("lines", Reply.Printed (List.rev told.lines)) in
+          Reply.Fields (lines :: List.map value (written_members end_members finish)))
+  in
+  { Method.name = "replay"; params; result = schema result; work }

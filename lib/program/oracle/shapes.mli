@@ -8,8 +8,11 @@ type store
 val store : Quotas.t -> store
 (** No shapes yet. *)
 
-val shape : store -> Solid.t Read.reader
-(** Reads a handle as its shape. *)
+val handle : string Read.reader
+(** Reads the handle of a shape. *)
+
+val get : store -> Read.params -> string Read.member -> Solid.t
+(** The shape of the handle that is a member of the params. *)
 
 val obstacle : store -> Solid.t -> Solid.t -> Obstacle.t
 (** The obstacle of two shapes, from the cache if possible. *)
@@ -21,14 +24,16 @@ val tidy : store -> Obstacle.t -> unit
 val forget : store -> unit
 (** Removes all obstacles from the cache, which may be incomplete. *)
 
-val define : store -> Read.params -> Reply.t
+(** {1 Methods} *)
+
+val define : store Method.t
 (** The method [shape.define]. *)
 
-val check : Read.params -> Reply.t
+val check : unit Method.t
 (** The method [shape.check]. *)
 
-val mass : store -> Read.params -> Reply.t
+val mass : store Method.t
 (** The method [shape.mass]. *)
 
-val release : store -> Read.params -> Reply.t
+val release : store Method.t
 (** The method [shape.release]. *)

@@ -1,48 +1,71 @@
 open Scc_base
-open Scc_json
+open Scc_json.Json_format
 
 let unnamed = "<model>"
 
-let short limit most p at v =
-  let s = Read.text p at v in
-  if String.length s > most then Fault.refuse (Limit (limit, most)) else s
+let short limit most =
+  let bounded p _ s =
+    let most = most (Read.quotas p) in
+    if String.length s > most then Fault.refuse (Limit (limit, most)) else s
+  in
+  Read.map bounded Read.text
+
+let whole = Read.member "text" (short "model_bytes" (fun q -> q.model_bytes))
+let name = Read.member "name" (short "name_bytes" (fun q -> q.name_bytes))
 
 let source p =
-  let q = Read.quotas p in
-  let text = Read.required p "text" (short "model_bytes" q.model_bytes) in
-  let name = Read.optional p "name" (short "name_bytes" q.name_bytes) in
-  Source.make ~name:(Option.value name ~default:unnamed) text
+  let text = Read.required p whole in
+  Source.make ~name:(Option.value (Read.optional p name) ~default:unnamed) text
 
-let format p =
-  Read.only p [ "text"; "name"; "limits" ];
-  let source = source p in
-  match Scc_notation.Notation.canonical source with
-  | Ok text -> Reply.Value (`Assoc [ ("text", `String text) ])
-  | Error diagnostics ->
-    let named name = if String.equal name (Source.name source) then Some source else None in
-    Fault.refuse (Model_refused (Fault.diagnostics ~source:named diagnostics))
+let format =
+  let work _ p =
+    let source = source p in
+    match Scc_notation.Notation.canonical source with
+    | Ok text -> text
+    | Error diagnostics ->
+      let named name = if String.equal name (Source.name source) then Some source else None in
+      Fault.refuse (Model_refused (Fault.diagnostics ~source:named diagnostics))
+  in
+  let params = Read.[ needs whole; may name; Method.limits ] in
+  Method.make "text.format" params (fields [ field "text" text Fun.id ]) work
 
 (* {1 What stands somewhere} *)
 
 let read_module read_file ~library name =
   if library then Scc_elaborate.Library.find name else Result.to_option (read_file name)
 
-let found (d : Scc_describe.Describe.t) : Json.t =
-  let place (at : Span.t) = [ ("start", `Int at.start); ("stop", `Int at.stop) ] in
-  `Assoc
-    (place d.at
-     @ [
-       ("kind", `String d.kind);
-       ("name", Json.text d.name);
-       ("text", Json.text d.text);
-       ("declared", Json.option (fun at -> `Assoc (place at)) d.declared);
-     ])
+let kinds =
+  [
+    "model"; "parameter"; "value"; "index"; "variable"; "argument"; "shape"; "compound"; "part"; "vertex"; "face";
+    "feature"; "behaviour"; "process"; "fixed"; "leaf"; "channel"; "check"; "module"; "imported"; "keyword";
+    "setting"; "quantity"; "predicate"; "event"; "function"; "component"; "name";
+  ]
 
-let describe ~read_file p =
-  Read.only p [ "text"; "name"; "offset"; "limits" ];
-  let source = source p in
-  let offset = Read.required p "offset" Read.natural in
-  let length = String.length (Source.text source) in
-  if offset > length then Fault.invalid (Member "offset") "the text has %d bytes" length;
-  let told = Scc_describe.Describe.find ~read_module:(read_module read_file) source offset in
-  Reply.Value (`Assoc [ ("found", Json.option found told) ])
+let found =
+  let place =
+    all
+      [
+        field "start" natural (fun (at : Span.t) -> at.start);
+        field "stop" natural (fun (at : Span.t) -> at.stop);
+      ]
+  in
+  fields
+    [
+      within (fun (d : Scc_describe.Describe.t) -> d.at) place;
+      field "kind" (word Fun.id kinds) (fun (d : Scc_describe.Describe.t) -> d.kind);
+      field "name" some_text (fun (d : Scc_describe.Describe.t) -> d.name);
+      field "text" some_text (fun (d : Scc_describe.Describe.t) -> d.text);
+      field "declared" (nullable (obj place)) (fun (d : Scc_describe.Describe.t) -> d.declared);
+    ]
+
+let describe =
+  let offset = Read.member "offset" Read.natural ~about:"In bytes of UTF-8." in
+  let work read_file p =
+    let source = source p in
+    let offset = Read.required p offset in
+    let length = String.length (Source.text source) in
+    if offset > length then Fault.invalid (Member "offset") "the text has %d bytes" length;
+    Scc_describe.Describe.find ~read_module:(read_module read_file) source offset
+  in
+  let params = Read.[ needs whole; may name; needs offset; Method.limits ] in
+  Method.make "text.describe" params (fields [ field "found" (nullable found) Fun.id ]) work

@@ -31,10 +31,6 @@ let csv fields =
 let line format x = Json.line (write format x) ^ "\n"
 let in_simulation name t = named ~file:"simulation" name t
 
-let seed =
-  from Int64.to_string (form [ { set = "-"; least = 0; most = Some 1 }; { set = "0-9"; least = 1; most = None } ])
-  |> in_simulation "seed"
-
 let number_format =
   from (fun (t, q) -> match t.digits with Exactly -> Json.fraction q | Rounded k -> rounded k q) Json_format.number
   |> about "Exact as p/q, or rounded." |> in_simulation "number"
@@ -58,7 +54,7 @@ let header_format =
      @ [
        Shared.semantics ();
        within (part (fun t -> t.origin)) Origin_json.fields;
-       field "seed" seed (part (fun t -> t.seed)) ~about:"Of all runs together; each has its own.";
+       field "seed" Shared.seed (part (fun t -> t.seed)) ~about:"Of all runs together; each has its own.";
        field "observables" (list ~least:1 text) (part (fun t -> t.observables));
        field "decimals" (nullable natural) (part decimals)
          ~about:"To so many decimals all numbers are rounded; null: they are exact.";
@@ -75,7 +71,7 @@ let run_format =
   obj
     (let+ number = required "run" natural (fun (_, (r : Simulation.run)) -> r.number) ~about:"From 0."
      and+ () =
-       field "seed" seed (fun (t, (r : Simulation.run)) -> Simulation.seed_of t.seed r.number)
+       field "seed" Shared.seed (fun (t, (r : Simulation.run)) -> Simulation.seed_of t.seed r.number)
          ~about:"scc trace --choose random:SEED makes the same run."
      and+ values =
        required "values" (list (list maybe_number)) rows
@@ -129,7 +125,6 @@ let add s (r : Simulation.run) =
 
 let runs s = s.runs
 let cells s = s.cells
-let early s = s.early
 
 let csv_summary t ~quantiles ~decimals s put =
   let quantile_name q = "quantile " ^ Rat.to_string q in

@@ -57,9 +57,6 @@ val runs : summary -> int
 val cells : summary -> Statistics.t array array
 (** The statistics of the values, by time and then by observable. *)
 
-val early : summary -> int
-(** The number of runs that ended before the last time. *)
-
 val summary : t -> quantiles:Rat.t list -> decimals:int -> summary -> (string -> unit) -> unit
 (** Writes a line for each time and observable. It has the number of runs with a value, their mean, the variance of
     the sample, and its square root, rounded to [decimals] decimals. Then follow the least value, the quantiles and

@@ -96,5 +96,5 @@ let run plan ~seed number =
    | Error (Fault g) ->
      let message = (Transition.diagnostic (Semantics.model plan.semantics) g.fault).message in
      ended := Some (Printf.sprintf "over at time %s: %s" (Rat.to_string g.time) message)
-   | Error (Interrupted | Refused _) -> Bug.fail __POS__ "a run that nobody leads or interrupts");
+   | Error (Interrupted _ | Refused _) -> Bug.fail __POS__ "a run that nobody leads or interrupts");
   { number; values; ended = !ended }

@@ -67,7 +67,7 @@ let recall t frame out =
     Columns.put_target t.filter c index tuple (Keys.fingerprint keys tuple)
   in
   Array.iteri put places;
-  let text = Frame.text [] c.doubts in
+  let text = Told.of_targets (List.rev c.doubts) in
   Frame.put out
     [ Array.length places; Buffer.length c.bytes; String.length text ]
     [ c.flags; c.goals; c.lengths; c.bytes ]
@@ -100,10 +100,9 @@ let put_moves t c _ source steps =
 let text t c =
   let known = Filter.labels t.filter in
   let model = (Filter.question t.filter).loaded.model in
-  let label i : Scc_json.Json.t = `Assoc (Told.label model (Filter.label t.filter (t.told + i))) in
-  let labels = List.init (known - t.told) label in
+  let labels = List.init (known - t.told) (fun i -> Filter.label t.filter (t.told + i)) in
   t.told <- known;
-  Frame.text (if labels = [] then [] else [ ("labels", `List labels) ]) c.states.notes
+  Told.of_moves model labels (List.rev c.states.notes)
 
 let expand t frame ~with_targets out =
   let lengths = Frame.numbers frame in

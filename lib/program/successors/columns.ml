@@ -1,7 +1,4 @@
 open Scc_ctl
-open Scc_json
-
-let texts values told : Json.t = `List (Array.to_list (Array.map told values))
 
 (* {1 States that are expanded} *)
 
@@ -9,7 +6,7 @@ type states = {
   follows : Buffer.t;
   counts : Buffer.t;
   ahead : Buffer.t;
-  mutable notes : Json.t list;
+  mutable notes : Told.note list;
 }
 
 let states () =
@@ -38,21 +35,17 @@ let put_state c index ((bare : Filter.bare), look_ahead) =
   Array.iter (fun a -> Buffer.add_uint8 c.ahead (ahead a)) look_ahead;
   let steps = match bare with Moves steps -> steps | Rests | Ends _ | Stops | Fault _ -> [] in
   Frame.put_number c.counts (List.length steps);
-  let of_ahead =
-    if Array.for_all (fun a -> ahead a = 0) look_ahead then []
-    else [ ("ahead", texts look_ahead (Json.option Told.ahead)) ]
-  in
-  let reason =
-    match bare with Ends d | Fault d -> [ ("reason", Told.diagnostic d) ] | Moves _ | Rests | Stops -> []
-  in
-  c.notes <- Frame.note index (of_ahead @ reason) c.notes;
+  let looked = if Array.for_all (fun a -> ahead a = 0) look_ahead then None else Some look_ahead in
+  let why = Told.reason bare in
+  if Option.is_some looked || Option.is_some why then
+    c.notes <- { index; looked; why; error = None } :: c.notes;
   steps
 
 let put_no_state filter c index d =
   Buffer.add_uint8 c.follows is_no_state;
   Frame.put_number c.counts 0;
   Array.iter (fun _ -> Buffer.add_uint8 c.ahead 0) (Filter.question filter).goals;
-  c.notes <- Frame.note index [ ("error", Told.diagnostic d) ] c.notes
+  c.notes <- { index; looked = None; why = None; error = Some d } :: c.notes
 
 let read filter c frame ~from lengths work =
   if Array.fold_left ( + ) from lengths <> String.length frame then
@@ -77,7 +70,7 @@ type targets = {
   goals : Buffer.t;
   lengths : Buffer.t;
   bytes : Buffer.t;
-  mutable doubts : Json.t list;
+  mutable doubts : (int * Truth.t array) list;
 }
 
 let targets () =
@@ -98,5 +91,4 @@ let put_target filter c index tuple print =
   let before = Buffer.length c.bytes in
   Keys.put (Filter.keys filter) c.bytes tuple;
   Frame.put_number c.lengths (Buffer.length c.bytes - before);
-  if Array.exists undecided r.goals then
-    c.doubts <- Frame.note index [ ("goals", texts r.goals Told.truth) ] c.doubts
+  if Array.exists undecided r.goals then c.doubts <- (index, r.goals) :: c.doubts

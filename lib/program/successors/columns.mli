@@ -1,7 +1,7 @@
 (** The columns of frames about many states: see [specs/successors.md]. *)
 
 open Scc_graph_search
-open Scc_json
+open Scc_ctl
 
 (** {1 States that are expanded} *)
 
@@ -10,7 +10,7 @@ type states = {
   follows : Buffer.t;
   counts : Buffer.t;
   ahead : Buffer.t;
-  mutable notes : Json.t list;  (** texts beside the numbers, the last first *)
+  mutable notes : Told.note list;  (** texts beside the numbers, the last first *)
 }
 
 val states : unit -> states
@@ -33,7 +33,7 @@ type targets = {
   goals : Buffer.t;
   lengths : Buffer.t;
   bytes : Buffer.t;
-  mutable doubts : Json.t list;  (** goals that are undecided, the last first *)
+  mutable doubts : (int * Truth.t array) list;  (** goals that are undecided, the last first *)
 }
 
 val targets : unit -> targets

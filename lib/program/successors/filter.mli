@@ -98,9 +98,6 @@ val look : t -> int array -> (bare * ahead option array, Diag.t) result
 val label_number : t -> int -> int
 (** [label_number f n] is the number of the label that has the number [n] in {!context}. *)
 
-val reached : t -> int array -> reached
-(** The state with its fingerprint and goals. *)
-
 val reach : t -> int array -> Keys.fingerprint -> reached
 (** The state with its goals, whose fingerprint is known. *)
 

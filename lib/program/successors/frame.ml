@@ -1,5 +1,3 @@
-open Scc_json
-
 exception Lost of string
 
 let lost fmt = Printf.ksprintf (fun text -> raise (Lost text)) fmt
@@ -28,10 +26,3 @@ let put out head columns text =
   List.iter (put_number out) head;
   List.iter (Buffer.add_buffer out) columns;
   Buffer.add_string out text
-
-let note index (members : (string * Json.t) list) notes =
-  if members = [] then notes else (`Assoc (("index", `Int index) :: members) : Json.t) :: notes
-
-let text members notes =
-  let members = if notes = [] then members else members @ [ ("notes", `List (List.rev notes)) ] in
-  if members = [] then "" else Json.line (`Assoc members)

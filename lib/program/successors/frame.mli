@@ -1,7 +1,5 @@
 (** Frames of 32-bit numbers and bytes: the input and output of batches ([specs/successors.md]). *)
 
-open Scc_json
-
 exception Lost of string
 (** The input does not fit its format. *)
 
@@ -26,12 +24,3 @@ val put_numbers : Buffer.t -> int array -> unit
 
 val put : Buffer.t -> int list -> Buffer.t list -> string -> unit
 (** [put out numbers columns text] appends a frame with its length: the numbers, the columns and the text. *)
-
-(** {1 Notes} *)
-
-val note : int -> (string * Json.t) list -> Json.t list -> Json.t list
-(** [note index members notes] adds a note on the item with this index, unless there are no members. *)
-
-val text : (string * Json.t) list -> Json.t list -> string
-(** The members with the notes, which come the last first, as the text of an object. It is empty if there are
-    neither. *)

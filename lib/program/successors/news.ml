@@ -64,7 +64,7 @@ let steps t filter index source steps =
   each 0 steps
 
 let put_home out h =
-  let text = Frame.text [] h.targets.doubts in
+  let text = Told.of_targets (List.rev h.targets.doubts) in
   let c = h.targets in
   Frame.put out
     [ h.count; Buffer.length c.bytes; String.length text ]
@@ -82,7 +82,7 @@ let expand t filter frame out =
   Columns.clear t.states;
   let lengths = Array.sub numbers 1 (Array.length numbers - 1) in
   Columns.read filter t.states frame ~from:(Frame.bytes_from numbers) lengths (steps t filter);
-  let text = Frame.text [] t.states.notes in
+  let text = Told.of_moves (Filter.question filter).loaded.model [] (List.rev t.states.notes) in
   Frame.put out
     [ Array.length lengths; count; String.length text ]
     [ t.states.counts; t.states.follows; t.states.ahead ]

@@ -1,34 +1,46 @@
 (** The output of the filter as JSON ([specs/successors.md]). *)
 
+open Scc_base
+open Scc_ctl
 open Scc_json
 
-val version : int
-(** The version of the protocol: 2. *)
+(** The first line of a session: the exploration, its checks and goals, and its initial state. *)
+type header = { program : string; framing : string; filter : Filter.t }
 
-val header : program:string -> framing:string -> Filter.t -> Json.t
-(** The header of a session: the program, the framing, the model, the exploration, its checks and goals, and its
-    initial state. *)
+(** A line of the output. *)
+type t =
+  | Header of header
+  | Answer of Filter.t * Filter.expanded  (** the fingerprint and goals of a state, and its successors *)
+  | Run of Scc_property.Property.check * (int * Scc_runs.Schedule.t)  (** a run that shows the verdict *)
+  | Refused of Diag.t  (** the answer to bytes that are no state *)
 
-val label : Scc_calculus.Model.t -> Scc_semantics.Transition.label -> (string * Json.t) list
-(** The members [label] and [duration], and [chance] for a transition that is drawn. *)
+val format : (t, unit) Json_format.t
+(** The format of a line. *)
 
-val diagnostic : Scc_base.Diag.t -> Json.t
-(** An object with the members [code] and [message]. *)
+val line : t -> string
+(** The line, without a line end. *)
 
-val refused : Scc_base.Diag.t -> Json.t
-(** The answer to bytes that are no state. *)
+(** {1 Texts in frames} *)
 
-val truth : Scc_ctl.Truth.t -> Json.t
-(** A truth value: [true], [false], or an object with the reason why it is undecided. *)
+(** What a frame says about a state beside its numbers. *)
+type note = {
+  index : int;  (** of the state in the frame *)
+  looked : Filter.ahead option array option;  (** the goals ahead *)
+  why : Diag.t option;  (** why nothing follows the state *)
+  error : Diag.t option;  (** why the bytes are no state *)
+}
 
-val ahead : Filter.ahead -> Json.t
-(** A goal ahead as an object with the members [met] and [doubt]. *)
+val moves_text : ((Scc_calculus.Model.t * Scc_semantics.Transition.label) list * note list, unit) Json_format.t
+(** The format of the text of frames about states: labels and notes. *)
 
-val follows : _ Filter.following -> string
-(** The name of the kind of continuation: ["moves"], ["rests"], ["ends"], ["stops"] or ["fault"]. *)
+val reason : _ Filter.following -> Diag.t option
+(** Why nothing follows a state, if there is a reason. *)
 
-val answer : Filter.t -> Filter.expanded -> Json.t
-(** The answer to a state: its fingerprint and goals, and its successors. *)
+val of_moves : Scc_calculus.Model.t -> Scc_semantics.Transition.label list -> note list -> string
+(** The text of new labels and notes. It is empty if there are neither. *)
 
-val hex : string -> string
-(** The bytes of a text in hexadecimal digits. *)
+val targets_text : ((int * Truth.t array) list, unit) Json_format.t
+(** The format of the text of frames about targets: their goals, by the index of the target. *)
+
+val of_targets : (int * Truth.t array) list -> string
+(** The text of these goals. It is empty if there are none. *)

@@ -20,6 +20,3 @@ val size : t -> Z.t
 
 val point : t -> int -> (string * Rat.t) list
 (** The values of the parameters at a point, from 0 on. The last axis changes fastest. *)
-
-val place : t -> int -> int list
-(** The indices of the values at a point, one for each axis. *)

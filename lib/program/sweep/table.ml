@@ -1,6 +1,9 @@
 open Scc_exact
 open Scc_loading
 open Scc_json
+open Scc_runs
+open Scc_reports
+open Json_format
 
 type t = { name : string option; digest : string; grid : Grid.t; bounds : (string * string) list }
 
@@ -46,48 +49,66 @@ let csv t k outcome =
 
 (* {1 JSON} *)
 
-let line members = Json.line (`Assoc members) ^ "\n"
-
-let json_header t =
-  let axis (a : Grid.axis) : Json.t =
-    `Assoc
-      [ ("name", Json.text a.name); ("values", `List (Array.to_list (Array.map Json.rat a.values))) ]
+let header_format =
+  let axis =
+    fields
+      [
+        field "name" text (fun (a : Grid.axis) -> a.name);
+        field "values" (array ~least:1 Shared.rational) (fun (a : Grid.axis) -> a.values);
+      ]
   in
-  line
-    [
-      ("format", `String "scc-sweep");
-      ("version", `Int 1);
-      ("semantics", `String Scc_calculus.Parameters.version);
-      ("model", Json.option Json.text t.name);
-      ("digest", `String t.digest);
-      ("bounds", `Assoc (List.map (fun (name, value) -> (name, `String value)) t.bounds));
-      ("grid", `List (List.map axis t.grid));
-    ]
+  fields
+    (Shared.head "scc-sweep" 1
+     @ [
+       Shared.semantics ();
+       field "model" (nullable text) (fun t -> t.name);
+       field "digest" Shared.digest (fun t -> t.digest);
+       field "bounds" (entries text) (fun t -> t.bounds) ~about:"The bounds that were given, by their options.";
+       field "grid" (list ~least:1 axis) (fun t -> t.grid)
+         ~about:"The points are all combinations, numbered from 0; the last parameter goes fastest.";
+     ])
 
-let number (n : Outcome.number) : Json.t =
-  let end_ r : Json.t = if n.infinite then `String "infinite" else Json.option Json.rat r in
-  `Assoc [ ("over", `String n.over); ("low", end_ n.low); ("high", end_ n.high) ]
-
-let check (c : Outcome.check) : Json.t =
-  `Assoc
-    [
-      ("name", `String c.name);
-      ("verdict", `String c.verdict);
-      ("values", `List (List.map number c.numbers));
-      ("reasons", `List (List.map Json.text c.reasons));
-    ]
-
-let json t k outcome =
-  let refused, checks =
-    match (outcome : Outcome.t) with
-    | Refused { code; message } ->
-      (`Assoc [ ("code", `String code); ("message", Json.text message) ], [])
-    | Checked checks -> (`Null, List.map check checks)
+let check =
+  let end_ of_number =
+    let infinite (n : Outcome.number) = if n.infinite then Some () else None in
+    let finite (n : Outcome.number) = if n.infinite then None else Some (of_number n) in
+    union [ case (constant (`String "infinite")) infinite Fun.id; case (nullable Shared.rational) finite ignore ]
+    |> named ~file:"sweep" "end"
   in
-  line
+  let number =
+    fields
+      [
+        field "over" (word Fun.id sides) (fun (n : Outcome.number) -> n.over);
+        field "low" (end_ (fun n -> n.low)) Fun.id;
+        field "high" (end_ (fun n -> n.high)) Fun.id;
+      ]
+  in
+  fields
     [
-      ("point", `Int k);
-      ("parameters", `Assoc (List.map (fun (name, r) -> (name, Json.rat r)) (Grid.point t.grid k)));
-      ("refused", refused);
-      ("checks", `List checks);
+      field "name" text (fun (c : Outcome.check) -> c.name);
+      field "verdict" Check_json.kind_format (fun (c : Outcome.check) -> c.verdict);
+      field "values" (list number) (fun (c : Outcome.check) -> c.numbers)
+        ~about:"Of a check that asks for a number: where it is, over all schedulers.";
+      field "reasons" Shared.texts (fun (c : Outcome.check) -> c.reasons)
+        ~about:"Why it is not known, or no better; bounds up to which it holds.";
     ]
+
+let point_format =
+  let refusal = fields [ field "code" Shared.code fst; field "message" text snd ] in
+  let refused : Outcome.t -> _ = function Refused { code; message } -> Some (code, message) | Checked _ -> None in
+  let checks : Outcome.t -> _ = function Refused _ -> [] | Checked checks -> checks in
+  fields
+    [
+      field "point" natural (fun (_, k, _) -> k);
+      field "parameters" Origin_json.parameters_format (fun (t, k, _) -> Grid.point t.grid k);
+      field "refused" (nullable refusal) (fun (_, _, o) -> refused o)
+        ~about:"Why the model is invalid there; then there are no checks.";
+      field "checks" (list check) (fun (_, _, o) -> checks o);
+    ]
+
+let format =
+  union [ case header_format Either.find_left ignore; case point_format Either.find_right ignore ]
+
+let line x = Json.line (write format x) ^ "\n"
+let json_header t = line (Left t)
+let json t k outcome = line (Right (t, k, outcome))

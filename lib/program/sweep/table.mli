@@ -16,6 +16,9 @@ val csv_header : t -> string
 val csv : t -> int -> Outcome.t -> string
 (** A line for each check at the point of this number, and a single line if the model is invalid there. *)
 
+val format : ((t, t * int * Outcome.t) Either.t, unit) Scc_json.Json_format.t
+(** The format of a line of JSON: the header, or the result at the point of a number. *)
+
 val json_header : t -> string
 (** The model, bounds and grid, which distinguish one sweep from another ([specs/schema/sweep.schema.json]), in
     one line. *)

@@ -1,49 +1,73 @@
+open Scc_exact
 open Scc_geometry
 open Scc_calculus
 open Scc_json
+open Scc_runs
+open Json_format
 
-let list f array = `List (Array.to_list (Array.map f array))
-let corners indices = list (fun i -> `Int i) indices
+(* {1 Solids} *)
 
-let solid (s : Solid.t) ~template =
-  let p = s.polyhedron in
-  let face (name, indices) = `Assoc [ ("name", Json.text name); ("corners", corners indices) ] in
-  let edge i (a, b) =
-    let name = Polyhedron.feature_name p (Edge i) in
-    `Assoc [ ("name", Json.text name); ("corners", corners [| a; b |]) ]
+let corners = Rows.named "corners" ~text:"Numbers of vertices." (list natural)
+
+let solid_format =
+  let feature ?about_corners () =
+    fields [ field "name" some_text fst; field "corners" corners snd ?about:about_corners ]
   in
-  `Assoc
+  let vertices (s : Solid.t) = List.init (Array.length s.vertices) (Solid.vertex s) in
+  let corner_names (s : Solid.t) = Array.to_list (Array.map fst s.polyhedron.vertices) in
+  let edges (s : Solid.t) =
+    let edge i (a, b) = (Polyhedron.feature_name s.polyhedron (Edge i), [ a; b ]) in
+    List.mapi edge (Array.to_list s.polyhedron.edges)
+  in
+  let faces (s : Solid.t) =
+    List.map (fun (name, corners) -> (name, Array.to_list corners)) (Array.to_list s.polyhedron.faces)
+  in
+  fields
     [
-      ("name", Json.text template);
-      ("vertices", `List (List.init (Array.length s.vertices) (fun i -> Json.vec (Solid.vertex s i))));
-      ("corners", list (fun (name, _) -> Json.text name) p.vertices);
-      ("edges", `List (List.mapi edge (Array.to_list p.edges)));
-      ("faces", list face p.faces);
+      field "name" some_text fst ~about:"Of the template.";
+      field "vertices" (list Shared.vector) (fun (_, s) -> vertices s)
+        ~about:"About the part's point of reference, of the body as it was declared.";
+      field "corners" (list some_text) (fun (_, s) -> corner_names s) ~about:"The names of the vertices.";
+      field "edges" (list (feature ())) (fun (_, s) -> edges s);
+      field "faces"
+        (list (feature ~about_corners:"Counter-clockwise, seen from outside." ()))
+        (fun (_, s) -> faces s);
+    ]
+  |> Rows.named "solid" ~text:"A convex polyhedron."
+
+(* {1 Leaves} *)
+
+type t = { leaf : Model.leaf; family : int; parts : (Model.part * int) list }
+
+let part =
+  fields
+    [
+      field "name" some_text (fun ((p : Model.part), _) -> p.name);
+      field "template" some_text (fun ((p : Model.part), _) -> p.template);
+      field "solid" Rows.number snd;
+      field "offset" Shared.vector (fun ((p : Model.part), _) -> p.offset)
+        ~about:"Of the part's point of reference from the leaf's.";
     ]
 
-let part ~solids (p : Model.part) =
-  `Assoc
+let format =
+  let part_of f b = f b.leaf in
+  let mass (l : Model.leaf) : Rat.t option = if l.fixed then None else Some l.mass in
+  fields
     [
-      ("name", Json.text p.name);
-      ("template", Json.text p.template);
-      ("solid", `Int (Rows.add solids (solid p.solid ~template:p.template)));
-      ("offset", Json.vec p.offset);
+      field "name" some_text (part_of (fun l -> l.name));
+      field "family" Rows.number (fun b -> b.family) ~about:"What looks alike: an index into families.";
+      field "template" some_text (part_of (fun l -> l.template));
+      field "fixed" bool (part_of (fun l -> l.fixed));
+      field "absorbs" bool (part_of (fun l -> l.absorbs));
+      field "mass" (nullable Shared.rational) (part_of mass) ~about:"null: fixed.";
+      field "parts" (list part) (fun b -> b.parts);
     ]
-
-let leaf ~solids (families : Families.t) i (l : Model.leaf) =
-  `Assoc
-    [
-      ("name", Json.text l.name);
-      ("family", `Int families.of_leaf.(i));
-      ("template", Json.text l.template);
-      ("fixed", `Bool l.fixed);
-      ("absorbs", `Bool l.absorbs);
-      ("mass", if l.fixed then `Null else Json.rat l.mass);
-      ("parts", list (part ~solids) l.parts);
-    ]
-
-let families (m : Model.t) = list (fun name -> Json.text name) (Families.of_model m).names
+  |> Rows.named "body" ~text:"A leaf, of which states tell where it is."
 
 let leaves ~solids (m : Model.t) =
   let families = Families.of_model m in
-  `List (List.mapi (leaf ~solids families) (Array.to_list m.leaves))
+  let part (p : Model.part) = (p, Rows.add solids solid_format (p.template, p.solid)) in
+  let leaf i (l : Model.leaf) =
+    { leaf = l; family = families.of_leaf.(i); parts = List.map part (Array.to_list l.parts) }
+  in
+  List.mapi leaf (Array.to_list m.leaves)

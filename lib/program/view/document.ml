@@ -4,6 +4,7 @@ open Scc_property
 open Scc_loading
 open Scc_json
 open Scc_runs
+open Json_format
 
 type t = {
   loaded : Loaded.t;
@@ -12,56 +13,85 @@ type t = {
   states : States.t;
   plots : Property.num list;
   graph : Graph.t option;
-  runs : Json.t list;
-  where : Json.t option;
+  runs : Runs.t list;
+  where : Regions.t option;
 }
 
-let graph (g : Graph.t) =
-  `Assoc
+(* {1 All but the rows} *)
+
+let graph =
+  fields
     [
-      ("states", `Int g.states);
-      ("expanded", `Int g.expanded);
-      ("complete", `Bool g.complete);
-      ("bound", `Int g.bound);
+      field "states" natural (fun (g : Graph.t) -> g.states);
+      field "expanded" natural (fun (g : Graph.t) -> g.expanded);
+      field "complete" bool (fun (g : Graph.t) -> g.complete);
+      field "bound" natural (fun (g : Graph.t) -> g.bound);
     ]
 
-let rules model =
-  let one r = Option.map (fun text -> (Rule.id r, Json.text text)) (Rule_texts.find (Rule.id r)) in
-  `Assoc (List.filter_map one (Rule.of_model model))
+let head =
+  let model f (d, _) = f d.loaded.model in
+  let plot = fields [ field "text" some_text (fun (m, n) -> Show.num m n) ] in
+  let rules m =
+    let one r = Option.map (fun text -> (Rule.id r, text)) (Rule_texts.find (Rule.id r)) in
+    List.filter_map one (Rule.of_model m)
+  in
+  all
+    (Shared.head "scc-view" 1
+     @ [
+       Shared.semantics ();
+       within (fun (d, _) -> d.loaded.origin) Origin_json.fields;
+       field "name" text (fun (d, _) -> d.name) ~about:"Of the file.";
+       field "text" text (fun (d, _) -> Scc_base.Source.text d.loaded.source) ~about:"Of the model.";
+       field "timestep" Shared.rational (model (fun m -> m.timestep));
+       field "resolution" (nullable Shared.rational) (model Model.resolution);
+       field "families" (list some_text) (model (fun m -> Array.to_list (Families.of_model m).names))
+         ~about:"Names of what looks alike; those of bodies that move come first.";
+       field "leaves" (list Bodies.format) snd;
+       field "plots" (list plot) (fun (d, _) -> List.map (fun n -> (d.loaded.model, n)) d.plots);
+       field "graph" (nullable graph) (fun (d, _) -> d.graph)
+         ~about:
+           "How much of all that can happen is in the document; null: of a large network nothing but the run.";
+       field "rules" (entries text) (model rules) ~about:"Entries of the rule book, in Markdown.";
+       field "where" (nullable Regions.format) (fun (d, _) -> d.where)
+         ~about:"Of a model with ranges: for which values checks hold.";
+     ])
+
+(* {1 Rows} *)
+
+(* An array that is written row by row. *)
+type rows = { name : string; member : (t * Bodies.t list, unit) members; put : t -> (string -> unit) -> unit }
+
+let rows name format put = { name; member = field name (list format) (fun _ -> []); put }
+
+let write_runs d put =
+  put "[";
+  List.iteri (fun i run -> put ((if i = 0 then "\n" else ",\n") ^ Json.line (write Runs.format run))) d.runs;
+  put "]"
+
+let all_rows =
+  [
+    rows "runs" Runs.format write_runs;
+    rows "solids" Bodies.solid_format (fun d -> Rows.write d.tables.solids);
+    rows "behaviours" Tables.behaviour_format (fun d -> Rows.write d.tables.behaviours);
+    rows "labels" Tables.label_format (fun d -> Rows.write d.tables.labels);
+    rows "processes" Tables.process_format (fun d -> Rows.write d.tables.processes);
+    rows "states" States.format (fun d -> States.write d.states);
+  ]
+
+let format =
+  fields (head :: List.map (fun r -> r.member) all_rows)
+  |> about
+    "States, processes, behaviours, solids and labels are rows of tables, told by their numbers. A state is told \
+     by what has changed since another one, so that a run takes space for what happens in it."
 
 let write d put =
-  let m = d.loaded.model in
-  let origin = d.loaded.origin in
-  let first = ref true in
-  let member name write =
-    put (if !first then "{" else ",\n");
-    first := false;
-    put (Json.line (`String name) ^ ":");
-    write put
+  let name name = Json.line (`String name) ^ ":" in
+  let leaves = Bodies.leaves ~solids:d.tables.solids d.loaded.model in
+  let members = List.map (fun (n, json) -> name n ^ Json.line json) (written_members head (d, leaves)) in
+  put ("{" ^ String.concat ",\n" members);
+  let array rows =
+    put (",\n" ^ name rows.name);
+    rows.put d put
   in
-  let json name value = member name (fun put -> put (Json.line value)) in
-  let plot n = `Assoc [ ("text", Json.text (Show.num m n)) ] in
-  json "format" (`String "scc-view");
-  json "version" (`Int 1);
-  json "semantics" (`String Parameters.version);
-  List.iter (fun (name, value) -> json name value) (Origin_json.members origin);
-  json "name" (Json.text d.name);
-  json "text" (Json.text (Scc_base.Source.text d.loaded.source));
-  json "timestep" (Json.rat m.timestep);
-  json "resolution" (Json.option Json.rat (Model.resolution m));
-  json "families" (Bodies.families m);
-  json "leaves" (Bodies.leaves ~solids:d.tables.solids m);
-  json "plots" (`List (List.map plot d.plots));
-  json "graph" (Json.option graph d.graph);
-  json "rules" (rules m);
-  json "where" (Json.option Fun.id d.where);
-  member "runs" (fun put ->
-      put "[";
-      List.iteri (fun i run -> put ((if i = 0 then "\n" else ",\n") ^ Json.line run)) d.runs;
-      put "]");
-  member "solids" (Rows.write d.tables.solids);
-  member "behaviours" (Rows.write d.tables.behaviours);
-  member "labels" (Rows.write d.tables.labels);
-  member "processes" (Rows.write d.tables.processes);
-  member "states" (States.write d.states);
+  List.iter array all_rows;
   put "}\n"

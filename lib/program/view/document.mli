@@ -12,9 +12,12 @@ type t = {
   states : States.t;
   plots : Property.num list;
   graph : Graph.t option;  (** the exploration, if the document has all states up to a bound *)
-  runs : Json.t list;  (** {!Runs} *)
-  where : Json.t option;  (** {!Regions} *)
+  runs : Runs.t list;
+  where : Regions.t option;  (** of a model with ranges *)
 }
+
+val format : (t * Bodies.t list, unit) Json_format.t
+(** The format of a document with the leaves of its model. *)
 
 val write : t -> (string -> unit) -> unit
 (** Writes the document. *)

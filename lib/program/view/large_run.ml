@@ -3,7 +3,6 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_json
 open Scc_runs
 
 let large = 100
@@ -19,8 +18,7 @@ type t = {
   homes : moving option array;  (** by leaf; [None] once it is gone *)
   mutable last : int;
   mutable now : Rat.t;
-  mutable told : Json.t list;
-  mutable count : int;
+  mutable told : Runs.taken list;
   mutable rest : Rat.t;
 }
 
@@ -32,7 +30,7 @@ let leaves_of num =
   let compared : Property.temporal = State (Compare (Le, num, Const Rat.zero)) in
   if Formula.global compared || Formula.mentions_time compared then None else Some (Formula.leaves compared)
 
-let none why = `Assoc [ ("none", `String why) ]
+let none why = Curve_json.Whole (None_as why)
 
 let value t extent num =
   match leaves_of num with
@@ -75,14 +73,11 @@ let start world ~state_after (initial : State.t) =
       last = first;
       now = Rat.zero;
       told = [];
-      count = 0;
       rest = Rat.zero;
     }
   in
   Array.iter (enter t Rat.zero) initial.processes;
   t
-
-let steps t = t.count
 
 let step t (event : Replay.event) =
   match event with
@@ -100,31 +95,13 @@ let step t (event : Replay.event) =
     List.iter (leave t) gone;
     List.iter (enter t t.now) come;
     let target = States.changed t.world t.last d ~gone ~come (lazy (t.state_after number)) in
-    let step =
-      `Assoc
-        [
-          ("choice", if index < among then `Int index else `Null);
-          ("label", `Int (States.label t.world taken.label));
-          ("to", `Int target);
-          ("rules", States.rules taken.rules);
-        ]
-    in
+    let choice = if index < among then Some index else None in
+    let label = States.label t.world taken.label in
     t.last <- target;
-    t.told <- step :: t.told;
-    t.count <- t.count + 1
+    t.told <- { choice; label; target; rules = taken.rules; tail = false } :: t.told
 
-let json t ~name ~finish ~ending =
+let run t ~name ~finish ~ending =
   tell_values t t.rest;
-  `Assoc
-    [
-      ("name", Json.text name);
-      ("check", `Null);
-      ("start", `Int t.first);
-      ("steps", `List (List.rev t.told));
-      ("rest", Json.rat t.rest);
-      ("finish", `String finish);
-      ("cycle", `Null);
-      ("facts", `List []);
-      ("argument", `Null);
-      ("ending", `List (List.map Json.text ending));
-    ]
+  let steps = List.rev t.told in
+  Runs.run name None
+    (Some { start = t.first; steps; rest = t.rest; finish; cycle = None; facts = []; argument = None; ending })

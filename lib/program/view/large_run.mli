@@ -2,7 +2,6 @@
     changes, so the cost is about that of the events. *)
 
 open Scc_calculus
-open Scc_json
 open Scc_runs
 
 (** A run so far. *)
@@ -19,8 +18,5 @@ val step : t -> Replay.event -> unit
 (** Adds an event. It must be called with each event of a run from event to event ({!Scc_engine.Run.changes});
     another run is a bug. *)
 
-val steps : t -> int
-(** The number of transitions so far. *)
-
-val json : t -> name:string -> finish:string -> ending:string list -> Json.t
+val run : t -> name:string -> finish:string -> ending:string list -> Runs.t
 (** The run as a run of the document, with its name, its kind of end and lines about its end. *)

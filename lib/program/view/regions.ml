@@ -3,6 +3,8 @@ open Scc_polyhedra
 open Scc_calculus
 open Scc_regions
 open Scc_json
+open Scc_runs
+open Json_format
 
 let outcome : Plane.outcome -> string = function
   | Holds -> "holds"
@@ -14,42 +16,74 @@ let is_line (view : Plane.view) = Option.is_none view.up
 let axes (view : Plane.view) = view.across :: Option.to_list view.up
 
 (* Of a line, where it is alone; the drawing has a height of 1 there. *)
-let point (p : Planar.point) = `List [ Json.rat p.x; Json.rat p.y ]
+let point =
+  from (fun (p : Planar.point) -> [ p.x; p.y ]) (list ~least:2 ~most:2 Shared.rational)
+  |> checked |> Rows.named "point"
 
-let region (r : Plane.region) =
-  let outline = Outline.make r.set in
-  let segment (a, b) = `List [ point a; point b ] in
-  let border (b : Outline.border) =
-    `Assoc [ ("ends", segment b.ends); ("belongs", `Bool b.belongs) ]
+let segment = from (fun (a, b) -> [ a; b ]) (list ~least:2 ~most:2 point) |> checked |> Rows.named "segment"
+
+let region =
+  let border =
+    fields
+      [
+        field "ends" segment (fun (b : Outline.border) -> b.ends);
+        field "belongs" bool (fun (b : Outline.border) -> b.belongs);
+      ]
   in
-  `Assoc
+  fields
     [
-      ("outcomes", `List (List.map (fun o -> `String (outcome o)) r.outcomes));
-      ("polygons", `List (List.map (fun p -> `List (List.map point (Planar.corners p))) outline.polygons));
-      ("borders", `List (List.map border outline.borders));
-      ("lines", `List (List.map segment outline.lines));
-      ("points", `List (List.map point outline.points));
-      ("share", Json.rat r.share);
+      field "outcomes" (list (word outcome [ Holds; Varies; Unknown; Fails ]))
+        (fun ((r : Plane.region), _) -> r.outcomes)
+        ~about:"Of the checks.";
+      field "polygons" (list (list point)) (fun (_, (o : Outline.t)) -> List.map Planar.corners o.polygons)
+        ~about:"What has an area, by convex pieces, counter-clockwise.";
+      field "borders" (list border) (fun (_, (o : Outline.t)) -> o.borders)
+        ~about:"Of what has an area, with it to the left.";
+      field "lines" (list segment) (fun (_, (o : Outline.t)) -> o.lines);
+      field "points" (list point) (fun (_, (o : Outline.t)) -> o.points);
+      field "share" Shared.rational (fun ((r : Plane.region), _) -> r.share)
+        ~about:"Of its area in that of the ranges.";
+    ]
+  |> Rows.named "region"
+
+let axis =
+  let bound =
+    fields
+      [
+        field "value" Shared.rational (fun (b : Ranges.bound) -> b.value);
+        field "included" bool (fun (b : Ranges.bound) -> b.included);
+      ]
+    |> Rows.named "bound"
+  in
+  fields
+    [
+      field "name" some_text (fun (r : Ranges.range) -> r.name);
+      field "low" bound (fun (r : Ranges.range) -> r.low);
+      field "high" bound (fun (r : Ranges.range) -> r.high);
     ]
 
-let axis (ranges : Ranges.t) i =
-  let r = ranges.(i) in
-  let bound (b : Ranges.bound) = `Assoc [ ("value", Json.rat b.value); ("included", `Bool b.included) ] in
-  `Assoc [ ("name", Json.text r.name); ("low", bound r.low); ("high", bound r.high) ]
+type t = {
+  ranges : Ranges.t;
+  view : Plane.view;
+  checks : (string * Where.t) list;
+  samples : ((string * Rat.t) list * int) list;
+}
 
-let sample (values, run) =
-  `Assoc
-    [ ("at", `Assoc (List.map (fun (name, v) -> (name, Json.rat v)) values)); ("run", `Int run) ]
-
-let json ranges view named ~samples =
-  let regions = Plane.regions ranges view (List.map snd named) in
-  `Assoc
+let format =
+  let regions d =
+    let outlined (r : Plane.region) = (r, Outline.make r.set) in
+    List.map outlined (Plane.regions d.ranges d.view (List.map snd d.checks))
+  in
+  let sample = fields [ field "at" Origin_json.parameters_format fst; field "run" Rows.number snd ] in
+  fields
     [
-      ("axes", `List (List.map (axis ranges) (axes view)));
-      ("checks", `List (List.map (fun (name, _) -> Json.text name) named));
-      ("regions", `List (List.map region regions));
-      ("samples", `List (List.map sample samples));
+      field "axes" (list ~least:1 ~most:2 axis) (fun d -> List.map (Array.get d.ranges) (axes d.view));
+      field "checks" (list some_text) (fun d -> List.map fst d.checks);
+      field "regions" (list region) regions
+        ~about:"Disjoint. On the line of one parameter, the second coordinate is from 0 to 1.";
+      field "samples" (list sample) (fun d -> d.samples) ~about:"Starts, and the runs from there.";
     ]
+  |> Rows.named "regions"
 
 (* {1 Starts} *)
 

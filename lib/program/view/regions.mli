@@ -6,10 +6,16 @@ open Scc_calculus
 open Scc_regions
 open Scc_json
 
-val json :
-  Ranges.t -> Plane.view -> (string * Where.t) list -> samples:((string * Rat.t) list * int) list -> Json.t
-(** The drawing for checks with their names. Each sample is a start, with the number of its run in the
-    document. *)
+(** The drawing for checks with their names. *)
+type t = {
+  ranges : Ranges.t;
+  view : Plane.view;
+  checks : (string * Where.t) list;
+  samples : ((string * Rat.t) list * int) list;  (** starts, with the numbers of their runs in the document *)
+}
+
+val format : (t, unit) Json_format.t
+(** The format of the drawing. *)
 
 val starts : Ranges.t -> Plane.view -> Where.t list -> (string * Rat.t) list list
 (** Starts for runs: one in each piece of each region, at most 200, and some on a grid over the ranges. Each has

@@ -1,13 +1,17 @@
 open Scc_data
 open Scc_json
+open Json_format
+
+let named name ?text t = named ~file:"view" name (match text with None -> t | Some text -> about text t)
+let number = named "number" ~text:"Of a row of a table, from 0." natural
 
 type t = { numbers : (string, int) Hashtbl.t; rows : string Growable.t }
 
 let create () = { numbers = Hashtbl.create 64; rows = Growable.create () }
 let length t = Growable.length t.rows
 
-let add t json =
-  let row = Json.line json in
+let add t format x =
+  let row = Json.line (Json_format.write format x) in
   match Hashtbl.find_opt t.numbers row with
   | Some n -> n
   | None ->

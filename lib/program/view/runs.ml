@@ -3,30 +3,112 @@ open Scc_calculus
 open Scc_semantics
 open Scc_explain
 open Scc_json
+open Scc_runs
 open Scc_reports
+open Json_format
 
 type about = { formula : string; verdict : string; text : string }
 
+type taken = { choice : int option; label : int; target : int; rules : Rule.t list; tail : bool }
 type step = { choice : int option; label : Transition.label; rules : Rule.t list; after : State.t }
 
-let about a =
-  `Assoc
-    [ ("formula", Json.text a.formula); ("verdict", `String a.verdict); ("text", Json.text a.text) ]
+type course = {
+  start : int;
+  steps : taken list;
+  rest : Rat.t;
+  finish : string;
+  cycle : int option;
+  facts : string list;
+  argument : Witness.argument option;
+  ending : string list;
+}
 
-let named name = ("name", Json.text name)
-let none ~name a = `Assoc [ named name; ("check", about a); ("start", `Null) ]
+type t = {
+  name : string;
+  check : about option;
+  course : course option;
+  values : (string * Rat.t) list;
+  leaves : Bodies.t list option;
+  sample : bool;
+}
+
+(* {1 JSON} *)
+
+let about_members =
+  all
+    [
+      field "formula" some_text (fun a -> a.formula);
+      field "verdict" Check_json.kind_format (fun a -> a.verdict);
+      field "text" some_text (fun (a : about) -> a.text);
+    ]
+
+let about_format = Rows.named "check" (obj about_members)
+
+let taken =
+  fields
+    [
+      field "choice" (nullable natural) (fun (s : taken) -> s.choice)
+        ~about:"Which it was of what was possible; null: a passing of time in part.";
+      field "label" Rows.number (fun (s : taken) -> s.label);
+      field "to" Rows.number (fun s -> s.target);
+      field "rules" States.rules (fun (s : taken) -> s.rules);
+      maybe "tail" (constant (`Bool true)) (fun s -> if s.tail then Some () else None)
+        ~about:"No transition: time passes on where nothing happens any more, from turn to turn.";
+    ]
+  |> Rows.named "step"
+
+let lines = list some_text
+
+let course =
+  let part f (_, c) = f c in
+  all
+    [
+      field "name" some_text (fun (r, _) -> r.name);
+      field "check" (nullable about_format) (fun (r, _) -> r.check);
+      field "start" Rows.number (part (fun c -> c.start));
+      field "steps" (list taken) (part (fun c -> c.steps));
+      field "rest" Shared.rational (part (fun c -> c.rest)) ~about:"Time that passes after the last step.";
+      field "finish" some_text (part (fun c -> c.finish))
+        ~about:"Where the run is taken to: as in a witness of scc check, or as a trace ends.";
+      field "cycle" (nullable natural) (part (fun c -> c.cycle))
+        ~about:"From which step on it goes on again and again.";
+      field "facts" lines (part (fun c -> c.facts));
+      field "argument" (nullable Witness_json.argument_format) (part (fun c -> c.argument));
+      field "ending" lines (part (fun c -> c.ending));
+    ]
+
+let format =
+  let about = "Of the parameters that have ranges." in
+  let values ~sample (r, _) = if Bool.equal r.sample sample && r.values <> [] then Some r.values else None in
+  let values ~sample = maybe "values" Origin_json.parameters_format (values ~sample) ~about in
+  let unshown r = match (r.course, r.check) with None, Some check -> Some (r.name, check) | _ -> None in
+  union
+    [
+      case
+        (fields [ field "name" some_text fst; field "check" about_format snd; fixed "start" `Null ]
+         |> Json_format.about "A check of which no single run shows the verdict.")
+        unshown ignore;
+      case
+        (fields
+           [
+             course; values ~sample:false;
+             maybe "leaves" (list Bodies.format) (fun (r, _) -> r.leaves)
+               ~about:
+                 "Where they are put together in another way than those of the document, as that depends on \
+                  parameters.";
+             maybe "sample" (constant (`Bool true)) (fun (r, _) -> if r.sample then Some () else None)
+               ~about:"A run from a start in the drawing of regions.";
+             values ~sample:true;
+           ])
+        (fun r -> Option.map (fun c -> (r, c)) r.course)
+        ignore;
+    ]
+  |> Rows.named "run"
+
+let run name check course = { name; check; course; values = []; leaves = None; sample = false }
+let none ~name about = run name (Some about) None
 
 (* {1 Steps} *)
-
-let step_json ~tail (s : step) ~label ~target =
-  `Assoc
-    ([
-      ("choice", Json.option (fun k -> `Int k) s.choice);
-      ("label", `Int label);
-      ("to", `Int target);
-      ("rules", States.rules s.rules);
-    ]
-      @ if tail then [ ("tail", `Bool true) ] else [])
 
 (* The states of a run, each with what was possible there. *)
 let follow states world ~most ~tail (n, state) steps =
@@ -35,7 +117,7 @@ let follow states world ~most ~tail (n, state) steps =
     let d = Transition.duration_of s.label in
     let target = States.after world (n, state) d s.after in
     let label = States.label world s.label in
-    (target, s.after, step_json ~tail s ~label ~target :: told)
+    (target, s.after, { choice = s.choice; label; target; rules = s.rules; tail } :: told)
   in
   let n, state, told = List.fold_left one (n, state, []) steps in
   (n, state, List.rev told)
@@ -110,22 +192,11 @@ let finished states world ~most (n, state) ~rests ~over offset =
 let duration steps =
   List.fold_left (fun d s -> Rat.add d (Transition.duration_of s.label)) Rat.zero steps
 
-let run states world ~most ~name check ~initial steps ~offset ~rests ~finish more =
+let follow_to states world ~most ~initial steps ~offset ~rests ~finish =
   let start = States.start world initial in
   let n, state, told = follow states world ~most ~tail:false (start, initial) steps in
   let tail, rest = finished states world ~most (n, state) ~rests ~over:(duration steps) offset in
-  `Assoc
-    ([
-      named name;
-      ("check", Json.option about check);
-      ("start", `Int start);
-      ("steps", `List (told @ tail));
-      ("rest", Json.rat rest);
-      ("finish", `String finish);
-    ]
-      @ more)
-
-let lines list = `List (List.map Json.text list)
+  { start; steps = told @ tail; rest; finish; cycle = None; facts = []; argument = None; ending = [] }
 
 let of_witness states world ~most ~name check (w : Witness.t) =
   let model = Semantics.model (States.semantics world) in
@@ -139,26 +210,20 @@ let of_witness states world ~most ~name check (w : Witness.t) =
   in
   let cycle =
     match w.finish with
-    | Repeats { cycle; _ } | Goes_on { cycle } -> `Int cycle
-    | At_state | During _ | Rests _ | Stops | Passes _ -> `Null
+    | Repeats { cycle; _ } | Goes_on { cycle } -> Some cycle
+    | At_state | During _ | Rests _ | Stops | Passes _ -> None
   in
   let rests = match w.finish with Rests _ -> true | _ -> false in
   let offset = Option.value (Witness.offset w) ~default:Rat.zero in
-  let values =
-    match w.fixed with
-    | None | Some { values = []; _ } -> []
-    | Some f -> [ ("values", `Assoc (List.map (fun (name, v) -> (name, Json.rat v)) f.values)) ]
+  let values = Option.fold ~none:[] ~some:(fun (f : Witness.fixed) -> f.values) w.fixed in
+  let course =
+    follow_to states world ~most ~initial:w.initial (List.map step w.steps) ~offset ~rests
+      ~finish:(Witness_json.finish w)
   in
-  run states world ~most ~name check ~initial:w.initial (List.map step w.steps) ~offset ~rests
-    ~finish:(Witness_json.finish w)
-    ([
-      ("cycle", cycle);
-      ("facts", lines w.facts);
-      ("argument", Json.option (Json_format.write Witness_json.argument_format) w.argument);
-      ("ending", lines (Witness.ending model w));
-    ]
-      @ values)
+  let ending = Witness.ending model w in
+  { (run name check (Some { course with cycle; facts = w.facts; argument = w.argument; ending })) with values }
 
-let of_steps states world ~most ~name check ~initial steps ~offset ~finish ~ending =
-  run states world ~most ~name check ~initial steps ~offset ~rests:(String.equal finish "quiescent") ~finish
-    [ ("cycle", `Null); ("facts", lines []); ("argument", `Null); ("ending", lines ending) ]
+let of_steps states world ~most ~name ~initial steps ~offset ~finish ~ending =
+  let rests = String.equal finish "quiescent" in
+  let course = follow_to states world ~most ~initial steps ~offset ~rests ~finish in
+  run name None (Some { course with ending })

@@ -13,6 +13,10 @@ type about = {
   text : string;  (** the verdict in full *)
 }
 
+(** A transition of a document: its choice, the numbers of its label and of the state where it leads, and its
+    rules. With [tail], it is only time that passes where nothing happens any more. *)
+type taken = { choice : int option; label : int; target : int; rules : Rule.t list; tail : bool }
+
 (** A transition that was taken. *)
 type step = {
   choice : int option;  (** its number among the successors; [None] for a passing of time in part *)
@@ -21,10 +25,41 @@ type step = {
   after : State.t;
 }
 
-val none : name:string -> about -> Json.t
+val about_members : (about, unit) Json_format.members
+(** The format of the members of a check. *)
+
+(** What happens in a run. *)
+type course = {
+  start : int;  (** the number of the state *)
+  steps : taken list;
+  rest : Rat.t;  (** the time that passes after the last step *)
+  finish : string;  (** as in a witness, or as a trace ends *)
+  cycle : int option;  (** the step from which on the run repeats *)
+  facts : string list;
+  argument : Witness.argument option;
+  ending : string list;  (** lines about the end *)
+}
+
+(** A run of a document. *)
+type t = {
+  name : string;
+  check : about option;
+  course : course option;  (** [None]: no single run shows the verdict of the check *)
+  values : (string * Rat.t) list;  (** of the parameters that have ranges *)
+  leaves : Bodies.t list option;  (** if they differ from those of the document *)
+  sample : bool;  (** it starts in the drawing of regions *)
+}
+
+val format : (t, unit) Json_format.t
+(** The format of a run. *)
+
+val run : string -> about option -> course option -> t
+(** A run of that name, without values and leaves of its own. *)
+
+val none : name:string -> about -> t
 (** A check whose verdict no single run shows. *)
 
-val of_witness : States.t -> States.world -> most:int -> name:string -> about option -> Witness.t -> Json.t
+val of_witness : States.t -> States.world -> most:int -> name:string -> about option -> Witness.t -> t
 (** A run that is the witness of a check. Its states get their transitions, as by {!Graph.expand} with
     [most]. *)
 
@@ -33,12 +68,11 @@ val of_steps :
   States.world ->
   most:int ->
   name:string ->
-  about option ->
   initial:State.t ->
   step list ->
   offset:Rat.t ->
   finish:string ->
   ending:string list ->
-  Json.t
+  t
 (** A run that was made by choices, and ends [offset] after its last transition. Its states get their
     transitions, as by {!Graph.expand} with [most]. *)

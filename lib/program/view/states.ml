@@ -4,6 +4,8 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_json
+open Scc_runs
+open Json_format
 
 type possible = { label : int; rules : Rule.t list; target : int option }
 
@@ -19,7 +21,7 @@ type entry = {
   later : Rat.t;
   gone : int list;
   come : int list;
-  mutable values : Json.t list;  (** none until it is known how long nothing happens *)
+  mutable values : Curve_json.t list;  (** none until it is known how long nothing happens *)
   mutable next : possible list option;
   mutable stuck : string option;
   mutable rests : bool;
@@ -152,27 +154,36 @@ let all_told t =
 
 (* {1 JSON} *)
 
-let rules list = `List (List.map (fun r -> `String (Rule.id r)) list)
-let number n = `Int n
+let rules = from (List.map Rule.id) (list some_text)
 
-let possible p =
-  `Assoc
-    [ ("label", `Int p.label); ("to", Json.option number p.target); ("rules", rules p.rules) ]
-
-let entry_json e =
-  `Assoc
-    ([
-      ("of", Json.option number e.base);
-      ("after", Json.rat e.later);
-      ("gone", `List (List.map number e.gone));
-      ("come", `List (List.map number e.come));
-      ("next", Json.option (fun list -> `List (List.map possible list)) e.next);
-      ("rests", `Bool e.rests);
-      ("stuck", Json.option Json.text e.stuck);
+let possible =
+  fields
+    [
+      field "label" Rows.number (fun (p : possible) -> p.label);
+      field "to" (nullable Rows.number) (fun p -> p.target) ~about:"null: where it leads is not in the document.";
+      field "rules" rules (fun p -> p.rules);
     ]
-      @ match e.values with [] -> [] | values -> [ ("values", `List values) ])
 
-let json t n = entry_json (Growable.get t n)
+let format =
+  fields
+    [
+      field "of" (nullable Rows.number) (fun e -> e.base)
+        ~about:"The state that this one is told by, an earlier one; null: by none, and all processes come.";
+      field "after" Shared.rational (fun e -> e.later) ~about:"So much time after that one.";
+      field "gone" (list Rows.number) (fun e -> e.gone)
+        ~about:"The first leaves of processes of that one that are no more as they were.";
+      field "come" (list Rows.number) (fun e -> e.come)
+        ~about:"Processes that are there instead. All others have only moved on.";
+      field "next" (nullable (list possible)) (fun e -> e.next)
+        ~about:"What is possible, in the order of the choices; null: it was not looked at.";
+      field "rests" bool (fun e -> e.rests) ~about:"Nothing will ever happen again.";
+      field "stuck" (nullable text) (fun e -> e.stuck) ~about:"Why nothing can be said of what happens next.";
+      maybe "values" (list Curve_json.format) (fun e -> if none e.values then None else Some e.values)
+        ~about:"Of each plot, from there on, as long as nothing happens.";
+    ]
+  |> Rows.named "state"
+
+let json t n = Json_format.write format (Growable.get t n)
 
 let write t put =
   put "[";

@@ -47,7 +47,7 @@ val set_extent : world -> int -> State.t -> Scc_ctl.Timeline.extent -> unit
 (** [set_extent w n state extent] adds the numbers to be plotted from state [n] on, while nothing happens,
     unless it has some. *)
 
-val set_values : world -> int -> Json.t list -> unit
+val set_values : world -> int -> Scc_runs.Curve_json.t list -> unit
 (** Adds these numbers, one for each of {!plots}. *)
 
 val plots : world -> Property.num list
@@ -85,11 +85,17 @@ val count : t -> int
 val all_told : t -> bool
 (** [all_told t] is true if {!told} is true for each state. *)
 
+type entry
+(** A state of a document. *)
+
+val format : (entry, unit) Json_format.t
+(** The format of a state. *)
+
 val json : t -> int -> Json.t
 (** A state as an object. *)
 
 val write : t -> (string -> unit) -> unit
 (** Writes all states as an array. *)
 
-val rules : Rule.t list -> Json.t
-(** The names of rules as an array. *)
+val rules : (Rule.t list, string list) Json_format.t
+(** The format of the names of rules. *)

@@ -2,6 +2,7 @@
 
 open Scc_calculus
 open Scc_semantics
+open Scc_json
 
 (** The tables. *)
 type t = {
@@ -13,6 +14,18 @@ type t = {
 
 val create : unit -> t
 (** Empty tables. *)
+
+val behaviour_format : (Model.t * int * Behaviour.aged, unit) Json_format.t
+(** The format of the behaviour of a leaf. *)
+
+type row
+(** A process with the rows of its behaviours. *)
+
+val process_format : (row, unit) Json_format.t
+(** The format of a process. *)
+
+val label_format : (Model.t * Transition.label * string, unit) Json_format.t
+(** The format of a label with its description in plain language. *)
 
 val process : t -> Semantics.t -> State.process -> int
 (** The row of a process: the places of its leaves, their behaviours with the channels that are open, its bonds,

@@ -67,6 +67,7 @@ let cells progress (drawn : Drawn.t) =
     in
     Ok (List.mapi make list)
 
+(* A prism over a polygon has the parts of [Prism], any other solid those of [Decompose]. *)
 let parts ?(progress = ignore) set =
   progress (Looking (Array.length set.Polyhedron.ifs_faces));
   let* drawn = surface set in

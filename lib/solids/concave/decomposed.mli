@@ -5,7 +5,7 @@ open Scc_geometry
 type fault =
   | Unsound of Sound.fault
   | Pieces of Shells.fault  (** not one solid *)
-  | Too_many  (** more parts than the limit, or too long a way to them *)
+  | Too_many  (** more parts than 10 000, or too long a way to them *)
 
 val message : Polyhedron.ifs -> fault -> Scc_base.Code.t * string
 (** The code and the message of a fault that concerns more than single faces. A fault [Structure] is a bug
@@ -22,14 +22,7 @@ type progress =
   | Making of int * int  (** the number of the part being made, and the number of all parts *)
   | Naming of int  (** the number of parts left whose faces need names *)
 
-val parts : ?progress:(progress -> unit) -> Polyhedron.ifs -> (Polyhedron.t list * Drawn.t, fault) result
-(** Disjoint convex polyhedra whose union is the solid, and its surface. A prism over a polygon has the parts
-    of {!Scc_polygon.Prism}, any other solid those of {!Scc_decompose.Decompose}. Each part is joined to the
-    others by faces. *)
-
 val make : ?progress:(progress -> unit) -> Polyhedron.ifs -> (Parts.t, fault) result
-(** The solid in convex parts, cut further than {!parts} so that names of the solid's faces are exact, with
-    these names. The function [progress] is called again and again, and may raise. *)
-
-val limit : int
-(** The greatest number of parts: 10 000. *)
+(** The solid in convex parts: those of {!Scc_polygon.Prism} for a prism over a polygon, and of
+    {!Scc_decompose.Decompose} for any other solid. They are cut further so that names of the solid's faces are
+    exact, with these names. The function [progress] is called again and again, and may raise. *)

@@ -6,10 +6,6 @@ open Scc_geometry
 val solid : Vec.t list -> Polyhedron.t
 (** The convex hull of points that are not in one plane (a bug otherwise). Its names have no meaning. *)
 
-val halves : Drawn.region -> Polyhedron.t -> Polyhedron.t * Polyhedron.t
-(** [halves region part] are the pieces of [part] behind and in front of the plane of [region], which divides
-    it. *)
-
 val parts :
   tick:(left:int -> unit) -> Shown.t -> Drawn.t -> limit:int -> Polyhedron.t list ->
   (Polyhedron.t * (Feature.t * Drawn.feature list) list) list option

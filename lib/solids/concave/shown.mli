@@ -17,7 +17,3 @@ val features : t -> Polyhedron.t -> (Feature.t * Drawn.feature list) list
 val share : Vec.t -> Vec.t array -> Vec.t array -> bool
 (** [share n p q] is true if two convex polygons of a plane with the normal [n] have an area in common. The
     first is counter-clockwise about [n], the second clockwise. *)
-
-val overlap : Drawn.region -> Vec.t array -> bool
-(** [overlap region polygon] is true if a convex polygon in the plane of the region has an area in common with
-    it. The polygon is counter-clockwise as seen from outside. *)

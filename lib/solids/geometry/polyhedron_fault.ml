@@ -36,22 +36,6 @@ let kind = function
   | Inward -> "inward"
   | Separate_solids _ -> "separate-solids"
 
-let witness = function
-  | No_faces | Inward -> []
-  | Flat a | Short_face a | Turned_face a | Unused_vertex a | Self_crossing a -> [ a ]
-  | Bad_vertex_index (a, b)
-  | Same_position (a, b)
-  | Off_plane (a, b)
-  | Degenerate_face (a, b)
-  | Not_convex (a, b)
-  | Coplanar_neighbours (a, b)
-  | In_plane (a, b)
-  | Separate_solids (a, b) -> [ a; b ]
-  | Open_edge (a, b, c) -> [ a; b; c ]
-  | Repeated_edge (a, b, c, d) -> [ a; b; c; d ]
-
-let equal a b = String.equal (kind a) (kind b) && List.equal Int.equal (witness a) (witness b)
-
 let code =
   let open Scc_base.Code in
   function

@@ -19,9 +19,6 @@ type t =
   | Inward  (** the faces are oriented clockwise *)
   | Separate_solids of int * int  (** a face of each of two solids that share no edge *)
 
-val equal : t -> t -> bool
-(** [equal f g] is true if both are one fault with one witness. *)
-
 val kind : t -> string
 (** The name of the constructor in lower case, with hyphens: ["open-edge"], …. It is stable, for use by
     programs. *)

@@ -1,7 +1,6 @@
 (** A report on an indexed face set as a template: both verdicts, kept apart (reading I-2), sizes and mass
     properties. *)
 
-open Scc_exact
 
 type verdict =
   | Accepted of Polyhedron.t * Mass_properties.t  (** a convex closed polyhedron: E0 to E5 hold *)
@@ -21,10 +20,6 @@ val make : Polyhedron.ifs -> t
 val accepted : t -> bool
 (** [accepted r] is true if the set is a convex closed polyhedron. *)
 
-val off_centre : t -> Vec.t option
-(** The centroid of an accepted set, if it is not the origin of body space. The paper wants it there; nothing
-    here depends on it. *)
-
 val vertex_name : t -> int -> string
 (** The name of the vertex with this index in the set. *)
 
@@ -33,7 +28,7 @@ val face_name : t -> int -> string
 
 val faults : t -> Scc_base.Diag.t list
 (** One diagnostic without a place for each fault, in their order. For an accepted set it is the warning SC0312
-    if {!off_centre} gives a centroid, else the list is empty. *)
+    if the centroid of an accepted set is not the origin of body space, else the list is empty. *)
 
 val max_faults : int
 (** The number of faults that a text lists, 20; the others are only counted. *)

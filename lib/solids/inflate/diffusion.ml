@@ -3,6 +3,7 @@ open Scc_exact
 
 type t = { values : int array; bits : int; error : int }
 
+(* Eight times a bound on the solution for 4 s = 1: (m + 1)^2, with m the smaller one of width and height. *)
 let bound (s : Silhouette.t) =
   let m = min s.width s.height - 2 in
   (m + 1) * (m + 1)

@@ -4,7 +4,7 @@
 
     with v = 0 outside of the shape and strengths s >= 0. It is solved in integers by successive
     over-relaxation (Young), with the same result on all machines. The error is proved from the residuals of
-    the equations. The exact solution differs from [v] by at most {!bound} times the greatest residual (the
+    the equations. The exact solution differs from [v] by at most (m + 1){^2} / 8 times the greatest residual (the
     rule book's section on icons). *)
 
 open Scc_exact
@@ -14,10 +14,6 @@ type t = {
   bits : int;
   error : int;  (** in those units: a bound on the distance to the exact solution, everywhere *)
 }
-
-val bound : Silhouette.t -> int
-(** Eight times a bound on the solution for 4 s = 1: (m + 1){^2}, with m the smaller one of width and
-    height. *)
 
 val solve : progress:(float -> unit) -> Silhouette.t -> strength:(int -> Rat.t) -> greatest:Rat.t -> t
 (** [solve ~progress shape ~strength ~greatest] is the fixed point on the pixels of the shape. The function

@@ -1,7 +1,7 @@
 open Scc_exact
 open Text
 
-type t = { points : word list; index : word list; ccw : bool; at : word; name : string option }
+type t = { points : word list; index : word list; ccw : bool; name : string option }
 
 let blank c = c = ' ' || c = '\t' || c = '\n' || c = '\r' || c = ',' || c = '\x0c'
 

@@ -7,7 +7,6 @@ type t = {
   points : Text.word list;  (** coordinates, three for each point *)
   index : Text.word list;  (** of points, from 0; -1 ends a face *)
   ccw : bool;  (** faces run counter-clockwise seen from outside *)
-  at : Text.word;  (** the word [IndexedFaceSet] *)
   name : string option;  (** the name given by [DEF], or that of its shape *)
 }
 

@@ -46,16 +46,16 @@ let of_matrix list =
   let row i = Vec.make m.(i) m.(4 + i) m.(8 + i) in
   let last = Array.init 4 (fun k -> m.((4 * k) + 3)) in
   if Array.for_all2 Rat.equal last [| Rat.zero; Rat.zero; Rat.zero; Rat.one |] then
-    Ok { Affine_map.linear = Mat.make (row 0) (row 1) (row 2); shift = vector (Array.sub m 12 3) }
+    Ok { Affine.linear = Mat.make (row 0) (row 1) (row 2); translation = vector (Array.sub m 12 3) }
   else J.fail list "the last row of the matrix is to be 0 0 0 1"
 
 let of_parts node =
   let zero = Rat.zero and one = Rat.one in
-  let* shift = numbers_or [| zero; zero; zero |] "translation" node in
+  let* translation = numbers_or [| zero; zero; zero |] "translation" node in
   let* turn = numbers_or [| zero; zero; zero; one |] "rotation" node in
   let* scale = numbers_or [| one; one; one |] "scale" node in
   match Mat.of_quaternion (turn.(3), turn.(0), turn.(1), turn.(2)) with
-  | Some m -> Ok { Affine_map.linear = Mat.mul m (Mat.diagonal (vector scale)); shift = vector shift }
+  | Some m -> Ok { Affine.linear = Mat.mul m (Mat.diagonal (vector scale)); translation = vector translation }
   | None -> J.fail node "the quaternion 0 is no rotation"
 
 let place node =
@@ -109,9 +109,9 @@ let primitive file at p =
       let n = Array.length corners in
       if mode = triangles && n mod 3 <> 0 then J.fail p "%d corners are not whole triangles" n
       else
-        let numbers = Array.map (fun v -> Soup.number file.soup (Affine_map.move at v)) positions in
+        let numbers = Array.map (fun v -> Soup.number file.soup (Affine.apply at v)) positions in
         (* A mirror turns counter-clockwise into clockwise. *)
-        let mirrored = Affine_map.mirrors at in
+        let mirrored = Affine.mirrors at in
         each_triangle mode corners (fun a b c ->
             let a = numbers.(a) and b = numbers.(b) and c = numbers.(c) in
             if mirrored then Soup.add file.soup a c b else Soup.add file.soup a b c);
@@ -138,8 +138,8 @@ let rec node file depth at name =
   else (
     file.seen.(i) <- true;
     let* own = place n in
-    let at = Affine_map.inside at own in
-    if Affine_map.too_long at then J.fail n "the numbers of the places of nodes inside of each other get too long"
+    let at = Affine.compose at own in
+    if Affine.too_long at then J.fail n "the numbers of the places of nodes inside of each other get too long"
     else
       let* () =
         match (J.member "skin" n, J.member "weights" n, J.member "mesh" n) with
@@ -172,11 +172,11 @@ let scene root file =
     | None -> Ok (if Array.length scenes > 0 then Some scenes.(0) else None)
   in
   match chosen with
-  | Some s -> Result.bind (J.items "nodes" s) (all (node file 0 Affine_map.here))
+  | Some s -> Result.bind (J.items "nodes" s) (all (node file 0 Affine.identity))
   | None when Array.length file.nodes > 0 ->
     let* first = roots file.nodes in
-    Result.map ignore (map (fun i -> node file 0 Affine_map.here (J.of_index root i)) first)
-  | None -> all (mesh file Affine_map.here) file.meshes
+    Result.map ignore (map (fun i -> node file 0 Affine.identity (J.of_index root i)) first)
+  | None -> all (mesh file Affine.identity) file.meshes
 
 (* Extensions that a file cannot be read without, and that leave positions as they are. *)
 let harmless name =

@@ -14,7 +14,7 @@ let harmless =
 (* {1 What a model says} *)
 
 type mesh = { points : Vec.t array; triangles : (int * int * int) array }
-type used = { id : string; place : Affine_map.t }
+type used = { id : string; place : Affine.t }
 type body = Mesh of mesh | Components of used list | Nothing
 type thing = { support : bool; other : bool; body : body }
 
@@ -74,14 +74,14 @@ let mesh m =
 (* Row vectors: (x, y, z, 1) times the matrix, row by row without its last column. *)
 let transform m tag =
   match X.attribute tag "transform" with
-  | None -> Affine_map.here
+  | None -> Affine.identity
   | Some text -> (
       let words = String.split_on_char ' ' (String.map (function '\t' | '\n' | '\r' -> ' ' | c -> c) text) in
       match Array.of_list (List.filter (fun w -> w <> "") words) with
       | [| _; _; _; _; _; _; _; _; _; _; _; _ |] as words ->
         let n = Array.map (number m) words in
         let row i = Vec.make n.(i) n.(3 + i) n.(6 + i) in
-        { Affine_map.linear = Mat.make (row 0) (row 1) (row 2); shift = Vec.make n.(9) n.(10) n.(11) }
+        { Affine.linear = Mat.make (row 0) (row 1) (row 2); translation = Vec.make n.(9) n.(10) n.(11) }
       | words -> X.fail m.x "a transform has 12 numbers, not %d" (Array.length words))
 
 (* An item or a component. *)
@@ -122,8 +122,8 @@ let max_depth = 1000
 let rec build m depth at { id; place } =
   spend m 1;
   if depth > max_depth then X.fail m.x "components are inside of each other more than %d deep" max_depth;
-  let at = Affine_map.inside at place in
-  if Affine_map.too_long at then X.fail m.x "the numbers of components inside of each other get too long";
+  let at = Affine.compose at place in
+  if Affine.too_long at then X.fail m.x "the numbers of components inside of each other get too long";
   let thing = Hashtbl.find m.things id in
   if thing.other then X.fail m.x "the object %s is of the type `other`, and is not to be built" (Text.quote id);
   if not thing.support then
@@ -132,8 +132,8 @@ let rec build m depth at { id; place } =
     | Components list -> List.iter (build m (depth + 1) at) list
     | Mesh mesh ->
       spend m (Array.length mesh.points + Array.length mesh.triangles);
-      let numbers = Array.map (fun v -> Soup.number m.soup (Affine_map.move at v)) mesh.points in
-      let mirrored = Affine_map.mirrors at in
+      let numbers = Array.map (fun v -> Soup.number m.soup (Affine.apply at v)) mesh.points in
+      let mirrored = Affine.mirrors at in
       let add (a, b, c) =
         let a = numbers.(a) and b = numbers.(b) and c = numbers.(c) in
         if mirrored then Soup.add m.soup a c b else Soup.add m.soup a b c
@@ -160,7 +160,7 @@ let model ~path ~size x tag =
       else if is tag "build" then
         each x "item" (fun tag ->
             incr items;
-            build m 0 Affine_map.here (used m tag))
+            build m 0 Affine.identity (used m tag))
       else X.skip x);
   if !items = 0 then X.fail x "nothing is to be built: there is no item";
   Soup.solid m.soup

@@ -67,7 +67,7 @@ let open_node state (w : word) =
   match w.text with
   | "IndexedFaceSet" ->
     let name = if Option.is_some def then def else state.shape in
-    { state with sets = { points = []; index = []; ccw = true; at = w; name } :: state.sets }
+    { state with sets = { points = []; index = []; ccw = true; name } :: state.sets }
   | "Shape" -> { state with shape = def }
   | _ -> state
 

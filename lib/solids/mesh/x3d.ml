@@ -175,7 +175,7 @@ let add ~path text state tag =
     let* index = words_of ~path text tag "coordIndex" in
     let* own = value ~path text tag "DEF" in
     let name = if Option.is_some own then own else state.shape in
-    Ok { state with inside = true; sets = { Face_sets.points = []; index; ccw; at = tag.name; name } :: sets }
+    Ok { state with inside = true; sets = { Face_sets.points = []; index; ccw; name } :: sets }
   | "/IndexedFaceSet", _ -> Ok { state with inside = false }
   | "Coordinate", set :: rest when state.inside ->
     let* points = words_of ~path text tag "point" in

@@ -10,9 +10,6 @@ exception Unread of string
 
 type cursor = { text : string; mutable at : int }
 
-val skip : cursor -> unit
-(** Skips blanks and commas. *)
-
 val ended : cursor -> bool
 (** [ended c] skips blanks and commas, and is true if nothing follows. *)
 

@@ -10,8 +10,6 @@ let integers numbers =
 let make points =
   { xs = integers (Array.map (fun p -> p.x) points); ys = integers (Array.map (fun p -> p.y) points) }
 
-let count g = Array.length g.xs
-
 let cross g a b c =
   let x k = Z.sub g.xs.(k) g.xs.(a) and y k = Z.sub g.ys.(k) g.ys.(a) in
   Z.sub (Z.mul (x b) (y c)) (Z.mul (y b) (x c))

@@ -11,9 +11,6 @@ type t
 val make : point array -> t
 (** The grid of these points, numbered by their places in the array. *)
 
-val count : t -> int
-(** The number of points. *)
-
 val orient : t -> int -> int -> int -> int
 (** [orient g a b c] is positive if c is left of the way from a to b, 0 on the line through them, else negative. *)
 

@@ -17,4 +17,3 @@ let add t (c : Constraint.t) =
 
 let of_list = List.fold_left (fun t c -> Option.bind t (fun t -> add t c)) (Some empty)
 let to_list = List.map snd
-let rank = List.length

@@ -139,9 +139,5 @@ val project : t -> int array -> t
 (** [project p onto] has the points (x{_onto.(0)}, x{_onto.(1)}, ...) for all points x of [p]. The variables in
     [onto] are distinct (a bug otherwise). With all variables it is a permutation of the coordinates. *)
 
-val eliminate : t -> int list -> t
-(** [eliminate p variables] has the points that are in [p] after a suitable change of the coordinates with
-    these numbers. *)
-
 val image : t -> Linear.t array -> t
 (** [image p forms] has the points (forms.(0)(x), forms.(1)(x), ...) for all points x of [p]. *)

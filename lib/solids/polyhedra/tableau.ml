@@ -26,7 +26,6 @@ let universe n =
   { dimension = n; kinds = Array.make n Free; basic = [||]; cobasic = Array.init n Fun.id; rows = [||];
     denominator = Z.one }
 
-let dimension t = t.dimension
 let size t = Array.length t.kinds - t.dimension
 
 (* {1 Several systems as one}

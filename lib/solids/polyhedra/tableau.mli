@@ -29,9 +29,6 @@ type t = private {
 val universe : int -> t
 (** [universe n] is the system over n variables without constraints. *)
 
-val dimension : t -> int
-(** The number n of variables, without slacks. *)
-
 val add : t -> Constraint.t -> t option
 (** The system with one more constraint, whose number is the count of those before it, from 0 on. [None] if no
     point satisfies all. *)

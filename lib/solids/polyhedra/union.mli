@@ -46,9 +46,6 @@ val covers : t -> Polyhedron.t -> bool
 val outside : t -> Polyhedron.t -> Rat.t array option
 (** [outside u p] is a point of [p] that is not in [u], or [None] if there is none. *)
 
-val included : t -> t -> bool
-(** [included u v] is true if each point of [u] is in [v]. *)
-
 val equal : t -> t -> bool
 (** [equal u v] is true if both have the same points. *)
 

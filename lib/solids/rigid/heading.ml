@@ -60,6 +60,7 @@ let aim (p : Separation.t) (s : Gjk.t) =
 
 (* {1 Delays} *)
 
+(* The least t > 0 at which a + b t + c t^2 = 0, for a > 0; infinite if there is none. *)
 let first_root a b c =
   let disc = (b *. b) -. (4. *. a *. c) in
   if disc < 0. then infinity

@@ -14,10 +14,6 @@ type delays = {
 val delays : Separation.t -> Gjk.t -> delays
 (** The delays for the direction of the separation and the nearest features that the search has found. *)
 
-val first_root : float -> float -> float -> float
-(** [first_root a b c] is the least t > 0 at which a + b t + c t^2 = 0, for a > 0; infinite if there is
-    none. *)
-
 val fitted : Separation.t -> float -> float
 (** [fitted p s], after a proof that failed for the delay [s], is a shorter delay that is likely to be
     proved. *)

@@ -20,6 +20,7 @@ let of_point mass (r : Vec.t) =
   let dyad = Mat.make (Vec.scale r.x r) (Vec.scale r.y r) (Vec.scale r.z r) in
   Mat.scale mass (Mat.add square (Mat.scale (Rat.of_int (-1)) dyad))
 
+(* By the parallel axis theorem. *)
 let inertia_about b point =
   let r = Vec.sub b.centre point in
   if Vec.is_zero r then b.inertia else Mat.add b.inertia (of_point b.mass r)

@@ -21,9 +21,6 @@ val join : t list -> t
 val of_parts : part list -> t
 (** The mass of the compound of at least one part. *)
 
-val inertia_about : t -> Vec.t -> Mat.t
-(** [inertia_about b x] is the inertia about the point [x] (the parallel axis theorem). *)
-
 val inverse_inertia : t -> Mat.t
 (** The inverse of the inertia about the centre of mass. *)
 

@@ -3,7 +3,6 @@ open Scc_geometry
 
 type t = { solid : Solid.t; turned : Quaternion.t; at : Vec.t }
 
-let of_motion (m : Motion.t) t = { solid = m.solid; turned = Motion.rotation m t; at = Motion.reference m t }
 let point b p = Vec.add b.at (Quaternion.apply b.turned p)
 let vertex b i = point b (Solid.vertex b.solid i)
 let vertices b = Array.init (Array.length b.solid.vertices) (vertex b)

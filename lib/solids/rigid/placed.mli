@@ -9,9 +9,6 @@ type t = {
   at : Vec.t;  (** of the reference point *)
 }
 
-val of_motion : Motion.t -> Rat.t -> t
-(** [of_motion m t] is the moving solid at the time [t]. *)
-
 val point : t -> Vec.t -> Vec.t
 (** [point b p] is the place of the point of the solid that is at [p] relative to its reference point before
     any turn. *)

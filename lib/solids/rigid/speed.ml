@@ -1,6 +1,7 @@
 open Scc_exact
 open Scc_geometry
 
+(* Rounded up to ten bits or so. *)
 let length v =
   let v, d = Ivec.of_vec v in
   let square = Rat.make (Ivec.dot v v) (Z.mul d d) in

@@ -3,9 +3,6 @@
 open Scc_exact
 open Scc_geometry
 
-val length : Vec.t -> Rat.t
-(** The length of a vector, rounded up to ten bits or so. *)
-
 val reach : Solid.t -> Vec.t -> Rat.t
 (** [reach solid arm] is a bound on the distance of all points of a solid from a centre, when its centroid is
     at [arm] from that centre. *)

@@ -10,4 +10,3 @@ let make ~vertices faces =
   { vertices; faces; neighbours }
 
 let size t = Array.length t.neighbours
-let pairs t = Array.fold_left (fun n corners -> n + Array.length corners) 0 t.faces

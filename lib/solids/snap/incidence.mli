@@ -13,6 +13,3 @@ val make : vertices:int -> int array array -> t
 
 val size : t -> int
 (** The number of elements: vertices and faces together. *)
-
-val pairs : t -> int
-(** The number of pairs of a vertex and a face that lie on each other. *)

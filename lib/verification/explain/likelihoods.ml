@@ -32,7 +32,6 @@ let between low high =
   | Some x, None -> Printf.sprintf "at least %s" (below x)
   | None, _ -> "infinite"
 
-let answer a = between (Answer.lower a) (Answer.upper a)
 let measured (m : Scc_ctl.Eval.measured) = between (Answer.lower m.least) (Answer.upper m.most)
 
 let side : Scc_property.Property.side -> string = function Least -> "least" | Greatest -> "greatest"

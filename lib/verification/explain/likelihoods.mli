@@ -6,13 +6,10 @@ val number : Scc_exact.Rat.t -> string
 (** The exact number if it is short. A longer one is followed by a decimal in parentheses, and a very long one
     is only its decimal, as ["about 0.333333"]. *)
 
-val answer : Scc_chance.Answer.t -> string
-(** An answer as ["1/3"], ["123456789/987654321 (about 0.125)"], or ["in [1/4, 1/2]"] with decimals that are
-    rounded outwards. *)
-
 val measured : Eval.measured -> string
-(** The interval from the lower bound of the least value to the upper bound of the greatest, in the words of
-    {!answer}. *)
+(** The interval from the lower bound of the least value to the upper bound of the greatest, as
+    ["1/3"], ["123456789/987654321 (about 0.125)"], or ["in [1/4, 1/2]"] with decimals that are rounded
+    outwards. *)
 
 val known : Scc_property.Property.side -> Eval.measured -> string
 (** A measured probability as ["the least probability is 1/3"]. *)

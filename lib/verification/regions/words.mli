@@ -7,9 +7,6 @@ open Scc_calculus
 val number : Rat.t -> string
 (** The exact number, and its decimal: ["4/25 = 0.16"]; ["7/18, about 0.3889"] if that is rounded; ["3"]. *)
 
-val probability : Where.probability -> string
-(** A probability as ["4/25 = 0.16"], or ["at least 1/9, about 0.1111, and at most 1/2 = 0.5"]. *)
-
 val piece : Ranges.t -> Polyhedron.t -> string
 (** The constraints of the piece within the box of the ranges, separated by commas, two bounds of one form
     together: ["x = y, -2 < z < 2"]. All of the box is ["everywhere"]. Constraints that the ranges imply are

@@ -12,14 +12,17 @@ type plan =
   | Any of plan list
   | Branches of branches  (** asked of the graph when all is known *)
 
-and branches = { formula : Property.temporal; mutable answer : (Branching.t * Union.t, string list) result }
+(* [everywhere]: it holds for all values; [settled]: nothing of it is open. *)
+and branches = { formula : Property.temporal; mutable answer : (concluded, string) result option }
+
+and concluded = { found : Branching.answer; everywhere : bool; settled : bool }
 
 type t = {
   context : Instant.context;
   atoms : Atoms.context;
   parameters : Polyhedron.t;
   plan : plan;
-  bound : Rat.t option;
+  formula : Property.temporal;
 }
 
 let make context atoms ~parameters formula =
@@ -31,11 +34,11 @@ let make context atoms ~parameters formula =
     | Always (bound, p) -> Avoids (search bound (Formula.negate p))
     | All plans -> All (List.map plan plans)
     | Any plans -> Any (List.map plan plans)
-    | Formula formula -> Branches { formula; answer = Error [] }
+    | Formula formula -> Branches { formula; answer = None }
   in
-  { context; atoms; parameters; plan = plan (Plan.of_formula formula); bound = Plan.horizon formula }
+  { context; atoms; parameters; plan = plan (Plan.of_formula formula); formula }
 
-let bound t = t.bound
+let reach t = Plan.reach t.formula
 
 let rec bounded : Property.temporal -> bool = function
   | State _ -> false
@@ -80,11 +83,16 @@ let leave t zone =
 
 let rec conclude_plan t graph = function
   | Branches b ->
-    b.answer <- Result.map_error (fun reason -> [ reason ]) (Branching.holds t.context t.atoms graph b.formula)
+    let concluded (found : Branching.answer) =
+      let settled = Union.covers (Union.union found.holds found.fails) t.parameters in
+      { found; everywhere = Union.covers found.holds t.parameters; settled }
+    in
+    b.answer <- Some (Result.map concluded (Branching.answer t.context t.atoms graph b.formula))
   | All plans | Any plans -> List.iter (conclude_plan t graph) plans
   | Reaches _ | Avoids _ | Starts _ -> ()
 
 let conclude t graph = conclude_plan t graph t.plan
+let is_search t = Plan.is_search (Plan.of_formula t.formula)
 
 (* {1 Sets} *)
 
@@ -97,12 +105,11 @@ let rec sets_of all = function
     { holds = fails; fails = holds }
   | All plans -> List.fold_left (both all) { holds = all; fails = Union.empty (Union.dimension all) } plans
   | Any plans -> List.fold_left (either all) { holds = Union.empty (Union.dimension all); fails = all } plans
-  | Branches { answer = Error _; _ } ->
+  | Branches { answer = None | Some (Error _); _ } ->
     let none = Union.empty (Union.dimension all) in
     { holds = none; fails = none }
-  | Branches { answer = Ok (_, holds); _ } ->
-    let holds = Union.inter holds all in
-    { holds; fails = Union.difference all holds }
+  | Branches { answer = Some (Ok { found; _ }); _ } ->
+    { holds = Union.inter found.holds all; fails = Union.inter found.fails all }
 
 and found all s =
   let holds = Union.inter (Search_sets.found s) all in
@@ -123,21 +130,24 @@ let sets t = sets_of (Union.of_polyhedron t.parameters) t.plan
 (* Whatever is still to be found: whether it is known for each value whether it holds; *)
 let rec known t = function
   | Reaches s | Avoids s -> Search_sets.covers s t.parameters
-  | Starts _ | Branches _ -> false
+  | Branches { answer = Some (Ok concluded); _ } -> concluded.settled
+  | Starts _ | Branches { answer = None | Some (Error _); _ } -> false
   | All plans | Any plans -> List.for_all (known t) plans
 
 (* that it fails for some value: what fails for one each, of several that need not all hold, may fail for none; *)
 let rec fails_somewhere = function
   | Avoids s -> not (Union.is_empty (Search_sets.found s))
   | All plans -> List.exists fails_somewhere plans
-  | Reaches _ | Starts _ | Branches _ | Any _ -> false
+  | Branches { answer = Some (Ok concluded); _ } -> not (Union.is_empty concluded.found.fails)
+  | Reaches _ | Starts _ | Branches { answer = None | Some (Error _); _ } | Any _ -> false
 
 (* that it holds for all values. *)
 let rec holds_everywhere t = function
   | Reaches s -> Search_sets.covers s t.parameters
   | All plans -> List.for_all (holds_everywhere t) plans
   | Any plans -> List.exists (holds_everywhere t) plans
-  | Avoids _ | Starts _ | Branches _ -> false
+  | Branches { answer = Some (Ok concluded); _ } -> concluded.everywhere
+  | Avoids _ | Starts _ | Branches { answer = None | Some (Error _); _ } -> false
 
 let is_known t ~exactly =
   known t t.plan || ((not exactly) && (fails_somewhere t.plan || holds_everywhere t t.plan))
@@ -153,8 +163,8 @@ let safe_so_far t = safe t.plan
 let rec reasons_of = function
   | Reaches s | Avoids s | Starts s -> Search_sets.reasons s
   | All plans | Any plans -> List.concat_map reasons_of plans
-  | Branches { answer = Error reasons; _ } -> reasons
-  | Branches { answer = Ok _; _ } -> []
+  | Branches { answer = Some (Error reason); _ } -> [ reason ]
+  | Branches { answer = None | Some (Ok _); _ } -> []
 
 let reasons t = List.sort_uniq String.compare (reasons_of t.plan)
 
@@ -168,10 +178,10 @@ let rec place ~holds = function
 let shown_by t ~holds = place ~holds t.plan
 
 let rec branch all ~holds = function
-  | Branches { answer = Ok (b, set); formula } ->
-    let so = if holds then Union.inter set all else Union.difference all set in
-    if Union.is_empty so then None else Some (b, formula)
-  | Branches { answer = Error _; _ } | Reaches _ | Avoids _ | Starts _ -> None
+  | Branches { answer = Some (Ok { found; _ }); formula } ->
+    let so = Union.inter (if holds then found.holds else found.fails) all in
+    if Union.is_empty so then None else Some (found.decided, formula)
+  | Branches { answer = None | Some (Error _); _ } | Reaches _ | Avoids _ | Starts _ -> None
   | All plans -> if holds then None else List.find_map (branch all ~holds) plans
   | Any plans -> if holds then List.find_map (branch all ~holds) plans else None
 

@@ -1,5 +1,5 @@
 (** The values of the parameters for which a formula holds. Searches ({!Scc_property.Plan}) are decided while
-    zones are explored, other formulas on the whole graph ({!Branching}). *)
+    zones are explored, other formulas on the graph, as far as it is explored ({!Branching}). *)
 
 open Scc_polyhedra
 open Scc_property
@@ -11,13 +11,16 @@ val make : Instant.context -> Atoms.context -> parameters:Polyhedron.t -> Proper
 (** [make c atoms ~parameters formula] is the open question, where [parameters] are all values of the
     parameters. *)
 
-val bound : t -> Scc_exact.Rat.t option
-(** [bound t] is the time up to which the formula of [t] looks ({!Plan.horizon}); [None] if there is no such
-    time. *)
+val reach : t -> Plan.reach option
+(** [reach t] is the positions that the truth of the formula of [t] in the initial states depends on
+    ({!Plan.reach}); [None] if there is no such bound. *)
 
 val needs_time : Property.temporal -> bool
 (** [needs_time formula] is true if the formula mentions model time or has a bound of time. Model time then has
     to be a coordinate of zones. *)
+
+val is_search : t -> bool
+(** [is_search t] is true if searches alone decide the formula. *)
 
 (** {1 While zones are explored} *)
 
@@ -37,7 +40,8 @@ val is_known : t -> exactly:bool -> bool
 (** {1 Afterwards} *)
 
 val conclude : t -> Zone_graph.t -> unit
-(** Decides the other formulas on the whole graph, in which all is known that {!reach} has. *)
+(** Decides what no search decides, on a graph. It may be called again when more is explored. Where a bound of
+    time has ended a graph that has all nodes expanded, {!reach} has no later states. *)
 
 type sets = { holds : Union.t; fails : Union.t  (** disjoint; for all other values it is not known *) }
 

@@ -7,9 +7,12 @@ open Scc_state_sets
 (* {1 Fixpoints} *)
 
 (* Why sets may not come to rest: each time that a cycle is followed they may get more pieces. *)
-let most_rounds = 10_000
+let at_rest steps = Printf.sprintf "the sets of states do not come to rest within %d steps" steps
 
-let at_rest = "the sets of states do not come to rest within " ^ string_of_int most_rounds ^ " steps"
+(* Where more is to be explored, a bit of patience is enough. *)
+let patience m =
+  let size = Array.length m.nodes in
+  (10 * size) + if m.whole then 10_000 else 100
 
 (* Computes [step] of each node anew as long as sets after it change; the last nodes, which lie deepest, first. *)
 let iterate m start step =
@@ -23,9 +26,9 @@ let iterate m start step =
     waiting := Deepest.remove i !waiting;
     queued.(i) <- false;
     incr rounds;
-    if !rounds > most_rounds + (10 * size) then not_known at_rest;
+    if !rounds > patience m then not_known (at_rest (patience m));
     let n = m.nodes.(i) in
-    if not n.it.zone.halted then begin
+    if is_explored n && not n.it.zone.halted then begin
       let next = tidy (step at i n) in
       if not (Union.equal next at.(i)) then begin
         at.(i) <- next;
@@ -35,10 +38,12 @@ let iterate m start step =
   done;
   at
 
-let none m = Array.map (fun n -> Union.empty (Zone.dimension n.it.zone)) m.nodes
+let start m ~may =
+  let at n = if is_explored n then Union.empty (Zone.dimension n.it.zone) else unknown n ~may in
+  Array.map at m.nodes
 
 (* E[f U g]. *)
-let exists_until m f g =
+let exists_until m ~may f g =
   let not_f = complement m f in
   let zipped i =
     let truths = List.combine f.along.(i) (List.combine not_f.along.(i) g.along.(i)) in
@@ -52,7 +57,7 @@ let exists_until m f g =
     in
     union g.at.(i) (inter f.at.(i) (List.fold_left of_stretch (at_once n at) (zipped i)))
   in
-  let at = iterate m (none m) step in
+  let at = iterate m (start m ~may) step in
   let along i =
     let n = m.nodes.(i) in
     let of_stretch (s, (f_along, (bad, g_along))) =
@@ -64,7 +69,9 @@ let exists_until m f g =
   in
   { at; along = Array.init (Array.length at) along }
 
-(* EG g. States after the horizon count as good: they are after the end of all bounds of time of the formula. *)
+let is_beyond n = Option.is_some n.it.beyond
+
+(* EG g. After the horizon a run goes on with g if g is there: the formula does not look further. *)
 let exists_globally m g =
   let not_g = complement m g in
   let zipped i = List.combine m.nodes.(i).stretches (List.combine g.along.(i) not_g.along.(i)) in
@@ -78,7 +85,7 @@ let exists_globally m g =
       let halted = reach_from_start s ~bad (inter g_along (halts n s at)) in
       union u (union to_end halted)
     in
-    inter g.at.(i) (List.fold_left of_stretch (at_once n at) (zipped i))
+    if is_beyond n then g.at.(i) else inter g.at.(i) (List.fold_left of_stretch (at_once n at) (zipped i))
   in
   let at = iterate m g.at step in
   let along i =
@@ -88,12 +95,12 @@ let exists_globally m g =
       let halted = reach s ~bad (inter g_along (halts n s at)) in
       inter g_along (union to_end halted)
     in
-    List.map of_stretch (zipped i)
+    if is_beyond n then g.along.(i) else List.map of_stretch (zipped i)
   in
   { at; along = Array.init (Array.length at) along }
 
 (* EX f: the first event leads to f, however much time passes before, to the end of a stretch or of several. *)
-let exists_next m f =
+let exists_next m ~may f =
   let step at _ n =
     let of_stretch u s =
       let halted = project (halts n s f.at) ~dimension:(Zone.dimension n.it.zone) in
@@ -101,7 +108,7 @@ let exists_next m f =
     in
     List.fold_left of_stretch (at_once n f.at) n.stretches
   in
-  let at = iterate m (none m) step in
+  let at = iterate m (start m ~may) step in
   let along n =
     let of_stretch s =
       let bad = Union.empty (Zone.dimension s.zone) in
@@ -114,13 +121,15 @@ let exists_next m f =
 (* {1 Formulas} *)
 
 (* The states right after which the set is there: on an open interval that begins with them. *)
-let right_before m s =
+let right_before m ~may s =
   let not_s = complement m s in
   let at i n =
-    let of_stretch u (x, bad) = union u (reach_from_start x ~bad (all_along x)) in
-    List.fold_left of_stretch
-      (Union.empty (Zone.dimension n.it.zone))
-      (List.combine n.stretches not_s.along.(i))
+    if not (is_explored n) then unknown n ~may
+    else
+      let of_stretch u (x, bad) = union u (reach_from_start x ~bad (all_along x)) in
+      List.fold_left of_stretch
+        (Union.empty (Zone.dimension n.it.zone))
+        (List.combine n.stretches not_s.along.(i))
   in
   let along i n =
     let of_stretch x bad =
@@ -151,24 +160,38 @@ type search =
   | Stays of sets  (** for ever in such states *)
   | Leads of sets  (** to them, by its next event *)
 
-let solve m = function
-  | Comes { before; goal } -> exists_until m before goal
+let solve m ~may = function
+  | Comes { before; goal } -> exists_until m ~may before goal
   | Stays states -> exists_globally m states
-  | Leads goal -> exists_next m goal
+  | Leads goal -> exists_next m ~may goal
+
+(* {2 What is known where not all is explored}
+
+   The states of which something is known to be so, and those of which it is not known not to be so. *)
+
+type known = { surely : sets; perhaps : sets }
+
+let pick k ~may = if may then k.perhaps else k.surely
+
+let both m sets =
+  let surely = sets ~may:false in
+  { surely; perhaps = (if m.whole then surely else sets ~may:true) }
+
+let negation m k = both m (fun ~may -> complement m (pick k ~may:(not may)))
+let combined m f a b = both m (fun ~may -> map2 f (pick a ~may) (pick b ~may))
 
 type quantified = { holds_if_any : bool; searches : (search * sets) list }
 
-type t = { model : model; mutable known : ((Property.temporal * bool) * (sets * quantified option)) list }
+type t = { model : model; mutable known : ((Property.temporal * bool) * (known * quantified option)) list }
 
 (* A run breaks f U g if g never comes, or f is over at an instant without g before; or else, where g has no first
    instant, if f does not hold right after the last one without g. *)
 let breaks_until m f g =
-  let not_f = complement m f and not_g = complement m g in
-  [
-    Comes { before = not_g; goal = map2 inter not_f not_g };
-    Comes { before = not_g; goal = map2 inter not_g (right_before m (map2 inter not_f g)) };
-    Stays not_g;
-  ]
+  let not_f = negation m f and not_g = negation m g in
+  let over_before g = both m (fun ~may -> right_before m ~may (map2 inter (pick not_f ~may) (pick g ~may))) in
+  let goals = [ combined m inter not_f not_g; combined m inter not_g (over_before g) ] in
+  let comes goal ~may = Comes { before = pick not_g ~may; goal = pick goal ~may } in
+  List.map comes goals @ [ (fun ~may -> Stays (pick not_g ~may)) ]
 
 let rec find (t : t) ~outermost (f : Property.temporal) =
   let same ((g, o), _) = Bool.equal o outermost && Formula.equal f g in
@@ -189,43 +212,55 @@ and compute t ~outermost (f : Property.temporal) =
     else not_known "a bound of time within another operator, over all starts and instants"
   in
   let quantified holds_if_any searches =
-    let solved = List.map (fun s -> (s, solve m s)) searches in
-    let any = List.fold_left (fun u (_, s) -> map2 union u s) (snd (List.hd solved)) (List.tl solved) in
-    let holds = if holds_if_any then any else complement m any in
-    (holds, Some { holds_if_any; searches = solved })
+    let solved = List.map (fun search -> both m (fun ~may -> solve m ~may (search ~may))) searches in
+    let any = List.fold_left (combined m union) (List.hd solved) (List.tl solved) in
+    let holds = if holds_if_any then any else negation m any in
+    let shown search s = (search ~may:false, s.surely) in
+    (holds, Some { holds_if_any; searches = List.map2 shown searches solved })
   in
+  let all () = inner (State (Bool true)) in
+  let comes before goal = [ (fun ~may -> Comes { before = pick before ~may; goal = pick goal ~may }) ] in
+  let stays states = [ (fun ~may -> Stays (pick states ~may)) ] in
+  let leads goal = [ (fun ~may -> Leads (pick goal ~may)) ] in
   match f with
-  | State p -> (of_prop m p, None)
-  | Temporal_not f -> (complement m (eval t ~outermost f), None)
-  | Temporal_and fs -> (List.fold_left (fun u f -> map2 inter u (eval t ~outermost f)) (everything m) fs, None)
+  | State p -> (both m (fun ~may -> of_prop m ~may p), None)
+  | Temporal_not f -> (negation m (eval t ~outermost f), None)
+  | Temporal_and fs -> (List.fold_left (fun u f -> combined m inter u (eval t ~outermost f)) (all ()) fs, None)
   | Temporal_or fs ->
-    let fails u f = map2 inter u (complement m (eval t ~outermost f)) in
-    (complement m (List.fold_left fails (everything m) fs), None)
+    let fails u f = combined m inter u (negation m (eval t ~outermost f)) in
+    (negation m (List.fold_left fails (all ()) fs), None)
   | Next (Chance _, _) | Finally (Chance _, _, _) | Globally (Chance _, _, _) | Until (Chance _, _, _, _) ->
     not_known "a probability, over all starts and instants"
-  | Next (Exists, f) -> quantified true [ Leads (inner f) ]
-  | Next (All, f) -> quantified false [ Leads (complement m (inner f)) ]
-  | Finally (Exists, b, f) -> quantified true [ Comes { before = everything m; goal = within b f } ]
-  | Finally (All, b, f) -> quantified false [ Stays (complement m (within b f)) ]
-  | Globally (All, b, f) ->
-    quantified false [ Comes { before = everything m; goal = within b (Temporal_not f) } ]
-  | Globally (Exists, b, f) -> quantified true [ Stays (complement m (within b (Temporal_not f))) ]
-  | Until (Exists, b, f, g) -> quantified true [ Comes { before = inner f; goal = within b g } ]
+  | Next (Exists, f) -> quantified true (leads (inner f))
+  | Next (All, f) -> quantified false (leads (negation m (inner f)))
+  | Finally (Exists, b, f) -> quantified true (comes (all ()) (within b f))
+  | Finally (All, b, f) -> quantified false (stays (negation m (within b f)))
+  | Globally (All, b, f) -> quantified false (comes (all ()) (within b (Temporal_not f)))
+  | Globally (Exists, b, f) -> quantified true (stays (negation m (within b (Temporal_not f))))
+  | Until (Exists, b, f, g) -> quantified true (comes (inner f) (within b g))
   | Until (All, b, f, g) -> quantified false (breaks_until m (inner f) (within b g))
 
 let model t = t.model
-let truth t ~outermost f ~holds = if holds then eval t ~outermost f else complement t.model (eval t ~outermost f)
+
+let truth t ~outermost f ~holds =
+  let known = eval t ~outermost f in
+  if holds then known.surely else complement t.model known.perhaps
+
 let quantified t ~outermost f = snd (find t ~outermost f)
 
-let holds context atoms graph formula =
+type answer = { decided : t; holds : Union.t; fails : Union.t }
+
+let answer context atoms graph formula =
   let t = { model = of_graph context atoms graph; known = [] } in
   match eval t ~outermost:true formula with
   | exception Not_known reason -> Error reason
-  | sets ->
-    let of_root (n : Zone_graph.node) =
+  | _ ->
+    let sets holds = truth t ~outermost:true formula ~holds in
+    let of_root sets (n : Zone_graph.node) =
       let values p = Polyhedron.image p n.zone.parameters in
       List.map values (Union.pieces sets.at.(n.number))
     in
     let roots = Zone_graph.roots graph in
     let parameters = match roots with n :: _ -> Array.length n.zone.parameters | [] -> 0 in
-    Ok (t, tidy (Union.of_polyhedra parameters (List.concat_map of_root roots)))
+    let values sets = tidy (Union.of_polyhedra parameters (List.concat_map (of_root sets) roots)) in
+    Ok { decided = t; holds = values (sets true); fails = values (sets false) }

@@ -9,10 +9,16 @@ open Scc_state_sets
 type t
 (** The sets of states of a formula and its parts. *)
 
-val holds : Instant.context -> Atoms.context -> Zone_graph.t -> Property.temporal -> (t * Union.t, string) result
-(** [holds c atoms graph formula] are the values for which the formula holds at the start. In the graph all is
-    known up to the latest bound of the formula ({!Plan.horizon}). The error is the reason why it is not known.
-    It may be a number that is not linear, a bound of time within another operator, a probability, or an
+type answer = {
+  decided : t;
+  holds : Union.t;  (** the values for which the formula holds at the start *)
+  fails : Union.t;  (** those for which it does not; all others depend on states that are not expanded *)
+}
+
+val answer : Instant.context -> Atoms.context -> Zone_graph.t -> Property.temporal -> (answer, string) result
+(** [answer c atoms graph formula] says for which values the formula holds. If a bound of time has ended the graph,
+    the formula looks no further ({!Plan.reach}). The error is the reason why it is not known:
+    a number that is not linear, a bound of time within another operator, a probability, or an
     iteration that does not converge. *)
 
 (** {1 What decides a formula}
@@ -24,7 +30,8 @@ val model : t -> State_sets.model
 (** The states of the graph. *)
 
 val truth : t -> outermost:bool -> Property.temporal -> holds:bool -> State_sets.sets
-(** [truth t ~outermost f ~holds] are the states where [f] holds, or those where it does not. *)
+(** [truth t ~outermost f ~holds] are the states where [f] surely holds, or those where it surely does not. Of
+    states that depend on nodes that are not expanded, neither is sure. *)
 
 (** The runs that decide an operator of time. *)
 type search =

@@ -9,7 +9,7 @@ let views (c : Instant.context) (invariant : Invariant.t) =
   let m = Semantics.model c.semantics in
   let node zone : Zone_graph.node =
     let { Zone_steps.cells; _ } = Zone_steps.all c ~events:invariant.events zone in
-    { number = 0; zone; depth = 1; parents = []; edges = []; cells; late = []; expanded = true }
+    { number = 0; zone; depth = 1; parents = []; edges = []; cells; late = []; beyond = None; expanded = true }
   in
   let of_location location =
     let zone, _ = Zone_form.canonical (Invariant.zone m location) in

@@ -71,7 +71,7 @@ let splits rule w =
       let after (_, s, bad, good) = later from s bad good in
       let halted = List.map (fun f -> { f with way = { way with set = f.way.set } }) in
       let all = halted (at_once @ List.concat_map after (stretches rule w)) in
-      List.concat_map (fun h -> List.filter_map (follow h) edges) all
+      List.concat_map (fun h -> List.filter_map (follow h) (Option.value edges ~default:[])) all
   in
   List.concat_map of_split (node rule w).splits
 
@@ -219,7 +219,7 @@ let some_run m search ~win ~high from =
     let found, _, _ = breadth_first rule ~moves ~win ~ends ~round:false ~again:false from in
     found
   | Leads goal ->
-    let rule = rule m (everything m) in
+    let rule = rule m (everything m ~may:false) in
     let ends = leads rule goal in
     let found, _, _ = breadth_first rule ~moves:passes ~win ~ends ~round:false ~again:false from in
     found

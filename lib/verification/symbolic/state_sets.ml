@@ -23,16 +23,19 @@ type node = {
   stretches : stretch list;
   happens : Zone_graph.edge list;  (** at once *)
   passes : Zone_graph.edge list;
-  splits : (Zone_graph.edge * Zone_graph.edge list) list;
-  (** to a halted node, with what may happen there: from states of stretches *)
+  splits : (Zone_graph.edge * Zone_graph.edge list option) list;
+  (** to a halted node, with what may happen there, [None] if it is not explored: from states of stretches *)
 }
 
 (* A set of states: of nodes, and of their stretches. *)
 type sets = { at : Union.t array; along : Union.t list array }
 
-type model = { nodes : node array; atoms : Atoms.context; before : int list array }
+type model = { nodes : node array; atoms : Atoms.context; before : int list array; whole : bool }
+
+let is_explored n = n.it.expanded
 
 let of_graph context atoms graph =
+  let events_of (halted : Zone_graph.node) = if halted.expanded then Some halted.edges else None in
   let node i =
     let it = Zone_graph.node graph i in
     let stretch (cell : Passing.due First.cell) =
@@ -45,7 +48,7 @@ let of_graph context atoms graph =
       stretches = List.map stretch it.cells;
       happens = List.filter (is (function Happens _ -> true | Passes _ | Passes_some -> false)) it.edges;
       passes = List.filter (is (function Passes _ -> true | Happens _ | Passes_some -> false)) it.edges;
-      splits = List.map (fun (e : Zone_graph.edge) -> (e, (Zone_graph.node graph e.target).edges)) halted;
+      splits = List.map (fun (e : Zone_graph.edge) -> (e, events_of (Zone_graph.node graph e.target))) halted;
     }
   in
   let nodes = Array.init (Zone_graph.size graph) node in
@@ -55,11 +58,12 @@ let of_graph context atoms graph =
     if not n.it.zone.halted then begin
       List.iter (follows i) n.happens;
       List.iter (follows i) n.passes;
-      List.iter (fun (_, edges) -> List.iter (follows i) edges) n.splits
+      List.iter (fun (_, edges) -> List.iter (follows i) (Option.value edges ~default:[])) n.splits
     end
   in
   Array.iteri add nodes;
-  { nodes; atoms; before = Array.map (List.sort_uniq Int.compare) before }
+  let before = Array.map (List.sort_uniq Int.compare) before in
+  { nodes; atoms; before; whole = Array.for_all is_explored nodes }
 
 (* {1 Sets} *)
 
@@ -96,13 +100,16 @@ let where truth =
 
 let rests n (s : stretch) = s.for_ever && not (Zone_time.may_split n.it.zone)
 
-let of_prop m prop =
+let unknown n ~may = if may then all_of n else Union.empty (Zone.dimension n.it.zone)
+
+let of_prop m ~may prop =
   let truth = Atoms.truth m.atoms prop in
   let look zone ~passing ~quiescent =
     tidy (Union.of_polyhedra (Zone.dimension zone) (where (truth { zone; passing; quiescent })))
   in
   let at n =
-    if n.it.zone.halted then Union.empty (Zone.dimension n.it.zone)
+    if not (is_explored n) then unknown n ~may
+    else if n.it.zone.halted then Union.empty (Zone.dimension n.it.zone)
     else
       let quiescent = List.filter_map (fun s -> if rests n s then Some s.region else None) n.stretches in
       look n.it.zone ~passing:false ~quiescent
@@ -110,7 +117,7 @@ let of_prop m prop =
   let along n s = look s.zone ~passing:true ~quiescent:(if rests n s then [ s.zone.set ] else []) in
   { at = Array.map at m.nodes; along = Array.map (fun n -> List.map (along n) n.stretches) m.nodes }
 
-let everything m = of_prop m (Scc_property.Property.Bool true)
+let everything m ~may = of_prop m ~may (Scc_property.Property.Bool true)
 
 (* {1 Backwards} *)
 
@@ -127,11 +134,13 @@ let back_all edges ~dimension (at : Union.t array) =
    passes before, which may be none. *)
 let halting n at =
   let of_split u ((to_halted : Zone_graph.edge), edges) =
-    let halted = Polyhedron.dimension (List.hd edges : Zone_graph.edge).guard in
-    union u (back to_halted (back_all edges ~dimension:halted at))
+    match edges with
+    | None -> union u (back to_halted at.(to_halted.target))
+    | Some [] -> u
+    | Some ((first : Zone_graph.edge) :: _ as edges) ->
+      union u (back to_halted (back_all edges ~dimension:(Polyhedron.dimension first.guard) at))
   in
-  let some_edges = List.filter (fun (_, edges) -> edges <> []) n.splits in
-  List.fold_left of_split (Union.empty (Zone.dimension n.it.zone + 1)) some_edges
+  List.fold_left of_split (Union.empty (Zone.dimension n.it.zone + 1)) n.splits
 
 (* The states of a stretch at which time may halt so. *)
 let halts n s at = inter (all_along s) (halting n at)

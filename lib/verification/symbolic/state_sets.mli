@@ -24,8 +24,9 @@ type node = {
   stretches : stretch list;
   happens : Zone_graph.edge list;  (** at once *)
   passes : Zone_graph.edge list;
-  splits : (Zone_graph.edge * Zone_graph.edge list) list;
-  (** edges to a halted node, each with the events there: from the node, or from states of stretches *)
+  splits : (Zone_graph.edge * Zone_graph.edge list option) list;
+  (** edges to a halted node, each with the events there: from the node, or from states of stretches; [None] if
+      the halted node is not expanded *)
 }
 
 type sets = {
@@ -33,19 +34,30 @@ type sets = {
   along : Union.t list array;  (** of each of its stretches *)
 }
 
-type model = { nodes : node array; atoms : Atoms.context; before : int list array  (** for each node, those
-                                                                                       from which an event leads to
-                                                                                       it *) }
+type model = {
+  nodes : node array;
+  atoms : Atoms.context;
+  before : int list array;  (** for each node, those from which an event leads to it *)
+  whole : bool;  (** all nodes are expanded *)
+}
 
 val of_graph : Instant.context -> Atoms.context -> Zone_graph.t -> model
 (** The model of a graph: its nodes with their stretches and their edges by kinds. *)
 
 (** {1 Sets} *)
 
-val of_prop : model -> Property.prop -> sets
+val is_explored : node -> bool
+(** [is_explored n] is true if [n] is expanded. Nothing is known of the states of other nodes, nor of what follows
+    them. A set of states is then computed twice: with [may], it has all of these states, and otherwise none of
+    them. *)
+
+val unknown : node -> may:bool -> Union.t
+(** The states of a node that is not expanded, of a set with or without [may]. *)
+
+val of_prop : model -> may:bool -> Property.prop -> sets
 (** The states where a predicate is true. Raises {!Not_known} if it is undecided somewhere. *)
 
-val everything : model -> sets
+val everything : model -> may:bool -> sets
 (** All states of nodes that are not halted, and of their stretches. *)
 
 val complement : model -> sets -> sets

@@ -32,7 +32,9 @@ type node = {
   mutable cells : Passing.due First.cell list;
   (** regions on which time passes undisturbed until the first events, with these events *)
   mutable late : Polyhedron.t list;
-  (** the states whose next event comes after the horizon, over the variables of the node *)
+  (** the states whose next event comes after the horizon and is not followed, over the variables of the node *)
+  beyond : int option;
+  (** of states after the horizon: how many events have led to them after it; [None] up to the horizon *)
   mutable expanded : bool;
 }
 
@@ -47,11 +49,19 @@ val node : t -> int -> node
 val roots : t -> node list
 (** The nodes of the starts. *)
 
+(** What becomes of states after the horizon. *)
+type later =
+  | Left_out  (** {!node.late} has the states that lead to them *)
+  | Followed of int  (** so many events are followed, and the time that passes before each; what comes then is left
+                         out *)
+  | Unexplored  (** they are nodes that are never expanded *)
+
 (** The bounds of the exploration; [None]: no bound. *)
 type limits = {
   depth : int option;
   nodes : int option;
-  horizon : Rat.t option;  (** of time, if it is a coordinate of zones: later events are left out *)
+  horizon : Rat.t option;  (** of time, if it is a coordinate of zones *)
+  later : later;
 }
 
 type end_ =
@@ -65,7 +75,7 @@ type visitor = {
   found : node -> unit;
   expanded : node -> unit;
   late : Zone.t -> unit;  (** called with states that the horizon leaves out, at least in part *)
-  enough : unit -> bool;  (** called before each node *)
+  enough : t -> bool;  (** called before each node, with the graph *)
   stop : unit -> bool;  (** called before each node; true stops the exploration *)
 }
 

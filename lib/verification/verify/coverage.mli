@@ -10,12 +10,6 @@ type t
 val create : Model.t -> initial:State.t -> t
 (** An empty count for the model, whose summands and behaviours come from the text and the initial state. *)
 
-val state : t -> State.t -> unit
-(** Counts a state. Counting it again changes nothing, and costs time. *)
-
-val transition : t -> Transition.t -> unit
-(** Counts a transition from a state that was counted. *)
-
 val explore :
   ?time_seen:Scc_property.Time_seen.t -> Setup.t -> Semantics.t -> initial:State.t -> Explored.t * t
 (** Counts all states and transitions while they are explored, within the bounds of the options. States that

@@ -71,17 +71,25 @@ let growing measure points =
   if steadily || wildly then Some { quarter; half; three_quarters; at_end }
   else None
 
+(* The place of the process that each leaf is in. *)
+let places (s : State.t) =
+  let found = Hashtbl.create (Array.length s.processes) in
+  let note i (p : State.process) = Array.iter (fun (l : State.leaf) -> Hashtbl.replace found l.leaf i) p.leaves in
+  Array.iteri note s.processes;
+  found
+
 let numbers states =
+  let with_places = Array.map (fun s -> (s, places s)) states in
   let model_leaf (p : State.process) = p.leaves.(0).leaf in
   let n = Array.length states in
-  let of_leaf leaf quantity (s : State.t) =
-    Option.fold ~none:0 ~some:(length quantity) (State.home s leaf)
+  let of_leaf (leaf : int) quantity ((s : State.t), places) =
+    Option.fold ~none:0 ~some:(fun i -> length quantity s.processes.(i)) (Hashtbl.find_opt places leaf)
   in
   let candidate p quantity =
     let leaf = model_leaf p in
     Option.map
       (fun bits -> Numbers { leaf; quantity; bits })
-      (growing (of_leaf leaf quantity) states)
+      (growing (of_leaf leaf quantity) with_places)
   in
   let longer best next =
     match (best, next) with
@@ -154,36 +162,47 @@ let drifts m states =
     if Vec.equal by before && not (Vec.is_zero by) then Some (Drifts { by }) else None
   | _ -> None
 
-let distance2 m (p : State.process) (s : State.t) =
-  let centre = State.centre_of_mass m p in
-  let to_other least (q : State.process) =
-    if State.has_leaf q p.leaves.(0).leaf then least
+(* The squared distance of the centre of each process from the nearest other one. Others are taken in the order of
+   their x, as long as they may be nearer. *)
+let nearest m (s : State.t) =
+  let centres = Array.map (State.centre_of_mass m) s.processes in
+  let order = Array.init (Array.length centres) Fun.id in
+  Array.stable_sort (fun i j -> Rat.compare centres.(i).Vec.x centres.(j).Vec.x) order;
+  let rec look by centre least k =
+    if k < 0 || k >= Array.length order then least
     else
-      let d = Vec.sub (State.centre_of_mass m q) centre in
-      let d2 = Vec.dot d d in
-      match least with Some l when Rat.compare l d2 <= 0 -> least | Some _ | None -> Some d2
+      let d = Vec.sub centres.(order.(k)) centre in
+      let is_least d2 = match least with Some l -> Rat.compare l d2 <= 0 | None -> false in
+      if is_least (Rat.mul d.x d.x) then least
+      else
+        let d2 = Vec.dot d d in
+        look by centre (if is_least d2 then least else Some d2) (k + by)
   in
-  Array.fold_left to_other None s.processes
+  let found = Array.make (Array.length centres) None in
+  Array.iteri (fun k i -> found.(i) <- look 1 centres.(i) (look (-1) centres.(i) None (k - 1)) (k + 1)) order;
+  found
 
 (* The distances of a process from the nearest other, if it is never nearer than before, and farther in the end. *)
-let leaving m leaf states =
-  let at (s : State.t) =
-    Option.bind (State.home s leaf) (fun p -> distance2 m p s)
+let leaving distances (leaf : int) =
+  let at k =
+    let nearest, places = Lazy.force distances.(k) in
+    Option.bind (Hashtbl.find_opt places leaf) (fun i -> nearest.(i))
   in
-  let rec rises first before i =
-    if i = Array.length states then if Rat.compare first before < 0 then Some (first, before) else None
+  let rec rises first before k =
+    if k = Array.length distances then if Rat.compare first before < 0 then Some (first, before) else None
     else
-      match at states.(i) with
-      | Some d when Rat.compare before d <= 0 -> rises first d (i + 1)
+      match at k with
+      | Some d when Rat.compare before d <= 0 -> rises first d (k + 1)
       | Some _ | None -> None
   in
-  Option.bind (at states.(0)) (fun first -> rises first first 1)
+  Option.bind (at 0) (fun first -> rises first first 1)
 
 let leaves_all (m : Model.t) states =
   let others leaf = Array.map (fun s -> at_origin (without leaf s)) states in
+  let distances = Array.map (fun s -> lazy (nearest m s, places s)) states in
   let goes (p : State.process) =
     let leaf = p.leaves.(0).leaf in
-    match leaving m leaf states with
+    match leaving distances leaf with
     | Some (from, until) when Option.is_some (recurs (others leaf)) ->
       Some (Leaves { leaves = State.members p; from; until })
     | Some _ | None -> None

@@ -66,7 +66,7 @@ let formula r temporal i =
   Temporal.done_with temporal i;
   v
 
-(* Answers and formulas are taken up in the order of {!questions} and {!formulas}. *)
+(* Answers and formulas are taken up in the order of [questions] and [formulas]. *)
 type answers = { searches : Search.answer list; next_formula : int; temporal : Temporal.t option }
 
 let rec verdict r (plan : Plan.t) answers =

@@ -31,9 +31,6 @@ val system : Setup.t -> Semantics.t -> initial:State.t -> Property.check list ->
 val plan : Property.check -> Plan.t
 (** The plan of a check; a question for numbers has the plan of its formula as a whole. *)
 
-val questions : Network_lts.context -> Plan.t -> Search.question list
-(** The questions of the searches of a plan, in their order. *)
-
 val check : Setup.t -> Semantics.t -> initial:State.t -> Property.check list -> result
 (** The result of one exploration for all checks. The initial state is {!Scc_semantics.Network.initial} of the
     declared state. Witnesses are replayed before they are returned. *)

@@ -31,7 +31,7 @@ let run t semantics make =
   in
   match attempt t made with
   | found -> Option.join found
-  | exception e when Option.is_some (Bug.broken e) ->
+  | exception e when Option.is_some (Bug.broken e) && Option.is_none (Scc_system.Resources.refused e) ->
     Option.iter (fun what -> if not (List.mem what t.faults) then t.faults <- what :: t.faults) (Bug.broken e);
     None
 

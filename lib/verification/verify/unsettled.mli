@@ -19,9 +19,6 @@ type t = {
 val run : t -> (unit -> Scc_explain.Witness.t option) -> Scc_explain.Witness.t option
 (** A run that is shown. [None] if it is lost ({!Lost.run}). *)
 
-val cause : t -> Transition.fault Explore.reason -> Bounds.cause
-(** The cause for which a state was not expanded ({!Bounds.cause}). *)
-
 val reasons : t -> int Seq.t -> Transition.fault Explore.reason list
 (** The reasons why these states were not expanded: all faults, and each other reason once, in the order of the
     states. *)

@@ -58,6 +58,8 @@ let verdict options lost semantics u ~declared (e : Zone_explored.t) check answe
   let reasons =
     bounded
     @ List.map (fun r -> Verdict.Undefined r) (Answers.reasons answer)
+    @ List.map (fun t -> Verdict.Unevaluated t)
+      (if Answers.is_search answer then [] else Option.to_list e.unevaluated)
     @ List.map (fun r -> Verdict.Fault r) (Option.to_list e.fault)
   in
   if not (Union.is_empty where.fails) then

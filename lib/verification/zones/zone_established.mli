@@ -4,7 +4,6 @@
 
 open Scc_calculus
 open Scc_semantics
-open Scc_evaluate
 open Scc_ctl
 open Scc_exact
 open Scc_symbolic
@@ -18,10 +17,6 @@ val state : t -> int -> State.t
 
 val clock : t -> int -> Rat.t
 (** [clock r k] is the time after [k] steps. *)
-
-val trajectory : t -> int -> Trajectory.t
-(** [trajectory r k] is the trajectory from the state after [k] steps, until the next step of the run, or until
-    any event could happen. *)
 
 val extent : t -> int -> Timeline.extent
 (** [extent r k] is the time that the run spends in the state after [k] steps: that of the next step, or one

@@ -16,6 +16,7 @@ type t = {
   met : Answers.t list;  (** of the premises *)
   uneventful : bool;  (** all is known, and nothing ever happens *)
   stopped_by : Verdict.truncation list;
+  unevaluated : Verdict.truncation option;
   fault : string option;
   decided : bool;
   edges : int;
@@ -68,18 +69,22 @@ type visited = {
   mutable stop : Limits.stop option;
 }
 
-let latest answers =
-  let bounds = List.map Answers.bound answers in
-  if List.exists Option.is_none bounds then None
-  else Some (List.fold_left (fun t b -> Rat.max t (Option.get b)) Rat.zero bounds)
+type horizon = {
+  time : Rat.t option;
+  later : Zone_graph.later;
+  by_user : bool;  (** it is the bound of the user *)
+}
 
-(* The time up to which zones are explored, and whether it is the bound of the user that ends them. *)
+(* The time up to which zones are explored, and what becomes of later ones. *)
 let horizon (options : Setup.t) (group : Zone_groups.t) looking =
-  let asked = if group.keeps_time then latest looking else None in
+  let asked = if group.keeps_time then Plan.latest (List.map Answers.reach looking) else None in
   match (asked, Bounds.value options.bounds.time) with
-  | Some a, Some b -> (Some (Rat.min a b), Rat.compare b a < 0)
-  | None, Some b -> (Some b, true)
-  | a, None -> (a, false)
+  | Some { time; events = 0 }, Some b when Rat.compare time b <= 0 ->
+    { time = Some time; later = Left_out; by_user = false }
+  | _, (Some _ as time) ->
+    { time; later = (if List.for_all Answers.is_search looking then Left_out else Unexplored); by_user = true }
+  | Some { time; events }, None -> { time = Some time; later = Followed events; by_user = false }
+  | None, None -> { time = None; later = Left_out; by_user = false }
 
 let visitor (options : Setup.t) visited ~by_user ~looking ~enough : Zone_graph.visitor =
   {
@@ -128,6 +133,9 @@ let bounds_met (options : Setup.t) visited (end_ : Zone_graph.end_) : Verdict.tr
   | Some t when visited.late -> [ { limit = Time t; origin = By_user } ]
   | _ -> []
 
+(* Formulas that no search decides are evaluated when there are so many nodes, and four times as many each time. *)
+let first_evaluation = 16
+
 let explore (options : Setup.t) context (group : Zone_groups.t) ~initial zones ~ranges ~exactly ~proof =
   let formulas_of = List.map (fun (_, (c : Property.check)) -> c.formula) in
   let formulas = formulas_of (group.members @ group.premises) in
@@ -138,13 +146,22 @@ let explore (options : Setup.t) context (group : Zone_groups.t) ~initial zones ~
   let answers = answers_to group.members and met = answers_to group.premises in
   let looking = answers @ met in
   let proved = List.map (is_proved ~exactly (Union.of_polyhedron parameters)) (proofs_of answers proof) in
-  let enough () =
+  let branching = List.filter (fun a -> not (Answers.is_search a)) looking in
+  let evaluate stage graph =
+    options.surroundings.attempt.run stage (fun () -> List.iter (fun a -> Answers.conclude a graph) branching)
+  in
+  let next = ref first_evaluation in
+  let enough graph =
+    if branching <> [] && Zone_graph.size graph >= !next then begin
+      next := 4 * !next;
+      ignore (evaluate Exploring graph)
+    end;
     answers <> [] && List.for_all2 (fun a proved -> proved || Answers.is_known ~exactly a) answers proved
   in
-  let horizon, by_user = horizon options group looking in
+  let horizon = horizon options group looking in
   let depth = match (Zone_bounds.depth options.bounds).limit with Depth d -> d | _ -> Zone_bounds.default_depth in
   let nodes = Bounds.value options.bounds.states in
-  let limits = { Zone_graph.depth = Some depth; nodes; horizon } in
+  let limits = { Zone_graph.depth = Some depth; nodes; horizon = horizon.time; later = horizon.later } in
   let visited = { size = 0; late = false; beyond = false; stop = None } in
   let model = Semantics.model context.Instant.semantics in
   let graph, end_ =
@@ -153,16 +170,22 @@ let explore (options : Setup.t) context (group : Zone_groups.t) ~initial zones ~
       ?visible:(Zone_reduction.visible options formulas)
       ~interchangeable:(Zone_reduction.interchangeable options model initial formulas)
       context ~events ~limits
-      ~visitor:(visitor options visited ~by_user ~looking ~enough)
+      ~visitor:(visitor options visited ~by_user:horizon.by_user ~looking ~enough)
       zones
   in
   iter_nodes graph (fun node ->
       if not node.expanded then List.iter (fun a -> Answers.look_around a node) looking);
   let is_closed = match end_ with Closed -> true | _ -> false in
-  if is_closed && not visited.late then List.iter (fun a -> Answers.conclude a graph) looking;
+  let unevaluated =
+    match end_ with
+    | Decided -> None
+    | Closed | Bounded _ | Stopped | Not_affine _ ->
+      let stop = match evaluate Concluding graph with Ok () -> None | Error stop -> Some stop in
+      Option.map (Bounds.stopped options.bounds) stop
+  in
   let edges, happens = count_edges graph in
   {
-    group; graph; answers; met; edges; proof;
+    group; graph; answers; met; edges; proof; unevaluated;
     uneventful = is_closed && not (happens || visited.beyond || Option.is_some group.part);
     stopped_by = bounds_met options visited end_;
     fault = (match end_ with Not_affine reason -> Some reason | _ -> None);

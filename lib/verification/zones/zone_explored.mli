@@ -13,6 +13,8 @@ type t = {
   met : Answers.t list;  (** of the premises *)
   uneventful : bool;  (** all is known, and nothing ever happens *)
   stopped_by : Verdict.truncation list;  (** the bounds that were met *)
+  unevaluated : Verdict.truncation option;
+  (** the bound that ended the last evaluation of the formulas that no search decides, if one did *)
   fault : string option;  (** the reason why successors of a zone are not affine, or not known, if so *)
   decided : bool;  (** the exploration ended because every member was known *)
   edges : int;  (** of the graph *)

@@ -9,14 +9,15 @@ type t = {
   premises : (int * Property.check) list;
 }
 
-(* Those that ask about time are explored apart: with time a coordinate, little ever recurs, but there is an end
-   where all of them have a bound. A bound of time for all makes it a coordinate for all. *)
+(* With time a coordinate, little ever recurs, but there is an end where all that checks look at has a bound. So
+   checks with such a bound are explored apart, and of the others those that ask about time. A bound of time for
+   all makes it a coordinate for all. *)
 let by_time ~bounded part numbered =
-  let of_check is (_, (c : Property.check)) = is c.formula in
-  let timed, others = List.partition (of_check Answers.needs_time) numbered in
-  let ends, endless = List.partition (of_check (fun f -> Option.is_some (Plan.horizon f))) timed in
+  let partition is = List.partition (fun (_, (c : Property.check)) -> is c.formula) in
+  let ends, endless = partition (fun f -> Option.is_some (Plan.reach f)) numbered in
+  let timed, others = partition Answers.needs_time endless in
   let some keeps_time = function [] -> [] | members -> [ { keeps_time; part; members; premises = [] } ] in
-  some bounded others @ some true ends @ some true endless
+  some bounded others @ some true ends @ some true timed
 
 (* Each premise with the first group that has a check of its name. *)
 let with_premises premises groups =

@@ -185,8 +185,8 @@ let lasts s g =
   match Start.zones s.context s.uncertain ~initial ~keeps_time:true with
   | Error _ -> false
   | Ok zones ->
-    let limits = { Zone_graph.depth = None; nodes = Some patience; horizon = s.horizon } in
-    let never _ = () and no () = false in
+    let limits = { Zone_graph.depth = None; nodes = Some patience; horizon = s.horizon; later = Left_out } in
+    let never _ = () and no _ = false in
     let visitor = { Zone_graph.found = never; expanded = never; late = never; enough = no; stop = no } in
     let graph, end_ = Zone_graph.explore s.context ~events:[||] ~limits ~visitor zones in
     end_ = Zone_graph.Closed && not (has_cycle graph)

@@ -52,14 +52,15 @@ let of_start (options : Setup.t) context zones =
       found = (fun _ -> incr size);
       expanded = progress;
       late = (fun _ -> is_late := true);
-      enough = (fun () -> false);
+      enough = (fun _ -> false);
       stop = stopped;
     }
   in
   let depth = Zone_bounds.depth bounds in
   let most = match depth.limit with Depth d -> d | _ -> Zone_bounds.default_depth in
   let horizon = Bounds.value bounds.time in
-  let limits = { Zone_graph.depth = Some most; nodes = Bounds.value bounds.states; horizon } in
+  let nodes = Bounds.value bounds.states in
+  let limits = { Zone_graph.depth = Some most; nodes; horizon; later = Left_out } in
   let graph, end_ = Zone_graph.explore ~attempt context ~events:[||] ~limits ~visitor zones in
   let stopped_by : Verdict.truncation list =
     match end_ with

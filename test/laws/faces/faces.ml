@@ -5,7 +5,7 @@ open Scc_verify
 open Scc_loading
 open Scc_verdicts
 
-type case = { text : string; any : bool }
+type case = { text : string; any : bool; bounds : Setup.t }
 
 (* {1 Models} *)
 
@@ -72,6 +72,18 @@ let rec proposition random ~atom depth =
     | 2 -> print "(%s or %s)" (again ()) (again ())
     | _ -> atom ()
 
+(* Bounds of an exploration, most of which end it before all is known. *)
+let bounds ?(time = Bounds.Unbounded) states depth =
+  { Setup.default with bounds = { Bounds.default with states = Given states; depth = Given depth; time } }
+
+let some_bounds random =
+  if chance random 0.5 then bounds 150 60
+  else
+    bounds
+      ~time:(one random Bounds.[ Unbounded; Unbounded; Given Rat.one; Given (Rat.of_int 2); Given (Rat.of_int 4) ])
+      (one random [ 2; 4; 6; 10; 17; 30; 70 ])
+      (one random [ 2; 4; 7; 12; 60 ])
+
 let rec formula random ~any ~atom depth =
   let inner () =
     if depth > 0 && chance random 0.35 then formula random ~any ~atom (depth - 1)
@@ -85,7 +97,8 @@ let rec formula random ~any ~atom depth =
       print "[%s, %s%s]" low low more
   in
   let quantifier = one random (if any then [ "A"; "E"; "E" ] else [ "A"; "E" ]) in
-  match int random 5 with
+  match int random 7 with
+  | 5 | 6 -> print "%sX %s" quantifier (inner ())
   | 0 | 1 -> print "%sF%s %s" quantifier bound (inner ())
   | 2 | 3 -> print "%sG%s %s" quantifier bound (inner ())
   | _ -> print "%s[%s U%s %s]" quantifier (inner ()) bound (inner ())
@@ -136,7 +149,7 @@ let generate random =
   let channels = List.filter (fun c -> has ("<" ^ c) || has ("(" ^ c)) [ "a"; "b" ] in
   let atom () = atom random ~form ~bodies ~behaviours ~channels in
   let checks =
-    some random 4 (fun () -> formula random ~any ~atom 1)
+    some random 4 (fun () -> formula random ~any ~atom (1 + int random 2))
     |> List.mapi (fun i f -> print "check c%d : %s" i f)
   in
   let lines =
@@ -145,7 +158,7 @@ let generate random =
     @ List.map (fun (_, _, _, line) -> line) ranges
     @ behaviour_lines @ body_lines @ checks
   in
-  { text = String.concat "\n" lines ^ "\n"; any }
+  { text = String.concat "\n" lines ^ "\n"; any; bounds = some_bounds random }
 
 (* {1 Comparison} *)
 
@@ -155,12 +168,10 @@ type counts = {
   mutable points : int;
   mutable faces : int;
   mutable unknown : int;
+  mutable partial : int;  (** of branching formulas, where not all was explored *)
 }
 
-let counts () = { refused = 0; models = 0; points = 0; faces = 0; unknown = 0 }
-let bounds states depth =
-  { Setup.default with bounds = { Bounds.default with states = Given states; depth = Given depth } }
-let over_sets = bounds 150 60
+let counts () = { refused = 0; models = 0; points = 0; faces = 0; unknown = 0; partial = 0 }
 let at_points = bounds 600 120
 
 let load text =
@@ -227,6 +238,8 @@ let compare_at counts case (l : Loaded.t) (report_of_sets : Check.report) point 
     | Some true, Some _ when case.any && String.contains o.check.text 'A' -> None
     | Some a, Some b ->
       counts.points <- counts.points + 1;
+      let is_search = Scc_property.Plan.(is_search (of_formula o.check.formula)) in
+      if not (is_search || report_of_sets.stats.complete) then counts.partial <- counts.partial + 1;
       if on_end l point then counts.faces <- counts.faces + 1;
       if a = b then None
       else
@@ -241,12 +254,12 @@ let compare_at counts case (l : Loaded.t) (report_of_sets : Check.report) point 
   | Ok at_point -> List.filter_map Fun.id (List.map2 one at_point.outcomes report_of_sets.where)
 
 (* A model of the face on which one parameter has a value, with ranges for the others. *)
-let compare_face counts random (l : Loaded.t) (whole : Check.report) point =
+let compare_face counts random bounds (l : Loaded.t) (whole : Check.report) point =
   let k = int random (Array.length point) in
   let name = l.model.ranges.(k).name in
   if Array.length point < 2 then []
   else
-    match Result.bind (Loaded.at l [ (name, point.(k)) ]) (report over_sets ~exactly:true) with
+    match Result.bind (Loaded.at l [ (name, point.(k)) ]) (report bounds ~exactly:true) with
     | Error (d :: _) -> [ print "refused on %s=%s: %s" name (Rat.to_string point.(k)) d.message ]
     | Error [] -> [ "refused without a reason" ]
     | Ok face ->
@@ -273,7 +286,7 @@ let differences counts random case =
     counts.refused <- counts.refused + 1;
     []
   | Ok l -> (
-      match report over_sets l ~exactly:true with
+      match report case.bounds l ~exactly:true with
       | exception Scc_base.Bug.Bug ((file, line, _, _), why) -> [ print "Bug at %s:%d: %s" file line why ]
       | Error _ ->
         counts.refused <- counts.refused + 1;
@@ -281,7 +294,11 @@ let differences counts random case =
       | Ok sets -> (
           counts.models <- counts.models + 1;
           let points = points random l sets.where in
-          let face = match points with p :: _ when not case.any -> compare_face counts random l sets p | _ -> [] in
+          let face =
+            match points with
+            | p :: _ when not case.any -> compare_face counts random case.bounds l sets p
+            | _ -> []
+          in
           match List.concat_map (compare_at counts case l sets) points with
           | exception Scc_base.Bug.Bug ((file, line, _, _), why) ->
             [ print "Bug at %s:%d: %s, at a point" file line why ]

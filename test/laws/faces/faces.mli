@@ -4,6 +4,7 @@
 type case = {
   text : string;  (** a model *)
   any : bool;  (** of which bonds may be released at any time: runs of its points, on a grid, are some of all *)
+  bounds : Scc_verify.Setup.t;  (** of the exploration over sets, which may end it before all is known *)
 }
 
 val generate : Random.State.t -> case
@@ -15,6 +16,7 @@ type counts = {
   mutable points : int;  (** pairs of a check and a point of which both verdicts are known *)
   mutable faces : int;  (** those on a piece of a set that has no volume, or on an end of a range *)
   mutable unknown : int;
+  mutable partial : int;  (** points of formulas that no search decides, where not all was explored *)
 }
 
 val counts : unit -> counts

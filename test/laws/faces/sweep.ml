@@ -14,6 +14,8 @@ let () =
       incr bad;
       Printf.printf "== model %d of seed %d\n%s%s\n%!" i seed case.text (String.concat "\n" found)
   done;
-  Printf.printf "%d models, %d refused; %d points, %d of them on faces, %d not known; %d models differ\n"
-    counts.models counts.refused counts.points counts.faces counts.unknown !bad;
+  Printf.printf
+    "%d models, %d refused; %d points, %d of them on faces, %d not known, %d of branching formulas before all was \
+     explored; %d models differ\n"
+    counts.models counts.refused counts.points counts.faces counts.unknown counts.partial !bad;
   exit (if !bad = 0 then 0 else 1)

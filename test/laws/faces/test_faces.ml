@@ -13,6 +13,7 @@ let agree () =
   in
   Alcotest.(check (list string)) "differences" [] (List.concat_map of_model (List.init share Fun.id));
   Printf.printf "%d models, %d points, %d on faces\n" counts.models counts.points counts.faces;
-  Alcotest.(check bool) "many points" true (counts.models > share / 4 && counts.faces > share)
+  let many = counts.models > share / 4 && counts.faces > share && counts.partial > share / 4 in
+  Alcotest.(check bool) "many points" true many
 
 let () = Alcotest.run "faces of ranges" [ ("zones and points", [ Alcotest.test_case "agree" `Quick agree ]) ]

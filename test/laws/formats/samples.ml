@@ -34,12 +34,16 @@ let rec made r deep (t : Json_schema.t) : Json.t =
     let empty = if least = 0 then [ "" ] else [] in
     `String (one_of r (empty @ [ "p"; "a text"; "Σ\"\\"; "p.right" ]))
   | Form runs -> `String (String.concat "" (List.map (of_run r) runs))
+  | Repeated runs ->
+    let once () = String.concat "" (List.map (of_run r) runs) in
+    `String (String.concat "" (List.init (1 + int r 3) (fun _ -> once ())))
   | Constant values -> one_of r values
   | Items { each; least; most; distinct } ->
     let more = if deep > 10 then 0 else int r 3 in
     let count = Option.fold ~none:(least + more) ~some:(Int.min (least + more)) most in
     let items = List.init count (fun _ -> inside each) in
     `List (if distinct then List.sort_uniq compare items else items)
+  | Tuple items -> `List (List.map inside items)
   | Members members ->
     let given (m : Json_schema.member) =
       if m.required || (deep < 12 && Random.State.bool r) then Some (m.name, inside m.value) else None
@@ -50,6 +54,7 @@ let rec made r deep (t : Json_schema.t) : Json.t =
   | Any_of alternatives ->
     inside (if deep > 10 then List.nth alternatives (List.length alternatives - 1) else one_of r alternatives)
   | Reference { target; _ } -> inside (Lazy.force target)
+  | Document { target; _ } -> inside target
   | About (_, t) | Also (_, t) -> inside t
 
 let document r t = made r 0 t

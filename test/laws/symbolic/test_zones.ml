@@ -53,11 +53,11 @@ let symbolic case semantics (s : Scene.t) zones =
       found = ignore;
       late = ignore;
       expanded = (fun node -> List.iter (fun search -> Search_sets.look context search node) searches);
-      enough = (fun () -> false);
+      enough = (fun _ -> false);
       stop = (fun () -> false);
     }
   in
-  let limits = { Zone_graph.depth = None; nodes = Some most_nodes; horizon = bound } in
+  let limits = { Zone_graph.depth = None; nodes = Some most_nodes; horizon = bound; later = Left_out } in
   let graph, ended = Zone_graph.explore context ~events ~limits ~visitor zones in
   let nodes = List.init (Zone_graph.size graph) (Zone_graph.node graph) in
   let around (n : Zone_graph.node) =

@@ -205,20 +205,6 @@ let iterator ~inside =
 
 (* {1 Files} *)
 
-let rec files folder =
-  let inside name = Filename.concat folder name in
-  List.concat_map
-    (fun name ->
-       if Sys.is_directory (inside name) then files (inside name)
-       else if List.mem (Filename.extension name) [ ".cmt"; ".cmti" ] then [ inside name ]
-       else [])
-    (List.sort compare (Array.to_list (Sys.readdir folder)))
-
-let module_of (cmt : Cmt_format.cmt_infos) =
-  match List.rev (Str.split (Str.regexp "__") cmt.cmt_modname) with
-  | last :: _ -> last
-  | [] -> cmt.cmt_modname
-
 let declarations ~inside =
   let super = Tast_iterator.default_iterator in
   let current = ref inside in
@@ -238,15 +224,10 @@ let declarations ~inside =
   in
   { super with type_declaration; module_binding; module_declaration }
 
-let each iterator (cmt : Cmt_format.cmt_infos) =
-  let i : Tast_iterator.iterator = iterator ~inside:(module_of cmt) in
-  match cmt.cmt_annots with
-  | Implementation s -> i.structure i s
-  | Interface s -> i.signature i s
-  | _ -> ()
+let each iterator cmt = Trees.visit (iterator ~inside:(Trees.module_of cmt)) cmt
 
 let () =
-  let all = List.map Cmt_format.read_cmt (files Sys.argv.(1)) in
+  let all = Trees.read Sys.argv.(1) in
   List.iter (each declarations) all;
   List.iter (each iterator) all;
   Printf.printf "%d comparisons by structure, %d of what is no plain data\n" !uses !faults;

@@ -83,7 +83,8 @@ let horizon =
   QCheck2.Test.make ~count:1200 ~name:"nothing counts after the horizon" ~print
     (case_gen ~unsure:false ~truncated:false ~depth:2)
     (fun c ->
-       match Scc_property.(Plan.horizon (Skeleton.to_temporal (fun _ -> Property.Bool true) c.formula)) with
+       let formula = Scc_property.Skeleton.to_temporal (fun _ -> Scc_property.Property.Bool true) c.formula in
+       match Scc_property.Plan.latest_horizon [ formula ] with
        | None -> true
        | Some h ->
          let times = arrivals c.graph in

@@ -3,6 +3,7 @@
 
 open Scc_base
 open Scc_syntax
+open Scc_test_trees
 open Scc_bioshape
 
 let rec files folder =

@@ -2,6 +2,7 @@
 
 open Scc_base
 open Scc_syntax
+open Scc_test_trees
 open Scc_bioshape
 module Gen2 = QCheck2.Gen
 

@@ -102,6 +102,9 @@ let literals () =
     Alcotest.(check string) text expected
       (match Rat.of_literal text with Ok q -> Rat.to_string q | Error _ -> "refused")
   in
+  List.iter (fun (text, expected) -> equal text expected)
+    [ ("6", "6"); ("-1/4", "-1/4"); ("0.125", "1/8"); ("1e-3", "1/1000"); ("", "refused"); ("x", "refused") ];
+  Alcotest.(check bool) "1/0" true (Rat.of_literal "1/0" = Error Rat.Zero_denominator);
   equal "1e0000000001" "10";
   equal "1e-0000000000001" "1/10";
   equal "5e+000000000000" "5";

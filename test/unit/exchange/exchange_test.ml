@@ -62,9 +62,10 @@ let digest_text = "md5:0123456789abcdef0123456789abcdef"
 let round_trip () =
   let half = Rat.make Z.one (Z.of_int 2) in
   let text =
-    Schedule.to_string
+    Schedule.made
       { name = None; digest = digest_text; parameters = [ ("n", Rat.of_int 4) ]; settings = [] }
       choices ~offset:(Some half)
+    |> Schedule.to_string
   in
   match Schedule.read (source text) with
   | Error d -> Alcotest.fail d.Diag.message

@@ -162,8 +162,7 @@ let case_gen =
   let* keep_edges = bool in
   let* sees_edges = bool in
   let+ reducing = bool in
-  (* Transitions that are put off are not made anew. *)
-  { toy; depth; time; states; by_time; keep_edges = keep_edges || reducing; sees_edges; reducing }
+  { toy; depth; time; states; by_time; keep_edges; sees_edges; reducing }
 
 let print case =
   let node = function
@@ -178,6 +177,21 @@ let print case =
 let same case text expected =
   String.equal text expected
   || QCheck2.Test.fail_reportf "%s\n\n%s\n\ninstead of\n\n%s" (print case) text expected
+
+(** {2 Edges that are not kept} *)
+
+(* Also those of states of which some transitions are put off, in an exploration that goes on from its notes. *)
+let remade case =
+  let expected = told { case with keep_edges = true } in
+  let anew = { case with keep_edges = false } in
+  let log, kept = Log.in_memory [] in
+  let journal log = Journal.expanding ~block:1 log Graph.here in
+  same anew (told anew) expected
+  && same anew (told ~expanding:(journal log) anew) expected
+  && same anew (told ~expanding:(journal (fst (Log.in_memory (kept ())))) anew) expected
+
+let remade =
+  QCheck2.Test.make ~count:2000 ~name:"edges that are made anew are those that are kept" ~print case_gen remade
 
 (** {2 What is kept} *)
 
@@ -365,6 +379,7 @@ let zigzags =
 let () =
   Alcotest.run "expand"
     [
+      ("edges", Scc_test_support.Property.cases [ remade ]);
       ( "kept",
         Scc_test_support.Property.cases [ kept; pieces; compacted_kept ]
         @ [

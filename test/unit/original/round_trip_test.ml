@@ -2,6 +2,7 @@
 
 open Scc_base
 open Scc_syntax
+open Scc_test_trees
 open Scc_original
 
 let rendered text ds =

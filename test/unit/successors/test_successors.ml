@@ -81,7 +81,7 @@ let same_elsewhere name () =
            |> Scc_codec.State_codec.encode codec);
       let answer f tuple =
         match Filter.expand f tuple with
-        | Ok e -> Scc_json.Json.line (Told.answer f e)
+        | Ok e -> Told.line (Answer (f, e))
         | Error d -> d.message
       in
       Alcotest.(check string) "the same answer" (answer f r.tuple) (answer other tuple)
@@ -127,7 +127,7 @@ let damaged =
             String.equal (Keys.bytes (Filter.keys f) tuple) changed
             &&
             match Filter.expand f tuple with
-            | Ok e -> Scc_json.Json.line (Told.answer f e) <> ""
+            | Ok e -> Told.line (Answer (f, e)) <> ""
             | Error d -> d.message <> "")
       in
       let frame = number 1 ^ number 1 ^ number (String.length changed) ^ changed in
@@ -140,8 +140,8 @@ let damaged =
 let renewed () =
   let f = Filter.make (question (load "enzymes.sc")) in
   let states = explore f in
-  let label f i = Told.label (Filter.question f).loaded.model (Filter.label f i) in
-  let labels f = List.init (Filter.labels f) (fun i -> Scc_json.Json.line (`Assoc (label f i))) in
+  let label f i = Told.of_moves (Filter.question f).loaded.model [ Filter.label f i ] [] in
+  let labels f = List.init (Filter.labels f) (label f) in
   let before = labels f in
   let other = Filter.renew ~most:0 f in
   Alcotest.(check bool) "it is another one" true (other != f);
@@ -153,8 +153,8 @@ let renewed () =
     | Error d -> Alcotest.failf "it is not read: %s" d.message
     | Ok again ->
       Alcotest.(check string) "the same answer"
-        (Scc_json.Json.line (Told.answer f e))
-        (Scc_json.Json.line (Told.answer other again))
+        (Told.line (Answer (f, e)))
+        (Told.line (Answer (other, again)))
   in
   List.iter one states;
   Alcotest.(check (list string)) "the same labels" before (labels other)

@@ -2,6 +2,7 @@
 
 open Scc_base
 open Scc_syntax
+open Scc_test_trees
 open Support
 
 let check text expected words () =

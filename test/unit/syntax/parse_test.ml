@@ -2,6 +2,7 @@
 
 open Scc_base
 open Scc_syntax
+open Scc_test_trees
 open Support
 
 let same_expr (a, b) () =
@@ -207,19 +208,6 @@ let whole_language () =
   let m = parsed whole in
   Alcotest.(check bool) "printed and read" true (Ast_equal.model m (parsed (Printer.model m)))
 
-let rational () =
-  let check text expected =
-    let actual =
-      match Parse.rational (source text) with
-      | Ok q -> Q.to_string q
-      | Error ds -> String.concat "," (List.map (fun (d : Diag.t) -> d.code) ds)
-    in
-    Alcotest.(check string) text expected actual
-  in
-  List.iter (fun (t, e) -> check t e)
-    [ ("6", "6"); ("-1/4", "-1/4"); ("0.125", "1/8"); ("1e-3", "1/1000"); ("", "SC0104"); ("x", "SC0104");
-      ("1/0", "SC0107"); ("1e1000000000", "SC0106") ]
-
 let numbers () =
   let check text expected = Alcotest.(check string) text expected (Printer.expr (parsed_expr text)) in
   List.iter (fun (t, e) -> check t e)
@@ -249,6 +237,5 @@ let suite =
         Alcotest.test_case "formatting" `Quick format;
         Alcotest.test_case "numbers" `Quick numbers;
         Alcotest.test_case "numbers that no text holds" `Quick foreign_numbers;
-        Alcotest.test_case "numbers of the command line" `Quick rational;
       ]);
    ])

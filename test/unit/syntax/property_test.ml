@@ -2,6 +2,7 @@
 
 open Scc_base
 open Scc_syntax
+open Scc_test_trees
 module Gen2 = QCheck2.Gen
 
 let test ?(count = 250) name ?print gen law = QCheck2.Test.make ~count ~name ?print gen law

@@ -1,6 +1,7 @@
 (* The language reference against the language: its examples are read, its lists are the program's. *)
 
 open Scc_syntax
+open Scc_test_trees
 
 let reference =
   let channel = open_in_bin "../../../specs/language.md" in

@@ -1,3 +1,4 @@
+open Scc_syntax
 open Ast
 
 (* The constructors without arguments of these types compare as the integers they are. *)
