@@ -134,7 +134,7 @@ let bounds_met (options : Setup.t) visited (end_ : Zone_graph.end_) : Verdict.tr
   | _ -> []
 
 (* Formulas that no search decides are evaluated when there are so many nodes, and four times as many each time. *)
-let first_evaluation = 16
+let first_evaluation = 64
 
 let explore (options : Setup.t) context (group : Zone_groups.t) ~initial zones ~ranges ~exactly ~proof =
   let formulas_of = List.map (fun (_, (c : Property.check)) -> c.formula) in
