@@ -217,3 +217,21 @@ Where the search takes long, exploring comes first; how far it goes is counted, 
   no invariant: the search for one was given up after 10 million steps of arithmetic
   explored: 23044 states, 34625 transitions, depth 2388, model time 1368; complete
   1 property: 1 holds
+
+No invariant is searched for where it could prove nothing.
+
+  $ cat > nested.sc <<'EOF'
+  > param u in [-1, -1/2]
+  > shape C = box(2,2,2)
+  > shape W = box(2,40,40)
+  > process p = C mass 1 velocity (2,-1,0) at translate (0,1,0) [nil]
+  > process q = C mass 2 velocity (-1,0,0) at translate (6 + u,0,0) [nil]
+  > fixed l = W at translate (-5,0,0)
+  > fixed r = W at translate (14,0,0)
+  > check c : EG EX true
+  > EOF
+  $ scc check nested.sc --depth 30 | grep -E '^c:|invariant'
+  c: undecided: the exploration ended at the depth bound 30; one unexplored state matters
+  $ scc check nested.sc --depth 30 --prove | grep -E '^c:|invariant'
+  c: undecided: the exploration ended at the depth bound 30; one unexplored state matters
+  no invariant: an invariant proves no formula that nests operators of time, or that asks about time or quiescence

@@ -5,6 +5,16 @@ module Invariant = Scc_certificate.Invariant
 
 type t = { sets : Answers.sets; claims : Invariant.claim list }
 
+let is_about prop = not (Formula.mentions_time (State prop) || Search_sets.asks_for_rest prop)
+
+let may_prove formula =
+  let rec any : Plan.t -> bool = function
+    | Now _ | Formula _ -> false
+    | Possibly (_, p) | Always (_, p) -> is_about p
+    | All plans | Any plans -> List.exists any plans
+  in
+  any (Plan.of_formula formula)
+
 let views (c : Instant.context) (invariant : Invariant.t) =
   let m = Semantics.model c.semantics in
   let node zone : Zone_graph.node =
@@ -22,7 +32,7 @@ let make context atoms ~parameters views formula =
   let all = Union.of_polyhedron parameters and none = Union.empty n in
   let nothing = { sets = { Answers.holds = none; fails = none }; claims = [] } in
   let never prop =
-    if Formula.mentions_time (State prop) || Search_sets.asks_for_rest prop then none
+    if not (is_about prop) then none
     else
       let search = Search_sets.make atoms ~parameters:n ~bound:None prop in
       List.iter (Search_sets.look context search) views;

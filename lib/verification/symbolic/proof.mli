@@ -9,6 +9,9 @@ type t = {
   claims : Scc_certificate.Invariant.claim list;  (** the claims on which [sets] rest *)
 }
 
+val may_prove : Property.temporal -> bool
+(** [may_prove formula] is false if no invariant proves that the formula holds, nor that it fails. *)
+
 val views : Instant.context -> Scc_certificate.Invariant.t -> Zone_graph.node list
 (** All states of an invariant, and all states that pass by from them, as nodes for {!make}. *)
 

@@ -98,7 +98,7 @@ let rests_on_proof answer (where : Where.t) (verdict : Verdict.t) =
   | Holds _ | Measured _ | Undecided _ -> false
 
 (* A bound on its size has ended the exploration, or the seconds that it had of those who asked for an invariant,
-   and something is not known. *)
+   and something is not known that an invariant may prove. *)
 let is_open ~asked ~exactly (e : Zone_explored.t) =
   let of_size (t : Verdict.truncation) =
     match t.limit with
@@ -106,8 +106,10 @@ let is_open ~asked ~exactly (e : Zone_explored.t) =
     | Seconds _ -> asked
     | Instant _ | Bits _ | Memory _ | Interrupted | Omission _ -> false
   in
-  let unknown answer = not (Answers.is_known ~exactly answer) in
-  e.stopped_by <> [] && List.for_all of_size e.stopped_by && List.exists unknown e.answers
+  let is_open (_, (c : Property.check)) answer =
+    Proof.may_prove c.formula && not (Answers.is_known ~exactly answer)
+  in
+  e.stopped_by <> [] && List.for_all of_size e.stopped_by && List.exists2 is_open e.group.members e.answers
 
 let stats (m : Model.t) (e : Zone_explored.t) : Stats.t =
   let deepest = ref 0 in
@@ -173,6 +175,7 @@ let later ~some_check (before : By_invariant.end_ option) : By_invariant.effort 
   | Some (Given_up _) -> Some Longer
   | Some (Proved _ | None_found _) -> None
 
+(* Explores a group; the result is called for an invariant to be searched for, where that is needed. *)
 let of_group (options : Setup.t) semantics context u ~declared ~initial ~exactly (group : Zone_groups.t) =
   let m = Semantics.model semantics in
   let some_check = group.members <> [] in
@@ -184,9 +187,10 @@ let of_group (options : Setup.t) semantics context u ~declared ~initial ~exactly
   let of_zones zones =
     let within = By_invariant.leaving_time options before in
     let e = explore within context group ~initial zones ~ranges:m.ranges ~exactly ~proof:before in
-    match later ~some_check before with
-    | Some effort when is_open ~asked:options.prove ~exactly e -> { e with proof = attempt effort }
-    | Some _ | None -> e
+    fun () ->
+      match later ~some_check before with
+      | Some effort when is_open ~asked:options.prove ~exactly e -> { e with proof = attempt effort }
+      | Some _ | None -> e
   in
   let initial = Option.value group.part ~default:initial in
   Result.map of_zones (Start.zones context u ~initial ~keeps_time:group.keeps_time)
@@ -232,11 +236,12 @@ let report options semantics u ~declared ~initial explored : Check.report =
 let run (options : Setup.t) semantics u ~declared ~exactly ~premises checks =
   let context = Instant.context semantics in
   let initial = By_invariant.initial semantics declared in
+  (* All are explored before an invariant is searched for, so that no search takes the time of another check. *)
   let rec all explored = function
-    | [] -> Ok (List.rev explored)
+    | [] -> Ok (List.map (fun proved -> proved ()) (List.rev explored))
     | group :: rest ->
-      Result.bind (of_group options semantics context u ~declared ~initial ~exactly group) (fun e ->
-          all (e :: explored) rest)
+      Result.bind (of_group options semantics context u ~declared ~initial ~exactly group) (fun proved ->
+          all (proved :: explored) rest)
   in
   match Result.bind (groups options context u ~initial ~premises checks) (all []) with
   | Error { Start.at; reason } -> Error { at; reason }
