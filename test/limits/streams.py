@@ -315,15 +315,29 @@ class Sweep:
             if any(int(lines[mask], 16) >> (number - 1) & 1 for mask in masks):
                 return True
 
-    def asleep(self, pid, number):
-        """Waits until the program waits, and lets a signal through."""
+    def asleep(self, pid, number, output=None):
+        """Waits until the program waits, and lets a signal through: where an output is named, to write to it."""
         while True:
+            if output is not None and not self.in_call_on(pid, output):
+                time.sleep(0.001)
+                continue
             with open("/proc/%d/status" % pid) as file:
                 lines = dict(line.split(":", 1) for line in file if ":" in line)
             held = int(lines["SigBlk"], 16) >> (number - 1) & 1
             if lines["State"].split()[0] == "S" and not held and int(lines["SigCgt"], 16) >> (number - 1) & 1:
                 return
             time.sleep(0.001)
+
+    @staticmethod
+    def in_call_on(pid, output):
+        """Whether the first argument of the system call that the program is in is this descriptor; true if the system
+        does not tell."""
+        try:
+            with open("/proc/%d/syscall" % pid) as file:
+                words = file.read().split()
+        except OSError:
+            return True
+        return len(words) > 1 and int(words[1], 16) == output
 
     def started(self, words, **more):
         return subprocess.Popen([self.args.scc, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -390,7 +404,7 @@ class Sweep:
         running = subprocess.Popen([self.args.scc, *words], stdin=subprocess.DEVNULL, stdout=into, stderr=subprocess.PIPE,
                                    cwd=self.folder)
         os.close(into)
-        self.asleep(running.pid, number)
+        self.asleep(running.pid, number, output=1)
         running.send_signal(number)
         with open(out, "rb") as file:
             text = file.read()[filled:]

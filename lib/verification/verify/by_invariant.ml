@@ -88,7 +88,9 @@ let attempt (options : Setup.t) effort semantics u ~declared (checks : Property.
   match Scc_certificate.Certificate.not_for (Semantics.model semantics) with
   | Some reason -> Ok (None_found reason)
   | None when not (List.exists (fun (c : Property.check) -> Proof.may_prove c.formula) checks) ->
-    Ok (None_found "an invariant proves no formula that nests operators of time, or that asks about time or quiescence")
+    Ok
+      (None_found
+         "an invariant proves no formula that nests operators of time, or that asks about time or quiescence")
   | None ->
     let initial = initial semantics declared in
     let formulas = List.map (fun (c : Property.check) -> c.formula) checks in

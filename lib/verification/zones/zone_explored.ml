@@ -133,7 +133,8 @@ let bounds_met (options : Setup.t) visited (end_ : Zone_graph.end_) : Verdict.tr
   | Some t when visited.late -> [ { limit = Time t; origin = By_user } ]
   | _ -> []
 
-(* Formulas that no search decides are evaluated when there are so many nodes, and four times as many each time. *)
+(* Where no bound of time ends what formulas look at, those that no search decides are evaluated when there are so many
+   nodes, and four times as many each time. *)
 let first_evaluation = 64
 
 let explore (options : Setup.t) context (group : Zone_groups.t) ~initial zones ~ranges ~exactly ~proof =
@@ -150,9 +151,10 @@ let explore (options : Setup.t) context (group : Zone_groups.t) ~initial zones ~
   let evaluate stage graph =
     options.surroundings.attempt.run stage (fun () -> List.iter (fun a -> Answers.conclude a graph) branching)
   in
+  let goes_on = Option.is_none (Plan.latest (List.map Answers.reach looking)) in
   let next = ref first_evaluation in
   let enough graph =
-    if branching <> [] && Zone_graph.size graph >= !next then begin
+    if goes_on && branching <> [] && Zone_graph.size graph >= !next then begin
       next := 4 * !next;
       ignore (evaluate Exploring graph)
     end;
