@@ -133,8 +133,8 @@ let bounds_met (options : Setup.t) visited (end_ : Zone_graph.end_) : Verdict.tr
   | Some t when visited.late -> [ { limit = Time t; origin = By_user } ]
   | _ -> []
 
-(* Where no bound of time ends what formulas look at, those that no search decides are evaluated when there are so many
-   nodes, and four times as many each time. *)
+(* Where no bound of time ends what formulas look at, those that no search decides are evaluated when there are so
+   many nodes, and four times as many each time. *)
 let first_evaluation = 64
 
 let explore (options : Setup.t) context (group : Zone_groups.t) ~initial zones ~ranges ~exactly ~proof =
