@@ -127,13 +127,13 @@ module Tuple = struct
       fun t ->
         let n = number t in
         Truth.of_bool (n <> Catalogue.nobody && of_number n)
-    | Between (i, j, along) ->
+    | Touch (i, j, along) ->
       let one = home c i and two = home c j and path process = Path.make (Network_lts.model c) process in
       fun t -> (
           match (one t, two t) with
           | Some p, Some q -> (along Timeline.Instant (path p) (path q)).start
           | None, _ | _, None -> Truth.False)
-    | In_network test -> fun t -> Truth.of_bool (test (Catalogue.decode (Network_lts.catalogue c) t))
+    | Rest test -> fun t -> Truth.of_bool (test (Catalogue.decode (Network_lts.catalogue c) t))
     | Arrival _ when later -> fun _ -> Truth.False
     | Arrival e ->
       let arrived = Network_lts.arrived c e in

@@ -18,8 +18,8 @@ type fact =
   | Missing of int
   | In_process of int * (State.process -> bool)
   | In_behaviour of int * (Behaviour.aged -> bool)
-  | Between of int * int * (Timeline.extent -> Path.t -> Path.t -> Truth.t Timeline.t)
-  | In_network of (State.t -> bool)
+  | Touch of int * int * (Timeline.extent -> Path.t -> Path.t -> Truth.t Timeline.t)
+  | Rest of (State.t -> bool)
   | Arrival of Property.event
 
 let joins p q (b : State.bond) = (b.one.at = p && b.two.at = q) || (b.one.at = q && b.two.at = p)
@@ -89,7 +89,7 @@ let fact semantics : Property.fact -> fact = function
   | Behaviour (i, k) -> In_behaviour (i, is_called k)
   | Offers (i, polarity, name) -> In_behaviour (i, offers (Semantics.model semantics).definitions polarity name)
   | Touching (i, j) when Int.equal i j -> In_process (i, fun _ -> false)
-  | Touching (i, j) -> Between (i, j, Touching.along semantics i j)
+  | Touching (i, j) -> Touch (i, j, Touching.along semantics i j)
   | Gone i -> Missing i
-  | Quiescent -> In_network (Network.quiescent semantics)
+  | Quiescent -> Rest (Network.quiescent semantics)
   | Event e -> Arrival e

@@ -8,6 +8,7 @@ open Scc_semantics
 open Scc_motion
 open Scc_property
 
+(** Over sets of states, functions of processes are taken to be affine in places. *)
 type quantity =
   | Of_process of int * (Path.t -> Path.curve)
   (** a function of the process that has the leaf; for an absorbed leaf it is undefined ({!of_the_gone}) *)
@@ -26,9 +27,10 @@ type fact =
   (** a predicate of the process that has the leaf; this and the next two are false for an absorbed leaf *)
   | In_behaviour of int * (Behaviour.aged -> bool)
   (** a predicate of the behaviour of the leaf; while time passes, only the end of an eps may change it *)
-  | Between of int * int * (Timeline.extent -> Path.t -> Path.t -> Truth.t Timeline.t)
-  (** a predicate of the processes that have the leaves, which may be one process *)
-  | In_network of (State.t -> bool)  (** it stays the same while time passes and nothing happens *)
+  | Touch of int * int * (Timeline.extent -> Path.t -> Path.t -> Truth.t Timeline.t)
+  (** whether the processes that have the leaves touch, which may be one process *)
+  | Rest of (State.t -> bool)
+  (** whether nothing ever happens again; it stays the same while time passes and nothing happens *)
   | Arrival of Property.event  (** such a transition has just led here, and no time has passed since *)
 
 val of_the_gone : Model.t -> int -> string

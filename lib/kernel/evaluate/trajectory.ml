@@ -108,11 +108,11 @@ module Stretch = struct
     | In_behaviour (i, test) ->
       let test p = test (State.leaf_of p i).behaviour in
       bool (Option.fold ~none:false ~some:test (process s i)) s
-    | Between (i, j, along) -> (
+    | Touch (i, j, along) -> (
         match (path s i, path s j) with
         | Some p, Some q -> along s.extent p q
         | None, _ | _, None -> bool false s)
-    | In_network test -> bool (test s.state) s
+    | Rest test -> bool (test s.state) s
     | Arrival e -> at_the_start s (s.arrived e)
 
   let neg = Timeline.map Value.neg

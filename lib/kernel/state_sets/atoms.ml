@@ -208,8 +208,8 @@ module View = struct
     | Missing leaf -> bool (home v leaf = None) v
     | In_process (leaf, test) -> bool (match home v leaf with None -> false | Some p -> test p) v
     | In_behaviour (leaf, test) -> bool (behaviour v leaf test) v
-    | Between (i, j, _) -> touching c i j v
-    | In_network _ -> in_some v v.quiescent
+    | Touch (i, j, _) -> touching c i j v
+    | Rest _ -> in_some v v.quiescent
     | Arrival event ->
       let is i = Formula.equal_event c.events.(i) event in
       bool ((not v.passing) && List.exists is v.zone.arrived) v

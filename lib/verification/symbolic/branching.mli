@@ -26,24 +26,24 @@ val answer : Instant.context -> Atoms.context -> Zone_graph.t -> Property.tempor
     For a formula that was decided, and its parts. Bounds of time count from the start, for the [outermost]
     operators. *)
 
-val model : t -> State_sets.model
+val model : t -> Timed_sets.model
 (** The states of the graph. *)
 
-val truth : t -> outermost:bool -> Property.temporal -> holds:bool -> State_sets.sets
+val truth : t -> outermost:bool -> Property.temporal -> holds:bool -> Timed_sets.sets
 (** [truth t ~outermost f ~holds] are the states where [f] surely holds, or those where it surely does not. Of
     states that depend on nodes that are not expanded, neither is sure. *)
 
 (** The runs that decide an operator of time. *)
 type search =
-  | Comes of { before : State_sets.sets; goal : State_sets.sets }
+  | Comes of { before : Timed_sets.sets; goal : Timed_sets.sets }
   (** a run that comes to the goal, with states of [before] until then *)
-  | Stays of State_sets.sets  (** a run with such states alone, for ever, or until the horizon *)
-  | Leads of State_sets.sets  (** a run whose next event leads to these states, however late it is *)
+  | Stays of Timed_sets.sets  (** a run with such states alone, for ever, or until the horizon *)
+  | Leads of Timed_sets.sets  (** a run whose next event leads to these states, however late it is *)
 
 type quantified = {
   holds_if_any : bool;  (** if true, the operator holds where one of these runs exists; if false, it fails
                             there *)
-  searches : (search * State_sets.sets) list;  (** with the states from which there is such a run *)
+  searches : (search * Timed_sets.sets) list;  (** with the states from which there is such a run *)
 }
 
 val quantified : t -> outermost:bool -> Property.temporal -> quantified option

@@ -1,6 +1,6 @@
 open Scc_exact
 open Scc_polyhedra
-open State_sets
+open Timed_sets
 open Scc_state_sets
 
 type finish = There | Rests | Passes | Repeats of int | Goes_on of int

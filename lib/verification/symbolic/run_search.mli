@@ -28,15 +28,15 @@ val dimension : walk -> int
 val steps : walk -> int
 (** The number of steps of a walk. *)
 
-val among : State_sets.sets -> walk -> walk list
+val among : Timed_sets.sets -> walk -> walk list
 (** [among set walk] are the parts of the walk that end in a set of states. *)
 
-val right_after : State_sets.model -> State_sets.sets -> walk -> walk list
+val right_after : Timed_sets.model -> Timed_sets.sets -> walk -> walk list
 (** [right_after m set walk] are the parts of the walk within the next stretch, such that all states from there
     on are in a set of states. *)
 
 val some_run :
-  State_sets.model -> Branching.search -> win:State_sets.sets -> high:Rat.t option -> walk ->
+  Timed_sets.model -> Branching.search -> win:Timed_sets.sets -> high:Rat.t option -> walk ->
   (walk * finish) option
 (** [some_run m search ~win ~high walk] is a run for the search that continues the walk. The set [win] has the
     states from which there is one. A run that goes on for ever need not be followed beyond the time [high].

@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_polyhedra
 open Scc_property
-open State_sets
+open Timed_sets
 open Run_search
 open Scc_state_sets
 
