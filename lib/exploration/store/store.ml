@@ -2,7 +2,7 @@ open Scc_base
 
 (* The database tells that it is one of these by this number, and by the version of its tables. *)
 let application = 0x53434331
-let version = 1
+let version = 2
 let file = "explorations.sqlite"
 
 (* Milliseconds. *)
