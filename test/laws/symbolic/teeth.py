@@ -202,17 +202,17 @@ MISTAKES = {
     ),
     # Formulas, backwards over the graph.
     "a split at once leads nowhere": (
-        "state_sets.ml",
+        "timed_sets.ml",
         "(project (restrict (halting n at) [ no_time ]) ~dimension)",
         "(ignore no_time; Union.empty dimension)",
     ),
     "time halts nowhere": (
-        "state_sets.ml",
+        "timed_sets.ml",
         "let halts n s at = inter (all_along s) (halting n at)",
         "let halts n s at = (ignore at; ignore n; Union.empty (Zone.dimension s.zone))",
     ),
     "what is bad in between does not matter": (
-        "state_sets.ml",
+        "timed_sets.ml",
         "let clear_from_start s ~bad = minus (some s.region) (project bad ~dimension:(Zone.dimension s.zone - 1))",
         "let clear_from_start s ~bad = ignore bad; some s.region",
     ),
