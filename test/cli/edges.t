@@ -212,3 +212,24 @@ Formulas that no search decides are known over all values before all is explored
   d: violated for u = 1/2
   e: undecided: the exploration ended at the time bound 6; one unexplored state matters
   explored: 6 states, 5 transitions, depth 5; not complete: stopped by the time bound 6
+
+A bound of time that is over decides where nothing later is explored, beside checks that look further.
+
+  $ (cat next.sc; cat <<'EOF'
+  > check a : AG[0, 0] EX time > 0
+  > check b : EF[100, 101] (event bounce and EX event bounce)
+  > check c : EX time = 2
+  > check d : AF[0, 2] (event bounce and EX true)
+  > check e : A[true U[0, 2] event bounce and EX event bounce]
+  > check f : AF[0, 1] (event bounce and EX true)
+  > EOF
+  > ) > beside.sc
+  $ scc check beside.sc --depth 40 | grep -E '^[a-z]+: '
+  comes: holds (exhaustive, all u in [0, 1])
+  a: holds (exhaustive, all u in [0, 1])
+  b: undecided: the exploration ended at the depth bound 40; one unexplored state matters
+  c: violated for u = 1/2
+  d: holds (exhaustive, all u in [0, 1])
+  e: holds (exhaustive, all u in [0, 1])
+  f: violated for u = 1/2
+  explored: 49 states, 56 transitions, depth 40; not complete: stopped by the depth bound 40

@@ -38,9 +38,10 @@ let iterate m start step =
   done;
   at
 
-let start m ~may =
-  let at n = if is_explored n then Union.empty (Zone.dimension n.it.zone) else unknown n ~may in
-  Array.map at m.nodes
+(* A fixpoint begins with nothing where its steps add to it. What is not expanded has no steps. *)
+let start m ~explored ~other = Array.mapi (fun i n -> if is_explored n then explored i n else other i n) m.nodes
+
+let nothing _ n = Union.empty (Zone.dimension n.it.zone)
 
 (* E[f U g]. *)
 let exists_until m ~may f g =
@@ -57,7 +58,8 @@ let exists_until m ~may f g =
     in
     union g.at.(i) (inter f.at.(i) (List.fold_left of_stretch (at_once n at) (zipped i)))
   in
-  let at = iterate m (start m ~may) step in
+  let other i n = union g.at.(i) (inter f.at.(i) (unknown n ~may)) in
+  let at = iterate m (start m ~explored:nothing ~other) step in
   let along i =
     let n = m.nodes.(i) in
     let of_stretch (s, (f_along, (bad, g_along))) =
@@ -72,7 +74,7 @@ let exists_until m ~may f g =
 let is_beyond n = Option.is_some n.it.beyond
 
 (* EG g. After the horizon a run goes on with g if g is there: the formula does not look further. *)
-let exists_globally m g =
+let exists_globally m ~may ~over g =
   let not_g = complement m g in
   let zipped i = List.combine m.nodes.(i).stretches (List.combine g.along.(i) not_g.along.(i)) in
   let goes_on at n s =
@@ -87,7 +89,8 @@ let exists_globally m g =
     in
     if is_beyond n then g.at.(i) else inter g.at.(i) (List.fold_left of_stretch (at_once n at) (zipped i))
   in
-  let at = iterate m g.at step in
+  let other i n = inter g.at.(i) (union over.at.(i) (unknown n ~may)) in
+  let at = iterate m (start m ~explored:(fun i _ -> g.at.(i)) ~other) step in
   let along i =
     let n = m.nodes.(i) in
     let of_stretch (s, (g_along, bad)) =
@@ -108,7 +111,7 @@ let exists_next m ~may f =
     in
     List.fold_left of_stretch (at_once n f.at) n.stretches
   in
-  let at = iterate m (start m ~may) step in
+  let at = iterate m (start m ~explored:nothing ~other:(fun _ n -> unknown n ~may)) step in
   let along n =
     let of_stretch s =
       let bad = Union.empty (Zone.dimension s.zone) in
@@ -149,6 +152,12 @@ let in_time (b : Property.bound) =
 
 let unbounded (b : Property.bound) = Rat.sign b.low = 0 && b.high = None
 
+(* Before a goal within the bound no state is later than its end. *)
+let up_to (b : Property.bound) f =
+  match b.high with
+  | None -> f
+  | Some t -> Property.Temporal_and [ f; State (Compare (Le, Quantity Time, Const t)) ]
+
 let in_bound b f = if unbounded b then f else Property.Temporal_and [ f; State (in_time b) ]
 
 (* {2 What decides a formula}
@@ -157,12 +166,12 @@ let in_bound b f = if unbounded b then f else Property.Temporal_and [ f; State (
 
 type search =
   | Comes of { before : sets; goal : sets }  (** to the goal, through states of [before] *)
-  | Stays of sets  (** for ever in such states *)
+  | Stays of { states : sets; over : sets }  (** for ever in such states; of those in [over] all runs do *)
   | Leads of sets  (** to them, by its next event *)
 
 let solve m ~may = function
   | Comes { before; goal } -> exists_until m ~may before goal
-  | Stays states -> exists_globally m states
+  | Stays { states; over } -> exists_globally m ~may ~over states
   | Leads goal -> exists_next m ~may goal
 
 (* {2 What is known where not all is explored}
@@ -186,12 +195,12 @@ type t = { model : model; mutable known : ((Property.temporal * bool) * (known *
 
 (* A run breaks f U g if g never comes, or f is over at an instant without g before; or else, where g has no first
    instant, if f does not hold right after the last one without g. *)
-let breaks_until m f g =
+let breaks_until m ~over f g =
   let not_f = negation m f and not_g = negation m g in
   let over_before g = both m (fun ~may -> right_before m ~may (map2 inter (pick not_f ~may) (pick g ~may))) in
   let goals = [ combined m inter not_f not_g; combined m inter not_g (over_before g) ] in
   let comes goal ~may = Comes { before = pick not_g ~may; goal = pick goal ~may } in
-  List.map comes goals @ [ (fun ~may -> Stays (pick not_g ~may)) ]
+  List.map comes goals @ [ (fun ~may -> Stays { states = pick not_g ~may; over = pick over ~may }) ]
 
 let rec find (t : t) ~outermost (f : Property.temporal) =
   let same ((g, o), _) = Bool.equal o outermost && Formula.equal f g in
@@ -218,9 +227,11 @@ and compute t ~outermost (f : Property.temporal) =
     let shown search s = (search ~may:false, s.surely) in
     (holds, Some { holds_if_any; searches = List.map2 shown searches solved })
   in
-  let all () = inner (State (Bool true)) in
+  let truth = Property.State (Bool true) in
+  let all () = inner truth in
   let comes before goal = [ (fun ~may -> Comes { before = pick before ~may; goal = pick goal ~may }) ] in
-  let stays states = [ (fun ~may -> Stays (pick states ~may)) ] in
+  let over b = inner (State (Property.Not (in_time { b with low = Rat.zero }))) in
+  let stays b states = [ (fun ~may -> Stays { states = pick states ~may; over = pick (over b) ~may }) ] in
   let leads goal = [ (fun ~may -> Leads (pick goal ~may)) ] in
   match f with
   | State p -> (both m (fun ~may -> of_prop m ~may p), None)
@@ -233,12 +244,12 @@ and compute t ~outermost (f : Property.temporal) =
     not_known "a probability, over all starts and instants"
   | Next (Exists, f) -> quantified true (leads (inner f))
   | Next (All, f) -> quantified false (leads (negation m (inner f)))
-  | Finally (Exists, b, f) -> quantified true (comes (all ()) (within b f))
-  | Finally (All, b, f) -> quantified false (stays (negation m (within b f)))
-  | Globally (All, b, f) -> quantified false (comes (all ()) (within b (Temporal_not f)))
-  | Globally (Exists, b, f) -> quantified true (stays (negation m (within b (Temporal_not f))))
-  | Until (Exists, b, f, g) -> quantified true (comes (inner f) (within b g))
-  | Until (All, b, f, g) -> quantified false (breaks_until m (inner f) (within b g))
+  | Finally (Exists, b, f) -> quantified true (comes (inner (up_to b truth)) (within b f))
+  | Finally (All, b, f) -> quantified false (stays b (negation m (within b f)))
+  | Globally (All, b, f) -> quantified false (comes (inner (up_to b truth)) (within b (Temporal_not f)))
+  | Globally (Exists, b, f) -> quantified true (stays b (negation m (within b (Temporal_not f))))
+  | Until (Exists, b, f, g) -> quantified true (comes (inner (up_to b f)) (within b g))
+  | Until (All, b, f, g) -> quantified false (breaks_until m ~over:(over b) (inner f) (within b g))
 
 let model t = t.model
 

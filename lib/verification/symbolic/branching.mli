@@ -37,7 +37,8 @@ val truth : t -> outermost:bool -> Property.temporal -> holds:bool -> Timed_sets
 type search =
   | Comes of { before : Timed_sets.sets; goal : Timed_sets.sets }
   (** a run that comes to the goal, with states of [before] until then *)
-  | Stays of Timed_sets.sets  (** a run with such states alone, for ever, or until the horizon *)
+  | Stays of { states : Timed_sets.sets; over : Timed_sets.sets }
+  (** a run with such states alone, for ever, or until the horizon; all runs from [over] have such states alone *)
   | Leads of Timed_sets.sets  (** a run whose next event leads to these states, however late it is *)
 
 type quantified = {

@@ -223,7 +223,7 @@ let some_run m search ~win ~high from =
     let ends = leads rule goal in
     let found, _, _ = breadth_first rule ~moves:passes ~win ~ends ~round:false ~again:false from in
     found
-  | Stays states -> (
+  | Stays { states; over = _ } -> (
       let rule = rule m states in
       let look again = breadth_first rule ~moves ~win ~ends:(stays rule ~high) ~round:true ~again from in
       let first, at_one_instant, goes_on = look false in

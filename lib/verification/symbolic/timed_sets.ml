@@ -108,7 +108,7 @@ let of_prop m ~may prop =
     tidy (Union.of_polyhedra (Zone.dimension zone) (where (truth { zone; passing; quiescent })))
   in
   let at n =
-    if not (is_explored n) then unknown n ~may
+    if not (is_explored n) && (n.it.zone.halted || Search_sets.asks_for_rest prop) then unknown n ~may
     else if n.it.zone.halted then Union.empty (Zone.dimension n.it.zone)
     else
       let quiescent = List.filter_map (fun s -> if rests n s then Some s.region else None) n.stretches in

@@ -47,12 +47,13 @@ val of_graph : Instant.context -> Atoms.context -> Zone_graph.t -> model
 (** {1 Sets} *)
 
 val is_explored : node -> bool
-(** [is_explored n] is true if [n] is expanded. Nothing is known of the states of other nodes, nor of what follows
-    them. A set of states is then computed twice: with [may], it has all of these states, and otherwise none of
-    them. *)
+(** [is_explored n] is true if [n] is expanded. Nothing is known of what follows the states of other nodes. A set
+    of states is then computed twice: with [may], it has all states that may belong to it, and otherwise those that
+    surely do. *)
 
 val unknown : node -> may:bool -> Union.t
-(** The states of a node that is not expanded, of a set with or without [may]. *)
+(** The states of a node that is not expanded, of a set of which nothing is known there: all of them with [may],
+    and otherwise none. *)
 
 val of_prop : model -> may:bool -> Property.prop -> sets
 (** The states where a predicate is true. Raises {!Not_known} if it is undecided somewhere. *)
