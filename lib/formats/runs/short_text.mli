@@ -19,3 +19,6 @@ val position : ?full:bool -> Model.t -> State.leaf -> string
 val motion : ?full:bool -> Model.t -> State.process -> string
 (** The velocity of a process, such as ["velocity (1, 0, 0)"], and its spin if it has one:
     ["velocity (1, 0, 0), spin (0, 0, 1)"]. Numbers are as in {!position}. *)
+
+val bond : Model.t -> State.bond -> string
+(** A bond by its channel and its two sites: ["<a, {p.top, q.bottom}>"]. *)
