@@ -5,7 +5,7 @@ open Scc_calculus
 
 val exact : Rat.t -> string
 (** The number, exact up to 60 characters. A fraction of more than 15 characters also has a decimal by
-    {!Decimal.marked}: ["137174210/109739369 (~1.250000)"]. Beyond 60 there is the decimal alone, with the
+    [Decimal.marked]: ["137174210/109739369 (~1.250000)"]. Beyond 60 there is the decimal alone, with the
     number of characters of the exact number. *)
 
 val within : string -> string
