@@ -31,7 +31,7 @@ val check_overrides : string list -> (unit, Diag.t list) result
 (** Checks the names of parameters with values on the command line. A name that occurs twice is SC0212. *)
 
 val no_check : Code.t -> Span.t -> string -> Scc_property.Property.check list -> Diag.t
-(** [no_check code at name checks] is the error that the model has no check [name], with a hint at a similar name. *)
+(** [no_check code at name checks] is the error that the model has no check [name]. Its hint is a similar name. *)
 
 val model :
   ?given:Span.t ->
