@@ -2,6 +2,7 @@
     Elaboration checks the declared network, with places in the text. This module checks any state, exactly. *)
 
 open Scc_calculus
+open Scc_semantics
 
 type fault =
   | Lost_leaf of int  (** a leaf of the model that is in no process *)
