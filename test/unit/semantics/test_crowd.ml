@@ -157,4 +157,90 @@ let crowds =
     Gen.(pair random_crowd (list_size (pure 60) nat))
     (fun (c, choices) -> follow (network c) choices)
 
-let suite = ("crowds", [ ("as the transition relation", Scc_test_support.Property.cases [ crowds ]) ])
+(* {1 Growth} *)
+
+(* n² cubes in a room, half a side apart, that are kicked twice: what a transition allocates, in words, and the
+   queries of the broad phase for it. All of a kick is counted: draws, sweeps, and bounces until time passes. *)
+let costs n =
+  let places = List.concat (List.init n (fun x -> List.init n (fun y -> (x, y, 0)))) in
+  let crowd =
+    {
+      places; pitch = 3; around = Room; slack = 1; laws = [ 4 ]; sticky = false; steady = true; together = false;
+      any_time = false; half = false;
+    }
+  in
+  let m, declared = network crowd in
+  let c = Standard.of_model m in
+  let state = match Network.initial c declared with Ok s -> s | Error _ -> Alcotest.fail "constant laws" in
+  let run = Event_run.start c state in
+  let random = ref 1 in
+  let next () =
+    random := ((!random * 1103515245) + 12345) land 0x3fffffff;
+    !random / 1024
+  in
+  let taken = ref 0 and bounces = ref 0 and before = Gc.minor_words () in
+  while Rat.compare (Event_run.elapsed run) (Rat.of_int 2) < 0 do
+    let a = Event_run.take run (next () mod Event_run.count run) in
+    (match a.label with Bounce _ -> incr bounces | _ -> ());
+    incr taken
+  done;
+  let { Flights.sweeps; neighbours; casts } = Event_run.work run in
+  if !bounces < n * n then Alcotest.failf "%d bounces of %d cubes: too few to count" !bounces (n * n);
+  let each x = float_of_int x /. float_of_int !taken in
+  ((Gc.minor_words () -. before) /. float_of_int !taken, each (sweeps + neighbours + casts))
+
+let growth () =
+  let words, queries = costs 10 and more_words, more_queries = costs 20 in
+  let stays what few many =
+    if many > 1.4 *. few then Alcotest.failf "%s for a transition: %.1f of 100 cubes, %.1f of 400" what few many
+  in
+  stays "words" words more_words;
+  stays "queries" queries more_queries
+
+(* {1 Laws that have too many values together}
+
+   101 kicks each, no two sums of which are equal: one cube alone may draw, two of them that are bound as well, and
+   three of them never. Whether they may be bound is up to a weak choice: the rules decide what is reported. *)
+let too_many () =
+  let law scale = Law.Choose (List.init 101 (fun k -> kick 1 (1 + (scale * k), 0, 0))) in
+  let bodies =
+    let open Fixture in
+    [
+      body "p" (0, 0, 0) ~law:(law 1) ~behaviour:(open_ "a" [ "right" ] nil);
+      body "q" (4, 0, 0) ~law:(law 101) ~behaviour:(co_open "a" [ "left" ] (co_open "b" [ "right" ] nil));
+      body "r" (16, 0, 0) ~law:(law 10201) ~behaviour:(open_ "b" [ "left" ] nil);
+    ]
+  in
+  let m = Fixture.model bodies in
+  let plain = Semantics.make m in
+  let rec go run s step =
+    match (Network.successors plain s, Run.labels run) with
+    | Error f, Error g ->
+      let text f = (Transition.diagnostic m f).Scc_base.Diag.message in
+      Alcotest.(check string) "the fault" (text f) (text g);
+      step
+    | Ok transitions, Ok labels ->
+      let expected = List.map (fun (t : Transition.t) -> Transition.label_to_string m t.label) transitions in
+      let found = List.map (Transition.label_to_string m) (Run.list labels) in
+      Alcotest.(check (list string)) "what is possible" expected found;
+      (* p is the fastest *)
+      let last = List.length transitions - 1 in
+      let i = match (List.hd transitions).label with Draw { first = 0; _ } -> last | _ -> 0 in
+      ignore (Run.take run i);
+      go run (List.nth transitions i).target (step + 1)
+    | Ok _, Error _ | Error _, Ok _ -> Alcotest.failf "a fault in one of both, at step %d" step
+  in
+  let run = Result.get_ok (Run.start (Standard.of_model m) (Fixture.declared bodies)) in
+  let steps = go run (Result.get_ok (Network.initial plain (Fixture.declared bodies))) 0 in
+  Alcotest.(check bool) "they meet first" true (steps > 4)
+
+let suite =
+  ( "crowds",
+    [
+      ("as the transition relation", Scc_test_support.Property.cases [ crowds ]);
+      ( "known",
+        [
+          Alcotest.test_case "growth: a transition costs as much in a crowd of 400 as of 100" `Quick growth;
+          Alcotest.test_case "laws with too many values together" `Quick too_many;
+        ] );
+    ] )
