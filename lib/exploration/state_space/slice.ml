@@ -308,7 +308,7 @@ let lasts s initial g =
     | Some (k, label) ->
       over (Rat.add (Event_run.elapsed run) (Transition.duration_of label))
       || begin
-        Event_run.take run k;
+        ignore (Event_run.take run k);
         go (fuel - 1)
       end
   in

@@ -2,6 +2,7 @@ open Scc_exact
 open Scc_calculus
 
 let steers = Process.steers
+let rules = [ Rule.Steer ]
 
 (* {1 What laws give} *)
 
@@ -159,10 +160,10 @@ let settle (c : Semantics.t) (s : State.t) =
   in
   if is_drawing s then Ok { state = s; rules = []; rounded = None }
   else
-    let rules = if over && Array.exists (steers m) s.processes then [ Rule.Steer ] else [] in
+    let used = if over && Array.exists (steers m) s.processes then rules else [] in
     let steered = if over then begin_steps m s else s in
     let state, rounded = K.begin_turns c.setting ~parts ~colliding (K.at_contact c.setting ~colliding steered) in
-    Ok { state; rules = (if Option.is_some rounded then rules @ [ Rule.Round ] else rules); rounded }
+    Ok { state; rules = (if Option.is_some rounded then used @ [ Rule.Round ] else used); rounded }
 
 (* {1 Draws} *)
 
