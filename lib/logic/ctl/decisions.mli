@@ -43,6 +43,12 @@ val window : question -> window
 val is_unbounded : question -> bool
 (** [is_unbounded q] is true if every time is in the window. *)
 
+val is_open : window -> bool
+(** [is_open w] is true if the window has no end. *)
+
+val reaches_beyond : window -> Algebraic.t -> bool
+(** [reaches_beyond w time] is true if the window ends before this time. *)
+
 val limit : Timed_graph.flow -> Algebraic.t option
 (** [limit flow] is how long the flow lasts; [None] for no flow, and for one that lasts for ever. *)
 
