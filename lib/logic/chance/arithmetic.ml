@@ -92,3 +92,6 @@ let rounded direction =
     compare = Z.compare;
     to_rat = (fun n -> Rat.make n unit);
   }
+
+let nothing =
+  { zero = (); one = (); mean = (fun _ _ -> ()); compare = (fun () () -> 0); to_rat = (fun () -> Rat.zero) }

@@ -40,3 +40,6 @@ type direction = Down | Up
 val rounded : direction -> Z.t t
 (** [rounded direction] is multiples of 2^-128. Each mean is rounded down to one, or up, by less than 2^-128. So a
     value that is made by n means differs from the exact one by less than n 2^-128. *)
+
+val nothing : unit t
+(** [nothing] has one number. It serves where only the graph of the branches matters. *)

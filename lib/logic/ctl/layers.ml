@@ -16,12 +16,16 @@ type choice = { weights : Arithmetic.weights; target : int array; delay : int ar
    time. *)
 type part = Inside | Before | Cut
 
+let endless = -1
+let not_looked_at = -2
+
 module Times = Map.Make (Rat)
 
 type layer = {
   time : Rat.t;
   mutable entered : Int_array.buffer;  (** nodes, as they are found; each may come several times *)
   mutable nodes : Int_array.t;  (** later: their ranks, each once, increasing *)
+  parts : part Growable.t;  (** for each delay, from 0 on: of the flows that last so long, as far as it was needed *)
   later : layer option Growable.t;  (** for each delay: the layer that is so much later, as far as it was needed *)
   mutable index : int;  (** among all layers in the order of time *)
   mutable first : int;  (** the index of the first layer that leads here, or its own *)
@@ -32,27 +36,16 @@ type t = {
   window : window;
   starts : next list;
   delays : Rat.t Growable.t;
+  lasts : Int_array.t;  (** for each node: the delay of its flow, [endless] or [not_looked_at] *)
   inside : choice array option array;  (** for each node, as far as it was needed *)
   before : choice array option array;
+  mutable free : bool;  (** some place has several choices *)
   mutable base : Z.t;  (** a common multiple of all sums of weights *)
   mutable pending : layer Times.t;
   mutable layers : layer array;
   mutable rank : Int_array.t;  (** of each node: edges lead to smaller ranks; -1 for nodes that are not reached *)
   mutable node_of : Int_array.t;  (** of each rank *)
 }
-
-let part t s elapsed =
-  let ends d =
-    let over = Rat.add elapsed d in
-    if Algebraic.compare_rat t.window.low over > 0 then Before
-    else if Algebraic.compare_rat t.window.low elapsed <= 0 && not (reaches_beyond t.window (Algebraic.of_rat over))
-    then Inside
-    else Cut
-  in
-  match Timed_graph.flow t.question.graph s with
-  | Timed_graph.No_flow -> ends Rat.zero
-  | Lasts (d, _) -> ends d
-  | Forever -> Cut
 
 let delay_number t d =
   let rec find k =
@@ -78,12 +71,42 @@ let choice t elapsed branches =
   t.base <- Z.lcm t.base weights.sum;
   { weights; target = Array.map (fun b -> fst (where b)) branches; delay = Array.map (fun b -> snd (where b)) branches }
 
-let place_of s elapsed = { node = s; elapsed = Some elapsed }
+let part t time d =
+  let over = Rat.add time d in
+  if Algebraic.compare_rat t.window.low over > 0 then Before
+  else if Algebraic.compare_rat t.window.low time <= 0 && not (reaches_beyond t.window (Algebraic.of_rat over)) then
+    Inside
+  else Cut
 
-let choices_of t s elapsed =
+let delay_of t s =
+  let known = Int_array.get t.lasts s in
+  if known <> not_looked_at then known
+  else
+    let delay =
+      match Timed_graph.flow t.question.graph s with
+      | No_flow -> 0
+      | Lasts (d, _) -> delay_number t d
+      | Forever -> endless
+    in
+    Int_array.set t.lasts s delay;
+    delay
+
+(* Parts are the same for all nodes of a layer whose flows last equally long. *)
+let rec part_of t layer delay =
+  if delay = endless then Cut
+  else if Growable.length layer.parts <= delay then begin
+    let k = Growable.length layer.parts in
+    let d = if k = 0 then Rat.zero else Growable.get t.delays (k - 1) in
+    Growable.push layer.parts (part t layer.time d);
+    part_of t layer delay
+  end
+  else Growable.get layer.parts delay
+
+let choices_of t layer s =
   let compute () =
-    let choices = Decisions.choices t.question t.window (place_of s elapsed) in
-    Array.of_list (List.map (choice t elapsed) choices)
+    let choices = Decisions.choices t.question t.window { node = s; elapsed = Some layer.time } in
+    if List.compare_length_with choices 1 > 0 then t.free <- true;
+    Array.of_list (List.map (choice t layer.time) choices)
   in
   let cached table =
     match table.(s) with
@@ -93,7 +116,7 @@ let choices_of t s elapsed =
       table.(s) <- Some choices;
       choices
   in
-  match part t s elapsed with Inside -> cached t.inside | Before -> cached t.before | Cut -> compute ()
+  match part_of t layer (delay_of t s) with Inside -> cached t.inside | Before -> cached t.before | Cut -> compute ()
 
 (* {1 Forwards: the places of each layer} *)
 
@@ -106,6 +129,7 @@ let layer_at t time =
         time;
         entered = Int_array.buffer ();
         nodes = Int_array.make 0 0;
+        parts = Growable.create ();
         later = Growable.create ();
         index = max_int;
         first = max_int;
@@ -152,7 +176,7 @@ let look t seen layer =
       if not (Int.equal (Int_array.get seen s) layer.index) then begin
         Int_array.set seen s layer.index;
         Int_array.push found s;
-        Array.iter follow (choices_of t s layer.time)
+        Array.iter follow (choices_of t layer s)
       end;
       go (i + 1)
     end
@@ -200,10 +224,28 @@ let rank t seen =
     Some (Strong_components.numbers components, node_of)
   end
 
-let sorted t nodes =
-  let ranks = Array.init (Int_array.length nodes) (fun i -> Int_array.get t.rank (Int_array.get nodes i)) in
-  Array.sort Int.compare ranks;
-  Array.iteri (Int_array.set nodes) ranks
+(* [marks] has a byte for each rank, 0 before and after. Many ranks are marked and read in order, and few sorted. *)
+let sort t marks nodes =
+  let n = Int_array.length nodes in
+  let rank i = Int_array.get t.rank (Int_array.get nodes i) in
+  if n < Bytes.length marks / 16 then begin
+    let ranks = Array.init n rank in
+    Array.sort Int.compare ranks;
+    Array.iteri (Int_array.set nodes) ranks
+  end
+  else begin
+    for i = 0 to n - 1 do
+      Bytes.set marks (rank i) '\001'
+    done;
+    let next = ref 0 in
+    for r = 0 to Bytes.length marks - 1 do
+      if not (Char.equal (Bytes.get marks r) '\000') then begin
+        Int_array.set nodes !next r;
+        incr next
+      end
+    done;
+    Bytes.fill marks 0 (Bytes.length marks) '\000'
+  end
 
 let make question window starts =
   if is_open window then None
@@ -215,8 +257,10 @@ let make question window starts =
         window;
         starts;
         delays = Growable.create ();
+        lasts = Int_array.make size not_looked_at;
         inside = Array.make size None;
         before = Array.make size None;
+        free = false;
         base = Z.one;
         pending = Times.empty;
         layers = [||];
@@ -231,7 +275,8 @@ let make question window starts =
     | Some (rank, node_of) ->
       t.rank <- rank;
       t.node_of <- node_of;
-      Array.iter (fun layer -> sorted t layer.nodes) t.layers;
+      let marks = Bytes.make (Int_array.length node_of) '\000' in
+      Array.iter (fun layer -> sort t marks layer.nodes) t.layers;
       Some t
 
 (* {1 Backwards: values} *)
@@ -239,8 +284,9 @@ let make question window starts =
 exception Interrupted
 
 (* What is computed of each place of a layer: its value, and the number of steps to the goal by choices that attain
-   it, which is [never] if there are none. *)
-type 'a computed = { value : 'a array; steps : int array }
+   it, which is [never] if there are none. The arrays have an element for each place of the layer, or for each rank
+   where that is not many more. *)
+type 'a computed = { value : 'a array; steps : int array; by_rank : bool }
 
 let never = max_int
 
@@ -263,10 +309,14 @@ type 'a backwards = {
       no run is wanted. *)
 }
 
+let slot computed layer rank = if computed.by_rank then rank else index layer rank
+
 let find b layer rank get ~goal ~fail =
   if rank = at_goal then goal
   else if rank = at_fail then fail
-  else (get b.computed.(layer.index)).(index layer rank)
+  else
+    let computed = b.computed.(layer.index) in
+    (get computed).(slot computed layer rank)
 
 let rank_of t s = if s < 0 then s else Int_array.get t.rank s
 
@@ -295,8 +345,9 @@ let shortest t b layer choices values best =
   ((if !least = never then never else !least + 1), !taken)
 
 let compute_place t b ~trace layer i =
-  let s = Int_array.get t.node_of (Int_array.get layer.nodes i) in
-  let choices = choices_of t s layer.time in
+  let rank = Int_array.get layer.nodes i in
+  let s = Int_array.get t.node_of rank in
+  let choices = choices_of t layer s in
   let value { weights; target; delay } =
     b.numbers.mean weights (fun k ->
         let next = if delay.(k) = 0 then layer else later t layer delay.(k) in
@@ -305,17 +356,18 @@ let compute_place t b ~trace layer i =
   let values = Array.map value choices in
   let best = Array.fold_left (best_of t.question.side b.numbers.compare) values.(0) values in
   let computed = b.computed.(layer.index) in
-  computed.value.(i) <- best;
+  let slot = if computed.by_rank then rank else i in
+  computed.value.(slot) <- best;
   if trace then begin
     let steps, taken = shortest t b layer choices values best in
-    computed.steps.(i) <- steps;
+    computed.steps.(slot) <- steps;
     Int_array.set b.taken.(layer.index) i taken
   end
 
 (* From the last layer back. [keep] is called once a layer is computed. *)
 let backwards t (effort : Effort.t) numbers ~trace keep =
   let count = Array.length t.layers in
-  let none = { value = [||]; steps = [||] } in
+  let none = { value = [||]; steps = [||]; by_rank = false } in
   let b = { numbers; computed = Array.make count none; taken = Array.make count (Int_array.make 0 0) } in
   let over = Array.make count [] in
   Array.iter (fun layer -> over.(layer.first) <- layer.index :: over.(layer.first)) t.layers;
@@ -323,7 +375,11 @@ let backwards t (effort : Effort.t) numbers ~trace keep =
     if effort.interrupted () then raise Interrupted;
     let layer = t.layers.(k) in
     let n = Int_array.length layer.nodes in
-    b.computed.(k) <- { value = Array.make n numbers.zero; steps = (if trace then Array.make n never else [||]) };
+    let ranks = Int_array.length t.node_of in
+    let by_rank = n > ranks / 8 in
+    let slots = if by_rank then ranks else n in
+    b.computed.(k) <-
+      { value = Array.make slots numbers.zero; steps = (if trace then Array.make slots never else [||]); by_rank };
     if trace then b.taken.(k) <- Int_array.make n 0;
     for i = 0 to n - 1 do
       compute_place t b ~trace layer i
@@ -364,8 +420,8 @@ let rationals t effort numbers =
   let starts = by_time t and found = Places.create 16 in
   let keep b layer =
     let note (p : place) =
-      let x = b.computed.(layer.index).value.(index layer (rank_of t p.node)) in
-      Places.replace found p (numbers.Arithmetic.to_rat x)
+      let x = find b layer (rank_of t p.node) (fun c -> c.value) ~goal:numbers.Arithmetic.one ~fail:numbers.zero in
+      Places.replace found p (numbers.to_rat x)
     in
     List.iter note (Hashtbl.find_all starts layer.index)
   in
@@ -436,7 +492,7 @@ let traced t effort start numbers =
   let keep b layer =
     match start with
     | Go { node; elapsed = Some time } when Rat.equal time layer.time ->
-      arrives := b.computed.(layer.index).steps.(index layer (rank_of t node)) <> never
+      arrives := find b layer (rank_of t node) (fun c -> c.steps) ~goal:0 ~fail:never < never
     | Goal | Fail | Go _ -> ()
   in
   let b = backwards t effort numbers ~trace:true keep in
@@ -449,6 +505,7 @@ let run t (effort : Effort.t) start =
   in
   try
     match effort.engine with
+    | _ when not t.free -> traced t effort start Arithmetic.nothing
     | Nearly -> near ()
     | Exactly -> exact ()
     | Either -> ( try exact () with Arithmetic.Too_long -> near ())
