@@ -63,6 +63,10 @@ val choices : question -> window -> place -> branch list list
 (** [choices q w p] is the choices at a place [p] with [next q w p = Go p]. There is at least one; rewards are 0.
 *)
 
+val meetings : question -> window -> place -> Timeline.moment list
+(** [meetings q w p] is how long after it is entered a place [p] with [next q w p = Go p] leads to [Goal]: a moment
+    for each such branch. *)
+
 val from : question -> Positions.position -> window * branch list list
 (** [from q p] is the choices at a position, and the window counted from when the node of its flow was entered. *)
 

@@ -510,3 +510,38 @@ let run t (effort : Effort.t) start =
     | Exactly -> exact ()
     | Either -> ( try exact () with Arithmetic.Too_long -> near ())
   with Interrupted | Arithmetic.Too_long -> None
+
+(* {1 Arrivals} *)
+
+module Moments = Set.Make (struct
+    type t = Timeline.moment
+
+    let compare = Timeline.compare_moment
+  end)
+
+let arrivals t =
+  let known = Hashtbl.create 64 in
+  let of_node layer rank =
+    let s = Int_array.get t.node_of rank in
+    let compute () = meetings t.question t.window { node = s; elapsed = Some layer.time } in
+    match part_of t layer (delay_of t s) with
+    | Inside -> (
+        match Hashtbl.find_opt known s with
+        | Some found -> found
+        | None ->
+          let found = compute () in
+          Hashtbl.add known s found;
+          found)
+    | Before | Cut -> compute ()
+  in
+  let add all layer =
+    let here = ref Moments.empty in
+    for i = 0 to Int_array.length layer.nodes - 1 do
+      List.iter (fun m -> here := Moments.add m !here) (of_node layer (Int_array.get layer.nodes i))
+    done;
+    let later ({ offset; attained } : Timeline.moment) =
+      { Timeline.offset = Algebraic.add_rat layer.time offset; attained }
+    in
+    Moments.fold (fun m -> Moments.add (later m)) !here all
+  in
+  Moments.elements (Array.fold_left add Moments.empty t.layers)

@@ -27,3 +27,7 @@ val solve : t -> Effort.t -> values
 val run : t -> Effort.t -> Decisions.next -> (Decisions.place * Decisions.branch) list option
 (** [run t effort start] is a run from one of the starts to [Goal] with the fewest steps: each place with the branch
     taken there, in order. It takes choices that attain the probability. It is [None] if none leads to [Goal]. *)
+
+val arrivals : t -> Timeline.moment list
+(** [arrivals t] is the times at which some run from a start may meet g, increasing, each once. Times are elapsed
+    times, as those of places. *)

@@ -37,6 +37,8 @@ let value process next =
   | Layered values -> Layers.value values next
   | Whole (built, solution) -> Solution.value solution (number built next)
 
+let within q effort w starts = value (solve q effort w starts)
+
 let best (side : Timed_formula.side) answers =
   let ends f = List.filter_map f answers in
   let pick list =

@@ -126,8 +126,31 @@ let shows c =
     in
     List.for_all good starts
 
-let law name ~truncated f =
-  Scc_test_support.Property.case (QCheck2.Test.make ~name ~count:1500 ~print (gen ~truncated) f)
+(* At each time of a fine grid the row that counts there says what the whole system says for this bound. *)
+let curve c =
+  let q = question c in
+  let high = Option.get c.bound.high in
+  let moments = Option.get (Curve.moments q 0) in
+  let at = Curve.horizons moments ~high in
+  let rows = List.combine (List.map fst at) (Curve.values q Effort.default 0 (List.map snd at)) in
+  let counts time ((m : Timeline.moment), _) =
+    let side = Algebraic.compare_rat m.offset time in
+    side < 0 || (side = 0 && m.attained)
+  in
+  let step = Rat.mul c.graph.unit (Rat.make Z.one (Z.of_int 6)) in
+  let rec good time =
+    Rat.compare time high > 0
+    ||
+    let q = { q with bound = { c.bound with high = Some time } } in
+    let w = Decisions.window q in
+    let start = Decisions.next q w (Decisions.place w 0 Rat.zero) in
+    let row = List.fold_left (fun found row -> if counts time row then Some row else found) None rows in
+    same (snd (Option.get row)) (whole q w [ start ] start) && good (Rat.add time step)
+  in
+  good c.bound.low
+
+let law name ?(count = 1500) ~truncated f =
+  Scc_test_support.Property.case (QCheck2.Test.make ~name ~count ~print (gen ~truncated) f)
 
 let many () = Alcotest.(check bool) "most cases have layers" true (!by_layers > 1500)
 
@@ -170,6 +193,7 @@ let suite =
          law "probabilities on truncated graphs" ~truncated:true agrees;
          Alcotest.test_case "layers there are" `Quick many;
          law "runs" ~truncated:false shows;
+         law "curves" ~count:300 ~truncated:false curve;
        ] );
      ("by hand", [ Alcotest.test_case "long numbers" `Quick long ]);
    ])
