@@ -141,6 +141,7 @@ let options console (budget : Budget.t) (extras : Check_extras.t) ~watch ~measur
   {
     (Check_options.starting ~attempt console watch budget) with
     reductions = extras.reductions; order = extras.order; compact; prove = extras.prove;
+    curve = extras.curve;
     expanding = Expanded.expanding expanded; compacting = Expanded.compacting expanded;
   }
 
@@ -149,6 +150,7 @@ let fitting (extras : Check_extras.t) (l : Loaded.t) ~zones ~where =
   (* Coverage lists states one by one. *)
   let* () = if zones && extras.coverage then Result.map ignore (Ordinary.refuse l) else Ok () in
   let* () = Verdicts.refused l ~prove:extras.prove in
+  let* () = Curve_output.refused l extras.curve in
   if where then Ordinary.has_ranges l else Ok ()
 
 (* Writes the files that were asked for. The code that the command ends with: a file that cannot be written is
@@ -164,6 +166,8 @@ let write_outputs console (extras : Check_extras.t) path (l : Loaded.t) report v
   List.iter (fun d -> output (Error d)) (Expanded.close expanded);
   Option.iter (fun folder -> output (write_witnesses l path folder verdicts)) extras.witness;
   Option.iter (fun path -> output (write_sarif console path !code (Some (l.model, verdicts)))) extras.sarif;
+  let title = Option.value l.origin.name ~default:"a model" in
+  Option.iter (fun path -> output (write_file path (Curve_output.picture ~title verdicts))) extras.plot;
   let named = named_where verdicts report and ranges = l.model.ranges in
   Option.iter (fun path -> output (write_file path (Scc_regions.Smt.script ranges named))) extras.smt;
   Option.iter (fun path -> output (write_invariant console path l report)) extras.invariant;
