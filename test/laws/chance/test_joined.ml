@@ -1,0 +1,197 @@
+(* Rule JoinedDraws: with the draws of an instant as one transition, and with the states between them, checks have
+   the same answers, and runs that are shown are runs by the rules. *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_state_space
+open Scc_verify
+open Scc_test_models
+module Gen = QCheck2.Gen
+
+(* {1 Checks} *)
+
+let leaves (m : Told_otherwise.model) =
+  let of_cluster (c, (cluster : Told_otherwise.cluster)) = List.mapi (fun l _ -> (c, l)) cluster.leaves in
+  List.concat_map of_cluster (Told_otherwise.numbered m.clusters)
+
+let name = Told_otherwise.leaf_name Told_otherwise.as_it_is
+
+(* Predicates of states and events; the second kind is what may be seen between draws. *)
+let literal (m : Told_otherwise.model) ~laws =
+  let open Gen in
+  let atoms = List.map (Told_otherwise.atom Told_otherwise.as_it_is) (Told_otherwise.atoms m.clusters ~laws) in
+  let plain = List.filter (fun a -> not (String.length a > 5 && String.equal (String.sub a 0 5) "event")) atoms in
+  let leaf = map name (oneofl (leaves m)) and axis = oneofl [ "x"; "y"; "z" ] in
+  let place = map3 (fun a p (c, q) -> Printf.sprintf "%s(%s) %s %s(%s)" a p c a q) axis leaf
+      (pair (oneofl [ "<"; "<="; ">" ]) leaf)
+  and speed = map3 (fun a p k -> Printf.sprintf "v%s(%s) > %d" a p k) axis leaf (int_range (-1) 0)
+  and drawn = map (fun p -> Printf.sprintf "event bounce(%s)" p) leaf in
+  let one =
+    frequency
+      ([ (8, oneofl plain) ] @ if laws then [ (4, place); (3, speed); (1, drawn); (1, oneofl atoms) ] else
+         [ (1, oneofl atoms) ])
+  in
+  map2 (fun a k -> if k = 0 then Printf.sprintf "not (%s)" a else a) one (int_bound 3)
+
+let check m ~laws =
+  let open Gen in
+  let* p = literal m ~laws and* q = literal m ~laws and* r = literal m ~laws in
+  let* bound = oneofl (if laws then [ "[<= 1]"; "[<= 2]"; "[1, 2]" ] else [ ""; "[<= 2]"; "[1, 2]" ]) in
+  let* f = oneofl [ p; Printf.sprintf "(%s and %s)" p r; Printf.sprintf "(%s or %s)" p r ] in
+  let* odds = oneofl [ "1/4"; "1/2"; "1" ] and* leaf = map name (oneofl (leaves m)) in
+  let event = if laws then "bounce" else Printf.sprintf "split(a, %s)" leaf in
+  let flat =
+    [
+      Printf.sprintf "EF%s %s" bound f; Printf.sprintf "AG%s %s" bound f; Printf.sprintf "AF%s %s" bound f;
+      Printf.sprintf "P = ? [ eventually%s %s ]" bound f; Printf.sprintf "P = ? [ always%s %s ]" bound f;
+      Printf.sprintf "P = ? [ %s U%s %s ]" q bound f; Printf.sprintf "Pmin = ? [ %s U%s %s ]" f bound q;
+      Printf.sprintf "P >= %s [ eventually%s %s ] and EF%s %s" odds bound f bound q;
+      Printf.sprintf "E = ? [ (if %s then 1 else 0) at %s ]" f (if laws then "1" else "3/2");
+      Printf.sprintf "E = ? [ time U (%s or time >= 2) ]" f;
+    ]
+  and seeing =
+    [
+      Printf.sprintf "EX %s" f; Printf.sprintf "AX AX %s" f; Printf.sprintf "EF%s (%s and EX %s)" bound q f;
+      Printf.sprintf "EF%s (P >= %s [ eventually%s %s ])" bound odds bound f;
+      Printf.sprintf "P = ? [ %s U%s P >= %s [ eventually%s %s ] ]" q bound odds bound f;
+      Printf.sprintf "EF%s (EF%s %s and EF%s %s and AG%s not %s)" bound bound p bound q bound r;
+      Printf.sprintf "E = ? [ event %s U (%s or time >= 2) ]" event f;
+    ]
+  in
+  frequency [ (3, oneofl flat); (1, oneofl seeing) ]
+
+let case ~laws =
+  let open Gen in
+  let* m = Told_otherwise.model ~laws in
+  let+ checks = list_size (1 -- 2) (check m ~laws) in
+  let text = Told_otherwise.to_text Told_otherwise.as_it_is { m with questions = [] } in
+  text ^ "\n" ^ String.concat "\n" (List.mapi (fun i c -> Printf.sprintf "check c%d : %s" i c) checks)
+
+(* Walkers that are alike, in a room together. *)
+let alike =
+  let open Gen in
+  let* n = 2 -- 3 and* far = oneofl [ 2; 3; 5 ] and* beat = oneofl [ ""; "steady"; "local" ] in
+  let* law = oneofl [ "(1,0,0), (-1,0,0)"; "(1,0,0) weight 2, (0,0,0)"; "(vx,0,0), (1 - vx,0,0)" ] in
+  let* wall = oneofl [ ""; " absorb" ] and* still = bool in
+  let* k = int_range (-2) 4 and* bound = oneofl [ ""; "[<= 2]"; "[1, 2]" ] in
+  let* how = oneofl [ "some"; "all" ] in
+  let body i = Printf.sprintf "process w%d = Cube mass 1 at translate (%d, 0, 0) [nil]\n" i (far * i) in
+  let each f = String.concat (if how = "some" then " or " else " and ") (List.init n f) in
+  let at = each (fun i -> Printf.sprintf "x(w%d) > %d" i k) in
+  let fast = each (fun i -> Printf.sprintf "vx(w%d) > 0" i) in
+  let checks =
+    [
+      Printf.sprintf "P = ? [ eventually%s %s ]" (if bound = "" then "[<= 3]" else bound) at;
+      Printf.sprintf "P = ? [ %s U[<= 2] %s ]" at fast; Printf.sprintf "EF[<= 2] (%s and %s)" at fast;
+      Printf.sprintf "E = ? [ time U (%s or time >= 3) ]" at; "E = ? [ x(w0) + vx(w1) at 2 ]";
+    ]
+  in
+  let+ asked = list_size (1 -- 2) (oneofl checks) in
+  Printf.sprintf "split_step 1\ntimestep 1 %s\nshape Cube = box(1, 1, 1)\n" beat
+  ^ Printf.sprintf "fixed wall = Cube%s at translate (%d, 0, 0)\n" wall ((far * n) + 1)
+  ^ String.concat "" (List.init n body)
+  ^ (if still then "process s = Cube mass 2 velocity (0, 1, 0) at translate (-5, 0, 0) [nil]\n" else "")
+  ^ String.concat ""
+    (List.init n (fun i -> Printf.sprintf "motion w%d = choose { %s }\n" i law))
+  ^ String.concat "\n" (List.mapi (fun i c -> Printf.sprintf "check c%d : %s" i c) asked)
+
+(* {1 The comparison} *)
+
+type tally = {
+  mutable joined : int;  (** models with other states *)
+  mutable numbers : int;
+  mutable truths : int;
+  mutable runs : int;
+  mutable seen : int;  (** checks that may see between *)
+}
+
+let tally = { joined = 0; numbers = 0; truths = 0; runs = 0; seen = 0 }
+
+(* What is decided, and between which numbers a number is. *)
+type known = Is of bool | Between of (Rat.t option * Rat.t option) list | Open
+
+let known (v : Verdict.t) =
+  let ends (_, (m : Scc_ctl.Eval.measured)) = (Scc_chance.Answer.lower m.least, Scc_chance.Answer.upper m.most) in
+  match v with
+  | Holds { bounds = []; _ } -> Is true
+  | Violated _ -> Is false
+  | Measured { reasons = []; values; _ } -> Between (List.map ends values)
+  | Holds _ | Measured _ | Undecided _ -> Open
+
+let meet (low, high) (low', high') =
+  let below a b = match (a, b) with Some a, Some b -> Rat.compare a b <= 0 | None, _ | _, None -> true in
+  below low high' && below low' high
+
+let compare_verdicts text a b =
+  match (known a, known b) with
+  | Open, _ | _, Open -> ()
+  | Is a, Is b ->
+    tally.truths <- tally.truths + 1;
+    if not (Bool.equal a b) then QCheck2.Test.fail_reportf "joined: %b, one by one: %b\n%s" a b text
+  | Between a, Between b ->
+    tally.numbers <- tally.numbers + 1;
+    if not (List.for_all2 meet a b) then QCheck2.Test.fail_reportf "other numbers\n%s" text
+  | Is _, Between _ | Between _, Is _ -> QCheck2.Test.fail_report "a number and a truth"
+
+let replays semantics initial (v : Verdict.t) =
+  match v with
+  | Holds { witness = Some w; _ } | Violated { witness = Some w } | Measured { witness = Some w; _ } -> (
+      tally.runs <- tally.runs + 1;
+      match Scc_test_networks.Reach.follow semantics initial (Scc_explain.Witness.choices w) with
+      | Error _ -> QCheck2.Test.fail_report "a run does not replay"
+      | Ok transitions ->
+        let last = match List.rev transitions with [] -> initial | t :: _ -> t.Transition.target in
+        if not (State.equal last w.last) then QCheck2.Test.fail_report "a run leads elsewhere")
+  | Holds _ | Violated _ | Measured _ | Undecided _ -> ()
+
+let agrees text =
+  let e = Load.exactly (Load.text text) in
+  let semantics = Scc_engine.Standard.of_model e.model in
+  match Network.initial semantics e.declared with
+  | Error _ -> true
+  | Ok initial ->
+    let bounds = { Bounds.default with states = Default 2500 } in
+    let run reductions = Check.run { Setup.default with bounds; reductions } semantics ~initial e.checks in
+    let others = List.filter (fun k -> not (Reduction.equal k Draws)) Reduction.all in
+    let each joined plain =
+      let joined = run joined and plain = run plain in
+      if joined.stats.states <> plain.stats.states then tally.joined <- tally.joined + 1;
+      if joined.stats.complete && plain.stats.complete && joined.stats.states > plain.stats.states then
+        QCheck2.Test.fail_report "more states";
+      List.iter2
+        (fun (a : Verdict.outcome) (b : Verdict.outcome) ->
+           if not (Between_draws.unseen a.check) then tally.seen <- tally.seen + 1;
+           if a.lost <> [] || b.lost <> [] then QCheck2.Test.fail_reportf "a run is lost\n%s" text;
+           compare_verdicts text a.verdict b.verdict;
+           replays semantics initial a.verdict)
+        joined.outcomes plain.outcomes
+    in
+    each [ Reduction.Jump; Draws ] [ Reduction.Jump ];
+    each Reduction.all others;
+    true
+
+let random name count case = QCheck2.Test.make ~name:("JoinedDraws: " ^ name) ~count ~print:Fun.id case agrees
+let scale = match Sys.getenv_opt "JOINED_DRAWS" with Some n -> int_of_string n | None -> 1
+
+let tests =
+  [
+    random "lots" (40 * scale) (case ~laws:false); random "velocities" (60 * scale) (case ~laws:true);
+    random "walkers that are alike" (40 * scale) alike;
+  ]
+
+let counts () =
+  Printf.printf "%d models with other states, %d numbers and %d truths compared, %d runs, %d checks that see\n"
+    tally.joined tally.numbers tally.truths tally.runs tally.seen;
+  let some what expected n = if n < expected then Alcotest.failf "only %d %s" n what in
+  some "models with other states" 40 tally.joined;
+  some "numbers" 80 tally.numbers;
+  some "truths" 30 tally.truths;
+  some "runs" 40 tally.runs;
+  some "checks that see" 20 tally.seen
+
+let () =
+  Alcotest.run "joined draws"
+    [
+      ("random", Scc_test_support.Property.cases tests @ [ Alcotest.test_case "counts" `Quick counts ]);
+    ]
