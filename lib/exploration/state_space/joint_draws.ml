@@ -1,5 +1,4 @@
 open Scc_exact
-open Scc_calculus
 open Scc_semantics
 
 type outcome = { tuple : int array; chance : Rat.t; transitions : int }
@@ -26,24 +25,36 @@ let merged outcomes =
   let order = List.fold_left add [] outcomes in
   List.rev_map (Tuple_table.find found) order
 
+let most = 1 lsl 18
+
+(* [Error None] where there are too many. *)
+let within_most found outcomes = if found + List.length outcomes > most then Error None else Ok outcomes
+
 let through leave outcomes =
   let after o next =
     { next with chance = Rat.mul o.chance next.chance; transitions = o.transitions + next.transitions }
   in
+  (* What ends there, and what goes on by a draw, both the last first. *)
+  let split found o =
+    let* ended, later = found in
+    match leave o.tuple with
+    | Error fault -> Error (Some fault)
+    | Ok None -> Ok (o :: ended, later)
+    | Ok (Some next) ->
+      let* next = within_most (List.length later) next in
+      Ok (ended, List.rev_append (List.map (after o) next) later)
+  in
   let rec round ended = function
     | [] -> Ok (merged (List.rev ended))
-    | outcomes ->
-      let rec each ended later = function
-        | [] -> round ended (merged (List.rev later))
-        | o :: rest -> (
-            match leave o.tuple with
-            | Error _ as fault -> fault
-            | Ok None -> each (o :: ended) later rest
-            | Ok (Some next) -> each ended (List.rev_append (List.map (after o) next) later) rest)
-      in
-      each ended [] outcomes
+    | outcomes -> (
+        match List.fold_left split (Ok (ended, [])) outcomes with
+        | Error _ as over -> over
+        | Ok (ended, later) -> round ended (merged (List.rev later)))
   in
-  round [] (merged outcomes)
+  match round [] (merged outcomes) with
+  | Ok outcomes -> Ok (Some outcomes)
+  | Error None -> Ok None
+  | Error (Some fault) -> Error fault
 
 (* {1 Velocities} *)
 
@@ -51,49 +62,53 @@ let through leave outcomes =
 type drawn = { slot : int; numbers : (int * Rat.t) list }
 
 let product base drawn =
-  let tuple = Array.copy base and found = ref [] and transitions = List.length drawn in
-  let rec from chance = function
-    | [] -> found := { tuple = Array.copy tuple; chance; transitions } :: !found
-    | { slot; numbers } :: rest ->
-      List.iter
-        (fun (number, c) ->
-           tuple.(slot) <- number;
-           from (Rat.mul chance c) rest)
-        numbers
+  let with_one partial { slot; numbers } =
+    let drawn o (number, chance) =
+      let tuple = Array.copy o.tuple in
+      tuple.(slot) <- number;
+      { tuple; chance = Rat.mul o.chance chance; transitions = o.transitions + 1 }
+    in
+    List.concat_map (fun o -> List.map (drawn o) numbers) partial
   in
-  from Rat.one drawn;
-  List.rev !found
+  List.fold_left with_one [ { tuple = base; chance = Rat.one; transitions = 0 } ] drawn
+
+let all_ok f list =
+  let add found x =
+    let* found = found in
+    let* y = f x in
+    Ok (y :: found)
+  in
+  Result.map List.rev (List.fold_left add (Ok []) list)
+
+let drawing c s =
+  let chances p = Result.map (fun outcomes -> (p, outcomes)) (Steer.chances c s p) in
+  all_ok chances (Steer.drawers c s)
+
+let count drawing =
+  List.fold_left (fun n (_, outcomes) -> if n > most then n else n * List.length outcomes) 1 drawing
+
+(* The tuple after all draws, of each the first but for one process. *)
+let after_all c catalogue s drawing p velocity =
+  let first q = List.find_opt (fun (r, _) -> r == q) drawing in
+  let before q = Option.map (fun (q, outcomes) -> if q == p then velocity else fst (List.hd outcomes)) (first q) in
+  let last, outcomes = List.nth drawing (List.length drawing - 1) in
+  let drawn = if last == p then (velocity, snd (List.hd outcomes)) else List.hd outcomes in
+  Result.map
+    (fun (t : Transition.t) -> Catalogue.encode catalogue t.target)
+    (Network.drawn c s ~before last drawn)
 
 let velocities c catalogue tuple =
   let s = Catalogue.decode catalogue tuple in
-  let rec chances found = function
-    | [] -> Ok (List.rev found)
-    | p :: rest ->
-      let* outcomes = Steer.chances c s p in
-      chances ((p, outcomes) :: found) rest
-  in
-  let* drawing = chances [] (Steer.drawers c s) in
-  let last, last_outcomes = List.nth drawing (List.length drawing - 1) in
-  let first = List.map (fun (p, outcomes) -> (p, fst (List.hd outcomes))) drawing in
-  (* The state after the first velocities, but for that of one process. *)
-  let after_all p velocity =
-    let velocity_of q = if q == p then velocity else List.assq q first in
-    let before (q : State.process) = if List.mem_assq q first then Some (velocity_of q) else None in
-    let* t = Network.drawn c s ~before last (velocity_of last, snd (List.hd last_outcomes)) in
-    Ok (Catalogue.encode catalogue t.Transition.target)
-  in
-  let* base = after_all last (List.assq last first) in
-  let rec numbers slot p found = function
-    | [] -> Ok { slot; numbers = List.rev found }
-    | (velocity, chance) :: rest ->
-      let* tuple = after_all p velocity in
-      numbers slot p ((tuple.(slot), chance) :: found) rest
-  in
-  let rec all found = function
-    | [] -> Ok (List.rev found)
-    | (p, outcomes) :: rest ->
-      let* one = numbers (Catalogue.first_leaf p) p [] outcomes in
-      all (one :: found) rest
-  in
-  let* drawn = all [] drawing in
-  Ok (product base drawn)
+  let* drawing = drawing c s in
+  if count drawing > most then Ok None
+  else
+    let after_all = after_all c catalogue s drawing in
+    let numbers (p, outcomes) =
+      let slot = Catalogue.first_leaf p in
+      let number (velocity, chance) = Result.map (fun t -> (t.(slot), chance)) (after_all p velocity) in
+      Result.map (fun numbers -> { slot; numbers }) (all_ok number outcomes)
+    in
+    let* drawn = all_ok numbers drawing in
+    let p, outcomes = List.hd drawing in
+    let* base = after_all p (fst (List.hd outcomes)) in
+    Ok (Some (product base drawn))

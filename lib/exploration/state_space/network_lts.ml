@@ -302,43 +302,57 @@ let waiting c tuple =
   in
   from 0 0
 
-let by_velocities c tuple =
-  let representative (o : Joint_draws.outcome) = { o with tuple = Quotient.representative c.quotient o.tuple } in
-  Result.map (List.map representative) (Joint_draws.velocities (semantics c) (catalogue c) tuple)
+let one_by_one c tuple = match draws c tuple with Some steps -> steps | None -> whole c tuple
 
 let outcome c tuple (s : Lts.step) =
   let chance = Option.get (Catalogue.chance (catalogue c) s.label) in
   { Joint_draws.tuple = Tuples.apply s.changes tuple; chance; transitions = 1 }
 
+let several_velocities c tuple = c.draws && match waiting c tuple with Some n -> n > 1 | None -> false
+
+(* The outcomes of all draws of velocities; [None] where others are due, or there are too many. *)
+let by_velocities c tuple =
+  let representative (o : Joint_draws.outcome) = { o with tuple = Quotient.representative c.quotient o.tuple } in
+  if several_velocities c tuple then
+    Result.map (Option.map (List.map representative)) (Joint_draws.velocities (semantics c) (catalogue c) tuple)
+  else Ok None
+
 let is_drawn c (s : Lts.step) = Option.is_some (Catalogue.chance (catalogue c) s.label)
 
 (* What a state that draws is left by; [None] for all others. *)
 let leave c tuple =
-  match waiting c tuple with
-  | Some 0 -> Ok None
-  | Some n when n > 1 && c.draws -> Result.map Option.some (by_velocities c tuple)
-  | Some _ | None ->
-    let* steps = whole c tuple in
-    Ok (if List.exists (is_drawn c) steps then Some (List.map (outcome c tuple) steps) else None)
+  if waiting c tuple = Some 0 then Ok None
+  else
+    let* outcomes = by_velocities c tuple in
+    match outcomes with
+    | Some _ -> Ok outcomes
+    | None ->
+      let* steps = one_by_one c tuple in
+      Ok (if List.exists (is_drawn c) steps then Some (List.map (outcome c tuple) steps) else None)
 
 let joined c tuple =
   let step (o : Joint_draws.outcome) =
     let label = Catalogue.joint (catalogue c) { chance = o.chance; transitions = o.transitions } in
     { Lts.label; changes = Tuples.difference tuple o.tuple }
   in
-  let through outcomes = Result.map (List.map step) (Joint_draws.through (leave c) outcomes) in
-  match waiting c tuple with
-  | Some 0 -> whole c tuple
-  | Some n when n > 1 && c.draws -> Result.bind (by_velocities c tuple) through
-  | Some _ | None ->
-    let* steps = whole c tuple in
+  let through outcomes ~otherwise =
+    let* all = Joint_draws.through (leave c) outcomes in
+    match all with Some all -> Ok (List.map step all) | None -> otherwise ()
+  in
+  let* outcomes = by_velocities c tuple in
+  match outcomes with
+  | Some outcomes -> through outcomes ~otherwise:(fun () -> one_by_one c tuple)
+  | None when several_velocities c tuple -> one_by_one c tuple
+  | None ->
+    let* steps = one_by_one c tuple in
     let goes_on s = is_drawn c s && waiting c (Tuples.apply s.Lts.changes tuple) <> Some 0 in
-    if List.exists goes_on steps then through (List.map (outcome c tuple) steps) else Ok steps
+    if List.exists goes_on steps then through (List.map (outcome c tuple) steps) ~otherwise:(fun () -> Ok steps)
+    else Ok steps
 
 let successors c tuple =
   if Model.straight (model c) then Ok (by_parts c tuple)
-  else if c.joined then joined c tuple
-  else match draws c tuple with Some steps -> steps | None -> whole c tuple
+  else if c.joined && waiting c tuple <> Some 0 then joined c tuple
+  else one_by_one c tuple
 
 (** {2 One group of many} *)
 

@@ -171,13 +171,13 @@ let agrees text =
     each Reduction.all others;
     true
 
-let random name count case = QCheck2.Test.make ~name:("JoinedDraws: " ^ name) ~count ~print:Fun.id case agrees
+let random name count case = QCheck2.Test.make ~name ~count ~print:Fun.id case agrees
 let scale = match Sys.getenv_opt "JOINED_DRAWS" with Some n -> int_of_string n | None -> 1
 
 let tests =
   [
-    random "lots" (40 * scale) (case ~laws:false); random "velocities" (60 * scale) (case ~laws:true);
-    random "walkers that are alike" (40 * scale) alike;
+    random "JoinedDraws: lots" (40 * scale) (case ~laws:false); random "JoinedDraws: velocities" (60 * scale) (case ~laws:true);
+    random "JoinedDraws: walkers that are alike" (40 * scale) alike;
   ]
 
 let counts () =
