@@ -19,7 +19,7 @@ let counts_events (c : Property.check) =
 let unseen (c : Property.check) =
   is_flat c.formula && (not (Formula.has_events c.formula)) && not (counts_events c)
 
-(* Runs that recur are shown for what is claimed, but not for numbers: what such a run comes back to may have another
+(* Runs that recur are shown for claims, but not for numbers. What such a run comes back to may have another
    velocity there. *)
 let velocities_unseen (c : Property.check) =
   let is_number = match c.asked with How_likely _ | Expected _ -> true | Whether -> false in

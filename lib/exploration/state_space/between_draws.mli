@@ -9,5 +9,5 @@ val unseen : Property.check -> bool
     another one. *)
 
 val velocities_unseen : Property.check -> bool
-(** [velocities_unseen c] is true if [c] asks for a number, and no atom of it depends on velocities. Then it does not
-    depend on the velocity that a process has while it waits to draw another one. *)
+(** [velocities_unseen c] is true if [c] asks for a number, and no atom of it depends on velocities. Then it does
+    not depend on the velocity that a process has while it waits to draw another one. *)

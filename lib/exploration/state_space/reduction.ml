@@ -20,7 +20,8 @@ let equal a b = String.equal (name a) (name b)
 let used kinds kind = List.exists (equal kind) kinds
 
 let joins kinds (m : Model.t) checks =
-  used kinds Draws && Model.leaves_to_chance m && Option.is_none m.rigid && List.for_all Between_draws.unseen checks
+  let unseen = List.for_all Between_draws.unseen in
+  used kinds Draws && Model.leaves_to_chance m && Option.is_none m.rigid && unseen checks
 
 let quotient kinds model state ~checks ~searched ~evaluated : Quotient.t =
   {

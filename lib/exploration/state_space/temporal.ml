@@ -42,7 +42,9 @@ let drawn context g i =
   let chance (e : Graph.edge) = Catalogue.chance (Network_lts.catalogue context) e.label in
   match Graph.edges g i with
   | [||] -> None
-  | edges -> if Option.is_some (chance edges.(0)) then Some (Array.map (fun e -> Option.get (chance e)) edges) else None
+  | edges ->
+    let chances = Array.map chance edges in
+    if Option.is_some chances.(0) then Some (Array.map Option.get chances) else None
 
 let timed_graph context ~rests g : Timed_graph.t =
   let size = Graph.size g in

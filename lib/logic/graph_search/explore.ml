@@ -82,8 +82,8 @@ module Make (L : Lts.S) = struct
 
   (* The label of the path to a state with a transition more. *)
   let after g i label =
-    Distances.after g.distances i ~transitions:(transitions_of g label)
-      (if takes_time g label then Some (L.duration g.context label) else None)
+    let duration = if takes_time g label then Some (L.duration g.context label) else None in
+    Distances.after g.distances i ~transitions:(transitions_of g label) duration
 
   (* All states of a cycle without duration have one earliest arrival. When one of these changes, all edges of its
      state are looked at again. *)
@@ -237,13 +237,12 @@ module Make (L : Lts.S) = struct
   (* Relaxes the edges of a state; and what is told of them. The first one to a state that is new makes it; others
      from the same state find it there. *)
   let relax_all g limits visitor i ~first steps told =
-    let depth = depth g i and arrival = Distances.arrival_number g.distances i in
+    let arrival = Distances.arrival_number g.distances i in
     let rec each n next arrows = function
       | [] -> List.rev arrows
       | (s : Lts.step) :: rest ->
         let target = Array.unsafe_get g.targets n in
-        let deeper = depth + transitions_of g s.label in
-        let matters = not (is_plain g ~deeper ~arrival s.label target) in
+        let matters = not (is_plain g ~deeper:(depth g i + transitions_of g s.label) ~arrival s.label target) in
         if matters then relax g limits visitor i s.label target;
         match told with
         | None -> each (n + 1) next arrows rest

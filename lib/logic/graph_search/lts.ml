@@ -35,7 +35,7 @@ module type S = sig
   (** Of a label; 0 for a discrete transition. *)
 
   val transitions : context -> int -> int
-  (** How many transitions of a run a label stands for, 1 or more: so many are counted for the depth of its target. *)
+  (** How many transitions of a run a label stands for, 1 or more. The depth of its target counts them all. *)
 end
 
 (** What the numbers of a system mean to another process: they are exchanged for bytes, which are the same for the

@@ -44,7 +44,7 @@ let draws context from target =
   in
   let fits ((t : Transition.t), _) =
     match t.label with
-    | Draw { first; velocity; _ } -> Option.fold ~none:false ~some:(Vec.equal velocity) (List.assoc_opt first wanted)
+    | Draw { first; velocity; _ } -> List.exists (fun (p, v) -> p = first && Vec.equal velocity v) wanted
     | _ -> false
   in
   let standing = lazy (Network_lts.representative context target) in
@@ -60,7 +60,8 @@ let draws context from target =
     match Network_lts.choices context from.last with
     | Error _ -> Bug.fail __POS__ "a witness does not replay: a fault on its way"
     | Ok choices ->
-      let drawn = List.filter (fun (_, ((t : Transition.t), _)) -> Transition.is_drawn t.label) (numbered choices) in
+      let is_drawn (_, ((t : Transition.t), _)) = Transition.is_drawn t.label in
+      let drawn = List.filter is_drawn (numbered choices) in
       let there = List.find_opt (fun (_, choice) -> leads_there choice) drawn in
       let first, others = List.partition (fun (_, choice) -> fits choice) drawn in
       let on choice = search (after from choice) in

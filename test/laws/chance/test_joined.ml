@@ -176,7 +176,8 @@ let scale = match Sys.getenv_opt "JOINED_DRAWS" with Some n -> int_of_string n |
 
 let tests =
   [
-    random "JoinedDraws: lots" (40 * scale) (case ~laws:false); random "JoinedDraws: velocities" (60 * scale) (case ~laws:true);
+    random "JoinedDraws: lots" (40 * scale) (case ~laws:false);
+    random "JoinedDraws: velocities" (60 * scale) (case ~laws:true);
     random "JoinedDraws: walkers that are alike" (40 * scale) alike;
   ]
 
@@ -190,8 +191,84 @@ let counts () =
   some "runs" 40 tally.runs;
   some "checks that see" 20 tally.seen
 
+(* {1 By hand: what each condition is for} *)
+
+let cube = "shape Cube = box(1, 1, 1)\ntimestep 1 steady\n"
+
+let walker ?(velocity = 0) name y law =
+  Printf.sprintf "process %s = Cube mass 1 velocity (%d, 0, 0) at translate (0, %d, 0) [nil]\n" name velocity y
+  ^ Printf.sprintf "motion %s = choose { %s }\n" name law
+
+let coin = "(1,0,0), (-1,0,0)"
+let two = walker "p" 0 coin ^ walker "q" 9 coin
+
+let told : Verdict.t -> string = function
+  | Holds { bounds = []; _ } -> "holds"
+  | Violated _ -> "violated"
+  | Measured { values = (_, { least = Exact x; most = Exact y }) :: _; _ } when Rat.equal x y -> Rat.to_string x
+  | Holds _ | Measured _ | Undecided _ -> "undecided"
+
+let is expected scene check () =
+  let e = Load.exactly (Load.text (cube ^ scene ^ "check c : " ^ check)) in
+  let semantics = Scc_engine.Standard.of_model e.model in
+  let initial = Result.get_ok (Network.initial semantics e.declared) in
+  let run reductions =
+    List.hd (Check.run { Setup.default with reductions } semantics ~initial e.checks).outcomes
+  in
+  let without = run [ Reduction.Jump ] and all = run [ Reduction.Jump; Draws ] in
+  Alcotest.(check string) "one by one" expected (told without.verdict);
+  Alcotest.(check string) "joined" expected (told all.verdict);
+  Alcotest.(check (list string)) "no run is lost" [] all.lost;
+  replays semantics initial all.verdict
+
+(* Between the draws it is known where p goes, and not where q goes. *)
+let nested =
+  "EF[0, 0] (P >= 1 [ eventually x(p) > 0 within 1/2 ] and EF[0, 1/2] x(q) > 0 and EF[0, 1/2] x(q) < 0)"
+
+(* A law that keeps most of its velocity: from 0 it goes with 1/4, and goes on with 3/4. *)
+let keeps = "(vx,0,0) weight 3, (1 - vx,0,0)"
+
+(* A body of two leaves, of which one keeps its velocity: the mean is 1 or 0, and then it may be 3/2. *)
+let half =
+  "process d = a : Cube mass 1 at translate (0, 0, 0) [nil] <b, {a.right, c.left}>\n\
+   c : Cube mass 1 at translate (1, 0, 0) [nil]\n\
+   motion a = choose { (2,0,0), (0,0,0) }\n"
+
+(* It stays where it is for ever, and comes back to another velocity than it began with. *)
+let stays = "(0,0,0), (1,0,0)"
+
+let through () =
+  let o n chance = { Joint_draws.tuple = [| n |]; chance = Result.get_ok (Rat.of_literal chance); transitions = 1 } in
+  let leave t =
+    match t.(0) with
+    | 1 -> Ok (Some [ o 3 "1" ])
+    | 2 -> Ok (Some [ o 3 "1/2"; o 4 "1/2" ])
+    | _ -> Ok None
+  in
+  match Joint_draws.through leave [ o 1 "1/3"; o 2 "2/3"; o 5 "0" ] with
+  | Ok (Some found) ->
+    let told (o : Joint_draws.outcome) = (o.tuple.(0), Rat.to_string o.chance, o.transitions) in
+    Alcotest.(check (list (triple int string int))) "merged" [ (5, "0", 1); (3, "2/3", 2); (4, "1/3", 2) ]
+      (List.map told found)
+  | Ok None | Error () -> Alcotest.fail "too many, or a fault"
+
+let by_hand =
+  [
+    ("operators within others see", is "holds" two nested);
+    ("X sees", is "holds" two "EX energy = 0");
+    ("numbers that read velocities see them", is "3/4" two "P = ? [ eventually[1, 1] vx(p) > 0 ]");
+    ("laws that read velocities keep them",
+     is "3/16" (walker "p" 0 keeps ^ walker "q" 9 keeps) "P = ? [ eventually x(p) >= 2 within 2 ]");
+    ("so do leaves without a law",
+     is "1/4" (half ^ walker "q" 9 coin) "P = ? [ eventually x(a) > 9/4 within 2 ]");
+    ("runs that recur",
+     is "violated" (walker "p" 0 ~velocity:5 stays ^ walker "q" 9 stays) "AF x(p) > 1");
+    ("outcomes are merged", through);
+  ]
+
 let () =
   Alcotest.run "joined draws"
     [
       ("random", Scc_test_support.Property.cases tests @ [ Alcotest.test_case "counts" `Quick counts ]);
+      ("by hand", List.map (fun (name, test) -> Alcotest.test_case name `Quick test) by_hand);
     ]
