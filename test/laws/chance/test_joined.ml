@@ -238,7 +238,9 @@ let half =
 let stays = "(0,0,0), (1,0,0)"
 
 let through () =
-  let o n chance = { Joint_draws.tuple = [| n |]; chance = Result.get_ok (Rat.of_literal chance); transitions = 1 } in
+  let o n chance =
+    { Joint_draws.tuple = [| n |]; chance = Result.get_ok (Rat.of_literal chance); transitions = 1 }
+  in
   let leave t =
     match t.(0) with
     | 1 -> Ok (Some [ o 3 "1" ])
@@ -266,9 +268,41 @@ let by_hand =
     ("outcomes are merged", through);
   ]
 
+(* {1 Growth} *)
+
+(* The draws of so many bodies at time 0, and the words that their exploration allocates. *)
+let instant reductions n =
+  let walkers = String.concat "" (List.init n (fun i -> walker (Printf.sprintf "w%d" i) (9 * i) "for i in 1..4: (i,0,0)")) in
+  let e = Load.exactly (Load.text (cube ^ walkers ^ "check c : possibly x(w0) > 0 within 0")) in
+  let semantics = Scc_engine.Standard.of_model e.model in
+  let initial = Result.get_ok (Network.initial semantics e.declared) in
+  let bounds = { Bounds.default with states = Default 1_000_000; time = Given Rat.zero } in
+  let before = Gc.minor_words () in
+  let stats = (Check.run { Setup.default with bounds; reductions } semantics ~initial e.checks).stats in
+  (stats, Gc.minor_words () -. before)
+
+let rec power n = if n = 0 then 1 else 4 * power (n - 1)
+
+(* The states after all draws, and the first one: those between are as many as a third of them. *)
+let grows () =
+  let words = ref [] in
+  for n = 2 to 7 do
+    let joined, allocated = instant [ Reduction.Jump; Draws ] n and plain, _ = instant [ Reduction.Jump ] n in
+    let draws = power n in
+    Printf.printf "%d bodies: %d states, one by one %d; %.0f words an outcome\n" n joined.states plain.states
+      (allocated /. float_of_int draws);
+    Alcotest.(check int) "one by one" ((draws * 4) - 1) (3 * (plain.states - draws) );
+    Alcotest.(check int) "joined" (2 * draws + 1) joined.states;
+    words := (allocated /. float_of_int draws) :: !words
+  done;
+  match !words with
+  | w7 :: w6 :: _ -> if w7 > 1.5 *. w6 then Alcotest.fail "an outcome costs more the more there are"
+  | _ -> Alcotest.fail "nothing was measured"
+
 let () =
   Alcotest.run "joined draws"
     [
       ("random", Scc_test_support.Property.cases tests @ [ Alcotest.test_case "counts" `Quick counts ]);
       ("by hand", List.map (fun (name, test) -> Alcotest.test_case name `Quick test) by_hand);
+      ("growth", [ Alcotest.test_case "of the draws of one instant" `Quick grows ]);
     ]
