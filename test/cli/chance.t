@@ -518,7 +518,7 @@ Splits that are left to chance.
   reacts: 1/3, at split step 1/2
   is_left: holds (exhaustive), at split step 1/2
   is_left_most: holds (exhaustive), at split step 1/2
-  explored: 174 states, 257 transitions, depth 11, model time 1; complete
+  explored: 119 states, 202 transitions, depth 11, model time 1; complete
   $ cat > lots.sc <<END
   > import <solids>
   > param q = 1/4

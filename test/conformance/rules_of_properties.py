@@ -277,6 +277,20 @@ def order():
     return r
 
 
+def joined_draws():
+    r = Rule('JoinedDraws')
+    two = ''.join('process %s = Cube mass 1 at translate (0,%d,0) [nil]\nmotion %s = choose { (1,0,0), (-1,0,0) weight 2 }\n'
+                  % (n, 10 * i, n) for i, n in enumerate('pq')) + 'timestep 1 steady\n'
+    both = 'x(p) > 0 and x(q) > 0'
+    r.measured('Each draws for itself: (1/3)^2.', two, 'P = ? [ eventually %s within 1/2 ]' % both, least='1/9', greatest='1/9')
+    r.measured('One of the two: 1 - (2/3)^2.', two, 'P = ? [ eventually (x(p) > 0 or x(q) > 0) within 1/2 ]',
+               least='5/9', greatest='5/9')
+    r.verdict('Between the draws it is known that p goes to the right, and not where q goes.', two,
+              'EF[0, 0] (P >= 1 [ eventually x(p) > 0 within 1/2 ] and EF[0, 1/2] x(q) > 0 and EF[0, 1/2] x(q) < 0)', 'holds')
+    r.verdict('After one transition both still rest.', two, 'EX energy = 0', 'holds')
+    return r
+
+
 def slice_():
     r = Rule('Slice')
     far = cubes() + ''.join('process f%d = Cube mass 1 velocity (1,0,0) at translate (%d,1000,0) [nil]\n' % (i, 5 * i)
@@ -348,5 +362,5 @@ def drift():
 
 def suites():
     return [f() for f in (graph, state, jump, quiescent, instants, verdict, zeno, run, dead_end, event, leads_to, next_, until, intervals,
-                          truncated, symmetry, translation, order, slice_, absolute_time, settling,
+                          truncated, symmetry, translation, order, joined_draws, slice_, absolute_time, settling,
                           drift)]

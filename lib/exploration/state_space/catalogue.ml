@@ -44,11 +44,19 @@ let hash_label : Transition.label -> int = function
   | Draw { first; velocity; _ } -> 11 + (31 * first) + Vec.hash velocity
   | Bounce { firsts; _ } -> List.fold_left (fun h p -> (1_000_003 * h) + p) 5 firsts land max_int
 
-module Labels = Interned (struct
-    type t = Transition.label
+type joint = { chance : Rat.t; transitions : int }
+type label = One of Transition.label | Joint of joint
 
-    let equal = Transition.equal_label
-    let hash = hash_label
+module Labels = Interned (struct
+    type t = label
+
+    let equal a b =
+      match (a, b) with
+      | One a, One b -> Transition.equal_label a b
+      | Joint a, Joint b -> a.transitions = b.transitions && Rat.equal a.chance b.chance
+      | One _, Joint _ | Joint _, One _ -> false
+
+    let hash = function One l -> hash_label l | Joint j -> (31 * Rat.hash j.chance) + j.transitions
   end)
 
 module Steps = Interned (struct
@@ -263,7 +271,8 @@ let decode c tuple =
 let time_after c tuple d =
   if c.model.keeps_time then Some (time_number c (Rat.add (Rationals.get c.times tuple.(time_slot c)) d)) else None
 
-let label c l = Labels.intern c.labels l
+let label c l = Labels.intern c.labels (One l)
+let joint c j = Labels.intern c.labels (Joint j)
 
 (* Of many states one after the other it is the same. *)
 let time_label c d =
@@ -274,12 +283,26 @@ let time_label c d =
     c.passed <- (d, label);
     label
 
-let label_of c i = Labels.get c.labels i
+let any_label c i = Labels.get c.labels i
+let single c i = match any_label c i with One l -> Some l | Joint _ -> None
 
-let labels c = List.init (Labels.size c.labels) (label_of c)
-let has_events c = List.exists (fun l -> not (Transition.is_time l)) (labels c)
+let label_of c i =
+  match single c i with Some l -> l | None -> Scc_base.Bug.fail __POS__ "several transitions for one"
 
-let duration c i = Transition.duration_of (label_of c i)
+let chance c i =
+  match any_label c i with
+  | Joint j -> Some j.chance
+  | One l -> if Transition.is_drawn l then Some (Transition.chance l) else None
+
+let transitions c i = match any_label c i with Joint j -> j.transitions | One _ -> 1
+
+let labels c = List.filter_map (single c) (List.init (Labels.size c.labels) Fun.id)
+
+let has_events c =
+  let is_event i = match single c i with None -> true | Some l -> not (Transition.is_time l) in
+  List.exists is_event (List.init (Labels.size c.labels) Fun.id)
+
+let duration c i = match any_label c i with One l -> Transition.duration_of l | Joint _ -> Rat.zero
 
 let greatest_bits c = c.bits
 let longest c =

@@ -139,11 +139,27 @@ val time_label : t -> Rat.t -> int
 val hash_label : Transition.label -> int
 (** A hash that agrees with {!Scc_semantics.Transition.equal_label}. *)
 
+(** The draws and lots of one instant as one transition (rule JoinedDraws): the chance of all of them together, and
+    the number of transitions that it stands for. *)
+type joint = { chance : Rat.t; transitions : int }
+
+val joint : t -> joint -> int
+(** The number of a label for joined draws; a new label gets the next number. *)
+
 val label_of : t -> int -> Transition.label
-(** The label with a number. *)
+(** The label with a number. A number of {!joint} is a bug. *)
+
+val single : t -> int -> Transition.label option
+(** The label with a number; [None] for a number of {!joint}. *)
+
+val chance : t -> int -> Rat.t option
+(** The chance of the label with a number, if chance decides: it is a draw, a lot, or a number of {!joint}. *)
+
+val transitions : t -> int -> int
+(** How many transitions of a run the label with a number stands for: 1, except for a number of {!joint}. *)
 
 val labels : t -> Transition.label list
-(** All labels with a number, in the order of these. *)
+(** All labels with a number but those of {!joint}, in the order of their numbers. *)
 
 val has_events : t -> bool
 (** [has_events t] is true if a label has a number that is no passing of time. *)

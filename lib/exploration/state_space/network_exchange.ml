@@ -45,5 +45,20 @@ let of_component c ~family text =
   | 2 -> Catalogue.rational_number catalogue (reading text Packed.rational)
   | _ -> Network_lts.mark_of c (reading text (fun s -> Packed.list s Packed.nat))
 
-let name c label = bytes (fun b -> Label_codec.put (codec c) b (Catalogue.label_of (catalogue c) label))
-let of_name c text = Catalogue.label (catalogue c) (reading text (Label_codec.read (codec c)))
+(* 0 and the label, or the number of joined draws and their chance. *)
+let name c label =
+  let catalogue = catalogue c in
+  bytes (fun b ->
+      match Catalogue.single catalogue label with
+      | Some l ->
+        Packed.put_nat b 0;
+        Label_codec.put (codec c) b l
+      | None ->
+        Packed.put_nat b (Catalogue.transitions catalogue label);
+        Packed.put_rational b (Option.get (Catalogue.chance catalogue label)))
+
+let of_name c text =
+  reading text (fun source ->
+      match Packed.nat source with
+      | 0 -> Catalogue.label (catalogue c) (Label_codec.read (codec c) source)
+      | transitions -> Catalogue.joint (catalogue c) { chance = Packed.rational source; transitions })

@@ -16,6 +16,7 @@ type context = {
   right : Section.memory;
   scene : Scene.t option;  (** where there are many *)
   draws : bool;  (** a draw is told by who waits for it, and marks nothing *)
+  joined : bool;  (** draws and lots of one instant are one transition *)
   codec : Scc_codec.State_codec.t Lazy.t;
   mutable given_up : Transition.fault list;  (** at the states seen so far, each once *)
   mutable seen : Bytes.t;  (** a bit for each process: whether a state has been found that has it *)
@@ -40,6 +41,7 @@ let keeps c tuple quantity = Quotient.keeps c.quotient tuple quantity
 let longest c = Catalogue.greatest_bits (catalogue c)
 let bits c tuple = (Length.longest (Catalogue.decode (catalogue c) tuple)).bits
 let duration c label = Catalogue.duration (catalogue c) label
+let transitions c label = Catalogue.transitions (catalogue c) label
 
 let by_pairs (m : Model.t) =
   match (m.collisions, m.binding) with
@@ -47,7 +49,7 @@ let by_pairs (m : Model.t) =
   | Together, _ | _, On_contact -> false
 
 let make ?(events = []) ?(time_seen = Scc_property.Time_seen.Always) ?(quotient = Quotient.none) ?visible
-    ?(memory = 1 lsl 16) ?(few = 32) semantics initial =
+    ?(joined = false) ?(memory = 1 lsl 16) ?(few = 32) semantics initial =
   let m = Semantics.model semantics in
   let local = Local.create ~events ~time_seen ~memory semantics in
   let many = Model.part_count m > few in
@@ -59,7 +61,8 @@ let make ?(events = []) ?(time_seen = Scc_property.Time_seen.Always) ?(quotient 
   let draws = Model.draws m && Option.is_none m.rigid && events = [] in
   let codec = lazy (Scc_codec.State_codec.make m initial) in
   let quotient = Quotient.within quotient (Local.catalogue local) in
-  { local; quotient; visible; initial; encounters; left; right; scene; draws; codec; given_up = [];
+  let joined = joined && Model.leaves_to_chance m && Option.is_none m.rigid && events = [] in
+  { local; quotient; visible; initial; encounters; left; right; scene; draws; joined; codec; given_up = [];
     seen = Bytes.empty; may_split = false }
 
 (* Processes that were only thought of, as targets of transitions that are not possible as yet, do not count. *)
@@ -284,9 +287,72 @@ let draws c tuple =
       |> Option.some
     | Some ([] | [ _ ]) | None -> None
 
+(* {2 Joined draws} *)
+
+(* How many processes wait to draw; [None] where lots are pending. *)
+let waiting c tuple =
+  let n = Array.length (model c).leaves in
+  let rec from i count =
+    if i = n then Some count
+    else if tuple.(i) = Catalogue.nobody then from (i + 1) count
+    else
+      let p = (Catalogue.body (catalogue c) tuple.(i)).process in
+      if Lots.is_pending p then None
+      else from (i + 1) (match p.draw with Some Waits -> count + 1 | Some (Drawn _) | None -> count)
+  in
+  from 0 0
+
+let one_by_one c tuple = match draws c tuple with Some steps -> steps | None -> whole c tuple
+
+let outcome c tuple (s : Lts.step) =
+  let chance = Option.get (Catalogue.chance (catalogue c) s.label) in
+  { Joint_draws.tuple = Tuples.apply s.changes tuple; chance; transitions = 1 }
+
+let several_velocities c tuple = c.draws && match waiting c tuple with Some n -> n > 1 | None -> false
+
+(* The outcomes of all draws of velocities; [None] where others are due, or there are too many. *)
+let by_velocities c tuple =
+  let representative (o : Joint_draws.outcome) = { o with tuple = Quotient.representative c.quotient o.tuple } in
+  if several_velocities c tuple then
+    Result.map (Option.map (List.map representative)) (Joint_draws.velocities (semantics c) (catalogue c) tuple)
+  else Ok None
+
+let is_drawn c (s : Lts.step) = Option.is_some (Catalogue.chance (catalogue c) s.label)
+
+(* What a state that draws is left by; [None] for all others. *)
+let leave c tuple =
+  if waiting c tuple = Some 0 then Ok None
+  else
+    let* outcomes = by_velocities c tuple in
+    match outcomes with
+    | Some _ -> Ok outcomes
+    | None ->
+      let* steps = one_by_one c tuple in
+      Ok (if List.exists (is_drawn c) steps then Some (List.map (outcome c tuple) steps) else None)
+
+let joined c tuple =
+  let step (o : Joint_draws.outcome) =
+    let label = Catalogue.joint (catalogue c) { chance = o.chance; transitions = o.transitions } in
+    { Lts.label; changes = Tuples.difference tuple o.tuple }
+  in
+  let through outcomes ~otherwise =
+    let* all = Joint_draws.through (leave c) outcomes in
+    match all with Some all -> Ok (List.map step all) | None -> otherwise ()
+  in
+  let* outcomes = by_velocities c tuple in
+  match outcomes with
+  | Some outcomes -> through outcomes ~otherwise:(fun () -> one_by_one c tuple)
+  | None when several_velocities c tuple -> one_by_one c tuple
+  | None ->
+    let* steps = one_by_one c tuple in
+    let goes_on s = is_drawn c s && waiting c (Tuples.apply s.Lts.changes tuple) <> Some 0 in
+    if List.exists goes_on steps then through (List.map (outcome c tuple) steps) ~otherwise:(fun () -> Ok steps)
+    else Ok steps
+
 let successors c tuple =
   if Model.straight (model c) then Ok (by_parts c tuple)
-  else match draws c tuple with Some steps -> steps | None -> whole c tuple
+  else if c.joined && waiting c tuple <> Some 0 then joined c tuple
+  else one_by_one c tuple
 
 (** {2 One group of many} *)
 

@@ -14,6 +14,7 @@ val make :
   ?time_seen:Time_seen.t ->
   ?quotient:Quotient.t ->
   ?visible:(int -> bool) ->
+  ?joined:bool ->
   ?memory:int ->
   ?few:int ->
   Semantics.t -> State.t -> context
@@ -25,6 +26,8 @@ val make :
     - [quotient] is an equivalence: each state stands for its class. By default all states are distinguished.
     - [visible] is true for the leaves that the formulas depend on. With it, independent events of one instant
       that no formula depends on are made in one order only ({!reduced}).
+    - [joined], by default false, makes the draws and lots of one instant one transition (rule JoinedDraws). It has
+      no effect if there are [events], or if bodies turn.
     - [memory], a power of two, bounds each cache. It changes nothing but the speed.
     - [few] is a number of basic shapes, by default 32. In models with no more, all pairs are compared in each
       state. It changes nothing but the speed. *)

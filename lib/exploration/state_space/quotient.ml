@@ -3,9 +3,9 @@ open Scc_exact
 open Scc_calculus
 open Scc_property
 
-type t = { symmetry : Symmetry.t; translation : bool; drift : Drift.t option }
+type t = { symmetry : Symmetry.t; translation : bool; drift : Drift.t option; forgets : bool }
 
-let none = { symmetry = Symmetry.none; translation = false; drift = None }
+let none = { symmetry = Symmetry.none; translation = false; drift = None; forgets = false }
 
 let translatable (m : Model.t) (s : State.t) formulas =
   let stays (p : State.process) = Option.is_none (State.mass m p) in
@@ -121,8 +121,41 @@ let apart w d tuple =
       List.iter shift shifts;
       Some copy
 
+(* The next velocity of a process, or of what it is a piece of, does not depend on the one that it has. *)
+let is_lost (m : Model.t) (p : State.process) =
+  let reads_no_velocity (l : State.leaf) =
+    let law = m.leaves.(l.leaf).law in
+    (not (Law.is_inertial law))
+    && not (Law.mentions (function Vx | Vy | Vz -> true | X | Y | Z | Mass | Time | Dt -> false) law)
+  in
+  Array.for_all reads_no_velocity p.leaves
+
+(* Where several wait to draw, those whose laws do not read it lose the velocity that they are about to lose. *)
+let forgotten w tuple =
+  if not w.quotient.forgets then tuple
+  else
+    let body number = Catalogue.body w.catalogue number in
+    let add slot number found =
+      match (body number).process.draw with Some Waits -> (slot, number) :: found | Some (Drawn _) | None -> found
+    in
+    match fold_present w add [] tuple with
+    | [] | [ _ ] -> tuple
+    | waiting ->
+      let forget slots (slot, number) =
+        let { Catalogue.velocity; process; _ } = body number in
+        if Catalogue.resting w.catalogue velocity || not (is_lost (Catalogue.model w.catalogue) process) then slots
+        else (slot, Catalogue.process w.catalogue (State.with_velocity Vec.zero process)) :: slots
+      in
+      (match List.fold_left forget [] waiting with
+       | [] -> tuple
+       | changes ->
+         let copy = Array.copy tuple in
+         List.iter (fun (slot, number) -> copy.(slot) <- number) changes;
+         copy)
+
 (* To place groups and to rename leaves by their places is one in any order; places count after that. *)
 let representative w tuple =
+  let tuple = forgotten w tuple in
   match Option.bind w.quotient.drift (fun d -> apart w d tuple) with
   | Some placed -> sorted w placed
   | None -> centred w (sorted w tuple)
@@ -142,4 +175,4 @@ let keeps w tuple quantity =
 
 let is_none w =
   let q = w.quotient in
-  Symmetry.is_none q.symmetry && (not q.translation) && Option.is_none q.drift
+  Symmetry.is_none q.symmetry && (not q.translation) && Option.is_none q.drift && not q.forgets

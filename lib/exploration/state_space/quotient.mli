@@ -7,6 +7,9 @@ type t = {
   symmetry : Symmetry.t;  (** states that differ by a permutation of interchangeable leaves *)
   translation : bool;  (** states that differ by a translation of the whole network *)
   drift : Drift.t option;  (** states that differ in the distances between bodies that never meet again *)
+  forgets : bool;
+  (** states in which several processes wait to draw, and that differ only in velocities that these lose by it: a
+      process whose laws do not depend on its velocity has none (rule JoinedDraws) *)
 }
 
 val none : t

@@ -1,9 +1,9 @@
 open Scc_calculus
 open Scc_property
 
-type kind = Symmetry | Translation | Order | Jump | Slice | Drift | Time
+type kind = Symmetry | Translation | Order | Jump | Slice | Drift | Time | Draws
 
-let all = [ Symmetry; Translation; Order; Jump; Slice; Drift; Time ]
+let all = [ Symmetry; Translation; Order; Jump; Slice; Drift; Time; Draws ]
 
 let name = function
   | Symmetry -> "symmetry"
@@ -13,13 +13,19 @@ let name = function
   | Slice -> "slice"
   | Time -> "time"
   | Drift -> "drift"
+  | Draws -> "draws"
 
 let of_name text = List.find_opt (fun k -> String.equal (name k) text) all
 let equal a b = String.equal (name a) (name b)
 let used kinds kind = List.exists (equal kind) kinds
 
+let joins kinds (m : Model.t) checks =
+  let unseen = List.for_all Between_draws.unseen in
+  used kinds Draws && Model.leaves_to_chance m && Option.is_none m.rigid && unseen checks
+
 let quotient kinds model state ~checks ~searched ~evaluated : Quotient.t =
   {
+    forgets = joins kinds model checks && List.for_all Between_draws.velocities_unseen checks;
     symmetry =
       (if used kinds Symmetry then Symmetry.find model ~initial:state ~searched ~evaluated else Symmetry.none);
     translation = used kinds Translation && Quotient.translatable model state (searched @ evaluated);

@@ -1,6 +1,6 @@
 (** Reductions of the state space, each of which can be switched off. Each keeps the verdicts of a fragment of the
     properties, and is used for this fragment alone (rules Symmetry, Translation, Order, Jump, Slice, AbsoluteTime,
-    Drift). *)
+    Drift, JoinedDraws). *)
 
 open Scc_calculus
 open Scc_property
@@ -13,6 +13,7 @@ type kind =
   | Slice  (** what cannot influence a property is left out: {!module-Slice} *)
   | Drift  (** states that differ in the distances between bodies that never meet again are one: {!module-Drift} *)
   | Time  (** absolute times that no formula or law tells apart are one: {!Scc_property.Time_seen} *)
+  | Draws  (** the draws of one instant are one transition: {!Joint_draws} *)
 
 val equal : kind -> kind -> bool
 (** [equal a b] is true if [a] and [b] are the same kind. *)
@@ -21,11 +22,15 @@ val all : kind list
 (** All kinds, each once. *)
 
 val name : kind -> string
-(** The name of a kind as in options: ["symmetry"], ["translation"], ["order"], ["jump"], ["slice"], ["drift"] or
-    ["time"]. *)
+(** The name of a kind as in options: ["symmetry"], ["translation"], ["order"], ["jump"], ["slice"], ["drift"],
+    ["time"] or ["draws"]. *)
 
 val of_name : string -> kind option
 (** The kind with this name; [None] if there is none. *)
+
+val joins : kind list -> Model.t -> Property.check list -> bool
+(** [joins kinds m checks] is true if draws of one instant are one transition for these checks: {!Draws} is used,
+    chance decides something in [m], no body turns, and no check sees between draws ({!Between_draws.unseen}). *)
 
 val quotient :
   kind list ->

@@ -39,12 +39,12 @@ let indexed test edges =
 
 (* Where something is drawn nothing else can happen. *)
 let drawn context g i =
-  let label (e : Graph.edge) = Catalogue.label_of (Network_lts.catalogue context) e.label in
+  let chance (e : Graph.edge) = Catalogue.chance (Network_lts.catalogue context) e.label in
   match Graph.edges g i with
   | [||] -> None
-  | edges -> (
-      let chance e = Scc_semantics.Transition.chance (label e) in
-      if Scc_semantics.Transition.is_drawn (label edges.(0)) then Some (Array.map chance edges) else None)
+  | edges ->
+    let chances = Array.map chance edges in
+    if Option.is_some chances.(0) then Some (Array.map Option.get chances) else None
 
 let timed_graph context ~rests g : Timed_graph.t =
   let size = Graph.size g in

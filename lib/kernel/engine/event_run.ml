@@ -229,7 +229,7 @@ let changes t = Bodies.changes t.bodies
 (* Bodies that come to touch and do not collide are on no agenda (reading I-33). *)
 let can_run (m : Model.t) =
   let has_values (l : Model.leaf) = l.fixed || Law.never_fails l.law in
-  (not (Model.of_each m || Model.has_turns m || m.lots || Model.binds_on_contact m))
+  (not (Model.of_each m || Model.has_turns m || m.lots || Model.binds_on_contact m || Model.stops_walkers m))
   && Array.for_all has_values m.leaves
 
 (* From any state: also while bodies draw. *)

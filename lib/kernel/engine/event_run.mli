@@ -10,8 +10,8 @@ open Scc_semantics
 type t
 
 val can_run : Model.t -> bool
-(** [can_run m] is true if [m] has neither turns nor lots, and its processes bind only if they collide (reading
-    I-33). If [m] has laws of motion, each of them never fails ({!Law.never_fails}), and processes have no
+(** [can_run m] is true if [m] has neither turns nor lots, its processes bind only if they collide (reading
+    I-33), and walkers bounce. If [m] has laws of motion, each of them never fails ({!Law.never_fails}), and processes have no
     movement steps of their own. *)
 
 val start : Semantics.t -> State.t -> t

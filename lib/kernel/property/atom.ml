@@ -8,7 +8,7 @@ type argument =
   | Definition of int
   | Parameter of int
 
-type aspect = Absolute_time | Absolute_place | Motion | Structure | Bonding | Term | Split_clock
+type aspect = Absolute_time | Absolute_place | Motion | Speed | Structure | Bonding | Term | Split_clock
 type scope = Named | Whole
 type change = Never | Turning | Always
 
@@ -80,14 +80,14 @@ let quantity = function
   | Size i -> row "size" (leaf i) Named [ Structure ] Never
   | Processes -> row "processes" [] Whole [ Structure ] Never
   | Position (a, i) -> row (axis a) (leaf i) Named [ Absolute_place; Motion ] Always
-  | Velocity (a, i) -> row ("v" ^ axis a) (leaf i) Named [ Motion ] Turning
-  | Speed2 i -> row "speed2" (leaf i) Named [ Motion ] Turning
-  | Spin (a, i) -> row ("w" ^ axis a) (leaf i) Named [ Motion ] Turning
-  | Spin2 i -> row "spin2" (leaf i) Named [ Motion ] Turning
+  | Velocity (a, i) -> row ("v" ^ axis a) (leaf i) Named [ Motion; Speed ] Turning
+  | Speed2 i -> row "speed2" (leaf i) Named [ Motion; Speed ] Turning
+  | Spin (a, i) -> row ("w" ^ axis a) (leaf i) Named [ Motion; Speed ] Turning
+  | Spin2 i -> row "spin2" (leaf i) Named [ Motion; Speed ] Turning
   | Distance2 (i, j) -> row "distance2" (two (i, j)) Named [ Motion ] Always ~symmetric
-  | Momentum a -> row ("momentum." ^ axis a) [] Whole [ Motion ] Never
-  | Angular a -> row ("angular." ^ axis a) [] Whole [ Absolute_place; Motion ] Turning
-  | Energy -> row "energy" [] Whole [ Motion ] Turning
+  | Momentum a -> row ("momentum." ^ axis a) [] Whole [ Motion; Speed ] Never
+  | Angular a -> row ("angular." ^ axis a) [] Whole [ Absolute_place; Motion; Speed ] Turning
+  | Energy -> row "energy" [] Whole [ Motion; Speed ] Turning
   | Time -> row "time" [] Named [ Absolute_time ] Always
   | Parameter i -> row "parameter" [ Parameter i ] Named [] Never
 
@@ -98,7 +98,7 @@ let fact = function
   | Offers (i, polarity, a) -> row "offers" (leaf i @ [ Channel (polarity, a) ]) Named [ Term ] Never
   | Touching (i, j) -> row "touching" (two (i, j)) Named [ Motion ] Always ~symmetric
   | Gone i -> row "gone" (leaf i) Named [ Structure ] Never
-  | Quiescent -> row "quiescent" [] Whole [ Motion; Structure; Term; Split_clock ] Never
+  | Quiescent -> row "quiescent" [] Whole [ Motion; Speed; Structure; Term; Split_clock ] Never
   | Event e ->
     let symmetric = is_symmetric e in
     let written = row ("event " ^ event_word e) (event_arguments e) (event_scope e) [] Never ~symmetric in
@@ -119,6 +119,7 @@ let rank = function
   | Bonding -> 4
   | Term -> 5
   | Split_clock -> 6
+  | Speed -> 7
 
 let depends_on aspect t = List.exists (fun a -> Int.equal (rank a) (rank aspect)) t.aspects
 

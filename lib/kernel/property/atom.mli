@@ -17,6 +17,7 @@ type aspect =
   | Absolute_time
   | Absolute_place  (** where the network as a whole is: a translation changes the value *)
   | Motion  (** where bodies are, relative to each other or absolutely, and how they move *)
+  | Speed  (** velocities and spins *)
   | Structure  (** which leaves make a process *)
   | Bonding
   (** bonds with the name and between the leaves that are the arguments; without such an argument, bonds of all

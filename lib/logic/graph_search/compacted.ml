@@ -98,7 +98,8 @@ module Make (L : Lts.S) = struct
 
   let after s i (step : Lts.step) =
     let d = L.duration s.context step.label in
-    Distances.after s.paths i (if Rat.sign d > 0 then Some d else None)
+    let transitions = L.transitions s.context step.label in
+    Distances.after s.paths i ~transitions (if Rat.sign d > 0 then Some d else None)
 
   (* The last states may not fit any more. *)
   let follow s around visitor i tuple choice (step : Lts.step) =

@@ -39,10 +39,10 @@ let before_nearest d i = Int_vector.get d.nearest i
 let before_earliest d i =
   match Hashtbl.find_opt d.earliest i with Some j -> j | None -> before_nearest d i
 
-let after d i duration =
-  let depth = depth d i + 1 and before = i in
+let after d i ~transitions duration =
+  let depth = depth d i + transitions and before = i in
   match duration with
-  | None -> { depth; arrival = arrival_number d i; instant = instant d i + 1; before }
+  | None -> { depth; arrival = arrival_number d i; instant = instant d i + transitions; before }
   | Some t -> { depth; arrival = Rationals.intern d.times (Rat.add (arrival d i) t); instant = 0; before }
 
 let improve d i l =

@@ -37,9 +37,9 @@ val instant : t -> int -> int
 val time : t -> int -> Rat.t
 (** [time d n] is the model time with number [n]; number 0 is time 0. *)
 
-val after : t -> int -> Rat.t option -> label
-(** [after d i duration] is the label of a path through state [i] to its successor. [duration] is that of the last
-    transition, or [None] if it takes no time. *)
+val after : t -> int -> transitions:int -> Rat.t option -> label
+(** [after d i ~transitions duration] is the label of a path through state [i] to its successor. The last edge of
+    the path stands for [transitions] transitions. [duration] is its time, or [None] if it takes none. *)
 
 val improve : t -> int -> label -> bool * bool
 (** [improve d i label] stores a path to state [i] where it is better than the known ones. The result says if it is

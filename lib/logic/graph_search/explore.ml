@@ -82,7 +82,8 @@ module Make (L : Lts.S) = struct
 
   (* The label of the path to a state with a transition more. *)
   let after g i label =
-    Distances.after g.distances i (if takes_time g label then Some (L.duration g.context label) else None)
+    let duration = if takes_time g label then Some (L.duration g.context label) else None in
+    Distances.after g.distances i ~transitions:(transitions_of g label) duration
 
   (* All states of a cycle without duration have one earliest arrival. When one of these changes, all edges of its
      state are looked at again. *)
@@ -236,12 +237,12 @@ module Make (L : Lts.S) = struct
   (* Relaxes the edges of a state; and what is told of them. The first one to a state that is new makes it; others
      from the same state find it there. *)
   let relax_all g limits visitor i ~first steps told =
-    let deeper = depth g i + 1 and arrival = Distances.arrival_number g.distances i in
+    let arrival = Distances.arrival_number g.distances i in
     let rec each n next arrows = function
       | [] -> List.rev arrows
       | (s : Lts.step) :: rest ->
         let target = Array.unsafe_get g.targets n in
-        let matters = not (is_plain g ~deeper ~arrival s.label target) in
+        let matters = not (is_plain g ~deeper:(depth g i + transitions_of g s.label) ~arrival s.label target) in
         if matters then relax g limits visitor i s.label target;
         match told with
         | None -> each (n + 1) next arrows rest
@@ -319,7 +320,7 @@ module Make (L : Lts.S) = struct
       targets = [||];
       transitions = 0;
       turning = At (Int_vector.create ());
-      timed = Timed_labels.create ~duration:(L.duration context);
+      timed = Timed_labels.create ~duration:(L.duration context) ~transitions:(L.transitions context);
     }
 
   let progress g i : Limits.progress =

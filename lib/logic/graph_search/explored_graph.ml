@@ -72,6 +72,7 @@ module Make (L : Lts.S) = struct
   (** {2 Edges} *)
 
   let takes_time g label = Timed_labels.takes_time g.timed label
+  let transitions_of g label = Timed_labels.transitions g.timed label
 
   let edge_of_step g (s : Lts.step) =
     match Tuples.find g.tuples ~near:g.reader s.changes with

@@ -33,6 +33,9 @@ module type S = sig
 
   val duration : context -> int -> Scc_exact.Rat.t
   (** Of a label; 0 for a discrete transition. *)
+
+  val transitions : context -> int -> int
+  (** How many transitions of a run a label stands for, 1 or more. The depth of its target counts them all. *)
 end
 
 (** What the numbers of a system mean to another process: they are exchanged for bytes, which are the same for the

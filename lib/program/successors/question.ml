@@ -27,7 +27,8 @@ type t = {
   goals : goal array;
 }
 
-let reductions = List.filter (fun k -> not (Reduction.equal k Order)) Reduction.all
+let reductions =
+  List.filter (fun k -> not (Reduction.equal k Order || Reduction.equal k Draws)) Reduction.all
 
 let options reductions : Setup.t = { Setup.default with reductions }
 let semantics q = q.exploration.semantics

@@ -276,7 +276,7 @@ let of_aspect t (atom : Atom.t) (aspect : Atom.aspect) =
     | Whole -> of_everyone table aspect (whose t)
   in
   match aspect with
-  | Absolute_time | Absolute_place -> nothing
+  | Absolute_time | Absolute_place | Speed -> nothing
   | Motion -> of_leaves t.last.motion Motion movable
   | Structure -> of_leaves t.last.structure Structure everyone
   | Split_clock -> of_leaves t.last.clock Clock everyone

@@ -7,6 +7,7 @@ module Graph = State_graph
 
 type t = { last : State.t; steps : Witness.step list }
 
+let numbered list = List.mapi (fun k x -> (k, x)) list
 let start context = { last = Network_lts.start context; steps = [] }
 let from last = { last; steps = [] }
 
@@ -33,7 +34,47 @@ let step context from wanted target =
     let time = Rat.add before (Transition.duration transition) in
     { last = transition.target; steps = { Witness.choice; transition; time } :: from.steps }
 
+(* Draws that are one edge of the graph, one by one. Those are tried first that give processes the velocities that
+   they have in the end. *)
+let draws context from target =
+  let catalogue = Network_lts.catalogue context in
+  let wanted =
+    let moving (p : State.process) = (p.leaves.(0).leaf, p.velocity) in
+    List.map moving (Array.to_list (Catalogue.decode catalogue target).processes)
+  in
+  let fits ((t : Transition.t), _) =
+    match t.label with
+    | Draw { first; velocity; _ } -> List.exists (fun (p, v) -> p = first && Vec.equal velocity v) wanted
+    | _ -> false
+  in
+  let standing = lazy (Network_lts.representative context target) in
+  let leads_there (_, t) =
+    let t = Lazy.force t in
+    t = target || t = Lazy.force standing
+  in
+  let after from (choice, ((transition : Transition.t), _)) =
+    let time = match from.steps with [] -> Rat.zero | s :: _ -> s.Witness.time in
+    { last = transition.target; steps = { Witness.choice; transition; time } :: from.steps }
+  in
+  let rec search from =
+    match Network_lts.choices context from.last with
+    | Error _ -> Bug.fail __POS__ "a witness does not replay: a fault on its way"
+    | Ok choices ->
+      let is_drawn (_, ((t : Transition.t), _)) = Transition.is_drawn t.label in
+      let drawn = List.filter is_drawn (numbered choices) in
+      let there = List.find_opt (fun (_, choice) -> leads_there choice) drawn in
+      let first, others = List.partition (fun (_, choice) -> fits choice) drawn in
+      let on choice = search (after from choice) in
+      (match there with
+       | Some choice -> Some (after from choice)
+       | None -> List.find_map on (first @ others))
+  in
+  match search from with Some reached -> reached | None -> Bug.fail __POS__ "a witness does not replay"
+
 let along context graph =
   List.fold_left (fun from (step_ : Graph.step) ->
-      let target = Graph.tuple graph (Graph.edges graph step_.source).(step_.choice).target in
-      step context from step_.choice target)
+      let edge = (Graph.edges graph step_.source).(step_.choice) in
+      let target = Graph.tuple graph edge.target in
+      match Catalogue.single (Network_lts.catalogue context) edge.label with
+      | Some _ -> step context from step_.choice target
+      | None -> draws context from target)

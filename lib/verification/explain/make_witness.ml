@@ -48,7 +48,7 @@ let follow_lasso context graph steps cycle =
   let rec again n from =
     let next = Followed.along context graph from round in
     match what_moved context entry.last next.last with
-    | Some moved -> (next, moved)
+    | Some moved -> (next, moved, List.length entry.steps)
     | None -> if n >= most_rounds then Bug.fail __POS__ "a round that never comes back" else again (n + 1) next
   in
   again 1 entry
@@ -68,7 +68,8 @@ let puts_off semantics (cycle : Witness.step list) ~from =
   in
   List.find_map at (from :: List.map (fun (s : Witness.step) -> s.transition.target) cycle)
 
-let repeats context ((run : Followed.t), moved) cycle : Witness.finish =
+(* [cycle] is the number of steps before the round. *)
+let repeats context ((run : Followed.t), moved, cycle) : Witness.finish =
   let steps = List.rev run.steps in
   let from =
     match if cycle = 0 then None else List.nth_opt steps (cycle - 1) with
@@ -132,8 +133,8 @@ let of_trace context graph predicate (trace : Search.trace) =
     let finish = during context run.last moment sample in
     witness context run finish (facts run.last (extent context run.last) sample)
   | Repeats cycle ->
-    let ((run, _) as lasso) = follow_lasso context graph trace.steps cycle in
-    witness context run (repeats context lasso cycle) (facts run.last Timeline.Instant Algebraic.zero)
+    let ((run, _, _) as lasso) = follow_lasso context graph trace.steps cycle in
+    witness context run (repeats context lasso) (facts run.last Timeline.Instant Algebraic.zero)
 
 (* The tuples that choices lead through, from the initial one. *)
 let targets context choices =
@@ -169,8 +170,8 @@ let of_run context graph temporal (run : Scc_ctl.Run.t) =
   let steps = steps_of temporal run in
   match run.finish with
   | Repeats cycle ->
-    let ((followed, _) as lasso) = follow_lasso context graph steps cycle in
-    witness context followed (repeats context lasso cycle) []
+    let ((followed, _, _) as lasso) = follow_lasso context graph steps cycle in
+    witness context followed (repeats context lasso) []
   | At_state | During _ | Rests | Stops | Passes ->
     let followed = Followed.along context graph (Followed.start context) steps in
     let finish : Witness.finish =

@@ -88,9 +88,6 @@ let facts context graph temporal e =
 
 (** {2 The tree} *)
 
-let duration context graph (s : Graph.step) =
-  Catalogue.duration (Network_lts.catalogue context) (Graph.edges graph s.source).(s.choice).label
-
 (* The real state in which a run begins, if names differ between it and the state of the graph that stands for it.
 *)
 type here = Scc_calculus.State.t option
@@ -112,10 +109,16 @@ let labels context graph temporal (here : here) (run : Scc_ctl.Run.t) =
   let steps = steps_of temporal run in
   match here with
   | None ->
-    let label (s : Graph.step) =
-      Catalogue.label_of (Network_lts.catalogue context) (Graph.edges graph s.source).(s.choice).label
+    let catalogue = Network_lts.catalogue context in
+    let labels (s : Graph.step) =
+      match Catalogue.single catalogue (Graph.edges graph s.source).(s.choice).label with
+      | Some label -> [ label ]
+      | None ->
+        let source = Catalogue.decode catalogue (Graph.tuple graph s.source) in
+        let draws = (Followed.along context graph (Followed.from source) [ s ]).steps in
+        List.rev_map (fun (s : Witness.step) -> s.transition.label) draws
     in
-    List.map label steps
+    List.concat_map labels steps
   | Some state ->
     List.rev_map
       (fun (s : Witness.step) -> s.transition.label)
@@ -132,14 +135,13 @@ let event context (label : Transition.label) =
 let story context graph temporal here (run : Scc_ctl.Run.t) =
   let start = Algebraic.to_rat run.start.offset in
   let clock, events =
-    List.fold_left2
-      (fun (clock, events) step label ->
-         let clock = Rat.add clock (duration context graph step) in
+    List.fold_left
+      (fun (clock, events) label ->
+         let clock = Rat.add clock (Transition.duration_of label) in
          match event context label with
          | None -> (clock, events)
          | Some e -> (clock, Printf.sprintf "%s after %s" e (Rat.to_string clock) :: events))
       (Rat.neg (Option.value start ~default:Rat.zero), [])
-      (steps_of temporal run)
       (labels context graph temporal here run)
   in
   (clock, List.rev events)

@@ -69,7 +69,9 @@ let rec verdict context lost met (plan : Plan.t) answers =
 
 let check (options : Setup.t) ~capacity semantics ~initial checks : Joint_check.result =
   let plans = List.map (fun (c : Property.check) -> Plan.of_formula c.formula) checks in
-  let context = Joint_check.system options semantics ~initial checks plans in
+  (* The choice that led to a state is one of 255. *)
+  let reductions = List.filter (fun k -> not (Reduction.equal k Draws)) options.reductions in
+  let context = Joint_check.system { options with reductions } semantics ~initial checks plans in
   let goals = List.map (Predicate.make context) (List.concat_map goals plans) in
   let limits = Bounds.limits options.bounds ~horizon:None in
   let rests tuple = Network.quiescent semantics (Catalogue.decode (Network_lts.catalogue context) tuple) in

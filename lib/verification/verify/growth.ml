@@ -223,8 +223,8 @@ module Instants = Map.Make (struct
    else is possible then, and what they lead to is growth of another kind. *)
 let choices context graph states =
   let add (others, splits) i =
-    let label (e : Graph.edge) = Catalogue.label_of (Network_lts.catalogue context) e.label in
-    let labels = List.map label (Array.to_list (Graph.edges graph i)) in
+    let label (e : Graph.edge) = Catalogue.single (Network_lts.catalogue context) e.label in
+    let labels = List.filter_map label (Array.to_list (Graph.edges graph i)) in
     let is_event : Transition.label -> bool = function
       | Time _ | Draw _ | Lot _ -> false
       | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> true

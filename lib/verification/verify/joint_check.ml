@@ -153,7 +153,9 @@ let horizon (checks : Property.check list) =
 (** {2 The report} *)
 
 let is_event context (e : Graph.edge) =
-  not (Transition.is_time (Catalogue.label_of (Network_lts.catalogue context) e.label))
+  match Catalogue.single (Network_lts.catalogue context) e.label with
+  | Some label -> not (Transition.is_time label)
+  | None -> true
 
 (* The first state with a number that is too long. *)
 let growth (r : Unsettled.t) =
@@ -251,6 +253,7 @@ let system (options : Setup.t) semantics ~initial checks plans =
     ~time_seen:(time_seen options model checks)
     ~quotient:(Reduction.quotient options.reductions model initial ~checks ~searched ~evaluated)
     ?visible:(Reduction.visible options.reductions ~deep ~searched ~evaluated)
+    ~joined:(Reduction.joins options.reductions model checks)
     semantics initial
 
 (* A question for a number is one about the graph, whatever the formula is. *)

@@ -91,10 +91,10 @@ let way context graph source target =
   match List.find_opt (fun (e : Graph.edge) -> e.target = target) (Array.to_list edges) with
   | None -> Otherwise
   | Some e -> (
-      match Catalogue.label_of (Network_lts.catalogue context) e.label with
-      | Time d -> Passes d
-      | Bounce _ -> Bounces
-      | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> Otherwise)
+      match Catalogue.single (Network_lts.catalogue context) e.label with
+      | Some (Time d) -> Passes d
+      | Some (Bounce _) -> Bounces
+      | Some (Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _) | None -> Otherwise)
 
 (* No eps, split or end of a step, which come at times of their own: after each passing of time there is a bounce.
    How long the round took, if so. [round] is the ways of it, in order; the places between are those of

@@ -73,6 +73,7 @@ module Toy = struct
     | Some _ | None -> None
 
   let entered _ _ = ()
+  let transitions _ _ = 1
   let duration c label = Rat.of_int (Numbers.get c.durations label)
   let longest _ = 0
   let bits _ _ = 0

@@ -22,6 +22,7 @@ module Toy = struct
 
   let reduced _ _ = None
   let entered _ _ = ()
+  let transitions _ _ = 1
   let duration _ d = Rat.of_int d
 
   (* The number of a state is as long as it says. *)

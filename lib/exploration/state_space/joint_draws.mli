@@ -1,0 +1,23 @@
+(** The draws and lots of one instant as one transition (rule JoinedDraws): their joint distribution, without the
+    states between them. *)
+
+open Scc_exact
+open Scc_semantics
+
+(** A state after draws: its tuple, the chance of the draws that lead to it, and the fewest of these. *)
+type outcome = { tuple : int array; chance : Rat.t; transitions : int }
+
+val through :
+  (int array -> (outcome list option, 'fault) result) ->
+  outcome list ->
+  (outcome list option, 'fault) result
+(** [through leave outcomes] is the outcomes after all draws that follow: each tuple once, with the sum of its
+    chances and the fewest transitions. They are merged after each round of draws. [leave tuple] is the outcomes of
+    a state that draws, and [None] for any other state. The result is [None] if a round has more than 2{^18}
+    outcomes. The fault is the first one. *)
+
+val velocities : Semantics.t -> Catalogue.t -> int array -> (outcome list option, Transition.fault) result
+(** [velocities c catalogue tuple] is the outcomes of all draws of velocities in a state in which nothing turns, no
+    lots are pending, and some process waits to draw. They are in the order of the draws. The outcome of each
+    process depends on its own draw alone, so that one step of the kernel is made for each process and velocity.
+    The result is [None] if there are more than 2{^18} outcomes. *)
