@@ -218,6 +218,7 @@ let boxed ?(keeps_time = false) velocities =
       collisions = In_turn;
       binding = On_collision;
       bonds = Acyclic;
+      blocked = Bounce;
       round_velocity = None;
       lots = false;
       rigid = None;
