@@ -1,22 +1,21 @@
 open Scc_exact
 open Scc_calculus
 
-let at_rest which = State.mapi (fun i p -> if which i then State.with_velocity Vec.zero p else p)
+module Ids = Set.Make (Int)
+module By_process = Map.Make (Int)
+
+let at_rest which = State.mapi (fun i p -> if Ids.mem i which then State.with_velocity Vec.zero p else p)
 
 (* {1 Where walkers stop} *)
 
 (* A bond, or an absorption, comes before what else the same walker runs into. *)
 let rec until_none (c : Semantics.t) (s : State.t) =
   let meetings = Collisions.meetings c s.processes in
-  let may_bind = List.filter (fun m -> Collisions.candidates c s.processes m <> []) meetings in
-  let is_busy i = List.exists (fun (m : Kinematics.meeting) -> m.first = i || m.second = i) may_bind in
-  let stops = List.concat_map (Collisions.blocked c s.processes) meetings in
-  match List.filter (fun i -> not (is_busy i)) stops with
-  | [] -> s
-  | stops ->
-    let which = Array.make (Array.length s.processes) false in
-    List.iter (fun i -> which.(i) <- true) stops;
-    until_none c (at_rest (Array.get which) s)
+  let busy = List.filter (fun m -> Collisions.candidates c s.processes m <> []) meetings in
+  let busy = Ids.of_list (List.concat_map (fun (m : Kinematics.meeting) -> [ m.first; m.second ]) busy) in
+  let stops = Ids.of_list (List.concat_map (Collisions.blocked c s.processes) meetings) in
+  let stops = Ids.diff stops busy in
+  if Ids.is_empty stops then s else until_none c (at_rest stops s)
 
 let stopped (c : Semantics.t) s = if Model.stops_walkers c.setting.model then until_none c s else s
 
@@ -70,27 +69,27 @@ let sweeps_meet (c : Semantics.t) two =
   List.exists meet two.parts
 
 (* From those that run into something, on through all whose sweeps meet. *)
+let rec spread ~beside blocked = function
+  | [] -> blocked
+  | i :: rest when Ids.mem i blocked -> spread ~beside blocked rest
+  | i :: rest ->
+    let more = List.filter (fun j -> not (Ids.mem j blocked)) (beside i) in
+    spread ~beside (Ids.add i blocked) (List.rev_append more rest)
+
 let blocked (c : Semantics.t) ~kicked (s : State.t) =
-  let n = Array.length s.processes in
-  let blocked = Array.make n false and neighbours = Array.make n [] in
   let pairs = near_each_other c ~kicked s in
-  let rec block i =
-    if kicked i && not blocked.(i) then begin
-      blocked.(i) <- true;
-      List.iter (fun (j, two) -> if (not blocked.(j)) && sweeps_meet c two then block j) neighbours.(i)
-    end
+  let add i other = By_process.update i (fun others -> Some (other :: Option.value others ~default:[])) in
+  let join near two = near |> add two.first (two.second, two) |> add two.second (two.first, two) in
+  let near = List.fold_left join By_process.empty (List.filter (fun t -> kicked t.first && kicked t.second) pairs) in
+  let beside i =
+    Option.value (By_process.find_opt i near) ~default:[]
+    |> List.filter_map (fun (j, two) -> if sweeps_meet c two then Some j else None)
   in
-  let join two =
-    if kicked two.first && kicked two.second then begin
-      neighbours.(two.first) <- (two.second, two) :: neighbours.(two.first);
-      neighbours.(two.second) <- (two.first, two) :: neighbours.(two.second)
-    end
-  in
-  List.iter join pairs;
-  List.iter (fun two -> if run_into_each_other c s two then (block two.first; block two.second)) pairs;
-  blocked
+  List.filter (run_into_each_other c s) pairs
+  |> List.concat_map (fun two -> List.filter kicked [ two.first; two.second ])
+  |> spread ~beside Ids.empty
 
 let waiting (c : Semantics.t) ~kicked (s : State.t) =
   match c.setting.model.blocked with
   | Bounce | Stop -> s
-  | Wait -> at_rest (Array.get (blocked c ~kicked s)) s
+  | Wait -> at_rest (blocked c ~kicked s) s

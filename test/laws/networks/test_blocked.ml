@@ -223,6 +223,6 @@ let suite =
       ("Blocked", Scc_test_support.Property.cases [ balanced; no_jam ]);
       ( "cases",
         [
-          Alcotest.test_case "pairs of places, many" `Quick some_seen; Alcotest.test_case "rows" `Quick by_cases;
+          Alcotest.test_case "pairs of places, many" `Quick some_seen; Alcotest.test_case "Blocked: rows" `Quick by_cases;
         ] );
     ] )
