@@ -46,7 +46,8 @@ let behaviour c i =
 
 let slab id x y z = Solid.make ~id Scc_test_networks.Cube.polyhedron (Mat.diagonal (Vec.of_ints x y z))
 
-(* Walls of thickness 2, as parts of one fixed body: a floor alone, or all six. *)
+(* Walls of thickness 2, as parts of one fixed body: a floor alone, or all six. It has a law at times, which moves
+   nothing: then there are steps even where no cube is steered. *)
 let walls c =
   let part name solid (x, y, z) : Model.part =
     { name; template = "Cube"; solid; offset = Vec.of_ints x y z; open_offset = None; mass = Rat.one }
@@ -69,7 +70,8 @@ let walls c =
 let bodies c =
   let body i (x, y, z) =
     let at = (c.pitch * x, c.pitch * y, c.pitch * z) in
-    Fixture.body (Printf.sprintf "p%d" i) at ~behaviour:(behaviour c i) ~mass:(1 + (i mod 2))
+    let velocity = ((i mod 3) - 1, (i / 3 mod 3) - 1, 0) in
+    Fixture.body (Printf.sprintf "p%d" i) at ~velocity ~behaviour:(behaviour c i) ~mass:(1 + (i mod 2))
       ~law:(law (List.nth c.laws (i mod List.length c.laws)))
   in
   List.mapi body c.places
@@ -84,12 +86,13 @@ let network c : Model.t * State.t =
     | [||] -> (m, Array.to_list declared.processes)
     | parts ->
       let wall =
-        { m.leaves.(0) with name = "w"; parts; fixed = true; law = Law.Inertial }
+        { m.leaves.(0) with name = "w"; parts; fixed = true; law = (if c.sticky then Law.Inertial else law 4) }
       in
       let leaf = { declared.processes.(0).leaves.(0) with leaf = List.length bodies; position = Vec.zero;
                                                           behaviour = Behaviour.fresh Behaviour.nil } in
       let process = State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:Vec.zero ~clock:None () in
-      ({ m with leaves = Array.append m.leaves [| wall |] }, Array.to_list declared.processes @ [ process ])
+      let steered = m.steered || not c.sticky in
+      ({ m with leaves = Array.append m.leaves [| wall |]; steered }, Array.to_list declared.processes @ [ process ])
   in
   let steps : Model.steps = if c.steady then Steady else Shared in
   let collisions : Model.collisions = if c.together then Together else In_turn in
@@ -102,7 +105,8 @@ let random_crowd =
   let* pitch = frequencyl [ (4, 2); (2, 3); (1, 4) ] in
   let* around = oneofl [ Nothing; Floor; Floor; Room; Room ] in
   let* slack = frequencyl [ (3, 0); (2, 1); (1, 2) ] in
-  let* laws = list_size (1 -- 4) (frequencyl [ (1, 0); (1, 1); (2, 2); (2, 3); (6, 4) ]) in
+  let some_laws = list_size (1 -- 4) (frequencyl [ (1, 0); (1, 1); (2, 2); (2, 3); (6, 4) ]) in
+  let* laws = frequency [ (1, pure [ 0 ]); (6, some_laws) ] in
   let* sticky = frequencyl [ (2, false); (1, true) ] and* steady = bool and* half = bool in
   let* together = frequencyl [ (5, false); (1, true) ] and* any_time = frequencyl [ (5, false); (1, true) ] in
   return { places; pitch; around; slack; laws; sticky; steady; together; any_time; half }
@@ -159,13 +163,13 @@ let crowds =
 
 (* {1 Growth} *)
 
-(* n² cubes in a room, half a side apart, that are kicked twice: what a transition allocates, in words, and the
+(* n² cubes on the floor of a room, half a side apart, that are kicked twice, some of them down: what a transition allocates, in words, and the
    queries of the broad phase for it. All of a kick is counted: draws, sweeps, and bounces until time passes. *)
 let costs n =
   let places = List.concat (List.init n (fun x -> List.init n (fun y -> (x, y, 0)))) in
   let crowd =
     {
-      places; pitch = 3; around = Room; slack = 1; laws = [ 4 ]; sticky = false; steady = true; together = false;
+      places; pitch = 3; around = Room; slack = 1; laws = [ 4; 3; 4 ]; sticky = false; steady = true; together = false;
       any_time = false; half = false;
     }
   in
