@@ -230,8 +230,8 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
 let unfit (extras : Check_extras.t) =
   Option.is_some extras.witness && not (List.exists (Reduction.equal Jump) extras.reductions)
 
-let run color json budget (extras : Check_extras.t) given path =
-  let console = Console.make ~color ~json () in
+let run color progress json budget (extras : Check_extras.t) given path =
+  let console = Console.make ?progress ~color ~json () in
   if unfit extras then
     Guard.usage "--witness does not go with --no-reduce jump: schedules are replayed with jumps"
   else
@@ -253,5 +253,5 @@ let command =
   Cmd.v
     (Cmd.info "check" ~doc:"explore a model and verify its properties" ~man:Manual.check ~exits:(Exits.man ()))
     Term.(
-      const run $ Options.color $ Options.json $ Check_options.budget $ Check_extras.term $ Options.definitions
-      $ Options.model_file)
+      const run $ Options.color $ Options.progress $ Options.json $ Check_options.budget $ Check_extras.term
+      $ Options.definitions $ Options.model_file)
