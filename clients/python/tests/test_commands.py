@@ -110,8 +110,10 @@ class Every(Commands):
             "axes": {"=": 1, "axes": ["y", "z"], "draw": self.path("axes.svg")},
             "coverage": {"=": 1, "coverage": True, "define": {"y": 0, "z": 0}},
             "hash_compact": {"=": 1, "hash_compact": True, "define": {"y": 0, "z": 0}},
-        })
+        }, leave=("curve", "curve_plot"))
         self.assertIn("<svg", self.text("check.svg"))
+        check(WALK, curve="far", curve_plot=self.path("curve.svg"))
+        self.assertIn("<svg", self.text("curve.svg"))
 
     def test_estimate(self):
         self.each(estimate, WALK + "param a = 1\n", {

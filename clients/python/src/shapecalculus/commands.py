@@ -24,6 +24,8 @@ def check(
     time: Optional[Number] = None,
     axes: Optional[Texts] = None,
     coverage: bool = False,
+    curve: Optional[str] = None,
+    curve_plot: Optional[Path] = None,
     define: Optional[Mapping[str, Setting]] = None,
     draw: Optional[Path] = None,
     full: bool = False,
@@ -59,6 +61,11 @@ def check(
       the channels and rules that were never used. It explores the whole model once more, even if all is
       decided, and counts during this exploration, within the same bounds; half of the seconds are kept for it.
       If a bound ends it, the report says how much was explored.
+    ``curve``: Reports the probability that the check NAME asks for as a function of time. The check asks P = ?
+      of an operator with a bound of time. A table lists all times up to the end of this bound at which the
+      probability changes, and its value from there on. One exploration and one pass over its graph give all of
+      them.
+    ``curve_plot``: Draws the curve of --curve as an SVG picture to FILE.
     ``define``: Gives the parameter NAME of the model the value VALUE, a rational. If the parameter has a range,
       it can be narrowed instead: to 1..3, with both ends, or to [1,3), where a round bracket excludes an end.
       Repeatable.
@@ -115,6 +122,8 @@ def check(
         *words.number("--time", time),
         *words.listed("--axes", axes),
         *words.flag("--coverage", coverage),
+        *words.text("--curve", curve),
+        *words.path("--curve-plot", curve_plot),
         *words.define(model, define),
         *words.path("--draw", draw),
         *words.flag("--full", full),
