@@ -2,11 +2,11 @@
 
     A model that {!Event_run.can_run} runs from event to event. The cost of a step depends on the few bodies that
     take part in it, and only {!state} visits all bodies. In other models, all of [Network.successors] is
-    computed for each step. These have laws of motion, turns or lots, or bind bodies that do not collide (reading
-    I-33). Under laws of motion, for example, every step changes the velocity of every steered body anyway.
+    computed for each step. These have laws of motion with variables, steps of single processes, turns or lots,
+    walkers that stop, or bind bodies that do not collide (reading I-33).
 
     Draws are handled one body at a time: the bodies that draw at one instant do so in turn. The draw of the last
-    of them computes the next state of the network. *)
+    of them computes the next velocities of all. *)
 
 open Scc_calculus
 open Scc_semantics

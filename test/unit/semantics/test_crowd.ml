@@ -92,7 +92,8 @@ let network c : Model.t * State.t =
                                                           behaviour = Behaviour.fresh Behaviour.nil } in
       let process = State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:Vec.zero ~clock:None () in
       let steered = m.steered || not c.sticky in
-      ({ m with leaves = Array.append m.leaves [| wall |]; steered }, Array.to_list declared.processes @ [ process ])
+      let leaves = Array.append m.leaves [| wall |] in
+      ({ m with leaves; steered }, Array.to_list declared.processes @ [ process ])
   in
   let steps : Model.steps = if c.steady then Steady else Shared in
   let collisions : Model.collisions = if c.together then Together else In_turn in
@@ -163,14 +164,15 @@ let crowds =
 
 (* {1 Growth} *)
 
-(* n² cubes on the floor of a room, half a side apart, that are kicked twice, some of them down: what a transition allocates, in words, and the
-   queries of the broad phase for it. All of a kick is counted: draws, sweeps, and bounces until time passes. *)
+(* n² cubes on the floor of a room, half a side apart, that are kicked twice, some of them down: what a transition
+   allocates, in words, and the queries of the broad phase for it. All of a kick is counted: draws, sweeps, and
+   bounces until time passes. *)
 let costs n =
   let places = List.concat (List.init n (fun x -> List.init n (fun y -> (x, y, 0)))) in
   let crowd =
     {
-      places; pitch = 3; around = Room; slack = 1; laws = [ 4; 3; 4 ]; sticky = false; steady = true; together = false;
-      any_time = false; half = false;
+      places; pitch = 3; around = Room; slack = 1; laws = [ 4; 3; 4 ]; sticky = false; steady = true;
+      together = false; any_time = false; half = false;
     }
   in
   let m, declared = network crowd in
