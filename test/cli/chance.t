@@ -557,3 +557,33 @@ What is hardly more than 0, or hardly less than 1, is not rounded to it.
   > done
   two: about 2e-31, at split step 1
   two: more than 0.999999, at split step 1
+
+The probability within each time, up to the bound: a table, JSON and a picture.
+
+  $ scc check $M/ruin.sc --curve by_four --curve-plot curve.svg | sed -n '/^by_four/,/a run/p'
+  by_four: 373/625
+    P = ? [ eventually gone(walker) within 4 ]
+    within T, for T
+      from 0: 0
+      from 2: 9/25
+      from 3: 53/125
+      from 4: 373/625
+    a run that counts, of probability 9/25:
+  $ scc check $M/ruin.sc --curve by_four --json | sed -n '/"curve"/,/^      ]/p' | tail -9
+          },
+          {
+            "time": {"low": "4/1", "high": "4/1", "text": "4"},
+            "values": [
+              {"over": "least", "low": "373/625", "high": "373/625"},
+              {"over": "greatest", "low": "373/625", "high": "373/625"}
+            ]
+          }
+        ]
+  $ grep -c '<svg' curve.svg
+  1
+  $ scc check $M/ruin.sc --curve ends
+  error[SC0208]: --curve: `ends' does not ask for a probability within a time, as `P = ? [ eventually f within t ]' does
+  [3]
+  $ scc check $M/ruin.sc --curve by_five
+  error[SC0208]: --curve: the model has no check `by_five'
+  [3]

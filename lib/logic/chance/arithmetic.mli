@@ -28,8 +28,8 @@ type powers
 (** Numbers n / b^e for one integer b. *)
 
 val exact : base:Z.t -> bits:int -> powers t
-(** [exact ~base ~bits] is exact numbers whose denominators are powers of [base]. It is a multiple of the sum of all
-    weights that occur. A number has at most [bits] bits ({!Rat.bits}). *)
+(** [exact ~base ~bits] is exact numbers whose denominators are powers of [base]. The base is a common multiple of
+    the sums of all weights that occur. A number has at most [bits] bits ({!Rat.bits}). *)
 
 val rational : bits:int -> Rat.t t
 (** [rational ~bits] is exact numbers in lowest terms, of at most [bits] bits each. *)

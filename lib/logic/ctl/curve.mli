@@ -1,5 +1,5 @@
-(** The probability of "f until g" within [a, T], as a function of T: all times at which it changes up to a greatest
-    T, and its values there. *)
+(** The probability of "f until g" within [a, T], as a function of T: all times at which it changes up to a
+    greatest T, and its values there. *)
 
 open Scc_exact
 open Scc_chance

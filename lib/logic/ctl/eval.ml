@@ -241,7 +241,9 @@ let curve t side f node =
       let values q = Curve.values q t.effort node (List.map snd at) in
       let least = values low in
       let most = if exact then least else values high_end in
-      let measured a b = if flipped then { least = Answer.complement b; most = Answer.complement a } else { least = a; most = b } in
+      let measured a b =
+        if flipped then { least = Answer.complement b; most = Answer.complement a } else { least = a; most = b }
+      in
       List.map2 (fun (m, _) v -> (m, v)) at (List.map2 measured least most)
     in
     Option.map points moments

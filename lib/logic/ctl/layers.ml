@@ -25,8 +25,8 @@ type layer = {
   time : Rat.t;
   mutable entered : Int_array.buffer;  (** nodes, as they are found; each may come several times *)
   mutable nodes : Int_array.t;  (** later: their ranks, each once, increasing *)
-  parts : part Growable.t;  (** for each delay, from 0 on: of the flows that last so long, as far as it was needed *)
-  later : layer option Growable.t;  (** for each delay: the layer that is so much later, as far as it was needed *)
+  parts : part Growable.t;  (** for each delay, from 0 on: of the flows that last so long *)
+  later : layer option Growable.t;  (** for each delay: the layer that is so much later, once it was needed *)
   mutable index : int;  (** among all layers in the order of time *)
   mutable first : int;  (** the index of the first layer that leads here, or its own *)
 }
@@ -69,14 +69,14 @@ let choice t elapsed branches =
   in
   let weights = Arithmetic.weights (Array.map (fun b -> b.probability) branches) in
   t.base <- Z.lcm t.base weights.sum;
-  { weights; target = Array.map (fun b -> fst (where b)) branches; delay = Array.map (fun b -> snd (where b)) branches }
+  let leads = Array.map where branches in
+  { weights; target = Array.map fst leads; delay = Array.map snd leads }
 
 let part t time d =
   let over = Rat.add time d in
   if Algebraic.compare_rat t.window.low over > 0 then Before
-  else if Algebraic.compare_rat t.window.low time <= 0 && not (reaches_beyond t.window (Algebraic.of_rat over)) then
-    Inside
-  else Cut
+  else if Algebraic.compare_rat t.window.low time > 0 || reaches_beyond t.window (Algebraic.of_rat over) then Cut
+  else Inside
 
 let delay_of t s =
   let known = Int_array.get t.lasts s in
@@ -116,7 +116,10 @@ let choices_of t layer s =
       table.(s) <- Some choices;
       choices
   in
-  match part_of t layer (delay_of t s) with Inside -> cached t.inside | Before -> cached t.before | Cut -> compute ()
+  match part_of t layer (delay_of t s) with
+  | Inside -> cached t.inside
+  | Before -> cached t.before
+  | Cut -> compute ()
 
 (* {1 Forwards: the places of each layer} *)
 
@@ -224,7 +227,8 @@ let rank t seen =
     Some (Strong_components.numbers components, node_of)
   end
 
-(* [marks] has a byte for each rank, 0 before and after. Many ranks are marked and read in order, and few sorted. *)
+(* [marks] has a byte for each rank, 0 before and after. Many ranks are marked and read in order; few are
+   sorted. *)
 let sort t marks nodes =
   let n = Int_array.length nodes in
   let rank i = Int_array.get t.rank (Int_array.get nodes i) in
@@ -279,16 +283,7 @@ let make question window starts =
       Array.iter (fun layer -> sort t marks layer.nodes) t.layers;
       Some t
 
-(* {1 Backwards: values} *)
-
-exception Interrupted
-
-(* What is computed of each place of a layer: its value, and the number of steps to the goal by choices that attain
-   it, which is [never] if there are none. The arrays have an element for each place of the layer, or for each rank
-   where that is not many more. *)
-type 'a computed = { value : 'a array; steps : int array; by_rank : bool }
-
-let never = max_int
+(* {1 Places} *)
 
 (* The index of a rank in a layer. *)
 let index layer rank =
@@ -301,102 +296,7 @@ let index layer rank =
   in
   find 0 (Int_array.length layer.nodes - 1)
 
-type 'a backwards = {
-  numbers : 'a Arithmetic.t;
-  computed : 'a computed array;  (** of each layer; empty where it is not needed any more *)
-  taken : Int_array.t array;
-  (** Of each place the branch with the fewest steps to the goal, counted through all its choices. It is empty if
-      no run is wanted. *)
-}
-
-let slot computed layer rank = if computed.by_rank then rank else index layer rank
-
-let find b layer rank get ~goal ~fail =
-  if rank = at_goal then goal
-  else if rank = at_fail then fail
-  else
-    let computed = b.computed.(layer.index) in
-    (get computed).(slot computed layer rank)
-
 let rank_of t s = if s < 0 then s else Int_array.get t.rank s
-
-let best_of (side : Timed_formula.side) compare a b =
-  match side with Least -> if compare b a < 0 then b else a | Greatest -> if compare b a > 0 then b else a
-
-(* The fewest steps by one of the choices with the best value, and the first branch that begins so. *)
-let shortest t b layer choices values best =
-  let least = ref never and taken = ref 0 and k = ref 0 in
-  Array.iteri
-    (fun c { target; delay; _ } ->
-       let attains = b.numbers.compare values.(c) best = 0 in
-       Array.iteri
-         (fun i s ->
-            if attains then begin
-              let next = later t layer delay.(i) in
-              let rest = find b next (rank_of t s) (fun c -> c.steps) ~goal:0 ~fail:never in
-              if rest < !least then begin
-                least := rest;
-                taken := !k
-              end
-            end;
-            incr k)
-         target)
-    choices;
-  ((if !least = never then never else !least + 1), !taken)
-
-let compute_place t b ~trace layer i =
-  let rank = Int_array.get layer.nodes i in
-  let s = Int_array.get t.node_of rank in
-  let choices = choices_of t layer s in
-  let value { weights; target; delay } =
-    b.numbers.mean weights (fun k ->
-        let next = if delay.(k) = 0 then layer else later t layer delay.(k) in
-        find b next (rank_of t target.(k)) (fun c -> c.value) ~goal:b.numbers.one ~fail:b.numbers.zero)
-  in
-  let values = Array.map value choices in
-  let best = Array.fold_left (best_of t.question.side b.numbers.compare) values.(0) values in
-  let computed = b.computed.(layer.index) in
-  let slot = if computed.by_rank then rank else i in
-  computed.value.(slot) <- best;
-  if trace then begin
-    let steps, taken = shortest t b layer choices values best in
-    computed.steps.(slot) <- steps;
-    Int_array.set b.taken.(layer.index) i taken
-  end
-
-(* From the last layer back. [keep] is called once a layer is computed. *)
-let backwards t (effort : Effort.t) numbers ~trace keep =
-  let count = Array.length t.layers in
-  let none = { value = [||]; steps = [||]; by_rank = false } in
-  let b = { numbers; computed = Array.make count none; taken = Array.make count (Int_array.make 0 0) } in
-  let over = Array.make count [] in
-  Array.iter (fun layer -> over.(layer.first) <- layer.index :: over.(layer.first)) t.layers;
-  for k = count - 1 downto 0 do
-    if effort.interrupted () then raise Interrupted;
-    let layer = t.layers.(k) in
-    let n = Int_array.length layer.nodes in
-    let ranks = Int_array.length t.node_of in
-    let by_rank = n > ranks / 8 in
-    let slots = if by_rank then ranks else n in
-    b.computed.(k) <-
-      { value = Array.make slots numbers.zero; steps = (if trace then Array.make slots never else [||]); by_rank };
-    if trace then b.taken.(k) <- Int_array.make n 0;
-    for i = 0 to n - 1 do
-      compute_place t b ~trace layer i
-    done;
-    keep b layer;
-    List.iter (fun l -> b.computed.(l) <- none) over.(k)
-  done;
-  b
-
-(* {1 Values of the starts} *)
-
-type values = Answer.t Places.t
-
-let value values = function
-  | Goal -> Answer.Exact Rat.one
-  | Fail -> Exact Rat.zero
-  | Go p -> Places.find values p
 
 let layer_of t time =
   let rec find low high =
@@ -405,111 +305,6 @@ let layer_of t time =
     if c = 0 then t.layers.(middle) else if c < 0 then find (middle + 1) high else find low (middle - 1)
   in
   find 0 (Array.length t.layers - 1)
-
-let by_time t =
-  let table = Hashtbl.create 16 in
-  let add = function
-    | Goal | Fail | Go { elapsed = None; _ } -> ()
-    | Go ({ elapsed = Some time; _ } as p) ->
-      Hashtbl.add table (layer_of t time).index p
-  in
-  List.iter add t.starts;
-  table
-
-let rationals t effort numbers =
-  let starts = by_time t and found = Places.create 16 in
-  let keep b layer =
-    let note (p : place) =
-      let x = find b layer (rank_of t p.node) (fun c -> c.value) ~goal:numbers.Arithmetic.one ~fail:numbers.zero in
-      Places.replace found p (numbers.to_rat x)
-    in
-    List.iter note (Hashtbl.find_all starts layer.index)
-  in
-  ignore (backwards t effort numbers ~trace:false keep);
-  found
-
-let map f table =
-  let result = Places.create (Places.length table) in
-  Places.iter (fun p x -> Places.replace result p (f p x)) table;
-  result
-
-let unknown t =
-  let found = Places.create 16 in
-  List.iter (function Go p -> Places.replace found p (Answer.Within (Rat.zero, Rat.one)) | Goal | Fail -> ()) t.starts;
-  found
-
-let enclosed t effort =
-  let low = rationals t effort (Arithmetic.rounded Down) in
-  let high = rationals t effort (Arithmetic.rounded Up) in
-  map
-    (fun p low ->
-       let high = Places.find high p in
-       if Rat.equal low high then Answer.Exact low else Within (low, high))
-    low
-
-(* Powers of a long base would be longer than the numbers themselves. *)
-let longest_base = 64
-
-type 'r user = { use : 'a. 'a Arithmetic.t -> 'r }
-
-let exactly t (effort : Effort.t) { use } =
-  if Z.numbits t.base <= longest_base then use (Arithmetic.exact ~base:t.base ~bits:effort.bits)
-  else use (Arithmetic.rational ~bits:effort.bits)
-
-let solve t (effort : Effort.t) =
-  let exact () = map (fun _ x -> Answer.Exact x) (exactly t effort { use = (fun numbers -> rationals t effort numbers) }) in
-  try
-    match effort.engine with
-    | Nearly -> enclosed t effort
-    | Exactly -> exact ()
-    | Either -> ( try exact () with Arithmetic.Too_long -> enclosed t effort)
-  with Interrupted | Arithmetic.Too_long -> unknown t
-
-(* {1 Runs} *)
-
-let rec nth_branch choices k =
-  match choices with
-  | [] -> Scc_base.Bug.fail __POS__ "a branch that a place does not have"
-  | branches :: rest ->
-    let n = List.length branches in
-    if k < n then List.nth branches k else nth_branch rest (k - n)
-
-let follow t taken start =
-  let rec go next trail =
-    match next with
-    | Goal -> List.rev trail
-    | Fail | Go { elapsed = None; _ } -> Scc_base.Bug.fail __POS__ "a run to the goal does not come there"
-    | Go ({ elapsed = Some time; node } as p) ->
-      let layer = layer_of t time in
-      let k = Int_array.get taken.(layer.index) (index layer (rank_of t node)) in
-      let branch = nth_branch (Decisions.choices t.question t.window p) k in
-      go branch.next ((p, branch) :: trail)
-  in
-  go start []
-
-let traced t effort start numbers =
-  let arrives = ref (match start with Goal -> true | Fail | Go _ -> false) in
-  let keep b layer =
-    match start with
-    | Go { node; elapsed = Some time } when Rat.equal time layer.time ->
-      arrives := find b layer (rank_of t node) (fun c -> c.steps) ~goal:0 ~fail:never < never
-    | Goal | Fail | Go _ -> ()
-  in
-  let b = backwards t effort numbers ~trace:true keep in
-  if !arrives then Some (follow t b.taken start) else None
-
-let run t (effort : Effort.t) start =
-  let exact () = exactly t effort { use = (fun numbers -> traced t effort start numbers) } in
-  let near () =
-    traced t effort start (Arithmetic.rounded (match t.question.side with Least -> Up | Greatest -> Down))
-  in
-  try
-    match effort.engine with
-    | _ when not t.free -> traced t effort start Arithmetic.nothing
-    | Nearly -> near ()
-    | Exactly -> exact ()
-    | Either -> ( try exact () with Arithmetic.Too_long -> near ())
-  with Interrupted | Arithmetic.Too_long -> None
 
 (* {1 Arrivals} *)
 
@@ -545,3 +340,18 @@ let arrivals t =
     Moments.fold (fun m -> Moments.add (later m)) !here all
   in
   Moments.elements (Array.fold_left add Moments.empty t.layers)
+
+(* {1 What others read} *)
+
+let question t = t.question
+let window t = t.window
+let starts t = t.starts
+let is_free t = t.free
+let base t = t.base
+let all t = t.layers
+let time (layer : layer) = layer.time
+let number (layer : layer) = layer.index
+let first_source layer = layer.first
+let ranks layer = layer.nodes
+let node_of t rank = Int_array.get t.node_of rank
+let count t = Int_array.length t.node_of

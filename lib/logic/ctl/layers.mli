@@ -1,11 +1,24 @@
-(** The probability of "f until g" within a window of time that ends: the places of {!Decisions}, layer by layer. A
-    layer is the places that are entered at one time. Time passes from a layer to later ones only, so the values of
-    a layer follow from those of later layers, from the last one back. Values are kept of the layers only that are
-    still needed.
+(** The places of {!Decisions} for "f until g" within a window of time that ends, layer by layer. A layer is the
+    places that are entered at one time. Time passes from a layer to later ones only. Within a layer, nodes have
+    ranks such that edges lead to smaller ones. So values can be computed from the last layer back ({!Layered}).
 
     It works if no run comes back to a node in no time. Otherwise a layer would be a system of equations. *)
 
+open Scc_data
+open Scc_exact
 open Scc_chance
+
+(** A choice of a place. For each branch [target] is a node, or {!at_goal} or {!at_fail}, and [delay] the number of
+    a delay: 0 for no time. *)
+type choice = { weights : Arithmetic.weights; target : int array; delay : int array }
+
+val at_goal : int
+(** The target of a branch that leads to [Goal]. *)
+
+val at_fail : int
+(** The target of a branch that leads to [Fail]. *)
+
+type layer
 
 type t
 (** The layers of the places that can be reached from some starts. *)
@@ -14,19 +27,56 @@ val make : Decisions.question -> Decisions.window -> Decisions.next list -> t op
 (** [make q w starts] is the layers of all places that can be reached from the starts. It is [None] if the window
     has no end, or if some of these runs may come back to a node in no time. *)
 
-type values
+val question : t -> Decisions.question
+(** [question t] is the question given to {!make}. *)
 
-val value : values -> Decisions.next -> Answer.t
-(** [value v next] is the probability from one of the starts: [Exact] or [Within]. *)
+val window : t -> Decisions.window
+(** [window t] is the window given to {!make}. *)
 
-val solve : t -> Effort.t -> values
-(** [solve t effort] is the probabilities of all starts. With the engine [Either] they are exact if no number is
-    longer than the effort allows, and otherwise an interval of which both ends were rounded outwards
-    ({!Arithmetic.rounded}). They are from 0 to 1 if the computation was interrupted. *)
+val starts : t -> Decisions.next list
+(** [starts t] is the starts given to {!make}. *)
 
-val run : t -> Effort.t -> Decisions.next -> (Decisions.place * Decisions.branch) list option
-(** [run t effort start] is a run from one of the starts to [Goal] with the fewest steps: each place with the branch
-    taken there, in order. It takes choices that attain the probability. It is [None] if none leads to [Goal]. *)
+val is_free : t -> bool
+(** [is_free t] is true if some place has several choices. *)
+
+val base : t -> Z.t
+(** [base t] is a common multiple of the sums of the weights of all choices. *)
+
+val all : t -> layer array
+(** [all t] is the layers in the order of their times. The array must not be changed. *)
+
+val layer_of : t -> Rat.t -> layer
+(** [layer_of t time] is the layer of this time. There is one (a bug otherwise). *)
+
+val time : layer -> Rat.t
+(** [time layer] is when its places are entered. *)
+
+val number : layer -> int
+(** [number layer] is its index in {!all}. *)
+
+val first_source : layer -> int
+(** [first_source layer] is the number of the first layer of which a branch leads to it, or its own. *)
+
+val ranks : layer -> Int_array.t
+(** [ranks layer] is the ranks of the nodes of its places, increasing. The array must not be changed. *)
+
+val later : t -> layer -> int -> layer
+(** [later t layer delay] is the layer to which a branch with the delay of this number leads. *)
+
+val choices_of : t -> layer -> int -> choice array
+(** [choices_of t layer s] is the choices of node [s] in this layer, in the order of {!Decisions.choices}. *)
+
+val index : layer -> int -> int
+(** [index layer rank] is the index of a rank in {!ranks}. It is there. *)
+
+val rank_of : t -> int -> int
+(** [rank_of t target] is the rank of a node, and [target] itself for {!at_goal} and {!at_fail}. *)
+
+val node_of : t -> int -> int
+(** [node_of t rank] is the node with this rank. *)
+
+val count : t -> int
+(** [count t] is the number of ranks: they are from 0 on. *)
 
 val arrivals : t -> Timeline.moment list
 (** [arrivals t] is the times at which some run from a start may meet g, increasing, each once. Times are elapsed

@@ -15,7 +15,7 @@ type question = Decisions.question = {
 (* {1 Solving} *)
 
 (* Layer by layer where a bound of time allows it, or as one system of equations. *)
-type solution = Layered of Layers.values | Whole of built * Solution.t
+type solution = Layered of Layered.values | Whole of built * Solution.t
 type process = { question : question; seen_from : window; solution : solution }
 
 let solve_whole q effort w starts =
@@ -25,7 +25,7 @@ let solve_whole q effort w starts =
 let solve q effort w starts =
   let solution =
     match Layers.make q w starts with
-    | Some layers -> Layered (Layers.solve layers effort)
+    | Some layers -> Layered (Layered.solve layers effort)
     | None ->
       let built, solution = solve_whole q effort w starts in
       Whole (built, solution)
@@ -34,7 +34,7 @@ let solve q effort w starts =
 
 let value process next =
   match process.solution with
-  | Layered values -> Layers.value values next
+  | Layered values -> Layered.value values next
   | Whole (built, solution) -> Solution.value solution (number built next)
 
 let within q effort w starts = value (solve q effort w starts)
@@ -189,12 +189,12 @@ let run_of_whole q effort w position first =
 
 (* Each choice with which a position begins has one branch. *)
 let run_of_layers q effort w position first layers =
-  let process () = { question = q; seen_from = w; solution = Layered (Layers.solve layers effort) } in
+  let process () = { question = q; seen_from = w; solution = Layered (Layered.solve layers effort) } in
   match first_choice process first with
   | [ branch ] ->
     let begun = { source = start_of w position; branch } in
     let trail rest = List.rev (begun :: List.map (fun (source, branch) -> { source; branch }) rest) in
-    Option.map (fun rest -> to_run q w position (trail rest)) (Layers.run layers effort branch.next)
+    Option.map (fun rest -> to_run q w position (trail rest)) (Layered.run layers effort branch.next)
   | _ -> None
 
 let run q effort position =

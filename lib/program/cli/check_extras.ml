@@ -176,9 +176,9 @@ let explored e (budget : Scc_verdicts.Budget.t) =
 
 let curve =
   let doc =
-    "Reports the probability that the check $(docv) asks for as a function of time. The check asks $(b,P = ?) of an \
-     operator with a bound of time. A table lists all times up to the end of this bound at which the probability \
-     changes, and its value from there on. One exploration and one pass over its graph give all of them."
+    "Reports the probability that the check $(docv) asks for as a function of time. The check asks $(b,P = ?) of \
+     an operator with a bound of time. A table lists all times up to the end of this bound at which the \
+     probability changes, and its value from there on. All of them come of one exploration."
   in
   Arg.(value & opt (some string) None & info [ "curve" ] ~docv:"NAME" ~doc)
 
@@ -187,8 +187,8 @@ let plot =
   Arg.(value & opt (some Options.named) None & info [ "curve-plot" ] ~docv:"FILE" ~doc)
 
 let term =
-  let make witness coverage stats sarif reductions order compact where smt draw axes slice prove invariant curve plot
-      full jobs store =
+  let make witness coverage stats sarif reductions order compact where smt draw axes slice prove invariant curve
+      plot full jobs store =
     let prove = prove || Option.is_some invariant in
     {
       witness; coverage; stats; sarif; reductions; order; compact; where; smt; draw; axes; slice; prove; invariant;

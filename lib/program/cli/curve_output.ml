@@ -8,7 +8,7 @@ open Scc_svg
 
 let end_of (check : Property.check) =
   match (check.asked, check.formula) with
-  | How_likely _, (Finally (_, { high; _ }, _) | Globally (_, { high; _ }, _) | Until (_, { high; _ }, _, _)) -> high
+  | How_likely _, (Finally (_, bound, _) | Globally (_, bound, _) | Until (_, bound, _, _)) -> bound.high
   | _ -> None
 
 let refused (l : Loaded.t) name =
@@ -20,8 +20,8 @@ let refused (l : Loaded.t) name =
       | None -> fail (Printf.sprintf "the model has no check `%s'" name)
       | Some check when Option.is_none (end_of check) ->
         fail
-          (Printf.sprintf "`%s' does not ask for a probability within a time, as `P = ? [ eventually f within t ]' does"
-             name)
+          (Printf.sprintf
+             "`%s' does not ask for a probability within a time, as `P = ? [ eventually f within t ]' does" name)
       | Some _ -> Ok ())
 
 let lines (v : Verdict.t) =
@@ -59,7 +59,9 @@ let panel (o : Verdict.outcome) : Chart.panel option =
   match (o.verdict, end_of o.check) with
   | Measured { curve = first :: _ as curve; _ }, Some last ->
     let column k (side, _) : Chart.curve =
-      let row (p : Verdict.point) = (fst (Algebraic.enclose p.moment.offset ~width:near), snd (List.nth p.answer k)) in
+      let row (p : Verdict.point) =
+        (fst (Algebraic.enclose p.moment.offset ~width:near), snd (List.nth p.answer k))
+      in
       let name = match (side : Property.side) with Least -> "least" | Greatest -> "greatest" in
       { name; pieces = [ steps last (List.map row curve) ] }
     in

@@ -1,5 +1,5 @@
-(* Probabilities within a bound of time, layer by layer, against one system of equations for all places and times; on
-   random small graphs, half of them without ways back in no time. *)
+(* Probabilities within a bound of time, layer by layer, against one system of equations for all places and times.
+   The graphs are small and random; most have no ways back in no time. *)
 
 open Scc_ctl
 open Scc_exact
@@ -75,14 +75,14 @@ let agrees c =
   | None -> true
   | Some layers ->
     incr by_layers;
-    let exact = Layers.solve layers Effort.default in
-    let near = Layers.solve layers { Effort.default with engine = Nearly } in
-    let fractions = Layers.solve layers { Effort.default with bits = 8 } in
+    let exact = Layered.solve layers Effort.default in
+    let near = Layered.solve layers { Effort.default with engine = Nearly } in
+    let fractions = Layered.solve layers { Effort.default with bits = 8 } in
     let good next =
       let x = expected next in
-      same (Layers.value exact next) x
-      && Answer.contains (Layers.value near next) (exactly x)
-      && Answer.contains (Layers.value fractions next) (exactly x)
+      same (Layered.value exact next) x
+      && Answer.contains (Layered.value near next) (exactly x)
+      && Answer.contains (Layered.value fractions next) (exactly x)
     in
     List.for_all good starts
 
@@ -113,10 +113,10 @@ let shows c =
   match Layers.make q w starts with
   | None -> true
   | Some layers ->
-    let values = Layers.solve layers Effort.default in
+    let values = Layered.solve layers Effort.default in
     let good next =
-      let positive = Rat.sign (exactly (Layers.value values next)) > 0 in
-      match Layers.run layers Effort.default next with
+      let positive = Rat.sign (exactly (Layered.value values next)) > 0 in
+      match Layered.run layers Effort.default next with
       | None -> not positive
       | Some trail ->
         let least, free = distance next in
