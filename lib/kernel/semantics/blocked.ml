@@ -80,7 +80,8 @@ let blocked (c : Semantics.t) ~kicked (s : State.t) =
   let pairs = near_each_other c ~kicked s in
   let add i other = By_process.update i (fun others -> Some (other :: Option.value others ~default:[])) in
   let join near two = near |> add two.first (two.second, two) |> add two.second (two.first, two) in
-  let near = List.fold_left join By_process.empty (List.filter (fun t -> kicked t.first && kicked t.second) pairs) in
+  let of_kicks = List.filter (fun two -> kicked two.first && kicked two.second) pairs in
+  let near = List.fold_left join By_process.empty of_kicks in
   let beside i =
     Option.value (By_process.find_opt i near) ~default:[]
     |> List.filter_map (fun (j, two) -> if sweeps_meet c two then Some j else None)

@@ -9,5 +9,5 @@ val stopped : Semantics.t -> State.t -> State.t
 
 val waiting : Semantics.t -> kicked:(int -> bool) -> State.t -> State.t
 (** [waiting c ~kicked s] is [s] in which those processes stand still whose kicks are blocked; in models whose
-    walkers take all kicks, [s] itself. [s] has the velocities that all have drawn. [kicked] is true for the indices
-    of the processes that have drawn now. *)
+    walkers take all kicks, [s] itself. [s] has the velocities that all have drawn. [kicked] is true for the
+    indices of the processes that have drawn now. *)

@@ -180,7 +180,8 @@ let check_blocked t report ~spins =
   match t.blocked with
   | Some { value = Some (Model.Stop | Wait); at } when is_rigid t ~spins || Option.is_some t.velocity ->
     Report.error report Code.not_yet at
-      "walkers bounce where bodies turn or velocities are rounded: neither `blocked stop` nor `blocked wait` can be had"
+      "walkers bounce where bodies turn or velocities are rounded: neither `blocked stop` nor `blocked wait` can \
+       be had"
   | Some _ | None -> ()
 
 let check t report ~spins =

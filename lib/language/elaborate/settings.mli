@@ -1,6 +1,6 @@
 (** The settings of a model, each given at most once (SC0212). [collisions], [binding] and [bonds] are those of
-    readings I-32, I-33 and I-37; [blocked] is that of rule Blocked. [dynamics], [resolution] and [round] belong to rigid motion (rules Turn and
-    Round). *)
+    readings I-32, I-33 and I-37; [blocked] is that of rule Blocked. [dynamics], [resolution] and [round] belong to
+    rigid motion (rules Turn and Round). *)
 
 open Scc_base
 open Scc_syntax

@@ -29,7 +29,7 @@ shape Wedge {
 }
 |}
 
-(* A kind of body, how far it stands from the middle of its first square, in halves, and the squares that it takes. *)
+(* A kind of body, how far it is from the middle of its first square, in halves, and the squares that it takes. *)
 let kinds =
   [
     ("box(1,1,1) mass 1", (0, 0, 0), [ (0, 0) ]);
@@ -71,7 +71,11 @@ let walls floor =
 let walk_gen =
   let open Gen in
   let* floor =
-    oneofl [ { columns = 3; rows = 3 }; { columns = 3; rows = 2 }; { columns = 5; rows = 1 }; { columns = 4; rows = 2 } ]
+    oneofl
+      [
+        { columns = 3; rows = 3 }; { columns = 3; rows = 2 }; { columns = 5; rows = 1 };
+        { columns = 4; rows = 2 };
+      ]
   in
   let* wanted = 2 -- 3 in
   let rec bodies i ~tries taken text =
@@ -148,7 +152,7 @@ let chain c start =
 
 let seen = ref 0
 
-(* With equal chances both ways, the uniform distribution stays as it is: what comes to a place is what leaves it. *)
+(* With equal chances both ways, the uniform distribution stays as it is: as much comes to a place as leaves it. *)
 let is_symmetric known =
   let chance x y = Option.value ~default:Rat.zero (Places.find_opt y (Places.find x known)) in
   let both x y _ =
@@ -223,6 +227,7 @@ let suite =
       ("Blocked", Scc_test_support.Property.cases [ balanced; no_jam ]);
       ( "cases",
         [
-          Alcotest.test_case "pairs of places, many" `Quick some_seen; Alcotest.test_case "Blocked: rows" `Quick by_cases;
+          Alcotest.test_case "pairs of places, many" `Quick some_seen;
+          Alcotest.test_case "Blocked: rows" `Quick by_cases;
         ] );
     ] )

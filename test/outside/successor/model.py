@@ -145,7 +145,7 @@ class Model:
                 self.settings[word] = self.number(item[1], env)
                 self.local = self.local or "local" in item[2:]
                 self.steady = self.steady or "steady" in item[2:]
-            elif word in ("dynamics", "collisions", "binding", "bonds"):
+            elif word in ("dynamics", "collisions", "binding", "bonds", "blocked"):
                 self.settings[word] = item[1]
             elif word == "round":
                 self.rounding[item[1]] = self.number(item[2], env)
@@ -398,6 +398,8 @@ class Model:
         self.together = self.settings.get("collisions") == "together"
         self.by_contact = self.settings.get("binding") == "contact"
         self.cyclic = self.settings.get("bonds") == "cyclic"
+        if self.settings.get("blocked", "bounce") != "bounce":
+            raise Refused("walkers that do not bounce (Blocked)")
         if self.rigid and self.by_contact:
             raise Refused("binding contact in a rigid model (I-33)")
         behaviours = list(self.behaviours.values())

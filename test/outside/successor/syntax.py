@@ -28,7 +28,7 @@ _LETTERS = {
 }  # fmt: skip
 
 DECLARATIONS = {
-    "model", "param", "timestep", "split_step", "dynamics", "collisions", "binding", "bonds",
+    "model", "param", "timestep", "split_step", "dynamics", "collisions", "binding", "bonds", "blocked",
     "resolution", "round", "shape",
     "compound", "behaviour", "process", "fixed", "bond", "for", "network", "motion", "let",
     "check",
@@ -452,7 +452,7 @@ class Reader:
             return (word, name, self.expr())
         if word in ("timestep", "split_step", "resolution"):
             return self._setting(word)
-        if word in ("dynamics", "collisions", "binding", "bonds"):
+        if word in ("dynamics", "collisions", "binding", "bonds", "blocked"):
             return (word, self.name())
         if word == "round":
             return (word, self.next(), self.expr())
