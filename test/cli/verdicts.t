@@ -518,3 +518,21 @@ Where a bound ended an exploration in which event times grew ever slower, the ve
   forever: holds up to the bound: the bound of 120 states; event times grow ever slower
   $ scc check closing.sc --states 120 --json | grep -c '"slowing"'
   1
+
+--check names what to decide; the others are not explored for. A store of other checks is refused:
+
+  $ scc check ../../specs/models/hexokinase.sc --check together --check reaction --store named | grep -e : -e ^1
+  semantics 3: split step 1
+  reaction: holds (exhaustive), at split step 1
+    a run that shows it:
+      there:
+  together: holds (exhaustive), at split step 1
+  explored: 11 states, 16 transitions, depth 5, model time 2; complete
+  2 properties: 2 hold
+  $ scc check ../../specs/models/hexokinase.sc --check together --store named
+  named: error[SC0911]: it keeps something else: --check is together,reaction there, and together here
+  [3]
+  $ scc check ../../specs/models/hexokinase.sc --check togther
+  command line: error[SC0201]: the model has no check `togther`
+    hint: did you mean `together`?
+  [64]

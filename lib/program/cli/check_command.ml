@@ -181,6 +181,7 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let measured = Measured.start () in
   let* l = Measured.phase measured "read" (fun () ->
       Input.model console ~overrides:given.values ~narrowed:given.narrowed path) in
+  let* l = Chosen_checks.only l extras.checks in
   let zones = Verdicts.over_zones l in
   let where = extras.where || Option.is_some extras.smt || Option.is_some extras.draw in
   let* () = fitting extras l ~zones ~where in

@@ -2,6 +2,7 @@ open Scc_state_space
 open Cmdliner
 
 type t = {
+  checks : string list;
   witness : string option;
   coverage : bool;
   stats : bool;
@@ -22,6 +23,10 @@ type t = {
   jobs : int option;
   store : string option;
 }
+
+let checks =
+  Chosen_checks.option
+    ~doc:"Decides only the check $(docv), as if the model had no others. May be given several times."
 
 let witness =
   let doc =
@@ -164,6 +169,7 @@ let explored e (budget : Scc_verdicts.Budget.t) =
   let number = function None -> "default" | Some n -> string_of_int n in
   [
     ("what is kept", "explorations of scc check");
+    ("--check", match e.checks with [] -> "not given" | names -> String.concat "," names);
     ("--no-reduce", String.concat "," (List.filter_map (fun k ->
          if List.exists (Reduction.equal k) e.reductions then None else Some (Reduction.name k)) Reduction.all));
     ("--shortest", match e.order with State_graph.By_steps -> "steps" | By_time -> "time");
@@ -187,16 +193,17 @@ let plot =
   Arg.(value & opt (some Options.named) None & info [ "curve-plot" ] ~docv:"FILE" ~doc)
 
 let term =
-  let make witness coverage stats sarif reductions order compact where smt draw axes slice prove invariant curve
-      plot full jobs store =
+  let make checks witness coverage stats sarif reductions order compact where smt draw axes slice prove invariant
+      curve plot full jobs store =
     let prove = prove || Option.is_some invariant in
     {
-      witness; coverage; stats; sarif; reductions; order; compact; where; smt; draw; axes; slice; prove; invariant;
-      curve; plot; full; jobs; store;
+      checks; witness; coverage; stats; sarif; reductions; order; compact; where; smt; draw; axes; slice; prove;
+      invariant; curve; plot; full; jobs; store;
     }
   in
   Term.(
-    const make $ witness $ coverage $ stats $ sarif $ reductions $ order $ compact $ where $ smt $ draw $ axes
+    const make $ checks
+    $ witness $ coverage $ stats $ sarif $ reductions $ order $ compact $ where $ smt $ draw $ axes
     $ slice $ prove $ invariant $ curve $ plot
     $ Options.full
       "Prints runs in full: every step and every body, and numbers with all their digits; in JSON all steps of \

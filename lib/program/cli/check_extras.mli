@@ -2,6 +2,7 @@
 
 (** The options as given. *)
 type t = {
+  checks : string list;  (** the names of those to decide; none stands for all *)
   witness : string option;  (** a folder for schedules *)
   coverage : bool;
   stats : bool;

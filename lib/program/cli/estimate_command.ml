@@ -50,22 +50,6 @@ let properties console (l : Loaded.t) texts =
   in
   all 0 [] questions
 
-let named checks name =
-  let base (c : Property.check) = List.hd (String.split_on_char '[' c.name) in
-  let is_meant (c : Property.check) = String.equal name c.name || String.equal name (base c) in
-  match List.filter is_meant checks with
-  | [] -> Error [ Input.no_check Code.unknown_name Span.command_line name checks ]
-  | found -> Ok found
-
-let of_names checks names =
-  let rec all found = function
-    | [] -> Ok (List.concat (List.rev found))
-    | name :: rest ->
-      let* those = named checks name in
-      all (those :: found) rest
-  in
-  all [] names
-
 let refused (c : Property.check) why =
   [ Diag.error Code.type_mismatch c.span "`%s` cannot be estimated: %s" c.name why ]
 
@@ -178,7 +162,7 @@ let estimate console o watch =
   Console.report console model.warnings;
   let* loaded, added = properties console model o.properties in
   let by_name = o.checks <> [] || added <> [] in
-  let* named = of_names loaded.checks o.checks in
+  let* named = Chosen_checks.of_names loaded.checks o.checks in
   let asked = if by_name then named @ added else model.checks in
   let* paths, left_out = paths model asked ~by_name in
   let size = match o.runs with Some n -> Estimation.Exactly n | None -> At_most o.most in
@@ -227,9 +211,7 @@ let run color progress json o =
 
 (* {1 The command line} *)
 
-let checks =
-  let doc = "Estimates only the check $(docv). May be given several times." in
-  Arg.(value & opt_all string [] & info [ "check" ] ~docv:"NAME" ~doc)
+let checks = Chosen_checks.option ~doc:"Estimates only the check $(docv). May be given several times."
 
 let properties =
   let doc =

@@ -1,0 +1,36 @@
+open Scc_base
+open Scc_property
+open Scc_loading
+open Cmdliner
+
+let option ~doc = Arg.(value & opt_all string [] & info [ "check" ] ~docv:"NAME" ~doc)
+
+let named checks name =
+  let base (c : Property.check) = List.hd (String.split_on_char '[' c.name) in
+  let is_meant (c : Property.check) = String.equal name c.name || String.equal name (base c) in
+  match List.filter is_meant checks with
+  | [] ->
+    let names = List.map (fun (c : Property.check) -> c.name) checks in
+    Error
+      [
+        Diag.error Code.unknown_name Span.command_line ?hint:(Diag.suggest name names)
+          "the model has no check `%s`" name;
+      ]
+  | found -> Ok found
+
+let of_names checks names =
+  let add found name =
+    let* found = found in
+    let* those = named checks name in
+    Ok (those :: found)
+  in
+  Result.map (fun found -> List.concat (List.rev found)) (List.fold_left add (Ok []) names)
+
+let only (l : Loaded.t) = function
+  | [] -> Ok l
+  | names ->
+    let* chosen = of_names l.checks names in
+    let is_chosen (c : Property.check) =
+      List.exists (fun (d : Property.check) -> String.equal c.name d.name) chosen
+    in
+    Ok { l with checks = List.filter is_chosen l.checks; premises = List.filter is_chosen l.premises }
