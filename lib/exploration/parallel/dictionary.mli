@@ -15,7 +15,7 @@ val put : t -> Buffer.t -> bytes:(int -> string) -> int -> unit
 val read : t -> Packed.source -> number:(string -> int) -> int
 (** [read d source ~number] reads a thing and returns its number on this side. [number] gives the number from the
     bytes, if these are in the source. What was read may be {!put} by its common number. Raises
-    {!Packed.Malformed}. *)
+    {!Scc_codec.Packed.Malformed}. *)
 
 val knows : t -> int -> bool
 (** [knows d number] is true if the thing that has [number] on this side has a common number. *)

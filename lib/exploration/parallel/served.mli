@@ -5,7 +5,7 @@
     reply is a heading and an answer for each state. An answer is one of these:
     - 0, if the process that has the graph must find the transitions itself;
     - 1, and all transitions;
-    - 2, some transitions that may be enough ({!Lts.S.reduced}), and all of them. *)
+    - 2, some transitions that may be enough ({!Scc_graph_search.Lts.S.reduced}), and all of them. *)
 
 open Scc_codec
 open Scc_graph_search
@@ -29,11 +29,11 @@ module Make (L : Lts.S) (E : Lts.Exchange with type context = L.context) : sig
   (** Appends one state of a request. *)
 
   val read_heading : Packed.source -> heading
-  (** Reads the heading of a reply. Raises {!Packed.Malformed}. *)
+  (** Reads the heading of a reply. Raises {!Scc_codec.Packed.Malformed}. *)
 
   val read_answer : Wire.t -> Packed.source -> answer
   (** Reads the next answer of a reply. The answers of all replies of a worker must be read in their order. Raises
-      {!Packed.Malformed} and [Failure]. *)
+      {!Scc_codec.Packed.Malformed} and [Failure]. *)
 
   val serve : L.context -> Channel.t -> unit
   (** [serve context channel] is the work of a worker. It answers requests until {!Channel.Closed} is raised. *)

@@ -1,5 +1,5 @@
 (** Transitions as bytes, for another process or for a later run. Numbers of labels and of components are sent by
-    {!Dictionary}, one for the labels and one for each family of slots. Readers raise {!Packed.Malformed} and
+    {!Dictionary}, one for the labels and one for each family of slots. Readers raise [Packed.Malformed] and
     [Failure]. *)
 
 open Scc_codec

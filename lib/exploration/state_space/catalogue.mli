@@ -12,7 +12,7 @@ type t
 val create : marked:bool -> time_seen:Scc_property.Time_seen.t -> memory:int -> Model.t -> t
 (** [create ~marked ~time_seen ~memory m] is an empty catalogue. With [marked], tuples have a slot for a mark.
     Times that [time_seen] does not tell apart get one number (rule AbsoluteTime). [memory], a power of two,
-    bounds the number of processes in the cache of {!body}. *)
+    bounds the number of processes in the cache of {!val-body}. *)
 
 val model : t -> Model.t
 (** The model of the states. *)
@@ -137,7 +137,7 @@ val time_label : t -> Rat.t -> int
 (** The number of the label of a passing of time by this much. *)
 
 val hash_label : Transition.label -> int
-(** A hash that agrees with {!Transition.equal_label}. *)
+(** A hash that agrees with {!Scc_semantics.Transition.equal_label}. *)
 
 (** The draws and lots of one instant as one transition (rule JoinedDraws): the chance of all of them together, and
     the number of transitions that it stands for. *)

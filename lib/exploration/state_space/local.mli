@@ -31,7 +31,7 @@ type alone = private {
   boxes : Float_box.t array;  (** the boxes of its parts, in the world *)
   line : Moving_boxes.t Scc_base.Later.t;
   (** a box about all its parts, and then the boxes of the parts, on their course for ever *)
-  mutable passed : Rat.t;  (** the last argument of {!after} *)
+  mutable passed : Rat.t;  (** the last argument of {!val-after} *)
   mutable after : int;  (** its result *)
 }
 
@@ -47,7 +47,7 @@ val semantics : t -> Semantics.t
 (** The semantics, with its own caches. *)
 
 val afresh : t -> Semantics.t
-(** The semantics without its cache of processes ({!Semantics.without_memo}), as this module caches the same
+(** The semantics without its cache of processes ([Semantics.without_memo]), as this module caches the same
     answers. *)
 
 val catalogue : t -> Catalogue.t

@@ -18,7 +18,7 @@ val make :
   ?memory:int ->
   ?few:int ->
   Semantics.t -> State.t -> context
-(** [make c initial] is the system that starts from [initial], a result of {!Network.initial}.
+(** [make c initial] is the system that starts from [initial], a result of {!Scc_semantics.Network.initial}.
     - [events] mark states: the tuple has the set of those that have just led to the state. By default there are
       none.
     - [time_seen] is the absolute times that states are distinguished by, if they have time; by default all of
@@ -68,7 +68,7 @@ val codec : context -> Scc_codec.State_codec.t
 
 val split_step : context -> Rat.t option
 (** The split step, if a weak split or a lot has come up in a state found so far; else [None], and also with
-    {!Model.Any_time}. In the calculus weak splits may happen at any time between split instants as well (reading
+    [Model.Any_time]. In the calculus weak splits may happen at any time between split instants as well (reading
     I-9). *)
 
 val given_up : context -> Transition.fault list
@@ -93,7 +93,7 @@ val keeps : context -> int array -> Property.quantity -> bool
 (** [keeps c tuple q] is {!Quotient.keeps} of the state. *)
 
 val choices : context -> State.t -> ((Transition.t * int array Lazy.t) list, Transition.fault) result
-(** Every transition of a state by the rules ({!Network.successors}), each with the representative tuple of its
+(** Every transition of a state by the rules ([Network.successors]), each with the representative tuple of its
     target. *)
 
 include Scc_graph_search.Lts.S with type context := context and type fault = Transition.fault

@@ -43,7 +43,7 @@ val energy : Model.t -> horizon:Rat.t option -> collide:bool -> t -> Rat.t optio
     no bound. One such body may pass energy on to another just before its own law is evaluated. *)
 
 val may_draw : t -> bool
-(** [may_draw t] is true if all leaves of the group together draw among {!Law.most_outcomes} velocities at most.
+(** [may_draw t] is true if all leaves of the group together draw among [Law.most_outcomes] velocities at most.
     Then their laws have no fault, whatever the leaves are bound to. *)
 
 val may_release : Model.t -> State.process -> bool

@@ -6,13 +6,13 @@ open Scc_calculus
 open Scc_property
 
 type kind =
-  | Symmetry  (** states that differ by a permutation of interchangeable leaves are one: {!Symmetry} *)
+  | Symmetry  (** states that differ by a permutation of interchangeable leaves are one: {!module-Symmetry} *)
   | Translation  (** states that differ by a translation of the whole network are one: {!Quotient} *)
   | Order  (** independent events of one instant happen in one order: {!Groups} *)
   | Jump  (** time does not stop at the ends of movement steps that change nothing (rule Jump) *)
-  | Slice  (** what cannot influence a property is left out: {!Slice} *)
-  | Drift  (** states that differ in the distances between bodies that never meet again are one: {!Drift} *)
-  | Time  (** absolute times that no formula or law tells apart are one: {!Time_seen} *)
+  | Slice  (** what cannot influence a property is left out: {!module-Slice} *)
+  | Drift  (** states that differ in the distances between bodies that never meet again are one: {!module-Drift} *)
+  | Time  (** absolute times that no formula or law tells apart are one: {!Scc_property.Time_seen} *)
   | Draws  (** the draws of one instant are one transition: {!Joint_draws} *)
 
 val equal : kind -> kind -> bool
@@ -44,7 +44,7 @@ val quotient :
     their parts explained, and allow less symmetry than those that are [searched]. *)
 
 val sees_far : kind list -> Model.t -> State.t -> Property.check list -> bool
-(** [sees_far kinds m initial checks] is true if {!Drift} is used and {!Drift.sees_far} holds: the checks depend
+(** [sees_far kinds m initial checks] is true if [Drift] is used and {!Drift.sees_far} holds: the checks depend
     on places however far bodies are from each other. *)
 
 val visible :

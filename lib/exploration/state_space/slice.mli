@@ -12,10 +12,10 @@
       body that has drawn still has its old velocity, but its future is decided. A formula that depends on both
       at once depends on the presence of others.
 
-    All of them name a leaf and have no global atom ({!Formula.global}). The transitions elsewhere at an instant
+    All of them name a leaf and have no global atom ([Formula.global]). The transitions elsewhere at an instant
     must not matter. An unrelated transition at the same instant makes an atom [event] false. So events may only
     count in favour of what is searched for. They may not be counted, nor be required all the way ([f] of [f U
-    g]). The horizon of the formulas is {!Plan.latest_horizon}.
+    g]). The horizon of the formulas is {!Scc_property.Plan.latest_horizon}.
 
     {1 Which models}
 

@@ -4,7 +4,7 @@ open Scc_exact
 open Scc_geometry
 open Scc_calculus
 
-(** Leaves that look alike ({!Families}): all of them are fixed, or none is. *)
+(** Leaves that look alike ({!Scc_calculus.Families}): all of them are fixed, or none is. *)
 type family = {
   name : string;
   solid : bool;  (** opaque; fixed bodies are transparent, since they would hide the bodies within them *)

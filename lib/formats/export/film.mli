@@ -29,7 +29,7 @@ val duration : t -> Rat.t
 (** The model time that the run takes. *)
 
 val at : t -> Rat.t -> State.t
-(** The state at a model time, by {!Course.at} or {!Ways.at}. *)
+(** The state at a model time, by {!Scc_motion.Course.at} or {!Ways.at}. *)
 
 val tracks : t -> Track.t array
 (** The track of each leaf of the model. *)

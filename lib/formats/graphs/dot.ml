@@ -46,12 +46,8 @@ let html s =
   let b = Buffer.create 64 in
   String.iter
     (function
-      | '<' -> Buffer.add_string b "&lt;"
-      | '>' -> Buffer.add_string b "&gt;"
-      | '&' -> Buffer.add_string b "&amp;"
-      | '"' -> Buffer.add_string b "&quot;"
       | '\x00' .. '\x1f' | '\x7f' -> Buffer.add_char b ' '
-      | c -> Buffer.add_char b c)
+      | c -> Scc_base.Markup.add b c)
     s;
   Buffer.contents b
 

@@ -50,10 +50,6 @@ let make ~positions model ~size state =
   done;
   { model; state; positions; common = !common; varies }
 
-let bond (m : Model.t) (b : State.bond) =
-  let site (f : State.finish) = Model.site_name m ~leaf:f.at f.site in
-  Printf.sprintf "<%s, {%s, %s}>" b.name (site b.one) (site b.two)
-
 let place (m : Model.t) ((p : State.process), (l : State.leaf)) =
   Printf.sprintf "%s at %s, %s" m.leaves.(l.leaf).name (Short_text.position m l) (Short_text.motion m p)
 
@@ -68,7 +64,7 @@ let lines d i =
     if d.varies.(l.leaf) then Some (Printf.sprintf "%s: %s" m.leaves.(l.leaf).name (behaviour m l))
     else None
   in
-  List.map (bond m) bonds
+  List.map (Short_text.bond m) bonds
   @ List.filter_map varying leaves
   @ List.map (fun leaf -> m.leaves.(leaf).name ^ ": gone") (State.gone m s)
   @ if d.positions then List.map (place m) (List.filter (fun l -> not (fixed m l)) leaves) else []

@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_exact
 open Scc_geometry
 open Scc_json
@@ -48,13 +47,7 @@ let faults =
   in
   checked (from of_report (list fault))
 
-let warning =
-  fields
-    [
-      field "code" Shared.code (fun (d : Diag.t) -> (d.code :> string));
-      field "message" some_text (fun (d : Diag.t) -> d.message);
-    ]
-  |> in_shape "warning"
+let warning = in_shape "warning" Diag_json.brief
 
 let warnings (r : Solid_report.t) =
   match r.verdict with Accepted _ -> Solid_report.faults r | Rejected _ -> []

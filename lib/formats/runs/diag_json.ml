@@ -6,6 +6,13 @@ type source = string -> Source.t option
 
 let named name t = named ~file:Shared.file name t
 
+let brief =
+  fields
+    [
+      field "code" Shared.code (fun (d : Diag.t) -> (d.code :> string));
+      field "message" some_text (fun (d : Diag.t) -> d.message);
+    ]
+
 (* An offset, with its line and column where the text is known. *)
 let position =
   let place (s, offset) = Option.map (fun s -> Source.position s offset) s in

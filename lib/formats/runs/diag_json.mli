@@ -6,6 +6,9 @@ open Scc_json
 (** A function from the name of a file to its text, for lines and columns. *)
 type source = string -> Source.t option
 
+val brief : (Diag.t, unit) Json_format.t
+(** The format of a diagnostic by its code and its message alone. *)
+
 val format : (source * Diag.t, unit) Json_format.t
 (** The format of a diagnostic. Places are offsets in bytes. Where the text of the file is known, they also have
     line and column from 1; columns count code points. *)

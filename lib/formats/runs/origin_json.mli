@@ -17,7 +17,7 @@ val settings_format : ((string * string) list, (string * string) list) Json_form
 (** The format of settings, as an object of texts. *)
 
 val parameters : Origin.t -> Json.t
-(** An object of the parameters with their values, as by {!Json.rat}. *)
+(** An object of the parameters with their values, as by {!Scc_json.Json.rat}. *)
 
 val settings : Origin.t -> Json.t
 (** An object of the settings, as strings. *)

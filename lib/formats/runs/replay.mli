@@ -51,7 +51,7 @@ type event =
       time : Rat.t;  (** model time after it *)
       taken : Run.alternative;
       changes : unit -> Event_run.changes option;
-      (** {!Run.changes} since its last call. To follow a run by its changes, call it after each step. *)
+      (** [Run.changes] since its last call. To follow a run by its changes, call it after each step. *)
       state : unit -> State.t;  (** after it *)
     }
   | Instant of { offset : Rat.t; time : Rat.t; state : State.t }

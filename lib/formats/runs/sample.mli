@@ -5,7 +5,7 @@ open Scc_calculus
 
 (** How values are chosen from ranges. *)
 type how =
-  | Simple  (** {!Ranges.point} *)
+  | Simple  (** {!Scc_calculus.Ranges.point} *)
   | Random of int64
   (** by SplitMix64 from this seed: each parameter, in the order of the ranges, gets one of the 1023 values that
       divide its range into 1024 equal parts, each equally likely *)

@@ -15,7 +15,7 @@ type choice = { index : int option; label : string option; at : Span.t }
 type t = {
   model : string option;  (** the path of the model, as given when the schedule was made *)
   check : string option;  (** the property that the run is a witness for *)
-  digest : string option;  (** the digest of its model, see {!Scc_loading.Origin.digest} *)
+  digest : string option;  (** the digest of its model, see {!Scc_loading.Origin.val-digest} *)
   parameters : (string * Rat.t) list;  (** with their values *)
   choices : choice list;
   offset : Rat.t option;

@@ -4,7 +4,7 @@ open Scc_exact
 open Scc_json
 
 val file : string
-(** The name of that file, for {!Json_format.named}. *)
+(** The name of that file, for {!Scc_json.Json_format.named}. *)
 
 val rational : (Rat.t, Rat.t) Json_format.t
 (** An exact rational ["p/q"]. *)
@@ -22,7 +22,7 @@ val seed : (int64, string) Json_format.t
 (** The seed of random choices. *)
 
 val digest : (string, string) Json_format.t
-(** The digest of a model ({!Scc_loading.Origin.digest}). *)
+(** The digest of a model ({!Scc_loading.Origin.val-digest}). *)
 
 val bytes : (string, string) Json_format.t
 (** Bytes, one or more, as pairs of hexadecimal digits, which are what is read. *)

@@ -67,3 +67,7 @@ let position ?(full = false) m (l : State.leaf) =
 let motion ?(full = false) m (p : State.process) =
   let velocity = "velocity " ^ vec ~full m p.velocity in
   if Vec.is_zero p.spin then velocity else velocity ^ ", spin " ^ vec ~full m p.spin
+
+let bond m (b : State.bond) =
+  let site (f : State.finish) = Model.site_name m ~leaf:f.at f.site in
+  Printf.sprintf "<%s, {%s, %s}>" b.name (site b.one) (site b.two)

@@ -5,7 +5,7 @@ open Scc_calculus
 
 val exact : Rat.t -> string
 (** The number, exact up to 60 characters. A fraction of more than 15 characters also has a decimal by
-    {!Decimal.marked}: ["137174210/109739369 (~1.250000)"]. Beyond 60 there is the decimal alone, with the
+    [Decimal.marked]: ["137174210/109739369 (~1.250000)"]. Beyond 60 there is the decimal alone, with the
     number of characters of the exact number. *)
 
 val within : string -> string
@@ -19,3 +19,6 @@ val position : ?full:bool -> Model.t -> State.leaf -> string
 val motion : ?full:bool -> Model.t -> State.process -> string
 (** The velocity of a process, such as ["velocity (1, 0, 0)"], and its spin if it has one:
     ["velocity (1, 0, 0), spin (0, 0, 1)"]. Numbers are as in {!position}. *)
+
+val bond : Model.t -> State.bond -> string
+(** A bond by its channel and its two sites: ["<a, {p.top, q.bottom}>"]. *)

@@ -1,4 +1,4 @@
-(** The floats next to a float, as those of {!Stdlib.Float.succ} and [pred], but without a call into C. Float
+(** The floats next to a float, as those of [Stdlib.Float.succ] and [pred], but without a call into C. Float
     filters round outward with them in each step. *)
 
 val succ : float -> float

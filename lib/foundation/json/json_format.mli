@@ -60,7 +60,7 @@ val natural : (int, int) t
 (** An integer from 0. *)
 
 val rational : (Rat.t, Rat.t) t
-(** ["p/q"] in lowest terms. Decimals and integers are read as well; numbers that {!Rat.of_literal} refuses are
+(** ["p/q"] in lowest terms. Decimals and integers are read as well; numbers that [Rat.of_literal] refuses are
     not. *)
 
 val duration : (Rat.t, Rat.t) t

@@ -1,13 +1,6 @@
 let escape text =
   let buffer = Buffer.create (String.length text) in
-  let add = function
-    | '&' -> Buffer.add_string buffer "&amp;"
-    | '<' -> Buffer.add_string buffer "&lt;"
-    | '>' -> Buffer.add_string buffer "&gt;"
-    | '"' -> Buffer.add_string buffer "&quot;"
-    | c -> Buffer.add_char buffer c
-  in
-  String.iter add (Scc_base.Visible.text text);
+  String.iter (Scc_base.Markup.add buffer) (Scc_base.Visible.text text);
   Buffer.contents buffer
 
 let number = Scc_exact.Decimal.fixed ~places:2

@@ -30,7 +30,7 @@ val run :
     workers.
 
     [work] is called in a worker, even if [jobs] is 1, so that a long task can be abandoned. It may be called again
-    for a task whose worker died. {!Marshal} must accept its results. An exception of it ends the run at its task,
+    for a task whose worker died. [Marshal] must accept its results. An exception of it ends the run at its task,
     but [Out_of_memory] in a worker counts as the death of the worker.
 
     [each] is called in this process, with the task and its result, by increasing tasks, up to the task at which

@@ -1,6 +1,6 @@
 (** A run of a network without laws of motion, from event to event. The cost of a step depends on the processes
     that take part in it and on their neighbours, and hardly on the size of the network. A run has the same
-    transitions as {!Network.successors}, in the same order, but does not build whole states. *)
+    transitions as {!Scc_semantics.Network.successors}, in the same order, but does not build whole states. *)
 
 open Scc_exact
 open Scc_calculus
@@ -9,7 +9,7 @@ open Scc_semantics
 type t
 
 val can_run : Model.t -> bool
-(** [can_run m] is true if [m] has neither laws of motion, turns nor lots ({!Model.straight}), and its processes
+(** [can_run m] is true if [m] has neither laws of motion, turns nor lots ([Model.straight]), and its processes
     bind only if they collide (reading I-33). *)
 
 val start : Semantics.t -> State.t -> t
@@ -22,7 +22,7 @@ type alternative = {
   rounded : Totals.t Lazy.t option;  (** [None] in these runs: nothing is rounded *)
 }
 
-(** Alternatives are numbered from 0 on, as in {!Network.successors} of the present state. There may be thousands
+(** Alternatives are numbered from 0 on, as in [Network.successors] of the present state. There may be thousands
     of them at one instant, and each is built when it is used. The numbers are valid until the next step. A
     number out of range is a bug. *)
 
@@ -39,7 +39,7 @@ val take : t -> int -> unit
 (** Takes the alternative with a number. *)
 
 val wait : t -> Rat.t -> alternative option
-(** [wait t d] takes the transition {!Network.wait} by [d] and returns it; [None] if there is none. *)
+(** [wait t d] takes the transition [Network.wait] by [d] and returns it; [None] if there is none. *)
 
 val elapsed : t -> Rat.t
 (** The time since the start of the run. *)

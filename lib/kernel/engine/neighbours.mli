@@ -5,7 +5,7 @@ open Scc_exact
 open Scc_semantics
 
 val boxes : unit -> Kinematics.neighbours
-(** A new broad phase, with a cache of the boxes of the last query. {!Kinematics.neighbours.earliest} sweeps
+(** A new broad phase, with a cache of the boxes of the last query. [Kinematics.neighbours.earliest] sweeps
     boxes over ever longer times until it finds something. For few parts, or if a part has turned, its first
     sweep goes to the limit. *)
 

@@ -1,7 +1,7 @@
 (** One run of a network, step by step: the transitions that are possible next, and the one that is taken.
 
     A model that {!Event_run.can_run} runs from event to event. The cost of a step depends on the few bodies that
-    take part in it, and only {!state} visits all bodies. In other models, all of {!Network.successors} is
+    take part in it, and only {!state} visits all bodies. In other models, all of [Network.successors] is
     computed for each step. These have laws of motion, turns or lots, or bind bodies that do not collide (reading
     I-33). Under laws of motion, for example, every step changes the velocity of every steered body anyway.
 
@@ -14,7 +14,7 @@ open Scc_semantics
 type t
 
 val start : Semantics.t -> State.t -> (t, Transition.fault) result
-(** [start c declared] is a run at the initial state that follows from the declared state ({!Network.initial}). *)
+(** [start c declared] is a run at the initial state that follows from the declared state ([Network.initial]). *)
 
 val resume : Semantics.t -> State.t -> t
 (** [resume c s] is a run at [s], which may be any state of the model, such as the initial one. *)
@@ -30,17 +30,17 @@ type alternative = Event_run.alternative = {
 type labels = { count : int; label : int -> Transition.label }
 
 val labels : t -> (labels, Transition.fault) result
-(** The labels of {!Network.successors} of the present state, in that order. *)
+(** The labels of {!Scc_semantics.Network.successors} of the present state, in that order. *)
 
 val list : labels -> Transition.label list
 (** All labels as a list, in order. *)
 
 val take : t -> int -> alternative
 (** Takes the transition with a number, from 0, and returns it. It is a bug if there is no such transition, or if
-    {!labels} is a fault. *)
+    {!val-labels} is a fault. *)
 
 val wait : t -> Scc_exact.Rat.t -> (alternative option, Transition.fault) result
-(** [wait t d] takes the transition {!Network.wait} by [d] and returns it; [None] if there is none. *)
+(** [wait t d] takes the transition [Network.wait] by [d] and returns it; [None] if there is none. *)
 
 val elapsed : t -> Scc_exact.Rat.t
 (** The time since the start of the run. *)
@@ -49,11 +49,11 @@ val state : t -> State.t
 (** The present state, in full. It takes time proportional to the size of the network. *)
 
 val changes : t -> Event_run.changes option
-(** The changes since the last call of this function, or since the start of the run ({!Event_run.changes}). The
+(** The changes since the last call of this function, or since the start of the run ({!Event_run.val-changes}). The
     result is [None] in a run that does not go from event to event; there, compare its states. *)
 
 val quiescent : t -> bool
-(** [quiescent t] is {!Network.quiescent} of the present state. It is valid only if no transition is possible. *)
+(** [quiescent t] is [Network.quiescent] of the present state. It is valid only if no transition is possible. *)
 
 val spinning : t -> bool
 (** [spinning t] is true if the spin of some process is not 0 now. *)

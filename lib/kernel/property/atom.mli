@@ -9,8 +9,8 @@ type argument =
   | Leaf of int
   | Part of int * int  (** the index of a leaf, and the index of a part in it *)
   | Channel of Behaviour.polarity option * string
-  | Definition of int  (** index into {!Model.definitions} *)
-  | Parameter of int  (** an index into {!Model.ranges} *)
+  | Definition of int  (** index into {!Scc_calculus.Model.definitions} *)
+  | Parameter of int  (** an index into {!Scc_calculus.Model.ranges} *)
 
 (** What a value may depend on. *)
 type aspect =

@@ -27,7 +27,7 @@ type event =
   | Bounce of ends  (** of the two processes that these are leaves of *)
   | Absorbed of ends  (** of a process by a body, one of which these are leaves of *)
 
-(** Numbers that are read off a state: the atoms among the numbers. Leaves are indices into {!Model.leaves}. *)
+(** Numbers that are read off a state: the atoms among the numbers. Leaves are indices into [Model.leaves]. *)
 type quantity =
   | Bonds of string option * (int * int) option
   (** the number of bonds of this name, between these two leaves *)
@@ -44,7 +44,7 @@ type quantity =
   (** angular momentum of everything that is not fixed, about the origin of the world *)
   | Energy  (** kinetic, of everything that is not fixed *)
   | Time
-  | Parameter of int  (** one of which a range is known: an index into {!Model.ranges} *)
+  | Parameter of int  (** one of which a range is known: an index into {!Scc_calculus.Model.ranges} *)
 
 (** Truths that are read off a state: the atoms among the predicates. *)
 type fact =

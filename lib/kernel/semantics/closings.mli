@@ -1,5 +1,5 @@
 (** Bonds that close rings (rule Close, reading I-37): an extension of the calculus, for models with
-    {!Model.Cyclic}. *)
+    {!Scc_calculus.Model.Cyclic}. *)
 
 open Scc_calculus
 

@@ -11,10 +11,10 @@ val meetings : Semantics.t -> State.process array -> Kinematics.meeting list
     that touch and have a candidate. *)
 
 val colliding : Semantics.t -> State.t -> (int * int) list
-(** The pairs of processes of a state that meet ({!meetings}), by their indices, the lesser one first. *)
+(** The pairs of processes of a state that meet ({!val-meetings}), by their indices, the lesser one first. *)
 
 val collides : Semantics.t -> State.t -> bool
-(** [collides c s] is true if two processes of [s] meet ({!meetings}). *)
+(** [collides c s] is true if two processes of [s] meet ({!val-meetings}). *)
 
 (** A bond that two leaves may make, the behaviours of the two leaves after it, and the summands that make it. *)
 type candidate = {
@@ -55,5 +55,5 @@ val outcomes : Semantics.t -> State.process array -> cluster -> (Transition.outc
     there is one outcome by rule Bounce, or the fault of rule Persistent. *)
 
 val first_time_of_contact : Semantics.t -> State.process array -> limit:Rat.t option -> Rat.t option
-(** The least time from now at which two processes meet ({!meetings}), if it is at most the limit; else [None]. The
+(** The least time from now at which two processes meet ([meetings]), if it is at most the limit; else [None]. The
     processes must not meet now. *)

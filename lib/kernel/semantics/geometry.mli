@@ -29,6 +29,6 @@ type t = {
 }
 
 val exact : obstacle:(Solid.t -> Solid.t -> Obstacle.t) -> t
-(** [exact ~obstacle] is the exact geometry. [obstacle] is {!Obstacle.make} or a cache of it, and is applied to
+(** [exact ~obstacle] is the exact geometry. [obstacle] is [Obstacle.make] or a cache of it, and is applied to
     solids as declared. For parts in translation that have turned, each query builds the turned solids and their
     obstacle. *)

@@ -27,7 +27,7 @@ val everyone : neighbours
 type shares = ((Vec.t * Rat.t) list, Law.fault) result
 
 (** [laws leaf law eval] is [eval ()], the shares of the law of a leaf. An implementation may cache the result
-    for a law that is constant ({!Law.is_constant}). *)
+    for a law that is constant ({!Scc_calculus.Law.is_constant}). *)
 type laws = int -> Law.t -> (unit -> shares) -> shares
 
 val ask_again : laws
@@ -64,7 +64,7 @@ module type S = sig
       calculus the result is [Colliding] or [Touching], never [Apart]. *)
 
   val touching : setting -> Part.t -> Part.t -> Contact.pair list
-  (** The features in which two parts touch. The list is empty if the parts are apart, even if {!contact} is
+  (** The features in which two parts touch. The list is empty if the parts are apart, even if {!val-contact} is
       {!Touching}. *)
 
   val near : setting -> Part.t -> Part.t -> Scc_rigid.Near_contact.t option

@@ -13,7 +13,7 @@ val successors : Semantics.t -> State.t -> (Transition.t list, Transition.fault)
     time. An evaluation of laws that falls due is part of the transition (reading I-15). *)
 
 val wait : Semantics.t -> State.t -> Scc_exact.Rat.t -> (Transition.t option, Transition.fault) result
-(** [wait c s d] is rule Time by d, in models whose bonds may be released at any time ({!Model.Any_time}). Valid
+(** [wait c s d] is rule Time by d, in models whose bonds may be released at any time ([Model.Any_time]). Valid
     are 0 < d < {!Time.delay}, or any d > 0 if that is [None]; {!successors} has only the greatest d. The result
     is [None] for any other d, in other models, and while something urgent or drawn comes first. *)
 

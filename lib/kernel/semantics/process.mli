@@ -31,11 +31,11 @@ val weak_split_enabled : Model.t -> State.process -> bool
 
 val running_clock : Model.t -> State.process -> (Scc_exact.Rat.t * Scc_exact.Rat.t) option
 (** [running_clock m p] is the split step and the split clock of [p]; [None] if it has no clock, or one that stands
-    still ({!Model.Any_time}). *)
+    still ({!Scc_calculus.Model.Any_time}). *)
 
 val splits_at_any_time : Model.t -> State.process -> bool
 (** [splits_at_any_time m p] is true if [p] may release a bond at any time: weak splits are enabled, and are not on
-    a grid ({!Model.Any_time}). *)
+    a grid ({!Scc_calculus.Model.Any_time}). *)
 
 val at_split_instant : State.process -> bool
 (** [at_split_instant p] is true if [p] has a split clock and this is at 0, that is at a multiple of the split step

@@ -28,5 +28,5 @@ val all : t list
 (** All rules, each once, in the order of their constructors. *)
 
 val of_model : Scc_calculus.Model.t -> t list
-(** The rules that apply to a model, in the order of {!all}. {!Close}, {!Absorb}, {!Draw}, {!Lot}, {!Turn} and
-    {!Round} apply to some models only. *)
+(** The rules that apply to a model, in the order of {!all}. {!Close}, {!Absorb}, {!Draw}, {!Lot}, [Turn] and
+    {!module-Round} apply to some models only. *)

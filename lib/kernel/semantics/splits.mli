@@ -5,7 +5,7 @@ open Scc_calculus
 
 val weak : Semantics.t -> State.process -> Transition.outcome list
 (** Rule WeakSplit: every release of one bond that may happen now, by free choice. That is when the split clock
-    is at a multiple of the split step, or at any instant with {!Model.Any_time} (readings I-6, I-9). *)
+    is at a multiple of the split step, or at any instant with [Model.Any_time] (readings I-6, I-9). *)
 
 val lots : Semantics.t -> Lots.due -> (Transition.outcome list, Transition.fault) result
 (** Rule Lot, while lots are pending: the possible decisions about the next bond, with their probabilities; or,

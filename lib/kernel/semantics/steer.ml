@@ -160,6 +160,7 @@ let settle (c : Semantics.t) (s : State.t) =
   if is_drawing s then Ok { state = s; rules = []; rounded = None }
   else
     let rules = if over && Array.exists (steers m) s.processes then [ Rule.Steer ] else [] in
+    (* Each process begins by its own draw alone: rule JoinedDraws rests on it (Joint_draws.velocities). *)
     let steered = if over then begin_steps m s else s in
     let state, rounded = K.begin_turns c.setting ~parts ~colliding (K.at_contact c.setting ~colliding steered) in
     Ok { state; rules = (if Option.is_some rounded then rules @ [ Rule.Round ] else rules); rounded }

@@ -13,7 +13,7 @@ val delay : Semantics.t -> State.t -> Rat.t option
 
     The result is [None] if none of them is finite. It is also [None] if only movement steps and turns are left,
     with nothing steered, no contact ahead and nothing to round. Then the network is quiescent, unless bonds may
-    be released at any time ({!Model.Any_time}), where time never stops for a weak split. *)
+    be released at any time ({!Scc_calculus.Model.Any_time}), where time never stops for a weak split. *)
 
 val pass : Semantics.t -> Rat.t -> State.t -> State.t
 (** [pass c d s] is the state after a time d > 0 that is at most {!delay}, or after any d > 0 if that is [None].
@@ -31,7 +31,7 @@ val horizon : Model.t -> State.process -> Rat.t option
 
 val to_split_instant : Model.t -> State.process -> Rat.t option
 (** The time to the next split instant of a process. [None] if no weak split of it is enabled, or if bonds are not
-    released on a grid ({!Model.Any_time}). *)
+    released on a grid ({!Scc_calculus.Model.Any_time}). *)
 
 val wait : Model.t -> State.process -> Rat.t option
 (** The least of {!horizon}, {!to_split_instant} and {!Lots.wait}: the time until the process may change by itself,

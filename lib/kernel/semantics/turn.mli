@@ -27,7 +27,7 @@ val pass : Model.t -> Rat.t -> State.process -> State.process
 (** {1 Spin and angular momentum}
 
     With [constant_spin] a process keeps its spin. With [free_body] it keeps its angular momentum L (the field
-    [kept] of {!State.process}), and has one spin for each turn. This is the spin that L gives half-way through
+    [kept] of [State.process]), and has one spin for each turn. This is the spin that L gives half-way through
     the turn, estimated from that at its start (the explicit midpoint rule, of second order). Collisions, bonds
     and splits use the spin that L gives at their own instant: the instantaneous spin. *)
 

@@ -44,7 +44,7 @@ val facets : context -> part * part -> Half_space.t list
 
 val fitting : context -> part * part -> (Behaviour.channel * Behaviour.channel) list
 (** [fitting c (a, b)] are all pairs of channels that are open and fit, the first of the leaf of [a] and the second
-    of the leaf of [b] ({!Collisions.fitting}). *)
+    of the leaf of [b] ({!Scc_semantics.Collisions.fitting}). *)
 
 val facing : part * part -> Site.t list * Site.t list -> (Feature_offsets.side * Feature_offsets.side) list
 (** [facing (a, b) (ones, twos)] are all pairs of a feature in [ones] that is on [a] and one in [twos] that is on

@@ -14,7 +14,7 @@ val faults : report -> Diag.t list
 (** The errors in the order of the text, each once. *)
 
 val error : ?hint:string -> report -> Code.t -> Span.t -> ('a, unit, string, unit) format4 -> 'a
-(** Adds an error. Raises {!Document.Stop} at the {!Parse.max_errors}th. *)
+(** Adds an error. Raises {!Document.Stop} at the {!Scc_syntax.Parse.max_errors}th. *)
 
 (** An element of which parts have been taken. *)
 type t
@@ -41,10 +41,10 @@ val name : Ast.name text
 (** A name; the substitute is [_]. *)
 
 val word : Ast.name text
-(** A word to which a setting is set, as by {!Embedded.word}; the substitute is [_]. *)
+(** A word to which a setting is set, as by {!Scc_syntax.Embedded.word}; the substitute is [_]. *)
 
 val rounded : Ast.name text
-(** A word after [round], as by {!Embedded.rounded}; the substitute is [_]. *)
+(** A word after [round], as by {!Scc_syntax.Embedded.rounded}; the substitute is [_]. *)
 
 val expression : Ast.expr text
 (** An expression; the substitute is 0. *)

@@ -6,11 +6,9 @@ let escaped ~quoted s =
   let ends_section i = i >= 2 && s.[i - 1] = ']' && s.[i - 2] = ']' in
   let reference code = Printf.bprintf b "&#%d;" code in
   let add i = function
-    | '<' -> Buffer.add_string b "&lt;"
-    | '>' when ends_section i -> Buffer.add_string b "&gt;"
-    | '&' -> Buffer.add_string b "&amp;"
-    | '"' when quoted -> Buffer.add_string b "&quot;"
-    | c -> Buffer.add_char b c
+    | '>' when not (ends_section i) -> Buffer.add_char b '>'
+    | '"' when not quoted -> Buffer.add_char b '"'
+    | c -> Scc_base.Markup.add b c
   in
   let rec from i =
     if i < String.length s then

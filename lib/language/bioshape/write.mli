@@ -7,5 +7,5 @@ open Scc_syntax
 
 val model : ?trivia:Trivia.t list -> Ast.model -> (string, Diag.t list) result
 (** A whole document, which ends with a line end. Reading it gives the same tree, but for places. Comments are
-    put back as comments of XML where they stood, as by {!Printer.model}. The name of a file with a character
+    put back as comments of XML where they stood, as by [Printer.model]. The name of a file with a character
     that XML does not have is SC0354. *)

@@ -169,18 +169,6 @@ let is_definition t env negated p k =
   let atom = Property.Fact (Behaviour (i, k)) in
   Some (Typed.Cond (Property.State (if negated then Not atom else atom)))
 
-(* [K], [m.K], [K[1, 2]], [K(a)]. *)
-let reference_of (e : Ast.expr) =
-  let plain target = { Ast.qualifier = None; target; indices = []; arguments = [] } in
-  match e.it with
-  | Path { it = [ { name; indices } ]; _ } -> Some { (plain name) with indices }
-  | Path { it = [ { name = q; indices = [] }; { name; indices } ]; _ } ->
-    Some { (plain name) with qualifier = Some q; indices }
-  | Apply (f, arguments) when not (String.equal f.it "behaviour") -> Some { (plain f) with arguments }
-  | Apply_in ({ it = [ { name = q; indices = [] } ]; _ }, f, arguments) ->
-    Some { (plain f) with qualifier = Some q; arguments }
-  | _ -> None
-
 (* [behaviour(p) = K], either way round. *)
 let comparison t env (op : Ast.binary) (a : Ast.expr) (b : Ast.expr) =
   let negated =
@@ -189,7 +177,11 @@ let comparison t env (op : Ast.binary) (a : Ast.expr) (b : Ast.expr) =
     | Ne -> Some true
     | Add | Sub | Mul | Div | Mod | Lt | Le | Gt | Ge | And | Or | Implies -> None
   in
-  let compared n p e = Option.map (is_definition t env n p) (reference_of e) in
+  let compared n p e = 
+    match e.Ast.it with
+    | Ast.Apply ({ it = "behaviour"; _ }, _) -> None
+    | _ -> Option.map (is_definition t env n p) (Subjects.reference_of e)
+  in
   match (negated, a.it, b.it) with
   | Some n, Apply ({ it = "behaviour"; _ }, [ p ]), _ -> compared n p b
   | Some n, _, Apply ({ it = "behaviour"; _ }, [ p ]) -> compared n p a

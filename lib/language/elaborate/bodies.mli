@@ -12,7 +12,7 @@ type leaf = {
   parts : Model.part array;
   mass : Rat.t;
   fixed : bool;
-  absorbs : bool;  (** as in {!Model.leaf} *)
+  absorbs : bool;  (** as in {!Scc_calculus.Model.leaf} *)
   place : Form.place;  (** of its reference point, in the world *)
   position : Vec.t;  (** [place] at {!Context.point} *)
   velocity : Vec.t;  (** of its own centroid, in the world *)

@@ -44,7 +44,7 @@ type t = {
   solid : Shape.basic -> Mat.t -> Solid.t;  (** cached by template and linear map *)
   scaled : Shape.basic -> Vec.t -> Polyhedron.t * int;
   (** the scaled image and its [id], cached by template and factors *)
-  touching : Obstacle.t -> Vec.t -> Contact.pair list;  (** {!Contact.touching}, cached by solids and offset *)
+  touching : Obstacle.t -> Vec.t -> Contact.pair list;  (** [Contact.touching], cached by solids and offset *)
 }
 
 val create : read_file:(string -> (string, string) result) -> t

@@ -13,9 +13,9 @@ type t = {
   templates : (string * Polyhedron.t) list;  (** in order of declaration *)
   model : Model.t;
   declared : State.t;
-  (** as declared, before {!Scc_semantics} sets clocks and steers. Parameters with ranges have simple numbers
-      within them, and behaviours have {!Behaviour.Wait} *)
-  uncertain : Uncertain.t option;  (** all that depends on the parameters with ranges ({!Model.ranges}) *)
+  (** as declared, before [Scc_semantics] sets clocks and steers. Parameters with ranges have simple numbers
+      within them, and behaviours have {!Scc_calculus.Behaviour.Wait} *)
+  uncertain : Uncertain.t option;  (** all that depends on the parameters with ranges ([Model.ranges]) *)
   checks : Property.check list;
   premises : Property.check list;
   (** the premises without which checks hold vacuously ({!Premises}), each with the name of its check *)

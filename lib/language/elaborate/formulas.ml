@@ -107,6 +107,13 @@ let formula t eval env (e : Ast.expr) =
     None
   | None -> None
 
+(* Two formulas and the bound between them; all three report. *)
+let bounded t eval env f written g =
+  let f = formula t eval env f and g = formula t eval env g in
+  let*? b = bound t env written in
+  let*? f, g = Typed.both f g in
+  Some (b, f, g)
+
 let reader t eval env : Measures.reader =
   {
     report = t.c.report;
@@ -126,16 +133,12 @@ let other t eval env (e : Ast.expr) =
     let*? b, f = Typed.both (bound t env written) (formula t eval env f) in
     Option.map (fun f -> Typed.Cond f) (temporal t e.at operator written b f)
   | Until (q, f, written, g) ->
-    let f = formula t eval env f and g = formula t eval env g in
-    let*? b = bound t env written in
-    let*? f, g = Typed.both f g in
+    let*? b, f, g = bounded t eval env f written g in
     Some (Typed.Cond (Property.Until (path_quantifier q, b, f, g)))
   | Measured (m, test, o) ->
     Option.map (fun f -> Typed.Cond f) (Measures.formula (reader t eval env) e.at m test o)
   | Leads_to (f, written, g) ->
-    let f = formula t eval env f and g = formula t eval env g in
-    let*? b = bound t env written in
-    let*? f, g = Typed.both f g in
+    let*? b, f, g = bounded t eval env f written g in
     Some (Typed.Cond (leads_to b f g))
   | Event (word, arguments) -> Atoms.event t env e.at word arguments
   | Co name ->

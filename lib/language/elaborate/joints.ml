@@ -39,18 +39,22 @@ let site_text (l : Bodies.leaf) (site : Site.t) =
   let part = l.parts.(site.part) in
   part.name ^ "." ^ Polyhedron.feature_name part.solid.polyhedron site.feature
 
-let check_contact (c : Context.t) at ((p : Bodies.leaf), (f : Site.t)) ((q : Bodies.leaf), (g : Site.t)) =
+(* The parts of two sites, where they are to each other, and the pair of the two features if they touch. *)
+let meeting (c : Context.t) ((p : Bodies.leaf), (f : Site.t)) ((q : Bodies.leaf), (g : Site.t)) =
   let a = p.parts.(f.part) and b = q.parts.(g.part) in
   let obstacle = Obstacle_cache.find c.obstacles a.solid b.solid in
   let offset = Vec.sub (Vec.add q.position b.offset) (Vec.add p.position a.offset) in
-  let is_pair (pair : Contact.pair) =
-    Feature.equal pair.first f.feature && Feature.equal pair.second g.feature
-  in
+  let is_pair (pair : Contact.pair) = Feature.equal pair.first f.feature && Feature.equal pair.second g.feature in
+  let pair () = List.find_opt is_pair (c.touching obstacle offset) in
+  (a, b, obstacle, offset, pair)
+
+let check_contact (c : Context.t) at ((p, f) as one) ((q, g) as two) =
+  let a, b, obstacle, offset, pair = meeting c one two in
   match Obstacle.relation obstacle offset with
   | Interpenetrating -> ()
   | Apart -> Report.error c.report Code.not_touching at "`%s` and `%s` do not touch" a.name b.name
   | Touching ->
-    if not (List.exists is_pair (c.touching obstacle offset)) then
+    if Option.is_none (pair ()) then
       let highest = Contact.highest obstacle offset in
       Report.error c.report Code.not_touching at "%s and %s do not touch" (site_text p f) (site_text q g)
         ~hint:
@@ -59,15 +63,11 @@ let check_contact (c : Context.t) at ((p : Bodies.leaf), (f : Site.t)) ((q : Bod
              (site_text q { g with feature = highest.second }))
 
 (* How two features of parts touch, if they do: 0 at a point, 1 along a segment, 2 in an area. *)
-let touch (c : Context.t) ((p : Bodies.leaf), (f : Site.t)) ((q : Bodies.leaf), (g : Site.t)) =
-  let a = p.parts.(f.part) and b = q.parts.(g.part) in
-  let obstacle = Obstacle_cache.find c.obstacles a.solid b.solid in
-  let offset = Vec.sub (Vec.add q.position b.offset) (Vec.add p.position a.offset) in
-  let is_pair (pair : Contact.pair) = Feature.equal pair.first f.feature && Feature.equal pair.second g.feature in
+let touch c one two =
+  let _, _, obstacle, offset, pair = meeting c one two in
   match Obstacle.relation obstacle offset with
   | Interpenetrating | Apart -> None
-  | Touching ->
-    Option.map (fun (pair : Contact.pair) -> pair.dimension) (List.find_opt is_pair (c.touching obstacle offset))
+  | Touching -> Option.map (fun (pair : Contact.pair) -> pair.dimension) (pair ())
 
 (* A name may stand for several pieces of a face: the bond is between two of them that touch, in an area if any do,
    and of those that touch alike the first ones. *)

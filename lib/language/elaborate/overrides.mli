@@ -22,7 +22,7 @@ val given : t -> Report.t -> name:string -> also:string list -> given option
     A value outside a range of the same name is SC0217. Different values under two names are SC0209. *)
 
 val value : t -> Report.t -> name:string -> also:string list -> Rat.t option
-(** The value for a parameter that is a number, as by {!given}. A range for it is an error (SC0217). *)
+(** The value for a parameter that is a number, as by {!val-given}. A range for it is an error (SC0217). *)
 
 val check : t -> Report.t -> Span.t -> unit
 (** Checks the names after all parameters are known. Names of no parameter, and names of more than one, are

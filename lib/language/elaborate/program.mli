@@ -18,7 +18,7 @@ type body = {
 type behaviour = {
   env : Env.t;
   name : Ast.name;
-  label : string;  (** its key ({!Family.head}) *)
+  label : string;  (** its key ({!Family.val-head}) *)
   formals : Ast.name list;
   definitions : Ast.definitions;
   on : Ast.reference option;

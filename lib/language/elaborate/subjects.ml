@@ -119,17 +119,20 @@ let owner t i =
     (fun (l : Bodies.leaf) -> { Behaviours.name = l.name; shape = l.shape })
     t.bodies.leaves.(t.numbers.(i))
 
-(* [T], [m.T] and [T(a, b)] as references; of a family, [T] alone is all of its members. *)
-let template_of (e : Ast.expr) =
+let reference_of (e : Ast.expr) =
   let plain target = { Ast.qualifier = None; target; indices = []; arguments = [] } in
   match e.it with
-  | Path { it = [ { name; indices = [] } ]; _ } -> Some (plain name)
-  | Path { it = [ { name = q; indices = [] }; { name; indices = [] } ]; _ } ->
-    Some { (plain name) with qualifier = Some q }
+  | Path { it = [ { name; indices } ]; _ } -> Some { (plain name) with indices }
+  | Path { it = [ { name = q; indices = [] }; { name; indices } ]; _ } ->
+    Some { (plain name) with qualifier = Some q; indices }
   | Apply (f, arguments) -> Some { (plain f) with arguments }
   | Apply_in ({ it = [ { name = q; indices = [] } ]; _ }, f, arguments) ->
     Some { (plain f) with qualifier = Some q; arguments }
   | _ -> None
+
+(* Of a family, its name alone is all of its members. *)
+let template_of e =
+  match reference_of e with Some { indices = _ :: _; _ } -> None | reference -> reference
 
 let of_template t label = Option.value ~default:[] (Hashtbl.find_opt t.by_template label)
 

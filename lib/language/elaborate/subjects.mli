@@ -41,6 +41,9 @@ val leaf : t -> Env.t -> Ast.expr -> int option
 val spot : t -> Env.t -> Ast.expr -> Property.spot option
 (** A leaf, or a part of one, as in [arm.tip]. *)
 
+val reference_of : Ast.expr -> Ast.reference option
+(** An expression as a reference to a declaration: [K], [m.K], [K[1, 2]] or [K(a)]. *)
+
 val channel : t -> Ast.expr -> (Behaviour.polarity option * string) option
 (** A channel by its name [a], without polarity, or by its co-name [~a]. *)
 

@@ -13,7 +13,7 @@ type t = {
   model : Model.t;
   declared : State.t;
   (** as declared: before {!Scc_semantics} sets clocks and steers; at simple values of parameters with ranges *)
-  uncertain : Uncertain.t option;  (** where parameters have ranges ({!Model.ranges}): the numbers that depend
+  uncertain : Uncertain.t option;  (** where parameters have ranges ([Model.ranges]): the numbers that depend
                                        on them *)
   checks : Property.check list;
   premises : Property.check list;

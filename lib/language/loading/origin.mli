@@ -5,9 +5,9 @@ open Scc_calculus
 
 type t = {
   name : string option;  (** from [model NAME] *)
-  digest : string;  (** of the text and of all files that were read for it, see {!digest} *)
+  digest : string;  (** of the text and of all files that were read for it, see {!val-digest} *)
   parameters : (string * Rat.t) list;  (** with their values, in order *)
-  settings : (string * string) list;  (** {!Parameters.listed} *)
+  settings : (string * string) list;  (** {!Scc_calculus.Parameters.listed} *)
 }
 
 val digest : text:string -> files:(string * string) list -> string

@@ -24,7 +24,7 @@ val cut : most:int -> plane list -> piece -> piece list option
     [most] pieces. *)
 
 val ifs : piece -> vertex:(int -> string) -> face:(face_of -> string) -> Polyhedron.ifs
-(** The faces of a piece with names. Its corners are numbered from 0, in the order of {!Vec.compare}. *)
+(** The faces of a piece with names. Its corners are numbered from 0, in the order of {!Scc_exact.Vec.compare}. *)
 
 val joints : piece array -> (int * int * int) list
 (** Pairs of pieces with a common seam, and the number of its plane. They are a spanning tree of all pieces. *)

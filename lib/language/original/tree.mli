@@ -2,7 +2,7 @@
     of features. Parts without a place of their own have names that begin with a control character, which no
     text contains.
 
-    A region is an expression: [X + Y], [X * Y] and [X - Y] are union, intersection and difference. {!Region}
+    A region is an expression: [X + Y], [X * Y] and [X - Y] are union, intersection and difference. [Region]
     lists the other forms. *)
 
 open Scc_syntax
@@ -22,7 +22,7 @@ val declared : Ast.item -> declared option
 (** The declaration of the original notation that an item stands for, if it does. *)
 
 val item : declared -> Ast.item_kind
-(** The item that stands for a declaration; {!declared} reads it back. *)
+(** The item that stands for a declaration; {!val-declared} reads it back. *)
 
 val keyword : [ `Region of string * string | `Curved of string ] -> string
 (** The name of the value that stands for a declaration, by region and shape or by the word after [curved]. *)

@@ -1,4 +1,4 @@
-(** The lexer: words, marks and spaces of a text that {!Utf8.check} accepts, one lexeme at a time. *)
+(** The lexer: words, marks and spaces of a text that {!Scc_base.Utf8.check} accepts, one lexeme at a time. *)
 
 open Scc_base
 

@@ -155,24 +155,21 @@ let begins_declaration tokens i =
   | BEHAVIOUR -> (match tokens.(i + 1).token with LPAREN -> false | _ -> true)
   | _ -> false
 
-(* [bond] is also a name: it begins a declaration when nothing before it asks for a name. *)
-let begins_bond tokens i =
-  match (tokens.(i).token, tokens.(i + 1).token) with
-  | BOND, LT -> i = 0 || (match tokens.(i - 1).token with
+let ended tokens i =
+  i = 0 || (match tokens.(i - 1).token with
       | RBRACKET | RBRACE | RPAREN | GT | NAME _ | LETTER _ | MOD | HULL | AS | WHERE | ONLY | STEADY | A
       | E | U | AF | AG | AX | EF | EG | EX
       | EVENT | NUMBER _ | NIL | INERTIAL | LOCAL -> true
       | _ -> false)
-  | _ -> false
+
+(* [bond] is also a name: it begins a declaration when nothing before it asks for a name. *)
+let begins_bond tokens i =
+  match (tokens.(i).token, tokens.(i + 1).token) with BOND, LT -> ended tokens i | _ -> false
 
 (* So are the words of the settings of rigid motion, which are followed by a name or a number. *)
 let begins_setting tokens i =
   let ended () =
-    i = 0 || (match tokens.(i - 1).token with
-        | RBRACKET | RBRACE | RPAREN | GT | NAME _ | LETTER _ | MOD | HULL | AS | WHERE | ONLY | STEADY |
-          A | E | U | AF | AG | AX | EF | EG | EX
-        | EVENT | NUMBER _ | NIL | INERTIAL | LOCAL | TRUE | FALSE -> true
-        | _ -> false)
+    ended tokens i || (match tokens.(i - 1).token with TRUE | FALSE -> true | _ -> false)
   in
   match (tokens.(i).token, tokens.(i + 1).token) with
   | (DYNAMICS | COLLISIONS | BINDING | BONDS), NAME _ | ROUND, (NAME _ | VELOCITY) -> ended ()

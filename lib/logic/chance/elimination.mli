@@ -22,4 +22,4 @@ val solve :
   (Rat.t array, given_up) result
 (** [solve ~size ~row ~constant ~bits ~interrupted] is the solution x. [row i] is row [i] of P as pairs of a column
     and its entry, each column at most once; [constant i] is b(i). [bits] limits the length of each number
-    ({!Rat.bits}). [interrupted] is called before each elimination. *)
+    ({!Scc_exact.Rat.bits}). [interrupted] is called before each elimination. *)

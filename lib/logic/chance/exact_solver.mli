@@ -1,7 +1,7 @@
 (** {!Equations} solved in rationals, component by component: each after the components that it leads to.
 
     A component of one node is computed directly. In any other, a scheduler is improved until none is better
-    (Howard's policy iteration), and {!Elimination} finds its values. The first scheduler leaves the component from
+    (Howard's policy iteration), and [Elimination] finds its values. The first scheduler leaves the component from
     every node with probability 1, and so does each better one. It is guessed by value iteration in floats. So one
     system is solved as a rule, and one test shows that no scheduler is better. *)
 

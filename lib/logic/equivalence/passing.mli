@@ -1,4 +1,4 @@
-(** Graphs in which time passes, by labels that {!Label.passing} recognises. *)
+(** Graphs in which time passes, by labels that {!Label.val-passing} recognises. *)
 
 val merge : Graph.t -> Graph.t
 (** [merge g] is the graph in which consecutive passings of time are merged into one, since time is additive

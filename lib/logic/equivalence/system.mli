@@ -12,7 +12,7 @@ val untimed : Graph.t -> t
 (** [untimed g] is the system in which every label is an action. *)
 
 val timed : Graph.t -> t
-(** [timed g] is the system in which labels that {!Label.passing} recognises pass time. A state with [time(d)] can
+(** [timed g] is the system in which labels that [Label.passing] recognises pass time. A state with [time(d)] can
     wait for any time up to d; until d is over, only the rest of d can pass. After any wait by [time(forever)],
     whatever its target in the graph, time passes for ever and nothing else happens. *)
 

@@ -52,10 +52,10 @@ val before_earliest : t -> int -> int
 (** [before_earliest d i] is the state before [i] on the earliest path; -1 at the initial state. *)
 
 val greatest_depth : t -> int
-(** [greatest_depth d] is the greatest {!depth} of a state, in linear time. *)
+(** [greatest_depth d] is the greatest {!val-depth} of a state, in linear time. *)
 
 val greatest_arrival : t -> Rat.t
-(** [greatest_arrival d] is the greatest {!arrival} of a state, in linear time. *)
+(** [greatest_arrival d] is the greatest {!val-arrival} of a state, in linear time. *)
 
 val bytes : t -> int
 (** [bytes d] is about how much memory the table takes, in bytes. *)

@@ -28,9 +28,7 @@ let model_path o (s : Schedule.t) =
 let find_check name (checks : Property.check list) ~code ~at =
   match List.find_opt (fun (c : Property.check) -> String.equal c.name name) checks with
   | Some c -> Ok (Some c)
-  | None ->
-    let names = List.map (fun (c : Property.check) -> c.name) checks in
-    Error [ Diag.error code at ?hint:(Diag.suggest name names) "the model has no check `%s`" name ]
+  | None -> Error [ Input.no_check code at name checks ]
 
 (* The property that the run is to be explained for, if any. *)
 let check_of o (s : Schedule.t) checks =

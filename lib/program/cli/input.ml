@@ -97,6 +97,10 @@ let placed given (d : Diag.t) =
   if Span.is_none d.span && List.mem d.code of_parameters then { d with span = given }
   else d
 
+let no_check code at name checks =
+  let names = List.map (fun (c : Scc_property.Property.check) -> c.name) checks in
+  Diag.error code at ?hint:(Diag.suggest name names) "the model has no check `%s`" name
+
 let model ?(given = Span.command_line) ?(narrowed = []) ?source console ~overrides path =
   let* () = check_overrides (List.map fst overrides @ List.map fst narrowed) in
   let* source =

@@ -30,6 +30,9 @@ val given : Console.t -> name:string -> string -> Source.t
 val check_overrides : string list -> (unit, Diag.t list) result
 (** Checks the names of parameters with values on the command line. A name that occurs twice is SC0212. *)
 
+val no_check : Code.t -> Span.t -> string -> Scc_property.Property.check list -> Diag.t
+(** [no_check code at name checks] is the error that the model has no check [name]. Its hint is a similar name. *)
+
 val model :
   ?given:Span.t ->
   ?narrowed:(string * (Scc_calculus.Ranges.bound * Scc_calculus.Ranges.bound)) list ->

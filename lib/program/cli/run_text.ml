@@ -7,9 +7,7 @@ let greatest_behaviour = 160
 let greatest_list = 40
 let name (m : Model.t) leaf = m.leaves.(leaf).name
 
-let bond m (b : State.bond) =
-  let site (f : State.finish) = Model.site_name m ~leaf:f.at f.site in
-  Printf.sprintf "<%s, {%s, %s}>" b.name (site b.one) (site b.two)
+let bond = Short_text.bond
 
 (* "p and q", "p, q and r". *)
 let listed names =

@@ -29,13 +29,7 @@ type options = {
 let find_check name (checks : Property.check list) =
   match List.filter (fun (c : Property.check) -> String.equal c.name name) checks with
   | _ :: _ as found -> Ok found
-  | [] ->
-    let names = List.map (fun (c : Property.check) -> c.name) checks in
-    Error
-      [
-        Diag.error Code.unknown_name Span.command_line ?hint:(Diag.suggest name names)
-          "the model has no check `%s`" name;
-      ]
+  | [] -> Error [ Input.no_check Code.unknown_name Span.command_line name checks ]
 
 let chosen_checks o checks =
   match o.checks with

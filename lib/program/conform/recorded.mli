@@ -115,4 +115,4 @@ val number : Json.t -> (Rat.t * bool) option
     result is true if it is written as a float, with a point or an exponent. *)
 
 val literal : string -> (Rat.t * bool) option
-(** The number of a text, as by {!number}. *)
+(** The number of a text, as by {!val-number}. *)

@@ -70,7 +70,7 @@ val run :
 (** Searches from the declared state. [observed] is true for the labels of events that must be recorded. *)
 
 val urgent : Transition.t -> bool
-(** [urgent t] is true if no time passes while [t] is possible: {!Transition.is_urgent}. *)
+(** [urgent t] is true if no time passes while [t] is possible: {!Scc_semantics.Transition.is_urgent}. *)
 
 val beyond : Against.t -> State.t -> Rat.t -> steps:int -> (State.t * Rat.t) list
 (** [beyond t s time ~steps] is the states after [s], which is at [time], that are reached by the passing of

@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
@@ -12,18 +13,11 @@ type place = {
 type entry = { place : place; mutable next : Transition.t list option }
 
 (* By length and hash of the path; the path itself is compared. *)
-module Table = Hashtbl.Make (struct
-    type t = int * int
-
-    let equal (a, b) (c, d) = Int.equal a c && Int.equal b d
-    let hash (a, b) = (a * 65599) + b
-  end)
-
 type t = {
   semantics : Semantics.t;
   initial : State.t;
   most : int;
-  table : entry Table.t;
+  table : entry Int_pairs.t;
   order : (int * int) Queue.t;  (** the oldest first *)
 }
 
@@ -33,7 +27,7 @@ let leaves_kept = 100_000
 let make semantics ~initial =
   let leaves = 1 + Array.length (Semantics.model semantics).leaves in
   let most = Int.max 2 (Int.min 256 (leaves_kept / leaves)) in
-  { semantics; initial; most; table = Table.create 64; order = Queue.create () }
+  { semantics; initial; most; table = Int_pairs.create 64; order = Queue.create () }
 
 let semantics t = t.semantics
 let model t = Semantics.model t.semantics
@@ -60,7 +54,7 @@ let nearest t path h =
   let rec look n =
     if n = 0 then { place = start t; next = None }
     else
-      match Table.find_opt t.table (n, h.(n)) with
+      match Int_pairs.find_opt t.table (n, h.(n)) with
       | Some e when begins path e -> e
       | Some _ | None -> look (n - 1)
   in
@@ -68,16 +62,16 @@ let nearest t path h =
 
 let entry t path =
   let h = hashes path in
-  match Table.find_opt t.table (Array.length path, h.(Array.length path)) with
+  match Int_pairs.find_opt t.table (Array.length path, h.(Array.length path)) with
   | Some e when begins path e -> Some e
   | Some _ | None -> None
 
 let keep t e =
   let path = e.place.path in
   let key = (Array.length path, (hashes path).(Array.length path)) in
-  if not (Table.mem t.table key) then begin
-    if Table.length t.table >= t.most then Table.remove t.table (Queue.pop t.order);
-    Table.add t.table key e;
+  if not (Int_pairs.mem t.table key) then begin
+    if Int_pairs.length t.table >= t.most then Int_pairs.remove t.table (Queue.pop t.order);
+    Int_pairs.add t.table key e;
     Queue.push key t.order
   end
 
@@ -119,7 +113,7 @@ let follow t path =
 let along t path f =
   let h = hashes path in
   let known n =
-    match Table.find_opt t.table (n, h.(n)) with
+    match Int_pairs.find_opt t.table (n, h.(n)) with
     | Some e when begins path e -> Some e
     | Some _ | None -> None
   in

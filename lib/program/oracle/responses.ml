@@ -21,7 +21,7 @@ let result =
 (* {1 Bodies} *)
 
 let of_mass = Read.member "mass" Read.positive
-let velocity = Read.member "velocity" Read.vector
+let velocity = Contacts.velocity
 let is_fixed = Read.member "fixed" (Read.value (Constant [ `Bool true ]))
 let fixed_members = [ Read.needs is_fixed ]
 
@@ -81,22 +81,17 @@ let shares first second =
 
 (* {1 In translation} *)
 
-let a = Read.member "a" Shapes.handle
-let b = Read.member "b" Shapes.handle
-let offset = Read.member "offset" Read.vector
-let turned_a = Read.member "turned_a" Read.quaternion
-let turned_b = Read.member "turned_b" Read.quaternion
 let here = Read.member "at" Read.vector
-let plain_pair = Read.fields Read.[ needs a; needs b; needs offset ]
+let plain_pair = Read.(fields Contacts.[ needs a; needs b; needs offset ])
 
 let rigid_pair =
-  Read.fields Read.[ needs a; needs b; needs offset; may turned_a; may turned_b; may here ]
+  Read.(fields Contacts.[ needs a; needs b; needs offset; may turned_a; may turned_b; may here ])
 
 let touching = Read.member "touching" (Read.value (Read.list ~least:1 rigid_pair).schema)
 
 let pair store _ _ p =
-  let a = Shapes.get store p a and b = Shapes.get store p b in
-  { Response.obstacle = Shapes.obstacle store a b; offset = Read.required p offset }
+  let a = Shapes.get store p Contacts.a and b = Shapes.get store p Contacts.b in
+  { Response.obstacle = Shapes.obstacle store a b; offset = Read.required p Contacts.offset }
 
 let check_touching i (t : Response.touching) =
   match Obstacle.relation t.obstacle t.offset with
@@ -134,9 +129,9 @@ let pair_of_bodies store _ _ p =
   let solid member = Shapes.get store p member in
   let turned member = Option.value (Read.optional p member) ~default:Quaternion.identity in
   let here = Option.value (Read.optional p here) ~default:Vec.zero in
-  let there = Vec.add here (Read.required p offset) in
-  ( { Placed.solid = solid a; turned = turned turned_a; at = here },
-    { Placed.solid = solid b; turned = turned turned_b; at = there } )
+  let there = Vec.add here (Read.required p Contacts.offset) in
+  ( { Placed.solid = solid Contacts.a; turned = turned Contacts.turned_a; at = here },
+    { Placed.solid = solid Contacts.b; turned = turned Contacts.turned_b; at = there } )
 
 let near resolution i ((a : Placed.t), (b : Placed.t)) =
   let o = Obstacle.make (Placed.fixed_solid a) (Placed.fixed_solid b) in
@@ -160,15 +155,14 @@ let rigid store p resolution =
   | Persistent -> ("persistent", told a, told b)
 
 let response =
-  let resolution = Read.member "resolution" Read.positive in
-  let params = Read.[ needs touching; needs first; needs second; may resolution; Method.limits ] in
+  let params = Read.[ needs touching; needs first; needs second; may Contacts.resolution; Method.limits ] in
   let work store p =
     let most = (Read.quotas p).touching in
     (match Read.required p touching with
      | List [] -> Fault.invalid (Member "touching") "at least one pair is needed"
      | List items when List.compare_length_with items most > 0 -> Fault.refuse (Limit ("touching", most))
      | _ -> ());
-    match Read.optional p resolution with
+    match Read.optional p Contacts.resolution with
     | None -> translational store p
     | Some resolution -> rigid store p resolution
   in

@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_data
 open Scc_exact
 open Scc_geometry
 open Scc_json
@@ -6,20 +7,13 @@ open Scc_runs
 open Scc_reports
 open Json_format
 
-module Pairs = Hashtbl.Make (struct
-    type t = int * int
-
-    let equal (a, b) (c, d) = Int.equal a c && Int.equal b d
-    let hash (a, b) = (a * 65599) + b
-  end)
-
-type store = { shapes : Solid.t Handles.t; mutable made : int; obstacles : Obstacle.t Pairs.t }
+type store = { shapes : Solid.t Handles.t; mutable made : int; obstacles : Obstacle.t Int_pairs.t }
 
 let store (q : Quotas.t) =
   {
     shapes = Handles.create ~prefix:"s" ~limit:"shapes" ~most:q.shapes;
     made = 0;
-    obstacles = Pairs.create 64;
+    obstacles = Int_pairs.create 64;
   }
 
 let handle = { Read.text with schema = Json_format.schema Answers.shape }
@@ -28,16 +22,16 @@ let get store p member = Handles.get store.shapes (Read.required p member)
 (* {1 Obstacles} *)
 
 let most_obstacles = 4096
-let forget store = Pairs.reset store.obstacles
+let forget store = Int_pairs.reset store.obstacles
 
 let obstacle store (a : Solid.t) (b : Solid.t) =
   let key = (a.id, b.id) in
-  match Pairs.find_opt store.obstacles key with
+  match Int_pairs.find_opt store.obstacles key with
   | Some o -> o
   | None ->
-    if Pairs.length store.obstacles >= most_obstacles then forget store;
+    if Int_pairs.length store.obstacles >= most_obstacles then forget store;
     let o = Obstacle.make a b in
-    Pairs.add store.obstacles key o;
+    Int_pairs.add store.obstacles key o;
     o
 
 (* All the facets of an obstacle may be as many as the product of the sizes of its two. *)
@@ -45,7 +39,7 @@ let large = 10_000
 
 let tidy store (o : Obstacle.t) =
   if Scc_base.Later.is_known o.all && Array.length o.a.vertices * Array.length o.b.vertices > large then
-    Pairs.remove store.obstacles (o.a.id, o.b.id)
+    Int_pairs.remove store.obstacles (o.a.id, o.b.id)
 
 (* {1 Sets of faces} *)
 
@@ -235,7 +229,7 @@ let release =
   let work store p =
     let handle = Read.required p of_handle in
     let (solid : Solid.t) = Handles.release store.shapes handle in
-    Pairs.filter_map_inplace
+    Int_pairs.filter_map_inplace
       (fun (a, b) o -> if a = solid.id || b = solid.id then None else Some o)
       store.obstacles;
     handle

@@ -12,13 +12,7 @@ let file = "successors"
 let named name t = named ~file name t
 let maybe_number = nullable Shared.rational
 
-let diagnostic =
-  fields
-    [
-      field "code" Shared.code (fun (d : Diag.t) -> (d.code :> string));
-      field "message" some_text (fun (d : Diag.t) -> d.message);
-    ]
-  |> named "diagnostic"
+let diagnostic = named "diagnostic" Diag_json.brief
 
 let truth =
   let reason : Truth.t -> string option = function Undecided why -> Some why | True | False -> None in

@@ -1,11 +1,6 @@
 let for_text s =
   let b = Buffer.create (String.length s) in
-  let add = function
-    | '<' -> Buffer.add_string b "&lt;"
-    | '>' -> Buffer.add_string b "&gt;"
-    | '&' -> Buffer.add_string b "&amp;"
-    | c -> Buffer.add_char b c
-  in
+  let add = function '"' -> Buffer.add_char b '"' | c -> Scc_base.Markup.add b c in
   String.iter add s;
   Buffer.contents b
 

@@ -20,7 +20,7 @@ val mem : t -> int -> bool
 (** [mem t key] is true if the set has a box under this key >= 0. *)
 
 val iter_meeting : t -> Float_box.t -> (int -> unit) -> unit
-(** [iter_meeting t box f] calls [f] for the key of each box that {!Float_box.meet}s [box], once each. The
+(** [iter_meeting t box f] calls [f] for the key of each box that [Float_box.meet]s [box], once each. The
     order depends on earlier insertions and removals. [f] must not change the tree. *)
 
 val height : t -> int

@@ -3,5 +3,5 @@
 open Scc_geometry
 
 val pairs : Float_box.t array -> (int * int) list
-(** [pairs boxes] is the list of exactly those (i, j) with i < j whose boxes {!Float_box.meet}, in
+(** [pairs boxes] is the list of exactly those (i, j) with i < j whose boxes {!Scc_geometry.Float_box.meet}, in
     lexicographic order. *)

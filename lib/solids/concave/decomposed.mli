@@ -9,7 +9,7 @@ type fault =
 
 val message : Polyhedron.ifs -> fault -> Scc_base.Code.t * string
 (** The code and the message of a fault that concerns more than single faces. A fault [Structure] is a bug
-    here: {!Polyhedron_fault} has its messages. *)
+    here: {!Scc_geometry.Polyhedron_fault} has its messages. *)
 
 val surface : Polyhedron.ifs -> (Drawn.t, fault) result
 (** The surface of one solid, whose faces are sound ({!Sound}) and in one piece ({!Shells}). The fault is never

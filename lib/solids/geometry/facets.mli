@@ -11,7 +11,7 @@ val make : Solid.t -> Solid.t -> t
 val facets : t -> Minkowski.facet array
 (** The facets of the obstacle, as in {!Minkowski.facets}. *)
 
-(** The relation of two closed bodies, as in {!Obstacle.relation}. *)
+(** The relation of two closed bodies, as in {!Obstacle.val-relation}. *)
 
 type relation = Apart | Touching | Interpenetrating
 

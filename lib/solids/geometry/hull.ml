@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_data
 open Scc_exact
 
 (* A triangle of the surface so far, counter-clockwise from outside, with the plane n . x = d. It keeps the points
@@ -93,20 +94,13 @@ let through fan point =
    line, which is joined to the point. It is in the plane of no facet that goes, so that no new triangle is
    degenerate. *)
 
-module Edges = Hashtbl.Make (struct
-    type t = int * int
-
-    let equal (a, b) (c, d) = Int.equal a c && Int.equal b d
-    let hash (a, b) = ((a * 0x9E3779B1) + b) land max_int
-  end)
-
 (* The facets that go, from one of them on, and the directed edges at their border. *)
 let seen points edges f p =
   let rec go gone border = function
     | [] -> (gone, border)
     | f :: rest ->
       let look (border, rest) (v, w) =
-        let g = Edges.find edges (w, v) in
+        let g = Int_pairs.find edges (w, v) in
         if not g.there then (border, rest)
         else if Z.sign (height g points.(p)) > 0 then begin
           g.there <- false;
@@ -133,12 +127,12 @@ let in_order border =
   in
   follow [] start
 
-let enter edges f = List.iter (fun e -> Edges.replace edges e f) (edges_of f)
+let enter edges f = List.iter (fun e -> Int_pairs.replace edges e f) (edges_of f)
 
 let add points edges f =
   let p = f.far in
   let gone, border = seen points edges f p in
-  List.iter (fun f -> List.iter (Edges.remove edges) (edges_of f)) gone;
+  List.iter (fun f -> List.iter (Int_pairs.remove edges) (edges_of f)) gone;
   let fan = fan points p (in_order border) in
   Array.iter (enter edges) fan.facets;
   List.iter (fun f -> List.iter (fun i -> put points (through fan points.(i)) i) f.outside) gone;
@@ -166,7 +160,7 @@ let triangles positions =
   let points, _ = Ivec.of_vecs positions in
   let*? four = first_four points in
   let points = about_the_middle points four in
-  let edges = Edges.create 1024 in
+  let edges = Int_pairs.create 1024 in
   let first = start points four in
   List.iter (enter edges) first;
   let rec grow = function
@@ -174,4 +168,4 @@ let triangles positions =
     | f :: rest -> grow (if f.there && f.outside <> [] then List.rev_append (add points edges f) rest else rest)
   in
   grow first;
-  Some (Edges.fold (fun (v, _) f all -> if v = f.a then [| f.a; f.b; f.c |] :: all else all) edges [])
+  Some (Int_pairs.fold (fun (v, _) f all -> if v = f.a then [| f.a; f.b; f.c |] :: all else all) edges [])

@@ -20,7 +20,7 @@ type t = private {
   count : int;  (** vertices *)
   xs : float array;
   ys : float array;
-  zs : float array;  (** the coordinates of the vertices, as {!floats} *)
+  zs : float array;  (** the coordinates of the vertices, as {!val-floats} *)
   compass : Compass.t;
   low : floats;
   high : floats;  (** the least and greatest of these *)

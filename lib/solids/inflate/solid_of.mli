@@ -27,5 +27,5 @@ val everything : Relief.t -> int
 val make :
   progress:(float -> unit) -> faces:int option -> scale:Rat.t -> Relief.t -> (t, int) result
 (** [make ~progress ~faces ~scale r] is the solid with at most [faces] faces, or without simplification if that
-    is [None]. Lengths of the mesh are multiplied by [scale] > 0; those of {!gaps} are not. The error is the
+    is [None]. Lengths of the mesh are multiplied by [scale] > 0; those of {!type-gaps} are not. The error is the
     number of faces that would be needed. *)

@@ -2,29 +2,22 @@ open Scc_data
 open Scc_exact
 open Scc_geometry
 
-module Table = Hashtbl.Make (struct
-    type t = int * int
-
-    let equal (a, b) (c, d) = Int.equal a c && Int.equal b d
-    let hash (a, b) = ((a * 0x9E3779B1) + b) land max_int
-  end)
-
 let next corners i = if i + 1 = Array.length corners then corners.(0) else corners.(i + 1)
 
 (* The face along each directed edge; None when several run along it. *)
 let directed faces =
-  let table = Table.create (4 * Array.length faces) in
+  let table = Int_pairs.create (4 * Array.length faces) in
   let add f corners =
     Array.iteri
       (fun i v ->
          let e = (v, next corners i) in
-         Table.replace table e (if Table.mem table e then None else Some f))
+         Int_pairs.replace table e (if Int_pairs.mem table e then None else Some f))
       corners
   in
   Array.iteri add faces;
   table
 
-let across table v w = Option.join (Table.find_opt table (w, v))
+let across table v w = Option.join (Int_pairs.find_opt table (w, v))
 
 (* {1 Groups of coplanar neighbours} *)
 

@@ -28,7 +28,7 @@ val max_digits : int
     can ask for. *)
 
 val coordinate : path:string -> word -> (Rat.t, Diag.t) result
-(** The exact value of a decimal. Beyond {!Rat.of_literal}, a point may lead or end the digits, as C prints and
+(** The exact value of a decimal. Beyond [Rat.of_literal], a point may lead or end the digits, as C prints and
     reads them. Fractions [p/q] are read too. *)
 
 val coordinates : path:string -> word list -> (Vec.t, Diag.t) result

@@ -8,7 +8,7 @@ open Scc_polyhedra
 type memory
 
 val create : unit -> memory
-(** A new, empty cache. Its keys are the ids of solids ({!Solid.id}) and features. *)
+(** A new, empty cache. Its keys are the ids of solids ({!Scc_geometry.Solid.id}) and features. *)
 
 type side = { solid : Solid.t; feature : Feature.t }
 

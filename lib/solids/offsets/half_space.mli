@@ -35,13 +35,13 @@ val on_border : t -> Constraint.t
 (** [on_border h] holds where there is no room in [h], and the offset is not beyond it. *)
 
 val contact : t list -> Constraint.t list
-(** The closed bodies have a common point where all of these hold ({!Side.contact}). *)
+(** The closed bodies have a common point where all of these hold ({!Scc_geometry.Side.contact}). *)
 
 val overlap : t list -> Constraint.t list
-(** The interiors have a common point where all of these hold ({!Side.overlap}). *)
+(** The interiors have a common point where all of these hold ({!Scc_geometry.Side.overlap}). *)
 
 val collision : t list -> Constraint.t list
-(** The interiors have a common point right after now where all of these hold ({!Side.collision}). Where bodies
+(** The interiors have a common point right after now where all of these hold ([Side.collision]). Where bodies
     do not interpenetrate now, they collide there. *)
 
 (** {1 Time} *)
@@ -52,7 +52,7 @@ val after : Linear.t -> t -> t
 val crossing : t -> Linear.t
 (** The time at which room is 0, perhaps a past one. The speed must not be 0. *)
 
-(** The half-spaces by {!Side.times}, in their order. *)
+(** The half-spaces by {!Scc_geometry.Side.times}, in their order. *)
 type passage = {
   entered : t list;  (** the offset is in them after their crossing *)
   left : t list;  (** the offset is in them before their crossing *)

@@ -33,4 +33,4 @@ val coordinates : t -> Linear.t list
 (** The list of x, y and z. *)
 
 val compose : t -> dimension:int -> Linear.t array -> t
-(** [compose p ~dimension forms] applies {!Linear.compose} to each coordinate. *)
+(** [compose p ~dimension forms] applies {!Scc_polyhedra.Linear.compose} to each coordinate. *)

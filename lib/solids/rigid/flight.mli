@@ -3,7 +3,7 @@
 
 open Scc_geometry
 
-(** The turn of a solid at an instant. [xx] to [zz] are the rotation from {!Shadow} coordinates to the world,
+(** The turn of a solid at an instant. [xx] to [zz] are the rotation from [Shadow] coordinates to the world,
     by rows. [ex], [ey], [ez] are the reference point as seen from the centre of turning. [wx], [wy], [wz] are
     the angular velocity. *)
 type turn = {

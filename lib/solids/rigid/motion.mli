@@ -2,7 +2,7 @@
     now.
 
     The solid turns about a centre that moves in a straight line: a point of the solid that is at p about the
-    reference point of {!Solid.t} is at
+    reference point of {!Scc_geometry.Solid.t} is at
 
     x(t) = centre + t velocity + C(spin (since + t)/2) (arm + turned p)
 

@@ -29,5 +29,5 @@ val centroid : t -> Vec.t
 (** The place of the centroid of the uniform solid, in the world. *)
 
 val fixed_solid : t -> Solid.t
-(** The solid, turned ({!Solid.turned}). Together with {!field-at} it is an argument of the queries of
+(** The solid, turned ({!Scc_geometry.Solid.turned}). Together with {!field-at} it is an argument of the queries of
     {!Scc_geometry}. Not cheap, unless the solid is not turned: then it is the solid itself. *)

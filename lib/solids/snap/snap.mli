@@ -11,7 +11,7 @@ type snapped = {
   set : Polyhedron.ifs;  (** of a convex closed polyhedron *)
   moved : Rat.t array;
   (** an upper bound on the distance that each vertex has moved, greater by less than two in ten bits
-      ({!Rat.sqrt_above}) *)
+      ({!Scc_exact.Rat.sqrt_above}) *)
   turned_over : bool;  (** the faces were listed clockwise, all of them *)
   bits : int;  (** of the longest coordinate *)
 }
@@ -29,7 +29,7 @@ type refusal =
 
 val snap : tolerance:Rat.t -> Polyhedron.ifs -> (snapped, refusal) result
 (** [snap ~tolerance set] moves no vertex farther than the tolerance, which is positive. A convex closed
-    polyhedron is unchanged. The set is not {!Polyhedron.too_fine}. *)
+    polyhedron is unchanged. The set is not {!Scc_geometry.Polyhedron.too_fine}. *)
 
 val explain : Polyhedron.ifs -> tolerance:Rat.t -> refusal -> string * string option
 (** A sentence for readers, without the final full stop, and advice. *)

@@ -10,9 +10,9 @@ open Scc_property
 open Scc_state_sets
 
 type location = {
-  skeleton : State.t;  (** as that of a {!Zone.t} *)
+  skeleton : State.t;  (** as that of a {!Scc_state_sets.Zone.t} *)
   arrived : int list;  (** the numbers of the events that have just led here *)
-  set : Polyhedron.t;  (** over the {!Zone.coordinates}, without time, in their order *)
+  set : Polyhedron.t;  (** over the {!Scc_state_sets.Zone.coordinates}, without time, in their order *)
 }
 
 type t = {

@@ -13,7 +13,7 @@ open Scc_property
 
 (** A completed run, until the instant of the fact. *)
 type run = {
-  declared : State.t;  (** before the initial steer, see {!Network.initial} *)
+  declared : State.t;  (** before the initial steer, see {!Scc_semantics.Network.initial} *)
   course : Course.t;
   over : int list option;
   (** if the fact includes that the run ends in a dead end: the processes in persistent contact, by their first

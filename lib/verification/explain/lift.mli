@@ -1,4 +1,4 @@
-(** Runs of a slice as runs of the whole network (see {!Slice}). *)
+(** Runs of a slice as runs of the whole network (see {!Scc_state_space.Slice}). *)
 
 open Scc_calculus
 open Scc_semantics
@@ -10,5 +10,5 @@ val timed : Semantics.t -> initial:State.t -> Witness.t -> Witness.t
 
     The processes outside of the slice make their urgent transitions when time could not pass otherwise: always
     the first one of the instant. They never make a weak split. Time stops wherever the whole network stops.
-    Facts and argument are those of [w]. If the interval at the end (see {!Witness.finish}) begins before the
+    Facts and argument are those of [w]. If the interval at the end (see {!Witness.type-finish}) begins before the
     last state, the sample is shown as the instant itself. It is a bug if this cannot be done. *)

@@ -33,7 +33,7 @@ val tidy : Union.t -> Union.t
 
 val order : Polyhedron.t list -> Polyhedron.t list
 (** Disjoint pieces, none empty, in order: those of a greater dimension first, then by
-    {!Polyhedron.interior_point}, coordinate by coordinate. The order depends on the sets of points alone. *)
+    [Polyhedron.interior_point], coordinate by coordinate. The order depends on the sets of points alone. *)
 
 (** {1 What it says} *)
 

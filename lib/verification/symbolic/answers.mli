@@ -13,7 +13,7 @@ val make : Instant.context -> Atoms.context -> parameters:Polyhedron.t -> Proper
 
 val reach : t -> Plan.reach option
 (** [reach t] is the positions that the truth of the formula of [t] in the initial states depends on
-    ({!Plan.reach}); [None] if there is no such bound. *)
+    ({!Scc_property.Plan.reach}); [None] if there is no such bound. *)
 
 val needs_time : Property.temporal -> bool
 (** [needs_time formula] is true if the formula mentions model time or has a bound of time. Model time then has

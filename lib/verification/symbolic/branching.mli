@@ -17,7 +17,7 @@ type answer = {
 
 val answer : Instant.context -> Atoms.context -> Zone_graph.t -> Property.temporal -> (answer, string) result
 (** [answer c atoms graph formula] says for which values the formula holds. If a bound of time has ended the graph,
-    the formula looks no further ({!Plan.reach}). The error is the reason why it is not known:
+    the formula looks no further ({!Scc_property.Plan.reach}). The error is the reason why it is not known:
     a number that is not linear, a bound of time within another operator, a probability, or an
     iteration that does not converge. *)
 

@@ -9,6 +9,6 @@ open Scc_state_sets
 type t = { label : Transition.label; target : Zone.t  (** over the same variables; not canonical *) }
 
 val all : Instant.context -> events:Property.event array -> Zone.t -> Polyhedron.t -> t Network.discrete
-(** [all c ~events z region] are the events on the region, each kind in the order of {!Network.successors}. For a
-    {!Zone.t.halted} zone they are only weak splits. Each target contains the numbers of those of [events] by
+(** [all c ~events z region] are the events on the region, each kind in the order of [Network.successors]. For a
+    [Zone.t.halted] zone they are only weak splits. Each target contains the numbers of those of [events] by
     which it was reached. *)

@@ -21,4 +21,4 @@ val cells : context -> Zone.t -> Polyhedron.t list
     same parts collide, and all contacts between the processes that collide are the same. The same features of
     open channels touch, and closings and pushes have the same results. With [binding contact], all contacts
     between parts with open channels that fit are the same, too. Collisions are not considered in
-    {!Zone.t.halted} zones. Raises {!Not_affine} for a push along an unknown line. *)
+    {!Scc_state_sets.Zone.t.halted} zones. Raises {!Not_affine} for a push along an unknown line. *)

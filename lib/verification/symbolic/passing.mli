@@ -22,7 +22,7 @@ val until : Instant.context -> Zone.t -> due First.cell -> Zone.t list
 
 val within : Instant.context -> Zone.t -> due First.cell -> Zone.t
 (** [within c z cell] are all states from now until before the cell's time (all later states, if it has none),
-    as a {!Zone.t.halted} zone. The zone has one more variable, the last one: the time that has passed. *)
+    as a [Zone.t.halted] zone. The zone has one more variable, the last one: the time that has passed. *)
 
 val trajectory : Instant.context -> Zone.t -> due First.cell -> Zone.t
 (** [trajectory c z cell] are all states strictly after now and before the cell's time, as they pass by. The

@@ -68,7 +68,7 @@ val map2 : (Union.t -> Union.t -> Union.t) -> sets -> sets -> sets
 (** [map2 f a b] applies [f] to each two sets of one node or stretch. *)
 
 val tidy : Union.t -> Union.t
-(** The set, by fewer pieces where possible ({!Union.merged}). *)
+(** The set, by fewer pieces where possible ({!Scc_polyhedra.Union.merged}). *)
 
 val some : Polyhedron.t -> Union.t
 (** The set with one polyhedron as its only piece. *)

@@ -17,7 +17,7 @@ val canonical : t -> t * Linear.t array
     old ones. *)
 
 val of_coordinates : t -> set:Polyhedron.t -> basis:int array -> Linear.t array -> t
-(** [of_coordinates z ~set ~basis forms] is a zone like [z] with the {!coordinates} [forms]. *)
+(** [of_coordinates z ~set ~basis forms] is a zone like [z] with the [coordinates] [forms]. *)
 
 val same_forms : t -> t -> bool
 (** [same_forms a b] is true if all coordinates are the same forms over as many variables, with the same
@@ -35,7 +35,7 @@ val merged : t -> t -> t option
     and the union of their sets is convex. *)
 
 val sample : t -> Rat.t array
-(** The {!coordinates} of one of its states. *)
+(** The [coordinates] of one of its states. *)
 
 val has : t -> Rat.t array -> bool
 (** [has z coordinates] is true if the state with these coordinates is in the canonical zone [z]. It is a quick

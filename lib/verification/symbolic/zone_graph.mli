@@ -12,7 +12,7 @@ open Scc_state_sets
 (** An edge is taken from those states of the source for which the guard holds. *)
 type edge = {
   guard : Polyhedron.t;
-  (** over the variables of the source, and of a {!Passes_some} over one more, the last one: the time that
+  (** over the variables of the source, and of a [Passes_some] over one more, the last one: the time that
       passes *)
   step : Zone_steps.step;
   target : int;

@@ -27,7 +27,7 @@ type report = {
       requested *)
   invariants : By_invariant.end_ list;  (** of an exploration over zones: the results of the searches for
                                             invariants that prove them (rule Invariants) *)
-  numbers : unit -> (string * int) list;  (** the lengths of the longest numbers: {!Catalogue.longest} *)
+  numbers : unit -> (string * int) list;  (** the lengths of the longest numbers: [Catalogue.longest] *)
 }
 
 val faults : report -> string list

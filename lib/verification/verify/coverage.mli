@@ -44,5 +44,5 @@ val channels : t -> channel list
 (** The counts for all names in behaviours, sorted by name. *)
 
 val rules : t -> (Rule.t * int) list
-(** The number of transitions that each rule of the model took part in, in the order of {!Rule.all}. Eps0 and
+(** The number of transitions that each rule of the model took part in, in the order of [Rule.all]. Eps0 and
     Round are left out, as the graph does not show their use. *)

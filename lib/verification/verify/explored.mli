@@ -11,7 +11,7 @@ type t = {
   size : int;  (** states are numbered from 0, the initial one, in the order in which they were found *)
   state : int -> State.t;
   edges : int -> edge array;
-  (** in the order of {!Network.successors}; empty while the state is not expanded *)
+  (** in the order of {!Scc_semantics.Network.successors}; empty while the state is not expanded *)
   expanded : int -> bool;  (** true if all transitions of the state are known *)
   rests : int -> bool;  (** the state is quiescent: nothing happens any more, and time passes for ever *)
   split_step : Scc_exact.Rat.t option;  (** the step of the grid, if a weak split is enabled in some state *)

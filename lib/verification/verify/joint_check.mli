@@ -15,7 +15,7 @@ type result = {
   (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)
   lost : Lost.taken;  (** why the Zeno run is missing, if it is *)
   stores : (string * int) list;  (** the memory of the explored graph: states, labels and edges, in bytes *)
-  numbers : unit -> (string * int) list;  (** the lengths of the longest numbers: {!Catalogue.longest} *)
+  numbers : unit -> (string * int) list;  (** the lengths of the longest numbers: [Catalogue.longest] *)
 }
 
 val horizon : Property.check list -> Rat.t option
@@ -43,5 +43,5 @@ val explore :
   ?time_seen:Time_seen.t -> ?visitor:(Network_lts.context -> State_graph.visitor) ->
   Setup.t -> Semantics.t -> initial:State.t ->
   Network_lts.context * State_graph.t * Stats.t
-(** The exploration alone, with its statistics. [time_seen] is that of {!Network_lts.make}; the functions of
+(** The exploration alone, with its statistics. [time_seen] is that of [Network_lts.make]; the functions of
     [visitor] are called while states are found. *)

@@ -15,7 +15,7 @@ val within : Model.t -> initial:State.t -> Rat.t option -> Property.prop -> Rat.
 (** [within m ~initial bound goal] is the bound of a search for [goal]: [bound], or the model time from the initial
     state after which the goal is false for good, if that is less. *)
 
-type question = { asked : Property.asked; formula : int  (** its number in {!Temporal.ask} *) }
+type question = { asked : Property.asked; formula : int  (** its number in {!Scc_state_space.Temporal.ask} *) }
 
 val settled :
   Limits.surroundings -> Temporal.asked -> rests:(int array -> bool) -> question list ->

@@ -19,7 +19,7 @@ val make : Bounds.t -> Limits.attempt -> t
 (** An empty list for checks under these bounds, whose runs are made by these attempts. *)
 
 val attempt : t -> (unit -> 'a) -> 'a option
-(** [attempt t f] is the result of [f], or [None] if it is given up or ends with {!Limits.Over}; that is recorded.
+(** [attempt t f] is the result of [f], or [None] if it is given up or ends with [Limits.Over]; that is recorded.
 *)
 
 val run : t -> Semantics.t -> (unit -> Witness.t option) -> Witness.t option

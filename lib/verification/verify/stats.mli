@@ -10,7 +10,7 @@ type t = {
   complete : bool;  (** every state was expanded *)
   eventful : bool;  (** some transition is not a passing of time *)
   decided_early : bool;  (** the exploration ended because every property was decided *)
-  split_step : Rat.t option;  (** a weak split was enabled in a state: {!Network_lts.split_step} *)
+  split_step : Rat.t option;  (** a weak split was enabled in a state: {!Scc_state_space.Network_lts.split_step} *)
   stopped_by : Verdict.truncation list;  (** the bounds that left states unexpanded *)
   faults : Scc_base.Diag.t list;  (** the reasons why transitions of states could not be computed, each text
                                       once *)

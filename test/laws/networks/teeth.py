@@ -162,22 +162,22 @@ MISTAKES = {
         "transition.ml", " && List.equal State.equal_process a.come b.come", "",
     ),
     "a clock may show a whole step": (
-        "well_formed.ml", "Rat.sign c >= 0 && Rat.compare c step < 0",
+        "../../../test/support/well_formed/well_formed.ml", "Rat.sign c >= 0 && Rat.compare c step < 0",
         "Rat.sign c >= 0 && Rat.compare c step <= 0",
     ),
     "a leaf may be there twice": (
-        "well_formed.ml", "| Some _ -> Some (Repeated_leaf leaf)",
+        "../../../test/support/well_formed/well_formed.ml", "| Some _ -> Some (Repeated_leaf leaf)",
         "| Some n -> if n > 2 then Some (Repeated_leaf leaf) else None",
     ),
-    "a process may be in two pieces": ("well_formed.ml", "| [ _ ] -> true\n  | _ -> false", "| _ -> true"),
+    "a process may be in two pieces": ("../../../test/support/well_formed/well_formed.ml", "| [ _ ] -> true\n  | _ -> false", "| _ -> true"),
     "parts of one process may interpenetrate": (
-        "well_formed.ml", "{ p with process = i }", "(ignore i; p)",
+        "../../../test/support/well_formed/well_formed.ml", "{ p with process = i }", "(ignore i; p)",
     ),
     "an absorber may be bound": (
-        "well_formed.ml", "absorbs && Array.length p.leaves > 1", "absorbs && Array.length p.leaves > 2",
+        "../../../test/support/well_formed/well_formed.ml", "absorbs && Array.length p.leaves > 1", "absorbs && Array.length p.leaves > 2",
     ),
     "a wall may spin": (
-        "well_formed.ml", "not (Vec.is_zero p.velocity && Vec.is_zero p.spin)", "not (Vec.is_zero p.velocity)",
+        "../../../test/support/well_formed/well_formed.ml", "not (Vec.is_zero p.velocity && Vec.is_zero p.spin)", "not (Vec.is_zero p.velocity)",
     ),
     # Chapter 4: bodies that turn.
     "turns are longer than their bound": (

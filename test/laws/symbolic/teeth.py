@@ -83,7 +83,7 @@ MISTAKES = {
     "only where they are looked at do features touch": (
         "instant.ml",
         "List.concat_map (fall turns) regions",
-        "List.concat_map (fun p -> ignore (fall turns); [ p ]) regions",
+        "(ignore (fall, turns); regions)",
     ),
     "features touch with their borders": (
         "../../solids/offsets/feature_offsets.ml",

@@ -3,7 +3,6 @@
 open Scc_base
 open Scc_exact
 open Scc_calculus
-open Scc_semantics
 open Scc_property
 open Models
 

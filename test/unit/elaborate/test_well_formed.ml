@@ -4,7 +4,6 @@ open Scc_exact
 open Scc_geometry
 open Scc_broad_phase
 open Scc_calculus
-open Scc_semantics
 open Models
 
 let standard = Scc_engine.Standard.of_model

@@ -1,6 +1,7 @@
 open Scc_exact
 open Scc_geometry
 open Scc_calculus
+open Scc_semantics
 
 module Counts = Map.Make (Int)
 

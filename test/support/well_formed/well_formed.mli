@@ -2,6 +2,7 @@
     Elaboration checks the declared network, with places in the text. This module checks any state, exactly. *)
 
 open Scc_calculus
+open Scc_semantics
 
 type fault =
   | Lost_leaf of int  (** a leaf of the model that is in no process *)
@@ -11,13 +12,13 @@ type fault =
   | Bad_bond of State.bond  (** it names a leaf, part or feature that is not there, or one leaf twice *)
   | Loose_bond of State.bond  (** its features do not touch (Definition 5.2, reading I-3) *)
   | Not_a_tree of int
-  (** the bonds of this process do not join its leaves into a tree; with {!Model.Cyclic}, they do not connect
+  (** the bonds of this process do not join its leaves into a tree; with [Model.Cyclic], they do not connect
       them, or join two of them twice *)
   | Bound_absorber of int  (** a leaf of this process absorbs, and is not alone *)
   | Moving_wall of int  (** this process has a fixed leaf, and a velocity or a spin *)
   | Bad_clock of int
   (** this process has a split clock but no enabled weak split, or the reverse; or not
-      0 <= clock < split step (reading I-9); or a clock that is not 0 with {!Model.Any_time} *)
+      0 <= clock < split step (reading I-9); or a clock that is not 0 with {!Scc_calculus.Model.Any_time} *)
   | Bad_turn of int
   (** this process has a turn or an orientation in the translational calculus, or a turn that is out of range (rule
       Turn) *)
