@@ -103,13 +103,13 @@ let simulate o m run log =
     | Some (Time d) ->
       if Rat.compare (Rat.add (Event_run.elapsed run) d) o.time > 0 then events
       else begin
-        Event_run.take run 0;
+        ignore (Event_run.take run 0);
         from events
       end
     | Some (Bounce { firsts = [ p; q ]; _ }) ->
       let both () = (moving m run p, moving m run q) in
       let before = if o.check then Some (both ()) else None in
-      Event_run.take run 0;
+      ignore (Event_run.take run 0);
       Option.iter
         (fun before -> if not (conserved before (both ())) then fail "momentum or energy is lost")
         before;

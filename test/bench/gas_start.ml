@@ -122,6 +122,7 @@ let network t =
       collisions = In_turn;
       binding = On_collision;
       bonds = Acyclic;
+      blocked = Bounce;
       round_velocity = None;
       lots = false;
       rigid = None;

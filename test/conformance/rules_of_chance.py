@@ -1,6 +1,6 @@
 """By hand: what is left to chance, velocities by laws, and weak splits."""
 
-from make_rules import at_once, BIND, BOUNCE, DOCK, TIME, WEAK, Rule, bonded, bounces, cubes, leaf, passes, releases
+from make_rules import at_once, BIND, BOUNCE, DOCK, TIME, WEAK, Rule, binds, bonded, bounces, cubes, leaf, passes, releases
 from cases import num, nums, unordered
 
 
@@ -68,6 +68,52 @@ def diffuse():
                [draws('p', (4, 3, 0), '1/8'), draws('p', (0, 3, 0), '1/8'), draws('p', (2, 3, 0), '3/4')])
     r.refused('A kick of 1 for S = 6.', text % (1, '1, (0,0,0), 1'), 'SC0601')
     r.refused('A constant that is no constant.', text % (1, 'x'), 'SC0601')
+    return r
+
+
+def blocked():
+    r = Rule('Blocked')
+    right, left, ways = '(1,0,0)', '(-1,0,0)', 'process %s = Cube mass 1 at translate (%s,0,0) [nil]\nmotion %s = choose { %s }\n'
+
+    def row(how, *walkers):
+        """Of cubes 2 wide between walls, so that 0, 2, 4 and 6 are their places where steps last 2."""
+        walls = 'fixed west = Cube at translate (-2,0,0)\nfixed east = Cube at translate (8,0,0)\n'
+        bodies = ''.join(ways % (name, x, name, kick) for name, x, kick in walkers)
+        return 'timestep 2 steady\n%s%s' % ('blocked %s\n' % how if how else '', walls + bodies)
+
+    def after(note, how, walkers, velocities):
+        draws = [{'kind': 'draw'}] * len(walkers)
+        formula = ' and '.join('vx(%s) = %s' % (w[0], v) for w, v in zip(walkers, velocities))
+        r.value(note, row(how, *walkers), draws, formula, True)
+
+    train = [('p', 0, right), ('q', 2, right), ('r', 4, right)]
+    after('A row moves as one.', 'wait', train, [1, 1, 1])
+    after('Not into a wall.', 'wait', [('p', 2, right), ('q', 4, right), ('r', 6, right)], [0, 0, 0])
+    after('Two that are kicked into one place both wait.', 'wait', [('p', 2, right), ('q', 6, left)], [0, 0])
+    after('So does what would follow one of them.', 'wait', [('p', 0, right), ('q', 2, right), ('r', 6, left)], [0, 0, 0])
+    after('Into two places they go.', 'wait', [('p', 0, right), ('q', 6, left)], [1, -1])
+    after('A kick that ends at a wall is taken.', 'wait', [('p', 4, right)], [1])
+    after('One that ends beyond it is not.', 'wait', [('p', 4, '(2,0,0)')], [0])
+    after('Unless what it hits on the way stops it.', 'stop', [('p', 4, '(2,0,0)')], [2])
+    after('What touches stops at once.', 'stop', [('p', 6, right), ('q', 2, right)], [0, 1])
+    after('Both stop if both move on.', 'stop', [('p', 2, right), ('q', 4, left)], [0, 0])
+    after('What is merely hit goes on.', 'stop', [('p', 2, '(2,0,0)'), ('q', 4, right)], [0, 1])
+    draw = [{'kind': 'draw'}]
+    r.outcomes('There is no bounce, and time passes.', row('wait', ('p', 6, right)), draw, [passes(2)])
+    r.outcomes('Nor here.', row('stop', ('p', 6, right)), draw, [passes(2)])
+    r.outcomes('Where nothing is said, there is.', row('', ('p', 6, right)), draw, [bounces('east', 'p')])
+    r.outcomes('Or this.', row('bounce', ('p', 6, right)), draw, [bounces('east', 'p')])
+    r.outcomes('It is stopped on its way.', row('stop', ('p', 4, '(2,0,0)')), draw, [passes(1)])
+    r.outcomes('And waits for its next draw.', row('stop', ('p', 4, '(2,0,0)')), draw + [TIME], [passes(1)])
+    ball = row('stop', ('p', 4, '(0,0,0)')) + 'process ball = Cube mass 1 velocity (1,0,0) at translate (1,0,0) [nil]\n'
+    r.outcomes('A ball comes.', ball, draw, [passes(1)])
+    r.outcomes('It bounces.', ball, draw + [TIME], [bounces('p', 'ball')])
+    r.value('As off a wall.', ball, draw + [TIME, BOUNCE], 'vx(ball) = -1 and vx(p) = 0', True)
+    binding = (DOCK + 'timestep 2 steady\nblocked wait\nfixed lock = Cube at translate (2,0,0) [Shut]\n'
+               'process p = Cube mass 1 [Open]\nmotion p = choose { (1,0,0) }\n')
+    r.outcomes('What fits binds.', binding, draw, [binds('dock', 'p.right', 'lock.left')])
+    for text in ('dynamics free_body', 'round velocity 1/2'):
+        r.refused('Not in such a model.', text + '\n' + row('wait', ('p', 6, right)), 'SC0901')
     return r
 
 
@@ -347,4 +393,4 @@ def i_38():
 
 
 def suites():
-    return [draw(), diffuse(), i_38(), lots(), i_39(), probability(), expectation()]
+    return [draw(), diffuse(), blocked(), i_38(), lots(), i_39(), probability(), expectation()]

@@ -308,7 +308,7 @@ let lasts s initial g =
     | Some (k, label) ->
       over (Rat.add (Event_run.elapsed run) (Transition.duration_of label))
       || begin
-        Event_run.take run k;
+        ignore (Event_run.take run k);
         go (fuel - 1)
       end
   in
@@ -341,7 +341,7 @@ let kept s initial named ~in_all =
 
 (* Bodies that come to touch and do not collide are not looked for (reading I-33). *)
 let can_be_cut (m : Model.t) initial =
-  not (Model.has_turns m || m.lots || Model.binds_on_contact m || Parameters.may_push m initial) && Pace.allows m
+  not (Model.has_turns m || m.lots || Model.binds_on_contact m || Model.stops_walkers m || Parameters.may_push m initial) && Pace.allows m
 
 (* Groups are looked for once for all formulas that look as far, and name the same leaves in events. *)
 let make semantics ~(initial : State.t) =

@@ -104,6 +104,8 @@ let explain t i =
 
 let probability t i side = Scc_ctl.Eval.probability t.eval ~decide:false side t.asked.formulas.(i) origin
 
+let curve t i side = Scc_ctl.Eval.curve t.eval side t.asked.formulas.(i) origin.node
+
 (* At an offset of the flow of a node. *)
 let number t n =
   let semantics = Network_lts.semantics t.asked.context in

@@ -168,6 +168,21 @@ let measured =
       field "high" (nullable Shared.rational) high;
     ]
 
+let curve_point =
+  let moment (p : Verdict.point) = p.moment in
+  fields
+    [
+      field "time" Witness_json.instant (fun p -> (moment p).offset);
+      maybe "after" (constant (`Bool true)) (fun p -> if (moment p).attained then None else Some ())
+        ~about:"It counts after this time, and not yet at it.";
+      field "values" (list ~least:1 ~most:2 measured) (fun (p : Verdict.point) -> p.answer);
+    ]
+
+let curve (v : Verdict.t) =
+  match v with
+  | Measured { curve = _ :: _ as curve; _ } -> Some curve
+  | Measured _ | Holds _ | Violated _ | Undecided _ -> None
+
 let bounds (v : Verdict.t) =
   match v with Holds { bounds; _ } -> bounds | Violated _ | Measured _ | Undecided _ -> []
 
@@ -211,6 +226,10 @@ let property_members =
              ~about:
                "The answer to `= ?`: over the choices of all schedulers, what is the least and the greatest. \
                 Where low and high are one, that is the number; else it is proved to be between them.";
+           maybe "curve" (list ~least:1 curve_point) (fun (o : Verdict.outcome) -> curve o.verdict)
+             ~about:
+               "With --curve: the answer for all ends T of the bound of time up to the given one. Each row counts \
+                from its time to that of the next one.";
            maybe "rests_on" (list ~least:1 rest) (fun (o : Verdict.outcome) -> some o.rests)
              ~about:
                "Runs in which time does not go on for ever: the run that decides, or some among all runs when \

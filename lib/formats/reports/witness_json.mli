@@ -22,3 +22,6 @@ val argument_format : (Witness.argument, unit) Json_format.t
 
 val finish : Witness.t -> string
 (** The word for the end of the run: ["state"], ["instant"], ["rests"], … *)
+
+val instant : (Scc_exact.Algebraic.t, unit) Json_format.t
+(** The format of a real instant: rational bounds of it, which are equal if it is rational, and its text. *)

@@ -104,6 +104,20 @@ let mentions test = function
 
 let is_constant law = not (mentions (fun _ -> true) law)
 
+(* No variable is looked up where there is none. *)
+let never_fails law =
+  let value = eval (fun _ -> Rat.zero) in
+  let has_value e = Result.is_ok (value e) in
+  let has_velocity (x, y, z) = has_value x && has_value y && has_value z in
+  let weight k = match value k.weight with Ok w -> Rat.sign w | Error _ -> -1 in
+  let fits k = match weight k with 0 -> true | sign -> sign > 0 && has_velocity k.velocity in
+  is_constant law
+  &&
+  match law with
+  | Inertial -> true
+  | Velocity v -> has_velocity v
+  | Choose kicks -> List.for_all fits kicks && List.exists (fun k -> weight k > 0) kicks
+
 let mentions_time =
   mentions (function
       | Time -> true

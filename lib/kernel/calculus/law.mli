@@ -79,6 +79,10 @@ val is_constant : t -> bool
 (** [is_constant law] is true if [law] has no variables: its value is the same for all bodies, places and times. An
     [Inertial] law is constant in this sense. *)
 
+val never_fails : t -> bool
+(** [never_fails law] is true if [law] is constant and has no fault. Laws of several leaves that are bound together
+    may still be {!Too_many}. *)
+
 val mentions_time : t -> bool
 (** [mentions_time law] is true if [Time] occurs in [law]. *)
 

@@ -33,6 +33,7 @@ type steps = Shared | Own | Steady
 type collisions = In_turn | Together
 type binding = On_collision | On_contact
 type bonds = Acyclic | Cyclic
+type blocked = Bounce | Stop | Wait
 type splits = Every of Rat.t | Any_time
 
 type t = {
@@ -47,6 +48,7 @@ type t = {
   collisions : collisions;
   binding : binding;
   bonds : bonds;
+  blocked : blocked;
   lots : bool;
   round_velocity : int option;
   rigid : rigid option;
@@ -58,6 +60,7 @@ let keeps_beat m = m.steered && match m.steps with Steady -> true | Shared | Own
 let has_turns m = Option.is_some m.rigid || Option.is_some m.round_velocity
 let binds_on_contact m = match m.binding with On_contact -> true | On_collision -> false
 let closes_rings m = match m.bonds with Cyclic -> true | Acyclic -> false
+let stops_walkers m = match m.blocked with Stop | Wait -> true | Bounce -> false
 let draws m = Array.exists (fun l -> Law.draws l.law) m.leaves
 let leaves_to_chance m = m.lots || draws m
 let straight m = not (m.steered || has_turns m || m.lots)

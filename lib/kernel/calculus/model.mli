@@ -64,6 +64,13 @@ type bonds =
   | Acyclic  (** the bonds of a process are a tree (Definition 5.2) *)
   | Cyclic  (** two leaves of one process may bind as well (rule Close, reading I-37) *)
 
+(** What becomes of a walker, a body whose law leaves its velocity to chance, that runs into another body without
+    making a bond (rule Blocked). *)
+type blocked =
+  | Bounce  (** it bounces, as all bodies do *)
+  | Stop  (** it stands still until it draws again *)
+  | Wait  (** as [Stop]; and a velocity that is blocked before the next draw is not taken at all *)
+
 (** When a bond that both its ends would release may be released (rule WeakSplit, reading I-9). *)
 type splits =
   | Every of Rat.t  (** at the instants of a grid with this step, which starts anew with the split clock *)
@@ -81,6 +88,7 @@ type t = {
   collisions : collisions;
   binding : binding;
   bonds : bonds;
+  blocked : blocked;
   lots : bool;
   (** some weak split is left to chance: the split instants of the network are part of the state (rule Lot) *)
   round_velocity : int option;  (** velocities and spins are rounded to multiples of 2^-k (rule Round) *)
@@ -111,6 +119,9 @@ val binds_on_contact : t -> bool
 
 val closes_rings : t -> bool
 (** [closes_rings m] is true if bonds of [m] may close rings: {!Cyclic}. *)
+
+val stops_walkers : t -> bool
+(** [stops_walkers m] is true if walkers of [m] do not bounce: {!Stop} or {!Wait}. *)
 
 val draws : t -> bool
 (** [draws m] is true if a law of [m] leaves velocities to chance (rule Draw). *)

@@ -56,6 +56,7 @@ let listed (m : Model.t) s =
   @ (match m.collisions with Together -> [ ("collisions", "together") ] | In_turn -> [])
   @ (match m.binding with On_contact -> [ ("binding", "contact") ] | On_collision -> [])
   @ (match m.bonds with Cyclic -> [ ("bonds", "cyclic") ] | Acyclic -> [])
+  @ (match m.blocked with Stop -> [ ("blocked", "stop") ] | Wait -> [ ("blocked", "wait") ] | Bounce -> [])
   @ Option.fold ~none:[] ~some:rigid m.rigid
   @ rounded "velocity" m.round_velocity
 

@@ -1,6 +1,7 @@
-(** A run of a network without laws of motion, from event to event. The cost of a step depends on the processes
-    that take part in it and on their neighbours, and hardly on the size of the network. A run has the same
-    transitions as {!Scc_semantics.Network.successors}, in the same order, but does not build whole states. *)
+(** A run of a network from event to event. The cost of a step depends on the processes that take part in it and on
+    their neighbours, and hardly on the size of the network. Laws of motion are evaluated for all bodies at once,
+    at the end of each movement step. A run has the same transitions as
+    {!Scc_semantics.Network.successors}, in the same order, but does not build whole states. *)
 
 open Scc_exact
 open Scc_calculus
@@ -9,13 +10,21 @@ open Scc_semantics
 type t
 
 val can_run : Model.t -> bool
-(** [can_run m] is true if [m] has neither laws of motion, turns nor lots ([Model.straight]), and its processes
-    bind only if they collide (reading I-33). *)
+(** [can_run m] is true if [m] has neither turns nor lots, its processes bind only if they collide (reading
+    I-33), and walkers bounce. If [m] has laws of motion, each of them never fails ({!Law.never_fails}), and processes have no
+    movement steps of their own. *)
 
 val start : Semantics.t -> State.t -> t
 (** A run from any state of a model that {!can_run}. Any other model is a bug. *)
 
-(** A transition that is possible now. *)
+val semantics : t -> Semantics.t
+(** The semantics of a run, without caches of processes. *)
+
+val may_fail : t -> bool
+(** [may_fail t] is true if laws of a process that is there, or that the next transition may make, have no value:
+    {!Law.Too_many}. Then the rules have to decide what happens next, from {!state} on. *)
+
+(** A transition that has been taken. *)
 type alternative = {
   label : Transition.label;
   rules : Rule.t list;
@@ -32,11 +41,8 @@ val count : t -> int
 val label : t -> int -> Transition.label
 (** The label of the alternative with a number. *)
 
-val alternative : t -> int -> alternative
-(** The alternative with a number. *)
-
-val take : t -> int -> unit
-(** Takes the alternative with a number. *)
+val take : t -> int -> alternative
+(** Takes the alternative with a number and returns it. *)
 
 val wait : t -> Rat.t -> alternative option
 (** [wait t d] takes the transition [Network.wait] by [d] and returns it; [None] if there is none. *)

@@ -8,16 +8,8 @@ type alternative = Event_run.alternative = {
   rounded : Totals.t Lazy.t option;
 }
 
-(* Bodies that draw at one instant, one after the other. Nothing that they are asked by changes before the last of
-   them has drawn: so all of it is found when the first one draws, and the state is made when the last one has. *)
-type draws = {
-  drawn : Vec.t option array;  (** by first leaf, of those who have drawn *)
-  mutable left : State.process list;  (** the others, in order *)
-  mutable chances : (Vec.t * Rat.t) array option;  (** of the first of them, once they have been asked for *)
-}
-
 (* What may happen, of a network that does not run from event to event. *)
-type ahead = Draws of draws | Events of (alternative * State.t) array
+type ahead = Draws of Draws.t | Events of (alternative * State.t) array
 
 type stepwise = {
   semantics : Semantics.t;
@@ -27,26 +19,36 @@ type stepwise = {
   mutable elapsed : Scc_exact.Rat.t;
 }
 
-type t = Stepwise of stepwise | Eventwise of Event_run.t
+type way = Stepwise of stepwise | Eventwise of Event_run.t
+type t = { mutable way : way }
+
+let stepwise ?(elapsed = Rat.zero) semantics present =
+  Stepwise { semantics; present; ahead = None; rounded = Totals.no_sum; elapsed }
 
 let resume semantics s =
-  if Event_run.can_run (Semantics.model semantics) then Eventwise (Event_run.start semantics s)
-  else
-    Stepwise
-      { semantics; present = s; ahead = None; rounded = Totals.no_sum; elapsed = Scc_exact.Rat.zero }
+  if Event_run.can_run (Semantics.model semantics) then { way = Eventwise (Event_run.start semantics s) }
+  else { way = stepwise semantics s }
+
+(* Where laws may have no value, the rules alone say what is reported, and when. *)
+let way t =
+  match t.way with
+  | Eventwise run when Event_run.may_fail run ->
+    t.way <- stepwise ~elapsed:(Event_run.elapsed run) (Event_run.semantics run) (Event_run.state run);
+    t.way
+  | (Eventwise _ | Stepwise _) as way -> way
 
 let start semantics declared = Result.map (resume semantics) (Network.initial semantics declared)
+
+let inertial m = Model.straight m && Event_run.can_run m
 
 let seen s (t : Transition.t) =
   let rounded = Totals.added (Semantics.model s.semantics) t in
   ({ label = t.label; rules = t.rules; rounded }, t.target)
 
 let look s =
-  match Steer.drawers s.semantics s.present with
-  | _ :: _ as left ->
-    let leaves = Array.length (Semantics.model s.semantics).leaves in
-    Ok (Draws { drawn = Array.make leaves None; left; chances = None })
-  | [] ->
+  match Draws.waiting s.semantics s.present with
+  | Some draws -> Ok (Draws draws)
+  | None ->
     let* transitions = Network.successors s.semantics s.present in
     Ok (Events (Array.of_list (List.map (seen s) transitions)))
 
@@ -58,16 +60,6 @@ let ahead s =
     s.ahead <- Some ahead;
     ahead
 
-let chances s d =
-  match (d.chances, d.left) with
-  | Some chances, _ -> Ok chances
-  | None, p :: _ ->
-    let* chances = Steer.chances s.semantics s.present p in
-    let chances = Array.of_list chances in
-    d.chances <- Some chances;
-    Ok chances
-  | None, [] -> Scc_base.Bug.fail __POS__ "nobody is left to draw"
-
 type labels = { count : int; label : int -> Transition.label }
 
 let list labels = List.init labels.count labels.label
@@ -78,11 +70,12 @@ let labels_ahead s =
   | Events events ->
     Ok { count = Array.length events; label = (fun i -> let (a : alternative), _ = events.(i) in a.label) }
   | Draws d ->
-    let* chances = chances s d in
-    let drawer = List.hd d.left in
+    let* chances = Draws.chances s.semantics d in
+    let drawer = Draws.drawer d in
     Ok { count = Array.length chances; label = (fun i -> Steer.draw_label drawer chances.(i)) }
 
-let labels = function
+let labels t =
+  match way t with
   | Eventwise run -> Ok { count = Event_run.count run; label = Event_run.label run }
   | Stepwise s -> labels_ahead s
 
@@ -93,31 +86,24 @@ let go s ((taken : alternative), target) =
   s.ahead <- None;
   taken
 
-let velocity_of d (p : State.process) = d.drawn.(p.leaves.(0).leaf)
 let no_such_alternative () = Scc_base.Bug.fail __POS__ "an alternative that is not there"
 
 (* The last draw alone has consequences: the others' are that one has drawn. *)
 let draw s d i =
-  match (d.left, chances s d) with
-  | p :: more, Ok chances when i >= 0 && i < Array.length chances -> (
-      match more with
-      | _ :: _ ->
-        d.drawn.(p.leaves.(0).leaf) <- Some (fst chances.(i));
-        d.left <- more;
-        d.chances <- None;
+  match Draws.chances s.semantics d with
+  | Ok chances when i >= 0 && i < Array.length chances -> (
+      let p = Draws.drawer d in
+      if not (Draws.draw d (fst chances.(i))) then
         { label = Steer.draw_label p chances.(i); rules = Network.draw_rules; rounded = None }
-      | [] -> (
-          match Network.drawn s.semantics s.present ~before:(velocity_of d) p chances.(i) with
-          | Ok transition -> go s (seen s transition)
-          | Error _ -> Scc_base.Bug.fail __POS__ "laws that are asked while somebody draws"))
-  | _, _ -> no_such_alternative ()
+      else
+        match Network.drawn s.semantics s.present ~before:(Draws.before d) p chances.(i) with
+        | Ok transition -> go s (seen s transition)
+        | Error _ -> Scc_base.Bug.fail __POS__ "laws that are asked while somebody draws")
+  | Ok _ | Error _ -> no_such_alternative ()
 
 let take t i =
-  match t with
-  | Eventwise run ->
-    let taken = Event_run.alternative run i in
-    Event_run.take run i;
-    taken
+  match way t with
+  | Eventwise run -> Event_run.take run i
   | Stepwise s -> (
       match ahead s with
       | Ok (Draws d) -> draw s d i
@@ -126,27 +112,29 @@ let take t i =
 
 let present s =
   match s.ahead with
-  | Some (Ok (Draws d)) -> Steer.drawn (velocity_of d) s.present
+  | Some (Ok (Draws d)) -> Draws.state d
   | Some (Ok (Events _) | Error _) | None -> s.present
 
 let wait t d =
-  match t with
+  match way t with
   | Eventwise run -> Ok (Event_run.wait run d)
   | Stepwise s ->
     Result.map (Option.map (fun transition -> go s (seen s transition))) (Network.wait s.semantics (present s) d)
 
-let changes = function Eventwise run -> Some (Event_run.changes run) | Stepwise _ -> None
-let elapsed = function Eventwise run -> Event_run.elapsed run | Stepwise s -> s.elapsed
-let state = function Eventwise run -> Event_run.state run | Stepwise s -> present s
+let changes t = match t.way with Eventwise run -> Some (Event_run.changes run) | Stepwise _ -> None
+let elapsed t = match t.way with Eventwise run -> Event_run.elapsed run | Stepwise s -> s.elapsed
+let state t = match t.way with Eventwise run -> Event_run.state run | Stepwise s -> present s
 
-(* Without laws of motion, whatever may ever happen gives time a place to pass to: see {!Time.delay}. *)
-let quiescent = function
+(* From event to event, whatever may ever happen gives time a place to pass to: see {!Time.delay}. *)
+let quiescent t =
+  match way t with
   | Eventwise run -> Event_run.count run = 0
   | Stepwise s -> Network.quiescent s.semantics (present s)
 
 let spinning t = Array.exists Turn.spinning (state t).processes
 
-let rounded = function
+let rounded t =
+  match t.way with
   | Eventwise _ -> None
   | Stepwise s ->
     if Model.rounds (Semantics.model s.semantics) then Some (Totals.bounds s.rounded) else None

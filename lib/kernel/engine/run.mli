@@ -48,6 +48,10 @@ val elapsed : t -> Scc_exact.Rat.t
 val state : t -> State.t
 (** The present state, in full. It takes time proportional to the size of the network. *)
 
+val inertial : Model.t -> bool
+(** [inertial m] is true if [m] runs from event to event and has no laws of motion. Its runs have {!changes}, which
+    are few in each step. *)
+
 val changes : t -> Event_run.changes option
 (** The changes since the last call of this function, or since the start of the run ({!Event_run.val-changes}). The
     result is [None] in a run that does not go from event to event; there, compare its states. *)

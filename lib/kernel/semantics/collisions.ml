@@ -160,15 +160,32 @@ let meetings (c : Semantics.t) processes =
 let colliding c (s : State.t) = List.map (fun (m : meeting) -> (m.first, m.second)) (meetings c s.processes)
 let collides c (s : State.t) = meetings c s.processes <> []
 
+(* {1 Rule Blocked} *)
+
+(* Each of the two stops that would collide with the other at rest, or with which the other would not. *)
+let stopping (c : Semantics.t) (processes : State.process array) m =
+  let p = processes.(m.first) and q = processes.(m.second) in
+  let approach w ((a : Part.t), (b : Part.t)) = c.setting.geometry.approaching a.placed b.placed w in
+  let runs w = List.exists (approach w) m.touching in
+  let one = runs (Vec.neg p.velocity) and two = runs q.velocity in
+  let stops p = Process.stops c.setting.model p in
+  (if stops p && (one || not two) then [ m.first ] else [])
+  @ if stops q && (two || not one) then [ m.second ] else []
+
+let blocked (c : Semantics.t) processes m =
+  if m.collide && Model.stops_walkers c.setting.model && candidates c processes m = [] then stopping c processes m
+  else []
+
 (* {1 Clusters} *)
 
 type cluster = { members : int list; meetings : meeting list }
 
 let of_meeting m = { members = [ m.first; m.second ]; meetings = [ m ] }
 
-(* A fixed process takes nothing of a change, and so links nobody. *)
+(* A process that does not yield takes nothing of a change, and so links nobody. *)
 let linked model (processes : State.process array) x y =
-  List.exists (fun i -> List.mem i y.members && Option.is_some (State.mass model processes.(i))) x.members
+  let yields i = Option.is_some (Process.yielding_mass model processes.(i)) in
+  List.exists (fun i -> List.mem i y.members && yields i) x.members
 
 let merged x y =
   { members = List.sort_uniq Int.compare (x.members @ y.members); meetings = x.meetings @ y.meetings }
@@ -186,7 +203,7 @@ let add linked found x =
   go [] found
 
 let clusters (c : Semantics.t) processes =
-  let single = List.map of_meeting (meetings c processes) in
+  let single = List.map of_meeting (List.filter (fun m -> blocked c processes m = []) (meetings c processes)) in
   match c.setting.model.collisions with
   | In_turn -> single
   | Together -> List.fold_left (add (linked c.setting.model processes)) [] single

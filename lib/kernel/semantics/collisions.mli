@@ -38,6 +38,17 @@ val bonds : Semantics.t -> Part.t * Part.t -> candidate list
     channels. The features of a bond are a pair in which the two parts touch and which the channels share. Of these
     pairs, only those of the highest dimension bind. *)
 
+val candidates : Semantics.t -> State.process array -> Kinematics.meeting -> Transition.outcome list
+(** What may come of a meeting by rules Bind and Absorb. *)
+
+val blocked : Semantics.t -> State.process array -> Kinematics.meeting -> int list
+(** The walkers that a meeting without candidates stops (rule Blocked), by their indices. A meeting that stops some
+    is not resolved by rule Bounce. *)
+
+val by_processes : ('a * (Part.t * Part.t)) list -> ('a * (Part.t * Part.t)) list list
+(** Pairs of parts, each with something said about it, in groups: one for each two processes, in the order of their
+    indices. *)
+
 (** Meetings that are resolved at once. *)
 type cluster = {
   members : int list;  (** indices of processes, in order *)

@@ -9,6 +9,7 @@ type t = {
   meeting : Placed.t -> Placed.t -> Vec.t -> (Rat.t option * Rat.t option) option;
   touching : Placed.t -> Placed.t -> Contact.pair list;
   directions : (Placed.t * Placed.t) list -> Vec.t -> Vec.t list;
+  sweeps_meet : Placed.t -> Placed.t -> Vec.t -> Vec.t -> bool;
   first_meeting : Vec.t list -> Vec.t list -> Vec.t -> Rat.t option;
   first_penetration : Motion.t -> Motion.t -> span:Rat.t -> grid:int -> phase:Rat.t -> Cast.outcome;
   near : resolution:Rat.t -> Placed.t -> Placed.t -> Near_contact.t option;
@@ -31,6 +32,7 @@ let exact ~obstacle:remembered =
       (fun pairs w ->
          let touching (a, b) = { Response.obstacle = obstacle a b; offset = offset a b } in
          Response.directions (List.map touching pairs) w);
+    sweeps_meet = (fun a b v u -> Swept.meet (obstacle a b) (offset a b) v u);
     first_meeting = Feature_cast.first_meeting;
     first_penetration =
       (fun a b ~span ~grid ~phase ->

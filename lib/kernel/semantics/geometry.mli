@@ -20,6 +20,9 @@ type t = {
   directions : (Placed.t * Placed.t) list -> Vec.t -> Vec.t list;
   (** rule Response: the directions, from the first body to the second, that span the cone of a collision in
       translation; given all touching pairs of parts of the two bodies, and the relative velocity before it *)
+  sweeps_meet : Placed.t -> Placed.t -> Vec.t -> Vec.t -> bool;
+  (** rule Blocked: whether the interiors of the spaces meet that two bodies in translation sweep, the first one by
+      the first displacement from here, the second one by the second *)
   first_meeting : Vec.t list -> Vec.t list -> Vec.t -> Rat.t option;
   (** the least time t >= 0 at which two features meet, each given by its corners; the second one moves with the
       velocity *)

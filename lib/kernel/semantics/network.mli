@@ -50,6 +50,10 @@ val together : Semantics.t -> State.process array -> Transition.outcome list
     that are not steered. The collision of two processes has the same outcomes in any company, unless collisions
     are resolved together. A persistent contact is a bug. *)
 
+val after_collision : Model.t -> State.step option -> State.step option
+(** The movement step of the network after a collision, which ends it (rule Steer). A step stays as it is if this
+    instant has been steered already, or if steps keep their beat ({!Model.keeps_beat}). *)
+
 val drawn :
   Semantics.t -> State.t -> before:(State.process -> Scc_exact.Vec.t option) -> State.process ->
   Scc_exact.Vec.t * Scc_exact.Rat.t -> (Transition.t, Transition.fault) result

@@ -43,6 +43,9 @@ let steers (m : Model.t) (p : State.process) =
 let draws (m : Model.t) (p : State.process) =
   steers m p && Array.exists (fun (l : State.leaf) -> Law.draws m.leaves.(l.leaf).law) p.leaves
 
+let stops (m : Model.t) p = Model.stops_walkers m && draws m p
+let yielding_mass m p = if stops m p then None else State.mass m p
+
 let begin_step p = State.map_leaves (fun l -> { l with waited = Scc_exact.Rat.zero }) p
 
 (* Where processes have steps of their own: a process in this phase, if a law moves it. *)

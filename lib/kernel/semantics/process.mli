@@ -54,6 +54,13 @@ val steers : Model.t -> State.process -> bool
 val draws : Model.t -> State.process -> bool
 (** [draws m p] is true if [p] is steered and a law of it leaves its velocity to chance (rule Draw). *)
 
+val stops : Model.t -> State.process -> bool
+(** [stops m p] is true if [p] is a walker that stops where it runs into something (rule Blocked). *)
+
+val yielding_mass : Model.t -> State.process -> Scc_exact.Rat.t option
+(** The mass with which [p] takes its share of a bounce: [None] if it takes none, as fixed processes and those do
+    that {!stops}. *)
+
 val restart_step : Model.t -> State.process -> State.process
 (** The process with its own movement step over, and the time since the last evaluation of laws at 0, if a law
     moves it. Its laws are evaluated next. Where processes have no steps of their own, the process stays as it

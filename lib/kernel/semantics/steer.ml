@@ -2,6 +2,7 @@ open Scc_exact
 open Scc_calculus
 
 let steers = Process.steers
+let rules = [ Rule.Steer ]
 
 (* {1 What laws give} *)
 
@@ -143,6 +144,15 @@ let begin_steps (m : Model.t) (s : State.t) =
   let step = Option.map (fun _ -> { State.remaining = m.timestep; phase = Steered }) s.step in
   State.at ~step ~time:s.time (State.mapi (fun _ p -> begin_one p) s)
 
+(* Of the velocities that have been drawn, those count that are not blocked. *)
+let kicked (c : Semantics.t) (s : State.t) =
+  let m = c.setting.model in
+  let has_drawn i =
+    let p = s.processes.(i) in
+    Option.is_some p.draw && Process.draws m p
+  in
+  Blocked.stopped c (Blocked.waiting c ~kicked:has_drawn (begin_steps m s))
+
 type outcome = { state : State.t; rules : Rule.t list; rounded : State.t option }
 
 let settle (c : Semantics.t) (s : State.t) =
@@ -153,17 +163,18 @@ let settle (c : Semantics.t) (s : State.t) =
   let* over, s =
     if Array.exists (fun (p : State.process) -> Option.is_some p.draw) s.processes then Ok (true, s)
     else
+      let s = Blocked.stopped c s in
       match due c s with
       | None -> Ok (false, s)
       | Some which -> Result.map (fun s -> (true, s)) (ask c ~which s)
   in
   if is_drawing s then Ok { state = s; rules = []; rounded = None }
   else
-    let rules = if over && Array.exists (steers m) s.processes then [ Rule.Steer ] else [] in
-    (* Each process begins by its own draw alone: rule JoinedDraws rests on it (Joint_draws.velocities). *)
-    let steered = if over then begin_steps m s else s in
+    let used = if over && Array.exists (steers m) s.processes then rules else [] in
+    (* If walkers bounce, each process begins by its own draw alone: Joint_draws.velocities rests on it. *)
+    let steered = if over then kicked c s else s in
     let state, rounded = K.begin_turns c.setting ~parts ~colliding (K.at_contact c.setting ~colliding steered) in
-    Ok { state; rules = (if Option.is_some rounded then rules @ [ Rule.Round ] else rules); rounded }
+    Ok { state; rules = (if Option.is_some rounded then used @ [ Rule.Round ] else used); rounded }
 
 (* {1 Draws} *)
 

@@ -7,6 +7,9 @@ val steers : Model.t -> State.process -> bool
 (** [steers m p] is true if a leaf of [p] has a law that is not inertial, and no leaf of [p] is fixed. It is
     {!Process.steers}. *)
 
+val rules : Rule.t list
+(** The rules that a transition uses if laws give velocities after it: Steer. *)
+
 type outcome = {
   state : State.t;
   rules : Rule.t list;  (** Steer and Round, if they were used *)
@@ -20,6 +23,15 @@ val settle : Semantics.t -> State.t -> (outcome, Transition.fault) result
     begins. The time since the last update is what the step has used up (reading I-10). At last the due turns of
     processes that do not collide begin (rules Turn and Round). Where laws leave velocities to chance, the new
     velocities and all that follows wait until every process has drawn. *)
+
+val ask : Semantics.t -> which:(int -> bool) -> State.t -> (State.t, Transition.fault) result
+(** [ask c ~which s] is [s] with the laws evaluated of all steered processes whose index in [s] satisfies [which].
+    Each of these waits to draw, or has the velocity that its laws give. It is the part of {!settle} that evaluates
+    laws. *)
+
+val begin_steps : Model.t -> State.t -> State.t
+(** [begin_steps m s] is [s] after all velocities that {!ask} or draws gave have taken effect: the next movement
+    step begins. No process of [s] waits to draw. It is the part of {!settle} that begins steps. *)
 
 val next_to_draw : Semantics.t -> State.t -> State.process option
 (** The process that draws next: the first of {!drawers}, in linear time; [None] if no process waits to draw. *)

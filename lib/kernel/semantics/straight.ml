@@ -58,10 +58,11 @@ let renewed { model; _ } p =
   | None -> p
   | Some _ -> State.with_turn ~spin:Vec.zero ~since:Rat.zero ~lasts:None p
 
-(* A separating direction n of two processes is a row n.(v' - v); a fixed body has no part in it. *)
+(* A separating direction n of two processes is a row n.(v' - v); a body that does not yield has no part in
+   it. *)
 let row model (processes : State.process array) first second n : Reflection.row =
   let part i push =
-    match State.mass model processes.(i) with
+    match Process.yielding_mass model processes.(i) with
     | None -> []
     | Some mass -> [ (i, push, Vec.scale (Rat.div Rat.one mass) push) ]
   in

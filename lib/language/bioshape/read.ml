@@ -183,6 +183,7 @@ let simple =
     ("timestep", always timestep); ("splitStep", valued (fun e -> Split_step e));
     ("dynamics", setting (fun n -> Dynamics n)); ("collisions", setting (fun n -> Collisions n));
     ("binding", setting (fun n -> Binding n)); ("bonds", setting (fun n -> Bonds n));
+    ("blocked", setting (fun n -> Blocked n));
     ("resolution", valued (fun e -> Resolution e)); ("round", always round); ("shape", always shape);
     ("compound", always compound); ("decomposed", always decomposed); ("behaviour", always behaviour);
     ("process", process); ("fixed", fixed);

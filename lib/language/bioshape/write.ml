@@ -209,6 +209,7 @@ let rec item (i : item) =
   | Collisions n -> value "collisions" n.it
   | Binding n -> value "binding" n.it
   | Bonds n -> value "bonds" n.it
+  | Blocked n -> value "blocked" n.it
   | Resolution e -> value "resolution" (Text.expr e)
   | Round (n, e) -> empty ~at "round" [ ("of", n.it); ("to", Text.expr e) ]
   | Shape (h, s, ds) -> block "shape" (declared h) (solid s @ List.map definition ds)

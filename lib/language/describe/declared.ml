@@ -198,7 +198,7 @@ let item (i : Ast.item) =
   | Behaviour (head, on, _, _) -> [ make Behaviour head.declared ~shown (behaviour head on) ]
   | Process (s, first, rest) -> bodies Process "process" shown s first rest
   | Fixed (s, first, rest) -> bodies Fixed "fixed body" shown s first rest
-  | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ | Bonds _ | Resolution _ | Round _
+  | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ | Bonds _ | Blocked _ | Resolution _ | Round _
   | Bond _ | For _ | Network _ | Motion _ -> []
 
 (* {1 Tables} *)

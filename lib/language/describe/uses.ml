@@ -292,7 +292,7 @@ and plain t c (i : Ast.item) =
   | Model n -> ignore (declare t n)
   | Import im -> import t im i.at
   | Timestep (e, _) | Split_step e | Resolution e -> expr t c e
-  | Dynamics n | Collisions n | Binding n | Bonds n -> setting t n
+  | Dynamics n | Collisions n | Binding n | Bonds n | Blocked n -> setting t n
   | Round (n, e) ->
     setting t n;
     expr t c e

@@ -93,6 +93,7 @@ let build (c : Context.t) bodies composition joints initial written later =
       steered;
       steps = program.steps;
       collisions = Settings.collisions program.settings;
+      blocked = Settings.blocked program.settings;
       binding = Settings.binding program.settings;
       bonds = Settings.bonds program.settings;
       round_velocity = Settings.round_velocity program.settings;

@@ -118,7 +118,7 @@ let glue (g : Ast.glue) = feature g.glue_first @ feature g.glue_second
 
 let item_children (i : Ast.item) =
   match i.it with
-  | Model _ | Import _ | Dynamics _ | Collisions _ | Binding _ | Bonds _ -> []
+  | Model _ | Import _ | Dynamics _ | Collisions _ | Binding _ | Bonds _ | Blocked _ -> []
   | Param (_, e) | Timestep (e, _) | Split_step e | Resolution e | Round (_, e) | Let (_, e)
   | Check (_, e) -> [ Expr e ]
   | Param_in (_, low, high) -> [ Expr low.value; Expr high.value ]

@@ -14,7 +14,7 @@ let rec may_hold (i : Ast.item) =
   match i.it with
   | Import _ | Param _ | Param_in _ | Let _ | Shape _ | Compound _ | Decomposed _ | Behaviour _ -> true
   | For (_, items) -> List.for_all may_hold items
-  | Model _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ | Bonds _ | Resolution _
+  | Model _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ | Bonds _ | Blocked _ | Resolution _
   | Round _ | Process _
   | Fixed _ | Bond _ | Network _ | Motion _ | Check _ -> false
 

@@ -208,7 +208,7 @@ let allowed_in_loop (item : Ast.item) =
   match item.it with
   | Process _ | Fixed _ | Bond _ | For _ | Motion _ | Let _ | Check _ | Behaviour _ -> true
   | Model _ | Import _ | Param _ | Param_in _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _
-  | Bonds _ | Resolution _ | Round _ | Shape _ | Compound _ | Decomposed _
+  | Bonds _ | Blocked _ | Resolution _ | Round _ | Shape _ | Compound _ | Decomposed _
   | Network _ -> false
 
 let declared = "what is declared must be known"
@@ -271,6 +271,7 @@ and simple g place (i : Ast.item) =
   | Collisions name -> Settings.read_collisions g.settings g.c.report name
   | Binding name -> Settings.read_binding g.settings g.c.report name
   | Bonds name -> Settings.read_bonds g.settings g.c.report name
+  | Blocked name -> Settings.read_blocked g.settings g.c.report name
   | Resolution e -> Settings.resolution g.settings g.c.report place.env e
   | Round (what, e) -> Settings.round g.settings g.c.report place.env what e
   | Shape (head, solid, definitions) ->

@@ -15,12 +15,13 @@ type t = {
   mutable collisions : Model.collisions given option;
   mutable binding : Model.binding given option;
   mutable bonds : Model.bonds given option;
+  mutable blocked : Model.blocked given option;
 }
 
 let create () =
   {
     dynamics = None; resolution = None; orientation = None; velocity = None; collisions = None; binding = None;
-    bonds = None;
+    bonds = None; blocked = None;
   }
 
 let once report earlier what (at : Span.t) value =
@@ -55,6 +56,10 @@ let read_binding t report (name : Ast.name) =
 let read_bonds t report (name : Ast.name) =
   let kinds : (string * Model.bonds) list = [ ("acyclic", Acyclic); ("cyclic", Cyclic) ] in
   t.bonds <- once report t.bonds "bonds" name.at (choice report "bonds" kinds name)
+
+let read_blocked t report (name : Ast.name) =
+  let kinds : (string * Model.blocked) list = [ ("bounce", Bounce); ("stop", Stop); ("wait", Wait) ] in
+  t.blocked <- once report t.blocked "blocked" name.at (choice report "blocked" kinds name)
 
 let resolution t report env (e : Ast.expr) =
   let value () = Constant.positive report env "resolution" e in
@@ -169,7 +174,17 @@ let binding t = Option.value ~default:Model.On_collision (value t.binding)
 
 let bonds t = Option.value ~default:Model.Acyclic (value t.bonds)
 
+let blocked t = Option.value ~default:Model.Bounce (value t.blocked)
+
+let check_blocked t report ~spins =
+  match t.blocked with
+  | Some { value = Some (Model.Stop | Wait); at } when is_rigid t ~spins || Option.is_some t.velocity ->
+    Report.error report Code.not_yet at
+      "walkers bounce where bodies turn or velocities are rounded: neither `blocked stop` nor `blocked wait` can be had"
+  | Some _ | None -> ()
+
 let check t report ~spins =
+  check_blocked t report ~spins;
   match t.binding with
   | Some { value = Some Model.On_contact; at } when is_rigid t ~spins ->
     Report.error report Code.not_yet at

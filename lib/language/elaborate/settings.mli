@@ -1,5 +1,5 @@
 (** The settings of a model, each given at most once (SC0212). [collisions], [binding] and [bonds] are those of
-    readings I-32, I-33 and I-37. [dynamics], [resolution] and [round] belong to rigid motion (rules Turn and
+    readings I-32, I-33 and I-37; [blocked] is that of rule Blocked. [dynamics], [resolution] and [round] belong to rigid motion (rules Turn and
     Round). *)
 
 open Scc_base
@@ -23,6 +23,9 @@ val read_binding : t -> Report.t -> Ast.name -> unit
 
 val read_bonds : t -> Report.t -> Ast.name -> unit
 (** Reads [bonds]: [acyclic] or [cyclic]. Any other word is SC0201. *)
+
+val read_blocked : t -> Report.t -> Ast.name -> unit
+(** Reads [blocked]: [bounce], [stop] or [wait]. Any other word is SC0201. *)
 
 val resolution : t -> Report.t -> Env.t -> Ast.expr -> unit
 (** Reads [resolution]: a positive length (SC0208 otherwise). *)
@@ -51,5 +54,9 @@ val binding : t -> Model.binding
 val bonds : t -> Model.bonds
 (** The setting of [bonds]; [Acyclic] by default. *)
 
+val blocked : t -> Model.blocked
+(** The setting of [blocked]; [Bounce] by default. *)
+
 val check : t -> Report.t -> spins:bool -> unit
-(** Reports [On_contact] in a model whose bodies turn (SC0901). [spins] is true if a body is given a spin. *)
+(** Reports [On_contact] in a model whose bodies turn, and [Stop] and [Wait] there or where velocities are rounded
+    (SC0901). [spins] is true if a body is given a spin. *)

@@ -43,6 +43,6 @@ let rec item w (i : Ast.item) : Ast.item =
     | Bond b -> Bond (bond w b)
     | For (ranges, body) -> For (ranges, List.map (item w) body)
     | Decomposed _ | Model _ | Import _ | Param _ | Param_in _ | Timestep _ | Split_step _ | Dynamics _
-    | Collisions _ | Binding _ | Bonds _ | Resolution _ | Round _ | Network _ | Motion _ | Let _ | Check _ -> i.it
+    | Collisions _ | Binding _ | Bonds _ | Blocked _ | Resolution _ | Round _ | Network _ | Motion _ | Let _ | Check _ -> i.it
   in
   { i with it }

@@ -189,6 +189,7 @@ and item_kind =
   | Collisions of name
   | Binding of name
   | Bonds of name
+  | Blocked of name
   | Resolution of expr
   | Round of name * expr  (** of what, [orientation] or [velocity]; to multiples of what *)
   | Shape of head * solid * definitions

@@ -40,6 +40,7 @@
 | COLLISIONS { at $loc "collisions" }
 | BINDING { at $loc "binding" }
 | BONDS { at $loc "bonds" }
+| BLOCKED { at $loc "blocked" }
 | SNAP { at $loc "snap" }
 | DECOMPOSE { at $loc "decompose" }
 | RESOLUTION { at $loc "resolution" }

@@ -21,7 +21,7 @@
     [
       ("A", A); ("AF", AF); ("AG", AG); ("AX", AX); ("E", E); ("EF", EF); ("EG", EG); ("EX", EX);
       ("F", LETTER "F"); ("G", LETTER "G"); ("U", U); ("X", LETTER "X");
-      ("absorb", ABSORB); ("always", ALWAYS); ("and", AND); ("as", AS); ("at", AT); ("behaviour", BEHAVIOUR); ("binding", BINDING); ("bond", BOND); ("bonds", BONDS);
+      ("absorb", ABSORB); ("always", ALWAYS); ("and", AND); ("as", AS); ("at", AT); ("behaviour", BEHAVIOUR); ("binding", BINDING); ("bond", BOND); ("bonds", BONDS); ("blocked", BLOCKED);
       ("check", CHECK); ("choose", CHOOSE); ("collisions", COLLISIONS); ("compound", COMPOUND); ("count", COUNT);
       ("decompose", DECOMPOSE);
       ("dynamics", DYNAMICS); ("else", ELSE);
@@ -103,7 +103,7 @@
   let barred text =
     match word (strip_bars text) with
     | NAME n -> Token (BARRED n)
-    | BOND | MASS | EVENT | DYNAMICS | COLLISIONS | BINDING | BONDS | RESOLUTION | ROUND | SNAP | DECOMPOSE
+    | BOND | MASS | EVENT | DYNAMICS | COLLISIONS | BINDING | BONDS | BLOCKED | RESOLUTION | ROUND | SNAP | DECOMPOSE
     | LETTER _ | MOD | HULL | AS | WHERE | U | A | E | AF | AG | AX | EF | EG | EX -> Token (BARRED (strip_bars text))
     | _ ->
       fault Code.lexical

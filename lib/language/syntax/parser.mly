@@ -262,6 +262,7 @@ item_kind:
 | COLLISIONS c = NAME { Collisions (at $loc(c) c) }
 | BINDING b = NAME { Binding (at $loc(b) b) }
 | BONDS b = NAME { Bonds (at $loc(b) b) }
+| BLOCKED b = NAME { Blocked (at $loc(b) b) }
 | RESOLUTION e = expr { Resolution e }
 | ROUND n = NAME e = expr { Round (at $loc(n) n, e) }
 | ROUND VELOCITY e = expr { Round (at $loc($2) "velocity", e) }

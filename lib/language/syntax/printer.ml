@@ -217,6 +217,7 @@ let rec item i =
   | Collisions n -> head "collisions %s" n.it
   | Binding n -> head "binding %s" n.it
   | Bonds n -> head "bonds %s" n.it
+  | Blocked n -> head "blocked %s" n.it
   | Resolution e -> definition (head "resolution") (fineness e)
   | Round (n, e) -> definition (head "round %s" n.it) (fineness e)
   | Import i -> import span i

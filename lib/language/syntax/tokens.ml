@@ -145,7 +145,7 @@ let nests = function
 let can_be_name = function
   | NAME _ | LETTER _ | MOD | HULL | AS | WHERE | A | E | U | AF | AG | AX | EF | EG | EX | BOND | MASS |
     EVENT | DYNAMICS | COLLISIONS
-  | BINDING | BONDS | RESOLUTION | ROUND | SNAP | DECOMPOSE -> true
+  | BINDING | BONDS | BLOCKED | RESOLUTION | ROUND | SNAP | DECOMPOSE -> true
   | _ -> false
 
 let begins_declaration tokens i =
@@ -172,7 +172,7 @@ let begins_setting tokens i =
     ended tokens i || (match tokens.(i - 1).token with TRUE | FALSE -> true | _ -> false)
   in
   match (tokens.(i).token, tokens.(i + 1).token) with
-  | (DYNAMICS | COLLISIONS | BINDING | BONDS), NAME _ | ROUND, (NAME _ | VELOCITY) -> ended ()
+  | (DYNAMICS | COLLISIONS | BINDING | BONDS | BLOCKED), NAME _ | ROUND, (NAME _ | VELOCITY) -> ended ()
   | RESOLUTION, (NUMBER _ | NAME _ | LPAREN) -> ended ()
   | _ -> false
 

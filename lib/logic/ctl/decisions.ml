@@ -93,6 +93,16 @@ let choices q w p =
   in
   match by_edges q w p @ timed with [] -> [ one Nowhere Fail ] | choices -> choices
 
+let meetings q w p =
+  let meeting b : Timeline.moment option =
+    match (b.next, b.way) with
+    | (Fail | Go _), _ | Goal, Nowhere -> None
+    | Goal, During moment -> Some moment
+    | Goal, Move move ->
+      Some { offset = Algebraic.of_rat (Timed_graph.duration q.graph p.node move); attained = true }
+  in
+  List.filter_map meeting (List.concat (choices q w p))
+
 let is_unbounded q = Rat.sign q.bound.low <= 0 && Option.is_none q.bound.high
 
 let window q = { low = Algebraic.of_rat q.bound.low; high = Option.map Algebraic.of_rat q.bound.high }

@@ -43,6 +43,12 @@ val window : question -> window
 val is_unbounded : question -> bool
 (** [is_unbounded q] is true if every time is in the window. *)
 
+val is_open : window -> bool
+(** [is_open w] is true if the window has no end. *)
+
+val reaches_beyond : window -> Algebraic.t -> bool
+(** [reaches_beyond w time] is true if the window ends before this time. *)
+
 val limit : Timed_graph.flow -> Algebraic.t option
 (** [limit flow] is how long the flow lasts; [None] for no flow, and for one that lasts for ever. *)
 
@@ -56,6 +62,10 @@ val next : question -> window -> place -> next
 val choices : question -> window -> place -> branch list list
 (** [choices q w p] is the choices at a place [p] with [next q w p = Go p]. There is at least one; rewards are 0.
 *)
+
+val meetings : question -> window -> place -> Timeline.moment list
+(** [meetings q w p] is how long after it is entered a place [p] with [next q w p = Go p] leads to [Goal]: a moment
+    for each such branch. *)
 
 val from : question -> Positions.position -> window * branch list list
 (** [from q p] is the choices at a position, and the window counted from when the node of its flow was entered. *)

@@ -219,6 +219,33 @@ let probability t ~decide side f position =
     if flipped then { least = Answer.complement high; most = Answer.complement low }
     else { least = low; most = high }
 
+(* Both ends of a value may change at their own times. *)
+let curve t side f node =
+  match as_until t f with
+  | None | Some ({ bound = { high = None; _ }; _ }, _) -> None
+  | Some (({ bound = { high = Some high; _ } as bound; _ } as u), flipped) ->
+    let side = if flipped then Timed_formula.other_side side else side in
+    let f = value t u.left and g = value t u.right in
+    let question generous side_of : Likelihood.question =
+      { graph = graph t; side; bound; f = side_of f; g = side_of g; generous }
+    in
+    let low = question false (fun v -> v.lower) and high_end = question true (fun v -> v.upper) in
+    let exact = all_known t f g in
+    let merged a b = List.sort_uniq Timeline.compare_moment (a @ b) in
+    let moments =
+      let*? low = Curve.moments low node in
+      if exact then Some low else Option.map (merged low) (Curve.moments high_end node)
+    in
+    let points moments =
+      let at = Curve.horizons moments ~high in
+      let values q = Curve.values q t.effort node (List.map snd at) in
+      let least = values low in
+      let most = if exact then least else values high_end in
+      let measured a b = if flipped then { least = Answer.complement b; most = Answer.complement a } else { least = a; most = b } in
+      List.map2 (fun (m, _) v -> (m, v)) at (List.map2 measured least most)
+    in
+    Option.map points moments
+
 let rec decided t (f : Timed_formula.t) position =
   match f with
   | Not f -> (

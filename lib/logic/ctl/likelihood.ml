@@ -14,14 +14,30 @@ type question = Decisions.question = {
 
 (* {1 Solving} *)
 
-type process = { question : question; seen_from : window; built : built; solution : Solution.t }
+(* Layer by layer where a bound of time allows it, or as one system of equations. *)
+type solution = Layered of Layers.values | Whole of built * Solution.t
+type process = { question : question; seen_from : window; solution : solution }
+
+let solve_whole q effort w starts =
+  let built = build ~choices:(choices q w) starts in
+  (built, Reach.solve (until built) (direction q.side) effort ~asked:(States built.asked))
 
 let solve q effort w starts =
-  let built = build ~choices:(choices q w) starts in
-  let solution = Reach.solve (until built) (direction q.side) effort ~asked:(States built.asked) in
-  { question = q; seen_from = w; built; solution }
+  let solution =
+    match Layers.make q w starts with
+    | Some layers -> Layered (Layers.solve layers effort)
+    | None ->
+      let built, solution = solve_whole q effort w starts in
+      Whole (built, solution)
+  in
+  { question = q; seen_from = w; solution }
 
-let value process next = Solution.value process.solution (number process.built next)
+let value process next =
+  match process.solution with
+  | Layered values -> Layers.value values next
+  | Whole (built, solution) -> Solution.value solution (number built next)
+
+let within q effort w starts = value (solve q effort w starts)
 
 let best (side : Timed_formula.side) answers =
   let ends f = List.filter_map f answers in
@@ -140,19 +156,20 @@ let to_run q w position trail : Run.t * Rat.t =
 let first_choice process = function
   | [ only ] -> only
   | several ->
+    let process = process () in
     let answer branches = List.map (fun b -> value process b.next) branches in
     let wanted = best process.question.side (List.concat_map answer several) in
     let same (a : Answer.t) = match (a, wanted) with Exact x, Exact y -> Rat.equal x y | _ -> false in
     Option.value (List.find_opt (fun c -> List.exists same (answer c)) several) ~default:[]
 
 (* Breadth first through what the scheduler chooses. *)
-let run q effort position =
-  let w, first = from q position in
-  let process = solve q effort w (nexts first) in
-  let scheduler = Solution.scheduler process.solution in
-  let found = Bits.create (Growable.length process.built.places + 2) and waiting = Queue.create () in
+let run_of_whole q effort w position first =
+  let built, solution = solve_whole q effort w (nexts first) in
+  let process () = { question = q; seen_from = w; solution = Whole (built, solution) } in
+  let scheduler = Solution.scheduler solution in
+  let found = Bits.create (Growable.length built.places + 2) and waiting = Queue.create () in
   let enter trail source branch =
-    let n = number process.built branch.next in
+    let n = number built branch.next in
     if not (Bits.mem found n) then begin
       Bits.add found n;
       Queue.add (branch.next, { source; branch } :: trail) waiting
@@ -165,7 +182,23 @@ let run q effort position =
     | Some (Goal, trail) -> Some (to_run q w position trail)
     | Some (Fail, _) -> go ()
     | Some (Go p, trail) ->
-      List.iter (enter trail p) (List.nth (choices q w p) scheduler.(Places.find process.built.numbers p));
+      List.iter (enter trail p) (List.nth (choices q w p) scheduler.(Places.find built.numbers p));
       go ()
   in
   go ()
+
+(* Each choice with which a position begins has one branch. *)
+let run_of_layers q effort w position first layers =
+  let process () = { question = q; seen_from = w; solution = Layered (Layers.solve layers effort) } in
+  match first_choice process first with
+  | [ branch ] ->
+    let begun = { source = start_of w position; branch } in
+    let trail rest = List.rev (begun :: List.map (fun (source, branch) -> { source; branch }) rest) in
+    Option.map (fun rest -> to_run q w position (trail rest)) (Layers.run layers effort branch.next)
+  | _ -> None
+
+let run q effort position =
+  let w, first = from q position in
+  match Layers.make q w (nexts first) with
+  | Some layers -> run_of_layers q effort w position first layers
+  | None -> run_of_whole q effort w position first

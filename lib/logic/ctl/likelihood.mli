@@ -23,6 +23,9 @@ type question = Decisions.question = {
 val at : question -> Effort.t -> Positions.position -> Answer.t
 (** [at q effort p] is the probability from position [p] on. *)
 
+val within : question -> Effort.t -> Decisions.window -> Decisions.next list -> Decisions.next -> Answer.t
+(** [within q effort w starts] is the probability from each of [starts]. It solves the question once. *)
+
 val set : question -> Effort.t -> (Answer.t -> bool) -> Positions.t
 (** [set q effort test] is the positions from which on the probability passes the test. *)
 

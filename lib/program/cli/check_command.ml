@@ -141,6 +141,7 @@ let options console (budget : Budget.t) (extras : Check_extras.t) ~watch ~measur
   {
     (Check_options.starting ~attempt console watch budget) with
     reductions = extras.reductions; order = extras.order; compact; prove = extras.prove;
+    curve = extras.curve;
     expanding = Expanded.expanding expanded; compacting = Expanded.compacting expanded;
   }
 
@@ -149,6 +150,7 @@ let fitting (extras : Check_extras.t) (l : Loaded.t) ~zones ~where =
   (* Coverage lists states one by one. *)
   let* () = if zones && extras.coverage then Result.map ignore (Ordinary.refuse l) else Ok () in
   let* () = Verdicts.refused l ~prove:extras.prove in
+  let* () = Curve_output.refused l extras.curve in
   if where then Ordinary.has_ranges l else Ok ()
 
 (* Writes the files that were asked for. The code that the command ends with: a file that cannot be written is
@@ -164,6 +166,8 @@ let write_outputs console (extras : Check_extras.t) path (l : Loaded.t) report v
   List.iter (fun d -> output (Error d)) (Expanded.close expanded);
   Option.iter (fun folder -> output (write_witnesses l path folder verdicts)) extras.witness;
   Option.iter (fun path -> output (write_sarif console path !code (Some (l.model, verdicts)))) extras.sarif;
+  let title = Option.value l.origin.name ~default:"a model" in
+  Option.iter (fun path -> output (write_file path (Curve_output.picture ~title verdicts))) extras.plot;
   let named = named_where verdicts report and ranges = l.model.ranges in
   Option.iter (fun path -> output (write_file path (Scc_regions.Smt.script ranges named))) extras.smt;
   Option.iter (fun path -> output (write_invariant console path l report)) extras.invariant;
@@ -226,8 +230,8 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
 let unfit (extras : Check_extras.t) =
   Option.is_some extras.witness && not (List.exists (Reduction.equal Jump) extras.reductions)
 
-let run color json budget (extras : Check_extras.t) given path =
-  let console = Console.make ~color ~json () in
+let run color progress json budget (extras : Check_extras.t) given path =
+  let console = Console.make ?progress ~color ~json () in
   if unfit extras then
     Guard.usage "--witness does not go with --no-reduce jump: schedules are replayed with jumps"
   else
@@ -249,5 +253,5 @@ let command =
   Cmd.v
     (Cmd.info "check" ~doc:"explore a model and verify its properties" ~man:Manual.check ~exits:(Exits.man ()))
     Term.(
-      const run $ Options.color $ Options.json $ Check_options.budget $ Check_extras.term $ Options.definitions
-      $ Options.model_file)
+      const run $ Options.color $ Options.progress $ Options.json $ Check_options.budget $ Check_extras.term
+      $ Options.definitions $ Options.model_file)

@@ -16,6 +16,8 @@ type t = {
   slice : (string * Scc_exact.Rat.t) list;
   prove : bool;
   invariant : string option;
+  curve : string option;
+  plot : string option;
   full : bool;
   jobs : int option;
   store : string option;
@@ -172,18 +174,30 @@ let explored e (budget : Scc_verdicts.Budget.t) =
     ("--bits", number budget.bits);
   ]
 
+let curve =
+  let doc =
+    "Reports the probability that the check $(docv) asks for as a function of time. The check asks $(b,P = ?) of an \
+     operator with a bound of time. A table lists all times up to the end of this bound at which the probability \
+     changes, and its value from there on. One exploration and one pass over its graph give all of them."
+  in
+  Arg.(value & opt (some string) None & info [ "curve" ] ~docv:"NAME" ~doc)
+
+let plot =
+  let doc = "Draws the curve of $(b,--curve) as an SVG picture to $(docv)." in
+  Arg.(value & opt (some Options.named) None & info [ "curve-plot" ] ~docv:"FILE" ~doc)
+
 let term =
-  let make witness coverage stats sarif reductions order compact where smt draw axes slice prove invariant full
-      jobs store =
+  let make witness coverage stats sarif reductions order compact where smt draw axes slice prove invariant curve plot
+      full jobs store =
     let prove = prove || Option.is_some invariant in
     {
       witness; coverage; stats; sarif; reductions; order; compact; where; smt; draw; axes; slice; prove; invariant;
-      full; jobs; store;
+      curve; plot; full; jobs; store;
     }
   in
   Term.(
     const make $ witness $ coverage $ stats $ sarif $ reductions $ order $ compact $ where $ smt $ draw $ axes
-    $ slice $ prove $ invariant
+    $ slice $ prove $ invariant $ curve $ plot
     $ Options.full
       "Prints runs in full: every step and every body, and numbers with all their digits; in JSON all steps of \
        the way to an unexplored state."

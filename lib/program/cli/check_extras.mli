@@ -16,6 +16,8 @@ type t = {
   slice : (string * Scc_exact.Rat.t) list;  (** values of other parameters in the drawing *)
   prove : bool;  (** search for an invariant first *)
   invariant : string option;  (** a file for the invariant *)
+  curve : string option;  (** a check, whose probability is reported for all shorter times, too *)
+  plot : string option;  (** a file for a plot of this curve *)
   full : bool;  (** report runs in full *)
   jobs : int option;  (** the number of processes; [None]: as many as there are cores, once it pays *)
   store : string option;  (** a folder *)

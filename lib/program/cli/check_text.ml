@@ -139,7 +139,7 @@ let counted (check : Scc_property.Property.check) (w : Witness.t) =
 
 let property console ~full ?where c ({ check; verdict = v; lost; left_out; _ } as o : Verdict.outcome) =
   let verdict = Console.styled console (style v) (Verdict.outcome_to_string o) in
-  let head = Printf.sprintf "%s: %s\n  %s\n" (Console.styled console Strong check.name) verdict check.text in
+  let head = Printf.sprintf "%s: %s\n  %s\n" (Console.styled console Strong check.name) verdict check.text ^ Curve_output.lines v in
   let witness = witness ~full ~about:(about check.formula) c in
   let run =
     match v with

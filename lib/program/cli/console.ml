@@ -97,6 +97,15 @@ let rendered c d =
     let style, head = if Diag.is_error d then (Bad, "error[") else (Doubtful, "warning[") in
     String.concat "\n" (List.map (paint_line style head) (String.split_on_char '\n' text))
 
+let progress_lines () =
+  let last = ref 0. in
+  fun line ->
+    let now = Unix.gettimeofday () in
+    if now -. !last >= 0.1 then begin
+      last := now;
+      Standard.control (Printf.sprintf "progress: %s\n" (Visible.line line))
+    end
+
 let progress_done c =
   if c.progressing then begin
     c.progressing <- false;

@@ -70,6 +70,10 @@ val note : t -> string -> unit
 val progress : t -> string -> unit
 (** Replaces the line of progress, on a terminal only, or passes it to the function of {!make}. *)
 
+val progress_lines : unit -> string -> unit
+(** [progress_lines ()] is a function for {!make} that writes lines of progress to standard error, at most ten a
+    second, each as ["progress: "], the text and a newline. *)
+
 val progress_done : t -> unit
 (** Removes the line of progress. *)
 

@@ -220,8 +220,8 @@ let estimate console o watch =
    | Lost { why; _ } -> Console.note console ("scc: " ^ why ^ "; what is said rests on the runs that were made"));
   Ok exit
 
-let run color json o =
-  let console = Console.make ~color ~json () in
+let run color progress json o =
+  let console = Console.make ?progress ~color ~json () in
   let watch = Watch.start ?seconds:o.seconds () in
   Guard.run console (fun () -> estimate console o watch)
 
@@ -326,4 +326,4 @@ let command =
   in
   let exits = Exits.man ~told () in
   let info = Cmd.info "estimate" ~doc:"tell probabilities and means from many runs" ~man:Manual.estimate ~exits in
-  Cmd.v info Term.(const run $ Options.color $ Options.json $ options)
+  Cmd.v info Term.(const run $ Options.color $ Options.progress $ Options.json $ options)

@@ -97,7 +97,7 @@ let never () = false
 (* A table asks for whole states, one after the other unless it is of given times; all else for what changes,
    where a run tells it. *)
 let follow o (l : Loaded.t) policy limits =
-  if o.format = Csv || not (Scc_engine.Event_run.can_run l.model) then
+  if o.format = Csv || not (Scc_engine.Run.inertial l.model) then
     let* course, ending = Chosen_run.follow l policy limits ~interrupted:never in
     Ok (Film.States course, ending)
   else

@@ -138,6 +138,14 @@ let color =
   let choices = Console.[ ("auto", Auto); ("always", Always); ("never", Never) ] in
   Arg.(value & opt (enum choices) Console.Auto & info [ "color" ] ~docv:"WHEN" ~doc ~docs:sdocs)
 
+let progress =
+  let doc =
+    "Writes lines of progress to standard error, at most ten a second, also if it is no terminal, and with \
+     $(b,--json). Each begins with $(b,progress:)."
+  in
+  let lines on = if on then Some (Console.progress_lines ()) else None in
+  Term.(const lines $ Arg.(value & flag & info [ "progress" ] ~doc ~docs:sdocs))
+
 let json =
   let doc =
     "Prints one JSON document to standard output: the report, or the diagnostics if there can be no report. \

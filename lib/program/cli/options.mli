@@ -48,6 +48,9 @@ val overrides : (string * Rat.t) list Term.t
 val color : Console.color Term.t
 (** The option [--color]. *)
 
+val progress : (string -> unit) option Term.t
+(** The flag [--progress]: the function that writes lines of progress, for {!Console.make}. *)
+
 val json : bool Term.t
 (** The flag [--json]. *)
 

@@ -148,8 +148,8 @@ let simulate console o ~interrupted =
     let* code = conclude console ~runs:(last - from) ~finished:!written ~ended_early:!ended_early result in
     Ok (Kept_runs.finish console kept code)
 
-let run color o =
-  let console = Console.make ~color ~json:false () in
+let run color progress o =
+  let console = Console.make ?progress ~color ~json:false () in
   let interrupted = Watch.interrupted (Watch.start ()) in
   Scc_base.Memory.spare_runs ();
   Guard.run console (fun () -> simulate console o ~interrupted)
@@ -268,4 +268,4 @@ let command =
   let exits = Exits.man ~told ~never:[ Violated ] () in
   let doc = "make many runs of a model, and write what is observed" in
   let info = Cmd.info "simulate" ~doc ~man:Manual.simulate ~exits in
-  Cmd.v info Term.(const run $ Options.color $ options)
+  Cmd.v info Term.(const run $ Options.color $ Options.progress $ options)

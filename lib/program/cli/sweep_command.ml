@@ -156,8 +156,8 @@ let sweep console o ~interrupted =
   let* code = conclude console seen ~count result in
   Ok (Kept_runs.finish console points code)
 
-let run color o =
-  let console = Console.make ~color ~json:false () in
+let run color progress o =
+  let console = Console.make ?progress ~color ~json:false () in
   let interrupted = Watch.interrupted (Watch.start ()) in
   Guard.run console (fun () -> sweep console o ~interrupted)
 
@@ -252,4 +252,4 @@ let command =
   in
   let exits = Exits.man ~told ~never:[ Violated ] () in
   let info = Cmd.info "sweep" ~doc:"check a model over a grid of parameters" ~man:Manual.sweep ~exits in
-  Cmd.v info Term.(const run $ Options.color $ options)
+  Cmd.v info Term.(const run $ Options.color $ Options.progress $ options)

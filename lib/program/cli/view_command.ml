@@ -43,9 +43,9 @@ let content console o watch =
     let* () = known model o.drawing.without in
     Ok (fun put -> put (Scc_picture.Picture.svg model state o.drawing))
 
-let run color budget o =
+let run color progress budget o =
   let o = { o with shown = { o.shown with budget } } in
-  let console = Console.make ~color ~json:false () in
+  let console = Console.make ?progress ~color ~json:false () in
   Memory.spare_runs ();
   Guard.run console (fun () ->
       let watch = Check_options.watch budget in
@@ -160,4 +160,4 @@ let command =
   let exits = Exits.man ~told ~never:[ Violated; Undecided ] () in
   Cmd.v
     (Cmd.info "view" ~doc:"write a page that shows the runs of a model" ~man:Manual.view ~exits)
-    Term.(const run $ Options.color $ Check_options.budget $ options)
+    Term.(const run $ Options.color $ Options.progress $ Check_options.budget $ options)

@@ -6,7 +6,7 @@ open Scc_property
 open Scc_runs
 
 let large = 100
-let is_for (m : Model.t) = Array.length m.leaves > large && Scc_engine.Event_run.can_run m
+let is_for (m : Model.t) = Array.length m.leaves > large && Scc_engine.Run.inertial m
 
 (* A process as it was at a time, since when it has only moved on. *)
 type moving = { process : State.process; since : Rat.t }

@@ -43,6 +43,11 @@ let is_exact (m : Scc_ctl.Eval.measured) =
   | Infinite, Infinite -> true
   | (Exact _ | Within _ | At_least _ | Infinite), _ -> false
 
+let equal (a : Scc_ctl.Eval.measured) (b : Scc_ctl.Eval.measured) =
+  let same end_ x y = Option.equal Rat.equal (end_ x) (end_ y) in
+  let same x y = same Answer.lower x y && same Answer.upper x y in
+  same a.least b.least && same a.most b.most
+
 let values list =
   let told = List.map (fun (s, m) -> (side s, measured m)) list in
   match told with

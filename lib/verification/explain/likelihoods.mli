@@ -17,6 +17,9 @@ val known : Scc_property.Property.side -> Eval.measured -> string
 val is_exact : Eval.measured -> bool
 (** [is_exact m] is true if one value is known exactly, or if the value is known to be infinite. *)
 
+val equal : Scc_ctl.Eval.measured -> Scc_ctl.Eval.measured -> bool
+(** [equal a b] is true if the known bounds of both are equal. *)
+
 val values : (Scc_property.Property.side * Eval.measured) list -> string
 (** A list of measured values: ["1/3"] if least and greatest are the same exact value, else ["least 1/4,
     greatest 1/2"]. *)

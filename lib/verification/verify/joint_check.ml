@@ -109,10 +109,12 @@ let measured answers find =
   Temporal.done_with temporal i;
   (v, { answers with next_formula = i + 1 })
 
-let outcome r ((check : Property.check), plan) answers =
+let outcome (options : Setup.t) r ((check : Property.check), plan) answers =
   match check.asked with
   | Whether -> verdict r plan answers
-  | How_likely sides -> measured answers (fun t i -> Measuring.probability r t i sides)
+  | How_likely sides ->
+    let curve = Option.equal String.equal options.curve (Some check.name) in
+    measured answers (fun t i -> Measuring.probability r t i sides ~curve)
   | Expected (sides, mean, test) -> measured answers (fun t i -> Measuring.mean r t i sides mean test)
 
 (** {2 Questions} *)
@@ -300,7 +302,7 @@ let check (options : Setup.t) semantics ~initial (checks : Property.check list) 
   let met = Unsettled.met r in
   let besides = besides r met in
   let step (outcomes, answers) (check, plan) =
-    let v, answers = outcome r (check, plan) answers in
+    let v, answers = outcome options r (check, plan) answers in
     ((check, v, Lost.taken r.lost) :: outcomes, answers)
   in
   let answers = { searches = result.answers; next_formula = 0; temporal } in

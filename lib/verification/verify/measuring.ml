@@ -18,12 +18,28 @@ let reasons (r : Unsettled.t) values doubts =
     | Ok doubts -> Unsettled.doubts r doubts
     | Error why -> why
 
-let probability (r : Unsettled.t) temporal i sides =
+(* All sides at each moment, without those at which nothing changes. *)
+let points temporal i sides : Verdict.point list =
+  let curve s = Option.map (fun c -> (s, c)) (Temporal.curve temporal i s) in
+  match List.filter_map curve sides with
+  | (_, first) :: _ as curves ->
+    let columns = List.map (fun (s, curve) -> Array.of_list (List.map (fun (_, m) -> (s, m)) curve)) curves in
+    let point k (moment, _) : Verdict.point = { moment; answer = List.map (fun column -> column.(k)) columns } in
+    let same (a : Verdict.point) (b : Verdict.point) =
+      List.for_all2 (fun (_, m) (_, n) -> Likelihoods.equal m n) a.answer b.answer
+    in
+    let add done_ p = match done_ with last :: _ when same last p -> done_ | _ -> p :: done_ in
+    List.rev (List.fold_left add [] (List.mapi point first))
+  | [] -> []
+
+let probability (r : Unsettled.t) temporal i sides ~curve =
   match Unsettled.evaluated r (fun () -> List.map (fun s -> (s, Temporal.probability temporal i s)) sides) with
   | Error why -> Verdict.Undecided why
   | Ok values ->
     let reasons = reasons r values (fun () -> Temporal.possible_doubts temporal i) in
-    Measured { values; reasons; witness = witness r temporal i }
+    (match Unsettled.evaluated r (fun () -> if curve then points temporal i sides else []) with
+     | Error why -> Undecided why
+     | Ok curve -> Measured { values; reasons; witness = witness r temporal i; curve })
 
 (* As far as what is known above and below tells. *)
 let compared bound m ~reasons : Verdict.t =
@@ -49,7 +65,7 @@ let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
     match (unknown, List.filter_map known found, test) with
     | (_ :: _ as reasons), _, _ -> Undecided reasons
     | [], ([ (_, m) ] as values), Some bound -> compared bound m ~reasons:(fun () -> of_values values)
-    | [], values, _ -> Measured { values; reasons = of_values values; witness = None }
+    | [], values, _ -> Measured { values; reasons = of_values values; witness = None; curve = [] }
   in
   match Unsettled.evaluated r (fun () -> List.map find sides) with
   | Error why -> Undecided why

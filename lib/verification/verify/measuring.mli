@@ -3,8 +3,9 @@
 open Scc_property
 open Scc_state_space
 
-val probability : Unsettled.t -> Temporal.t -> int -> Property.side list -> Verdict.t
-(** The verdict for the probability of the path formula with this index, for each of the sides. *)
+val probability : Unsettled.t -> Temporal.t -> int -> Property.side list -> curve:bool -> Verdict.t
+(** The verdict for the probability of the path formula with this index, for each of the sides. With [curve] also
+    for all ends of its bound of time up to the given one. *)
 
 val mean :
   Unsettled.t -> Temporal.t -> int -> Property.side list -> Property.mean -> Scc_chance.Answer.bound option ->

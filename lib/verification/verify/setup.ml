@@ -10,6 +10,7 @@ type t = {
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;
   prove : bool;
+  curve : string option;
   expanding : about:string -> State_graph.expanding;
   compacting : about:string -> State_fingerprints.expanding;
 }
@@ -23,6 +24,7 @@ let default =
     surroundings = Limits.quiet;
     observe = None;
     prove = false;
+    curve = None;
     expanding = (fun ~about:_ -> State_graph.here);
     compacting = (fun ~about:_ -> State_fingerprints.here);
   }

@@ -17,6 +17,9 @@ type t = {
   prove : bool;
   (** an invariant is searched for before anything is explored, in half of the time (rule Invariants).
       Otherwise, over zones, one is searched for only where exploration leaves a check open. *)
+  curve : string option;
+  (** the check with this name, which asks for a probability within a time, is answered for all shorter times, too
+  *)
   expanding : about:string -> State_graph.expanding;
   compacting : about:string -> State_fingerprints.expanding;
   (** the way of expanding with hash compaction. Both functions are called for each exploration. Its checks

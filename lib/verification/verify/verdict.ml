@@ -24,11 +24,16 @@ type reason =
   | Undefined of string
   | Fault of string
 
+type point = {
+  moment : Scc_ctl.Timeline.moment;
+  answer : (Scc_property.Property.side * Scc_ctl.Eval.measured) list;
+}
+
 type t =
   | Holds of { bounds : truncation list; witness : Witness.t option }
   | Violated of { witness : Witness.t option }
   | Measured of { values : (Scc_property.Property.side * Scc_ctl.Eval.measured) list; reasons : reason list;
-                  witness : Witness.t option }
+                  witness : Witness.t option; curve : point list }
   | Undecided of reason list
 
 type over = { instants : bool; ranges : Ranges.t; example : (string * Rat.t) list; by_invariant : bool }

@@ -30,6 +30,12 @@ type reason =
   | Undefined of string  (** the property has no truth value somewhere: a division by zero *)
   | Fault of string  (** the transitions of a state cannot be computed *)
 
+(** The answer from one end T of the bound of time on. *)
+type point = {
+  moment : Scc_ctl.Timeline.moment;  (** T; if it is not attained, the answer counts for all T shortly after it *)
+  answer : (Scc_property.Property.side * Scc_ctl.Eval.measured) list;  (** as [values] of a verdict *)
+}
+
 type t =
   | Holds of {
       bounds : truncation list;
@@ -43,6 +49,7 @@ type t =
       values : (Scc_property.Property.side * Scc_ctl.Eval.measured) list;
       reasons : reason list;  (** the reasons why they are not known better; empty: nothing was left out *)
       witness : Witness.t option;  (** of the last of them, a run that counts *)
+      curve : point list;  (** how it depends on the end of the bound of time, where that was asked for *)
     }  (** the answer to a question for numbers *)
   | Undecided of reason list  (** not empty *)
 

@@ -69,6 +69,7 @@ let model kinds : Model.t =
     collisions = In_turn;
     binding = On_collision;
     bonds = Acyclic;
+    blocked = Bounce;
     lots = true;
     round_velocity = None;
     rigid = None;

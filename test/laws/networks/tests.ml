@@ -10,4 +10,5 @@ let () =
       Test_bisimilarity.suite;
       Test_order.suite;
       Test_locality.suite;
-      Test_lots.suite ]
+      Test_lots.suite;
+      Test_blocked.suite ]

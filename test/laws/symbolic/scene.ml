@@ -126,6 +126,7 @@ let model s : Model.t =
     collisions = (if s.together then Together else In_turn);
     binding = (if s.contact then On_contact else On_collision);
     bonds = Acyclic;
+    blocked = Bounce;
     round_velocity = None;
     lots = false;
     rigid = None;

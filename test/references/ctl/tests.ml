@@ -6,4 +6,5 @@ let () =
       Test_reasons.suite;
       Test_long.suite;
       Test_laws.suite;
-      Test_means.suite ]
+      Test_means.suite;
+      Test_layers.suite ]

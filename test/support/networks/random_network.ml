@@ -149,6 +149,7 @@ let model { bodies; switches; _ } : Model.t =
       collisions = In_turn;
       binding = On_collision;
       bonds = Acyclic;
+      blocked = Bounce;
       round_velocity = None;
       lots = false;
       rigid = None;

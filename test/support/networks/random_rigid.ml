@@ -155,6 +155,7 @@ let model { dynamics; rounding; switches; bodies; packed = _ } : Model.t =
       ranges = [||];
       keeps_time = false;
       collisions = In_turn;
+      blocked = Bounce;
       binding = On_collision;
       bonds = Acyclic;
       round_velocity = rounding;

@@ -172,7 +172,8 @@ let rec item a b =
   | Param_in (m, x, y), Param_in (n, u, v) -> name m n && limit x u && limit y v
   | Timestep (x, n), Timestep (y, k) -> expr x y && n = k
   | Split_step x, Split_step y | Resolution x, Resolution y -> expr x y
-  | Dynamics m, Dynamics n | Collisions m, Collisions n | Binding m, Binding n | Bonds m, Bonds n -> name m n
+  | Dynamics m, Dynamics n | Collisions m, Collisions n | Binding m, Binding n | Bonds m, Bonds n
+  | Blocked m, Blocked n -> name m n
   | Round (m, x), Round (n, y) -> name m n && expr x y
   | Import i, Import j -> import i j
   | Shape (m, s, ds), Shape (n, t, es) -> head m n && solid s t && definitions ds es
@@ -189,7 +190,7 @@ let rec item a b =
   | Network ps, Network qs -> list path ps qs
   | Motion (p, l), Motion (q, m) -> option path p q && law l m
   | ( ( Model _ | Import _ | Param _ | Param_in _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _
-      | Binding _ | Bonds _ | Resolution _ | Round _ | Shape _
+      | Binding _ | Bonds _ | Blocked _ | Resolution _ | Round _ | Shape _
       | Compound _ | Decomposed _ | Behaviour _ | Process _ | Fixed _ | Bond _ | For _ | Network _ | Motion
         _ | Let _
       | Check _ ), _ ) -> false

@@ -69,6 +69,7 @@ let model ?(definitions = [||]) ?(timestep = q 1) ?(splits = Model.Every (q 1)) 
     collisions = In_turn;
     binding = On_collision;
     bonds = Acyclic;
+    blocked = Bounce;
     round_velocity = None;
     lots = false;
     rigid = None;

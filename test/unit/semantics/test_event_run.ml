@@ -15,7 +15,8 @@ let label_and_rules m label rules =
 
 let of_transition m (t : Transition.t) = label_and_rules m t.label t.rules
 let of_alternative m (a : Event_run.alternative) = label_and_rules m a.label a.rules
-let offered m run = List.init (Event_run.count run) (fun i -> of_alternative m (Event_run.alternative run i))
+let offered m run = List.init (Event_run.count run) (fun i -> Transition.label_to_string m (Event_run.label run i))
+let label m (t : Transition.t) = Transition.label_to_string m t.label
 
 (* What has changed, put together, is the state: each process as it came, and moved on since. *)
 module Told = Map.Make (Int)
@@ -47,7 +48,7 @@ let follow m s choices ~looks =
     | [] -> true
     | choice :: choices ->
       let transitions = Reach.successors m s in
-      let expected = List.map (of_transition m) transitions in
+      let expected = List.map (label m) transitions in
       let offered = offered m run in
       if not (List.equal String.equal expected offered) then
         QCheck2.Test.fail_reportf "step %d: %s\nbut from event to event: %s" step (String.concat "; " expected)
@@ -69,7 +70,9 @@ let follow m s choices ~looks =
         | _ :: _ ->
           let i = choice mod List.length transitions in
           let t = List.nth transitions i in
-          Event_run.take run i;
+          let taken = of_alternative m (Event_run.take run i) in
+          if not (String.equal taken (of_transition m t)) then
+            QCheck2.Test.fail_reportf "step %d: %s\nbut from event to event: %s" step (of_transition m t) taken;
           from (step + 1) (Rat.add elapsed (Transition.duration t)) t.target choices
   in
   from 0 Rat.zero s choices
@@ -125,13 +128,13 @@ let any_time =
              let transitions = Reach.successors m s in
              let n = List.length transitions in
              let offered = offered m run in
-             List.equal String.equal (List.map (of_transition m) transitions) offered
+             List.equal String.equal (List.map (label m) transitions) offered
              &&
              match choice mod (n + 2) with
              | i when i < n ->
                let t = List.nth transitions i in
-               Event_run.take run i;
-               same t.target && go t.target rest
+               let taken = of_alternative m (Event_run.take run i) in
+               String.equal taken (of_transition m t) && same t.target && go t.target rest
              | _ -> (
                  let d = part s in
                  match (Network.wait c s d, Event_run.wait run d) with
@@ -215,6 +218,7 @@ let boxed ?(keeps_time = false) velocities =
       collisions = In_turn;
       binding = On_collision;
       bonds = Acyclic;
+      blocked = Bounce;
       round_velocity = None;
       lots = false;
       rigid = None;
@@ -240,7 +244,7 @@ let in_a_box =
 let absolute_time () =
   let m, s = boxed ~keeps_time:true [ (7, 0, 0) ] in
   let run = Event_run.start (standard m) s in
-  Event_run.take run 0;
+  ignore (Event_run.take run 0);
   let time = (Event_run.state run).time in
   Alcotest.(check (option string)) "the wall at 12, from -4, by 1" (Some "15") (Option.map Rat.to_string time)
 
@@ -264,7 +268,7 @@ let local () =
     let s = State.make ~processes:(List.mapi far (Array.to_list s.processes)) ~step:None ~time:None in
     let run = Event_run.start (standard m) s in
     for _ = 1 to 100 do
-      Event_run.take run 0
+      ignore (Event_run.take run 0)
     done;
     (Event_run.work run).casts
   in

@@ -6,6 +6,8 @@
         ...
 """
 
+from .commands import check, estimate, simulate, sweep, trace, view
+from .diagnostics import CommandFailed, Diagnostic, Place
 from .errors import (
     FormulaRefused,
     InternalError,
@@ -58,17 +60,22 @@ from .models import (
 )
 from .oracle import PROTOCOL, Batch, Future, Oracle
 from .requests import Body, Fixed, Request, Touch
-from .sweeps import Record, sweep, sweep_records
-from .where import Checked, Polyhedron, Region, Where, wheres
+from .results import Estimate, Estimated, Moment, Simulated, SimulatedRun, Swept, Traced, TraceStep, Viewed
+from .runs import Run
+from .sweeps import Record, sweep_records
+from .where import Bound, Checked, Polyhedron, Region, Verdict, Where, wheres
 
 __version__ = "0.1.0"
 
 __all__ = [
-    "Batch", "Body", "Bond", "Check", "Checked", "Condition", "Contact", "DeclaredLeaf", "Description", "Evaluation", "Fault",
-    "Feature", "Fixed", "FormulaRefused", "Future", "InternalError", "InvalidParams", "InvalidRequest", "Label", "Leaf",
-    "LimitExceeded", "MassProperties", "Meeting", "MethodNotFound", "Model", "ModelRefused", "Motion", "MovementStep",
-    "NoTransitions", "NotInContact", "NotPossible", "Oracle", "OracleError", "PROTOCOL", "Pair", "ParseError",
-    "Polyhedron", "Process", "Record", "Region", "Replay", "Request", "RequestError", "Response", "ServiceError", "Shape",
-    "ShapeRefused", "ShapeReport", "ShapeWarning", "State", "Step", "Stopped", "Successors", "Touch", "Transition",
-    "UnknownHandle", "Where", "sweep", "sweep_records", "wheres",
+    "Batch", "Body", "Bond", "Bound", "Check", "Checked", "CommandFailed", "Condition", "Contact", "DeclaredLeaf",
+    "Description", "Diagnostic", "Estimate", "Estimated", "Evaluation", "Fault", "Feature", "Fixed",
+    "FormulaRefused", "Future", "InternalError", "InvalidParams", "InvalidRequest", "Label", "Leaf",
+    "LimitExceeded", "MassProperties", "Meeting", "MethodNotFound", "Model", "ModelRefused", "Moment", "Motion",
+    "MovementStep", "NoTransitions", "NotInContact", "NotPossible", "Oracle", "OracleError", "PROTOCOL", "Pair",
+    "ParseError", "Place", "Polyhedron", "Process", "Record", "Region", "Replay", "Request", "RequestError",
+    "Response", "Run", "ServiceError", "Shape", "ShapeRefused", "ShapeReport", "ShapeWarning", "Simulated",
+    "SimulatedRun", "State", "Step", "Stopped", "Successors", "Swept", "Touch", "TraceStep", "Traced", "Transition",
+    "UnknownHandle", "Verdict", "Viewed", "Where", "check", "estimate", "simulate", "sweep", "sweep_records",
+    "trace", "view", "wheres",
 ]

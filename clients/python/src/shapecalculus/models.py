@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from typing import Any, Dict, Mapping, Optional, Tuple, Union
+from typing import Any, Dict, Iterable, Mapping, Optional, Tuple, Union
 
 from . import numbers
 from .numbers import Quaternion, Vector
@@ -47,6 +47,15 @@ class Model:
     leaves: Tuple[DeclaredLeaf, ...]
     checks: Tuple[Check, ...]
     warnings: Tuple[Json, ...] = ()
+    #: What it was loaded from: its text, the texts of files that it names, and the parameters that were given.
+    text: str = field(default="", repr=False, compare=False)
+    files: Mapping[str, str] = field(default_factory=lambda: {}, repr=False, compare=False)
+    given: Mapping[str, Fraction] = field(default_factory=lambda: {}, repr=False, compare=False)
+
+    def loaded_from(self, text: str, files: Mapping[str, str], given: Optional[Iterable[str]]) -> Model:
+        """The same, with what it was loaded from. ``given``: the names of parameters; None for all."""
+        values = self.parameters if given is None else {name: self.parameters[name] for name in given}
+        return replace(self, text=text, files=dict(files), given=values)
 
     @classmethod
     def from_json(cls, json: Json) -> Model:

@@ -318,7 +318,12 @@ def load_model(
     params = _text(text, files, parameters)
     if start is not None or seed is not None:
         params["start"] = _seeded("start", start, seed)
-    return Request("model.load", _limited(params, seconds), Model.from_json)
+    given = tuple(parameters or ()) if "start" not in params else None
+    return Request(
+        "model.load",
+        _limited(params, seconds),
+        lambda json: Model.from_json(json).loaded_from(text, files or {}, given),
+    )
 
 
 def check(

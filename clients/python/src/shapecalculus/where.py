@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
+import math
 import operator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any, Dict, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
-from . import numbers
+from . import frames, numbers
 from .numbers import Number
+from .runs import Run
 
 Json = Mapping[str, Any]
 #: A value for each parameter, by their names or in their order.
 Point = Union[Mapping[str, Number], Sequence[Number]]
 Row = Tuple[Fraction, ...]
 
+#: An end of an interval of numbers: a Fraction, ``math.inf``, or None where it is not known.
+Ends = Union[None, Fraction, float]
+
+_NUMBERS = ("low", "high", "least_low", "least_high", "greatest_low", "greatest_high")
+_COLUMNS = ("check", "verdict", *_NUMBERS, "bounds", "why")
 _RELATIONS = {"<": operator.lt, "<=": operator.le, "=": operator.eq}
 
 
@@ -150,15 +157,125 @@ def wheres(report: Json) -> Dict[str, Where]:
 
 
 @dataclass(frozen=True)
+class Bound:
+    """A bound that was met. ``limit``: ``"depth"``, ``"time"``, ``"instant"``, ``"states"``, ``"bits"``, ``"seconds"``,
+    ``"memory"`` (in bytes), ``"interrupted"`` or ``"hash-compaction"``. ``origin``: ``"default"``, ``"user"``,
+    ``"property"`` or ``"system"``."""
+
+    limit: str
+    value: Union[None, int, Fraction]
+    origin: str
+
+    @classmethod
+    def from_json(cls, json: Json) -> Bound:
+        value = json["value"]
+        return cls(json["limit"], Fraction(value) if isinstance(value, str) else value, json["origin"])
+
+    def __str__(self) -> str:
+        unit = " bytes" if self.limit == "memory" else ""
+        return self.limit if self.value is None else "%s %s%s (%s)" % (self.limit, self.value, unit, self.origin)
+
+
+def _between(json: Json) -> Tuple[Ends, Ends]:
+    """Without a least end the number is infinite; without a greatest end alone, no bound of it is known."""
+    if json["low"] is None:
+        return math.inf, math.inf
+    return numbers.fraction(json["low"]), frames.maybe(json["high"])
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """Of one check. ``bounds``: those up to which it holds, or those by which it is undecided.
+    ``reasons``: why it is undecided. ``least`` and ``greatest``: of a check that asks for a number, between which ends
+    it is, over all schedulers."""
+
+    name: str
+    formula: str
+    verdict: str
+    text: str
+    bounds: Tuple[Bound, ...]
+    reasons: Tuple[str, ...]
+    least: Optional[Tuple[Ends, Ends]]
+    greatest: Optional[Tuple[Ends, Ends]]
+    witness: Optional[Json]
+
+    @classmethod
+    def from_json(cls, json: Json) -> Verdict:
+        met = [reason["bound"] for reason in json["reasons"] if reason["bound"] is not None]
+        bounds = tuple(Bound.from_json(bound) for bound in [*json["bounds"], *met])
+        ends = {value["over"]: _between(value) for value in json.get("values", [])}
+        return cls(
+            json["name"],
+            json["formula"],
+            json["verdict"],
+            json["text"],
+            bounds,
+            tuple(reason["text"] for reason in json["reasons"]),
+            ends.get("least"),
+            ends.get("greatest"),
+            json["witness"],
+        )
+
+    @property
+    def value(self) -> Ends:
+        """The number that was asked for, if it is one; else None."""
+        ends = {end for between in (self.least, self.greatest) if between is not None for end in between}
+        return ends.pop() if len(ends) == 1 else None
+
+    def row(self) -> Dict[str, Any]:
+        low, high = self.least or (None, None), self.greatest or (None, None)
+        return {
+            "check": self.name,
+            "verdict": self.verdict,
+            "low": low[0],
+            "high": high[1],
+            "least_low": low[0],
+            "least_high": low[1],
+            "greatest_low": high[0],
+            "greatest_high": high[1],
+            "bounds": "; ".join(map(str, self.bounds)),
+            "why": "; ".join(self.reasons),
+        }
+
+
+@dataclass(frozen=True)
 class Checked:
-    """What ``check`` tells: a verdict (``"holds"``, ``"holds-up-to-bound"``, ``"violated"``, ``"measured"``, ``"undecided"``) for each
-    check by its name, where each holds if that was asked and found, and the entries of the report.
-    """
+    """What ``check`` tells: a verdict (``"holds"``, ``"holds-up-to-bound"``, ``"violated"``, ``"measured"``,
+    ``"undecided"``) for each check by its name, where each holds if that was asked and found, and the report.
+
+    ``checks`` has more of each, ``stopped_by`` says which bounds ended the exploration: none if it is ``complete``, or
+    if all was decided before. ``run`` is None where an oracle has checked."""
 
     verdicts: Dict[str, str]
     where: Dict[str, Where]
     report: Json
+    checks: Dict[str, Verdict] = field(default_factory=lambda: {})
+    stopped_by: Tuple[Bound, ...] = ()
+    complete: bool = False
+    run: Optional[Run] = None
 
     @classmethod
     def from_json(cls, json: Json) -> Checked:
-        return cls({check["name"]: check["verdict"] for check in json["properties"]}, wheres(json), json)
+        explored = json["explored"]
+        stopped_by = tuple(Bound.from_json(bound) for bound in explored["stopped_by"])
+        checks = {check["name"]: Verdict.from_json(check) for check in json["properties"]}
+        verdicts = {name: check.verdict for name, check in checks.items()}
+        return cls(verdicts, wheres(json), json, checks, stopped_by, explored["complete"])
+
+    def __getitem__(self, name: str) -> Verdict:
+        """The verdict of the check with this name. KeyError if there is none."""
+        return self.checks[name]
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C or a signal has ended it."""
+        return any(bound.limit == "interrupted" for bound in self.stopped_by)
+
+    @property
+    def rows(self) -> List[Dict[str, Any]]:
+        """A dictionary for each check."""
+        return [check.row() for check in self.checks.values()]
+
+    def to_dataframe(self, as_float: bool = False) -> Any:
+        """``rows`` as a ``pandas.DataFrame``, with Fractions, or with floats."""
+        return frames.frame(self.rows, _COLUMNS, as_float, _NUMBERS)

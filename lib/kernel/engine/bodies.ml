@@ -1,0 +1,306 @@
+open Scc_data
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+
+(* A process now: as it was at the time [since], but for its positions, which are those of its line. *)
+type body = {
+  mutable process : State.process;
+  mutable since : Rat.t;
+  mutable age : int;  (** changes with [since]; -1 once the process has gone *)
+  mutable waits : bool;  (** an eps of it runs down *)
+  is_steered : bool;  (** a law moves it *)
+  flight : Flights.flight;
+}
+
+(* Events to come. Those whose numbers are out of date are dropped when their time comes. *)
+type event =
+  | Contact of {
+      time : Rat.t;
+      one : Flights.flight;
+      two : Flights.flight;
+      sweep_one : int;
+      sweep_two : int;
+    }
+  | Sweep_end of { time : Rat.t; flight : Flights.flight; sweep : int }
+  | Horizon of { time : Rat.t; body : body; age : int }  (** an eps expires *)
+  | Split_instant of { time : Rat.t; body : body; age : int }
+
+(* What one process may do now: found when it is asked for. *)
+type splits = {
+  body : body;
+  mutable found : (Transition.outcome list * Transition.outcome list) option;  (** strong and weak *)
+}
+
+module Firsts = Map.Make (Int)
+
+
+type t = {
+  semantics : Semantics.t;
+  flights : Flights.t;
+  agenda : event Heap.t;
+  bodies : body option array;  (** by first leaf *)
+  mutable frame : State.t;  (** the movement step and the absolute time now, without processes *)
+  mutable steered : int;  (** how many bodies laws move *)
+  mutable now : Rat.t;  (** since the start *)
+  mutable ages : int;
+  colliding : (body, Transition.outcome) Colliding.t;  (** now, and since they met *)
+  mutable splitting : splits Firsts.t;  (** those at a split instant now, or with a strong split *)
+  mutable room : int;  (** how many events to keep before those out of date are dropped *)
+  mutable asked : Rat.t;  (** when {!changes} were asked for last *)
+  mutable touched : bool Firsts.t;
+  (** since then: the first leaves of those to whom something has happened, and whether there was a process of that
+      first leaf then *)
+}
+
+let now t = t.now
+let model t = Semantics.model t.semantics
+let step t = t.frame.step
+let frame t = t.frame
+let set_step t step = t.frame <- State.at ~step ~time:t.frame.time t.frame
+let any_steered t = t.steered > 0
+let work t = Flights.work t.flights
+
+(* {1 The agenda} *)
+
+let valid = function
+  | Contact c -> c.one.sweep = c.sweep_one && c.two.sweep = c.sweep_two
+  | Sweep_end s -> s.flight.sweep = s.sweep
+  | Horizon { body; age; _ } | Split_instant { body; age; _ } -> body.age = age
+
+let time_of = function
+  | Contact { time; _ } | Sweep_end { time; _ } | Horizon { time; _ } | Split_instant { time; _ } -> time
+
+let by_time d e = Rat.compare (time_of d) (time_of e)
+let least_room = 1024
+
+let add t event =
+  if Heap.size t.agenda >= t.room then begin
+    Heap.keep t.agenda valid;
+    t.room <- Int.max least_room (2 * Heap.size t.agenda)
+  end;
+  Heap.add t.agenda event
+
+let watch t : Flights.watch =
+  {
+    contact =
+      (fun time one two ->
+         add t (Contact { time; one; two; sweep_one = one.sweep; sweep_two = two.sweep }));
+    sweep_end = (fun time flight -> add t (Sweep_end { time; flight; sweep = flight.sweep }));
+  }
+
+let renew t f =
+  Colliding.part t.colliding f.Flights.first;
+  Flights.renew t.flights ~now:t.now f (watch t)
+
+(* {1 Processes that come, age and go} *)
+
+(* Where a process that is somewhere now would have been at the start, on its line. *)
+let line t p = Turn.pass (model t) (Rat.neg t.now) p
+
+let may_split t b = t.splitting <- Firsts.add b.flight.first { body = b; found = None } t.splitting
+let cannot_split t first = t.splitting <- Firsts.remove first t.splitting
+
+let touch t first =
+  if not (Firsts.mem first t.touched) then
+    t.touched <- Firsts.add first (Option.is_some t.bodies.(first)) t.touched
+
+(* For a process that is as it was just now. *)
+let schedule t b =
+  touch t b.flight.first;
+  t.ages <- t.ages + 1;
+  let age = t.ages in
+  b.since <- t.now;
+  b.age <- age;
+  cannot_split t b.flight.first;
+  Colliding.changed t.colliding b.flight.first;
+  let p = b.process in
+  let horizon = Time.horizon (model t) p in
+  b.waits <- Option.is_some horizon;
+  Option.iter (fun h -> add t (Horizon { time = Rat.add t.now h; body = b; age })) horizon;
+  Option.iter
+    (fun d -> add t (Split_instant { time = Rat.add t.now d; body = b; age }))
+    (Time.to_split_instant (model t) p);
+  if Process.at_split_instant p || Network.urgent t.semantics p <> [] then may_split t b
+
+let enter t (p : State.process) =
+  let line = line t p in
+  let flight = Flights.launch t.flights ~now:t.now line (watch t) in
+  let b =
+    { process = line; since = t.now; age = -1; waits = false; is_steered = Process.steers (model t) p; flight }
+  in
+  if b.is_steered then t.steered <- t.steered + 1;
+  touch t flight.first;
+  t.bodies.(flight.first) <- Some b;
+  schedule t b
+
+let body t first =
+  match t.bodies.(first) with
+  | Some b -> b
+  | None -> Scc_base.Bug.fail __POS__ "no process begins with this leaf"
+
+let velocity t first = (body t first).process.velocity
+
+let leave t first =
+  let b = body t first in
+  touch t first;
+  if b.is_steered then t.steered <- t.steered - 1;
+  Colliding.part t.colliding first;
+  Flights.drop t.flights b.flight;
+  b.age <- -1;
+  cannot_split t first;
+  t.bodies.(first) <- None
+
+let aged t b = Time.age_process (model t) (Rat.sub t.now b.since) b.process
+let present t b = Turn.pass (model t) t.now (aged t b)
+
+(* {1 Now} *)
+
+let happen t event =
+  match event with
+  | Contact c -> Colliding.meet t.colliding (body t c.one.first) (body t c.two.first)
+  | Sweep_end s -> renew t s.flight
+  | Horizon { body; _ } ->
+    body.process <- aged t body;
+    schedule t body
+  | Split_instant { time; body; age } ->
+    may_split t body;
+    (match (model t).splits with
+     | Every step -> add t (Split_instant { time = Rat.add time step; body; age })
+     | Any_time -> ())
+
+(* Everything that the agenda has for this instant. *)
+let rec come_up t =
+  match Heap.first t.agenda with
+  | Some event when not (valid event) || Rat.compare (time_of event) t.now <= 0 ->
+    Heap.drop_first t.agenda;
+    if valid event then happen t event;
+    come_up t
+  | Some _ | None -> ()
+
+(* When the movement step ends, if that changes a velocity. *)
+let end_of_step t =
+  if t.steered = 0 then None
+  else Option.map (fun (step : State.step) -> Rat.add t.now step.remaining) t.frame.step
+
+(* When the next event comes that is one of the calculus, if that is at the end of the step at the latest. The ends
+   of sweeps are none: what a process sweeps next still begins now, where all others are, for nothing forces time
+   to pass. *)
+let rec next_time t =
+  let is_later event = match end_of_step t with Some e -> Rat.compare (time_of event) e > 0 | None -> false in
+  match Heap.first t.agenda with
+  | None -> None
+  | Some event when is_later event -> None
+  | Some event ->
+    if not (valid event) then begin
+      Heap.drop_first t.agenda;
+      next_time t
+    end
+    else begin
+      match event with
+      | Sweep_end s ->
+        Heap.drop_first t.agenda;
+        renew t s.flight;
+        next_time t
+      | Contact _ | Horizon _ | Split_instant _ -> Some (time_of event)
+    end
+
+let splits_now t s =
+  match s.found with
+  | Some found -> found
+  | None ->
+    let p = present t s.body in
+    let found = (Network.urgent t.semantics p, Network.weak t.semantics p) in
+    s.found <- Some found;
+    found
+
+let splits t = List.map (fun (_, s) -> splits_now t s) (Firsts.bindings t.splitting)
+
+let collisions t outcomes =
+  Colliding.find t.colliding (fun p q -> outcomes (present t p) (present t q));
+  (Colliding.count t.colliding, Colliding.nth t.colliding)
+
+let involved t = List.map (present t) (Colliding.bodies t.colliding)
+
+let all t which =
+  let add all b = if which b then present t b :: all else all in
+  List.rev (Array.fold_left (fun all b -> Option.fold ~none:all ~some:(add all) b) [] t.bodies)
+
+let steered t = all t (fun b -> b.is_steered)
+let unsteered t = all t (fun b -> not b.is_steered)
+
+(* {1 Steps} *)
+
+let same_course (p : State.process) (q : State.process) =
+  let same_leaf (l : State.leaf) (k : State.leaf) = l.leaf = k.leaf in
+  Vec.equal p.velocity q.velocity
+  && Array.length p.leaves = Array.length q.leaves
+  && Array.for_all2 same_leaf p.leaves q.leaves
+
+(* Who goes on as before needs no new flight: a wall has as many neighbours as it is long. What may happen to it is
+   found anew only if it is not as it was. *)
+let go_on t (p : State.process) =
+  let b = body t p.leaves.(0).leaf in
+  if State.equal_process p (present t b) then touch t b.flight.first
+  else begin
+    b.process <- line t p;
+    schedule t b
+  end
+
+let change t (o : Transition.outcome) =
+  let goes_on p = List.exists (same_course p) o.gone and stays q = List.exists (same_course q) o.come in
+  List.iter (fun (p : State.process) -> if not (stays p) then leave t p.leaves.(0).leaf) o.gone;
+  List.iter (fun p -> if goes_on p then go_on t p else enter t p) o.come
+
+(* All change at once: nobody is met on a course that is over. *)
+let turn t processes =
+  let goes_on (p : State.process) = Vec.equal p.velocity (velocity t p.leaves.(0).leaf) in
+  let turned = List.filter (fun p -> not (goes_on p)) processes in
+  List.iter (fun (p : State.process) -> leave t p.leaves.(0).leaf) turned;
+  List.iter (enter t) turned
+
+(* Nothing collides when time passes. *)
+let pass t d =
+  t.now <- Rat.add t.now d;
+  t.frame <- Time.pass t.semantics d t.frame;
+  t.splitting <-
+    (match (model t).splits with
+     | Every _ -> Firsts.empty
+     | Any_time -> Firsts.map (fun s -> { s with found = None }) t.splitting)
+
+(* {1 Changes} *)
+
+type changes = { gone : int list; come : State.process list }
+
+let changes t =
+  if Rat.compare t.asked t.now < 0 then
+    Array.iter (Option.iter (fun b -> if b.waits then touch t b.flight.first)) t.bodies;
+  let touched = Firsts.bindings t.touched in
+  t.asked <- t.now;
+  t.touched <- Firsts.empty;
+  let gone (first, was_there) = if was_there then Some first else None in
+  let come (first, _) = Option.map (present t) t.bodies.(first) in
+  { gone = List.filter_map gone touched; come = List.filter_map come touched }
+
+let start semantics ~step (s : State.t) =
+  let leaves = Array.length (Semantics.model semantics).leaves in
+  let t =
+    {
+      semantics;
+      flights = Flights.create semantics;
+      agenda = Heap.create ~near:(fun e -> Rat.to_float (time_of e)) ~compare:by_time;
+      bodies = Array.make leaves None;
+      frame = State.make ~processes:[] ~step ~time:s.time;
+      steered = 0;
+      now = Rat.zero;
+      ages = 0;
+      colliding = Colliding.create leaves ~first:(fun b -> b.flight.first) ~age:(fun b -> b.age);
+      splitting = Firsts.empty;
+      room = least_room;
+      asked = Rat.zero;
+      touched = Firsts.empty;
+    }
+  in
+  Spread.iter (fun p -> enter t (State.with_draw None p)) s.processes;
+  t.touched <- Firsts.empty;
+  t

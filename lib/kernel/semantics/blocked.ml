@@ -1,0 +1,95 @@
+open Scc_exact
+open Scc_calculus
+
+module Ids = Set.Make (Int)
+module By_process = Map.Make (Int)
+
+let at_rest which = State.mapi (fun i p -> if Ids.mem i which then State.with_velocity Vec.zero p else p)
+
+(* {1 Where walkers stop} *)
+
+(* A bond, or an absorption, comes before what else the same walker runs into. *)
+let rec until_none (c : Semantics.t) (s : State.t) =
+  let meetings = Collisions.meetings c s.processes in
+  let busy = List.filter (fun m -> Collisions.candidates c s.processes m <> []) meetings in
+  let busy = Ids.of_list (List.concat_map (fun (m : Kinematics.meeting) -> [ m.first; m.second ]) busy) in
+  let stops = Ids.of_list (List.concat_map (Collisions.blocked c s.processes) meetings) in
+  let stops = Ids.diff stops busy in
+  if Ids.is_empty stops then s else until_none c (at_rest stops s)
+
+let stopped (c : Semantics.t) s = if Model.stops_walkers c.setting.model then until_none c s else s
+
+(* {1 Kicks that are not taken} *)
+
+(* Two processes one of which at least has been kicked, with all of their parts that may come near each other. *)
+type two = { first : int; second : int; parts : (Part.t * Part.t) list }
+
+let speed (p : State.process) =
+  let { Vec.x; y; z } = p.velocity in
+  Rat.add (Rat.abs x) (Rat.add (Rat.abs y) (Rat.abs z))
+
+let near_each_other (c : Semantics.t) ~kicked (s : State.t) =
+  let fastest = Array.fold_left (fun most p -> Rat.max most (speed p)) Rat.zero s.processes in
+  let margin = Rat.mul (Rat.of_int 2) (Rat.mul c.setting.model.timestep fastest) in
+  let concerning ((a : Part.t), (b : Part.t)) =
+    if kicked a.process || kicked b.process then Some ((), (a, b)) else None
+  in
+  let two pairs =
+    let parts = List.map snd pairs in
+    let (a : Part.t), (b : Part.t) = List.hd parts in
+    { first = a.process; second = b.process; parts }
+  in
+  c.setting.neighbours.within margin (Collisions.parts c s.processes)
+  |> List.filter_map concerning |> Collisions.by_processes |> List.map two
+
+let first_collision (c : Semantics.t) two =
+  let time ((a : Part.t), (b : Part.t)) =
+    match c.setting.geometry.first_time_of_contact a.placed b.placed (Part.relative_velocity a b) with
+    | Never -> None
+    | At t -> Some t
+    | Inside -> Scc_base.Bug.fail __POS__ "two bodies interpenetrate"
+  in
+  List.fold_left (fun first pair -> Option.merge Rat.min first (time pair)) None two.parts
+
+(* By the behaviours that the two have now. *)
+let binds_at c t p q =
+  let model = Semantics.model c in
+  let then_ = [| Turn.pass model t p; Turn.pass model t q |] in
+  List.exists (fun m -> Collisions.candidates c then_ m <> []) (Collisions.meetings c then_)
+
+let run_into_each_other (c : Semantics.t) (s : State.t) two =
+  let before_the_next_draw t = Rat.compare t c.setting.model.timestep < 0 in
+  match first_collision c two with
+  | Some t when before_the_next_draw t -> not (binds_at c t s.processes.(two.first) s.processes.(two.second))
+  | Some _ | None -> false
+
+let sweeps_meet (c : Semantics.t) two =
+  let path (a : Part.t) = Vec.scale c.setting.model.timestep (Part.velocity a) in
+  let meet (a, (b : Part.t)) = c.setting.geometry.sweeps_meet a.Part.placed b.placed (path a) (path b) in
+  List.exists meet two.parts
+
+(* From those that run into something, on through all whose sweeps meet. *)
+let rec spread ~beside blocked = function
+  | [] -> blocked
+  | i :: rest when Ids.mem i blocked -> spread ~beside blocked rest
+  | i :: rest ->
+    let more = List.filter (fun j -> not (Ids.mem j blocked)) (beside i) in
+    spread ~beside (Ids.add i blocked) (List.rev_append more rest)
+
+let blocked (c : Semantics.t) ~kicked (s : State.t) =
+  let pairs = near_each_other c ~kicked s in
+  let add i other = By_process.update i (fun others -> Some (other :: Option.value others ~default:[])) in
+  let join near two = near |> add two.first (two.second, two) |> add two.second (two.first, two) in
+  let near = List.fold_left join By_process.empty (List.filter (fun t -> kicked t.first && kicked t.second) pairs) in
+  let beside i =
+    Option.value (By_process.find_opt i near) ~default:[]
+    |> List.filter_map (fun (j, two) -> if sweeps_meet c two then Some j else None)
+  in
+  List.filter (run_into_each_other c s) pairs
+  |> List.concat_map (fun two -> List.filter kicked [ two.first; two.second ])
+  |> spread ~beside Ids.empty
+
+let waiting (c : Semantics.t) ~kicked (s : State.t) =
+  match c.setting.model.blocked with
+  | Bounce | Stop -> s
+  | Wait -> at_rest (blocked c ~kicked s) s

@@ -1,0 +1,15 @@
+(** The output of [scc check --curve]: how a probability depends on the end of its bound of time. *)
+
+open Scc_base
+open Scc_loading
+open Scc_verify
+
+val refused : Loaded.t -> string option -> (unit, Diag.t list) result
+(** [refused l name] is an error if the model [l] has no check with this name that asks for a probability within a
+    bound of time. Without a name it is [Ok]. *)
+
+val lines : Verdict.t -> string
+(** [lines v] is the table of the curve of [v]: a line for each row, indented. It is empty without a curve. *)
+
+val picture : title:string -> Verdict.outcome list -> string
+(** [picture ~title outcomes] is the curves of the outcomes as an SVG document: steps over time. *)
