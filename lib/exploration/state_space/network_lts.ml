@@ -308,7 +308,12 @@ let outcome c tuple (s : Lts.step) =
   let chance = Option.get (Catalogue.chance (catalogue c) s.label) in
   { Joint_draws.tuple = Tuples.apply s.changes tuple; chance; transitions = 1 }
 
-let several_velocities c tuple = c.draws && match waiting c tuple with Some n -> n > 1 | None -> false
+(* Several velocities are drawn, each of which takes effect whatever the others are. Walkers that wait may
+   block each other (rule Blocked). *)
+let several_velocities c tuple =
+  c.draws
+  && (not (Model.stops_walkers (model c)))
+  && match waiting c tuple with Some n -> n > 1 | None -> false
 
 (* The outcomes of all draws of velocities; [None] where others are due, or there are too many. *)
 let by_velocities c tuple =

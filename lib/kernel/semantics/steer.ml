@@ -171,6 +171,7 @@ let settle (c : Semantics.t) (s : State.t) =
   if is_drawing s then Ok { state = s; rules = []; rounded = None }
   else
     let used = if over && Array.exists (steers m) s.processes then rules else [] in
+    (* If walkers bounce, each process begins by its own draw alone: Joint_draws.velocities rests on it. *)
     let steered = if over then kicked c s else s in
     let state, rounded = K.begin_turns c.setting ~parts ~colliding (K.at_contact c.setting ~colliding steered) in
     Ok { state; rules = (if Option.is_some rounded then used @ [ Rule.Round ] else used); rounded }

@@ -272,7 +272,8 @@ let by_hand =
 
 (* The draws of so many bodies at time 0, and the words that their exploration allocates. *)
 let instant reductions n =
-  let walkers = String.concat "" (List.init n (fun i -> walker (Printf.sprintf "w%d" i) (9 * i) "for i in 1..4: (i,0,0)")) in
+  let one i = walker (Printf.sprintf "w%d" i) (9 * i) "for i in 1..4: (i,0,0)" in
+  let walkers = String.concat "" (List.init n one) in
   let e = Load.exactly (Load.text (cube ^ walkers ^ "check c : possibly x(w0) > 0 within 0")) in
   let semantics = Scc_engine.Standard.of_model e.model in
   let initial = Result.get_ok (Network.initial semantics e.declared) in
@@ -291,8 +292,8 @@ let grows () =
     let draws = power n in
     Printf.printf "%d bodies: %d states, one by one %d; %.0f words an outcome\n" n joined.states plain.states
       (allocated /. float_of_int draws);
-    Alcotest.(check int) "one by one" ((draws * 4) - 1) (3 * (plain.states - draws) );
-    Alcotest.(check int) "joined" (2 * draws + 1) joined.states;
+    Alcotest.(check int) "one by one" ((draws * 4) - 1) (3 * (plain.states - draws));
+    Alcotest.(check int) "joined" ((2 * draws) + 1) joined.states;
     words := (allocated /. float_of_int draws) :: !words
   done;
   match !words with
