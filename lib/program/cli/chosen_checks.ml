@@ -9,13 +9,7 @@ let named checks name =
   let base (c : Property.check) = List.hd (String.split_on_char '[' c.name) in
   let is_meant (c : Property.check) = String.equal name c.name || String.equal name (base c) in
   match List.filter is_meant checks with
-  | [] ->
-    let names = List.map (fun (c : Property.check) -> c.name) checks in
-    Error
-      [
-        Diag.error Code.unknown_name Span.command_line ?hint:(Diag.suggest name names)
-          "the model has no check `%s`" name;
-      ]
+  | [] -> Error [ Input.no_check Code.unknown_name Span.command_line name checks ]
   | found -> Ok found
 
 let of_names checks names =

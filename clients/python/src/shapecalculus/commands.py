@@ -23,6 +23,7 @@ def check(
     states: Optional[int] = None,
     time: Optional[Number] = None,
     axes: Optional[Texts] = None,
+    check: Optional[Texts] = None,
     coverage: bool = False,
     curve: Optional[str] = None,
     curve_plot: Optional[Path] = None,
@@ -57,14 +58,14 @@ def check(
     ``states``: Keeps at most N states. The default is 200000.
     ``time``: Expands only states that can be reached by the model time T. No default.
     ``axes``: The one or two parameters to --draw; by default the first ones.
+    ``check``: Decides only the check NAME, as if the model had no others. May be given several times.
     ``coverage``: Lists the summands of behaviours that never fired, the behaviours that were never reached, and
       the channels and rules that were never used. It explores the whole model once more, even if all is
       decided, and counts during this exploration, within the same bounds; half of the seconds are kept for it.
       If a bound ends it, the report says how much was explored.
     ``curve``: Reports the probability that the check NAME asks for as a function of time. The check asks P = ?
       of an operator with a bound of time. A table lists all times up to the end of this bound at which the
-      probability changes, and its value from there on. One exploration and one pass over its graph give all of
-      them.
+      probability changes, and its value from there on. All of them come of one exploration.
     ``curve_plot``: Draws the curve of --curve as an SVG picture to FILE.
     ``define``: Gives the parameter NAME of the model the value VALUE, a rational. If the parameter has a range,
       it can be narrowed instead: to 1..3, with both ends, or to [1,3), where a round bracket excludes an end.
@@ -121,6 +122,7 @@ def check(
         *words.integer("--states", states),
         *words.number("--time", time),
         *words.listed("--axes", axes),
+        *words.texts("--check", check),
         *words.flag("--coverage", coverage),
         *words.text("--curve", curve),
         *words.path("--curve-plot", curve_plot),
