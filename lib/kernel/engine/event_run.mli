@@ -11,8 +11,8 @@ type t
 
 val can_run : Model.t -> bool
 (** [can_run m] is true if [m] has neither turns nor lots, its processes bind only if they collide (reading
-    I-33), and walkers bounce. If [m] has laws of motion, each of them never fails ({!Law.never_fails}), and processes have no
-    movement steps of their own. *)
+    I-33), and its walkers bounce. If [m] has laws of motion, each of them never fails ([Law.never_fails]), and
+    processes have no movement steps of their own. *)
 
 val start : Semantics.t -> State.t -> t
 (** A run from any state of a model that {!can_run}. Any other model is a bug. *)
@@ -22,7 +22,7 @@ val semantics : t -> Semantics.t
 
 val may_fail : t -> bool
 (** [may_fail t] is true if laws of a process that is there, or that the next transition may make, have no value:
-    {!Law.Too_many}. Then the rules have to decide what happens next, from {!state} on. *)
+    [Law.Too_many]. Then the rules have to decide what happens next, from {!state} on. *)
 
 (** A transition that has been taken. *)
 type alternative = {
