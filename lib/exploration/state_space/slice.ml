@@ -275,10 +275,6 @@ let reached s groups =
   List.iter (fun g -> if s.stirred.(g) then List.iter (note (energy s g)) s.members.(g)) groups;
   near
 
-let restricted (initial : State.t) stays =
-  let processes = List.filteri (fun i _ -> stays i) (Array.to_list initial.processes) in
-  State.make ~processes ~step:initial.step ~time:initial.time
-
 (* When those who had to draw first, or to collide, are not there, the movement step may begin at once. *)
 let settled semantics state =
   match Steer.settle semantics state with
@@ -292,7 +288,7 @@ let patience = 10_000
 let lasts s initial g =
   let must label = Transition.is_urgent label || Transition.is_time label in
   let near = reached s [ g ] in
-  let run = Event_run.start s.semantics (restricted initial (fun i -> find s i = g || near.(i))) in
+  let run = Event_run.start s.semantics (State.restricted initial (fun i -> find s i = g || near.(i))) in
   let over time = match s.horizon with None -> false | Some h -> Rat.compare h time <= 0 in
   let rec go fuel =
     fuel > 0
@@ -337,7 +333,7 @@ let kept s initial named ~in_all =
   let stays = Array.init n (fun i -> wanted.(find s i) || near.(i)) in
   (* Walls that nobody reaches cost nothing: without them alone, an exploration of its own would not pay. *)
   if Array.for_all2 ( || ) stays s.walls then None
-  else Some (settled s.semantics (restricted initial (fun i -> stays.(i))))
+  else Some (settled s.semantics (State.restricted initial (fun i -> stays.(i))))
 
 (* Bodies that come to touch and do not collide are not looked for (reading I-33). *)
 let can_be_cut (m : Model.t) initial =

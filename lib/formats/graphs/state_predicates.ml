@@ -10,12 +10,7 @@ let about_states prop = not (Formula.has_events (State prop))
 let rec greatest found (f : Property.temporal) =
   match Formula.state_formula f with
   | Some p -> if about_states p then p :: found else found
-  | None -> (
-      match f with
-      | State _ -> found
-      | Temporal_not f | Next (_, f) | Finally (_, _, f) | Globally (_, _, f) -> greatest found f
-      | Temporal_and fs | Temporal_or fs -> List.fold_left greatest found fs
-      | Until (_, _, f, g) -> greatest (greatest found f) g)
+  | None -> List.fold_left greatest found (Formula.parts f)
 
 (* What needs no label of its own. *)
 let has_label : Property.prop -> bool = function Bool _ | Fact Quiescent -> true | _ -> false

@@ -21,6 +21,9 @@ let take n list =
   in
   go [] n list
 
+let distinct equal list =
+  List.rev (List.fold_left (fun kept x -> if List.exists (equal x) kept then kept else x :: kept) [] list)
+
 let put joined x list =
   let rec go before = function
     | [] -> List.rev (x :: before)

@@ -17,6 +17,9 @@ val merged : ('a -> 'a -> int) -> ('b -> 'b -> 'b) -> ('a * 'b) list -> ('a * 'b
 (** [merged compare add list] has each key of [list] once, in the order of [compare]. The values of equal keys are
     put together by [add], in the order of the list. *)
 
+val distinct : ('a -> 'a -> bool) -> 'a list -> 'a list
+(** [distinct equal list] is [list] without the elements that are equal to an earlier one. *)
+
 val put : ('a -> 'a option) -> 'a -> 'a list -> 'a list
 (** [put joined x list] replaces the first [y] for which [joined y] is [Some z] by [z]. If there is none, it
     appends [x]. *)

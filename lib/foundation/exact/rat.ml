@@ -136,6 +136,7 @@ let of_literal s =
 (* n/d 2^k for an integer k of either sign, rounded up to an integer. *)
 let scaled_up n d k = if k >= 0 then Z.cdiv (Z.shift_left n k) d else Z.cdiv n (Z.shift_left d (-k))
 let over_power n k = if k >= 0 then Q.make n (Z.shift_left Z.one k) else Q.of_bigint (Z.shift_left n (-k))
+let power_of_two k = over_power Z.one (-k)
 
 (* 2^(size - 1) < n/d < 2^(size + 1), for positive n and d. *)
 let size n d = Z.numbits n - Z.numbits d

@@ -87,6 +87,9 @@ val near_float : t -> float
 (** [near_float x] is a float with a relative error of at most 3 * 2^-53, unless [x] is too great or too small for
     a float. It is faster than {!to_float} for long numbers. *)
 
+val power_of_two : int -> t
+(** [power_of_two k] is 2{^k}, for any [k]. *)
+
 val bits : t -> int
 (** [bits x] is the number of bits of numerator and denominator together. *)
 

@@ -175,6 +175,11 @@ let compare_aged a b = Option.compare Int.compare a.origin b.origin <?> fun () -
 let equal_aged a b = compare_aged a b = 0
 let hash_aged a = (hash a.term * 31) + match a.origin with None -> 0 | Some k -> k + 1
 
+let channels = function
+  | Open (_, c, _) | Weak (c, _, _) -> [ c ]
+  | Strong (list, _, _) -> list
+  | Nil | Delay _ | Wait _ | Sum _ | Call _ -> []
+
 let is_delay = function
   | Delay _ | Wait _ -> true
   | Nil | Open _ | Weak _ | Strong _ | Sum _ | Call _ -> false

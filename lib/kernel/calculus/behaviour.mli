@@ -107,6 +107,9 @@ val some_prefix : definitions -> behind:(t -> bool) -> (t -> bool) -> t -> bool
     [Open], [Weak], [Strong], [Delay] or [Wait]. The search reaches the prefixes that [b] exposes, and goes on
     after each prefix for which [behind] holds. It looks at each definition once. *)
 
+val channels : t -> channel list
+(** The channels of a prefix; none for other terms. *)
+
 val is_delay : t -> bool
 (** [is_delay b] is true if [b] is a [Delay] or a [Wait]. As the [behind] of {!some_prefix}, it reaches what is
     offered now or after time has passed. *)

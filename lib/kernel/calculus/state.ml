@@ -116,6 +116,9 @@ let make ~processes ~step ~time = { processes = sorted compare_first processes; 
 let mapi f (s : t) =
   { s with processes = Scc_data.Long_array.init (Array.length s.processes) (fun i -> f i s.processes.(i)) }
 
+let restricted (s : t) stays =
+  make ~processes:(List.filteri (fun i _ -> stays i) (Array.to_list s.processes)) ~step:s.step ~time:s.time
+
 let members p = List.map (fun l -> l.leaf) (Array.to_list p.leaves)
 let leaves (s : t) = List.concat_map (fun p -> Array.to_list p.leaves) (Array.to_list s.processes)
 let bonds (s : t) = List.concat_map (fun p -> Array.to_list p.bonds) (Array.to_list s.processes)

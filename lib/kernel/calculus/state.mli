@@ -130,6 +130,9 @@ val make : processes:process list -> step:step option -> time:Rat.t option -> t
 val mapi : (int -> process -> process) -> t -> t
 (** [mapi f s] is [s] with each process [p] at index [i] replaced by [f i p], which keeps the first leaf of [p]. *)
 
+val restricted : t -> (int -> bool) -> t
+(** [restricted s stays] is [s] with only the processes whose indices pass the test. *)
+
 val at : step:step option -> time:Rat.t option -> t -> t
 (** [at ~step ~time s] is the processes of [s], in this movement step and at this absolute time. *)
 

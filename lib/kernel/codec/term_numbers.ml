@@ -16,12 +16,6 @@ let sections (b : Behaviour.t) =
   | Open (_, _, b) | Weak (_, _, b) | Strong (_, _, b) | Delay (_, b) | Wait (_, b) -> [ b ]
   | Sum (a, b) -> [ a; b ]
 
-let channels (b : Behaviour.t) =
-  match b with
-  | Open (_, c, _) | Weak (c, _, _) -> [ c ]
-  | Strong (list, _, _) -> list
-  | Nil | Delay _ | Wait _ | Sum _ | Call _ -> []
-
 let collected roots =
   let number = Numbers.create 256 in
   let rec collect found list =
@@ -42,7 +36,7 @@ let make (m : Model.t) (initial : State.t) =
   let number, terms = collected ((Behaviour.nil :: calls) @ bodies @ own) in
   let name (c : Behaviour.channel) = c.name in
   let bound = List.map (fun (b : State.bond) -> b.name) (State.bonds initial) in
-  let offered = List.concat_map (fun b -> List.map name (channels b)) terms in
+  let offered = List.concat_map (fun b -> List.map name (Behaviour.channels b)) terms in
   let names = Array.of_list (List.sort_uniq String.compare (bound @ offered)) in
   let index = Hashtbl.create 16 in
   Array.iteri (fun i name -> Hashtbl.replace index name i) names;

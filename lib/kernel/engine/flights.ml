@@ -73,9 +73,6 @@ let most_rounds = 40
 let grains = 6
 let clamp exponent = Int.max (-1000) (Int.min 1000 exponent)
 
-let power_of_two e =
-  if e >= 0 then Rat.make (Z.shift_left Z.one e) Z.one else Rat.make Z.one (Z.shift_left Z.one (-e))
-
 (* The time in which a process moves by about a quarter of its size, at first. *)
 let grain t f =
   let size = Array.fold_left (fun s i -> Float.max s (Float_box.extent t.solid.(i).box)) 0. f.parts in
@@ -83,7 +80,7 @@ let grain t f =
   let v = f.velocity in
   let fastest = Float.max (speed v.x) (Float.max (speed v.y) (speed v.z)) in
   let _, exponent = Float.frexp (size /. fastest) in
-  power_of_two (clamp exponent - 2 + (f.rounds / rounds_to_double))
+  Rat.power_of_two (clamp exponent - 2 + (f.rounds / rounds_to_double))
 
 let end_of_sweep t ~now f =
   if Vec.is_zero f.velocity || f.rounds > most_rounds then None

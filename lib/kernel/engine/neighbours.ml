@@ -161,9 +161,7 @@ let cut limit span = match limit with None -> span | Some l -> Rat.min l span
    that is zero or infinite, any will do. *)
 let power_of_two x =
   let _, exponent = Float.frexp x in
-  let exponent = Int.max (-1000) (Int.min 1000 exponent) in
-  if exponent >= 0 then Rat.make (Z.shift_left Z.one exponent) Z.one
-  else Rat.make Z.one (Z.shift_left Z.one (-exponent))
+  Rat.power_of_two (Int.max (-1000) (Int.min 1000 exponent))
 
 (* How far ahead to look first: so far that the fastest part sweeps about the least size of a part, or to the limit
    if that is sooner; [None]: at everything. Exact answers about what has turned cost so much that boxes always

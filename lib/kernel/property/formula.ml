@@ -78,11 +78,15 @@ and exists_prop test = function
   | Not p -> exists_prop test p
   | And ps | Or ps -> List.exists (exists_prop test) ps
 
+let parts = function
+  | State _ -> []
+  | Temporal_not f | Next (_, f) | Finally (_, _, f) | Globally (_, _, f) -> [ f ]
+  | Temporal_and fs | Temporal_or fs -> fs
+  | Until (_, _, f, g) -> [ f; g ]
+
 let rec exists test = function
   | State p -> exists_prop test p
-  | Temporal_not f | Next (_, f) | Finally (_, _, f) | Globally (_, _, f) -> exists test f
-  | Temporal_and fs | Temporal_or fs -> List.exists (exists test) fs
-  | Until (_, _, f, g) -> exists test f || exists test g
+  | f -> List.exists (exists test) (parts f)
 
 let atoms f =
   let found = ref [] in
@@ -101,11 +105,8 @@ let rec by_one_run ~holds = function
 let always = { low = Scc_exact.Rat.zero; high = None }
 
 let rec asks_probability = function
-  | State _ -> false
   | Next (Chance _, _) | Finally (Chance _, _, _) | Globally (Chance _, _, _) | Until (Chance _, _, _, _) -> true
-  | Temporal_not f | Next (_, f) | Finally (_, _, f) | Globally (_, _, f) -> asks_probability f
-  | Temporal_and fs | Temporal_or fs -> List.exists asks_probability fs
-  | Until (_, _, f, g) -> asks_probability f || asks_probability g
+  | f -> List.exists asks_probability (parts f)
 
 let mentions_time f = exists (Atom.depends_on Absolute_time) f
 let mentions_position f = exists (Atom.depends_on Absolute_place) f
@@ -121,11 +122,8 @@ let global f =
   exists is_whole f
 
 let rec mentions_next = function
-  | State _ -> false
   | Next _ -> true
-  | Temporal_not f | Finally (_, _, f) | Globally (_, _, f) -> mentions_next f
-  | Temporal_and fs | Temporal_or fs -> List.exists mentions_next fs
-  | Until (_, _, f, g) -> mentions_next f || mentions_next g
+  | f -> List.exists mentions_next (parts f)
 
 module Leaves = Set.Make (Int)
 
@@ -135,9 +133,7 @@ let leaves f =
 
 let rec predicates = function
   | State p -> [ p ]
-  | Temporal_not f | Next (_, f) | Finally (_, _, f) | Globally (_, _, f) -> predicates f
-  | Temporal_and fs | Temporal_or fs -> List.concat_map predicates fs
-  | Until (_, _, f, g) -> predicates f @ predicates g
+  | f -> List.concat_map predicates (parts f)
 
 let rec state_formula = function
   | State p -> Some p
@@ -155,11 +151,6 @@ and all fs =
   Option.map List.rev (List.fold_left add (Some []) fs)
 
 let events f =
-  let note found (a : Atom.t) =
-    match a.event with
-    | Some e when not (List.exists (equal_event e) found) -> e :: found
-    | Some _ | None -> found
-  in
-  List.rev (List.fold_left note [] (atoms f))
+  Scc_data.Lists.distinct equal_event (List.filter_map (fun (a : Atom.t) -> a.event) (atoms f))
 
 let leaves_of_events f = List.concat_map (fun e -> Atom.leaves (Atom.fact (Event e))) (events f)

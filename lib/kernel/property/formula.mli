@@ -85,6 +85,9 @@ val steady : rigid:bool -> prop -> bool
 (** [steady ~rigid p] is true if all atoms of [p] keep their values while time passes and nothing happens
     ({!Atom.steady}). *)
 
+val parts : temporal -> temporal list
+(** The formulas that the outermost operator of a formula joins, in order; none for a state predicate. *)
+
 val predicates : temporal -> prop list
 (** The maximal state predicates of a formula, in order, with repetitions. *)
 

@@ -98,16 +98,14 @@ let piece m ~whole p = moving m (Impact.piece (mover m (renew m whole)) (mass m 
    worth, and orientations grow no faster than those of bodies that keep their spin. *)
 let estimated_bits = 40
 
-let power_of_two e = Rat.make (Z.shift_left Z.one (Int.max e 0)) (Z.shift_left Z.one (Int.max (-e) 0))
-
 let estimate (v : Vec.t) =
   let greatest = Rat.max (Rat.abs v.x) (Rat.max (Rat.abs v.y) (Rat.abs v.z)) in
   if Rat.sign greatest = 0 then v
   else
     (* 2^e <= greatest < 2^(e + 1) *)
     let about = Z.numbits (Q.num greatest) - Z.numbits (Q.den greatest) in
-    let e = if Rat.compare (power_of_two about) greatest <= 0 then about else about - 1 in
-    let round x = Rat.round_to x ~quantum:(power_of_two (e - estimated_bits)) in
+    let e = if Rat.compare (Rat.power_of_two about) greatest <= 0 then about else about - 1 in
+    let round x = Rat.round_to x ~quantum:(Rat.power_of_two (e - estimated_bits)) in
     Vec.make (round v.x) (round v.y) (round v.z)
 
 (* {1 How long turns last} *)

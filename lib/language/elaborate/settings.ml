@@ -101,19 +101,16 @@ let least_edge2 leaves =
   in
   Array.fold_left (fun found (l : Model.leaf) -> Array.fold_left of_part found l.parts) None leaves
 
-let power_of_two e =
-  if e >= 0 then Rat.make (Z.shift_left Z.one e) Z.one else Rat.make Z.one (Z.shift_left Z.one (-e))
-
 (* The greatest power of two whose square is at most q, for q > 0: the lengths of q tell its exponent within
    two. *)
 let power_below_root q =
-  let rec down e = if Rat.compare (power_of_two (2 * e)) q <= 0 then power_of_two e else down (e - 1) in
+  let rec down e = if Rat.compare (Rat.power_of_two (2 * e)) q <= 0 then Rat.power_of_two e else down (e - 1) in
   down (((Z.numbits (Q.num q) - Z.numbits (Q.den q)) / 2) + 2)
 
 let default_resolution leaves =
   match least_edge2 leaves with
   | None -> Rat.one
-  | Some edge2 -> power_below_root (Rat.mul edge2 (power_of_two (-40)))
+  | Some edge2 -> power_below_root (Rat.mul edge2 (Rat.power_of_two (-40)))
 
 let warn_without_effect t report =
   let warn what = function

@@ -32,17 +32,10 @@ let area_vector corner n =
 
 let normal set face = area_vector (fun k -> place set face.(k)) (Array.length face)
 
-(* Seen along the normal. *)
-let flat (n : Vec.t) (v : Vec.t) : Grid.point =
-  let turned s x y : Grid.point = if s > 0 then { x; y } else { x = y; y = x } in
-  if Rat.sign n.z <> 0 then turned (Rat.sign n.z) v.x v.y
-  else if Rat.sign n.x <> 0 then turned (Rat.sign n.x) v.y v.z
-  else turned (Rat.sign n.y) v.z v.x
-
 let convex_corners set face n =
   if Array.length face = 3 then Some [ face ]
   else
-    let corners = Array.map (fun v -> flat n (place set v)) face in
+    let corners = Array.map (fun v -> Grid.seen_along n (place set v)) face in
     match Polygon.make corners [ Array.init (Array.length face) Fun.id ] with
     | Error _ -> None
     | Ok polygon -> Some (List.map (Array.map (fun k -> face.(k))) (Partition.convex polygon))

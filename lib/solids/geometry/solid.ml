@@ -76,13 +76,10 @@ let[@inline] get (a : float array) i = Array.unsafe_get a i
    entries as the solid has vertices, and the numbers of vertices come from the solid. Each factor that changes
    stands first, which saves the compiler a copy.
 
-   The way leads uphill, from where the compass points, to a vertex without a higher neighbour, which in a convex
-   solid is the highest. *)
-let highest s (direction : float array) sign =
-  let dz = direction.(2) *. sign in
-  let dx = get direction 0 *. sign and dy = get direction 1 *. sign in
+   The way leads uphill to a vertex without a higher neighbour, which in a convex solid is the highest. *)
+let[@inline] uphill s dx dy dz ~from =
   let { Shadow.xs; ys; zs; compass; _ } = s.shadow and { Topology.first; neighbour; _ } = s.topology in
-  let start = Compass.look compass dx dy dz in
+  let start = if from >= 0 then from else Compass.look compass dx dy dz in
   let at = ref (-1) and best = ref start in
   let height = ref ((get xs start *. dx) +. (get ys start *. dy) +. (get zs start *. dz)) in
   while !at <> !best do
@@ -97,3 +94,8 @@ let highest s (direction : float array) sign =
     done
   done;
   !best
+
+let highest s (direction : float array) sign =
+  let dz = direction.(2) *. sign in
+  let dx = get direction 0 *. sign and dy = get direction 1 *. sign in
+  uphill s dx dy dz ~from:(-1)

@@ -41,3 +41,7 @@ val corners : t -> Feature.t -> int list
 val highest : t -> float array -> float -> int
 (** [highest s direction sign] is the vertex that is highest in the direction of the first three numbers times
     [sign], up to rounding. It is any vertex if one of these is a NaN. *)
+
+val uphill : t -> float -> float -> float -> from:int -> int
+(** [uphill s x y z ~from] is {!highest} in the direction (x, y, z). The search begins at the vertex [from], or
+    at a vertex that is found at once if [from] is negative. *)

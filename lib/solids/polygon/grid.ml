@@ -3,6 +3,12 @@ open Scc_exact
 type point = { x : Rat.t; y : Rat.t }
 type t = { xs : Z.t array; ys : Z.t array }
 
+let seen_along (n : Vec.t) (v : Vec.t) =
+  let turned s x y = if s > 0 then { x; y } else { x = y; y = x } in
+  if Rat.sign n.z <> 0 then turned (Rat.sign n.z) v.x v.y
+  else if Rat.sign n.x <> 0 then turned (Rat.sign n.x) v.y v.z
+  else turned (Rat.sign n.y) v.z v.x
+
 let integers numbers =
   let common = Array.fold_left (fun d q -> Z.lcm d (Q.den q)) Z.one numbers in
   Array.map (fun q -> Z.mul (Q.num q) (Z.divexact common (Q.den q))) numbers

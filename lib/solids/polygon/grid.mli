@@ -4,6 +4,10 @@ open Scc_exact
 
 type point = { x : Rat.t; y : Rat.t }
 
+val seen_along : Vec.t -> Vec.t -> point
+(** [seen_along n v] is the place of [v] in a plane with the normal [n]: what is counter-clockwise about [n] is so
+    in the plane. *)
+
 type t
 (** Points by their numbers. Each axis is multiplied by the common denominator of its coordinates. That
     preserves sides of lines, and so convexity and visibility. *)

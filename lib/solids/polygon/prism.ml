@@ -80,13 +80,6 @@ let match_corners (vertices : Vec.t array) low high =
     in
     if List.for_all Fun.id (List.mapi fits (Array.to_list low)) then Some (along, above) else None
 
-(* As seen along n, so that what is counter-clockwise about n stays so. *)
-let flat (n : Vec.t) (v : Vec.t) : Grid.point =
-  let turned s x y : Grid.point = if s > 0 then { x; y } else { x = y; y = x } in
-  if Rat.sign n.z <> 0 then turned (Rat.sign n.z) v.x v.y
-  else if Rat.sign n.x <> 0 then turned (Rat.sign n.x) v.y v.z
-  else turned (Rat.sign n.y) v.z v.x
-
 (* With the cap whose outward normal is n. *)
 let polygon vertices n loops =
   let corners = Array.concat loops in
@@ -97,7 +90,7 @@ let polygon vertices n loops =
     Array.init (Array.length loop) (fun k -> first + k)
   in
   let rings = List.map ring loops in
-  let points = Array.map (fun u -> flat n vertices.(u)) corners in
+  let points = Array.map (fun u -> Grid.seen_along n vertices.(u)) corners in
   let grid = Grid.make points in
   match List.partition (fun ring -> Grid.twice_area grid ring > 0) rings with
   | [ outer ], holes -> (

@@ -62,23 +62,7 @@ let highest (f : Flight.body) (n : float array) sign start =
   let dx = (r.xx *. nx) +. (r.yx *. ny) +. (r.zx *. nz) in
   let dy = (r.xy *. nx) +. (r.yy *. ny) +. (r.zy *. nz) in
   let dz = (r.xz *. nx) +. (r.yz *. ny) +. (r.zz *. nz) in
-  let { Shadow.xs; ys; zs; compass; _ } = f.solid.shadow
-  and { Topology.first; neighbour; _ } = f.solid.topology in
-  let start = if start >= 0 then start else Compass.look compass dx dy dz in
-  let at = ref (-1) and best = ref start in
-  let height = ref ((get xs start *. dx) +. (get ys start *. dy) +. (get zs start *. dz)) in
-  while !at <> !best do
-    at := !best;
-    for k = Array.unsafe_get first !at to Array.unsafe_get first (!at + 1) - 1 do
-      let i = Array.unsafe_get neighbour k in
-      let h = (get xs i *. dx) +. (get ys i *. dy) +. (get zs i *. dz) in
-      if h > !height then begin
-        best := i;
-        height := h
-      end
-    done
-  done;
-  !best
+  Solid.uphill f.solid dx dy dz ~from:start
 
 let copy s k l =
   if k <> l then begin

@@ -44,8 +44,7 @@ let inverse_inertia b =
 
 let scale b =
   let trace = Rat.add b.inertia.r0.x (Rat.add b.inertia.r1.y b.inertia.r2.z) in
-  let two_to e = Rat.make (Z.shift_left Z.one (Int.max e 0)) (Z.shift_left Z.one (Int.max (-e) 0)) in
-  let rec below e = if Rat.compare (two_to e) trace <= 0 then two_to e else below (e - 1) in
+  let rec below e = if Rat.compare (Rat.power_of_two e) trace <= 0 then Rat.power_of_two e else below (e - 1) in
   below (Z.numbits trace.num - Z.numbits trace.den + 1)
 
 let turn_rate b l = Mat.apply (inverse_inertia b) l

@@ -33,12 +33,11 @@ type frame = { centre : Vec.t; exponent : int array }
 
 let components (v : Vec.t) = [| v.x; v.y; v.z |]
 let vector a = Vec.make a.(0) a.(1) a.(2)
-let power k = if k >= 0 then Q.of_bigint (Z.shift_left Z.one k) else Q.make Z.one (Z.shift_left Z.one (-k))
 
 (* The least k >= -1000 with length <= 2^k. *)
 let exponent_above length =
-  let rec up k = if Rat.compare length (power k) <= 0 then k else up (k + 1) in
-  let rec down k = if k > -1000 && Rat.compare length (power (k - 1)) <= 0 then down (k - 1) else k in
+  let rec up k = if Rat.compare length (Rat.power_of_two k) <= 0 then k else up (k + 1) in
+  let rec down k = if k > -1000 && Rat.compare length (Rat.power_of_two (k - 1)) <= 0 then down (k - 1) else k in
   down (up 0)
 
 let frame points =
@@ -49,16 +48,17 @@ let frame points =
     let e = exponent_above (Rat.sub high low) in
     let mean = Rat.div (Array.fold_left Rat.add Rat.zero all) count in
     (* short, and well inside *)
-    (Rat.round_to mean ~quantum:(power (e - 6)), e)
+    (Rat.round_to mean ~quantum:(Rat.power_of_two (e - 6)), e)
   in
   let axes = Array.init 3 axis in
   { centre = vector (Array.map fst axes); exponent = Array.map snd axes }
 
 let inward frame p =
-  Array.mapi (fun k x -> Rat.mul x (power (-frame.exponent.(k)))) (components (Vec.sub p frame.centre))
+  Array.mapi (fun k x -> Rat.mul x (Rat.power_of_two (-frame.exponent.(k)))) (components (Vec.sub p frame.centre))
 
 let outward frame v =
-  Vec.add frame.centre (vector (Array.mapi (fun k x -> Rat.mul x (power frame.exponent.(k))) (components v)))
+  let grown k x = Rat.mul x (Rat.power_of_two frame.exponent.(k)) in
+  Vec.add frame.centre (vector (Array.mapi grown (components v)))
 
 (* {1 Search} *)
 

@@ -25,9 +25,6 @@ let facts_at context graph temporal (at : Scc_ctl.Positions.position) p =
   Facts.at ?later_than ~known ~arrived (Network_lts.semantics context) state extent at.offset
     (Temporal.predicate temporal p)
 
-let distinct facts =
-  List.rev (List.fold_left (fun kept (f : string) -> if List.mem f kept then kept else f :: kept) [] facts)
-
 let rec given (e : Explanation.t) =
   match (e.formula, e.because) with
   | Predicate p, Given -> [ (p, e.position) ]
@@ -84,7 +81,7 @@ let facts context graph temporal e =
          | Run { along; _ } -> on_the_way_of along
          | Given | Parts _ | Everywhere _ | Likelihood _ -> given part
        in
-       distinct (told (List.concat_map at_goal parts)))
+       Scc_data.Lists.distinct String.equal (told (List.concat_map at_goal parts)))
 
 (** {2 The tree} *)
 

@@ -47,13 +47,10 @@ let leaving_time (options : Setup.t) before =
   | Some (Given_up _) -> { options with surroundings = options.surroundings.half () }
   | Some (Proved _ | None_found _) | None -> options
 
-let distinct events =
-  let add kept e = if List.exists (Formula.equal_event e) kept then kept else e :: kept in
-  List.rev (List.fold_left add [] events)
-
 let search (options : Setup.t) surroundings effort semantics u ~declared ~parameters zones formulas =
   let context = Instant.context semantics in
-  let events = Array.of_list (distinct (List.concat_map Formula.events formulas)) in
+  let events = Scc_data.Lists.distinct Formula.equal_event (List.concat_map Formula.events formulas) in
+  let events = Array.of_list events in
   let stop () = Option.is_some (surroundings.Limits.stop ()) in
   let looked_at ~locations ~waiting =
     surroundings.progress

@@ -77,12 +77,6 @@ let beginnings (m : Model.t) (initial : State.t) =
   List.sort (fun (a : State.leaf) (b : State.leaf) -> Int.compare a.leaf b.leaf) leaves
   |> List.fold_left add [] |> List.rev
 
-let channels_of (b : Behaviour.t) =
-  match b with
-  | Open (_, c, _) | Weak (c, _, _) -> [ c ]
-  | Strong (list, _, _) -> list
-  | Nil | Delay _ | Wait _ | Sum _ | Call _ -> []
-
 let create (m : Model.t) ~initial =
   let parts = Array.map (fun (d : Behaviour.definition) -> prefixes ([], []) d.body) m.definitions in
   let calls_of = Array.map snd parts in
@@ -115,7 +109,7 @@ let create (m : Model.t) ~initial =
   let add_name (c : Behaviour.channel) =
     if not (Hashtbl.mem uses c.name) then Hashtbl.add uses c.name { mades = 0; weaks = 0; strongs = 0 }
   in
-  List.iter (fun c -> List.iter add_name (channels_of c.node)) counters;
+  List.iter (fun c -> List.iter add_name (Behaviour.channels c.node)) counters;
   {
     model = m;
     counters;

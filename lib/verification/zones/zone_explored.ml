@@ -33,10 +33,6 @@ let progress (options : Setup.t) ~size (node : Zone_graph.node) =
       model_time = Rat.zero;
     }
 
-let distinct events =
-  let add kept e = if List.exists (Formula.equal_event e) kept then kept else e :: kept in
-  List.rev (List.fold_left add [] events)
-
 let proofs_of answers = function
   | Some (By_invariant.Proved { proofs; _ }) -> List.map Option.some proofs
   | Some (None_found _ | Given_up _) | None -> List.map (fun _ -> None) answers
@@ -140,7 +136,8 @@ let first_evaluation = 64
 let explore (options : Setup.t) context (group : Zone_groups.t) ~initial zones ~ranges ~exactly ~proof =
   let formulas_of = List.map (fun (_, (c : Property.check)) -> c.formula) in
   let formulas = formulas_of (group.members @ group.premises) in
-  let events = Array.of_list (distinct (List.concat_map Formula.events formulas)) in
+  let events = Scc_data.Lists.distinct Formula.equal_event (List.concat_map Formula.events formulas) in
+  let events = Array.of_list events in
   let atoms = Atoms.context context ~events in
   let parameters = Ranges.box ranges in
   let answers_to numbered = List.map (Answers.make context atoms ~parameters) (formulas_of numbered) in

@@ -12,9 +12,6 @@ let facts_at (r : R.t) (spot : Shown_run.spot) prop =
   let prop = Rename.known r.values prop in
   Facts.at ~arrived:(R.arrived r spot.steps) r.semantics (R.state r spot.steps) extent offset prop
 
-let distinct facts =
-  List.rev (List.fold_left (fun kept (f : string) -> if List.mem f kept then kept else f :: kept) [] facts)
-
 let rec given (r : R.t) (c : Shown_run.claim) =
   match (Formula.state_formula c.formula, c.because) with
   | Some prop, _ -> facts_at r c.spot prop
@@ -41,7 +38,8 @@ let rec last_run (c : Shown_run.claim) =
 
 let facts r (c : Shown_run.claim) =
   match last_run c with
-  | Some { because = Run { finish = There; parts; _ }; _ } -> distinct (List.concat_map (given r) parts)
+  | Some { because = Run { finish = There; parts; _ }; _ } ->
+    Scc_data.Lists.distinct String.equal (List.concat_map (given r) parts)
   | Some { because = Run { along = Some a; goal; finish; _ }; _ } -> at_last r finish a goal
   | Some _ | None -> []
 

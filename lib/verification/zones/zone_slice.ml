@@ -148,10 +148,6 @@ let rec settle s =
 
 (* {1 What is left out} *)
 
-let restricted (initial : State.t) stays =
-  let processes = List.filteri (fun i _ -> stays i) (Array.to_list initial.processes) in
-  State.make ~processes ~step:initial.step ~time:initial.time
-
 (* The walls that a group may reach. *)
 let near s g i = s.walls.(i) && s.stirred.(g) && reaches s g [ i ]
 
@@ -181,7 +177,7 @@ let has_cycle graph =
 let lasts s g =
   Option.is_some s.horizon
   &&
-  let initial = restricted s.initial (fun i -> find s i = g || near s g i) in
+  let initial = State.restricted s.initial (fun i -> find s i = g || near s g i) in
   match Start.zones s.context s.uncertain ~initial ~keeps_time:true with
   | Error _ -> false
   | Ok zones ->
@@ -200,7 +196,7 @@ let kept s named =
   List.iter (fun g -> if must_last g && (not wanted.(g)) && not (lasts s g) then wanted.(g) <- true) (groups s);
   let all = List.filter (fun g -> wanted.(g)) (groups s) in
   let stays i = wanted.(find s i) || List.exists (fun g -> near s g i) all in
-  if List.for_all stays (numbers s) then None else Some (restricted s.initial stays)
+  if List.for_all stays (numbers s) then None else Some (State.restricted s.initial stays)
 
 let create context uncertain ~initial (z : Zone.t) formulas =
   let model = Semantics.model context.Instant.semantics in
