@@ -165,6 +165,15 @@ Numbers that are none, or out of their range:
   $ those=conform
   $ misuse --states=0
   $ misuse --unobserved=
+Seconds are a decimal or a fraction:
+
+  $ echo 'fixed p = box(1, 1, 1) [nil]' > still.sc
+  $ scc check still.sc --seconds 1/2 | tail -1
+  no properties to check
+  $ those=check
+  $ misuse --seconds=1/0
+  $ misuse --seconds=-1/2
+
   $ those=successors
   $ misuse --framing=words
   $ misuse --exploration=0

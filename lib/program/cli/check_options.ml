@@ -39,10 +39,15 @@ let duration =
   Arg.conv ~docv:"T" (parse, Arg.conv_printer Options.rational)
 
 let seconds_conv =
+  let number s =
+    match Arg.conv_parser Options.rational s with
+    | Ok x -> Some (Rat.to_float x)
+    | Error _ -> float_of_string_opt s
+  in
   let parse s =
-    match float_of_string_opt s with
+    match number s with
     | Some x when x > 0. && x < infinity -> Ok x
-    | _ -> Error (`Msg (Printf.sprintf "`%s' is no positive number of seconds" s))
+    | Some _ | None -> Error (`Msg (Printf.sprintf "`%s' is no positive number of seconds" s))
   in
   Arg.conv ~docv:"S" (parse, fun ppf x -> Format.fprintf ppf "%g" x)
 

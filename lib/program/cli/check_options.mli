@@ -5,7 +5,7 @@ open Scc_verify
 open Scc_verdicts
 
 val seconds_conv : float Cmdliner.Arg.conv
-(** A positive, finite number of seconds. *)
+(** A positive, finite number of seconds, as a decimal or a fraction: [0.5], [1/2]. *)
 
 val bits : int option Cmdliner.Term.t
 (** The option [--bits]: the greatest size of a number in bits. *)
