@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Explores models breadth first through `scc successors`, and compares with `scc check --no-reduce order`:
+"""Explores models breadth first through `scc successors`, and compares with `scc check --no-reduce order,draws`:
 the numbers of states and transitions, the verdicts, and the runs that show them.
 
     successors_test.py SCC [--states N] [--least N] [--framing lines|batches|news] MODEL ...
@@ -262,7 +262,7 @@ FRAMINGS = {'lines': Filter, 'batches': Batches, 'news': News}
 
 
 def checked(scc, model, states, folder):
-    command = [scc, 'check', model, '--no-reduce', 'order', '--json', '--states', str(states), '--witness', folder]
+    command = [scc, 'check', model, '--no-reduce', 'order,draws', '--json', '--states', str(states), '--witness', folder]
     return json.loads(subprocess.run(command, stdout=subprocess.PIPE).stdout)
 
 

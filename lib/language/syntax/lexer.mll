@@ -21,7 +21,7 @@
     [
       ("A", A); ("AF", AF); ("AG", AG); ("AX", AX); ("E", E); ("EF", EF); ("EG", EG); ("EX", EX);
       ("F", LETTER "F"); ("G", LETTER "G"); ("U", U); ("X", LETTER "X");
-      ("absorb", ABSORB); ("always", ALWAYS); ("and", AND); ("as", AS); ("at", AT); ("behaviour", BEHAVIOUR); ("binding", BINDING); ("bond", BOND); ("bonds", BONDS); ("blocked", BLOCKED);
+      ("absorb", ABSORB); ("always", ALWAYS); ("and", AND); ("as", AS); ("at", AT); ("behaviour", BEHAVIOUR); ("binding", BINDING); ("blocked", BLOCKED); ("bond", BOND); ("bonds", BONDS);
       ("check", CHECK); ("choose", CHOOSE); ("collisions", COLLISIONS); ("compound", COMPOUND); ("count", COUNT);
       ("decompose", DECOMPOSE);
       ("dynamics", DYNAMICS); ("else", ELSE);

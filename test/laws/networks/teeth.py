@@ -97,8 +97,8 @@ MISTAKES = {
     "corners bind where faces do": ("collisions.ml", "| highest :: _ -> highest", "| _ :: _ -> shared"),
     "fixed bodies link collisions": (
         "collisions.ml",
-        "List.mem i y.members && Option.is_some (State.mass model processes.(i))",
-        "List.mem i y.members && (ignore (model, processes); true)",
+        "let yields i = Option.is_some (Process.yielding_mass model processes.(i)) in",
+        "let yields i = ignore (model, processes, i); true in",
     ),
     "clocks run on when bodies bounce": (
         "collisions.ml", "Process.end_step m (Process.restart_clock m p)", "Process.end_step m p",
