@@ -15,7 +15,7 @@ STATES = 3000
 
 
 def checked(scc, path, folder):
-    arguments = ['--no-reduce', 'order', '--json', '--states', str(STATES), '--witness', folder]
+    arguments = ['--no-reduce', 'order,draws', '--json', '--states', str(STATES), '--witness', folder]
     return json.loads(scc_bytes(scc, 'check', path, *arguments)[0])
 
 

@@ -72,9 +72,12 @@ let kind =
   Arg.conv ~docv:"NAME" (parse, print)
 
 let reductions =
+  let names = String.concat ", " (List.map (fun k -> Printf.sprintf "$(b,%s)" (Reduction.name k)) Reduction.all) in
   let doc =
-    "Switches reductions off: $(b,symmetry), $(b,translation), $(b,order), $(b,jump), $(b,slice), $(b,drift), \
-     $(b,time), or $(b,all); separated by commas. No reduction changes a verdict; see REDUCTIONS."
+    Printf.sprintf
+      "Switches reductions off: %s, or $(b,all); separated by commas. No reduction changes a verdict; see \
+       REDUCTIONS."
+      names
   in
   let without off = List.filter (fun k -> not (List.exists (Reduction.equal k) (List.concat off))) Reduction.all in
   Term.(

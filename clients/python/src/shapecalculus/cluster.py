@@ -162,7 +162,7 @@ def check(
     progress: Optional[Callable[[Progress], None]] = None,
     disturb: Optional[Callable[[Any], None]] = None,
 ) -> Report:
-    """The verdicts of the searches of a model, with the numbers and runs of ``scc check --no-reduce order``.
+    """The verdicts of the searches of a model, with the numbers and runs of ``scc check --no-reduce order,draws``.
 
     ``address`` is that of a cluster; without one, Ray is started here. ``owners`` is how many processes share the
     states (by default one for each processor). Shards are kept in the folder ``checkpoint`` about once a second (a
