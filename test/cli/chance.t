@@ -584,6 +584,9 @@ The probability within each time, up to the bound: a table, JSON and a picture.
   $ scc check $M/ruin.sc --curve ends
   error[SC0208]: --curve: `ends' does not ask for a probability within a time, as `P = ? [ eventually f within t ]' does
   [3]
+  $ scc check $M/ruin.sc --curve-plot curve.svg
+  error[SC0208]: --curve-plot: of which check? Give `--curve NAME` as well
+  [3]
   $ scc check $M/ruin.sc --curve by_five
   error[SC0208]: --curve: the model has no check `by_five'
   [3]

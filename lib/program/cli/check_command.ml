@@ -150,7 +150,7 @@ let fitting (extras : Check_extras.t) (l : Loaded.t) ~zones ~where =
   (* Coverage lists states one by one. *)
   let* () = if zones && extras.coverage then Result.map ignore (Ordinary.refuse l) else Ok () in
   let* () = Verdicts.refused l ~prove:extras.prove in
-  let* () = Curve_output.refused l extras.curve in
+  let* () = Curve_output.refused l ~drawn:(Option.is_some extras.plot) extras.curve in
   if where then Ordinary.has_ranges l else Ok ()
 
 (* Writes the files that were asked for. The code that the command ends with: a file that cannot be written is

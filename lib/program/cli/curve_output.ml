@@ -11,9 +11,11 @@ let end_of (check : Property.check) =
   | How_likely _, (Finally (_, bound, _) | Globally (_, bound, _) | Until (_, bound, _, _)) -> bound.high
   | _ -> None
 
-let refused (l : Loaded.t) name =
-  let fail message = Error [ Diag.error Code.bad_value Span.none "--curve: %s" message ] in
+let refused (l : Loaded.t) ~drawn name =
+  let refuse option message = Error [ Diag.error Code.bad_value Span.none "%s: %s" option message ] in
+  let fail = refuse "--curve" in
   match name with
+  | None when drawn -> refuse "--curve-plot" "of which check? Give `--curve NAME` as well"
   | None -> Ok ()
   | Some name -> (
       match List.find_opt (fun (c : Property.check) -> String.equal c.name name) l.checks with

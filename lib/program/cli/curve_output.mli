@@ -4,9 +4,9 @@ open Scc_base
 open Scc_loading
 open Scc_verify
 
-val refused : Loaded.t -> string option -> (unit, Diag.t list) result
-(** [refused l name] is an error if the model [l] has no check with this name that asks for a probability within a
-    bound of time. Without a name it is [Ok]. *)
+val refused : Loaded.t -> drawn:bool -> string option -> (unit, Diag.t list) result
+(** [refused l ~drawn name] is an error if the model [l] has no check with this name that asks for a probability
+    within a bound of time. Without a name it is an error if the curve is to be [drawn], and else [Ok]. *)
 
 val lines : Verdict.t -> string
 (** [lines v] is the table of the curve of [v]: a line for each row, indented. It is empty without a curve. *)
