@@ -217,11 +217,10 @@ let leaves_by_lot direction =
      ^ cube "r" 6 ~velocity:direction
      ^ "check life : E = ? [ time U bonds(dock) = 0 ]\ncheck b : EF bonds(dock) = 0\n")
 
-(* Two pairs leave each other, and lots are drawn in the order of velocities. While both are bound: at the start,
-   at a split instant, when the first lot is drawn (2), and the second, unless both are kept (3); then 3 of each
-   pair alone; and the end. *)
+(* Two pairs leave each other, and the lots of an instant are one transition. While both are bound: at the start, at a
+   split instant, and when lots are drawn, unless both are kept (3); then 3 of each pair alone; and the end. *)
 let pairs_by_lot (x, y) =
-  closes "two pairs, by lot" ~states:14 ~verdicts:[ "4"; holds ]
+  closes "two pairs, by lot" ~states:12 ~verdicts:[ "4"; holds ]
     (gone ^ pair ~behaviour:"Gone" ()
      ^ Printf.sprintf
        "process e = r : Cube mass 1 velocity (%s,%s,0) at translate (0,9,0) [Gone] <dock, {r.right, s.left}>\n\
