@@ -41,8 +41,8 @@ def by_mouse(b, scc):
     same('the present event is marked', len(b.all('[data-testid="events-list"] [aria-selected="true"]')), 1)
     told = b.wait('''
       const told = document.querySelector("[data-testid=live]").textContent;
-      return told.includes("bind") && told''')
-    check('the present event is told to screen readers', told and 'Step 2' in told, told)
+      return told.includes("Step 2") && told''')
+    check('the present event is told to screen readers', told and 'bind' in told, told)
 
     b.all('#now [data-testid="rule-Bind"]')[0].click()
     check('the rule of an event', 'Bind' in b.text('rule-head') and 'candidate' in b.text('rule'))
