@@ -218,7 +218,8 @@ let leaves_by_lot direction =
      ^ "check life : E = ? [ time U bonds(dock) = 0 ]\ncheck b : EF bonds(dock) = 0\n")
 
 (* Two pairs leave each other, and the lots of an instant are one transition. While both are bound: at the start,
-   at a split instant, and when lots are drawn, unless both are kept (3); then 3 of each pair alone; and the end. *)
+   at a split instant, and when lots are drawn, unless both are kept (3); then 3 of each pair alone; and the
+   end. *)
 let pairs_by_lot (x, y) =
   closes "two pairs, by lot" ~states:12 ~verdicts:[ "4"; holds ]
     (gone ^ pair ~behaviour:"Gone" ()
