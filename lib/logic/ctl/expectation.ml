@@ -95,18 +95,13 @@ let steps graph ends number time ~shift (p : place) =
     [ one Nowhere Fail ]
   end
   else
-    let branch k t probability =
+    let branch (k, t, probability) =
       { way = Move (Edge k); next = go t Rat.zero; probability; reward = Rat.zero }
     in
-    let edges = Array.to_list (graph.edges s) in
-    let discrete =
-      match graph.drawn s with
-      | Some chances -> [ List.mapi (fun k t -> branch k t chances.(k)) edges ]
-      | None -> List.mapi (fun k t -> [ branch k t Rat.one ]) edges
-    in
+    let discrete = List.map (List.map branch) (Timed_graph.edge_choices graph s) in
     let timed =
       match graph.flow s with
-      | No_flow when edges = [] && Rat.equal elapsed time -> ending ()
+      | No_flow when discrete = [] && Rat.equal elapsed time -> ending ()
       | No_flow -> []
       | Forever -> ending ()
       | Lasts (d, targets) ->

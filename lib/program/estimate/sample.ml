@@ -31,8 +31,6 @@ let horizon plan =
 
 let until plan = Option.merge Rat.min (horizon plan) plan.until
 
-let is_free (s : Scc_engine.Run.alternative) ~among = among > 1 && not (Scc_semantics.Transition.is_drawn s.label)
-
 let run plan ~seed number =
   let chain = Chain.make plan.semantics and questions = Chain.questions plan.semantics plan.paths in
   let next = ref first_look and found = ref [] and over = ref false and chosen = ref false in
@@ -45,8 +43,7 @@ let run plan ~seed number =
     (match event with Step _ -> incr steps | Start _ | Instant _ | End _ -> ());
     match event with
     | Start state -> Chain.start chain state
-    | Step { taken; among; state; _ } when not !over ->
-      let free = is_free taken ~among in
+    | Step { taken; free; state; _ } when not !over ->
       if free && plan.free = Evenly then chosen := true;
       if free && plan.free = Apart then begin
         look ();
