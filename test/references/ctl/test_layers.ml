@@ -162,7 +162,7 @@ let long () =
       size = 3;
       known = (fun _ -> true);
       edges = (fun s -> if s = 0 then [| 1; 2 |] else [||]);
-      drawn = (fun s -> if s = 0 then Some [| half; half |] else None);
+      drawn = (fun s -> if s = 0 then Some [| Some half; Some half |] else None);
       flow = (fun s -> if s = 0 then No_flow else if s = 1 then Lasts (Rat.one, [| 0 |]) else Forever);
     }
   in
