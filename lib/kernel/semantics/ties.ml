@@ -1,6 +1,12 @@
 open Scc_exact
 open Scc_calculus
 
+module Who = Map.Make (struct
+    type t = int list
+
+    let compare = List.compare Int.compare
+  end)
+
 type bond = { name : string; ends : int * int; behaviours : Behaviour.aged list }
 type deed = { who : int list; bond : bond option }
 
@@ -33,12 +39,11 @@ let share ~groups own d =
   Rat.make Z.one (Z.of_int (groups * kinds * List.length (List.filter (alike d) own)))
 
 let odds all =
-  let by_who = Hashtbl.create 16 in
-  let known who = Option.value (Hashtbl.find_opt by_who who) ~default:[] in
-  List.iter (fun d -> Hashtbl.replace by_who d.who (d :: known d.who)) all;
+  let add by_who d = Who.update d.who (fun known -> Some (d :: Option.value known ~default:[])) by_who in
+  let by_who = List.fold_left add Who.empty all in
   match all with
   | [] | [ _ ] -> fun _ -> None
-  | _ -> fun d -> Some (share ~groups:(Hashtbl.length by_who) (known d.who) d)
+  | _ -> fun d -> Some (share ~groups:(Who.cardinal by_who) (Who.find d.who by_who) d)
 
 type source = { below : int -> int; by_chance : Rat.t list -> int }
 type tie = { others : int list; pick : source -> int }
