@@ -51,7 +51,8 @@ let run plan ~seed number =
         over := true
       end
       else begin
-        Chain.step chain taken.label (state ());
+        let ({ label; _ } : Scc_engine.Run.alternative) = taken in
+        Chain.step chain label (state ());
         if Chain.length chain >= !next then begin
           next := next_look !next;
           look ()
