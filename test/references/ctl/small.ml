@@ -73,7 +73,7 @@ let predicates g : Eval.predicates =
   in
   { at; along; steady = is_steady }
 
-let evaluator g = Eval.create (Timed_graph.index (graph g)) (predicates g)
+let evaluator ?effort g = Eval.create ?effort (Timed_graph.index (graph g)) (predicates g)
 
 (* Not always the middle: what holds there must hold on the whole interval. *)
 let offset g i =

@@ -25,7 +25,7 @@ type t = { nodes : node array; unit : Rat.t }
 
 val graph : t -> Timed_graph.t
 val predicates : t -> Eval.predicates
-val evaluator : t -> Eval.t
+val evaluator : ?effort:Scc_chance.Effort.t -> t -> Eval.t
 
 val cells : node -> int
 (** Of its flow. *)

@@ -71,7 +71,7 @@ let agrees c =
   let q = question c in
   let w, starts = starts q in
   let expected = whole q w starts in
-  match Layers.make q w starts with
+  match Layers.until q w starts with
   | None -> true
   | Some layers ->
     incr by_layers;
@@ -110,7 +110,7 @@ let shows c =
     done;
     (far.(0), !free)
   in
-  match Layers.make q w starts with
+  match Layers.until q w starts with
   | None -> true
   | Some layers ->
     let values = Layered.solve layers Effort.default in
