@@ -37,6 +37,7 @@ type ending =
   | Quiescent  (** nothing will ever happen again *)
   | Stuck of given_up  (** neither time nor anything else can go on (rule DeadEnd) *)
   | Zeno  (** the Zeno guard stopped it *)
+  | Broken_off  (** it was interrupted, and {!run} returns [Interrupted] *)
 
 (** An event of a run. Whole states cost more than the transitions of a large network, so they are computed on
     demand. The functions may only be called while the event is emitted. *)

@@ -58,6 +58,7 @@ let ending : Replay.ending -> string = function
   | Quiescent -> "nothing will ever happen again"
   | Stuck _ -> "nothing can happen, not even the passing of time"
   | Zeno -> "stopped: too many transitions without time passing"
+  | Broken_off -> "interrupted"
 
 let teller model ~full states write =
   let t = { model; full; write; passing = None; known = None } in

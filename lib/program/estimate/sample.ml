@@ -1,3 +1,4 @@
+open Scc_system
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
@@ -15,8 +16,10 @@ type plan = {
   until : Rat.t option;
 }
 
-type bound = Steps | Time | Instant
+type bound = Steps | Time | Instant | Interruption
 type outcome = Truth of bool | Number of Rat.t | Never | Free | Too_long of bound | No_value of string
+
+type run = { outcomes : outcome list; chosen : bool; interrupted : bool }
 
 (* What was asked is looked for after so many states, half as many again, and so on. *)
 let first_look = 8
@@ -33,9 +36,10 @@ let until plan = Option.merge Rat.min (horizon plan) plan.until
 
 let is_free (s : Scc_engine.Run.alternative) ~among = among > 1 && not (Scc_semantics.Transition.is_drawn s.label)
 
-let run plan ~seed number =
+let run plan ~seed ~interrupted number =
   let chain = Chain.make plan.semantics and questions = Chain.questions plan.semantics plan.paths in
-  let next = ref first_look and found = ref [] and over = ref false and chosen = ref false in
+  let next = ref first_look and found = ref (List.map (fun _ -> Chain.Open) plan.paths) in
+  let over = ref false and chosen = ref false in
   let look () =
     found := Chain.answers questions chain;
     if List.for_all (fun (a : Chain.answer) -> a <> Open) !found then over := true
@@ -66,18 +70,26 @@ let run plan ~seed number =
     | End { ending = Stuck _; _ } -> Chain.dead_end chain
     | End { ending = Open; _ } -> if !steps >= plan.steps then bound := Steps
     | End { ending = Zeno; _ } -> bound := Instant
+    | End { ending = Broken_off; _ } -> ()
   in
   let limits = { Replay.steps = Some plan.steps; time = until plan; instant = Replay.default_instant } in
-  let policy = Replay.Random (Simulation.seed_of seed number) and interrupted () = !over in
-  (match Replay.run plan.semantics plan.declared policy limits ~interrupted note with
-   | Ok _ | Error (Fault _) -> if not !over then look ()
-   | Error (Interrupted _ | Refused _) -> ());
+  let policy = Replay.Random (Simulation.seed_of seed number) and left () = !over || interrupted () in
+  let go_on () =
+    match Replay.run plan.semantics plan.declared policy limits ~interrupted:left note with
+    | Ok _ | Error (Fault _) -> ()
+    | Error (Interrupted _ | Refused _) -> if not !over then bound := Interruption
+  in
+  (try
+     go_on ();
+     if not !over then look ()
+   with Interruption.Interrupted _ -> bound := Interruption);
   let outcome : Chain.answer -> outcome = function
     | Truth b -> Truth b
     | Number r -> Number r
     | Never -> Never
     | No_value why -> No_value why
+    | Open when !bound = Interruption -> Too_long Interruption
     | Open when Chain.is_over chain -> No_value "something that it asks for has no value there"
     | Open -> if !stopped_by_choice then Free else Too_long !bound
   in
-  (List.map outcome !found, !chosen)
+  { outcomes = List.map outcome !found; chosen = !chosen; interrupted = !bound = Interruption }
