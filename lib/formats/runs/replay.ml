@@ -30,6 +30,7 @@ type event =
       taken : Run.alternative;
       changes : unit -> Event_run.changes option;
       state : unit -> State.t;
+      part : int list -> State.t;
     }
   | Instant of { offset : Rat.t; time : Rat.t; state : State.t }
   | End of {
@@ -242,7 +243,7 @@ let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy 
   let guide, offset = start_of policy in
   let* started = step (fun () -> Run.start semantics declared) in
   let* run = Result.map_error (fun fault -> Fault { fault; steps = 0; time = Rat.zero }) started in
-  let state () = Run.state run and changes () = Run.changes run in
+  let state () = Run.state run and changes () = Run.changes run and part = Run.part run in
   let reached = ref { time = Rat.zero; taken = 0; still = 0; guide } in
   let rec from place =
     if interrupted () then Error (Interrupted Scc_graph_search.Limits.Interrupted)
@@ -280,7 +281,7 @@ let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy 
   and go_on place guide index among taken =
     let next = advance place guide taken in
     reached := next;
-    emit (Step { number = next.taken; index; among; time = next.time; taken; changes; state });
+    emit (Step { number = next.taken; index; among; time = next.time; taken; changes; state; part });
     from next
   in
   emit (Start (state ()));

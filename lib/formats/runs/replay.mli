@@ -54,6 +54,7 @@ type event =
       changes : unit -> Event_run.changes option;
       (** [Run.changes] since its last call. To follow a run by its changes, call it after each step. *)
       state : unit -> State.t;  (** after it *)
+      part : int list -> State.t;  (** of this state, the processes that have some of these leaves *)
     }
   | Instant of { offset : Rat.t; time : Rat.t; state : State.t }
   (** the run ends within a passing of time, [offset] after the last transition *)

@@ -38,6 +38,7 @@ let is_free (s : Scc_engine.Run.alternative) ~among = among > 1 && not (Scc_sema
 
 let run plan ~seed ~interrupted number =
   let chain = Chain.make plan.semantics and questions = Chain.questions plan.semantics plan.paths in
+  let seen = Path.seen plan.paths in
   let next = ref first_look and found = ref (List.map (fun _ -> Chain.Open) plan.paths) in
   let over = ref false and chosen = ref false in
   let look () =
@@ -48,8 +49,8 @@ let run plan ~seed ~interrupted number =
   let note (event : Replay.event) =
     (match event with Step _ -> incr steps | Start _ | Instant _ | End _ -> ());
     match event with
-    | Start state -> Chain.start chain state
-    | Step { taken; among; state; _ } when not !over ->
+    | Start state -> Chain.start chain (Option.fold ~none:state ~some:(State.with_leaves state) seen)
+    | Step { taken; among; state; part; _ } when not !over ->
       let free = is_free taken ~among in
       if free && plan.free = Evenly then chosen := true;
       if free && plan.free = Apart then begin
@@ -58,7 +59,7 @@ let run plan ~seed ~interrupted number =
         over := true
       end
       else begin
-        Chain.step chain taken.label (state ());
+        Chain.step chain taken.label (match seen with Some leaves -> part leaves | None -> state ());
         if Chain.length chain >= !next then begin
           next := next_look !next;
           look ()

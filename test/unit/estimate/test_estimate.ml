@@ -249,6 +249,53 @@ let near file property () =
       (Rat.to_string (Scc_simulate.Statistics.mean s))
       (Rat.to_string exact)
 
+(* What is asked of some bodies is found from them alone, and in the whole network if something else needs it. *)
+let crowd =
+  "timestep 1 steady\nimport <solids>\nfixed room = solids.Room(8, 8, 1, 1)\n\
+   behaviour A = <a, {right}> . omega(a, {right}) . A\nbehaviour B = <~a, {left}> . omega(a, {left}) . B\n\
+   for i in 1..3 { process c[i] = solids.Cube(1) mass 1 at translate (-9/2 + 2*i, 3/2, 0) [A] }\n\
+   for i in 1..3 { process d[i] = solids.Cube(1) mass 1 at translate (-7/2 + 2*i, -3/2, 0) [B] }\n\
+   fixed sink = solids.Cube(1) absorb at translate (7/2, 7/2, 0)\n\
+   motion choose { (1,0,0), (-1,0,0), (0,1,0), (0,-1,0) }\n"
+
+let asked_of_some =
+  [
+    "P = ? [ eventually bound(c[1], d[2]) within 9 ]"; "P = ? [ eventually event bounce(c[2], d[2]) within 5 ]";
+    "P = ? [ eventually event bounce within 1 ]"; "P = ? [ eventually event absorb(d[3], sink) within 9 ]";
+    "P = ? [ not touching(c[2], c[3]) U[1, 6] x(c[2]) > 1 ]"; "P = ? [ eventually gone(c[3]) within 9 ]";
+    "P = ? [ always distance2(c[1], d[1]) > 1 and speed2(c[1]) <= 2 within 6 ]";
+    "P = ? [ eventually same(c[1], d[1]) and size(c[1]) > 2 within 9 ]";
+    "E = ? [ event bounce(c[2]) U time >= 4 ]"; "E = ? [ x(c[1]) - vx(d[1]) at 5 ]";
+    "E = ? [ time U x(c[2]) >= 3/2 or y(c[2]) < 0 ]";
+    "E = ? [ if offers(c[1], a) then bonds(a, c[1], d[1]) else 2 at 7 ]";
+  ]
+
+let parts () =
+  let check i text = Printf.sprintf "check q%d : %s\n" i text in
+  let whole = "P = ? [ eventually energy < 0 within 1 ]" in
+  let e = Load.exactly (Load.text (crowd ^ String.concat "" (List.mapi check (asked_of_some @ [ whole ])))) in
+  let paths = List.map (fun c -> Result.get_ok (Path.of_check e.model c)) e.checks in
+  let everything = List.nth paths (List.length asked_of_some) in
+  let semantics = Scc_engine.Standard.of_model e.model in
+  Alcotest.(check bool) "from event to event" true (Scc_engine.Event_run.can_run e.model);
+  Alcotest.(check bool) "a whole network" true (Path.seen [ everything ] = None);
+  let outcomes paths =
+    let plan = { Sample.semantics; declared = e.declared; paths; free = Evenly; steps = 5_000; until = None } in
+    List.init 15 (fun k ->
+        outcome (List.hd (Sample.run plan ~seed:7L ~interrupted:(fun () -> false) k).outcomes))
+  in
+  let several =
+    List.map2
+      (fun path text ->
+         Alcotest.(check bool) (text ^ ": of some bodies") true (Path.seen [ path ] <> None);
+         let found = outcomes [ path ] in
+         Alcotest.(check (list string)) text (outcomes [ path; everything ]) found;
+         List.length (List.sort_uniq String.compare found) > 1)
+      (Scc_data.Lists.take (List.length asked_of_some) paths)
+      asked_of_some
+  in
+  Alcotest.(check bool) "most have several outcomes" true (List.length (List.filter Fun.id several) >= 8)
+
 (* What an interrupted run decides is what the whole one does; nothing else is decided. *)
 let cut file property () =
   let single interrupted =
@@ -310,7 +357,7 @@ let () =
           case "ruin" (cut "ruin.sc" "P = ? [ eventually gone(walker) within 4 ]");
           case "a time" (cut "ruin.sc" "E = ? [ time U gone(walker) ]"); case "answers" open_runs;
         ] );
-      ("single runs", [ case "by hand" hand ]);
+      ("single runs", [ case "by hand" hand; case "some bodies of many" parts ]);
       ( "beside the model checker",
         [
           near "ruin.sc" "P = ? [ eventually event absorb(walker, ruin) ]";
