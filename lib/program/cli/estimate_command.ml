@@ -78,8 +78,12 @@ let paths (l : Loaded.t) asked ~by_name =
 
 type ending = Whole | Interrupted | Lost of { why : string; fault : bool }
 
+(* Seconds in which runs that are under way are to say what they have come to. *)
+let patience = 5.
+
 let sample console o runs (plan : Sample.plan) estimation ~stopped =
-  let work = Sample.run plan ~seed:o.seed in
+  let work = Sample.run plan ~seed:o.seed ~interrupted:Scc_system.Interruption.heard in
+  let whole (r : Sample.run) = not r.interrupted in
   let rec go first =
     match Estimation.next estimation with
     | None -> Whole
@@ -88,7 +92,10 @@ let sample console o runs (plan : Sample.plan) estimation ~stopped =
           Console.progress console (Printf.sprintf "%d runs" (k + 1));
           Estimation.add estimation outcome
         in
-        match Kept_runs.run runs ~jobs:o.jobs ~first ~count ~work ~interrupted:stopped ~each with
+        let made =
+          Kept_runs.run runs ~patience ~whole ~jobs:o.jobs ~first ~count ~work ~interrupted:stopped ~each
+        in
+        match made with
         | Ok () ->
           Estimation.judge estimation ~last:false;
           go count
