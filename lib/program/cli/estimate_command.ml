@@ -64,6 +64,12 @@ let paths (l : Loaded.t) asked ~by_name =
     List.fold_left (fun acc c -> let* acc = acc in one acc c) (Ok ([], [])) asked
   in
   match (found, left) with
+  | [], [] when by_name ->
+    Error
+      [
+        Diag.error Code.wrong_kind Span.command_line "the checks that are named have no members here"
+          ~hint:"the loops that declare them are empty";
+      ]
   | [], _ ->
     Error
       [
@@ -169,7 +175,7 @@ let estimate console o watch =
   Console.report console model.warnings;
   let* loaded, added = properties console model o.properties in
   let by_name = o.checks <> [] || added <> [] in
-  let* named = Chosen_checks.of_names loaded.checks o.checks in
+  let* named = Chosen_checks.of_names loaded o.checks in
   let asked = if by_name then named @ added else model.checks in
   let* paths, left_out = paths model asked ~by_name in
   let size = match o.runs with Some n -> Estimation.Exactly n | None -> At_most o.most in
