@@ -26,5 +26,5 @@ val some_diffuse : Ast.model -> bool
 
 val law :
   Report.t -> Typed.budget -> timestep:Rat.t -> Env.t -> Ast.law -> (Law.t * Diffusion.lattice option) option
-(** Elaborates a law, with the lattice of [diffuse]. A choice without velocities, or with weights that are all 0, is
-    SC0601. So is a weight that is negative in every state. *)
+(** Elaborates a law, with the lattice of [diffuse]. A choice without velocities, or with weights that are all 0,
+    is SC0601. So is a weight that is negative in every state. *)
