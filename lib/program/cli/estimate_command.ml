@@ -140,7 +140,7 @@ let style : Estimation.verdict -> Console.style = function
   | Undecided -> Doubtful
   | Estimated -> Strong
 
-let text console (r : Estimate_report.t) =
+let text console lattices (r : Estimate_report.t) =
   let answer (a : Estimation.answer) =
     let verdict = Console.styled console (style a.verdict) (Estimate_report.word a.verdict) in
     let line = Estimate_report.line a ~confidence:r.aim.confidence in
@@ -155,7 +155,8 @@ let text console (r : Estimate_report.t) =
     let names = List.filter_map (fun (name, w) -> if String.equal w why then Some name else None) r.left_out in
     Console.styled console Faint ("left out: " ^ String.concat ", " names ^ ": " ^ why) ^ "\n"
   in
-  String.concat "\n" (List.map answer r.answers @ List.map left reasons)
+  let lattice = Option.to_list (Option.map (fun line -> line ^ "\n") (Scc_elaborate.Lattices.line lattices)) in
+  String.concat "\n" (lattice @ List.map answer r.answers @ List.map left reasons)
 
 let exit_code (answers : Estimation.answer list) ending : Exit_code.t =
   let code (a : Estimation.answer) : Exit_code.t =
@@ -209,7 +210,7 @@ let estimate console o watch =
   in
   Console.answer console
     ~json:(fun () -> Scc_json.Json_format.write Estimate_report.format (report, exit))
-    ~text:(fun () -> text console report);
+    ~text:(fun () -> text console model.lattices report);
   Kept.conclude console unkept;
   (match ending with
    | Whole -> ()

@@ -116,6 +116,8 @@ let simulate console o ~interrupted =
   Console.report console model.warnings;
   let* loaded, observables = Observed.all console model o.observed in
   let plan = plan o loaded observables in
+  if o.form = Csv then
+    Option.iter (fun line -> Console.note console ("scc: " ^ line)) (Scc_elaborate.Lattices.line model.lattices);
   let report = report o model observables plan.times in
   let* there, before, earlier = before o report in
   let from, last = Task_part.range o.part ~count:o.runs in
