@@ -1,5 +1,6 @@
 let ( let* ) = Result.bind
 let ( let*? ) = Option.bind
+let ( <?> ) c next = if c <> 0 then c else next ()
 
 module Option = struct
   include Stdlib.Option

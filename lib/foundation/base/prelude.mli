@@ -6,6 +6,9 @@ val ( let* ) : ('a, 'e) result -> ('a -> ('b, 'e) result) -> ('b, 'e) result
 val ( let*? ) : 'a option -> ('a -> 'b option) -> 'b option
 (** [let*? x = o in e] is [e] with the value of [o] for [x], or [None] if there is no value. *)
 
+val ( <?> ) : int -> (unit -> int) -> int
+(** [c <?> next] is [c], the result of a comparison, or if that is 0, the next comparison. *)
+
 (** [Stdlib.Option] and functions of two options. *)
 module Option : sig
   include module type of Stdlib.Option
