@@ -109,24 +109,19 @@ let run color json o =
 (* The command line. *)
 
 let trace =
-  let doc = "The trace, as JSON Lines or CSV; $(b,-) reads it from standard input." in
-  Arg.(required & pos 1 (some string) None & info [] ~docv:"TRACE" ~doc)
+  Options.argument 1 ~docv:"TRACE" "The trace, as JSON Lines or CSV; $(b,-) reads it from standard input."
 
 let tolerance =
-  let doc =
+  Options.maybe (Options.not_negative "tolerance") [ "tolerance" ] ~docv:"T"
     "The tolerance of times, positions, velocities and other numbers of the trace, each by itself. With 0, the \
      default, they must be equal. A trace with floats (numbers with a point or an exponent) needs a tolerance; \
      in a rigid model it is not less than the resolution, unless it is 0."
-  in
-  Arg.(value & opt (some (Options.not_negative "tolerance")) None & info [ "tolerance" ] ~docv:"T" ~doc)
 
 let unobserved =
-  let doc =
+  Options.repeated Hide.pattern [ "unobserved" ] ~docv:"PATTERN"
     "Events that the trace may omit: a kind ($(b,bounce), $(b,bind), $(b,weak), $(b,strong)), or the text of a \
      label, in which $(b,*) stands for any characters: $(b,'bounce(p, *\\)'). Repeatable. The trace must have \
      every other event."
-  in
-  Arg.(value & opt_all Hide.pattern [] & info [ "unobserved" ] ~docv:"PATTERN" ~doc)
 
 let states =
   let doc =
@@ -137,8 +132,8 @@ let states =
   Arg.(value & opt count Trace_search.default_states & info [ "states" ] ~docv:"N" ~doc)
 
 let run_file =
-  let doc = "Writes a run that agrees with the trace to $(docv), as a schedule for $(b,scc trace --schedule)." in
-  Arg.(value & opt (some Options.named) None & info [ "run" ] ~docv:"FILE" ~doc)
+  Options.maybe Options.named [ "run" ] ~docv:"FILE"
+    "Writes a run that agrees with the trace to $(docv), as a schedule for $(b,scc trace --schedule)."
 
 let options =
   let make path trace given tolerance unobserved states run =

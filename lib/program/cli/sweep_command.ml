@@ -184,24 +184,18 @@ let grid =
   Arg.(non_empty & opt_all axis_conv [] & info [ "D"; "define" ] ~docv:"NAME=VALUES" ~doc)
 
 let form =
-  let doc =
+  Options.default (Arg.enum [ ("csv", Csv); ("jsonl", Jsonl) ]) Csv [ "format" ] ~docv:"FORMAT"
     "$(b,csv) (RFC 4180), a line for each point and check, or $(b,jsonl), a JSON object for each point."
-  in
-  Arg.(value & opt (enum [ ("csv", Csv); ("jsonl", Jsonl) ]) Csv & info [ "format" ] ~docv:"FORMAT" ~doc)
 
 let resume =
-  let doc =
+  Options.maybe Options.named [ "resume" ] ~docv:"FILE"
     "Continues $(docv), written with $(b,--format jsonl) by a sweep that was interrupted. All options except \
      $(b,--jobs) must be the same. The exit code is about the new points."
-  in
-  Arg.(value & opt (some Options.named) None & info [ "resume" ] ~docv:"FILE" ~doc)
 
 let plot =
-  let doc =
+  Options.maybe Options.named [ "plot" ] ~docv:"FILE"
     "Draws the sweep, as SVG: measured numbers as curves over one parameter; verdicts, and numbers over two \
      parameters, as coloured cells."
-  in
-  Arg.(value & opt (some Options.named) None & info [ "plot" ] ~docv:"FILE" ~doc)
 
 let store_option =
   Kept.option

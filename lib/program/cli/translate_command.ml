@@ -47,11 +47,9 @@ let output =
     "Writes to $(docv) instead of standard output; without $(b,--to), the ending of its name selects the notation."
 
 let file =
-  let doc =
+  Options.argument 0 ~docv:"FILE"
     "The model. The ending of its name selects the notation, or, without a name, the beginning of its text; \
      $(b,-) is standard input."
-  in
-  Arg.(required & pos 0 (some string) None & info [] ~docv:"FILE" ~doc)
 
 let man =
   let told (n : Notation.t) =
