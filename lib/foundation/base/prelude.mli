@@ -18,4 +18,20 @@ module Option : sig
 
   val map2 : ('a -> 'b -> 'c) -> 'a option -> 'b option -> 'c option
   (** [map2 f a b] is [Some (f x y)] for two values, and otherwise [None]. *)
+
+  val all : ('a -> 'b option) -> 'a list -> 'b list option
+  (** [all f list] is the values of [f] for the elements of [list], in order, or [None] if one of them has none.
+      [f] is applied to all of them. *)
+end
+
+(** [Stdlib.Result] and functions of lists. *)
+module Result : sig
+  include module type of Stdlib.Result
+
+  val all : ('a -> ('b, 'e) result) -> 'a list -> ('b list, 'e) result
+  (** [all f list] is the values of [f] for the elements of [list], in order, or the first error. Nothing after
+      that is looked at. *)
+
+  val listed : ('a, 'e) result -> ('a, 'e list) result
+  (** [listed r] is [r] with its error as the only one of a list. *)
 end

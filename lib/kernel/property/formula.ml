@@ -116,17 +116,9 @@ let rec predicates = function
 let rec state_formula = function
   | State p -> Some p
   | Temporal_not f -> Option.map negate (state_formula f)
-  | Temporal_and fs -> Option.map (fun ps -> And ps) (all fs)
-  | Temporal_or fs -> Option.map (fun ps -> Or ps) (all fs)
+  | Temporal_and fs -> Option.map (fun ps -> And ps) (Option.all state_formula fs)
+  | Temporal_or fs -> Option.map (fun ps -> Or ps) (Option.all state_formula fs)
   | Next _ | Finally _ | Globally _ | Until _ -> None
-
-and all fs =
-  let add found f =
-    match (found, state_formula f) with
-    | Some ps, Some p -> Some (p :: ps)
-    | _, _ -> None
-  in
-  Option.map List.rev (List.fold_left add (Some []) fs)
 
 let events f =
   Scc_data.Lists.distinct equal_event (List.filter_map (fun (a : Atom.t) -> a.event) (atoms f))

@@ -80,11 +80,6 @@ let time c s () =
   | None -> []
   | Some d -> [ passes c d s ]
 
-let rec all_ok acc = function
-  | [] -> Ok (List.rev acc)
-  | Ok t :: rest -> all_ok (t :: acc) rest
-  | Error e :: _ -> Error e
-
 let draw_rules = [ Rule.Draw ]
 
 let drawn c s ~before p (velocity, chance) =
@@ -93,16 +88,16 @@ let drawn c s ~before p (velocity, chance) =
 
 let draws c s p =
   let* chances = Steer.chances c s p in
-  all_ok [] (List.map (drawn c s ~before:(fun _ -> None) p) chances)
+  Result.all (drawn c s ~before:(fun _ -> None) p) chances
 
 let lots c (s : State.t) due =
   let* outcomes = Splits.lots c due in
-  all_ok [] (List.map (happens c s ~step:s.step) outcomes)
+  Result.all (happens c s ~step:s.step) outcomes
 
 let events_and_time c s =
   { urgent = of_single c s urgent; weak = of_single c s weak; collisions = collisions c s }
   |> in_order Fun.id ~time:(time c s)
-  |> all_ok []
+  |> Result.all Fun.id
 
 let successors c s =
   match (Lots.due (Semantics.model c) s, Steer.next_to_draw c s) with

@@ -12,13 +12,7 @@ let named checks name =
   | [] -> Error [ Input.no_check Code.unknown_name Span.command_line name checks ]
   | found -> Ok found
 
-let of_names checks names =
-  let add found name =
-    let* found = found in
-    let* those = named checks name in
-    Ok (those :: found)
-  in
-  Result.map (fun found -> List.concat (List.rev found)) (List.fold_left add (Ok []) names)
+let of_names checks names = Result.map List.concat (Result.all (named checks) names)
 
 let only (l : Loaded.t) = function
   | [] -> Ok l

@@ -49,7 +49,7 @@ let write_graphs o first second =
   | None -> Ok ()
   | Some prefix ->
     let file n g = (Printf.sprintf "%s-%d.aut" prefix n, Aut.write g) in
-    Result.map_error (fun d -> [ d ]) (Whole_file.write [ file 1 first; file 2 second ])
+    Result.listed (Whole_file.write [ file 1 first; file 2 second ])
 
 let compare console o =
   let watch = Check_options.watch o.budget in

@@ -45,7 +45,7 @@ let note_semantics console (trace : Recorded.t) =
 
 let write_run path origin choices =
   let text = Schedule.to_string (Schedule.made origin choices ~offset:None) in
-  Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
+  Result.listed (Whole_file.with_file path (fun put -> put text))
 
 (* An instant of a release that nobody told, or not exactly, could be any of uncountably many. *)
 let exact_enough (l : Loaded.t) ~tolerance unobserved =
@@ -71,7 +71,7 @@ let conform console o =
   let* overrides, narrowed = parameters trace o.given in
   let given =
     if o.given.values <> [] || o.given.narrowed <> [] then Span.command_line
-    else Span.make ~file:(Source.name source) ~start:0 ~stop:0
+    else Span.of_file (Source.name source)
   in
   let* l = Input.model ~given console ~overrides ~narrowed o.path in
   let* () = Ordinary.at_point l in
@@ -79,7 +79,7 @@ let conform console o =
   Console.report console l.warnings;
   note_semantics console trace;
   let* tolerance = Verdict.tolerance l.model trace o.tolerance in
-  let* () = Result.map_error (fun d -> [ d ]) (exact_enough l ~tolerance o.unobserved) in
+  let* () = Result.listed (exact_enough l ~tolerance o.unobserved) in
   let observed label = not (List.exists (fun p -> Hide.matches p label) o.unobserved) in
   let limits = { Trace_search.states = o.states; interrupted } in
   let* answer =

@@ -108,7 +108,7 @@ let stopped ~seconds (stop : Scc_graph_search.Limits.stop) =
 (* The mesh, what was done to it, and its parts. *)
 let work console ~mend path =
   let* source = Input.warned console path in
-  let* set = Result.map_error (fun d -> [ d ]) (Scc_mesh.Mesh.read ~path (Source.text source)) in
+  let* set = Result.listed (Scc_mesh.Mesh.read ~path (Source.text source)) in
   let* set, mended = Mend_options.apply mend set in
   let* t = Result.map_error (diagnostics set) (Decomposed.make ~progress:(show console) set) in
   Ok (t, mended)
@@ -120,7 +120,7 @@ let report console ~mended ~mass output path (t : Parts.t) =
     | Some (path, write) ->
       let mass = match mass with Some m -> m | None -> Drawn.volume t.drawn.set in
       let text = write ~path ~mass t in
-      Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
+      Result.listed (Whole_file.with_file path (fun put -> put text))
   in
   let* () =
     Console.answer_and_write console write

@@ -27,28 +27,14 @@ type options = {
 
 (* {1 What is asked} *)
 
-let properties console (l : Loaded.t) texts =
-  let source i = Input.given console ~name:(Printf.sprintf "<property %d>" (i + 1)) in
-  let sources = List.mapi source texts in
-  let* l, questions = if texts = [] then Ok (l, []) else Question.all l sources in
-  let named i : Question.t -> (Property.check, Diag.t list) result = function
-    | Temporal check -> Ok { check with name = Printf.sprintf "property%d" (i + 1) }
-    | State _ | Number _ ->
-      let source = List.nth sources i in
-      let at = Span.make ~file:(Source.name source) ~start:0 ~stop:(String.length (Source.text source)) in
-      Error
-        [
-          Diag.error Code.type_mismatch at ~hint:"as in `P = ? [ eventually f ]`, `E = ? [ x(p) at 10 ]`"
-            "this is about states, and asks for no probability and no mean";
-        ]
-  in
-  let rec all i found = function
-    | [] -> Ok (l, List.rev found)
-    | q :: rest ->
-      let* check = named i q in
-      all (i + 1) (check :: found) rest
-  in
-  all 0 [] questions
+let properties console l texts =
+  Observed.questions console l texts ~name:(fun i _ -> Printf.sprintf "<property %d>" (i + 1))
+    (fun i _ question ~refuse ->
+       match question with
+       | Temporal check -> Ok { check with name = Printf.sprintf "property%d" (i + 1) }
+       | State _ | Number _ ->
+         refuse Code.type_mismatch ~hint:"as in `P = ? [ eventually f ]`, `E = ? [ x(p) at 10 ]`"
+           "this is about states, and asks for no probability and no mean")
 
 let refused (c : Property.check) why =
   [ Diag.error Code.type_mismatch c.span "`%s` cannot be estimated: %s" c.name why ]
@@ -68,7 +54,7 @@ let paths (l : Loaded.t) asked ~by_name =
     Error
       [
         Diag.error Code.type_mismatch
-          (Span.make ~file:(Source.name l.source) ~start:0 ~stop:0)
+          (Span.of_file (Source.name l.source))
           "no check of the model asks for a probability or a mean"
           ~hint:"`--property 'P = ? [ eventually f ]'` asks";
       ]

@@ -94,7 +94,7 @@ let write_all console o files =
     Console.flush console;
     Ok ()
   end
-  else Result.map_error (fun d -> [ d ]) (Whole_file.write files)
+  else Result.listed (Whole_file.write files)
 
 (** {2 The command} *)
 

@@ -54,17 +54,16 @@ let make_folder path =
     Error
       [
         Diag.error Code.cannot_write
-          (Span.make ~file:path ~start:0 ~stop:0)
+          (Span.of_file path)
           "cannot make this folder: %s" (Os_error.reason path message);
       ]
 
-let diagnosed r = Result.map_error (fun d -> [ d ]) r
-let alone console o write = diagnosed (Console.with_output console ~path:o.output write)
+let alone console o write = Result.listed (Console.with_output console ~path:o.output write)
 
 let several o files =
   match o.output with
   | None -> Bug.fail __POS__ "several files without a name"
-  | Some path -> diagnosed (Whole_file.write (files path))
+  | Some path -> Result.listed (Whole_file.write (files path))
 
 let write console o (f : Film.t) observables =
   let* () = check_every f o.every in
@@ -85,7 +84,7 @@ let write console o (f : Film.t) observables =
 
 let too_great o =
   Diag.error Code.number_too_large
-    (Span.make ~file:o.path ~start:0 ~stop:0)
+    (Span.of_file o.path)
     ~hint:"`--format csv` tells exact numbers, however great"
     "the run leads to a number that is too great for the floats of this format"
 

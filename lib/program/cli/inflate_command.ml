@@ -4,8 +4,6 @@ open Scc_verdicts
 open Scc_inflate
 open Cmdliner
 
-let plain r = Result.map_error (fun d -> [ d ]) r
-
 type options = { path : string; resolution : int option; output : string option; inflate : Inflated.options }
 
 (* {1 Report} *)
@@ -89,9 +87,9 @@ let format : (answer, unit) Scc_json.Json_format.t =
 (* {1 Work} *)
 
 let inflate console o write =
-  let* source = plain (Input.read o.path) in
+  let* source = Result.listed (Input.read o.path) in
   if Scc_pixels.Icon.is_text (Source.text source) then Console.add_source console source;
-  let* picture = plain (Scc_pixels.Icon.read ?resolution:o.resolution ~path:o.path (Source.text source)) in
+  let* picture = Result.listed (Scc_pixels.Icon.read ?resolution:o.resolution ~path:o.path (Source.text source)) in
   let progress what share =
     Console.progress console (Printf.sprintf "%s: %.0f %%" what (100. *. Float.min 1. share))
   in

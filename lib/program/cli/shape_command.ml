@@ -20,7 +20,7 @@ let template console ~overrides path name =
 
 let mesh console path =
   let* source = Input.warned console path in
-  Result.map_error (fun d -> [ d ]) (Scc_mesh.Mesh.read ~path (Source.text source))
+  Result.listed (Scc_mesh.Mesh.read ~path (Source.text source))
 
 let templates_of console path =
   let* source = Input.warned console path in
@@ -166,14 +166,14 @@ let draw o ~name report =
   | None -> Ok ()
   | Some path ->
     let text = Scc_picture.Solid_picture.svg ~name o.drawing report in
-    Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
+    Result.listed (Whole_file.with_file path (fun put -> put text))
 
 let show o ~name report =
   match o.page with
   | None -> Ok ()
   | Some path ->
     let page = Scc_view.Solid_page.write ~name report in
-    Result.map_error (fun d -> [ d ]) (Whole_file.with_file path page)
+    Result.listed (Whole_file.with_file path page)
 
 let shape console ~overrides o output argument =
   let* set = set console ~overrides argument in

@@ -144,7 +144,7 @@ let simulate console o ~interrupted =
   match Console.with_output console ~pieces:(not o.summary) ~path write with
   | Error d -> Error [ d ]
   | Ok result ->
-    let* () = Result.map_error (fun d -> [ d ]) (Option.fold ~none:(Ok ()) ~some:draw o.plot) in
+    let* () = Result.listed (Option.fold ~none:(Ok ()) ~some:draw o.plot) in
     let* code = conclude console ~runs:(last - from) ~finished:!written ~ended_early:!ended_early result in
     Ok (Kept_runs.finish console kept code)
 

@@ -97,8 +97,6 @@ let identity o ~digest =
   in
   Kept.identity ~digest ~parameters:[] options
 
-let told result = Result.map_error (fun d -> [ d ]) result
-
 let note console o seen outcome =
   seen.written <- seen.written + 1;
   (match (outcome : Outcome.t) with
@@ -142,11 +140,11 @@ let sweep console o ~interrupted =
     result
   in
   Console.flush console;
-  let* result = told (Console.with_output console ~pieces:true ~path write) in
+  let* result = Result.listed (Console.with_output console ~pieces:true ~path write) in
   let title = Option.value name ~default:"a model" in
   let draw path =
     let chart put = put (Picture.chart ~title o.grid (Array.of_list (List.rev seen.all))) in
-    told (Console.with_output console ~path:(Some path) chart)
+    Result.listed (Console.with_output console ~path:(Some path) chart)
   in
   let* () =
     match (o.plot, result) with

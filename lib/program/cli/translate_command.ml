@@ -26,7 +26,7 @@ let translate console notation output path =
     if String.equal from.name notation.name then Ok ()
     else check_readable console ~from:source notation text
   in
-  let* () = Result.map_error (fun d -> [ d ]) (Console.with_output console ~path:output (fun put -> put text)) in
+  let* () = Result.listed (Console.with_output console ~path:output (fun put -> put text)) in
   Console.flush console;
   Ok Exit_code.Holds
 
