@@ -67,7 +67,8 @@ let make ?(events = []) ?(time_seen = Scc_property.Time_seen.Always) ?(quotient 
   let catalogue = Local.catalogue local in
   let joined = joined && Model.leaves_to_chance m && Option.is_none m.rigid && events = [] in
   let walks = if joined then Option.bind units (fun units -> Walks.make ~units ~most:memory local) else None in
-  { local; quotient = Quotient.within quotient catalogue; walks; visible; initial; encounters; left; right; scene; draws; joined; codec; given_up = [];
+  let quotient = Quotient.within quotient catalogue in
+  { local; quotient; walks; visible; initial; encounters; left; right; scene; draws; joined; codec; given_up = [];
     seen = Bytes.empty; may_split = false }
 
 (* Processes that were only thought of, as targets of transitions that are not possible as yet, do not count. *)
@@ -268,22 +269,25 @@ let drawn c tuple p outcome =
   let target' = Quotient.representative c.quotient target in
   { Lts.label; changes = (if target' == target then [| slot; number |] else Tuples.difference tuple target') }
 
+(* Those that wait to draw; [None] where lots are pending. *)
+let waiters c tuple =
+  let rec from i found =
+    if i < 0 then Some found
+    else if tuple.(i) = Catalogue.nobody then from (i - 1) found
+    else
+      let p = (Catalogue.body (catalogue c) tuple.(i)).process in
+      if Lots.is_pending p then None
+      else from (i - 1) (match p.draw with Some Waits -> p :: found | Some (Drawn _) | None -> found)
+  in
+  from (Array.length (model c).leaves - 1) []
+
 (* While two or more wait to draw (rule Draw), a draw changes one process alone: what all have drawn takes effect
    when the last one has, and who is first is told by those who wait. Of bodies that turn nothing is said here, as
    turns may end before each draw. *)
 let draws c tuple =
   if not c.draws then None
   else
-    let n = Array.length (model c).leaves in
-    let rec waiting i found =
-      if i < 0 then Some found
-      else if tuple.(i) = Catalogue.nobody then waiting (i - 1) found
-      else
-        let p = (Catalogue.body (catalogue c) tuple.(i)).process in
-        if Lots.is_pending p then None
-        else waiting (i - 1) (match p.draw with Some Waits -> p :: found | Some (Drawn _) | None -> found)
-    in
-    match waiting (n - 1) [] with
+    match waiters c tuple with
     | Some (_ :: _ :: _ as processes) ->
       let first = Option.get (Process.first_by_place (model c) processes) in
       let step = Catalogue.step (catalogue c) tuple and time = Catalogue.time (catalogue c) tuple in
@@ -294,19 +298,7 @@ let draws c tuple =
 
 (* {2 Joined draws} *)
 
-(* How many processes wait to draw; [None] where lots are pending. *)
-let waiting c tuple =
-  let n = Array.length (model c).leaves in
-  let rec from i count =
-    if i = n then Some count
-    else if tuple.(i) = Catalogue.nobody then from (i + 1) count
-    else
-      let p = (Catalogue.body (catalogue c) tuple.(i)).process in
-      if Lots.is_pending p then None
-      else from (i + 1) (match p.draw with Some Waits -> count + 1 | Some (Drawn _) | None -> count)
-  in
-  from 0 0
-
+let waiting c tuple = Option.map List.length (waiters c tuple)
 let one_by_one c tuple = match draws c tuple with Some steps -> steps | None -> whole c tuple
 
 let outcome c tuple (s : Lts.step) =
@@ -341,7 +333,7 @@ let leave c tuple =
       Ok (if List.exists (is_drawn c) steps then Some (List.map (outcome c tuple) steps) else None)
 
 let by_walks c tuple =
-  Option.bind c.walks (fun walks -> Walks.outcomes walks tuple ~representative:(representative c))
+  Option.bind c.walks (fun walks -> Walk_draws.outcomes walks tuple ~representative:(representative c))
 
 let joined c tuple =
   let step (o : Joint_draws.outcome) =
@@ -353,7 +345,7 @@ let joined c tuple =
     match all with Some all -> Ok (List.map step all) | None -> otherwise ()
   in
   let* outcomes = by_velocities c tuple in
-  match by_walks c tuple, outcomes with
+  match (by_walks c tuple, outcomes) with
   | Some outcomes, _ -> Ok (List.map step outcomes)
   | None, Some outcomes -> through outcomes ~otherwise:(fun () -> one_by_one c tuple)
   | None, None when several_velocities c tuple -> one_by_one c tuple
@@ -363,7 +355,6 @@ let joined c tuple =
     if List.exists goes_on steps then through (List.map (outcome c tuple) steps) ~otherwise:(fun () -> Ok steps)
     else Ok steps
 
-(* A step in which nothing happens. *)
 let passes c tuple =
   let step (label, target) = { Lts.label; changes = Tuples.difference tuple (representative c target) } in
   Option.map step (Option.bind c.walks (fun walks -> Walks.pass walks tuple))
@@ -375,7 +366,7 @@ let successors c tuple =
 
 let draws_towards c state target =
   let test tuple = representative c tuple = target in
-  Option.bind c.walks (fun walks -> Walks.towards walks (Catalogue.encode (catalogue c) state) test)
+  Option.bind c.walks (fun walks -> Walk_draws.towards walks (Catalogue.encode (catalogue c) state) test)
 
 (** {2 One group of many} *)
 

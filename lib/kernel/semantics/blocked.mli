@@ -16,7 +16,8 @@ val waiting : Semantics.t -> kicked:(int -> bool) -> State.t -> State.t
 type together = {
   blocks : bool;  (** they run together: a kick of either is blocked (rule Blocked, (a) and (b)) *)
   sweeps : bool;  (** the interiors of their sweeps meet (rule Blocked, (c)) *)
-  undisturbed : bool;  (** they do not collide before the end of the step, nor make a bond, nor absorb, at its end *)
+  undisturbed : bool;  (** they do not collide before the end of the step, nor make a bond, nor absorb, at its
+                           end *)
 }
 
 val together : Semantics.t -> State.process -> State.process -> together
