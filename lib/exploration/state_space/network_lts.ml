@@ -49,7 +49,7 @@ let transitions c label = Catalogue.transitions (catalogue c) label
 
 let by_pairs (m : Model.t) =
   match (m.collisions, m.binding) with
-  | In_turn, On_collision -> true
+  | (In_turn | Drawn), On_collision -> true
   | Together, _ | _, On_contact -> false
 
 let make ?(events = []) ?(time_seen = Scc_property.Time_seen.Always) ?(quotient = Quotient.none) ?visible
@@ -237,7 +237,12 @@ let choices c source =
 
 let whole c tuple =
   let step ((t : Transition.t), target) : Lts.step =
-    { label = Catalogue.label (catalogue c) t.label; changes = Tuples.difference tuple (Lazy.force target) }
+    let label =
+      match t.chance with
+      | Some chance when not (Transition.is_drawn t.label) -> Catalogue.tied (catalogue c) t.label chance
+      | Some _ | None -> Catalogue.label (catalogue c) t.label
+    in
+    { label; changes = Tuples.difference tuple (Lazy.force target) }
   in
   match choices c (Catalogue.decode (catalogue c) tuple) with
   | Ok transitions -> Ok (List.map step transitions)
@@ -245,6 +250,21 @@ let whole c tuple =
     if not (List.mem fault c.given_up) then c.given_up <- fault :: c.given_up;
     Ok []
   | Error _ as fault -> fault
+
+(* With the chances of urgent moves, where these are drawn (rule Ties). *)
+let tied c (can : Local.move Network.discrete) =
+  if not (Model.draws_ties (model c)) then can
+  else
+    let deeds = List.filter_map (fun (m : Local.move) -> m.deed) in
+    let odds = Ties.odds (deeds can.urgent @ deeds can.collisions) in
+    let by_chance (m : Local.move) =
+      match Option.bind m.deed odds with
+      | None -> m
+      | Some chance ->
+        let label = Catalogue.label_of (catalogue c) m.step.label in
+        { m with step = { m.step with label = Catalogue.tied (catalogue c) label chance } }
+    in
+    { can with urgent = List.map by_chance can.urgent; collisions = List.map by_chance can.collisions }
 
 let by_parts c tuple =
   let now = now c tuple in
@@ -255,7 +275,7 @@ let by_parts c tuple =
     | None -> []
     | Some d -> [ pass c tuple now d ]
   in
-  Network.in_order (step c tuple) now.can ~time
+  Network.in_order (step c tuple) (tied c now.can) ~time
 
 (** {2 Draws} *)
 
@@ -319,7 +339,8 @@ let by_velocities c tuple =
     Result.map (Option.map (List.map representative)) (Joint_draws.velocities (semantics c) (catalogue c) tuple)
   else Ok None
 
-let is_drawn c (s : Lts.step) = Option.is_some (Catalogue.chance (catalogue c) s.label)
+let is_drawn c (s : Lts.step) =
+  Option.is_some (Catalogue.chance (catalogue c) s.label) && not (Catalogue.is_tied (catalogue c) s.label)
 
 (* What a state that draws is left by; [None] for all others. *)
 let leave c tuple =

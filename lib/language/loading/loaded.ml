@@ -14,6 +14,7 @@ type t = {
   uncertain : Uncertain.t option;
   checks : Property.check list;
   premises : Property.check list;
+  families : Scc_elaborate.Repeated.t;
   warnings : Diag.t list;
   at_values : (string * Rat.t) list -> (t, Diag.t list) result;
   beside : Scc_syntax.Ast.model -> (t, Diag.t list) result;
@@ -41,7 +42,7 @@ let rec of_tree ~read_file ~overrides ?narrowed source tree =
   let digest = Origin.digest ~text:(Source.text source) ~files in
   let rec loaded items elaborated =
     let* (e : Scc_elaborate.Elaborate.t) = Result.map_error (fun errors -> errors @ misleading) elaborated in
-    let { Scc_elaborate.Elaborate.model; declared; uncertain; checks; premises; warnings; _ } = e in
+    let { Scc_elaborate.Elaborate.model; declared; uncertain; checks; premises; families; warnings; _ } = e in
     let warnings = misleading @ warnings in
     let settings = Scc_calculus.Parameters.listed model declared in
     let origin = { Origin.name = e.name; digest; parameters = e.parameters; settings } in
@@ -52,7 +53,7 @@ let rec of_tree ~read_file ~overrides ?narrowed source tree =
     Ok
       {
         source; origin; semantics = Standard.of_model model; model; declared; uncertain; checks; premises;
-        warnings; at_values; beside;
+        families; warnings; at_values; beside;
       }
   in
   loaded [] elaborated

@@ -64,6 +64,12 @@ let paths (l : Loaded.t) asked ~by_name =
     List.fold_left (fun acc c -> let* acc = acc in one acc c) (Ok ([], [])) asked
   in
   match (found, left) with
+  | [], [] when by_name ->
+    Error
+      [
+        Diag.error Code.wrong_kind Span.command_line "the checks that are named have no members here"
+          ~hint:"the loops that declare them are empty";
+      ]
   | [], _ ->
     Error
       [
@@ -78,8 +84,12 @@ let paths (l : Loaded.t) asked ~by_name =
 
 type ending = Whole | Interrupted | Lost of { why : string; fault : bool }
 
+(* Seconds in which runs that are under way are to say what they have come to. *)
+let patience = 5.
+
 let sample console o runs (plan : Sample.plan) estimation ~stopped =
-  let work = Sample.run plan ~seed:o.seed in
+  let work = Sample.run plan ~seed:o.seed ~interrupted:Scc_system.Interruption.heard in
+  let whole (r : Sample.run) = not r.interrupted in
   let rec go first =
     match Estimation.next estimation with
     | None -> Whole
@@ -88,7 +98,10 @@ let sample console o runs (plan : Sample.plan) estimation ~stopped =
           Console.progress console (Printf.sprintf "%d runs" (k + 1));
           Estimation.add estimation outcome
         in
-        match Kept_runs.run runs ~jobs:o.jobs ~first ~count ~work ~interrupted:stopped ~each with
+        let made =
+          Kept_runs.run runs ~patience ~whole ~jobs:o.jobs ~first ~count ~work ~interrupted:stopped ~each
+        in
+        match made with
         | Ok () ->
           Estimation.judge estimation ~last:false;
           go count
@@ -162,7 +175,7 @@ let estimate console o watch =
   Console.report console model.warnings;
   let* loaded, added = properties console model o.properties in
   let by_name = o.checks <> [] || added <> [] in
-  let* named = Chosen_checks.of_names loaded.checks o.checks in
+  let* named = Chosen_checks.of_names loaded o.checks in
   let asked = if by_name then named @ added else model.checks in
   let* paths, left_out = paths model asked ~by_name in
   let size = match o.runs with Some n -> Estimation.Exactly n | None -> At_most o.most in
