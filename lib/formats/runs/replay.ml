@@ -32,6 +32,7 @@ type event =
       changes : unit -> Event_run.changes option;
       state : unit -> State.t;
       part : int list -> State.t;
+      draws_on : bool;
     }
   | Instant of { offset : Rat.t; time : Rat.t; state : State.t }
   | End of {
@@ -53,7 +54,7 @@ type verdict = Take of int * guide | Wait of Rat.t * Schedule.choice * guide | L
 type place = {
   time : Rat.t;
   taken : int;  (** transitions so far *)
-  still : int;  (** of them, since time last passed *)
+  still : int;  (** of them, since time last passed, without draws, of which each instant has a few *)
   guide : guide;
 }
 
@@ -225,7 +226,7 @@ let advance place guide (taken : Run.alternative) =
   {
     time = Rat.add place.time d;
     taken = place.taken + 1;
-    still = (if Rat.sign d > 0 then 0 else place.still + 1);
+    still = (if Rat.sign d > 0 then 0 else if Transition.is_drawn taken.label then place.still else place.still + 1);
     guide;
   }
 
@@ -303,7 +304,9 @@ let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy 
   and go_on place guide index among ~free taken =
     let next = advance place guide taken in
     reached := next;
-    emit (Step { number = next.taken; index; among; free; time = next.time; taken; changes; state; part });
+    let draws_on = Transition.is_drawn taken.label && Run.draws_on run in
+    let number = next.taken and time = next.time in
+    emit (Step { number; index; among; free; time; taken; changes; state; part; draws_on });
     from next
   in
   emit (Start (state ()));

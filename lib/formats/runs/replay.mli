@@ -16,7 +16,8 @@ type policy =
 type limits = {
   steps : int option;  (** at most so many transitions *)
   time : Rat.t option;  (** model time *)
-  instant : int;  (** at most so many transitions in a row without time passing (Zeno guard) *)
+  instant : int;
+  (** at most so many transitions in a row without time passing, not counting draws (Zeno guard) *)
 }
 
 val default_instant : int
@@ -56,6 +57,7 @@ type event =
       (** [Run.changes] since its last call. To follow a run by its changes, call it after each step. *)
       state : unit -> State.t;  (** after it *)
       part : int list -> State.t;  (** of this state, the processes that have some of these leaves *)
+      draws_on : bool;  (** it is a draw, and not the last one of its instant *)
     }
   | Instant of { offset : Rat.t; time : Rat.t; state : State.t }
   (** the run ends within a passing of time, [offset] after the last transition *)

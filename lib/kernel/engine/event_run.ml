@@ -226,6 +226,8 @@ let take t i =
     Bodies.pass t.bodies d;
     passed t d
 
+let draws_on t = Option.is_some t.draws
+
 let state t =
   let { State.step; time; _ } = Bodies.frame t.bodies in
   let steered =

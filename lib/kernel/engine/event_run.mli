@@ -53,6 +53,9 @@ val wait : t -> Rat.t -> alternative option
 val elapsed : t -> Rat.t
 (** The time since the start of the run. *)
 
+val draws_on : t -> bool
+(** [draws_on t] is true if other processes draw at this instant, right after a draw ({!Run.draws_on}). *)
+
 val state : t -> State.t
 (** The present state, in full. It takes time proportional to the size of the network. *)
 

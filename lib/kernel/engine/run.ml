@@ -136,6 +136,12 @@ let changes t = match t.way with Eventwise run -> Some (Event_run.changes run) |
 let elapsed t = match t.way with Eventwise run -> Event_run.elapsed run | Stepwise s -> s.elapsed
 let state t = match t.way with Eventwise run -> Event_run.state run | Stepwise s -> present s
 
+let draws_on t =
+  match t.way with
+  | Eventwise run -> Event_run.draws_on run
+  | Stepwise { ahead = Some (Ok (Draws _)); _ } -> true
+  | Stepwise { ahead = Some (Ok (Events _) | Error _) | None; _ } -> false
+
 let part t leaves =
   match t.way with
   | Eventwise run -> Event_run.part run leaves

@@ -49,6 +49,10 @@ val wait : t -> Scc_exact.Rat.t -> (alternative option, Transition.fault) result
 val elapsed : t -> Scc_exact.Rat.t
 (** The time since the start of the run. *)
 
+val draws_on : t -> bool
+(** [draws_on t] is true if the transition that was just taken is a draw, and not the last one of its instant. Then
+    nothing has changed but what is drawn. *)
+
 val state : t -> State.t
 (** The present state, in full. It takes time proportional to the size of the network. *)
 

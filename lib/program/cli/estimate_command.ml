@@ -17,7 +17,7 @@ type options = {
   confidence : Rat.t;
   width : Rat.t;
   free : Sample.free;
-  steps : int;
+  steps : int option;
   until : Rat.t option;
   seconds : float option;
   seed : int64;
@@ -110,7 +110,7 @@ let identity o (l : Loaded.t) (paths : Path.t list) =
       ("what is kept", "runs of scc estimate");
       ("what is estimated", Scc_verify.Joint_check.about (List.map (fun (p : Path.t) -> p.check) paths));
       ("--free", free);
-      ("--steps", string_of_int o.steps);
+      ("--steps", Option.fold ~none:"default" ~some:string_of_int o.steps);
       ("--until", Option.fold ~none:"default" ~some:Rat.to_string o.until);
       ("--seed", Int64.to_string o.seed);
     ]
@@ -248,7 +248,9 @@ let free =
      possibility has the same probability; the result is valid only for these choices."
 
 let steps =
-  Options.default Options.transitions 10_000 [ "steps" ] ~docv:"N" "Leaves a run after $(docv) transitions."
+  Options.maybe Options.transitions [ "steps" ] ~docv:"N"
+    "Leaves a run after $(docv) transitions. The default is 10000 if neither the formulas nor $(b,--until) end the \
+     run at a time, and none otherwise."
 
 let until =
   Options.maybe (Options.positive "model time") [ "until" ] ~docv:"TIME"

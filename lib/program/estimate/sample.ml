@@ -12,7 +12,7 @@ type plan = {
   declared : State.t;
   paths : Path.t list;
   free : free;
-  steps : int;
+  steps : int option;
   until : Rat.t option;
 }
 
@@ -24,6 +24,7 @@ type run = { outcomes : outcome list; chosen : bool; interrupted : bool }
 (* What was asked is looked for after so many states, half as many again, and so on. *)
 let first_look = 8
 let next_look n = n + (n / 2)
+let default_steps = 10_000
 
 (* Nothing that is asked depends on what comes a unit of time after all horizons. *)
 let horizon plan =
@@ -34,20 +35,30 @@ let horizon plan =
 
 let until plan = Option.merge Rat.min (horizon plan) plan.until
 
+(* A run that ends at a time needs no other bound. *)
+let limit plan =
+  match (plan.steps, until plan) with
+  | (Some _ as given), _ -> given
+  | None, Some _ -> None
+  | None, None -> Some default_steps
+
 let run plan ~seed ~interrupted number =
   let chain = Chain.make plan.semantics and questions = Chain.questions plan.semantics plan.paths in
   let seen = Path.seen plan.paths in
+  let joined = List.for_all (fun (p : Path.t) -> Scc_state_space.Between_draws.unseen p.check) plan.paths in
   let next = ref first_look and found = ref (List.map (fun _ -> Chain.Open) plan.paths) in
   let over = ref false and chosen = ref false in
   let look () =
     found := Chain.answers questions chain;
     if List.for_all (fun (a : Chain.answer) -> a <> Open) !found then over := true
   in
+  let limit = limit plan in
   let stopped_by_choice = ref false and steps = ref 0 and bound = ref Time in
   let note (event : Replay.event) =
     (match event with Step _ -> incr steps | Start _ | Instant _ | End _ -> ());
     match event with
     | Start state -> Chain.start chain (Option.fold ~none:state ~some:(State.with_leaves state) seen)
+    | Step { draws_on = true; _ } when joined -> ()
     | Step { taken; free; state; part; _ } when not !over ->
       if free && plan.free = Evenly then chosen := true;
       if free && plan.free = Apart then begin
@@ -67,11 +78,11 @@ let run plan ~seed ~interrupted number =
     | Instant { offset; state; _ } -> if Rat.sign offset > 0 then Chain.step chain (Time offset) state
     | End { ending = Quiescent; _ } -> Chain.for_ever chain
     | End { ending = Stuck _; _ } -> Chain.dead_end chain
-    | End { ending = Open; _ } -> if !steps >= plan.steps then bound := Steps
+    | End { ending = Open; _ } -> if Some !steps = limit then bound := Steps
     | End { ending = Zeno; _ } -> bound := Instant
     | End { ending = Broken_off; _ } -> ()
   in
-  let limits = { Replay.steps = Some plan.steps; time = until plan; instant = Replay.default_instant } in
+  let limits = { Replay.steps = limit; time = until plan; instant = Replay.default_instant } in
   let policy = Replay.Random (Simulation.seed_of seed number) and left () = !over || interrupted () in
   let go_on () =
     match Replay.run plan.semantics plan.declared policy limits ~interrupted:left note with

@@ -15,7 +15,8 @@ type plan = {
   declared : State.t;
   paths : Path.t list;
   free : free;
-  steps : int;  (** transitions at most *)
+  steps : int option;
+  (** transitions at most; [None]: 10 000 if no run ends at a time, else without a bound *)
   until : Rat.t option;  (** model time at most; the horizon of all questions ends a run as well *)
 }
 

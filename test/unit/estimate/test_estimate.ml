@@ -172,7 +172,7 @@ let no_runs () =
 
 let folder = "../../../specs/models/"
 
-let sampled ?(free = Sample.Apart) ?(steps = 10_000) ?(interrupted = fun () -> false) text property ~runs =
+let sampled ?(free = Sample.Apart) ?steps ?(interrupted = fun () -> false) text property ~runs =
   let e = Load.exactly (Load.text (text ^ "\ncheck asked : " ^ property ^ "\n")) in
   let check = List.find (fun (c : Scc_property.Property.check) -> c.name = "asked") e.checks in
   let path = Result.get_ok (Path.of_check e.model check) in
@@ -280,7 +280,7 @@ let parts () =
   Alcotest.(check bool) "from event to event" true (Scc_engine.Event_run.can_run e.model);
   Alcotest.(check bool) "a whole network" true (Path.seen [ everything ] = None);
   let outcomes paths =
-    let plan = { Sample.semantics; declared = e.declared; paths; free = Evenly; steps = 5_000; until = None } in
+    let plan = { Sample.semantics; declared = e.declared; paths; free = Evenly; steps = Some 5_000; until = None } in
     List.init 15 (fun k ->
         outcome (List.hd (Sample.run plan ~seed:7L ~interrupted:(fun () -> false) k).outcomes))
   in
