@@ -231,7 +231,8 @@ let choices c source =
 
 let whole c tuple =
   let step ((t : Transition.t), target) : Lts.step =
-    { label = Catalogue.label_of_transition (catalogue c) t; changes = Tuples.difference tuple (Lazy.force target) }
+    let label = Catalogue.label_of_transition (catalogue c) t in
+    { label; changes = Tuples.difference tuple (Lazy.force target) }
   in
   match choices c (Catalogue.decode (catalogue c) tuple) with
   | Ok transitions -> Ok (List.map step transitions)

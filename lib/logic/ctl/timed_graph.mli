@@ -43,8 +43,8 @@ type move =
 
 val edge_choices : t -> int -> (int * int * Rat.t) list list
 (** [edge_choices g s] is the choices between edges at the known node [s]. Each choice is a list of edges: their
-    indices, targets and probabilities. All edges that are drawn are the first choice, and each other edge is one of
-    its own. *)
+    indices, targets and probabilities. All edges that are drawn are the first choice, and each other edge is one
+    of its own. *)
 
 val target : t -> int -> move -> int
 (** [target g s move] is the node that the move from node [s] leads to. *)
