@@ -29,6 +29,14 @@ let behaviour =
   Printf.sprintf "<%s, %s>. %s" name where next
 
 let sum = Gen.(map (String.concat " + ") (list_size (frequencyl [ (3, 1); (2, 2); (1, 3) ]) behaviour))
+
+(* What is asked for: so many bonds of a name, or that a body is bound to the one in the middle. *)
+type goal = Bonds of string * int | Bound of string
+
+let formula = function
+  | Bonds (name, count) -> Printf.sprintf "bonds(%s) >= %d" name count
+  | Bound leaf -> Printf.sprintf "bound(%s, s)" leaf
+
 let ways_in = [| (1, 0); (-1, 0); (0, 1); (0, -1) |]
 
 let scene =
@@ -39,7 +47,7 @@ let scene =
   let* inner = sum in
   let* outer = list_repeat others (triple sum (oneofl [ 2; 2; 3 ]) (oneofl [ 1; 1; 2 ])) in
   let* cyclic = frequencyl [ (3, ""); (1, "bonds cyclic\n") ] in
-  let* goal, count = oneofl [ ("a", 1); ("b", 1); ("a", 2); ("b", 2); ("a", 1) ] in
+  let* goal = oneofl [ Bonds ("a", 2); Bonds ("b", 1); Bonds ("a", 1); Bound "w0"; Bound "w1"; Bound "w1" ] in
   let one i (b, far, speed) =
     let x, y = ways_in.(i) in
     let far = 1 + (far * speed) in
@@ -64,5 +72,5 @@ let scene =
     ^ String.concat "" (List.mapi one outer)
     ^ motion
   in
-  (text, goal, count)
+  (text, goal)
 
