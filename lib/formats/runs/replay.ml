@@ -11,7 +11,7 @@ let default_instant = 10_000
 let default_steps = 1_000
 
 type given_up = { fault : Transition.fault; steps : int; time : Rat.t }
-type ending = Open | Quiescent | Stuck of given_up | Zeno
+type ending = Open | Quiescent | Stuck of given_up | Zeno | Broken_off
 
 let diagnostic model g =
   let where =
@@ -31,6 +31,7 @@ type event =
       taken : Run.alternative;
       changes : unit -> Event_run.changes option;
       state : unit -> State.t;
+      part : int list -> State.t;
     }
   | Instant of { offset : Rat.t; time : Rat.t; state : State.t }
   | End of {
@@ -244,20 +245,31 @@ let not_asked ~start:_ ~lasts:_ _ = ()
 
 let unbounded : Scc_graph_search.Limits.attempt = { run = (fun _ f -> Ok (f ())) }
 
+let start_of : policy -> guide * (Rat.t * Span.t) option = function
+  | First -> (Always_first, None)
+  | Random seed -> (Generator (Splitmix64.of_seed seed), None)
+  | Scheduled s -> (Choices s.choices, Option.map (fun d -> (d, s.offset_at)) s.offset)
+
+(* After a step that was broken off no state is there. *)
+let break_off run emit place ~within_step =
+  let last = if within_step then None else Some (fun () -> Run.state run) in
+  emit (End { steps = place.taken; time = place.time; ending = Broken_off; last; rounded = Run.rounded run })
+
 let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy limits ~interrupted emit =
   (* A step may take long, as its numbers do. *)
-  let step f = Result.map_error (fun stop -> Interrupted stop) (attempt.run Exploring f) in
-  let model = Semantics.model semantics in
-  let guide, offset =
-    match policy with
-    | First -> (Always_first, None)
-    | Random seed -> (Generator (Splitmix64.of_seed seed), None)
-    | Scheduled s -> (Choices s.choices, Option.map (fun d -> (d, s.offset_at)) s.offset)
+  let within_step = ref false in
+  let step f =
+    within_step := true;
+    let result = attempt.run Exploring f in
+    within_step := Result.is_error result;
+    Result.map_error (fun stop -> Interrupted stop) result
   in
-  let not_started fault = Fault { fault; steps = 0; time = Rat.zero } in
+  let model = Semantics.model semantics in
+  let guide, offset = start_of policy in
   let* started = step (fun () -> Run.start semantics declared) in
-  let* run = Result.map_error not_started started in
-  let state () = Run.state run and changes () = Run.changes run in
+  let* run = Result.map_error (fun fault -> Fault { fault; steps = 0; time = Rat.zero }) started in
+  let state () = Run.state run and changes () = Run.changes run and part = Run.part run in
+  let reached = ref { time = Rat.zero; taken = 0; still = 0; guide } in
   let rec from place =
     if interrupted () then Error (Interrupted Scc_graph_search.Limits.Interrupted)
     else
@@ -294,8 +306,13 @@ let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy 
     | None -> go ()
   and go_on place guide index among ~free taken =
     let next = advance place guide taken in
-    emit (Step { number = next.taken; index; among; free; time = next.time; taken; changes; state });
+    reached := next;
+    emit (Step { number = next.taken; index; among; free; time = next.time; taken; changes; state; part });
     from next
   in
   emit (Start (state ()));
-  from { time = Rat.zero; taken = 0; still = 0; guide }
+  let result = from !reached in
+  (match result with
+   | Error (Interrupted _) -> break_off run emit !reached ~within_step:!within_step
+   | Ok _ | Error (Fault _ | Refused _) -> ());
+  result

@@ -235,6 +235,13 @@ let state t =
   in
   State.make ~processes:(Bodies.unsteered t.bodies @ steered) ~step ~time
 
+let part t leaves =
+  let processes = Bodies.with_leaves t.bodies leaves in
+  let { State.step; time; _ } = Bodies.frame t.bodies in
+  match t.draws with
+  | Some draws -> State.at ~step ~time (Draws.drawn draws processes)
+  | None -> State.make ~processes ~step ~time
+
 type changes = Bodies.changes = { gone : int list; come : State.process list }
 
 let changes t = Bodies.changes t.bodies

@@ -56,6 +56,10 @@ val elapsed : t -> Rat.t
 val state : t -> State.t
 (** The present state, in full. It takes time proportional to the size of the network. *)
 
+val part : t -> int list -> State.t
+(** [part t leaves] is {!state} without the processes that have none of these leaves. Its time does not depend on
+    the size of the network. *)
+
 val velocity : t -> int -> Vec.t
 (** The velocity of the process with this first leaf, in the world. It is a bug if no process begins with the
     leaf. *)

@@ -136,6 +136,11 @@ let changes t = match t.way with Eventwise run -> Some (Event_run.changes run) |
 let elapsed t = match t.way with Eventwise run -> Event_run.elapsed run | Stepwise s -> s.elapsed
 let state t = match t.way with Eventwise run -> Event_run.state run | Stepwise s -> present s
 
+let part t leaves =
+  match t.way with
+  | Eventwise run -> Event_run.part run leaves
+  | Stepwise s -> State.with_leaves (present s) leaves
+
 (* From event to event, whatever may ever happen gives time a place to pass to: see {!Time.delay}. *)
 let quiescent t =
   match way t with

@@ -52,6 +52,10 @@ val elapsed : t -> Scc_exact.Rat.t
 val state : t -> State.t
 (** The present state, in full. It takes time proportional to the size of the network. *)
 
+val part : t -> int list -> State.t
+(** [part t leaves] is {!state} without the processes that have none of these leaves. From event to event, its time
+    does not depend on the size of the network. *)
+
 val inertial : Model.t -> bool
 (** [inertial m] is true if [m] runs from event to event and has no laws of motion. Its runs have {!changes}, which
     are few in each step. *)
