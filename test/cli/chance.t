@@ -623,7 +623,7 @@ runs have nothing free, and other tools get the tie as one action.
   race: estimated: 0.6, from 0.524333 to 0.672423 with confidence 99/100, 300 runs
   $ scc estimate free.sc --check race --runs 300 | head -2
   race: estimated: from 0.484029 to 0.716585 with confidence 99/100, 300 runs
-    26 of 300 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+    26 of 300 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   $ scc explore tied.sc --format drn -o tied.drn 2> log && grep -A2 'action tie \[' tied.drn
   	action tie [0]
   		14 : 1/2

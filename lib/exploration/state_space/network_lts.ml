@@ -320,8 +320,8 @@ let by_velocities c tuple =
     Result.map (Option.map (List.map representative)) (Joint_draws.velocities (semantics c) (catalogue c) tuple)
   else Ok None
 
-let is_drawn c (s : Lts.step) =
-  Option.is_some (Catalogue.chance (catalogue c) s.label) && not (Catalogue.is_tied (catalogue c) s.label)
+(* In a state that draws; elsewhere urgent transitions may have chances as well (rule Ties). *)
+let is_drawn c (s : Lts.step) = Option.is_some (Catalogue.chance (catalogue c) s.label)
 
 (* What a state that draws is left by; [None] for all others. *)
 let leave c tuple =

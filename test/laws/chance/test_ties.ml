@@ -125,6 +125,16 @@ let wall n ~open_b =
   ^ "process x = Key mass 1 velocity (1,0,0) at translate (-3, 20, 0) [<c, {right}>. nil]\n"
   ^ "process y = Key mass 1 at translate (0, 20, 0) [<~c, {left}>. nil]\n"
 
+(* The chances, sorted, of what is possible after so many first transitions. *)
+let chances text ~after =
+  let _, semantics, initial = load (drawn ^ text) in
+  let rec go n s =
+    let all = Result.get_ok (Network.successors semantics s) in
+    if n = 0 then all else go (n - 1) (List.hd all).target
+  in
+  let told (t : Transition.t) = Rat.to_string (Option.get t.chance) in
+  List.sort String.compare (List.map told (go after initial))
+
 let cut () =
   let value n ~open_b formula = told (check (drawn ^ wall n ~open_b ^ "check c : " ^ formula) Reduction.all) in
   let each n open_b =
@@ -137,12 +147,22 @@ let cut () =
   in
   List.iter (fun n -> List.iter (each n) [ true; false ]) [ 1; 2; 3 ];
   (* The features themselves are as likely as each other. *)
-  let _, semantics, initial = load (drawn ^ wall 2 ~open_b:false) in
-  let time s = List.hd (Result.get_ok (Network.successors semantics s)) in
-  let there = Result.get_ok (Network.successors semantics (time initial).target) in
-  let chances = List.map (fun (t : Transition.t) -> Rat.to_string (Option.get t.chance)) there in
   Alcotest.(check (list string)) "the other two; b; a by one feature or the other" [ "1/2"; "1/4"; "1/8"; "1/8" ]
-    (List.sort String.compare chances)
+    (chances (wall 2 ~open_b:false) ~after:1)
+
+(* A chain of four around a square, which may react in two places, or close by either of two edges. *)
+let square =
+  let corner name at behaviour = body name at behaviour and bond name = Printf.sprintf "bond <%s, {%s}>\n" name in
+  "bonds cyclic\n"
+  ^ corner "p" "0,0,0" "rho({<x, {right}>}). nil + <c, {left, right}>. nil"
+  ^ corner "q" "1,0,0" "rho({<x, {left}>}). nil" ^ corner "r" "1,1,0" "rho({<y, {left}>}). nil"
+  ^ corner "s" "0,1,0" "rho({<y, {right}>}). nil + <~c, {front}>. nil"
+  ^ bond "x" "p.right, q.left" ^ bond "d" "q.back, r.front" ^ bond "y" "r.left, s.right"
+
+let closes () =
+  Alcotest.(check (list string)) "what one process does: two reactions, and a bond by two edges"
+    [ "1/3"; "1/3"; "1/6"; "1/6" ]
+    (chances (cube ^ square) ~after:0)
 
 (* {1 By another solver} *)
 
@@ -285,6 +305,7 @@ let () =
         [
           Alcotest.test_case "Ties: by hand" `Quick by_hand;
           Alcotest.test_case "Ties: how surfaces are cut" `Quick cut;
+          Alcotest.test_case "Ties: what one process does" `Quick closes;
         ] );
       ( "random",
         Scc_test_support.Property.cases random @ [ Alcotest.test_case "Ties: nothing is free" `Quick counts ] );
