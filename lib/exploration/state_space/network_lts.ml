@@ -236,9 +236,8 @@ let choices c source =
   Result.map (List.map with_target) (Network.successors (semantics c) source)
 
 let whole c tuple =
-  let step ((t : Transition.t), target) : Lts.step =
-    let label = Catalogue.label_of_transition (catalogue c) t in
-    { label; changes = Tuples.difference tuple (Lazy.force target) }
+  let step (t, there) : Lts.step =
+    { label = Catalogue.label_of_transition (catalogue c) t; changes = Tuples.difference tuple (Lazy.force there) }
   in
   match choices c (Catalogue.decode (catalogue c) tuple) with
   | Ok transitions -> Ok (List.map step transitions)
@@ -320,7 +319,6 @@ let by_velocities c tuple =
     Result.map (Option.map (List.map representative)) (Joint_draws.velocities (semantics c) (catalogue c) tuple)
   else Ok None
 
-(* In a state that draws; elsewhere urgent transitions may have chances as well (rule Ties). *)
 let is_drawn c (s : Lts.step) = Option.is_some (Catalogue.chance (catalogue c) s.label)
 
 (* What a state that draws is left by; [None] for all others. *)
