@@ -590,3 +590,44 @@ The probability within each time, up to the bound: a table, JSON and a picture.
   $ scc check $M/ruin.sc --curve by_five
   error[SC0208]: --curve: the model has no check `by_five'
   [3]
+
+Collisions that chance puts in order (rule Ties): one number, also without reductions and from a kept exploration. Random
+runs have nothing free, and other tools get the tie as one action.
+
+  $ scc check $M/ties.sc | grep -E '^[a-z_]+: |^explored|of probability'
+  near_binds: 5/8
+    a run that counts, of probability 1/4:
+  one_binds: 1
+    a run that counts, of probability 1/4:
+  no_choice: holds (exhaustive)
+    a run that counts, of probability 1/4:
+  takes: 5/6
+  explored: 25 states, 36 transitions, depth 7, model time 2; complete
+  $ scc check $M/ties.sc --no-reduce all | grep -E '^[a-z_]+: '
+  near_binds: 5/8
+  one_binds: 1
+  no_choice: holds (exhaustive)
+  takes: 5/6
+  explored: 29 states, 40 transitions, depth 7, model time 2; complete
+  $ scc check $M/ties.sc --store kept | grep binds
+  near_binds: 5/8
+  one_binds: 1
+  $ scc check $M/ties.sc --store kept | grep binds
+  near_binds: 5/8
+  one_binds: 1
+  $ echo 'check race : P = ? [ bonds(a) = 0 U bound(near, site) ]' | cat $M/ties.sc - > tied.sc
+  $ sed 's/^collisions drawn//' tied.sc > free.sc
+  $ scc check free.sc --check race | grep race
+  race: least 7/12, greatest 2/3
+  $ scc estimate tied.sc --check race --runs 300
+  race: estimated: 0.6, from 0.524333 to 0.672423 with confidence 99/100, 300 runs
+  $ scc estimate free.sc --check race --runs 300 | head -2
+  race: estimated: from 0.484029 to 0.716585 with confidence 99/100, 300 runs
+    26 of 300 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
+  $ scc explore tied.sc --format drn -o tied.drn 2> log && grep -A2 'action tie \[' tied.drn
+  	action tie [0]
+  		14 : 1/2
+  		24 : 1/2
+  $ scc explore tied.sc --format json -o tied.json 2> log && grep -o '"target":[0-9]*,"chance":"[0-9/]*"' tied.json
+  "target":14,"chance":"1/2"
+  "target":24,"chance":"1/2"

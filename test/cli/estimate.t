@@ -13,14 +13,14 @@ A mean has an interval where its number is in a range. Of others nothing is know
     choices that nothing draws were taken evenly
   $ scc estimate $M/association.sc --check mean_at_3 --runs 500
   mean_at_3: estimated: from 0.709743 to 2.166591 with confidence 99/100, 500 runs
-    183 of 500 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+    183 of 500 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   [2]
   $ scc estimate $M/association.sc --property 'E >= 1/2 [ bonds() at 3 ]' --property 'E > 2 [ count(i in 1..n: bound(m[i], s[i])) at 3 ]'
   property1: undecided: from 0.445495 to 3.44747 with confidence 99/100, 128 runs
-    47 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+    47 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   
   property2: undecided: from 0.542022 to 2.379321 with confidence 99/100, 128 runs
-    47 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+    47 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   [2]
   $ scc estimate $M/ruin.sc --check drift --check how_long --runs 500 --seed 7
   drift: undecided: the mean of these runs alone is -0.254, with the standard deviation 1.08436, 500 runs
@@ -84,13 +84,13 @@ What nobody draws is left open, or taken evenly, and then it is said.
   $ ask() { scc estimate $M/dimer.sc --property 'P = ? [ eventually bonds() = 0 ]' --property 'P >= 1/10 [ always bonds() > 0 ]' --property 'E = ? [ bonds() at 3 ]' "$@"; }
   $ ask
   property1: estimated: from 0 to 1 with confidence 99/100, 128 runs
-    128 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+    128 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   
   property2: undecided: from 0 to 1 with confidence 99/100, 128 runs
-    128 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+    128 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   
   property3: estimated: from 0 to 3 with confidence 99/100, 128 runs
-    128 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+    128 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   [2]
   $ ask --free evenly --runs 200
   property1: estimated: 1, from 0.973856 to 1 with confidence 99/100, 200 runs

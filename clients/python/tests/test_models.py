@@ -79,6 +79,17 @@ class Models(WithOracle):
         by_label = self.oracle.step(self.model, first.path, second.label.text)
         self.assertEqual(by_label, second)
 
+    def test_ties(self):
+        bodies = "".join(
+            f"process {name} = Cube mass 1 velocity ({v},0,0) at translate ({x},0,0) [nil]\n"
+            for name, v, x in (("o", 0, 0), ("u", 1, -1), ("w", -1, 1))
+        )
+        for setting, chance in (("drawn", Fraction(1, 2)), ("in_turn", None)):
+            model = self.oracle.load_model(f"shape Cube = box(1,1,1)\ncollisions {setting}\n{bodies}")
+            transitions = self.oracle.successors(model, states="none").transitions
+            self.assertEqual([t.chance for t in transitions], [chance, chance])
+            self.oracle.release_model(model)
+
     def test_a_choice_that_is_none(self):
         with self.assertRaises(NotPossible) as caught:
             self.oracle.step(self.model, (0,), 5)

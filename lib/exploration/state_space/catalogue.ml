@@ -281,6 +281,11 @@ let tied c l chance =
   ignore (label c l);
   Labels.intern c.labels (Tied (l, chance))
 
+let label_of_transition c (t : Transition.t) =
+  match t.chance with
+  | Some chance when not (Transition.is_drawn t.label) -> tied c t.label chance
+  | Some _ | None -> label c t.label
+
 let joint c j = Labels.intern c.labels (Joint j)
 
 (* Of many states one after the other it is the same. *)

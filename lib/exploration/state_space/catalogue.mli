@@ -147,6 +147,9 @@ val tied : t -> Transition.label -> Rat.t -> int
 (** [tied c l chance] is the number of the label [l] of an urgent transition to which chance gives the probability
     [chance] (rule Ties). *)
 
+val label_of_transition : t -> Transition.t -> int
+(** The number of {!tied} for an urgent transition with a probability, and of {!label} for all others. *)
+
 val joint : t -> joint -> int
 (** The number of a label for joined draws; a new label gets the next number. *)
 

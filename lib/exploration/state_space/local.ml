@@ -130,6 +130,20 @@ let move t (o : Transition.outcome) =
        else None);
   }
 
+let tied t (can : move Network.discrete) =
+  if not (Model.draws_ties (Semantics.model t.semantics)) then can
+  else
+    let deeds = List.filter_map (fun m -> m.deed) in
+    let odds = Ties.odds (deeds can.urgent @ deeds can.collisions) in
+    let by_chance m =
+      match Option.bind m.deed odds with
+      | None -> m
+      | Some chance ->
+        let label = Catalogue.label_of t.catalogue m.step.label in
+        { m with step = { m.step with label = Catalogue.tied t.catalogue label chance } }
+    in
+    { can with urgent = List.map by_chance can.urgent; collisions = List.map by_chance can.collisions }
+
 (* {1 One process} *)
 
 let shared t wait =

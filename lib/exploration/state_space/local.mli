@@ -79,6 +79,9 @@ val move : t -> Transition.outcome -> move
 val nobody : t -> alone
 (** The value that stands for no process: its number is {!Catalogue.nobody}. *)
 
+val tied : t -> move Scc_semantics.Network.discrete -> move Scc_semantics.Network.discrete
+(** The moves of a state with the chances of urgent ones in their labels, if the model draws ties (rule Ties). *)
+
 val alone : t -> int -> alone
 (** The process with this number, which must not be {!Catalogue.nobody}. *)
 

@@ -236,13 +236,8 @@ let choices c source =
   Result.map (List.map with_target) (Network.successors (semantics c) source)
 
 let whole c tuple =
-  let step ((t : Transition.t), target) : Lts.step =
-    let label =
-      match t.chance with
-      | Some chance when not (Transition.is_drawn t.label) -> Catalogue.tied (catalogue c) t.label chance
-      | Some _ | None -> Catalogue.label (catalogue c) t.label
-    in
-    { label; changes = Tuples.difference tuple (Lazy.force target) }
+  let step (t, there) : Lts.step =
+    { label = Catalogue.label_of_transition (catalogue c) t; changes = Tuples.difference tuple (Lazy.force there) }
   in
   match choices c (Catalogue.decode (catalogue c) tuple) with
   | Ok transitions -> Ok (List.map step transitions)
@@ -250,21 +245,6 @@ let whole c tuple =
     if not (List.mem fault c.given_up) then c.given_up <- fault :: c.given_up;
     Ok []
   | Error _ as fault -> fault
-
-(* With the chances of urgent moves, where these are drawn (rule Ties). *)
-let tied c (can : Local.move Network.discrete) =
-  if not (Model.draws_ties (model c)) then can
-  else
-    let deeds = List.filter_map (fun (m : Local.move) -> m.deed) in
-    let odds = Ties.odds (deeds can.urgent @ deeds can.collisions) in
-    let by_chance (m : Local.move) =
-      match Option.bind m.deed odds with
-      | None -> m
-      | Some chance ->
-        let label = Catalogue.label_of (catalogue c) m.step.label in
-        { m with step = { m.step with label = Catalogue.tied (catalogue c) label chance } }
-    in
-    { can with urgent = List.map by_chance can.urgent; collisions = List.map by_chance can.collisions }
 
 let by_parts c tuple =
   let now = now c tuple in
@@ -275,7 +255,7 @@ let by_parts c tuple =
     | None -> []
     | Some d -> [ pass c tuple now d ]
   in
-  Network.in_order (step c tuple) (tied c now.can) ~time
+  Network.in_order (step c tuple) (Local.tied c.local now.can) ~time
 
 (** {2 Draws} *)
 
@@ -339,8 +319,7 @@ let by_velocities c tuple =
     Result.map (Option.map (List.map representative)) (Joint_draws.velocities (semantics c) (catalogue c) tuple)
   else Ok None
 
-let is_drawn c (s : Lts.step) =
-  Option.is_some (Catalogue.chance (catalogue c) s.label) && not (Catalogue.is_tied (catalogue c) s.label)
+let is_drawn c (s : Lts.step) = Option.is_some (Catalogue.chance (catalogue c) s.label)
 
 (* What a state that draws is left by; [None] for all others. *)
 let leave c tuple =

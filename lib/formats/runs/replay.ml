@@ -111,7 +111,10 @@ let source g : Ties.source =
     g := rest;
     k
   in
-  { below = (fun n -> next (Splitmix64.below n !g)); by_chance = (fun chances -> next (Splitmix64.by_chance chances !g)) }
+  {
+    below = (fun n -> next (Splitmix64.below n !g));
+    by_chance = (fun chances -> next (Splitmix64.by_chance chances !g));
+  }
 
 (* What chance decides by its chances; all choices alike, as nothing tells how likely they are. *)
 let at_random (transitions : Run.labels) g =
@@ -291,7 +294,8 @@ let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy 
               let* waited = step (fun () -> Run.wait run d) in
               match waited with
               | Ok (Some taken) ->
-                go_on place guide index (Int.max transitions.count (index + 1)) ~free:(is_free transitions taken) taken
+                let free = is_free transitions taken in
+                go_on place guide index (Int.max transitions.count (index + 1)) ~free taken
               | Ok None -> Error (misfit model transitions place choice)
               | Error fault -> Error (Fault { fault; steps = place.taken; time = place.time }))
   and passes place d = if Rat.sign d > 0 then passing ~start:place.time ~lasts:d state

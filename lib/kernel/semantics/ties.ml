@@ -18,7 +18,8 @@ let deed (o : Transition.outcome) =
       let whole = List.find (fun p -> State.has_leaf p at) o.come in
       (State.leaf_of whole at).behaviour
     in
-    Some { name = b.name; ends = (b.one.at, b.two.at); behaviours = [ behaviour b.one.at; behaviour b.two.at ] }
+    let behaviours = [ behaviour b.one.at; behaviour b.two.at ] in
+    Some { name = b.name; ends = (b.one.at, b.two.at); behaviours }
   in
   let who = List.sort Int.compare (List.map first o.gone) in
   match o.label with
@@ -34,9 +35,8 @@ let alike a b =
   | None, _ | _, None -> a == b
 
 let share ~groups own d =
-  let first_of_kind (kinds, before) d = ((if List.exists (alike d) before then kinds else kinds + 1), d :: before) in
-  let kinds, _ = List.fold_left first_of_kind (0, []) own in
-  Rat.make Z.one (Z.of_int (groups * kinds * List.length (List.filter (alike d) own)))
+  let kinds = List.fold_left (fun kinds d -> if List.exists (alike d) kinds then kinds else d :: kinds) [] own in
+  Rat.make Z.one (Z.of_int (groups * List.length kinds * List.length (List.filter (alike d) own)))
 
 let odds all =
   let add by_who d = Who.update d.who (fun known -> Some (d :: Option.value known ~default:[])) by_who in

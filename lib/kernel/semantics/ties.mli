@@ -19,8 +19,8 @@ val odds : deed list -> deed -> Rat.t option
     [by_chance chances] is an index by these probabilities. *)
 type source = { below : int -> int; by_chance : Rat.t list -> int }
 
-(** What is chosen in a state where chance decides between urgent transitions, by the indices of transitions: to let
-    it decide, or one of the others, weak splits. *)
+(** What is chosen in a state where chance decides between urgent transitions: to let it decide, or one of the
+    others, which are weak splits. Transitions are named by their indices. *)
 type tie = {
   others : int list;
   pick : source -> int;  (** an urgent transition, with the probabilities of {!odds} *)

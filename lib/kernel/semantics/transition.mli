@@ -60,8 +60,8 @@ type t = {
   fired : Behaviours.derivation list list;  (** the summands that took part, in each way to do it *)
   target : State.t;
   chance : Rat.t option;
-  (** its probability, if chance decides: it is drawn ({!is_drawn}), or one of several urgent transitions in a model
-      that draws which comes first (rule Ties) *)
+  (** its probability, if chance decides: it is drawn ({!is_drawn}), or it is one of several urgent transitions in
+      a model that draws which comes first (rule Ties) *)
   rounded : State.t option;
   (** if rule Round was used: the processes as they were before it, and nothing else of the target *)
 }

@@ -42,8 +42,8 @@ type move =
   | Flow of int  (** at the end of its flow, to the target of this index *)
 
 val edge_choices : t -> int -> (int * int * Rat.t) list list
-(** [edge_choices g s] is the choices between edges at the known node [s]: each is a list of edges by their indices,
-    with their targets and probabilities. All edges that are drawn are the first choice, and each other edge is one
+(** [edge_choices g s] is the choices between edges at the known node [s]. Each choice is a list of edges: their
+    indices, targets and probabilities. All edges that are drawn are the first choice, and each other edge is one
     of its own. *)
 
 val target : t -> int -> move -> int

@@ -38,9 +38,9 @@ type run = {
 }
 
 val run : plan -> seed:int64 -> interrupted:(unit -> bool) -> int -> run
-(** Simulates the run with this number. The value at a time is that after all events of the instant. Draws have
-    their probabilities. A choice that is not drawn is made uniformly among all transitions, since it has no
-    probabilities.
+(** Simulates the run with this number. The value at a time is that after all events of the instant. What
+    chance decides has its probabilities (rules Draw, Lot and Ties), and is one choice. All choices of a state are
+    equally probable, since nothing says how probable they are.
 
     If [interrupted ()] is true, the run ends before its next transition.
     {!Scc_system.Interruption.Interrupted} ends it at once. The values up to there are those of the whole run. *)

@@ -35,7 +35,8 @@ let explore ?time_seen ?visitor options semantics ~initial =
   in
   let catalogue = Network_lts.catalogue context in
   let edge (e : Graph.edge) =
-    { label = Catalogue.label_of catalogue e.label; chance = Catalogue.chance catalogue e.label; target = e.target }
+    let chance = Catalogue.chance catalogue e.label in
+    { label = Catalogue.label_of catalogue e.label; chance; target = e.target }
   in
   let expanded i =
     match Graph.status graph i with Scc_graph_search.Explore.Expanded -> true | Queued | Unexpanded _ -> false

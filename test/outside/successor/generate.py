@@ -478,6 +478,7 @@ class Generator:
         own = rng.choice([" local", " local", " steady", ""]) if self.laws else ""
         head = ["timestep %s%s" % (rng.choice(["1", "1/2", "2", "1/3"]), own)]
         head += ["collisions together"] * self.together + ["binding contact"] * self.by_contact
+        head += ["collisions drawn"] * (not self.together and len(self.lines) % 3 == 0)
         head += ["bonds cyclic"] * self.cyclic
         if rng.random() < 0.4:
             head.append("split_step %s" % rng.choice(["1/2", "1", "3/4", "2", "1/3"]))

@@ -27,7 +27,8 @@ let explored ?(options = Setup.default) text : Exported.t =
 let made ?(unexplored = []) ?(resting = []) transitions : Exported.t =
   let l, initial = loaded "process p = Cube mass 1 [nil]\nprocess q = Cube mass 1 at translate (5,0,0) [nil]" in
   let edge (label, target) =
-    let chance = if Scc_semantics.Transition.is_drawn label then Some (Scc_semantics.Transition.chance label) else None in
+    let open Scc_semantics in
+    let chance = if Transition.is_drawn label then Some (Transition.chance label) else None in
     { Explored.label; chance; target }
   in
   let out = Array.map (fun l -> Array.of_list (List.map edge l)) transitions in

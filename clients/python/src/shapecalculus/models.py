@@ -225,13 +225,15 @@ class Label:
 
 @dataclass(frozen=True)
 class Transition:
-    """``rules`` made it, the network's rule first. ``state`` (after it) only when asked for all states."""
+    """``rules`` made it, the network's rule first. ``state`` (after it) only when asked for all states. ``chance`` is its
+    probability if the model says ``collisions drawn`` and chance decides which of several comes first."""
 
     choice: int
     label: Label
     rules: Tuple[str, ...]
     state: Optional[State] = None
     rounded: Optional[Json] = None
+    chance: Optional[Fraction] = None
 
     @classmethod
     def from_json(cls, json: Json) -> Transition:
@@ -242,6 +244,7 @@ class Transition:
             tuple(json["rules"]),
             None if state is None else State.from_json(state),
             json.get("rounded"),
+            None if "chance" not in json else numbers.fraction(json["chance"]),
         )
 
 
