@@ -71,6 +71,7 @@ let work (t : t) : work = { sweeps = t.sweeps; neighbours = t.neighbours; casts 
 let rounds_to_double = 4
 let most_rounds = 40
 let grains = 6
+let fraction = Rat.power_of_two (-3)
 let clamp exponent = Int.max (-1000) (Int.min 1000 exponent)
 
 (* The time in which a process moves by about a quarter of its size, at first. *)
@@ -82,12 +83,21 @@ let grain t f =
   let _, exponent = Float.frexp (size /. fastest) in
   Rat.power_of_two (clamp exponent - 2 + (f.rounds / rounds_to_double))
 
-let end_of_sweep t ~now f =
+(* A multiple of the grain that is later than a time, by so many grains at most. *)
+let after grain time grains =
+  let ends = Z.add (Rat.floor (Rat.div time grain)) (Z.of_int grains) in
+  Rat.mul (Rat.make ends Z.one) grain
+
+(* The velocity is likely to change at the time [turns]. The sweep ends a little later, and so is not renewed at
+   that time. *)
+let end_of_sweep t ~now ~turns f =
   if Vec.is_zero f.velocity || f.rounds > most_rounds then None
   else
     let grain = grain t f in
-    let ends = Z.add (Rat.floor (Rat.div now grain)) (Z.of_int grains) in
-    Some (Rat.mul (Rat.make ends Z.one) grain)
+    let far = after grain now grains in
+    match turns with
+    | Some time -> Some (Rat.min far (after (Rat.mul grain fraction) time 1))
+    | None -> Some far
 
 (* {1 Collisions to come} *)
 
@@ -123,10 +133,10 @@ let look t ~now f watch =
 
 (* If two processes collide at a time during the present sweeps of both, then at that time both are inside of what
    they sweep, and touch: whoever was swept last has found the other in the tree. *)
-let sweep t ~now f watch =
+let sweep t ~now ~turns f watch =
   t.sweeps <- t.sweeps + 1;
   f.sweep <- t.sweeps;
-  let until = end_of_sweep t ~now f in
+  let until = end_of_sweep t ~now ~turns f in
   let bound = match until with None -> infinity | Some time -> Float_box.up time in
   let from = Float_box.down now in
   let insert i =
@@ -157,7 +167,7 @@ let place_parts t f (p : State.process) =
   in
   Array.iter place_leaf p.leaves
 
-let launch t ~now (line : State.process) watch =
+let launch t ~now ~turns (line : State.process) watch =
   let f =
     {
       nobody with
@@ -167,15 +177,15 @@ let launch t ~now (line : State.process) watch =
     }
   in
   place_parts t f line;
-  sweep t ~now f watch;
+  sweep t ~now ~turns f watch;
   f
 
 let clear t f = Array.iter (Box_tree.remove t.tree) f.parts
 
-let renew t ~now f watch =
+let renew t ~now ~turns f watch =
   clear t f;
   f.rounds <- f.rounds + 1;
-  sweep t ~now f watch
+  sweep t ~now ~turns f watch
 
 let drop t f =
   clear t f;
