@@ -45,6 +45,7 @@ type t = {
   homes : int array;  (** by leaf: the first leaf of the process that had it last *)
   mutable frame : State.t;  (** the movement step and the absolute time now, without processes *)
   mutable steered : int;  (** how many bodies laws move *)
+  mutable turns : Rat.t option;  (** the end of the movement step *)
   mutable now : Rat.t;  (** since the start *)
   mutable ages : int;
   colliding : (body, Transition.outcome) Colliding.t;  (** now, and since they met *)
@@ -59,7 +60,16 @@ let now t = t.now
 let model t = Semantics.model t.semantics
 let step t = t.frame.step
 let frame t = t.frame
-let set_step t step = t.frame <- State.at ~step ~time:t.frame.time t.frame
+
+let end_of now (step : State.step option) =
+  match step with
+  | Some { remaining; _ } when Rat.sign remaining > 0 -> Some (Rat.add now remaining)
+  | Some _ | None -> None
+
+let set_step t step =
+  t.turns <- end_of t.now step;
+  t.frame <- State.at ~step ~time:t.frame.time t.frame
+
 let any_steered t = t.steered > 0
 let work t = Flights.work t.flights
 
@@ -91,11 +101,10 @@ let watch t : Flights.watch =
     sweep_end = (fun time flight -> add t (Sweep_end { time; flight; sweep = flight.sweep }));
   }
 
-(* When the velocity of a steered body is likely to change, if it draws. *)
+(* When the velocity of a body is likely to change: at the end of the step, if it draws. *)
 let turns t ~is_steered =
-  match t.frame.step with
-  | Some { remaining; _ } when is_steered && Model.draws (model t) && Rat.sign remaining > 0 ->
-    Some (Rat.add t.now remaining)
+  match t.turns with
+  | Some time when is_steered && Model.draws (model t) && Rat.compare time t.now >= 0 -> t.turns
   | Some _ | None -> None
 
 let body t first =
@@ -320,6 +329,7 @@ let start semantics ~step (s : State.t) =
       homes = Array.init leaves Fun.id;
       frame = State.make ~processes:[] ~step ~time:s.time;
       steered = 0;
+      turns = end_of Rat.zero step;
       now = Rat.zero;
       ages = 0;
       colliding = Colliding.create leaves ~first:(fun b -> b.flight.first) ~age:(fun b -> b.age);
