@@ -49,6 +49,7 @@ type event =
       (** its number among the successors. A passing of time below the greatest one has its number, and if
           time may pass for ever, the number after all others *)
       among : int;
+      free : bool;  (** it was one of several choices, where all that chance decides is one choice *)
       time : Rat.t;  (** model time after it *)
       taken : Run.alternative;
       changes : unit -> Event_run.changes option;

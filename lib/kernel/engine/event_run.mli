@@ -41,6 +41,9 @@ val count : t -> int
 val label : t -> int -> Transition.label
 (** The label of the alternative with a number. *)
 
+val tie : t -> Ties.tie option
+(** What chance decides between urgent transitions now, if it does (rule Ties). *)
+
 val take : t -> int -> alternative
 (** Takes the alternative with a number and returns it. *)
 

@@ -27,7 +27,11 @@ type alternative = Event_run.alternative = {
 
 (** The possible transitions: their number, and the label of each by its number, from 0. The record is valid
     until the next step. *)
-type labels = { count : int; label : int -> Transition.label }
+type labels = {
+  count : int;
+  label : int -> Transition.label;
+  tie : Ties.tie option;  (** what chance decides between urgent transitions, if it does (rule Ties) *)
+}
 
 val labels : t -> (labels, Transition.fault) result
 (** The labels of {!Scc_semantics.Network.successors} of the present state, in that order. *)

@@ -34,8 +34,6 @@ let horizon plan =
 
 let until plan = Option.merge Rat.min (horizon plan) plan.until
 
-let is_free (s : Scc_engine.Run.alternative) ~among = among > 1 && not (Scc_semantics.Transition.is_drawn s.label)
-
 let run plan ~seed ~interrupted number =
   let chain = Chain.make plan.semantics and questions = Chain.questions plan.semantics plan.paths in
   let seen = Path.seen plan.paths in
@@ -50,8 +48,7 @@ let run plan ~seed ~interrupted number =
     (match event with Step _ -> incr steps | Start _ | Instant _ | End _ -> ());
     match event with
     | Start state -> Chain.start chain (Option.fold ~none:state ~some:(State.with_leaves state) seen)
-    | Step { taken; among; state; part; _ } when not !over ->
-      let free = is_free taken ~among in
+    | Step { taken; free; state; part; _ } when not !over ->
       if free && plan.free = Evenly then chosen := true;
       if free && plan.free = Apart then begin
         look ();
@@ -59,7 +56,8 @@ let run plan ~seed ~interrupted number =
         over := true
       end
       else begin
-        Chain.step chain taken.label (match seen with Some leaves -> part leaves | None -> state ());
+        let ({ label; _ } : Scc_engine.Run.alternative) = taken in
+        Chain.step chain label (match seen with Some leaves -> part leaves | None -> state ());
         if Chain.length chain >= !next then begin
           next := next_look !next;
           look ()
