@@ -34,6 +34,8 @@ type splits = {
 
 module Firsts = Map.Make (Int)
 
+(* Of a first leaf to which something has happened: whether it was that of a process before. *)
+type touch = Untouched | Was_there | Was_not_there
 
 type t = {
   semantics : Semantics.t;
@@ -43,22 +45,31 @@ type t = {
   homes : int array;  (** by leaf: the first leaf of the process that had it last *)
   mutable frame : State.t;  (** the movement step and the absolute time now, without processes *)
   mutable steered : int;  (** how many bodies laws move *)
+  mutable turns : Rat.t option;  (** the end of the movement step *)
   mutable now : Rat.t;  (** since the start *)
   mutable ages : int;
   colliding : (body, Transition.outcome) Colliding.t;  (** now, and since they met *)
   mutable splitting : splits Firsts.t;  (** those at a split instant now, or with a strong split *)
   mutable room : int;  (** how many events to keep before those out of date are dropped *)
   mutable asked : Rat.t;  (** when {!changes} were asked for last *)
-  mutable touched : bool Firsts.t;
-  (** since then: the first leaves of those to whom something has happened, and whether there was a process of that
-      first leaf then *)
+  mutable touched : int list;  (** since then: the first leaves of those to whom something has happened *)
+  touch : touch array;  (** by first leaf *)
 }
 
 let now t = t.now
 let model t = Semantics.model t.semantics
 let step t = t.frame.step
 let frame t = t.frame
-let set_step t step = t.frame <- State.at ~step ~time:t.frame.time t.frame
+
+let end_of now (step : State.step option) =
+  match step with
+  | Some { remaining; _ } when Rat.sign remaining > 0 -> Some (Rat.add now remaining)
+  | Some _ | None -> None
+
+let set_step t step =
+  t.turns <- end_of t.now step;
+  t.frame <- State.at ~step ~time:t.frame.time t.frame
+
 let any_steered t = t.steered > 0
 let work t = Flights.work t.flights
 
@@ -90,9 +101,21 @@ let watch t : Flights.watch =
     sweep_end = (fun time flight -> add t (Sweep_end { time; flight; sweep = flight.sweep }));
   }
 
+(* When the velocity of a body is likely to change: at the end of the step, if it draws. *)
+let turns t ~is_steered =
+  match t.turns with
+  | Some time when is_steered && Model.draws (model t) && Rat.compare time t.now >= 0 -> t.turns
+  | Some _ | None -> None
+
+let body t first =
+  match t.bodies.(first) with
+  | Some b -> b
+  | None -> Scc_base.Bug.fail __POS__ "no process begins with this leaf"
+
 let renew t f =
   Colliding.part t.colliding f.Flights.first;
-  Flights.renew t.flights ~now:t.now f (watch t)
+  let turns = turns t ~is_steered:(body t f.Flights.first).is_steered in
+  Flights.renew t.flights ~now:t.now ~turns f (watch t)
 
 (* {1 Processes that come, age and go} *)
 
@@ -103,8 +126,11 @@ let may_split t b = t.splitting <- Firsts.add b.flight.first { body = b; found =
 let cannot_split t first = t.splitting <- Firsts.remove first t.splitting
 
 let touch t first =
-  if not (Firsts.mem first t.touched) then
-    t.touched <- Firsts.add first (Option.is_some t.bodies.(first)) t.touched
+  match t.touch.(first) with
+  | Was_there | Was_not_there -> ()
+  | Untouched ->
+    t.touch.(first) <- (if Option.is_some t.bodies.(first) then Was_there else Was_not_there);
+    t.touched <- first :: t.touched
 
 (* For a process that is as it was just now. *)
 let schedule t b =
@@ -126,20 +152,14 @@ let schedule t b =
 
 let enter t (p : State.process) =
   let line = line t p in
-  let flight = Flights.launch t.flights ~now:t.now line (watch t) in
-  let b =
-    { process = line; since = t.now; age = -1; waits = false; is_steered = Process.steers (model t) p; flight }
-  in
+  let is_steered = Process.steers (model t) p in
+  let flight = Flights.launch t.flights ~now:t.now ~turns:(turns t ~is_steered) line (watch t) in
+  let b = { process = line; since = t.now; age = -1; waits = false; is_steered; flight } in
   if b.is_steered then t.steered <- t.steered + 1;
   touch t flight.first;
   t.bodies.(flight.first) <- Some b;
   Array.iter (fun (l : State.leaf) -> t.homes.(l.leaf) <- flight.first) p.leaves;
   schedule t b
-
-let body t first =
-  match t.bodies.(first) with
-  | Some b -> b
-  | None -> Scc_base.Bug.fail __POS__ "no process begins with this leaf"
 
 let velocity t first = (body t first).process.velocity
 
@@ -283,15 +303,20 @@ let pass t d =
 
 type changes = { gone : int list; come : State.process list }
 
+let forget_touched t =
+  List.iter (fun first -> t.touch.(first) <- Untouched) t.touched;
+  t.touched <- []
+
 let changes t =
   if Rat.compare t.asked t.now < 0 then
     Array.iter (Option.iter (fun b -> if b.waits then touch t b.flight.first)) t.bodies;
-  let touched = Firsts.bindings t.touched in
+  let touched = List.sort Int.compare t.touched in
+  let gone first = match t.touch.(first) with Was_there -> Some first | Was_not_there | Untouched -> None in
+  let come first = Option.map (present t) t.bodies.(first) in
+  let changes = { gone = List.filter_map gone touched; come = List.filter_map come touched } in
   t.asked <- t.now;
-  t.touched <- Firsts.empty;
-  let gone (first, was_there) = if was_there then Some first else None in
-  let come (first, _) = Option.map (present t) t.bodies.(first) in
-  { gone = List.filter_map gone touched; come = List.filter_map come touched }
+  forget_touched t;
+  changes
 
 let start semantics ~step (s : State.t) =
   let leaves = Array.length (Semantics.model semantics).leaves in
@@ -304,15 +329,17 @@ let start semantics ~step (s : State.t) =
       homes = Array.init leaves Fun.id;
       frame = State.make ~processes:[] ~step ~time:s.time;
       steered = 0;
+      turns = end_of Rat.zero step;
       now = Rat.zero;
       ages = 0;
       colliding = Colliding.create leaves ~first:(fun b -> b.flight.first) ~age:(fun b -> b.age);
       splitting = Firsts.empty;
       room = least_room;
       asked = Rat.zero;
-      touched = Firsts.empty;
+      touched = [];
+      touch = Array.make leaves Untouched;
     }
   in
   Spread.iter (fun p -> enter t (State.with_draw None p)) s.processes;
-  t.touched <- Firsts.empty;
+  forget_touched t;
   t

@@ -152,8 +152,8 @@ let label t i =
 
 let begin_steps t asked =
   let begun = Steer.begin_steps (model t) asked in
-  Bodies.turn t.bodies (Array.to_list begun.processes);
   Bodies.set_step t.bodies begun.step;
+  Bodies.turn t.bodies (Array.to_list begun.processes);
   if Array.length begun.processes > 0 then Steer.rules else []
 
 let steer t =

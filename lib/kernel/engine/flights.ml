@@ -25,6 +25,9 @@ type t = {
   boxes : Moving_boxes.t;
   owner : flight array;
   tree : Box_tree.t;
+  mutable turns : Rat.t;  (** when velocities change next, as far as it has been asked for *)
+  mutable near : float;  (** about the same *)
+  mutable ends : (int * Rat.t) list;  (** just after that, by grain: the ends of sweeps *)
   mutable sweeps : int;
   mutable neighbours : int;
   mutable casts : int;
@@ -54,6 +57,9 @@ let create semantics =
     boxes = Moving_boxes.create !total;
     owner = Array.make !total nobody;
     tree = Box_tree.create ();
+    turns = Rat.zero;
+    near = 0.;
+    ends = [];
     sweeps = 0;
     neighbours = 0;
     casts = 0;
@@ -71,23 +77,50 @@ let work (t : t) : work = { sweeps = t.sweeps; neighbours = t.neighbours; casts 
 let rounds_to_double = 4
 let most_rounds = 40
 let grains = 6
+let fraction = -3
 let clamp exponent = Int.max (-1000) (Int.min 1000 exponent)
 
-(* The time in which a process moves by about a quarter of its size, at first. *)
+(* The time in which a process moves by about a quarter of its size, at first: this power of two. *)
 let grain t f =
   let size = Array.fold_left (fun s i -> Float.max s (Float_box.extent t.solid.(i).box)) 0. f.parts in
   let speed q = Float.abs (Rat.to_float q) in
   let v = f.velocity in
   let fastest = Float.max (speed v.x) (Float.max (speed v.y) (speed v.z)) in
   let _, exponent = Float.frexp (size /. fastest) in
-  Rat.power_of_two (clamp exponent - 2 + (f.rounds / rounds_to_double))
+  clamp exponent - 2 + (f.rounds / rounds_to_double)
 
-let end_of_sweep t ~now f =
+(* A multiple of the grain that is later than a time, by so many grains at most. *)
+let after grain time grains =
+  let grain = Rat.power_of_two grain in
+  let ends = Z.add (Rat.floor (Rat.div time grain)) (Z.of_int grains) in
+  Rat.mul (Rat.make ends Z.one) grain
+
+(* The velocity is likely to change at the time [turns]. The sweep ends a little later, and so is not renewed at
+   that time. *)
+let note_turns t time =
+  if t.turns != time then begin
+    t.turns <- time;
+    t.near <- Rat.to_float time;
+    t.ends <- []
+  end
+
+let after_turns t time grain =
+  match List.assoc_opt grain t.ends with
+  | Some ends -> ends
+  | None ->
+    let ends = after (grain + fraction) time 1 in
+    t.ends <- (grain, ends) :: t.ends;
+    ends
+
+let end_of_sweep t ~now ~from ~turns f =
   if Vec.is_zero f.velocity || f.rounds > most_rounds then None
   else
     let grain = grain t f in
-    let ends = Z.add (Rat.floor (Rat.div now grain)) (Z.of_int grains) in
-    Some (Rat.mul (Rat.make ends Z.one) grain)
+    Option.iter (note_turns t) turns;
+    let far = from +. Float.ldexp (float_of_int grains) grain in
+    match turns with
+    | Some time when t.near < far -> Some (after_turns t time grain)
+    | Some _ | None -> Some (after grain now grains)
 
 (* {1 Collisions to come} *)
 
@@ -123,12 +156,12 @@ let look t ~now f watch =
 
 (* If two processes collide at a time during the present sweeps of both, then at that time both are inside of what
    they sweep, and touch: whoever was swept last has found the other in the tree. *)
-let sweep t ~now f watch =
+let sweep t ~now ~turns f watch =
   t.sweeps <- t.sweeps + 1;
   f.sweep <- t.sweeps;
-  let until = end_of_sweep t ~now f in
-  let bound = match until with None -> infinity | Some time -> Float_box.up time in
   let from = Float_box.down now in
+  let until = end_of_sweep t ~now ~from ~turns f in
+  let bound = match until with None -> infinity | Some time -> Float_box.up time in
   let insert i =
     Moving_boxes.set_until t.boxes i bound;
     Box_tree.insert t.tree i (Moving_boxes.swept t.boxes i ~from)
@@ -157,7 +190,7 @@ let place_parts t f (p : State.process) =
   in
   Array.iter place_leaf p.leaves
 
-let launch t ~now (line : State.process) watch =
+let launch t ~now ~turns (line : State.process) watch =
   let f =
     {
       nobody with
@@ -167,15 +200,15 @@ let launch t ~now (line : State.process) watch =
     }
   in
   place_parts t f line;
-  sweep t ~now f watch;
+  sweep t ~now ~turns f watch;
   f
 
 let clear t f = Array.iter (Box_tree.remove t.tree) f.parts
 
-let renew t ~now f watch =
+let renew t ~now ~turns f watch =
   clear t f;
   f.rounds <- f.rounds + 1;
-  sweep t ~now f watch
+  sweep t ~now ~turns f watch
 
 let drop t f =
   clear t f;

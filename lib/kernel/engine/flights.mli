@@ -32,13 +32,14 @@ type watch = {
 val create : Semantics.t -> t
 (** An empty set of flights for the model of this semantics, whose geometry computes the casts. *)
 
-val launch : t -> now:Rat.t -> State.process -> watch -> flight
-(** [launch t ~now line watch] adds the process with this line and sweeps it from [now] on. It calls [watch] for
+val launch : t -> now:Rat.t -> turns:Rat.t option -> State.process -> watch -> flight
+(** [launch t ~now ~turns line watch] adds the process with this line and sweeps it from [now] on, and not far
+    beyond [turns], the time at which its velocity is likely to change. It calls [watch] for
     the end of the sweep, if it has one, and for collisions with all processes launched before. These are the
     first collisions of two parts, one of each process, during the sweeps of both. *)
 
-val renew : t -> now:Rat.t -> flight -> watch -> unit
-(** [renew t ~now f watch] sweeps [f] once more, from [now] on and over time farther than before, and calls
+val renew : t -> now:Rat.t -> turns:Rat.t option -> flight -> watch -> unit
+(** [renew t ~now ~turns f watch] sweeps [f] once more, from [now] on and over time farther than before, and calls
     [watch] as {!launch} does. *)
 
 val drop : t -> flight -> unit
