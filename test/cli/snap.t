@@ -132,7 +132,7 @@ In a model.
   > check apart : always distance2(p, q) > 0
   > END
   $ scc check model.sc | head -3
-  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+  model.sc: warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
   semantics 3
   

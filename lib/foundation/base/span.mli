@@ -4,11 +4,15 @@ type t = private {
   file : string;  (** the name the user gave, never a resolved path *)
   start : int;  (** offset of the first byte *)
   stop : int;  (** offset after the last byte; [start <= stop] *)
+  whole : bool;  (** the span is of no place in the file, but of all of it *)
 }
 
 val make : file:string -> start:int -> stop:int -> t
 (** [make ~file ~start ~stop] is the span of the bytes from [start] to before [stop]. A [stop] before [start] is
     read as [start]. *)
+
+val whole : string -> t
+(** [whole file] is the span of a thing that is of a file as a whole. *)
 
 val merge : t -> t -> t
 (** [merge a b] is the least span that covers both. Both must be of one file; that of [a] is kept. *)
@@ -24,4 +28,4 @@ val command_line : t
 *)
 
 val equal : t -> t -> bool
-(** [equal a b] is true if file, start and stop are equal. *)
+(** [equal a b] is true if the two spans have the same file, start and stop, or the same whole file. *)

@@ -217,7 +217,7 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   Console.progress_done console;
   List.iter (Console.fault console) (Check.faults report);
   let verdicts, answers = split_at (List.length l.checks) report.outcomes in
-  Console.report console
+  Input.report console l
     (report.stats.faults @ report.stats.dead_ends @ Vacuity.warnings report ~verdicts ~answers);
   let code = write_outputs console extras path l report verdicts ~view expanded in
   let shown = if extras.where then report.where else [] in
