@@ -529,8 +529,10 @@ Where a bound ended an exploration in which event times grew ever slower, the ve
   together: holds (exhaustive), at split step 1
   explored: 11 states, 16 transitions, depth 5, model time 2; complete
   2 properties: 2 hold
+  $ scc check ../../specs/models/hexokinase.sc --check reaction --check together --store named | tail -1
+  2 properties: 2 hold
   $ scc check ../../specs/models/hexokinase.sc --check together --store named
-  named: error[SC0911]: it keeps something else: --check is together,reaction there, and together here
+  named: error[SC0911]: it keeps something else: --check is reaction,together there, and together here
   [3]
   $ scc check ../../specs/models/hexokinase.sc --check togther
   command line: error[SC0201]: the model has no check `togther`
