@@ -3,6 +3,8 @@ type t = { file : string; start : int; stop : int; whole : bool }
 let make ~file ~start ~stop = { file; start; stop = max start stop; whole = false }
 let whole file = { file; start = 0; stop = 0; whole = true }
 
+let of_file file = make ~file ~start:0 ~stop:0
+
 let merge a b =
   { a with start = min a.start b.start; stop = max a.stop b.stop }
 

@@ -12,7 +12,10 @@ val make : file:string -> start:int -> stop:int -> t
     read as [start]. *)
 
 val whole : string -> t
-(** [whole file] is the span of a thing that is of a file as a whole. *)
+(** [whole file] is the span of what is said of a file as a whole: it is reported without a line. *)
+
+val of_file : string -> t
+(** [of_file file] is the empty span at the start of a file, for what is said of the whole file. *)
 
 val merge : t -> t -> t
 (** [merge a b] is the least span that covers both. Both must be of one file; that of [a] is kept. *)

@@ -14,14 +14,9 @@ let named (l : Loaded.t) name =
   | found -> Ok found
 
 let of_names (l : Loaded.t) names =
-  let add found name =
-    let* found = found in
-    let* those = named l name in
-    Ok (those @ found)
-  in
-  let* chosen = List.fold_left add (Ok []) names in
+  let* chosen = Result.all (named l) names in
   let is_chosen (c : Property.check) =
-    List.exists (fun (d : Property.check) -> String.equal c.name d.name) chosen
+    List.exists (fun (d : Property.check) -> String.equal c.name d.name) (List.concat chosen)
   in
   Ok (List.filter is_chosen l.checks)
 
