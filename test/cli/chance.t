@@ -590,6 +590,9 @@ The probability within each time, up to the bound: a table, JSON and a picture.
   $ scc check $M/ruin.sc --curve by_five
   error[SC0208]: --curve: the model has no check `by_five'
   [3]
+  $ scc check $M/ruin.sc --check ends --curve by_four
+  error[SC0208]: --curve: `by_four' is not among the checks of --check: add `--check by_four'
+  [3]
 
 Collisions that chance puts in order (rule Ties): one number, also without reductions and from a kept exploration. Random
 runs have nothing free, and other tools get the tie as one action.

@@ -23,10 +23,10 @@ A mean has an interval where its number is in a range. Of others nothing is know
     47 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   [2]
   $ scc estimate $M/ruin.sc --check drift --check how_long --runs 500 --seed 7
-  drift: undecided: the mean of these runs alone is -0.254, with the standard deviation 1.08436, 500 runs
+  how_long: undecided: the mean of these runs alone is 5.372, with the standard deviation 4.048506, 500 runs
     no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
   
-  how_long: undecided: the mean of these runs alone is 5.372, with the standard deviation 4.048506, 500 runs
+  drift: undecided: the mean of these runs alone is -0.254, with the standard deviation 1.08436, 500 runs
     no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
   [2]
   $ cat > rare.sc <<'END'

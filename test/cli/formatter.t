@@ -37,7 +37,7 @@ The canonical layout: comments stay, formatting twice changes nothing.
 The meaning stays.
 
   $ scc check model.sc
-  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+  model.sc: warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
   semantics 3
   
@@ -53,7 +53,7 @@ The meaning stays.
   explored: 2 states, 1 transition, depth 1, model time 1/2; complete
   1 property: 1 holds
   $ scc check once.sc > /dev/null
-  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+  once.sc: warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
 
 Every model of the examples can be formatted, and the result again without change.

@@ -16,7 +16,7 @@ Limits hold for numbers, and each document is there as a whole or not at all.
 A number that doubles its length in each step.
 
   $ scc check grow.sc
-  warning[SC0705]: the velocity of `p` takes 131073 bits after 16 transitions, and what follows is not explored
+  grow.sc: warning[SC0705]: the velocity of `p` takes 131073 bits after 16 transitions, and what follows is not explored
     hint: `round velocity 2^-k`, or `round(e, q)` in a law of motion, keeps numbers short; `--bits N` lets them grow
   semantics 3: timestep 1
   
@@ -30,7 +30,7 @@ A number that doubles its length in each step.
   1 property: 1 holds up to the bound
   [2]
   $ scc check grow.sc --bits 1000 | tail -2
-  warning[SC0705]: the velocity of `p` takes 1025 bits after 9 transitions, and what follows is not explored
+  grow.sc: warning[SC0705]: the velocity of `p` takes 1025 bits after 9 transitions, and what follows is not explored
     hint: `round velocity 2^-k`, or `round(e, q)` in a law of motion, keeps numbers short; `--bits N` lets them grow
   explored: 10 states, 9 transitions, depth 9, model time 9; not complete: stopped by the bound of 1000 bits for a number
   1 property: 1 holds up to the bound
@@ -49,12 +49,12 @@ A number that doubles its length in each step.
 What cannot be written keeps nothing else from being told.
 
   $ scc check grow.sc --sarif nowhere/log.sarif | tail -1
-  warning[SC0705]: the velocity of `p` takes 131073 bits after 16 transitions, and what follows is not explored
+  grow.sc: warning[SC0705]: the velocity of `p` takes 131073 bits after 16 transitions, and what follows is not explored
     hint: `round velocity 2^-k`, or `round(e, q)` in a law of motion, keeps numbers short; `--bits N` lets them grow
   nowhere/log.sarif: error[SC0103]: cannot write: No such file or directory
   1 property: 1 holds up to the bound
   $ scc check grow.sc --sarif nowhere/log.sarif > /dev/null
-  warning[SC0705]: the velocity of `p` takes 131073 bits after 16 transitions, and what follows is not explored
+  grow.sc: warning[SC0705]: the velocity of `p` takes 131073 bits after 16 transitions, and what follows is not explored
     hint: `round velocity 2^-k`, or `round(e, q)` in a law of motion, keeps numbers short; `--bits N` lets them grow
   nowhere/log.sarif: error[SC0103]: cannot write: No such file or directory
   [74]
@@ -65,7 +65,7 @@ What cannot be written keeps nothing else from being told.
     "exit": 74,
   $ echo before > log.sarif; chmod 640 log.sarif; ln -s log.sarif link.sarif
   $ scc check grow.sc --sarif link.sarif > /dev/null
-  warning[SC0705]: the velocity of `p` takes 131073 bits after 16 transitions, and what follows is not explored
+  grow.sc: warning[SC0705]: the velocity of `p` takes 131073 bits after 16 transitions, and what follows is not explored
     hint: `round velocity 2^-k`, or `round(e, q)` in a law of motion, keeps numbers short; `--bits N` lets them grow
   [2]
   $ head -c 1 log.sarif; stat -c %a log.sarif; readlink link.sarif

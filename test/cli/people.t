@@ -2,7 +2,7 @@ A model that holds because nothing happens is told so, without being asked:
 
   $ models=../../specs/models
   $ scc check $models/vacuous.sc > /dev/null
-  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+  ../../specs/models/vacuous.sc: warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
   ../../specs/models/vacuous.sc:22:26: warning[SC0702]: no run ever meets `bound(ball, plate)`, so that what `no_loss` says of it is never asked
       |
@@ -113,6 +113,7 @@ SARIF has the faults of a model, its warnings, and what is violated or undecided
   "invocations": [{"executionSuccessful": true, "exitCode": 0}],
   "ruleId": "SC0703",
   "level": "warning",
+  "region": {"startLine": 1, "startColumn": 1, "endLine": 1, "endColumn": 1}
   "ruleId": "SC0702",
   "level": "warning",
   "region": {"startLine": 22, "startColumn": 26, "endLine": 22, "endColumn": 44}

@@ -77,7 +77,7 @@ A value, or a narrower range, may be given:
     probability 1/5 = 0.2
   
   $ scc check meet.sc -D 'y=[2,3)' -D z=0 --where | sed -n '/^met/,/^$/p'
-  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+  meet.sc: warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
   meet.sc:11:22: warning[SC0702]: no run ever meets `bound(p, q)`, so that what `near` says of it is never asked
       |

@@ -156,7 +156,7 @@ axis, the energy of one whose orientation is rounded, and the place of a part of
   > check place   : always x(p) = 0
   > EOF
   $ scc check free.sc
-  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+  free.sc: warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
   semantics 3: timestep 1, dynamics free_body, resolution 1/524288
   
@@ -174,7 +174,7 @@ axis, the energy of one whose orientation is rounded, and the place of a part of
   [2]
   $ sed 's/dynamics free_body/dynamics constant_spin round orientation 2^-3/; s/always wx(p) < 2/always energy = energy + 0 * wx(p)/' free.sc > rounded.sc
   $ scc check rounded.sc
-  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+  rounded.sc: warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
   semantics 3: timestep 1, dynamics constant_spin, resolution 1/524288, round orientation 2^-3
   

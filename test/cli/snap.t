@@ -96,7 +96,7 @@ How far is told where that is too far, and what else is in the way.
   $ sed 's/^3 3 4 5$/3 3 5 4/' prism.off > turned.off
   $ scc shape --snap 1e-3 turned.off
   error[SC0322]: this cannot be snapped: no small move of its vertices mends it: face f4 is turned over: it runs the other way round than its neighbours
-    hint: reverse the order of the corners of f4
+    hint: reverse the order of the corners of f4: [v3,v4,v5]
   [3]
   $ sed '$d; s/6 5 0/6 4 0/' prism.off > open.off
   $ scc shape --snap 1e-3 open.off
@@ -132,7 +132,7 @@ In a model.
   > check apart : always distance2(p, q) > 0
   > END
   $ scc check model.sc | head -3
-  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+  model.sc: warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
   semantics 3
   

@@ -77,7 +77,7 @@ Also with a limit of time that falls between two events, and with parameters, wh
 The witness of a violated property leads to the violating state: right after x(p) passes 3 in this model.
 
   $ scc check ../../specs/models/drift.sc --witness runs > /dev/null
-  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+  ../../specs/models/drift.sc: warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
   [1]
   $ ls runs | LC_ALL=C sort

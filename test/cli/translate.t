@@ -85,7 +85,7 @@ A model in the language may import one in XML, as one in XML does the other.
   > check moves : eventually x(w) > 1
   > END
   $ scc check w.sc | tail -n 1
-  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+  w.sc: warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
   1 property: 1 holds
   $ scc shape solids.xml:Wedge | head -n 2

@@ -86,7 +86,7 @@ The main job: a verdict for every property, with a witness.
   8 properties: 7 hold, 1 violated
   [1]
   $ scc check ../../specs/models/drift.sc
-  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+  ../../specs/models/drift.sc: warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
   semantics 3
   
@@ -216,10 +216,10 @@ user; the model is refused; the command line is wrong.
   > check slow : always vx(p) >= 0
   > END
   $ scc check ../../specs/models/figure5.sc > /dev/null
-  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+  ../../specs/models/figure5.sc: warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
   $ scc check ../../specs/models/drift.sc > /dev/null
-  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+  ../../specs/models/drift.sc: warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
   [1]
 Checks that see time differently are explored apart; that nothing happens is told all the same:
@@ -231,7 +231,7 @@ Checks that see time differently are explored apart; that nothing happens is tol
   > check now : possibly x(p) + time < 1
   > END
   $ scc check rest.sc 2>&1 | grep -E 'SC0703|explored'
-  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+  rest.sc: warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
   explored: 2 states, 0 transitions, depth 0, model time 0; not complete: every property was decided before
 
   $ scc check forever.sc --states 100
@@ -529,8 +529,10 @@ Where a bound ended an exploration in which event times grew ever slower, the ve
   together: holds (exhaustive), at split step 1
   explored: 11 states, 16 transitions, depth 5, model time 2; complete
   2 properties: 2 hold
+  $ scc check ../../specs/models/hexokinase.sc --check reaction --check together --store named | tail -1
+  2 properties: 2 hold
   $ scc check ../../specs/models/hexokinase.sc --check together --store named
-  named: error[SC0911]: it keeps something else: --check is together,reaction there, and together here
+  named: error[SC0911]: it keeps something else: --check is reaction,together there, and together here
   [3]
   $ scc check ../../specs/models/hexokinase.sc --check togther
   command line: error[SC0201]: the model has no check `togther`

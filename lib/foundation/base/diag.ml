@@ -96,6 +96,8 @@ let excerpt source (span : Span.t) =
     (String.make (max 0 (c1 - 1 - first)) ' ')
     (String.make carets '^')
 
+let of_file file d = if Span.is_none d.span then { d with span = Span.whole file } else d
+
 let place source (span : Span.t) =
   match source with
   | Some s ->
@@ -105,7 +107,7 @@ let place source (span : Span.t) =
 
 let render ~source d =
   let b = Buffer.create 256 in
-  let find (span : Span.t) = if Span.is_none span then None else source span.file in
+  let find (span : Span.t) = if Span.is_none span || span.whole then None else source span.file in
   let line text = Buffer.add_string b (Visible.line text ^ "\n") in
   let shown span = Option.iter (fun s -> Buffer.add_string b (excerpt s span)) (find span) in
   let severity = match d.severity with Error -> "error" | Warning -> "warning" in

@@ -29,6 +29,9 @@ val warning :
   'a
 (** [warning code span fmt ...] is a warning with the message [fmt ...]. *)
 
+val of_file : string -> t -> t
+(** [of_file file d] is [d], with {!Span.whole} of the file for its place if it has none. *)
+
 val is_error : t -> bool
 (** [is_error d] is true for an error, and false for a warning. *)
 

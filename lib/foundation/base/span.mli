@@ -4,11 +4,15 @@ type t = private {
   file : string;  (** the name the user gave, never a resolved path *)
   start : int;  (** offset of the first byte *)
   stop : int;  (** offset after the last byte; [start <= stop] *)
+  whole : bool;  (** the span is of no place in the file, but of all of it *)
 }
 
 val make : file:string -> start:int -> stop:int -> t
 (** [make ~file ~start ~stop] is the span of the bytes from [start] to before [stop]. A [stop] before [start] is
     read as [start]. *)
+
+val whole : string -> t
+(** [whole file] is the span of what is said of a file as a whole: it is reported without a line. *)
 
 val of_file : string -> t
 (** [of_file file] is the empty span at the start of a file, for what is said of the whole file. *)
@@ -27,4 +31,4 @@ val command_line : t
 *)
 
 val equal : t -> t -> bool
-(** [equal a b] is true if file, start and stop are equal. *)
+(** [equal a b] is true if the two spans have the same file, start and stop, or the same whole file. *)

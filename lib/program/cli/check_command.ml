@@ -146,11 +146,11 @@ let options console (budget : Budget.t) (extras : Check_extras.t) ~watch ~measur
   }
 
 (* Options that the model does not go with. *)
-let fitting (extras : Check_extras.t) (l : Loaded.t) ~zones ~where =
+let fitting (extras : Check_extras.t) (l : Loaded.t) ~declared ~zones ~where =
   (* Coverage lists states one by one. *)
   let* () = if zones && extras.coverage then Result.map ignore (Ordinary.refuse l) else Ok () in
   let* () = Verdicts.refused l ~prove:extras.prove in
-  let* () = Curve_output.refused l ~drawn:(Option.is_some extras.plot) extras.curve in
+  let* () = Curve_output.refused l ~declared ~drawn:(Option.is_some extras.plot) extras.curve in
   if where then Ordinary.has_ranges l else Ok ()
 
 (* Writes the files that were asked for. The code that the command ends with: a file that cannot be written is
@@ -181,17 +181,19 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let measured = Measured.start () in
   let* l = Measured.phase measured "read" (fun () ->
       Input.model console ~overrides:given.values ~narrowed:given.narrowed path) in
+  let declared = l.checks in
   let* l = Chosen_checks.only l extras.checks in
   let zones = Verdicts.over_zones l in
   let where = extras.where || Option.is_some extras.smt || Option.is_some extras.draw in
-  let* () = fitting extras l ~zones ~where in
+  let* () = fitting extras l ~declared ~zones ~where in
   let* view = view extras l in
   Console.report console (l.warnings @ Vacuity.impossible l);
   let* initial = Loaded.initial l in
   let* () = if zones && Option.is_some extras.store then Expanded.no_sets else Ok () in
   let* expanded =
     let memory = Footprint.at_most (Check_options.words budget) in
-    Expanded.openly console ~jobs:extras.jobs ~store:extras.store ~memory (Check_extras.explored extras budget) l
+    let explored = Check_extras.explored extras ~checks:l.checks budget in
+    Expanded.openly console ~jobs:extras.jobs ~store:extras.store ~memory explored l
   in
   let options = options console budget extras ~watch ~measured expanded in
   (* What an invariant decides need not be explored: then nothing is known of premises. *)
@@ -217,7 +219,7 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   Console.progress_done console;
   List.iter (Console.fault console) (Check.faults report);
   let verdicts, answers = split_at (List.length l.checks) report.outcomes in
-  Console.report console
+  Input.report console l
     (report.stats.faults @ report.stats.dead_ends @ Vacuity.warnings report ~verdicts ~answers);
   let code = write_outputs console extras path l report verdicts ~view expanded in
   let shown = if extras.where then report.where else [] in

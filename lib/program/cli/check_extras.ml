@@ -141,11 +141,13 @@ let store =
   in
   Kept.option ~doc
 
-let explored e (budget : Scc_verdicts.Budget.t) =
+let explored e ~(checks : Scc_property.Property.check list) (budget : Scc_verdicts.Budget.t) =
   let number = function None -> "default" | Some n -> string_of_int n in
   [
     ("what is kept", "explorations of scc check");
-    ("--check", match e.checks with [] -> "not given" | names -> String.concat "," names);
+    ("--check", match e.checks with
+      | [] -> "not given"
+      | _ :: _ -> String.concat "," (List.map (fun (c : Scc_property.Property.check) -> c.name) checks));
     ("--no-reduce", String.concat "," (List.filter_map (fun k ->
          if List.exists (Reduction.equal k) e.reductions then None else Some (Reduction.name k)) Reduction.all));
     ("--shortest", match e.order with State_graph.By_steps -> "steps" | By_time -> "time");

@@ -27,9 +27,10 @@ type t = {
 val term : t Cmdliner.Term.t
 (** All options of this record. *)
 
-val explored : t -> Scc_verdicts.Budget.t -> (string * string) list
-(** The options on which a graph depends, with their values, by name. Options that only end the work early are
-    left out. *)
+val explored :
+  t -> checks:Scc_property.Property.check list -> Scc_verdicts.Budget.t -> (string * string) list
+(** The options on which a graph of these checks depends, with their values, by name. Options that only end the
+    work early are left out. *)
 
 val reductions : Scc_state_space.Reduction.kind list Cmdliner.Term.t
 (** The option [--no-reduce]: the reductions that remain. *)

@@ -13,13 +13,18 @@ let named (l : Loaded.t) name =
   | [] -> Error [ Input.no_check Code.unknown_name Span.command_line name l.checks ]
   | found -> Ok found
 
-let of_names l names = Result.map List.concat (Result.all (named l) names)
+let of_names (l : Loaded.t) names =
+  let* chosen = Result.all (named l) names in
+  let is_chosen (c : Property.check) =
+    List.exists (fun (d : Property.check) -> String.equal c.name d.name) (List.concat chosen)
+  in
+  Ok (List.filter is_chosen l.checks)
 
 let only (l : Loaded.t) = function
   | [] -> Ok l
   | names ->
-    let* chosen = of_names l names in
-    let is_chosen (c : Property.check) =
-      List.exists (fun (d : Property.check) -> String.equal c.name d.name) chosen
+    let* checks = of_names l names in
+    let is_chosen (p : Property.check) =
+      List.exists (fun (c : Property.check) -> String.equal c.name p.name) checks
     in
-    Ok { l with checks = List.filter is_chosen l.checks; premises = List.filter is_chosen l.premises }
+    Ok { l with checks; premises = List.filter is_chosen l.premises }

@@ -66,7 +66,7 @@ let load_model console options ?renamed ~overrides path =
   let* initial = Scc_loading.Loaded.initial model in
   let space = Explored.explore options model.semantics ~initial in
   Console.progress_done console;
-  Console.report console (space.faults @ space.dead_ends);
+  Input.report console model (space.faults @ space.dead_ends);
   let rec known s = s = space.size || (space.expanded s && known (s + 1)) in
   let graph = Later.make (fun () -> graph_of_space ?renamed space) in
   Ok { path; source = Model { model; space }; graph; complete = known 0 }

@@ -11,14 +11,17 @@ let end_of (check : Property.check) =
   | How_likely _, (Finally (_, bound, _) | Globally (_, bound, _) | Until (_, bound, _, _)) -> bound.high
   | _ -> None
 
-let refused (l : Loaded.t) ~drawn name =
+let refused (l : Loaded.t) ~declared ~drawn name =
   let refuse option message = Error [ Diag.error Code.bad_value Span.none "%s: %s" option message ] in
   let fail = refuse "--curve" in
   match name with
   | None when drawn -> refuse "--curve-plot" "of which check? Give `--curve NAME` as well"
   | None -> Ok ()
   | Some name -> (
-      match List.find_opt (fun (c : Property.check) -> String.equal c.name name) l.checks with
+      let is_named (c : Property.check) = String.equal c.name name in
+      match List.find_opt is_named l.checks with
+      | None when List.exists is_named declared ->
+        fail (Printf.sprintf "`%s' is not among the checks of --check: add `--check %s'" name name)
       | None -> fail (Printf.sprintf "the model has no check `%s'" name)
       | Some check when Option.is_none (end_of check) ->
         fail

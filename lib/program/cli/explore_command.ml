@@ -137,7 +137,7 @@ let ordinarily console o watch (loaded : Loaded.t) format =
   let space = Explored.explore options loaded.semantics ~initial in
   Watch.finish ~grace:seconds_to_write watch;
   Console.progress_done console;
-  Console.report console (space.faults @ space.dead_ends);
+  Input.report console loaded (space.faults @ space.dead_ends);
   let exported = { Exported.loaded; space } in
   let files, notes = files o format exported in
   let* () = write_all console o files in

@@ -97,6 +97,9 @@ let placed given (d : Diag.t) =
   if Span.is_none d.span && List.mem d.code of_parameters then { d with span = given }
   else d
 
+let report console (l : Scc_loading.Loaded.t) diagnostics =
+  Console.report console (List.map (Diag.of_file (Source.name l.source)) diagnostics)
+
 let no_check code at name checks =
   let names = List.map (fun (c : Scc_property.Property.check) -> c.name) checks in
   Diag.error code at ?hint:(Diag.suggest name names) "the model has no check `%s`" name

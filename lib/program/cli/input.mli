@@ -30,6 +30,10 @@ val given : Console.t -> name:string -> string -> Source.t
 val check_overrides : string list -> (unit, Diag.t list) result
 (** Checks the names of parameters with values on the command line. A name that occurs twice is SC0212. *)
 
+val report : Console.t -> Scc_loading.Loaded.t -> Diag.t list -> unit
+(** [report console l diagnostics] reports what was found in the model; what is of no place in it is reported of
+    its file. *)
+
 val no_check : Code.t -> Span.t -> string -> Scc_property.Property.check list -> Diag.t
 (** [no_check code at name checks] is the error that the model has no check [name]. Its hint is a similar name. *)
 

@@ -5,7 +5,7 @@ type t =
   | Short_face of int
   | Open_edge of int * int * int
   | Repeated_edge of int * int * int * int
-  | Turned_face of int
+  | Turned_face of int * int array
   | Same_position of int * int
   | Unused_vertex of int
   | Off_plane of int * int
@@ -65,7 +65,7 @@ let message ~vertex ~face =
     say "face %s runs from %s to %s twice" (face f) (vertex v) (vertex w)
   | Repeated_edge (f, g, v, w) ->
     say "faces %s and %s both run from %s to %s" (face f) (face g) (vertex v) (vertex w)
-  | Turned_face f -> say "face %s is turned over: it runs the other way round than its neighbours" (face f)
+  | Turned_face (f, _) -> say "face %s is turned over: it runs the other way round than its neighbours" (face f)
   | Same_position (v, w) -> say "vertices %s and %s have the same position" (vertex v) (vertex w)
   | Unused_vertex v -> say "vertex %s is used by no face" (vertex v)
   | Off_plane (f, v) -> say "face %s is not planar: %s is off its plane" (face f) (vertex v)
@@ -83,11 +83,17 @@ let message ~vertex ~face =
   | Separate_solids (f, g) ->
     say "these are separate solids: faces %s and %s are not connected through edges" (face f) (face g)
 
+(* More of them would hide what is said. *)
+let most_corners = 12
+
 let hint ~vertex ~face = function
   | No_faces -> Some "of points alone scc shape --hull makes a solid, their convex hull"
   | Coplanar_neighbours (f, g) -> Some (Printf.sprintf "merge %s and %s into one face" (face f) (face g))
   | Inward -> Some "reverse the order of the corners of every face"
-  | Turned_face f -> Some (Printf.sprintf "reverse the order of the corners of %s" (face f))
+  | Turned_face (f, corners) ->
+    let reverse = Printf.sprintf "reverse the order of the corners of %s" (face f) in
+    if Array.length corners > most_corners then Some reverse
+    else Some (Printf.sprintf "%s: [%s]" reverse (String.concat "," (List.map vertex (Array.to_list corners))))
   | Same_position (v, w) ->
     Some (Printf.sprintf "use %s in place of %s in every face" (vertex v) (vertex w))
   | Unused_vertex v -> Some (Printf.sprintf "remove %s" (vertex v))

@@ -7,7 +7,8 @@ type t =
   | Short_face of int  (** fewer than three corners *)
   | Open_edge of int * int * int  (** E2: face; its directed edge v, w has no reverse *)
   | Repeated_edge of int * int * int * int  (** E1: the directed edge v, w occurs in both these faces *)
-  | Turned_face of int  (** E1: the face runs the other way round than its neighbours *)
+  | Turned_face of int * int array
+  (** E1: the face runs the other way round than its neighbours; its corners in the right order *)
   | Same_position of int * int  (** E3: two vertices *)
   | Unused_vertex of int  (** E3 *)
   | Off_plane of int * int  (** E4: face, vertex off the plane of its other corners *)

@@ -67,12 +67,12 @@ let walk step note root value =
 
 let is_turned side = Option.value ~default:false side
 
-(* If every unordered edge lies in exactly two faces and one can turn some faces over so that all
+(* If every unordered edge lies in at most two faces and one can turn some faces over so that all
    orientations agree: the smaller choice of faces to turn in each piece. *)
 let turned s =
   let table = uses s in
-  let two = Table.fold (fun _ l ok -> ok && List.length l = 2) table true in
-  if not two then None
+  let at_most_two = Table.fold (fun _ l ok -> ok && List.compare_length_with l 2 <= 0) table true in
+  if not at_most_two then None
   else
     let side = Array.make (Array.length s.faces) None in
     let neighbours f =
@@ -94,6 +94,7 @@ let turned s =
       | [ (a, d); (b, e) ] ->
         let same_side = Option.equal Bool.equal side.(a) side.(b) in
         a <> b && Bool.equal same_side (not (Bool.equal d e))
+      | [ _ ] -> true
       | _ -> false
     in
     let smaller = ref [] in
@@ -121,13 +122,19 @@ let open_edges s =
   Array.iteri (fun f face -> found := fold_edges (add f) !found face) s.faces;
   List.rev !found
 
+(* The other way round from the same corner on. *)
+let reversed (face : int array) =
+  let n = Array.length face in
+  Array.init n (fun i -> face.((n - i) mod n))
+
 let edge_faults s =
   let repeated =
     List.rev_map (fun (g, f, v, w) -> Polyhedron_fault.Repeated_edge (g, f, v, w)) s.repeated
   in
   let turned_faces = match repeated with [] -> None | _ :: _ -> turned s in
   match turned_faces with
-  | Some (_ :: _ as faces) -> List.map (fun f -> Polyhedron_fault.Turned_face f) faces
+  | Some (_ :: _ as faces) ->
+    List.map (fun f -> Polyhedron_fault.Turned_face (f, reversed s.faces.(f))) faces @ open_edges s
   | Some [] | None -> List.rev_append (List.rev repeated) (open_edges s)
 
 let pieces s =

@@ -8,10 +8,9 @@ val make : int -> int array array -> t
 (** [make vertex_count faces] has the directed edges of the faces. Linear time. *)
 
 val edge_faults : t -> Polyhedron_fault.t list
-(** The faults against E1 and E2; empty iff both hold. If the only fault is that some faces run the other way
-    round than their neighbours, these faces are returned ([Turned_face]). Otherwise each repeated edge and
-    each edge without its reverse is returned. An edge that is repeated is not also reported as open. In the
-    order of the faces. *)
+(** The faults against E1 and E2; empty iff both hold. If edges are repeated only since some faces run the other
+    way round than their neighbours, these faces are returned ([Turned_face]), and otherwise each repeated edge.
+    Each edge without its reverse is returned as well, unless it is repeated. In the order of the faces. *)
 
 val across : t -> int -> int -> int * int
 (** [across s v w], when E1 and E2 hold, is the face that runs from [w] to [v], and the place of [w] in its

@@ -124,11 +124,20 @@ let test_transform () =
 
 (* {1 Definition 4.3: faults, the most telling first} *)
 
+(* What the reverse of a face should have been, from the first corner of the reverse on. *)
+let from_last face =
+  let n = Array.length face in
+  Array.init n (fun i -> face.((i + n - 1) mod n))
+
 let test_faults () =
   let v = corners 0 in
   expect "the cube" v sides [];
   expect "inside out" v (Array.map turn sides) [ Inward ];
-  expect "one face turned" v (replace sides 2 (turn sides.(2))) [ Turned_face 2 ];
+  expect "one face turned" v (replace sides 2 (turn sides.(2))) [ Turned_face (2, from_last (snd sides.(2))) ];
+  expect "one face turned, and no lid" v
+    (Array.of_list (List.filter (fun (n, _) -> n <> "top") (Array.to_list (replace sides 2 (turn sides.(2))))))
+    [ Turned_face (1, from_last (snd sides.(2))); Open_edge (1, 7, 4); Open_edge (2, 6, 5); Open_edge (3, 5, 4);
+      Open_edge (4, 7, 6) ];
   let other = Array.map (fun (n, f) -> ("x" ^ n, Array.map (fun i -> i + 8) f)) sides in
   let names = Array.map (fun (n, p) -> ("x" ^ n, p)) (corners 5) in
   expect "two cubes" (Array.append v names) (Array.append sides other) [ Separate_solids (0, 6) ];

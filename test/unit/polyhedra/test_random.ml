@@ -207,7 +207,7 @@ let without_a_face =
 let turned_face =
   law "a turned face is named" (G.map (fun s -> apply s (Turn 1)) some_hull) (fun s ->
       match Polyhedron.of_ifs (to_ifs s) with
-      | Error [ Turned_face 1 ] -> true
+      | Error [ Turned_face (1, _) ] -> true
       | Error faults ->
         (* In a tetrahedron three may as well be called turned; never more than half. *)
         2 * List.length faults <= Array.length s.faces
