@@ -16,7 +16,8 @@ type plan = {
 }
 
 type bound = Steps | Time | Instant
-type outcome = Truth of bool | Number of Rat.t | Never | Free | Too_long of bound | No_value of string
+type choice = Walkers_bounce | Elsewhere
+type outcome = Truth of bool | Number of Rat.t | Never | Free of choice | Too_long of bound | No_value of string
 
 (* What was asked is looked for after so many states, half as many again, and so on. *)
 let first_look = 8
@@ -33,6 +34,12 @@ let until plan = Option.merge Rat.min (horizon plan) plan.until
 
 let is_free (s : Scc_engine.Run.alternative) ~among = among > 1 && not (Scc_semantics.Transition.is_drawn s.label)
 
+(* Where bodies turn or velocities are rounded, walkers cannot wait (rule Blocked). *)
+let choice (m : Model.t) : Transition.label -> choice = function
+  | Bounce { firsts; _ } when m.blocked = Bounce && Option.is_none m.rigid && Option.is_none m.round_velocity ->
+    if List.exists (fun leaf -> Law.draws m.leaves.(leaf).law) firsts then Walkers_bounce else Elsewhere
+  | _ -> Elsewhere
+
 let run plan ~seed number =
   let chain = Chain.make plan.semantics and questions = Chain.questions plan.semantics plan.paths in
   let next = ref first_look and found = ref [] and over = ref false and chosen = ref false in
@@ -40,7 +47,7 @@ let run plan ~seed number =
     found := Chain.answers questions chain;
     if List.for_all (fun (a : Chain.answer) -> a <> Open) !found then over := true
   in
-  let stopped_by_choice = ref false and steps = ref 0 and bound = ref Time in
+  let stopped_by_choice = ref None and steps = ref 0 and bound = ref Time in
   let note (event : Replay.event) =
     (match event with Step _ -> incr steps | Start _ | Instant _ | End _ -> ());
     match event with
@@ -50,7 +57,7 @@ let run plan ~seed number =
       if free && plan.free = Evenly then chosen := true;
       if free && plan.free = Apart then begin
         look ();
-        stopped_by_choice := not !over;
+        if not !over then stopped_by_choice := Some (choice (Semantics.model plan.semantics) taken.label);
         over := true
       end
       else begin
@@ -78,6 +85,6 @@ let run plan ~seed number =
     | Never -> Never
     | No_value why -> No_value why
     | Open when Chain.is_over chain -> No_value "something that it asks for has no value there"
-    | Open -> if !stopped_by_choice then Free else Too_long !bound
+    | Open -> Option.fold ~none:(Too_long !bound) ~some:(fun choice -> Free choice) !stopped_by_choice
   in
   (List.map outcome !found, !chosen)
