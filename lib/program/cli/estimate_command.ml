@@ -303,8 +303,8 @@ let command =
       (Exit_code.Holds, "if every comparison is estimated to hold, and every number is estimated. No proof.");
       (Exit_code.Violated, "if some comparison is estimated to be violated.");
       ( Exit_code.Undecided,
-        "if some property is undecided or sampled, as the mean of a number without a range, or some interval is wider \
-         than requested." );
+        "if some property is undecided, or sampled as a mean without a range, or some interval is wider than \
+         requested." );
       (Exit_code.Stopped, "if it was stopped: the answers rest on the runs that were made.");
     ]
   in

@@ -19,8 +19,8 @@ type t = {
 
 let empty =
   {
-    runs = 0; yes = 0; no = 0; free = 0; bounces = 0; too_long = 0; bounds = []; never = 0; no_value = 0; why = None;
-    numbers = 0; sum = Rat.zero; squares = Rat.zero;
+    runs = 0; yes = 0; no = 0; free = 0; bounces = 0; too_long = 0; bounds = []; never = 0; no_value = 0;
+    why = None; numbers = 0; sum = Rat.zero; squares = Rat.zero;
   }
 
 let add t (o : Sample.outcome) =
