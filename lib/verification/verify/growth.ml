@@ -23,12 +23,6 @@ type cause =
 let window = 48
 let spread = 32
 
-(* States found last. *)
-let sample = 2048
-
-(* Those among them whose transitions are looked at. *)
-let looked_into = 128
-
 (* A path shorter than this tells nothing. *)
 let fewest = 12
 
@@ -221,65 +215,6 @@ let leaves_all c states =
   if n < fewest || Array.length states.(0).State.processes < 2 then None
   else List.find_map goes (Array.to_list states.(n - 1).State.processes)
 
-(** {2 Many states of one instant} *)
-
-module Instants = Map.Make (struct
-    type t = Rat.t
-
-    let compare = Rat.compare
-  end)
-
-type choices = { others : int; splits : int; draws : int }
-
-(* In how many ways an event of each kind was one of several at a state. *)
-let choices context graph states =
-  let add found i =
-    let label (e : Graph.edge) = Catalogue.single (Network_lts.catalogue context) e.label in
-    let labels = List.filter_map label (Array.to_list (Graph.edges graph i)) in
-    let is_event : Transition.label -> bool = function
-      | Time _ | Draw _ | Lot _ -> false
-      | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> true
-    in
-    let events = List.filter is_event labels in
-    let is_split : Transition.label -> bool = function
-      | Weak_split _ -> true
-      | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Strong_split _ | Draw _ | Lot _ -> false
-    in
-    let is_drawn : Transition.label -> bool = function
-      | Draw _ | Lot _ -> true
-      | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> false
-    in
-    let weak = List.length (List.filter is_split events) in
-    (* A weak split is a choice by itself: it can be put off. *)
-    let other = List.length events - weak in
-    let drawn = List.length (List.filter is_drawn labels) in
-    {
-      others = (found.others + if other > 1 then other else 0);
-      splits = found.splits + weak;
-      draws = (found.draws + if drawn > 1 then drawn else 0);
-    }
-  in
-  List.fold_left add { others = 0; splits = 0; draws = 0 } states
-
-(* States found last, most of which are not expanded: of those before them the transitions are known. *)
-let crowded context graph =
-  let n = Graph.size graph in
-  let first = Int.max 0 (n - sample) in
-  let states = n - first in
-  let count found i =
-    Instants.update (Graph.arrival graph i) (fun c -> Some (1 + Option.value c ~default:0)) found
-  in
-  let instants = Instants.cardinal (List.fold_left count Instants.empty (List.init states (fun i -> first + i))) in
-  if states < 256 || states < 16 * instants then None
-  else
-    let expanded = List.filter (fun i -> Graph.status graph i = Expanded) in
-    let before = expanded (List.init (Int.min n sample) (fun k -> n - 1 - (k * (n / Int.min n sample)))) in
-    let { others; splits; draws } = choices context graph (List.filteri (fun k _ -> k < looked_into) before) in
-    if others = 0 && splits = 0 && draws = 0 then None
-    else if draws > others + splits then Some (Drawing { states; instants })
-    else if splits > others then Some (Splits { states; instants })
-    else Some (Orders { states; instants })
-
 (** {2 All of it} *)
 
 let resources : _ Scc_graph_search.Explore.reason list = [ States; Bits; Seconds; Memory; Interrupted ]
@@ -308,7 +243,12 @@ let values context graph =
       ]
     |> Option.to_list
 
-let choices_at_once context graph = Option.to_list (crowded context graph)
+let choices_at_once context graph =
+  match Crowding.find context graph with
+  | None -> []
+  | Some { what = Events; states; instants } -> [ Orders { states; instants } ]
+  | Some { what = Weak_splits; states; instants } -> [ Splits { states; instants } ]
+  | Some { what = Draws; states; instants } -> [ Drawing { states; instants } ]
 
 let looks =
   let when_ended look context graph = if ended graph then look context graph else [] in
@@ -376,8 +316,8 @@ let to_string (m : Model.t) cause =
     say "many draws of the same instant, each of which has several outcomes: %s" (crowd states (instants n))
   | Grid { states; of_; step } ->
     say
-      "bonds may be released at the multiples of %s alone: in %d of the last %d states that were looked into, time \
-       passes only until the next of these instants, where nothing else comes"
+      "bonds may be released at the multiples of %s alone: in %d of the last %d states that were looked into, \
+       time passes only until the next of these instants, where nothing else comes"
       (Rat.to_string step) states of_
 
 let bounded = "give the check a bound: `within t`"
@@ -405,8 +345,8 @@ let cure (m : Model.t) = function
     "let things happen at different times; ask `possibly` and `always` of named bodies, and others are left out; \
      `collisions together` where they hang together"
   | Drawing _ ->
-    "fewer bodies that draw, or fewer velocities for each of them; ask `possibly` and `always` of named bodies, and \
-     others are left out; `scc estimate` for probabilities and means"
+    "fewer bodies that draw, or fewer velocities for each of them; ask `possibly` and `always` of named bodies, \
+     and others are left out; `scc estimate` for probabilities and means"
   | Grid _ ->
     "`split_step any`, where bonds may be released at any instant; or values for the parameters, by -D"
   | Splits _ ->

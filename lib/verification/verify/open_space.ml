@@ -13,7 +13,8 @@ let of_part (p : Part.t) =
   Array.fold_left union around.(0) around
 
 let are_apart a b =
-  let beyond (f : Vec.t -> Rat.t) = Rat.compare (f a.high) (f b.low) <= 0 || Rat.compare (f b.high) (f a.low) <= 0 in
+  let below f x y = Rat.compare (f x.high) (f y.low) <= 0 in
+  let beyond (f : Vec.t -> Rat.t) = below f a b || below f b a in
   beyond (fun v -> v.x) || beyond (fun v -> v.y) || beyond (fun v -> v.z)
 
 let is_outside c (s : State.t) ~inside ~others =

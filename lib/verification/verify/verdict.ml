@@ -232,7 +232,9 @@ let proved_for o =
         "some " ^ Ranges.to_string ranges ^ if such = "" then "" else ", such as " ^ such
     in
     Printf.sprintf " for %s (proved by an invariant%s)" which (instants over)
-  | over -> Printf.sprintf "%s (proved by an invariant%s)" (for_values o) (Option.fold ~none:"" ~some:instants over)
+  | over ->
+    let instants = Option.fold ~none:"" ~some:instants over in
+    Printf.sprintf "%s (proved by an invariant%s)" (for_values o) instants
 
 let unshown o =
   let run =
