@@ -8,6 +8,7 @@ type t = {
   name : string option;
   parameters : (string * Rat.t) list;
   templates : (string * Polyhedron.t) list;
+  families : Repeated.t;
   model : Model.t;
   declared : State.t;
   uncertain : Uncertain.t option;
@@ -110,6 +111,7 @@ let build (c : Context.t) bodies (composition : Composition.t) joints initial wr
     name = program.name;
     parameters = program.parameters;
     templates = templates c program;
+    families = program.families;
     model;
     declared;
     uncertain = Assembly.uncertain bodies composition program.ranges;
@@ -135,7 +137,7 @@ let checks_of (c : Context.t) formulas written =
   (checks, if Report.failed c.report then [] else List.concat_map (Formulas.premises formulas) written)
 
 let read c (program : Program.t) ~whole =
-  let bodies = Bodies.read c program.bodies in
+  let bodies = Bodies.read c program in
   let composition = Composition.read c program bodies in
   let table = Behaviours.create c program in
   let included i = composition.included.(i) in

@@ -11,6 +11,7 @@ type t = {
   name : string option;  (** from [model NAME] *)
   parameters : (string * Rat.t) list;  (** with their values in this run, in order *)
   templates : (string * Polyhedron.t) list;  (** in order of declaration *)
+  families : Repeated.t;  (** those of loops, be they empty or not *)
   model : Model.t;
   declared : State.t;
   (** as declared, before [Scc_semantics] sets clocks and steers. Parameters with ranges have simple numbers

@@ -148,18 +148,13 @@ let weight c env (e : Ast.expr option) =
         None
       | weight -> weight)
 
-let rec all_known acc = function
-  | [] -> Some (List.rev acc)
-  | Some x :: rest -> all_known (x :: acc) rest
-  | None :: _ -> None
-
 let kick c env (k : Ast.kick) =
   let one env =
     match (vector c env k.velocity, weight c env k.weight) with
     | Some velocity, Some weight -> Some { Law.velocity; weight }
     | _ -> None
   in
-  Option.bind (Indices.scopes c.Algebra.report env k.over) (fun scopes -> all_known [] (List.map one scopes))
+  Option.bind (Indices.scopes c.Algebra.report env k.over) (Option.all one)
 
 let is_nothing (k : Law.kick) = match k.weight with Const w -> Rat.sign w = 0 | _ -> false
 
@@ -253,7 +248,7 @@ let law report budget ~timestep env (l : Ast.law) =
     diffusion c ~timestep env at args
   | Expression v -> Option.map (fun v -> plain (Law.Velocity v)) (vector c env v)
   | Choose kicks -> (
-      match all_known [] (List.map (kick c env) kicks) with
+      match Option.all (kick c env) kicks with
       | None -> None
       | Some kicks ->
         let kicks = List.concat kicks in

@@ -103,8 +103,6 @@ let identity o ~digest =
   in
   Kept.identity ~digest ~parameters:[] options
 
-let told result = Result.map_error (fun d -> [ d ]) result
-
 let note console o seen k outcome =
   seen.written <- seen.written + 1;
   (match (outcome : Outcome.t) with
@@ -150,11 +148,11 @@ let sweep console o ~interrupted =
     result
   in
   Console.flush console;
-  let* result = told (Console.with_output console ~pieces:true ~path write) in
+  let* result = Result.listed (Console.with_output console ~pieces:true ~path write) in
   let title = Option.value name ~default:"a model" in
   let draw path =
     let chart put = put (Picture.chart ~title o.grid (Array.of_list (List.rev seen.all))) in
-    told (Console.with_output console ~path:(Some path) chart)
+    Result.listed (Console.with_output console ~path:(Some path) chart)
   in
   let* () =
     match (o.plot, result) with
@@ -192,24 +190,18 @@ let grid =
   Arg.(non_empty & opt_all axis_conv [] & info [ "D"; "define" ] ~docv:"NAME=VALUES" ~doc)
 
 let form =
-  let doc =
+  Options.default (Arg.enum [ ("csv", Csv); ("jsonl", Jsonl) ]) Csv [ "format" ] ~docv:"FORMAT"
     "$(b,csv) (RFC 4180), a line for each point and check, or $(b,jsonl), a JSON object for each point."
-  in
-  Arg.(value & opt (enum [ ("csv", Csv); ("jsonl", Jsonl) ]) Csv & info [ "format" ] ~docv:"FORMAT" ~doc)
 
 let resume =
-  let doc =
+  Options.maybe Options.named [ "resume" ] ~docv:"FILE"
     "Continues $(docv), written with $(b,--format jsonl) by a sweep that was interrupted. All options except \
      $(b,--jobs) must be the same. The exit code is about the new points."
-  in
-  Arg.(value & opt (some Options.named) None & info [ "resume" ] ~docv:"FILE" ~doc)
 
 let plot =
-  let doc =
+  Options.maybe Options.named [ "plot" ] ~docv:"FILE"
     "Draws the sweep, as SVG: measured numbers as curves over one parameter; verdicts, and numbers over two \
      parameters, as coloured cells."
-  in
-  Arg.(value & opt (some Options.named) None & info [ "plot" ] ~docv:"FILE" ~doc)
 
 let store_option =
   Kept.option
