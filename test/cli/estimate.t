@@ -16,17 +16,17 @@ A mean has an interval where its number is in a range. Of others nothing is know
     183 of 500 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   [2]
   $ scc estimate $M/association.sc --property 'E >= 1/2 [ bonds() at 3 ]' --property 'E > 2 [ count(i in 1..n: bound(m[i], s[i])) at 3 ]'
-  property1: undecided: from 0.445495 to 3.44747 with confidence 99/100, 128 runs
-    47 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
+  property1: undecided whether it is >= 1/2: from 0.445495 to 3.44747 with confidence 99/100, 128 runs
+    47 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
   
-  property2: undecided: from 0.542022 to 2.379321 with confidence 99/100, 128 runs
-    47 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
+  property2: undecided whether it is > 2: from 0.542022 to 2.379321 with confidence 99/100, 128 runs
+    47 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
   [2]
   $ scc estimate $M/ruin.sc --check drift --check how_long --runs 500 --seed 7
-  how_long: undecided: the mean of these runs alone is 5.372, with the standard deviation 4.048506, 500 runs
+  drift: sampled: the mean of these runs alone is -0.254, with the standard deviation 1.08436, 500 runs
     no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
   
-  drift: undecided: the mean of these runs alone is -0.254, with the standard deviation 1.08436, 500 runs
+  how_long: sampled: the mean of these runs alone is 5.372, with the standard deviation 4.048506, 500 runs
     no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
   [2]
   $ cat > rare.sc <<'END'
@@ -40,10 +40,10 @@ A mean has an interval where its number is in a range. Of others nothing is know
   > check never : E <= 1/100000 [ if x(p) > 0 then 1 else 0 at 1 ]
   > END
   $ scc estimate rare.sc
-  mean: undecided: the mean of these runs alone is 0, with the standard deviation 0, 128 runs
+  mean: sampled: the mean of these runs alone is 0, with the standard deviation 0, 128 runs
     no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
   
-  below: undecided: the mean of these runs alone is 0, with the standard deviation 0, 128 runs
+  below: undecided whether it is <= 1/2: the mean of these runs alone is 0, with the standard deviation 0, 128 runs
     no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
   
   often: estimated to hold: 0, from 0 to 0.04573 with confidence 99/100, 128 runs
@@ -51,7 +51,7 @@ A mean has an interval where its number is in a range. Of others nothing is know
   never: estimated to be violated: 0.001524, from 0.000119 to 0.006186 with confidence 99/100, 3280 runs
   [1]
   $ scc estimate rare.sc --check below --runs 1
-  below: undecided: the mean of these runs alone is 0, 1 runs
+  below: undecided whether it is <= 1/2: the mean of these runs alone is 0, 1 runs
     no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
   [2]
 
@@ -71,11 +71,11 @@ Comparisons end as soon as they are decided.
   
   property2: estimated to be violated: 0.75, from 0.629163 to 0.848442 with confidence 99/100, 128 runs
   
-  property3: undecided: the mean of these runs alone is 5.4375, with the standard deviation 4.513758, 128 runs
+  property3: undecided whether it is <= 20: the mean of these runs alone is 5.4375, with the standard deviation 4.513758, 128 runs
     no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
   [1]
   $ scc estimate $M/ruin.sc --check surely --most 200
-  surely: undecided: 1, from 0.95427 to 1 with confidence 99/100, 128 runs
+  surely: undecided whether it is >= 1: 1, from 0.95427 to 1 with confidence 99/100, 128 runs
     the bound is within the interval
   [2]
 
@@ -83,14 +83,14 @@ What nobody draws is left open, or taken evenly, and then it is said.
 
   $ ask() { scc estimate $M/dimer.sc --property 'P = ? [ eventually bonds() = 0 ]' --property 'P >= 1/10 [ always bonds() > 0 ]' --property 'E = ? [ bonds() at 3 ]' "$@"; }
   $ ask
-  property1: estimated: from 0 to 1 with confidence 99/100, 128 runs
-    128 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
+  property1: undecided: not known, 128 runs
+    128 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
   
-  property2: undecided: from 0 to 1 with confidence 99/100, 128 runs
-    128 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
+  property2: undecided whether it is >= 1/10: not known, 128 runs
+    128 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
   
-  property3: estimated: from 0 to 3 with confidence 99/100, 128 runs
-    128 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
+  property3: undecided: not known, 128 runs
+    128 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
   [2]
   $ ask --free evenly --runs 200
   property1: estimated: 1, from 0.973856 to 1 with confidence 99/100, 200 runs
@@ -106,11 +106,15 @@ What nobody draws is left open, or taken evenly, and then it is said.
 Runs that do not end.
 
   $ scc estimate $M/brownian.sc --property 'P = ? [ eventually bound(ligand, pocket) ]' --runs 40 --steps 50
+  kick 1
+  
   property1: estimated: from 0.002616 to 1 with confidence 99/100, 40 runs
     38 of 40 runs were left before it was known: --steps
   [2]
   $ scc estimate $M/brownian.sc --property 'P = ? [ eventually bound(ligand, pocket) ]' --runs 40 --until 5
-  property1: estimated: from 0 to 1 with confidence 99/100, 40 runs
+  kick 1
+  
+  property1: undecided: not known, 40 runs
     40 of 40 runs were left before it was known: --until
   [2]
   $ scc estimate $M/ruin.sc --property 'E = ? [ x(walker) at 99 ]' --property 'E = ? [ time U x(walker) >= 2 ]' --runs 40
@@ -126,12 +130,12 @@ It is stopped with what it has.
   $ python3 -B interrupt.py 1 scc estimate $M/brownian.sc --check by_ten --width 1/10000 --most 100000000 > stopped.txt
   scc: stopped; what is said rests on the runs that were made
   [4]
-  $ head -c 18 stopped.txt
+  $ grep -o "^by_ten: estimated:" stopped.txt
   by_ten: estimated:
   $ scc estimate $M/brownian.sc --check by_ten --width 1/10000 --most 100000000 --seconds 1 > stopped.txt
   scc: stopped; what is said rests on the runs that were made
   [4]
-  $ head -c 18 stopped.txt
+  $ grep -o "^by_ten: estimated:" stopped.txt
   by_ten: estimated:
 
 What cannot be asked.
@@ -213,4 +217,51 @@ Where a bound keeps a probability or a mean from being known, `scc check` names 
   1
   $ scc check walk.sc --depth 30 | grep -c 'cure: .scc'
   0
+  [1]
+
+Where walkers bounce nothing draws which does so first. No interval is given if no run tells anything.
+
+  $ cat > crowd.sc <<'END'
+  > timestep 1 steady
+  > import <solids>
+  > fixed room = solids.Room(6, 6, 1, 1)
+  > for i in 0..2, j in 0..1 { process c[i,j] = solids.Cube(1) mass 1 at translate (2*i - 5/2, 2*j - 1/2, 0) [nil] }
+  > motion choose { (1,0,0), (-1,0,0), (0,1,0), (0,-1,0) }
+  > check right : P = ? [ eventually x(c[0,0]) > 0 within 12 ]
+  > check half : P >= 1/2 [ eventually x(c[0,0]) > 0 within 12 ]
+  > check mean : E = ? [ x(c[0,0]) at 12 ]
+  > check share : E = ? [ if x(c[0,0]) > 0 then 1 else 0 at 12 ]
+  > END
+  $ scc estimate crowd.sc --runs 50
+  right: undecided: not known, 50 runs
+    50 of 50 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, `blocked wait` in the model leaves none where walkers bounce, and `scc check` tells the least and the greatest
+  
+  half: undecided whether it is >= 1/2: not known, 50 runs
+    50 of 50 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, `blocked wait` in the model leaves none where walkers bounce, and `scc check` tells the least and the greatest
+  
+  mean: undecided: not known, 50 runs
+    50 of 50 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, `blocked wait` in the model leaves none where walkers bounce, and `scc check` tells the least and the greatest
+  
+  share: undecided: not known, 50 runs
+    50 of 50 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, `blocked wait` in the model leaves none where walkers bounce, and `scc check` tells the least and the greatest
+  [2]
+  $ scc estimate crowd.sc --runs 50 --free evenly --json | grep -E 'verdict|kind'
+        "verdict": "estimated",
+        "value": {"kind": "probability", "low": "5137/31250", "high": "255387/500000"},
+        "verdict": "undecided",
+        "value": {"kind": "probability", "low": "5137/31250", "high": "255387/500000"},
+        "verdict": "sampled",
+        "value": {"kind": "sample", "mean": "-21/25", "deviation": "358224801705/274877906944"},
+        "verdict": "estimated",
+        "value": {"kind": "mean", "mean": "11/50", "low": "45929/500000", "high": "40321/100000"},
+  $ sed -i 's/^import/blocked wait\nimport/' crowd.sc
+  $ scc estimate crowd.sc --runs 50
+  right: estimated: 0.1, from 0.022217 to 0.25805 with confidence 99/100, 50 runs
+  
+  half: estimated to be violated: 0.1, from 0.022217 to 0.25805 with confidence 99/100, 50 runs
+  
+  mean: sampled: the mean of these runs alone is -1.6, with the standard deviation 1.073807, 50 runs
+    no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+  
+  share: estimated: 0.1, from 0.022217 to 0.25805 with confidence 99/100, 50 runs
   [1]

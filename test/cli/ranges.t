@@ -359,3 +359,41 @@ What is not found in passing is explored for one start, with its values in the f
   explored: 1 state, 0 transitions, depth 0; complete
   1 property: 1 violated
   [1]
+
+Weak splits on a grid keep zones apart that wait for its next instant: it is the likely cause where a bound ends the
+exploration, and its cure is one. Proved by an invariant is that some values violate it, or that all do.
+
+  $ cat > grid.sc <<'END'
+  > import <solids>
+  > param when in [0, 8]
+  > param dose in [0, 8]
+  > behaviour T = <ago, {only top}> . R
+  > behaviour R = omega(ago, {only top}) . T + <eff, {only bottom}> . Active
+  > behaviour Active = nil
+  > behaviour Ago = <~ago, {only bottom}> . omega(ago, {only bottom}) . nil
+  > behaviour Eff = <~eff, {only top}> . nil
+  > fixed rec = solids.Cube(2) [T]
+  > process ago = solids.Cube(1) mass 1 velocity (0,0,-1) at translate (0,0,3/2 + dose) [Ago]
+  > process eff = solids.Cube(1) mass 1 velocity (0,0,1) at translate (0,0,-3/2 - when) [Eff]
+  > check active : possibly behaviour(rec) = Active
+  > END
+  $ scc check grid.sc --depth 200 | grep -E '^active|cause|cure'
+  active: violated for some when in [0, 8], dose in [0, 8], such as when = 1, dose = 2 (proved by an invariant), at split step 1
+    likely cause: bonds may be released at the multiples of 1 alone: in 64 of the last 128 states that were looked into, time passes only until the next of these instants, where nothing else comes
+      cure: `split_step any`, where bonds may be released at any instant; or values for the parameters, by -D
+  $ scc check grid.sc --depth 200 --json | grep -A2 '"kind": "grid"'
+          "kind": "grid",
+          "bodies": [],
+          "text": "bonds may be released at the multiples of 1 alone: in 64 of the last 128 states that were looked into, time passes only until the next of these instants, where nothing else comes",
+  $ sed 's/^import/split_step any\nimport/' grid.sc > any.sc
+  $ scc check any.sc | grep -E '^active|^explored|cause'
+  active: violated for when = 1, dose = 2
+  explored: 44 states, 45 transitions, depth 6; complete
+  $ scc check grid.sc -D when=1 -D dose=2 | grep -E '^active|^explored|cause'
+  active: violated, at split step 1
+  explored: 8 states, 8 transitions, depth 6, model time 3; complete
+  $ sed 's/ + <eff.*Active$//' grid.sc > never.sc
+  $ scc check never.sc --depth 200 | grep -E '^active|cause|cure'
+  active: violated for all when in [0, 8], dose in [0, 8] (proved by an invariant), at split step 1
+    likely cause: bonds may be released at the multiples of 1 alone: in 64 of the last 128 states that were looked into, time passes only until the next of these instants, where nothing else comes
+      cure: `split_step any`, where bonds may be released at any instant; or values for the parameters, by -D

@@ -59,7 +59,7 @@ let left_out =
 let messages = List.map (fun (d : Diag.t) -> d.message)
 
 let cause =
-  let kinds = [ "steps"; "numbers"; "leaves"; "drifts"; "times"; "orders"; "splits" ] in
+  let kinds = [ "steps"; "numbers"; "leaves"; "drifts"; "times"; "orders"; "splits"; "draws"; "grid" ] in
   let bodies ((m : Model.t), c) = List.map (fun i -> m.leaves.(i).name) (Growth.leaves c) in
   fields
     [

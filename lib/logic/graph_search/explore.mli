@@ -185,6 +185,9 @@ module Make (L : Lts.S) : sig
   val ancestors : t -> int -> int list
   (** [ancestors g i] is the states of [shortest_path g i], from the initial state to [i], both included. *)
 
+  val before : t -> int -> int option
+  (** [before g i] is the state before [i] in [ancestors g i]; [None] for the initial state. *)
+
   val shortest_path : t -> int -> step list
   (** [shortest_path g i] is a path from the initial state to [i] with the fewest transitions. *)
 

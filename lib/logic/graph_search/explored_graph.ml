@@ -151,6 +151,11 @@ module Make (L : Lts.S) = struct
     in
     before []
 
+  let before g i =
+    match Distances.before_nearest g.distances i with
+    | -1 -> None
+    | j -> Some j
+
   let shortest_path g i = path g Distances.before_nearest (fun _ _ _ -> true) i
 
   let earliest_path g i =

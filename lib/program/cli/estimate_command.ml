@@ -124,11 +124,12 @@ let style : Estimation.verdict -> Console.style = function
   | Holds -> Good
   | Violated -> Bad
   | Undecided -> Doubtful
+  | Sampled -> Doubtful
   | Estimated -> Strong
 
 let text console lattices (r : Estimate_report.t) =
   let answer (a : Estimation.answer) =
-    let verdict = Console.styled console (style a.verdict) (Estimate_report.word a.verdict) in
+    let verdict = Console.styled console (style a.verdict) (Estimate_report.word a) in
     let line = Estimate_report.line a ~confidence:r.aim.confidence in
     let even =
       if a.chosen && a.verdict <> Undecided then [ "  choices that nothing draws were taken evenly" ] else []
@@ -149,7 +150,7 @@ let exit_code (answers : Estimation.answer list) ending : Exit_code.t =
     match (a.verdict, a.reasons) with
     | Holds, _ | Estimated, [] -> Holds
     | Violated, _ -> Violated
-    | Undecided, _ | Estimated, _ :: _ -> Undecided
+    | (Undecided | Sampled), _ | Estimated, _ :: _ -> Undecided
   in
   match ending with
   | Whole -> Exit_code.worst (List.map code answers)
@@ -286,8 +287,8 @@ let command =
       (Exit_code.Holds, "if every comparison is estimated to hold, and every number is estimated. No proof.");
       (Exit_code.Violated, "if some comparison is estimated to be violated.");
       ( Exit_code.Undecided,
-        "if some property is undecided, such as the mean of a number without a range, or some interval is wider \
-         than requested." );
+        "if some property is undecided, or sampled as a mean without a range, or some interval is wider than \
+         requested." );
       (Exit_code.Stopped, "if it was stopped: the answers rest on the runs that were made.");
     ]
   in

@@ -15,11 +15,16 @@ type t = {
   interrupted : bool;
 }
 
-let word = function
+let word (a : answer) =
+  match a.verdict with
   | Estimated -> "estimated"
+  | Sampled -> "sampled"
   | Holds -> "estimated to hold"
   | Violated -> "estimated to be violated"
-  | Undecided -> "undecided"
+  | Undecided -> (
+      match Path.test a.path with
+      | None -> "undecided"
+      | Some (_, test) -> "undecided whether it is " ^ Scc_chance.Answer.bound_to_string test)
 
 (* {1 For people} *)
 
@@ -75,11 +80,12 @@ let value =
         Fun.id
         ~about:
           "Of a number of which no range is known: what the runs came to. No interval follows, and the verdict is \
-           undecided. The deviation is null for a single run.";
+           sampled, or undecided of a comparison. The deviation is null for a single run.";
     ]
 
 let verdict = function
   | Estimated -> "estimated"
+  | Sampled -> "sampled"
   | Holds -> "estimated_holds"
   | Violated -> "estimated_violated"
   | Undecided -> "undecided"
@@ -92,7 +98,7 @@ let answer =
       field "name" text (fun a -> a.path.check.name);
       field "text" text (fun a -> a.path.check.text);
       field "verdict"
-        (Json_format.word verdict [ Estimated; Holds; Violated; Undecided ])
+        (Json_format.word verdict [ Estimated; Sampled; Holds; Violated; Undecided ])
         (fun (a : answer) -> a.verdict);
       field "value" (nullable value) known;
       field "runs" natural (tally (fun t -> t.runs))

@@ -13,9 +13,9 @@ type t = {
   interrupted : bool;
 }
 
-val word : Estimation.verdict -> string
-(** The verdict in words: ["estimated"], ["estimated to hold"], ["estimated to be violated"] or
-    ["undecided"]. *)
+val word : Estimation.answer -> string
+(** The verdict in words: ["estimated"], ["estimated to hold"], ["estimated to be violated"],
+    ["sampled"], ["undecided"], or ["undecided whether it is >= 1/2"] for a comparison. *)
 
 val line : Estimation.answer -> confidence:Scc_exact.Rat.t -> string
 (** The text after name and verdict: the interval, rounded outwards, and the number of runs. *)

@@ -12,7 +12,7 @@ type value =
   | Infinite
   | Unknown
 
-type verdict = Estimated | Holds | Violated | Undecided
+type verdict = Estimated | Sampled | Holds | Violated | Undecided
 
 type answer = {
   path : Path.t;
@@ -67,8 +67,13 @@ let miss t =
   | Exactly _ -> all
   | At_most _ -> Rat.div all (Rat.of_int (t.looks * (t.looks + 1)))
 
+(* No run tells anything, and there is nothing to count. *)
+let all_open (tally : Tally.t) = Tally.open_ended tally = tally.runs
+
 let value q miss =
   match q.asked.question with
+  | Does when all_open q.tally -> Unknown
+  | Amounts (_, Some range) when all_open q.tally && not (Rat.equal range.low range.high) -> Unknown
   | Does ->
     let low, high = Tally.likelihood q.tally ~miss in
     Probability (low, high)
@@ -144,9 +149,10 @@ let open_reasons { tally; left_out; _ } =
       (if tally.free = 0 then []
        else
          [ of_runs tally tally.free
-           ^ " depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in \
-              the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least \
-              and the greatest" ]);
+            ^ " depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in \
+               the model draws them; "
+            ^ (if tally.bounces = 0 then "" else "`blocked wait` leaves none where walkers bounce; ")
+            ^ "`--free evenly` takes each choice as often; and `scc check` tells the least and the greatest" ]);
       (if tally.too_long = 0 then []
        else [ of_runs tally tally.too_long ^ " were left before it was known: "
               ^ String.concat ", " (List.map of_bound tally.bounds) ]);
@@ -185,7 +191,8 @@ let look t q ~miss ~last =
     let fixed = match t.aim.size with Exactly _ -> true | At_most _ -> false in
     if narrow || hopeless || last then (
       match value with
-      | Sample _ | Unknown -> settle Undecided ~reasons:(wide ())
+      | Sample _ -> settle Sampled ~reasons:(wide ())
+      | Unknown -> settle Undecided ~reasons:(wide ())
       | Probability _ | Mean _ | Infinite ->
         settle Estimated ~reasons:(if fixed && not hopeless then open_reasons q else wide ()))
   | Some (side, test) -> (

@@ -28,6 +28,7 @@ type value =
 (** The verdict on a property. *)
 type verdict =
   | Estimated  (** the property requests a number *)
+  | Sampled  (** the property requests a number of which no range is known *)
   | Holds
   | Violated
   | Undecided

@@ -17,7 +17,8 @@ type plan = {
 }
 
 type bound = Steps | Time | Instant | Interruption
-type outcome = Truth of bool | Number of Rat.t | Never | Free | Too_long of bound | No_value of string
+type choice = Walkers_bounce | Elsewhere
+type outcome = Truth of bool | Number of Rat.t | Never | Free of choice | Too_long of bound | No_value of string
 
 type run = { outcomes : outcome list; chosen : bool; interrupted : bool }
 
@@ -42,6 +43,12 @@ let limit plan =
   | None, Some _ -> None
   | None, None -> Some default_steps
 
+(* Where bodies turn or velocities are rounded, walkers cannot wait (rule Blocked). *)
+let choice (m : Model.t) : Transition.label -> choice = function
+  | Bounce { firsts; _ } when m.blocked = Bounce && Option.is_none m.rigid && Option.is_none m.round_velocity ->
+    if List.exists (fun leaf -> Law.draws m.leaves.(leaf).law) firsts then Walkers_bounce else Elsewhere
+  | _ -> Elsewhere
+
 let run plan ~seed ~interrupted number =
   let chain = Chain.make plan.semantics and questions = Chain.questions plan.semantics plan.paths in
   let seen = Path.seen plan.paths in
@@ -53,7 +60,7 @@ let run plan ~seed ~interrupted number =
     if List.for_all (fun (a : Chain.answer) -> a <> Open) !found then over := true
   in
   let limit = limit plan in
-  let stopped_by_choice = ref false and steps = ref 0 and bound = ref Time in
+  let stopped_by_choice = ref None and steps = ref 0 and bound = ref Time in
   let note (event : Replay.event) =
     (match event with Step _ -> incr steps | Start _ | Instant _ | End _ -> ());
     match event with
@@ -63,7 +70,7 @@ let run plan ~seed ~interrupted number =
       if free && plan.free = Evenly then chosen := true;
       if free && plan.free = Apart then begin
         look ();
-        stopped_by_choice := not !over;
+        if not !over then stopped_by_choice := Some (choice (Semantics.model plan.semantics) taken.label);
         over := true
       end
       else begin
@@ -100,6 +107,6 @@ let run plan ~seed ~interrupted number =
     | No_value why -> No_value why
     | Open when !bound = Interruption -> Too_long Interruption
     | Open when Chain.is_over chain -> No_value "something that it asks for has no value there"
-    | Open -> if !stopped_by_choice then Free else Too_long !bound
+    | Open -> Option.fold ~none:(Too_long !bound) ~some:(fun choice -> Free choice) !stopped_by_choice
   in
   { outcomes = List.map outcome !found; chosen = !chosen; interrupted = !bound = Interruption }

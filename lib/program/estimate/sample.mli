@@ -27,12 +27,17 @@ type bound =
   | Instant  (** so many transitions without time passing *)
   | Interruption
 
+(** Where a run depends on a choice that is not drawn. *)
+type choice =
+  | Walkers_bounce  (** where walkers bounce that would wait if the model had [blocked wait] *)
+  | Elsewhere
+
 (** The outcome of a run for one question. *)
 type outcome =
   | Truth of bool
   | Number of Rat.t
   | Never  (** infinite: the run never reaches the event on which the number depends *)
-  | Free  (** it depends on a choice that is not drawn *)
+  | Free of choice  (** it depends on a choice that is not drawn *)
   | Too_long of bound  (** the run was stopped before the outcome was known *)
   | No_value of string
 

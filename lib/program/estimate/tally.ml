@@ -6,6 +6,7 @@ type t = {
   yes : int;
   no : int;
   free : int;
+  bounces : int;
   too_long : int;
   bounds : Sample.bound list;
   never : int;
@@ -18,8 +19,8 @@ type t = {
 
 let empty =
   {
-    runs = 0; yes = 0; no = 0; free = 0; too_long = 0; bounds = []; never = 0; no_value = 0; why = None;
-    numbers = 0; sum = Rat.zero; squares = Rat.zero;
+    runs = 0; yes = 0; no = 0; free = 0; bounces = 0; too_long = 0; bounds = []; never = 0; no_value = 0;
+    why = None; numbers = 0; sum = Rat.zero; squares = Rat.zero;
   }
 
 let add t (o : Sample.outcome) =
@@ -27,7 +28,8 @@ let add t (o : Sample.outcome) =
   match o with
   | Truth true -> { t with yes = t.yes + 1 }
   | Truth false -> { t with no = t.no + 1 }
-  | Free -> { t with free = t.free + 1 }
+  | Free Elsewhere -> { t with free = t.free + 1 }
+  | Free Walkers_bounce -> { t with free = t.free + 1; bounces = t.bounces + 1 }
   | Too_long bound ->
     let bounds = if List.mem bound t.bounds then t.bounds else List.sort Stdlib.compare (bound :: t.bounds) in
     { t with too_long = t.too_long + 1; bounds }

@@ -8,6 +8,7 @@ type t = {
   yes : int;
   no : int;
   free : int;  (** depend on a choice that is not drawn *)
+  bounces : int;  (** those of [free] whose choice is {!Sample.Walkers_bounce} *)
   too_long : int;  (** were stopped before the outcome was known *)
   bounds : Sample.bound list;  (** the bounds that stopped them, each once *)
   never : int;

@@ -108,7 +108,7 @@ let attempt (options : Setup.t) effort semantics u ~declared (checks : Property.
 
 let decided semantics ~declared (check : Property.check) (proof : Proof.t) =
   let outcome verdict =
-    let scale = Left_open.make semantics ~declared ~example:[] ~by_invariant:true in
+    let scale = Left_open.make semantics ~declared ~example:[] ~everywhere:false ~by_invariant:true in
     Some { Verdict.check; verdict; scale; rests = []; converges = None; lost = []; left_out = None }
   in
   if not (Union.is_empty proof.sets.holds) then outcome (Holds { bounds = []; witness = None })

@@ -14,18 +14,14 @@ type cause =
   | Times
   | Orders of { states : int; instants : int }
   | Splits of { states : int; instants : int }
+  | Drawing of { states : int; instants : int }
+  | Grid of { states : int; of_ : int; step : Rat.t }
 
 (** {2 What is looked at} *)
 
 (* States of a path, as many as these at its end, and as many as these spread over all of it. *)
 let window = 48
 let spread = 32
-
-(* States found last. *)
-let sample = 2048
-
-(* Those among them whose transitions are looked at. *)
-let looked_into = 128
 
 (* A path shorter than this tells nothing. *)
 let fewest = 12
@@ -149,7 +145,8 @@ let loose m (s : State.t) =
   State.make ~processes ~step:s.step ~time:None
 
 (* The last state is what two before it were, each moved by the same from the one before. *)
-let drifts m states =
+let drifts c states =
+  let m = Semantics.model c in
   let still = Array.map (loose m) states in
   let alike = Array.map at_origin still in
   let last = Array.length states - 1 in
@@ -159,7 +156,9 @@ let drifts m states =
   | k :: j :: i :: _ when Array.length still.(k).processes > 0 ->
     let by = Vec.sub (place still.(k)) (place still.(j)) in
     let before = Vec.sub (place still.(j)) (place still.(i)) in
-    if Vec.equal by before && not (Vec.is_zero by) then Some (Drifts { by }) else None
+    let fixed leaf = m.leaves.(leaf).fixed in
+    let goes_on = Open_space.is_outside c states.(last) ~inside:(fun leaf -> not (fixed leaf)) ~others:fixed in
+    if Vec.equal by before && (not (Vec.is_zero by)) && goes_on then Some (Drifts { by }) else None
   | _ -> None
 
 (* The squared distance of the centre of each process from the nearest other one. Others are taken in the order of
@@ -197,67 +196,24 @@ let leaving distances (leaf : int) =
   in
   Option.bind (at 0) (fun first -> rises first first 1)
 
-let leaves_all (m : Model.t) states =
+let leaves_all c states =
+  let m = Semantics.model c and last = states.(Array.length states - 1) in
   let others leaf = Array.map (fun s -> at_origin (without leaf s)) states in
   let distances = Array.map (fun s -> lazy (nearest m s, places s)) states in
+  let is_outside (p : State.process) =
+    let inside leaf = State.has_leaf p leaf in
+    Open_space.is_outside c last ~inside ~others:(fun leaf -> not (inside leaf))
+  in
   let goes (p : State.process) =
     let leaf = p.leaves.(0).leaf in
     match leaving distances leaf with
-    | Some (from, until) when Option.is_some (recurs (others leaf)) ->
+    | Some (from, until) when is_outside p && Option.is_some (recurs (others leaf)) ->
       Some (Leaves { leaves = State.members p; from; until })
     | Some _ | None -> None
   in
   let n = Array.length states in
   if n < fewest || Array.length states.(0).State.processes < 2 then None
   else List.find_map goes (Array.to_list states.(n - 1).State.processes)
-
-(** {2 Many states of one instant} *)
-
-module Instants = Map.Make (struct
-    type t = Rat.t
-
-    let compare = Rat.compare
-  end)
-
-(* In how many ways an event of each kind was one of several at a state. What is drawn does not count: nothing
-   else is possible then, and what they lead to is growth of another kind. *)
-let choices context graph states =
-  let add (others, splits) i =
-    let label (e : Graph.edge) = Catalogue.single (Network_lts.catalogue context) e.label in
-    let labels = List.filter_map label (Array.to_list (Graph.edges graph i)) in
-    let is_event : Transition.label -> bool = function
-      | Time _ | Draw _ | Lot _ -> false
-      | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> true
-    in
-    let events = List.filter is_event labels in
-    let is_split : Transition.label -> bool = function
-      | Weak_split _ -> true
-      | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Strong_split _ | Draw _ | Lot _ -> false
-    in
-    let weak = List.length (List.filter is_split events) in
-    (* A weak split is a choice by itself: it can be put off. *)
-    let other = List.length events - weak in
-    ((others + if other > 1 then other else 0), splits + weak)
-  in
-  List.fold_left add (0, 0) states
-
-(* States found last, most of which are not expanded: of those before them the transitions are known. *)
-let crowded context graph =
-  let n = Graph.size graph in
-  let first = Int.max 0 (n - sample) in
-  let states = n - first in
-  let count found i =
-    Instants.update (Graph.arrival graph i) (fun c -> Some (1 + Option.value c ~default:0)) found
-  in
-  let instants = Instants.cardinal (List.fold_left count Instants.empty (List.init states (fun i -> first + i))) in
-  if states < 256 || states < 16 * instants then None
-  else
-    let expanded = List.filter (fun i -> Graph.status graph i = Expanded) in
-    let before = expanded (List.init (Int.min n sample) (fun k -> n - 1 - (k * (n / Int.min n sample)))) in
-    let others, splits = choices context graph (List.filteri (fun k _ -> k < looked_into) before) in
-    if others = 0 && splits = 0 then None
-    else if splits > others then Some (Splits { states; instants })
-    else Some (Orders { states; instants })
 
 (** {2 All of it} *)
 
@@ -267,7 +223,7 @@ let ended graph = List.exists (fun reason -> Graph.left_for graph reason > 0) re
 
 (* Along the deepest run. *)
 let values context graph =
-  let model = Network_lts.model context in
+  let model = Network_lts.model context and semantics = Network_lts.semantics context in
   match Slowing.deepest graph with
   | None -> []
   | Some i ->
@@ -282,12 +238,17 @@ let values context graph =
         (fun () -> steps model (Array.map (Graph.arrival graph) points));
         (fun () -> numbers over_all);
         (fun () -> times context at_end);
-        (fun () -> leaves_all model at_end);
-        (fun () -> drifts model at_end);
+        (fun () -> leaves_all semantics at_end);
+        (fun () -> drifts semantics at_end);
       ]
     |> Option.to_list
 
-let choices_at_once context graph = Option.to_list (crowded context graph)
+let choices_at_once context graph =
+  match Crowding.find context graph with
+  | None -> []
+  | Some { what = Events; states; instants } -> [ Orders { states; instants } ]
+  | Some { what = Weak_splits; states; instants } -> [ Splits { states; instants } ]
+  | Some { what = Draws; states; instants } -> [ Drawing { states; instants } ]
 
 let looks =
   let when_ended look context graph = if ended graph then look context graph else [] in
@@ -303,6 +264,8 @@ let kind = function
   | Times -> "times"
   | Orders _ -> "orders"
   | Splits _ -> "splits"
+  | Drawing _ -> "draws"
+  | Grid _ -> "grid"
 
 let together a b =
   let is_new cause = not (List.exists (fun other -> String.equal (kind other) (kind cause)) a) in
@@ -311,7 +274,7 @@ let together a b =
 let leaves = function
   | Numbers { leaf; _ } -> [ leaf ]
   | Leaves { leaves; _ } -> leaves
-  | Steps _ | Drifts _ | Times | Orders _ | Splits _ -> []
+  | Steps _ | Drifts _ | Times | Orders _ | Splits _ | Drawing _ | Grid _ -> []
 
 let told bits =
   Printf.sprintf "%d, %d, %d and %d bits in the quarters of the deepest run" bits.quarter bits.half
@@ -349,6 +312,13 @@ let to_string (m : Model.t) cause =
     say "many orders of events of the same instant: %s" (crowd states (instants n))
   | Splits { states; instants = n } ->
     say "weak splits, each of which can happen or be put off: %s" (crowd states (instants n))
+  | Drawing { states; instants = n } ->
+    say "many draws of the same instant, each of which has several outcomes: %s" (crowd states (instants n))
+  | Grid { states; of_; step } ->
+    say
+      "bonds may be released at the multiples of %s alone: in %d of the last %d states that were looked into, \
+       time passes only until the next of these instants, where nothing else comes"
+      (Rat.to_string step) states of_
 
 let bounded = "give the check a bound: `within t`"
 
@@ -374,6 +344,11 @@ let cure (m : Model.t) = function
   | Orders _ ->
     "let things happen at different times; ask `possibly` and `always` of named bodies, and others are left out; \
      `collisions together` where they hang together"
-  | Splits _ -> 
+  | Drawing _ ->
+    "fewer bodies that draw, or fewer velocities for each of them; ask `possibly` and `always` of named bodies, \
+     and others are left out; `scc estimate` for probabilities and means"
+  | Grid _ ->
+    "`split_step any`, where bonds may be released at any instant; or values for the parameters, by -D"
+  | Splits _ ->
     "ask `possibly` and `always` of named bodies, and others are left out; release after delays that differ: \
      `eps(d). rho(...)` on both sides; a coarser `split_step`"

@@ -23,6 +23,10 @@ type cause =
       events that happened. *)
   | Splits of { states : int; instants : int }  (** so many of the states found last begin at so few instants,
                                                     and differ by the weak splits that have happened *)
+  | Drawing of { states : int; instants : int }
+  (** so many of the states found last begin at so few instants, and differ by what has been drawn *)
+  | Grid of { states : int; of_ : int; step : Rat.t }
+  (** over zones: so many of [of_] states found last only wait for the next instant of the grid of weak splits *)
 
 val looks : (Network_lts.context -> State_graph.t -> cause list) list
 (** The searches for likely causes, the most likely first. A search finds none if no cause is seen, or if no bound
@@ -33,7 +37,8 @@ val together : cause list -> cause list -> cause list
 (** The causes of two explorations, each kind once; those of the first have precedence. *)
 
 val kind : cause -> string
-(** A name for programs: ["steps"], ["numbers"], ["leaves"], ["drifts"], ["times"], ["orders"], ["splits"]. *)
+(** A name for programs: ["steps"], ["numbers"], ["leaves"], ["drifts"], ["times"], ["orders"], ["splits"],
+    ["draws"], ["grid"]. *)
 
 val leaves : cause -> int list
 (** The numbers of the leaves that the cause concerns; none if it concerns all of them. *)

@@ -6,9 +6,10 @@ let at_any_time (m : Model.t) ~declared =
 
 let leaves_open (m : Model.t) ~declared = Array.length m.ranges > 0 || at_any_time m ~declared
 
-let make semantics ~declared ~example ~by_invariant =
+let make semantics ~declared ~example ~everywhere ~by_invariant =
   let m = Semantics.model semantics in
-  let over = { Verdict.instants = at_any_time m ~declared; ranges = m.ranges; example; by_invariant } in
+  let instants = at_any_time m ~declared in
+  let over = { Verdict.instants; ranges = m.ranges; example; everywhere; by_invariant } in
   let split_step =
     match m.splits with Every step when Parameters.may_split m declared -> Some step | Every _ | Any_time -> None
   in

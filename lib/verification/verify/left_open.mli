@@ -12,6 +12,12 @@ val leaves_open : Model.t -> declared:State.t -> bool
 (** [leaves_open m ~declared] is true if the model has parameters with ranges, or bonds that may be released at
     any time. *)
 
-val make : Semantics.t -> declared:State.t -> example:(string * Rat.t) list -> by_invariant:bool -> Verdict.scale
+val make :
+  Semantics.t ->
+  declared:State.t ->
+  example:(string * Rat.t) list ->
+  everywhere:bool ->
+  by_invariant:bool ->
+  Verdict.scale
 (** The scale of a verdict over all values and instants that the model leaves open. The split step is that of
     its grid, if weak splits may happen. *)

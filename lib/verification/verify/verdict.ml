@@ -36,7 +36,8 @@ type t =
                   witness : Witness.t option; curve : point list }
   | Undecided of reason list
 
-type over = { instants : bool; ranges : Ranges.t; example : (string * Rat.t) list; by_invariant : bool }
+type over = { instants : bool; ranges : Ranges.t; example : (string * Rat.t) list; everywhere : bool;
+              by_invariant : bool }
 type scale = { resolution : Rat.t option; split_step : Rat.t option; over : over option }
 type rest = By of Witness.halt | Among of Witness.halt
 type convergence = Named of Slowing.t | Proved of Quickening.t
@@ -208,14 +209,32 @@ let to_string = function
   | Undecided reasons -> "undecided: " ^ String.concat "; " (List.map reason_to_string reasons)
 
 (* Of what is violated for some values alone, for which. *)
-let for_values o =
+let values_of o =
   let values =
     match (o.verdict, o.scale.over) with
     | Violated { witness = Some { fixed = Some { values; _ }; _ } }, _ -> values
     | _, Some over -> over.example
     | _, None -> []
   in
-  match values with [] -> "" | _ :: _ -> " for " ^ values_to_string values
+  values_to_string values
+
+let for_values o = match values_of o with "" -> "" | values -> " for " ^ values
+
+(* What is proved to be violated, for which values. *)
+let proved_for o =
+  let instants (over : over) = over_to_string { over with ranges = [||] } in
+  match o.scale.over with
+  | Some ({ ranges; everywhere; _ } as over) when Array.length ranges > 0 ->
+    let which =
+      if everywhere then "all " ^ Ranges.to_string ranges
+      else
+        let such = values_of o in
+        "some " ^ Ranges.to_string ranges ^ if such = "" then "" else ", such as " ^ such
+    in
+    Printf.sprintf " for %s (proved by an invariant%s)" which (instants over)
+  | over ->
+    let instants = Option.fold ~none:"" ~some:instants over in
+    Printf.sprintf "%s (proved by an invariant%s)" (for_values o) instants
 
 let unshown o =
   let run =
@@ -238,7 +257,7 @@ let outcome_to_string o =
     | Holds { bounds = []; _ } when everywhere <> "" ->
       Printf.sprintf "holds (exhaustive%s)%s" everywhere (scale_to_string o.scale)
     | Violated { witness = None } when by_invariant o ->
-      Printf.sprintf "violated%s (proved by an invariant%s)%s" (for_values o) everywhere (scale_to_string o.scale)
+      "violated" ^ proved_for o ^ scale_to_string o.scale
     | Holds _ when everywhere <> "" -> to_string o.verdict ^ everywhere ^ scale_to_string o.scale
     | Violated _ when everywhere <> "" -> to_string o.verdict ^ for_values o ^ scale_to_string o.scale
     | Holds _ | Violated _ ->

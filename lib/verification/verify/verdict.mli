@@ -59,6 +59,7 @@ type over = {
   ranges : Ranges.t;  (** all values of these parameters *)
   example : (string * Rat.t) list;  (** if it is violated, and no run shows it: values for which it is
                                         violated *)
+  everywhere : bool;  (** if it is violated: it is so for all values of the parameters *)
   by_invariant : bool;
   (** it rests on a set of states that no run leaves, and not on exploration alone (rule Invariants) *)
 }

@@ -125,6 +125,7 @@ let stats (m : Model.t) (e : Zone_explored.t) : Stats.t =
     decided_early = e.decided;
     split_step = (match m.splits with Every step -> Some step | Any_time -> None);
     stopped_by = e.stopped_by;
+    causes = Zone_causes.find m e;
   }
 
 let slice m ~initial (e : Zone_explored.t) : Check.slice option =
@@ -149,8 +150,9 @@ let outcomes options semantics u ~declared (e : Zone_explored.t) =
       | Violated { witness = None }, Some values -> Zone_single.named m values
       | _ -> []
     in
+    let everywhere = Union.covers where.fails (Ranges.box m.ranges) in
     let by_invariant = rests_on_proof answer where verdict in
-    let scale = Left_open.make semantics ~declared ~example ~by_invariant in
+    let scale = Left_open.make semantics ~declared ~example ~everywhere ~by_invariant in
     let { Lost.faults; left_out } = Lost.taken lost in
     let left_out = Verdict.if_unshown verdict left_out in
     (i, { Verdict.check; verdict; scale; rests = []; converges = None; lost = faults; left_out }, where)

@@ -163,8 +163,8 @@ let no_runs () =
          Alcotest.(check (list string)) text [ line ] told)
       [ Estimation.Exactly 15; At_most 2000 ]
   in
-  check "P = ? [ eventually x(a) >= 1 ]" "from 0 to 1 with confidence 19/20, 0 runs";
-  check "P >= 1 [ eventually x(a) >= 1 ]" "from 0 to 1 with confidence 19/20, 0 runs";
+  check "P = ? [ eventually x(a) >= 1 ]" "not known, 0 runs";
+  check "P >= 1 [ eventually x(a) >= 1 ]" "not known, 0 runs";
   check "E = ? [ time U x(a) >= 1 ]" "not known, 0 runs";
   check "E <= 1 [ x(a) at 1 ]" "not known, 0 runs"
 
@@ -190,7 +190,8 @@ let outcome : Sample.outcome -> string = function
   | Truth b -> string_of_bool b
   | Number r -> Rat.to_string r
   | Never -> "never"
-  | Free -> "free"
+  | Free Elsewhere -> "free"
+  | Free Walkers_bounce -> "free, where walkers bounce"
   | Too_long _ -> "too long"
   | No_value why -> "no value: " ^ why
 

@@ -174,6 +174,71 @@ let splits () =
   in
   said "each put off or not" [ "splits" ] (without Symmetry (few 3000)) (bonded 12)
 
+(* {1 Walls, and draws} *)
+
+(* Of a room, so wide inside, with its walls. *)
+let room wide =
+  let far = wide + 3 in
+  let plate x y z (a, b, c) =
+    Printf.sprintf "fixed w%d%d%d = Cube scaled (%d,%d,%d) at translate (%d,%d,%d)\n" (x + 1) (y + 1) (z + 1) a b c
+      (x * (wide + 2)) (y * (wide + 2)) (z * (wide + 2))
+  in
+  let thin = wide + 1 in
+  let sizes x y = if x <> 0 then (1, thin, thin) else if y <> 0 then (far, 1, thin) else (far, far, 1) in
+  let along x y z = plate x y z (sizes x y) in
+  String.concat "" [ along 1 0 0; along (-1) 0 0; along 0 1 0; along 0 (-1) 0; along 0 0 1; along 0 0 (-1) ]
+
+type walkers = { wide : int; count : int; ways : int; waits : bool; draw : bool; asked : int }
+
+let walkers_text ~closed w =
+  let ways = [ "(2,0,0)"; "(-2,0,0)"; "(0,2,0)"; "(0,-2,0)"; "(0,0,2)"; "(0,0,-2)" ] in
+  let kicks = String.concat ", " (List.filteri (fun i _ -> i < w.ways) ways) in
+  let body i =
+    let velocity = if w.draw then "" else "velocity " ^ List.nth ways ((i + w.asked) mod w.ways) ^ " " in
+    Printf.sprintf "process p%d = Cube mass %d %sat translate (0,%d,0) [nil]\n" i (1 + (i mod 2)) velocity
+      ((4 * i) - (2 * w.count) + 2)
+  in
+  let check = List.nth [ "AG EF x(p0) > 3"; "possibly x(p0) = 77/5"; "AG EF event bounce(p0)" ] (w.asked mod 3) in
+  (if w.waits && w.draw then "blocked wait\n" else "")
+  ^ "timestep 1 steady\n"
+  ^ (if closed then room w.wide else "")
+  ^ String.concat "" (List.init w.count body)
+  ^ (if w.draw then "motion choose { " ^ kicks ^ " }\n" else "")
+  ^ "check c : " ^ check ^ "\n"
+
+let some_walkers =
+  let open QCheck2.Gen in
+  let* wide = 8 -- 9 and* count = 1 -- 3 and* ways = 2 -- 6 in
+  let+ waits = bool and* draw = bool and* asked = 0 -- 5 in
+  { wide; count; ways; waits; draw; asked }
+
+let kinds_of asked text =
+  let _, stats = report asked text in
+  List.map Growth.kind stats.causes
+
+(* Within walls nothing leaves, nor does all of it drift. *)
+let in_rooms =
+  QCheck2.Test.make ~name:"in a room no wall is named" ~count:40 ~print:(walkers_text ~closed:true) some_walkers
+    (fun w ->
+       let kinds = kinds_of (few 300) (walkers_text ~closed:true w) in
+       not (List.mem "leaves" kinds || List.mem "drifts" kinds))
+
+(* What is named in open space is not where the room has been built around it. *)
+let in_the_open =
+  QCheck2.Test.make ~name:"in the open a wall helps" ~count:20 ~print:(walkers_text ~closed:false) some_walkers
+    (fun w ->
+       let named kinds = List.mem "leaves" kinds || List.mem "drifts" kinds in
+       (not (named (kinds_of (few 300) (walkers_text ~closed:false w))))
+       || not (named (kinds_of (few 300) (walkers_text ~closed:true w))))
+
+(* Draws are named where many bodies draw at once, and where all that is explored is of the time 0. *)
+let draws () =
+  let many count = { wide = 20; count; ways = 4; waits = true; draw = true; asked = 0 } in
+  let named count = List.mem "draws" (kinds_of (few 2000) (walkers_text ~closed:true (many count))) in
+  let names = List.map (fun n -> (n, named n)) [ 1; 2; 5; 6; 8 ] in
+  Alcotest.(check (list (pair int bool))) "by how many bodies draw"
+    [ (1, false); (2, false); (5, true); (6, true); (8, true) ] names
+
 (* {1 Nothing} *)
 
 let nothing () =
@@ -226,7 +291,7 @@ let guide () =
   let kinds = List.filter (fun (word, _) -> String.length word > String.length before) blocks in
   let kind word = String.sub word (String.length before) (String.length word - String.length before) in
   Alcotest.(check (list string)) "each kind of cause, and a cure"
-    [ "leaves"; "drifts"; "times"; "numbers"; "steps"; "orders"; "splits" ]
+    [ "leaves"; "drifts"; "times"; "numbers"; "steps"; "orders"; "splits"; "draws" ]
     (List.map (fun (word, _) -> kind word) kinds);
   let rec cured = function
     | (word, _) :: (("after", _) :: _ as rest) when word <> "after" -> cured rest
@@ -270,6 +335,8 @@ let suite =
          case "weak splits" splits;
          case "nothing to say" nothing;
          case "words" words;
+         case "many draws" draws;
        ] );
+     ("walls", Scc_test_support.Property.cases [ in_rooms; in_the_open ]);
      ("the guide", [ case "its models before and after" guide ]);
    ])

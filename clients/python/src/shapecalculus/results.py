@@ -125,7 +125,7 @@ class Simulated(Result):
 
 @dataclass(frozen=True)
 class Estimate:
-    """One property. ``verdict``: ``"estimated"``, ``"estimated_holds"``, ``"estimated_violated"`` or ``"undecided"``.
+    """One property. ``verdict``: ``"estimated"``, ``"sampled"``, ``"estimated_holds"``, ``"estimated_violated"`` or ``"undecided"``.
     ``kind``: ``"probability"``, ``"mean"``, ``"sample"`` (no interval follows), ``"infinite"``, or None where there is
     no value. The number is between ``low`` and ``high`` with the confidence of the estimates; ``mean`` and
     ``deviation`` are those of the runs. ``counts``: how the runs ended."""
