@@ -10,8 +10,7 @@ let standard = Scc_engine.Standard.of_model
 (* {1 Random walks} *)
 
 let shapes =
-  {|timestep 1 steady
-compound Ell {
+  {|compound Ell {
   part foot : box(1,1,1) mass 1
   part back : box(1,1,1) mass 1 at translate (0,1,0)
   part toe : box(1,1,1) mass 1 at translate (1,0,0)
@@ -47,6 +46,8 @@ let laws =
     "choose { (1,0,0), (-1,0,0) }";
     "choose { (1,1,0), (-1,-1,0), (1,0,0) weight 2, (-1,0,0) weight 2 }";
     "choose { (2,0,0), (-2,0,0), (0,1,0), (0,-1,0) }";
+    "choose { (1/2,0,0), (-1/2,0,0), (0,1,0), (0,-1,0) }";
+    "choose { (1/2,1/3,0), (-1/2,-1/3,0), (0,3,0), (0,-3,0) }";
   ]
 
 type floor = { columns : int; rows : int }
@@ -89,8 +90,8 @@ let walk_gen =
         let body = Printf.sprintf "process w%d = %s [nil]\nmotion w%d = %s\n" i (placed name shift (x, y)) i law in
         bodies (i + 1) ~tries (places @ taken) (text ^ body)
   in
-  let+ bodies = bodies 0 ~tries:20 [] "" in
-  shapes ^ walls floor ^ bodies
+  let+ bodies = bodies 0 ~tries:20 [] "" and+ timestep = oneofl [ "1"; "1"; "1/2"; "2" ] in
+  Printf.sprintf "timestep %s steady\n" timestep ^ shapes ^ walls floor ^ bodies
 
 (* {1 The chain of steps} *)
 
@@ -116,7 +117,7 @@ let step c s =
   and on chance s found =
     match successors c s with
     | [ { Transition.label = Time d; target; _ } ] ->
-      if not (Rat.equal d Rat.one) then failwith "something is met within a step";
+      if not (Rat.equal d (Semantics.model c).timestep) then failwith "something is met within a step";
       (target, chance) :: found
     | _ -> failwith "there is no one way to go on"
   in
@@ -206,7 +207,8 @@ let rec bounced c s =
 
 (* The velocities along a row of six places. *)
 let velocities ?(at = drawn) how bodies =
-  let c, s = start how (shapes ^ walls { columns = 6; rows = 1 } ^ String.concat "" bodies) in
+  let row = walls { columns = 6; rows = 1 } in
+  let c, s = start how (String.concat "" ("timestep 1 steady\n" :: shapes :: row :: bodies)) in
   let velocity (p : State.process) =
     if Option.is_none (State.mass (Semantics.model c) p) then None else Some (Rat.to_string p.velocity.x)
   in

@@ -1,5 +1,5 @@
-(* Runs of dense crowds whose walkers do not bounce (rule Blocked), against the transition relation, step by step. The
-   crowds are those of {!Test_crowd}, with kicks of more lengths. The relation is computed by brute force. *)
+(* Runs of dense crowds whose walkers do not bounce (rule Blocked), against the transition relation, step by step.
+   The crowds are those of {!Test_crowd}, with kicks of more lengths. The relation is computed by brute force. *)
 
 open Scc_exact
 open Scc_calculus
@@ -51,7 +51,8 @@ let follow (m, declared) choices =
         | Ok transitions, Ok labels ->
           let expected = texts m (List.map (fun (t : Transition.t) -> t.label) transitions) in
           let found = texts m (Run.list labels) in
-          if not (List.equal String.equal expected found) then Test_crowd.differ step "what is possible" expected found;
+          if not (List.equal String.equal expected found) then
+            Test_crowd.differ step "what is possible" expected found;
           let i = choice mod List.length transitions in
           let t = List.nth transitions i in
           let taken = Run.take run i in
