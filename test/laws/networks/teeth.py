@@ -253,7 +253,7 @@ TESTS = [
     ),
     mistakes.Test("test/laws/networks/test_rigid_laws.exe"),
     mistakes.Test("test/laws/networks/tests.exe"),
-    walkers("--runs 8 --file test/outside/successor/models/blocked-bound.sc"),
+    walkers("--runs 8 " + " ".join("--file test/outside/successor/models/%s.sc" % m for m in ("blocked-bound", "moving-wall"))),
     walkers("--walks 150 --steps 12 --stop 1"),
 ]
 

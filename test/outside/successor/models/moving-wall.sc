@@ -1,4 +1,5 @@
-// Blocked: a ball bounces off a walker that moves on, by the velocity that it has relative to it.
+// Blocked: two balls hit a walker at once, which moves on. Each bounces by itself, by the velocity that it has relative to
+// the walker.
 model moving_wall
 
 timestep 1 steady
@@ -13,6 +14,6 @@ shape Cube {
 }
 
 process ball = Cube mass 1 velocity (5, 0, 0) at translate (0, 0, 0) [nil]
-process other = Cube mass 1 velocity (0, -3, 0) at translate (9/2, 4, 0) [nil]
+process other = Cube mass 1 velocity (0, -4, 0) at translate (11/2, 4, 0) [nil]
 process walker = Cube mass 1 at translate (4, 0, 0) [nil]
 motion walker = choose { (1, 0, 0), (0, 1, 0) }
