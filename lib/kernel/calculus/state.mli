@@ -133,6 +133,9 @@ val mapi : (int -> process -> process) -> t -> t
 val restricted : t -> (int -> bool) -> t
 (** [restricted s stays] is [s] with only the processes whose indices pass the test. *)
 
+val with_leaves : t -> int list -> t
+(** [with_leaves s leaves] is [s] with only the processes that have some of these leaves. *)
+
 val at : step:step option -> time:Rat.t option -> t -> t
 (** [at ~step ~time s] is the processes of [s], in this movement step and at this absolute time. *)
 
@@ -199,8 +202,6 @@ val equal : t -> t -> bool
 val hash : t -> int
 (** A hash that agrees with {!equal}. *)
 
-val equal_phase : phase -> phase -> bool
-(** [equal_phase a b] is true if [a] and [b] are the same phase. *)
 
 val equal_process : process -> process -> bool
 (** [equal_process p q] is true if [p] and [q] are equal in all fields, for the same leaves. *)

@@ -11,8 +11,7 @@ let parts (c : Semantics.t) processes =
 (* Those of two processes together, in order. *)
 let by_processes pairs =
   let compare (_, ((a : Part.t), (b : Part.t))) (_, ((a' : Part.t), (b' : Part.t))) =
-    let c = Int.compare a.process a'.process in
-    if c <> 0 then c else Int.compare b.process b'.process
+    Int.compare a.process a'.process <?> fun () -> Int.compare b.process b'.process
   in
   let group groups pair =
     match groups with
@@ -205,7 +204,7 @@ let add linked found x =
 let clusters (c : Semantics.t) processes =
   let single = List.map of_meeting (List.filter (fun m -> blocked c processes m = []) (meetings c processes)) in
   match c.setting.model.collisions with
-  | In_turn -> single
+  | In_turn | Drawn -> single
   | Together -> List.fold_left (add (linked c.setting.model processes)) [] single
 
 (* {1 Rule Bounce} *)

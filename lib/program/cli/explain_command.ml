@@ -46,7 +46,7 @@ let over check (ending : Replay.ending) =
   match ending with
   | Stuck { fault = Persistent_contact firsts; _ } when not (Option.fold ~none:false ~some:searched check) ->
     Some firsts
-  | Open | Quiescent | Stuck _ | Zeno -> None
+  | Open | Quiescent | Stuck _ | Zeno | Broken_off -> None
 
 (* The run, and how it stands where the schedule leaves it. *)
 let follow (l : Loaded.t) schedule check =
@@ -96,7 +96,7 @@ let explain console o =
   let* run, ending = follow model schedule check in
   (match ending with
    | Stuck s -> Console.report console [ Scc_verify.Bounds.dead_end (Replay.diagnostic model.model s) ]
-   | Open | Quiescent | Zeno -> ());
+   | Open | Quiescent | Zeno | Broken_off -> ());
   print console ~full:o.full model check ending (explanation run check);
   Ok ()
 
@@ -105,21 +105,17 @@ let run color json o =
   Guard.run console (fun () -> Result.map (fun () -> Exit_code.Holds) (explain console o))
 
 let witness =
-  let doc =
+  Options.argument 0 ~docv:"WITNESS"
     "The run: a schedule, as $(b,scc check --witness) writes it, or a trace, whose schedule is used."
-  in
-  Arg.(required & pos 0 (some string) None & info [] ~docv:"WITNESS" ~doc)
 
 let model =
   let doc = "The model. A schedule of $(b,scc check) names its model, by the path given then." in
   Arg.(value & pos 1 (some string) None & info [] ~docv:"MODEL" ~doc)
 
 let check =
-  let doc =
+  Options.maybe Arg.string [ "check" ] ~docv:"NAME"
     "Explains the facts in the check $(docv) of the model. By default it is the check for which the schedule is \
      a witness; without one, the last event of the run is explained."
-  in
-  Arg.(value & opt (some string) None & info [ "check" ] ~docv:"NAME" ~doc)
 
 let options =
   let full = Options.full "Prints every step of the run, and all digits of numbers." in

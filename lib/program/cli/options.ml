@@ -36,6 +36,14 @@ let integer ?(least = min_int) ?(most = max_int) what =
   in
   Arg.conv ~docv:"N" (parse, Format.pp_print_int)
 
+(* {1 Making options} *)
+
+let flag ?docs names doc = Arg.(value & flag & info names ~doc ?docs)
+let maybe ?docs kind names ~docv doc = Arg.(value & opt (some kind) None & info names ~docv ~doc ?docs)
+let default ?docs kind otherwise names ~docv doc = Arg.(value & opt kind otherwise & info names ~docv ~doc ?docs)
+let repeated kind names ~docv doc = Arg.(value & opt_all kind [] & info names ~docv ~doc)
+let argument index ~docv doc = Arg.(required & pos index (some string) None & info [] ~docv ~doc)
+
 (* {1 Outputs} *)
 
 let output ?(docv = "FILE") doc =
@@ -50,10 +58,10 @@ let named =
   Arg.conv ~docv:"FILE" (parse, Format.pp_print_string)
 
 let transitions = integer ~least:0 "number of transitions"
+let processes = integer ~least:1 ~most:1024 "number of processes from 1 to 1024"
 
 let model_file =
-  let doc = "The model, a $(b,.sc) file; $(b,-) reads it from standard input." in
-  Arg.(required & pos 0 (some string) None & info [] ~docv:"MODEL" ~doc)
+  argument 0 ~docv:"MODEL" "The model, a $(b,.sc) file; $(b,-) reads it from standard input."
 
 (* What is given for a name, as [value] reads and prints it. *)
 let for_name ~docv value print =
@@ -69,8 +77,8 @@ let for_name ~docv value print =
 let override = for_name ~docv:"NAME=VALUE" (Arg.conv_parser rational) Rat.to_string
 
 let overrides =
-  let doc = "Gives the parameter $(i,NAME) of the model the value $(i,VALUE), a rational. Repeatable." in
-  Arg.(value & opt_all override [] & info [ "D"; "define" ] ~docv:"NAME=VALUE" ~doc)
+  repeated override [ "D"; "define" ] ~docv:"NAME=VALUE"
+    "Gives the parameter $(i,NAME) of the model the value $(i,VALUE), a rational. Repeatable."
 
 (* {1 Ranges} *)
 
@@ -94,16 +102,30 @@ let cut s by =
   in
   from 0
 
+let no_range s = Error (`Msg (Printf.sprintf "`%s' is no range such as [1, 3) or [0, 1/2]" s))
+
+(* How loops and the grid of a sweep write values one after the other. *)
+let several s =
+  match List.find_map (cut s) [ ".."; ":"; "," ] with
+  | None -> None
+  | Some (low, rest) ->
+    let high = match cut rest ":" with Some (high, _) -> high | None -> rest in
+    Some
+      (Printf.sprintf
+         "`%s' are values one after the other, as scc sweep takes them: a range of all numbers between is \
+          written [%s,%s]"
+         s (String.trim low) (String.trim high))
+
 let parse_given s =
   let n = String.length s in
   let bracketed = n > 2 && (s.[0] = '[' || s.[0] = '(') && (s.[n - 1] = ']' || s.[n - 1] = ')') in
   if bracketed then
     match cut (String.sub s 1 (n - 2)) "," with
     | Some (low, high) -> between s.[0] low high s.[n - 1]
-    | None -> Error (`Msg (Printf.sprintf "`%s' is no range such as [1, 3) or 1..3" s))
+    | None -> no_range s
   else
-    match cut s ".." with
-    | Some (low, high) -> between '[' low high ']'
+    match several s with
+    | Some why -> Error (`Msg why)
     | None -> Result.map (fun q -> Value q) (Arg.conv_parser rational s)
 
 let given_to_string = function
@@ -122,8 +144,8 @@ type definitions = {
 let definitions =
   let doc =
     "Gives the parameter $(i,NAME) of the model the value $(i,VALUE), a rational. If the parameter has a range, \
-     it can be narrowed instead: to $(b,1..3), with both ends, or to $(b,[1,3\\)), where a round bracket \
-     excludes an end. Repeatable."
+     it can be narrowed instead: to $(b,[1,3]), or to $(b,[1,3\\)), where a round bracket excludes an end. \
+     Repeatable."
   in
   let given = for_name ~docv:"NAME=VALUE" parse_given given_to_string in
   let values = List.filter_map (function name, Value q -> Some (name, q) | _, Within _ -> None) in
@@ -147,11 +169,9 @@ let progress =
   Term.(const lines $ Arg.(value & flag & info [ "progress" ] ~doc ~docs:sdocs))
 
 let json =
-  let doc =
+  flag [ "json" ]
     "Prints one JSON document to standard output: the report, or the diagnostics if there can be no report. \
      Nothing is printed to standard error. The schemas are in $(b,specs/schema)."
-  in
-  Arg.(value & flag & info [ "json" ] ~doc)
 
 let full doc =
   let doc =
