@@ -118,7 +118,8 @@ MISTAKES = {
     "walkers stop but once": ("blocked.ml", "else until_none c (at_rest stops s)", "else (ignore until_none; at_rest stops s)"),
     "a walker that may bind stops": ("blocked.ml", "Ids.diff stops busy", "(ignore busy; stops)"),
     "a kick up to a wall is blocked": (
-        "blocked.ml", "Rat.compare t c.setting.model.timestep < 0", "Rat.compare t c.setting.model.timestep <= 0",
+        "blocked.ml", "before_the_next_draw t = Rat.compare t c.setting.model.timestep < 0",
+        "before_the_next_draw t = Rat.compare t c.setting.model.timestep <= 0",
     ),
     "a kick into a bond is blocked": (
         "blocked.ml", "not (binds_at c t s.processes.(two.first) s.processes.(two.second))",
