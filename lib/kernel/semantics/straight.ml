@@ -58,15 +58,13 @@ let renewed { model; _ } p =
   | None -> p
   | Some _ -> State.with_turn ~spin:Vec.zero ~since:Rat.zero ~lasts:None p
 
-(* A separating direction n of two processes is a row n.(v' - v); a body that does not yield has no part in
-   it. *)
+(* A separating direction n of two processes is a row n.(v' - v); no impulse changes a body that does not yield. *)
 let row model (processes : State.process array) first second n : Reflection.row =
   let part i push =
-    match Process.yielding_mass model processes.(i) with
-    | None -> []
-    | Some mass -> [ (i, push, Vec.scale (Rat.div Rat.one mass) push) ]
+    let change mass = Vec.scale (Rat.div Rat.one mass) push in
+    (i, push, Option.fold (Process.yielding_mass model processes.(i)) ~none:Vec.zero ~some:change)
   in
-  part first (Vec.neg n) @ part second n
+  [ part first (Vec.neg n); part second n ]
 
 let rows c (processes : State.process array) (m : meeting) =
   let w = Vec.sub processes.(m.second).velocity processes.(m.first).velocity in

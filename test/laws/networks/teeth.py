@@ -5,8 +5,8 @@
     test/laws/networks/teeth.py --places     only whether each mistake has a place to be made in; part of the tests
 
 Works on a copy of the source tree (below DIR, to be kept for the next time). Each mistake has to be noticed by the
-tests of test/unit/semantics, test/unit/elaborate or test/laws/networks, or by the suite of specs/conformance: some
-test fails, or does not end.
+tests of test/unit/semantics, test/unit/elaborate or test/laws/networks, by the suite of specs/conformance, or by the
+random walkers of test/outside/successor: some test fails, or does not end.
 """
 
 import sys
@@ -114,6 +114,49 @@ MISTAKES = {
         "(Vec.add (Vec.scale mq p.velocity) (Vec.scale mp q.velocity))",
     ),
     "who turns does not meet those at the same velocity": ("part.ml", "|| turns a || turns b)", "|| turns a)"),
+    # Walkers that do not bounce.
+    "walkers stop but once": ("blocked.ml", "else until_none c (at_rest stops s)", "else (ignore until_none; at_rest stops s)"),
+    "a walker that may bind stops": ("blocked.ml", "Ids.diff stops busy", "(ignore busy; stops)"),
+    "a kick up to a wall is blocked": (
+        "blocked.ml", "before_the_next_draw t = Rat.compare t c.setting.model.timestep < 0",
+        "before_the_next_draw t = Rat.compare t c.setting.model.timestep <= 0",
+    ),
+    "a kick into a bond is blocked": (
+        "blocked.ml", "not (binds_at c t s.processes.(two.first) s.processes.(two.second))",
+        "(ignore (t, s); ignore binds_at; true)",
+    ),
+    "two kicks into one place are taken": (
+        "blocked.ml", "List.filter kicked [ two.first; two.second ]",
+        "match List.filter kicked [ two.first; two.second ] with [ i ] -> [ i ] | _ -> []",
+    ),
+    "a blocked kick blocks no other": (
+        "blocked.ml", "|> spread ~beside Ids.empty", "|> spread ~beside:(fun _ -> ignore beside; []) Ids.empty",
+    ),
+    "a path is as long as a velocity": (
+        "blocked.ml", "Vec.scale c.setting.model.timestep (Part.velocity a)", "(ignore c; Part.velocity a)",
+    ),
+    "kicks end within a fixed distance": (
+        "blocked.ml", "Rat.mul (Rat.of_int 2) (Rat.mul c.setting.model.timestep fastest)", "(ignore fastest; Rat.zero)",
+    ),
+    "the last collision of a path counts": (
+        "blocked.ml", "Option.merge Rat.min first (time pair)", "Option.merge Rat.max first (time pair)",
+    ),
+    "sweeps that touch meet": ("../../solids/geometry/swept.ml", "inside) < 0) facets", "inside) <= 0) facets"),
+    "one of two sweeps goes backwards": ("../../solids/geometry/swept.ml", "Vec.sub r v", "Vec.add r v"),
+    "a walker that is hit stops": ("collisions.ml", "stops p && (one || not two)", "stops p && (one || true)"),
+    "two that slide into each other go on": ("collisions.ml", "stops q && (two || not one)", "(ignore one; stops q && two)"),
+    "walkers connect collisions": (
+        "collisions.ml", "Option.is_some (Process.yielding_mass model processes.(i))",
+        "Option.is_some (State.mass model processes.(i))",
+    ),
+    "a walker takes its share of a bounce": (
+        "straight.ml", "Process.yielding_mass model processes.(i)", "State.mass model processes.(i)",
+    ),
+    "a walker in a bounce is at rest": (
+        "straight.ml", "[ part first (Vec.neg n); part second n ]",
+        "List.filter (fun (i, _, _) -> Option.is_some (Process.yielding_mass model processes.(i)))\n"
+        "    [ part first (Vec.neg n); part second n ]",
+    ),
     # Laws of motion.
     "fixed bodies are steered": (
         "process.ml", "p.leaves\n  && Option.is_some (State.mass m p)", "p.leaves\n  && (ignore State.mass; true)",
@@ -195,6 +238,13 @@ MISTAKES = {
     ),
 }
 
+# Random walkers, against the successor function that was written from the text.
+def walkers(options: str) -> mistakes.Test:
+    compare = "test/outside/successor/compare.py --scc _build/default/bin/main.exe --no-suite --models 0 --rigid 0 "
+    return mistakes.Test("bin/main.exe", ("python3", "-B", *(compare + options).split()))
+
+
+
 TESTS = [
     mistakes.Test("test/unit/semantics/tests.exe"),
     mistakes.Test("test/unit/elaborate/tests.exe"),
@@ -204,6 +254,8 @@ TESTS = [
     ),
     mistakes.Test("test/laws/networks/test_rigid_laws.exe"),
     mistakes.Test("test/laws/networks/tests.exe"),
+    walkers("--runs 8 " + " ".join("--file test/outside/successor/models/%s.sc" % m for m in ("blocked-bound", "moving-wall"))),
+    walkers("--walks 150 --steps 12 --stop 1"),
 ]
 
 if __name__ == "__main__":

@@ -10,8 +10,7 @@ let standard = Scc_engine.Standard.of_model
 (* {1 Random walks} *)
 
 let shapes =
-  {|timestep 1 steady
-compound Ell {
+  {|compound Ell {
   part foot : box(1,1,1) mass 1
   part back : box(1,1,1) mass 1 at translate (0,1,0)
   part toe : box(1,1,1) mass 1 at translate (1,0,0)
@@ -47,6 +46,8 @@ let laws =
     "choose { (1,0,0), (-1,0,0) }";
     "choose { (1,1,0), (-1,-1,0), (1,0,0) weight 2, (-1,0,0) weight 2 }";
     "choose { (2,0,0), (-2,0,0), (0,1,0), (0,-1,0) }";
+    "choose { (1/2,0,0), (-1/2,0,0), (0,1,0), (0,-1,0) }";
+    "choose { (1/2,1/3,0), (-1/2,-1/3,0), (0,3,0), (0,-3,0) }";
   ]
 
 type floor = { columns : int; rows : int }
@@ -89,8 +90,8 @@ let walk_gen =
         let body = Printf.sprintf "process w%d = %s [nil]\nmotion w%d = %s\n" i (placed name shift (x, y)) i law in
         bodies (i + 1) ~tries (places @ taken) (text ^ body)
   in
-  let+ bodies = bodies 0 ~tries:20 [] "" in
-  shapes ^ walls floor ^ bodies
+  let+ bodies = bodies 0 ~tries:20 [] "" and+ timestep = oneofl [ "1"; "1"; "1/2"; "2" ] in
+  Printf.sprintf "timestep %s steady\n" timestep ^ shapes ^ walls floor ^ bodies
 
 (* {1 The chain of steps} *)
 
@@ -116,7 +117,7 @@ let step c s =
   and on chance s found =
     match successors c s with
     | [ { Transition.label = Time d; target; _ } ] ->
-      if not (Rat.equal d Rat.one) then failwith "something is met within a step";
+      if not (Rat.equal d (Semantics.model c).timestep) then failwith "something is met within a step";
       (target, chance) :: found
     | _ -> failwith "there is no one way to go on"
   in
@@ -193,21 +194,30 @@ let walker name x law =
   Printf.sprintf "process %s = box(1,1,1) mass 1 at translate (%d, 0, 0) [nil]\nmotion %s = choose { %s }\n" name x
     name law
 
-(* The velocities along a row of six places, after all have drawn the one that they can. *)
-let velocities how bodies =
-  let c, s = start how (shapes ^ walls { columns = 6; rows = 1 } ^ String.concat "" bodies) in
-  let rec drawn s =
-    match successors c s with
-    | [ { Transition.label = Draw _; target; _ } ] -> drawn target
-    | _ -> s
-  in
+let rec drawn c s =
+  match successors c s with
+  | [ { Transition.label = Draw _; target; _ } ] -> drawn c target
+  | _ -> s
+
+let rec bounced c s =
+  match successors c s with
+  | [ { Transition.label = Bounce _; target; _ } ] -> target
+  | [ { target; _ } ] -> bounced c target
+  | _ -> failwith "there is no one way to go on"
+
+(* The velocities along a row of six places. *)
+let velocities ?(at = drawn) how bodies =
+  let row = walls { columns = 6; rows = 1 } in
+  let c, s = start how (String.concat "" ("timestep 1 steady\n" :: shapes :: row :: bodies)) in
   let velocity (p : State.process) =
     if Option.is_none (State.mass (Semantics.model c) p) then None else Some (Rat.to_string p.velocity.x)
   in
-  String.concat " " (List.filter_map velocity (Array.to_list (drawn s).processes))
+  String.concat " " (List.filter_map velocity (Array.to_list (at c s).processes))
+
+let ball = "process ball = box(1,1,1) mass 1 velocity (2, 0, 0) at translate (0, 0, 0) [nil]\n"
 
 let by_cases () =
-  let check what expected how bodies = Alcotest.(check string) what expected (velocities how bodies) in
+  let check ?at what expected how bodies = Alcotest.(check string) what expected (velocities ?at how bodies) in
   let right = "(1,0,0)" and left = "(-1,0,0)" in
   check "a train moves" "1 1 1" "wait" [ walker "p" 0 right; walker "q" 1 right; walker "r" 2 right ];
   check "but not into a wall" "0 0 0" "wait" [ walker "p" 3 right; walker "q" 4 right; walker "r" 5 right ];
@@ -219,7 +229,8 @@ let by_cases () =
   check "at once, there is nothing to take" "0 1" "stop" [ walker "p" 5 right; walker "q" 2 right ];
   check "what is hit goes on" "0 1" "stop" [ walker "p" 2 "(2,0,0)"; walker "q" 3 right ];
   check "two that run into each other stop" "0 0" "stop" [ walker "p" 2 right; walker "q" 3 left ];
-  check "and bounce by default" "1 -1" "bounce" [ walker "p" 2 right; walker "q" 3 left ]
+  check "and bounce by default" "1 -1" "bounce" [ walker "p" 2 right; walker "q" 3 left ];
+  check ~at:bounced "a ball bounces off a walker that moves" "-1 1/2" "stop" [ ball; walker "p" 2 "(1/2,0,0)" ]
 
 let suite =
   ( "blocked",

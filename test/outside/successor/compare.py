@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import Any, List, Optional, Tuple
 
 import generate
+import walks
 from draws import chooses
 from lots import lots_wait
 from model import Model, Undefined
@@ -210,6 +211,7 @@ def switches(model: Model) -> List[str]:
     found = ["together"] * model.together + ["by contact"] * model.by_contact
     found += ["laws"] * model.steered + ["local steps"] * (model.steered and model.local)
     found += ["steady steps"] * (model.steered and model.steady) + ["only"] * model.only
+    found += ["blocked " + model.blocked] * (model.blocked != "bounce")
     found += ["draws"] * any(map(chooses, model.leaves.values()))
     found += ["pushes"] * model.pushes + ["cyclic"] * model.cyclic
     found += ["lots"] * model.lots
@@ -359,6 +361,7 @@ def main() -> int:
     parser.add_argument("--scc", required=True)
     parser.add_argument("--models", type=int, default=60)
     parser.add_argument("--rigid", type=int, default=10, help="of bodies that turn")
+    parser.add_argument("--walks", type=int, default=20, help="with walkers that do not bounce")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--steps", type=int, default=8)
     parser.add_argument("--runs", type=int, default=1)
@@ -390,6 +393,9 @@ def main() -> int:
             for i in range(options.rigid):
                 name = "rigid %d" % (options.seed * 1000000 + i)
                 yield name, generate.model(random.Random(name), rigid=True)
+            for i in range(options.walks):
+                name = "walks %d" % (options.seed * 1000000 + i)
+                yield name, walks.model(random.Random(name))
 
     name = "the first"
     try:

@@ -187,7 +187,9 @@ class Draws:
         if waits(state):
             return state
         asked = [p for p in state.processes if p.draw is not None]
-        return self.finished(self.steer_all(state, asked))  # type: ignore[attr-defined]
+        drawn = [set(p.bodies) for p in asked]
+        rules: Any = self
+        return rules.finished(rules.without_blocked_kicks(rules.steer_all(state, asked), drawn))
 
 
 def waits(state: State) -> bool:

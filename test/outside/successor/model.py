@@ -398,8 +398,9 @@ class Model:
         self.together = self.settings.get("collisions") == "together"
         self.by_contact = self.settings.get("binding") == "contact"
         self.cyclic = self.settings.get("bonds") == "cyclic"
-        if self.settings.get("blocked", "bounce") != "bounce":
-            raise Refused("walkers that do not bounce (Blocked)")
+        self.blocked = self.settings.get("blocked", "bounce")
+        if self.blocked != "bounce" and (self.rigid or "velocity" in self.rounding):
+            raise Refused("walkers that do not bounce in a rigid model, or rounded (Blocked)")
         if self.rigid and self.by_contact:
             raise Refused("binding contact in a rigid model (I-33)")
         behaviours = list(self.behaviours.values())

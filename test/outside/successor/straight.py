@@ -12,6 +12,7 @@ import impact
 import response
 import steps
 import terms
+from blocked import Blocked
 from draws import Draws, waits
 from lots import Lots, lots_wait
 from model import Leaf, Model, Part
@@ -46,7 +47,7 @@ class Pair:
         return contact.approaching(self.part1.solid, self.part2.solid, self.offset, w)
 
 
-class Rules(Draws, Lots, Rounding):
+class Rules(Draws, Blocked, Lots, Rounding):
     """The rules over one model."""
 
     def __init__(self, model: Model) -> None:
@@ -119,7 +120,7 @@ class Rules(Draws, Lots, Rounding):
 
     def clusters(self, state: State) -> List[List[Meeting]]:
         """Collisions that are resolved as one: those that hang together (I-32), or each."""
-        left = self.collisions(state)
+        left = [m for m in self.collisions(state) if not any(True for _ in self.to_stop(m))]
         if not self.model.together:
             return [[meeting] for meeting in left]
         found = []
@@ -127,7 +128,7 @@ class Rules(Draws, Lots, Rounding):
             cluster = [left.pop(0)]
             grown = True
             while grown:
-                moving = {id(p) for m in cluster for p in m[:2] if not self.is_fixed(p)}
+                moving = {id(p) for m in cluster for p in m[:2] if not self.takes_nothing(p)}
                 more = [m for m in left if id(m[0]) in moving or id(m[1]) in moving]
                 left = [m for m in left if not any(m is other for other in more)]
                 cluster += more
@@ -187,14 +188,18 @@ class Rules(Draws, Lots, Rounding):
             [pair.tight for pair in pairs], [pair.approaches(w) for pair in pairs]
         )
 
+    def takes_nothing(self, process: Process) -> bool:
+        """Whether a process takes no share of the change of a bounce."""
+        return self.is_fixed(process) or self.is_walker(process)
+
     def bounce(self, p: Process, q: Process, pairs: List[Pair]) -> Tuple[Process, Process]:
         """Rule Bounce, with rule Response."""
         w = sub(q.velocity, p.velocity)
         normals = self.normals(p, q, pairs)
         change = sub(response.reflect(normals, w), w)
-        if self.is_fixed(p):
+        if self.takes_nothing(p):
             share1, share2 = Fraction(0), Fraction(1)
-        elif self.is_fixed(q):
+        elif self.takes_nothing(q):
             share1, share2 = Fraction(1), Fraction(0)
         else:
             m1, m2 = self.mass(p), self.mass(q)
@@ -207,7 +212,9 @@ class Rules(Draws, Lots, Rounding):
         """Reading I-32: one bounce of all processes of a cluster, as old and new ones."""
         old = members(cluster)
         bodies = [
-            impact.Rigid(None if self.is_fixed(p) else self.mass(p), ZERO, None, p.velocity, ZERO)
+            impact.Rigid(
+                None if self.takes_nothing(p) else self.mass(p), ZERO, None, p.velocity, ZERO
+            )
             for p in old
         ]
         at = {id(p): i for i, p in enumerate(old)}
@@ -582,10 +589,14 @@ class Rules(Draws, Lots, Rounding):
 
     def settled(self, state: State, kind: str) -> State:
         """The end of each transition: Steer, and Round where velocities are rounded."""
+        if not waits(state):
+            state = self.stopped_walkers(state)
         return self.finished(self.after_steering(state, kind))
 
     def finished(self, state: State) -> State:
         """The end of each transition after Steer, unless somebody waits to draw (Draw)."""
+        if not waits(state):
+            state = self.stopped_walkers(state)
         rounds = "velocity" in self.model.rounding and not waits(state)
         return self.begin_turns(state) if rounds else state
 

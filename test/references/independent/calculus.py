@@ -11,6 +11,7 @@ from itertools import combinations, product
 
 from behaviours import age, age_origin, canonical, horizon, least, offers
 from boxes import AXES, Body, Part, approaching, entry, inside, obstacle, on_surface, touching_pairs
+from blocked import Blocked
 from draws import Draws
 
 __all__ = ['AXES', 'Body', 'Calculus', 'Leaf', 'Part', 'Process', 'State', 'ZERO', 'canonical', 'inside', 'minus',
@@ -42,8 +43,10 @@ def times(k, u):
 ZERO = (F(0), F(0), F(0))
 
 
-class Calculus(Draws):
-    def __init__(self, bodies, definitions, timestep, split_step, together=False, by_contact=False, cyclic=False):
+class Calculus(Draws, Blocked):
+    def __init__(self, bodies, definitions, timestep, split_step, together=False, by_contact=False, cyclic=False,
+                 blocked='bounce', steady=False):
+        self.blocked, self.steady = blocked, steady
         self.together, self.by_contact, self.cyclic = together, by_contact, cyclic
         self.bodies = bodies
         self.definitions = definitions
@@ -94,11 +97,14 @@ class Calculus(Draws):
         """All (P, Q, the pairs of parts that touch and approach)."""
         found = []
         for p, q in combinations(state.processes, 2):
-            w = minus(q.velocity, p.velocity)
-            pairs = [x for x in self.part_pairs(p, q) if approaching(x[4], x[5], w)]
+            pairs = self.approaching_parts(p, q)
             if pairs or (self.by_contact and self.candidates(p, q)):
                 found.append((p, q, pairs))
         return found
+
+    def approaching_parts(self, p, q):
+        w = minus(q.velocity, p.velocity)
+        return [x for x in self.part_pairs(p, q) if approaching(x[4], x[5], w)]
 
     def candidates(self, p, q):
         """Rule Bind, of two that collide: (bond, the two leaves continued). All their parts that touch (I-12)."""
@@ -182,7 +188,7 @@ class Calculus(Draws):
 
     def pushed(self, members, rows, i):
         """The projection of minus the velocities on the cone of the rows: all sets of rows that may push are tried."""
-        weight = {p: F(0) if self.fixed(p) else 1 / F(self.mass(p)) for p in members}
+        weight = {p: 1 / F(self.mass(p)) if self.yields(p) else F(0) for p in members}
         speed = [side * (q.velocity[i] - p.velocity[i]) for p, q, side in rows]
 
         def change(row, p):
@@ -206,10 +212,12 @@ class Calculus(Draws):
         """What is resolved at once: one by one (I-8), or all that hang together by what moves (I-32)."""
         found = []
         for x in met:
+            if self.stopping(*x):
+                continue
             mine = [x]
             for other in list(found):
                 shared = {p for m in other for p in m[:2]} & set(x[:2])
-                if self.together and any(not self.fixed(p) for p in shared):
+                if self.together and any(self.yields(p) for p in shared):
                     found.remove(other)
                     mine = other + mine
             found.append(mine)
@@ -333,13 +341,14 @@ class Calculus(Draws):
 
     def settle(self, state):
         """Rule Steer, if it is due and nothing collides, or the draws to come before."""
+        state = self.stopped(state)
         if state.step and state.step[1] == 'due' and not self.collisions(state):
             dt = self.timestep - state.step[0]
             return self.waiting(state, dt) or self.steer(state, dt)
         return state
 
     def steer(self, state, dt):
-        processes = []
+        processes, drawn = [], [p.leaves[0].name for p in state.processes if self.chooses(p)]
         for p in state.processes:
             if p.draw is not None:
                 p = p._replace(velocity=p.draw, draw=None)
@@ -347,7 +356,8 @@ class Calculus(Draws):
                 (velocity,) = self.choices(p, state.time, dt)
                 p = p._replace(velocity=velocity)
             processes.append(p)
-        return self.state(processes, (self.timestep, 'steered'), state.time)
+        after = self.state(processes, (self.timestep, 'steered'), state.time)
+        return self.stopped(self.waiting_for_room(after, drawn))
 
     def initial(self, processes):
         s = self.state(processes, None, F(0))
@@ -382,7 +392,7 @@ class Calculus(Draws):
                     pieces = self.split(p, frozenset([bond]), changed)
                     found.add((('weak', bond), replace([p], pieces, state.step)))
         step = state.step
-        if step and step[1] == 'moving':
+        if step and step[1] == 'moving' and not self.steady:
             step = (step[0], 'due')
         for cluster in self.clusters(self.collisions(state)):
             urgent = True

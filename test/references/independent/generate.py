@@ -17,7 +17,7 @@ def site_order(site):
 
 
 class Model:
-    def __init__(self, seed, switches=False):
+    def __init__(self, seed, switches=False, walkers=False):
         self.rng = random.Random(seed)
         self.aside = random.Random('entries of %d' % seed)  # so that the rest of a model does not depend on these
         self.seed = seed
@@ -26,6 +26,10 @@ class Model:
         self.together = switches and self.aside.random() < 0.5
         self.by_contact = switches and self.aside.random() < 0.5
         self.cyclic = switches and self.aside.random() < 0.5
+        self.stopping = random.Random('walkers of %d' % seed)
+        self.walkers = walkers
+        self.blocked = self.stopping.choice(['stop', 'wait']) if walkers else 'bounce'
+        self.steady = walkers and self.stopping.random() < 0.5
         self.timestep = self.rng.choice([F(1), F(1, 2), F(2), F(1, 3)])
         self.split_step = self.rng.choice([None, F(1), F(1, 2), F(3, 4), F(2)])
         self.lively = self.rng.random() < 0.75
@@ -43,7 +47,7 @@ class Model:
         bodies = {n: c.canonical(b, self.definitions) for n, b in self.definitions.items()}
         self.calculus = c.Calculus(self.bodies, bodies, self.timestep,
                                    self.split_step or self.timestep, self.together, self.by_contact,
-                                   self.cyclic)
+                                   self.cyclic, self.blocked, self.steady)
 
     # Shapes
 
@@ -365,6 +369,20 @@ class Model:
                     self.law_texts.append('motion %s = %s\n' % (body.name, text))
             if drawn and few:
                 self.few_places()
+        if self.walkers:
+            self.all_walk()
+
+    def all_walk(self):
+        """Laws that choose for most bodies: to and fro, among others that rest or fly."""
+        self.law_texts = []
+        for body in self.bodies.values():
+            body.law, body.chooses = None, False
+            if not body.fixed and self.stopping.random() < 0.8:
+                k = self.stopping.choice([F(1), F(1, 2), F(2)]) / self.timestep
+                returns = self.stopping.random() < 0.6
+                text, body.law = self.stopping.choice(RETURNS)(self.timestep) if returns else self.stopping.choice(CHOICES)(k)
+                body.chooses = True
+                self.law_texts.append('motion %s = %s\n' % (body.name, text))
 
     def few_places(self):
         """Laws for all that leave bodies but few places to be in, so that states come again."""
@@ -406,7 +424,8 @@ class Model:
         return self.calculus.initial(processes)
 
     def text(self):
-        out = ['model random%d\n' % self.seed, 'timestep %s\n' % self.timestep]
+        out = ['model random%d\n' % self.seed, 'timestep %s%s\n' % (self.timestep, ' steady' * self.steady)]
+        out += ['blocked %s\n' % self.blocked] * (self.blocked != 'bounce')
         out += ['collisions together\n'] * self.together + ['binding contact\n'] * self.by_contact
         out += ['bonds cyclic\n'] * self.cyclic
         if self.split_step:

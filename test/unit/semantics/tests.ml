@@ -7,7 +7,7 @@ let () =
       Test_draw.suite;
       Test_lots.suite;
       Test_colliding.suite;
-      Test_event_run.suite; Test_crowd.suite;
+      Test_event_run.suite; Test_crowd.suite; Test_stopping.suite;
       Test_turn.suite;
       Test_round.suite;
       Test_run.suite ]
