@@ -4,7 +4,8 @@ open Enclosure
 let least = 5_000
 let iterations = 500
 
-(* The rows of a component, by places from its first node on. A link asks for one other node alone, which is none. *)
+(* The rows of a component, by places from its first node on. A link asks for one other node alone, which is no
+   link. *)
 type rows = {
   r : Rounded.t;
   first : int;
@@ -73,7 +74,8 @@ let lacks rows k =
 
 let follow_links rows =
   let guess = rows.r.Rounded.guess in
-  Array.iteri (fun k i -> if i >= 0 then guess.(rows.first + k) <- guess.(rows.first + k) +. lacks rows k) rows.link
+  let follow k i = if i >= 0 then guess.(rows.first + k) <- guess.(rows.first + k) +. lacks rows k in
+  Array.iteri follow rows.link
 
 let dot (a : float array) (b : float array) =
   let sum = ref 0. in
