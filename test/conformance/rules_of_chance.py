@@ -67,6 +67,11 @@ def diffuse():
                [draws('p', a, '1/8') for a in axes] + [draws('p', (0, 0, 0), '1/4')])
     r.outcomes('Along one axis, with a drift and a kick of 2.', text % (1, '(1/2, 0, 0), (vx + 1, 3, 0), 2'), [],
                [draws('p', (4, 3, 0), '1/8'), draws('p', (0, 3, 0), '1/8'), draws('p', (2, 3, 0), '3/4')])
+    r.outcomes('A kick by its name, without a drift.', text % (1, '(1/2, 0, 0), h = 2'), [],
+               [draws('p', (2, 0, 0), '1/8'), draws('p', (-2, 0, 0), '1/8'), draws('p', (0, 0, 0), '3/4')])
+    r.outcomes('A kick by its name, after a drift.', text % (1, '(1/2, 0, 0), (vx + 1, 3, 0), h = 2'), [],
+               [draws('p', (4, 3, 0), '1/8'), draws('p', (0, 3, 0), '1/8'), draws('p', (2, 3, 0), '3/4')])
+    r.refused('A kick by its name and by its place.', text % (1, '1/8, (0,0,0), 1, h = 1'), 'SC0206')
     r.refused('A kick of 1 for S = 6.', text % (1, '1, (0,0,0), 1'), 'SC0601')
     r.refused('A constant that is no constant.', text % (1, 'x'), 'SC0601')
     return r

@@ -67,7 +67,7 @@ module Steps = Interned (struct
     type t = State.step
 
     let equal (a : t) (b : t) =
-      Rat.equal a.remaining b.remaining && State.equal_phase a.phase b.phase
+      Rat.equal a.remaining b.remaining && a.phase = b.phase
 
     let hash (s : t) = Rat.hash s.remaining
   end)

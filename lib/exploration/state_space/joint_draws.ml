@@ -75,17 +75,9 @@ let product base drawn =
   in
   List.fold_left with_one [ { tuple = base; chance = Rat.one; transitions = 0 } ] drawn
 
-let all_ok f list =
-  let add found x =
-    let* found = found in
-    let* y = f x in
-    Ok (y :: found)
-  in
-  Result.map List.rev (List.fold_left add (Ok []) list)
-
 let drawing c s =
   let chances p = Result.map (fun outcomes -> (p, outcomes)) (Steer.chances c s p) in
-  all_ok chances (Steer.drawers c s)
+  Result.all chances (Steer.drawers c s)
 
 let count drawing =
   List.fold_left (fun n (_, outcomes) -> if n > most then n else n * List.length outcomes) 1 drawing
@@ -109,9 +101,9 @@ let velocities c catalogue tuple =
     let numbers (p, outcomes) =
       let slot = Catalogue.first_leaf p in
       let number (velocity, chance) = Result.map (fun t -> (t.(slot), chance)) (after_all p velocity) in
-      Result.map (fun numbers -> { slot; numbers }) (all_ok number outcomes)
+      Result.map (fun numbers -> { slot; numbers }) (Result.all number outcomes)
     in
-    let* drawn = all_ok numbers drawing in
+    let* drawn = Result.all numbers drawing in
     let p, outcomes = List.hd drawing in
     let* base = after_all p (fst (List.hd outcomes)) in
     Ok (Some (product base drawn))

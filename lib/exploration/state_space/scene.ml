@@ -97,7 +97,7 @@ let find_all t =
 let has_moved (a : Local.alone) (b : Local.alone) =
   let is_there (a : Local.alone) = a.body.number <> Catalogue.nobody in
   let stays = is_there a && is_there b && a.body.place = b.body.place && a.body.form = b.body.form in
-  not (stays || (Array.length a.boxes = Array.length b.boxes && Array.for_all2 Float_box.equal a.boxes b.boxes))
+  not (stays || Scc_data.Arrays.equal Float_box.equal a.boxes b.boxes)
 
 let enter t number i =
   let is_nobody = number = Catalogue.nobody in

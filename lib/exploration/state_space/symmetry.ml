@@ -15,16 +15,10 @@ let classes s = Array.to_list (Array.map Array.to_list s.members)
 let equal_part (a : Model.part) (b : Model.part) =
   a.solid.Solid.id = b.solid.Solid.id && Model.same_offset a b && Rat.equal a.mass b.mass
 
-let equal_arrays equal a b =
-  Array.length a = Array.length b
-  &&
-  let rec from i = i = Array.length a || (equal a.(i) b.(i) && from (i + 1)) in
-  from 0
-
 let alike (a : Model.leaf) (b : Model.leaf) =
   (not a.fixed) && (not b.fixed)
   && String.equal a.template b.template
-  && equal_arrays equal_part a.parts b.parts
+  && Scc_data.Arrays.equal equal_part a.parts b.parts
   && Rat.equal a.mass b.mass && Law.equal a.law b.law
 
 (* To change places with is an equivalence, so that one member speaks for its class. Of several searches each has

@@ -18,7 +18,7 @@ type t = {
   mutable failed : Diag.t option;
 }
 
-let at folder = Span.make ~file:folder ~start:0 ~stop:0
+let at folder = Span.of_file folder
 let fail = Database.fail
 let damaged = Database.damaged
 

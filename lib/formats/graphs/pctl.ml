@@ -74,8 +74,8 @@ let rec ask l (f : Property.temporal) =
       match f with
       | State p -> state l p
       | Temporal_not f -> Result.map not_ (ask l f)
-      | Temporal_and fs -> Result.map (several " & " ~neutral:true) (all l fs)
-      | Temporal_or fs -> Result.map (several " | " ~neutral:false) (all l fs)
+      | Temporal_and fs -> Result.map (several " & " ~neutral:true) (Result.all (ask l) fs)
+      | Temporal_or fs -> Result.map (several " | " ~neutral:false) (Result.all (ask l) fs)
       | Next _ -> Error "it has the operator X"
       | Finally (q, _, _) ->
         let* format = path_formula l f in
@@ -108,14 +108,6 @@ and path_formula l (f : Property.temporal) =
     Ok (Printf.sprintf "%s U %s" (bracket f) (bracket met))
   | State _ | Temporal_not _ | Temporal_and _ | Temporal_or _ | Next _ ->
     Error "it is no operator of time"
-
-and all l fs =
-  let add found f =
-    let* found = found in
-    let* f = ask l f in
-    Ok (f :: found)
-  in
-  Result.map List.rev (List.fold_left add (Ok []) fs)
 
 let formula ~occurs ~draws predicates f = Result.map text (ask { predicates; occurs; draws } f)
 

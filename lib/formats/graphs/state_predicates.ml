@@ -10,7 +10,7 @@ let about_states prop = not (Formula.has_events (State prop))
 let rec greatest found (f : Property.temporal) =
   match Formula.state_formula f with
   | Some p -> if about_states p then p :: found else found
-  | None -> List.fold_left greatest found (Formula.parts f)
+  | None -> List.fold_left greatest found (Parts.of_temporal f)
 
 (* What needs no label of its own. *)
 let has_label : Property.prop -> bool = function Bool _ | Fact Quiescent -> true | _ -> false

@@ -66,8 +66,7 @@ let candidates t i =
   let may j = j <> i && t.nearest.(j) >= t.farthest.(i) in
   let found = List.filter may (Cells.near t.cells t.boxes.(i)) in
   let order a b =
-    let by_depth = Float.compare t.nearest.(b) t.nearest.(a) in
-    if by_depth <> 0 then by_depth else Int.compare a b
+    Float.compare t.nearest.(b) t.nearest.(a) <?> fun () -> Int.compare a b
   in
   List.sort order found
 

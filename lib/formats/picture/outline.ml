@@ -80,8 +80,7 @@ let chained segments =
   List.rev (List.fold_left from [] segments)
 
 let by_ends (p, q) (r, s) =
-  let first = Ivec.compare p r in
-  if first <> 0 then first else Ivec.compare q s
+  Ivec.compare p r <?> fun () -> Ivec.compare q s
 
 let loops = function
   | [ piece ] -> [ Array.to_list piece ]

@@ -18,13 +18,11 @@ let error ?notes ?hint code span fmt = make Error ?notes ?hint code span fmt
 let warning ?notes ?hint code span fmt = make Warning ?notes ?hint code span fmt
 let is_error d = match d.severity with Error -> true | Warning -> false
 
-let rank d = match d.severity with Error -> 0 | Warning -> 1
-
 let compare a b =
-  let ( <?> ) c next = if c <> 0 then c else next () in
+  let open Prelude in
   String.compare a.span.Span.file b.span.Span.file <?> fun () ->
     Int.compare a.span.Span.start b.span.Span.start <?> fun () ->
-      Int.compare (rank a) (rank b) <?> fun () ->
+      Stdlib.compare (a.severity : severity) b.severity <?> fun () ->
         String.compare a.code b.code <?> fun () -> String.compare a.message b.message
 
 (* Edit distance with adjacent transpositions; names are short. *)

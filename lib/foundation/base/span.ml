@@ -2,6 +2,8 @@ type t = { file : string; start : int; stop : int }
 
 let make ~file ~start ~stop = { file; start; stop = max start stop }
 
+let of_file file = make ~file ~start:0 ~stop:0
+
 let merge a b =
   { a with start = min a.start b.start; stop = max a.stop b.stop }
 

@@ -10,6 +10,9 @@ val make : file:string -> start:int -> stop:int -> t
 (** [make ~file ~start ~stop] is the span of the bytes from [start] to before [stop]. A [stop] before [start] is
     read as [start]. *)
 
+val of_file : string -> t
+(** [of_file file] is the empty span at the start of a file, for what is said of the whole file. *)
+
 val merge : t -> t -> t
 (** [merge a b] is the least span that covers both. Both must be of one file; that of [a] is kept. *)
 

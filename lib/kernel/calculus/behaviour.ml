@@ -28,17 +28,8 @@ type t =
 
 (* Canonical terms. A redundant list of features means the same: what tells channels apart is the surface. *)
 
-let ( <?> ) c next = if c <> 0 then c else next ()
-
-let rec compare_lists compare a b =
-  match (a, b) with
-  | [], [] -> 0
-  | [], _ :: _ -> -1
-  | _ :: _, [] -> 1
-  | x :: a, y :: b -> compare x y <?> fun () -> compare_lists compare a b
-
 let compare_channel (a : channel) (b : channel) =
-  String.compare a.name b.name <?> fun () -> compare_lists Site.compare a.surface b.surface
+  String.compare a.name b.name <?> fun () -> List.compare Site.compare a.surface b.surface
 
 let polarity_rank = function Name -> 0 | Co_name -> 1
 
@@ -60,12 +51,12 @@ let rec compare a b =
   else
     match (a, b) with
     | Open (p, c, x), Open (q, d, y) ->
-      Int.compare (polarity_rank p) (polarity_rank q) <?> fun () ->
+      Stdlib.compare (p : polarity) q <?> fun () ->
         compare_channel c d <?> fun () -> compare x y
     | Weak (c, i, x), Weak (d, j, y) ->
       compare_channel c d <?> fun () -> compare_loosening i j <?> fun () -> compare x y
     | Strong (l, i, x), Strong (m, j, y) ->
-      compare_lists compare_channel l m <?> fun () -> Rat.compare i j <?> fun () -> compare x y
+      List.compare compare_channel l m <?> fun () -> Rat.compare i j <?> fun () -> compare x y
     | Delay (s, x), Delay (t, y) -> Rat.compare s t <?> fun () -> compare x y
     | Wait (s, x), Wait (t, y) -> Linear.compare s t <?> fun () -> compare x y
     | Sum (x, x'), Sum (y, y') -> compare x y <?> fun () -> compare x' y'

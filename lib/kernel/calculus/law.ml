@@ -128,20 +128,10 @@ let mentions_position =
       | X | Y | Z -> true
       | Vx | Vy | Vz | Mass | Time | Dt -> false)
 
-let equal_variable a b =
-  match (a, b) with
-  | X, X | Y, Y | Z, Z | Vx, Vx | Vy, Vy | Vz, Vz | Mass, Mass | Time, Time | Dt, Dt -> true
-  | (X | Y | Z | Vx | Vy | Vz | Mass | Time | Dt), _ -> false
-
-let equal_comparison a b =
-  match (a, b) with
-  | Lt, Lt | Le, Le | Gt, Gt | Ge, Ge | Eq, Eq | Ne, Ne -> true
-  | (Lt | Le | Gt | Ge | Eq | Ne), _ -> false
-
 let rec equal_expr a b =
   match (a, b) with
   | Const x, Const y -> Rat.equal x y
-  | Var v, Var w -> equal_variable v w
+  | Var v, Var w -> v = w
   | Neg a, Neg b -> equal_expr a b
   | Add (a, b), Add (c, d)
   | Sub (a, b), Sub (c, d)
@@ -154,7 +144,7 @@ let rec equal_expr a b =
 and equal_cond a b =
   match (a, b) with
   | Bool x, Bool y -> Bool.equal x y
-  | Compare (o, a, b), Compare (p, c, d) -> equal_comparison o p && equal_expr a c && equal_expr b d
+  | Compare (o, a, b), Compare (p, c, d) -> o = p && equal_expr a c && equal_expr b d
   | And (a, b), And (c, d) | Or (a, b), Or (c, d) -> equal_cond a c && equal_cond b d
   | Not a, Not b -> equal_cond a b
   | (Bool _ | Compare _ | And _ | Or _ | Not _), _ -> false

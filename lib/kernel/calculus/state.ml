@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 open Scc_rigid
 
@@ -10,8 +11,6 @@ type leaf = {
 }
 type finish = { at : int; site : Site.t }
 type bond = { name : string; one : finish; two : finish }
-
-let ( <?> ) c next = if c <> 0 then c else next ()
 
 let compare_finish a b = Int.compare a.at b.at <?> fun () -> Site.compare a.site b.site
 
@@ -245,11 +244,6 @@ let compare_leaf a b =
       Behaviour.compare_aged a.behaviour b.behaviour <?> fun () ->
         Quaternion.compare a.turned b.turned <?> fun () -> Rat.compare a.waited b.waited
 
-let compare_arrays compare a b =
-  let n = Array.length a in
-  let rec from i = if i = n then 0 else compare a.(i) b.(i) <?> fun () -> from (i + 1) in
-  Int.compare n (Array.length b) <?> fun () -> from 0
-
 let phase_rank = function Moving -> 0 | Due -> 1 | Steered -> 2
 let compare_phase a b = Int.compare (phase_rank a) (phase_rank b)
 
@@ -266,8 +260,8 @@ let compare_lots (a : lots) (b : lots) =
 let compare_process p q =
   if p == q then 0
   else
-    compare_arrays compare_leaf p.leaves q.leaves <?> fun () ->
-      compare_arrays compare_bond p.bonds q.bonds <?> fun () ->
+    Arrays.compare compare_leaf p.leaves q.leaves <?> fun () ->
+      Arrays.compare compare_bond p.bonds q.bonds <?> fun () ->
         Vec.compare p.velocity q.velocity <?> fun () ->
           Option.compare Rat.compare p.clock q.clock <?> fun () ->
             Vec.compare p.spin q.spin <?> fun () ->
@@ -278,13 +272,10 @@ let compare_process p q =
                       Option.compare compare_draw p.draw q.draw <?> fun () ->
                         Option.compare compare_lots p.lots q.lots
 
-let equal_phase a b = Int.equal (phase_rank a) (phase_rank b)
-
-let compare_step a b =
-  Rat.compare a.remaining b.remaining <?> fun () -> Int.compare (phase_rank a.phase) (phase_rank b.phase)
+let compare_step a b = Rat.compare a.remaining b.remaining <?> fun () -> compare_phase a.phase b.phase
 
 let compare a b =
-  compare_arrays compare_process a.processes b.processes <?> fun () ->
+  Arrays.compare compare_process a.processes b.processes <?> fun () ->
     Option.compare compare_step a.step b.step <?> fun () -> Option.compare Rat.compare a.time b.time
 
 let equal a b = compare a b = 0

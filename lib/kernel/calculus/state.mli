@@ -202,8 +202,6 @@ val equal : t -> t -> bool
 val hash : t -> int
 (** A hash that agrees with {!equal}. *)
 
-val equal_phase : phase -> phase -> bool
-(** [equal_phase a b] is true if [a] and [b] are the same phase. *)
 
 val equal_process : process -> process -> bool
 (** [equal_process p q] is true if [p] and [q] are equal in all fields, for the same leaves. *)

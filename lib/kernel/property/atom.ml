@@ -3,9 +3,9 @@ open Property
 
 type argument =
   | Leaf of int
-  | Part of int * int
   | Channel of Behaviour.polarity option * string
   | Definition of int
+  | Part of int * int
   | Parameter of int
 
 type aspect = Absolute_time | Absolute_place | Motion | Speed | Structure | Bonding | Term | Split_clock
@@ -111,17 +111,7 @@ let leaves t =
       | Channel _ | Definition _ | Parameter _ -> None)
     t.arguments
 
-let rank = function
-  | Absolute_time -> 0
-  | Absolute_place -> 1
-  | Motion -> 2
-  | Structure -> 3
-  | Bonding -> 4
-  | Term -> 5
-  | Split_clock -> 6
-  | Speed -> 7
-
-let depends_on aspect t = List.exists (fun a -> Int.equal (rank a) (rank aspect)) t.aspects
+let depends_on aspect t = List.mem aspect t.aspects
 
 let steady ~rigid t =
   match t.change with
@@ -129,34 +119,7 @@ let steady ~rigid t =
   | Turning -> not rigid
   | Always -> false
 
-(* {1 Order} *)
-
-let polarity_rank : Behaviour.polarity -> int = function
-  | Name -> 0
-  | Co_name -> 1
-
-let argument_rank = function
-  | Leaf _ -> 0
-  | Channel _ -> 1
-  | Definition _ -> 2
-  | Part _ -> 3
-  | Parameter _ -> 4
-
-let compare_argument a b =
-  match (a, b) with
-  | Leaf i, Leaf j | Definition i, Definition j | Parameter i, Parameter j -> Int.compare i j
-  | Part (i, k), Part (j, l) ->
-    let c = Int.compare i j in
-    if c <> 0 then c else Int.compare k l
-  | Channel (p, a), Channel (q, b) ->
-    let c = Option.compare (fun p q -> Int.compare (polarity_rank p) (polarity_rank q)) p q in
-    if c <> 0 then c else String.compare a b
-  | (Leaf _ | Part _ | Channel _ | Definition _ | Parameter _), _ ->
-    Int.compare (argument_rank a) (argument_rank b)
-
-let compare a b =
-  let c = String.compare a.word b.word in
-  if c <> 0 then c else List.compare compare_argument a.arguments b.arguments
+let compare a b = compare (a.word, a.arguments) (b.word, b.arguments)
 
 (* {1 Other leaves} *)
 

@@ -7,9 +7,9 @@ open Property
 
 type argument =
   | Leaf of int
-  | Part of int * int  (** the index of a leaf, and the index of a part in it *)
   | Channel of Behaviour.polarity option * string
   | Definition of int  (** index into {!Scc_calculus.Model.definitions} *)
+  | Part of int * int  (** the index of a leaf, and the index of a part in it *)
   | Parameter of int  (** an index into {!Scc_calculus.Model.ranges} *)
 
 (** What a value may depend on. *)

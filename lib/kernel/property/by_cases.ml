@@ -79,15 +79,10 @@ let zeros c =
     let one = at c.least and two = at c.greatest in
     Some (Vec.scale (Rat.div Rat.one unit) c.rate, (Rat.min one two, Rat.max one two))
 
-let rec conditions = function
-  | Const _ | Quantity _ -> []
-  | Count ps -> ps
-  | Neg n -> conditions n
-  | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) -> conditions a @ conditions b
-  | If (p, a, b) -> p :: (conditions a @ conditions b)
+let rec conditions n =
+  let { Parts.numbers; predicates } = Parts.of_num n in
+  predicates @ List.concat_map conditions numbers
 
 let rec values = function
-  | Const _ | Count _ -> []
   | Quantity q -> [ q ]
-  | Neg n -> values n
-  | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) | If (_, a, b) -> values a @ values b
+  | n -> List.concat_map values (Parts.of_num n).numbers

@@ -40,32 +40,28 @@ let in_any_order term parts =
 let rec num n =
   let term = Num n in
   match n with
-  | Const _ -> in_place term []
   | Quantity q -> atom term (Atom.quantity q)
   | Count ps -> in_any_order term (List.map prop ps)
   | Add _ -> in_any_order term (List.map num (Rename.summands n))
   | Mul _ -> in_any_order term (List.map num (Rename.factors n))
-  | Neg a -> in_place term [ num a ]
-  | Sub (a, b) | Div (a, b) -> in_place term [ num a; num b ]
-  | If (p, a, b) -> in_place term [ prop p; num a; num b ]
+  | _ -> all_in_place term (Parts.of_num n)
 
 and prop p =
   let term = Prop p in
   match p with
-  | Bool _ -> in_place term []
   | Compare ((Eq | Ne), a, b) -> in_any_order term [ num a; num b ]
-  | Compare ((Lt | Le | Gt | Ge), a, b) -> in_place term [ num a; num b ]
   | Fact f -> atom term (Atom.fact f)
-  | Not p -> in_place term [ prop p ]
   | And ps | Or ps -> in_any_order term (List.map prop ps)
+  | _ -> all_in_place term (Parts.of_prop p)
+
+and all_in_place term { numbers; predicates } = in_place term (List.map prop predicates @ List.map num numbers)
 
 let rec temporal f =
   let term = Temporal f in
   match f with
   | State p -> in_place term [ prop p ]
   | Temporal_and fs | Temporal_or fs -> in_any_order term (List.map temporal fs)
-  | Temporal_not f | Next (_, f) | Finally (_, _, f) | Globally (_, _, f) -> in_place term [ temporal f ]
-  | Until (_, _, f, g) -> in_place term [ temporal f; temporal g ]
+  | _ -> in_place term (List.map temporal (Parts.of_temporal f))
 
 (* In order, what is joined in one way is one list. *)
 let make f = temporal (Rename.ordered f)

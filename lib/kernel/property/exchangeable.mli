@@ -7,5 +7,5 @@ val make : Property.temporal -> t
 (** Prepares a formula, once for all pairs of leaves. *)
 
 val are : t -> int -> int -> bool
-(** [are f p q] is true if exchanging the leaves [p] and [q] gives a formula that is {!Formula.equal_modulo_order}.
+(** [are f p q] is true if exchanging the leaves [p] and [q] gives a formula with the same {!Rename.ordered} form.
     In what [and], [or], [count], [+] and [*] join, only the parts that name [p] or [q] are compared. *)

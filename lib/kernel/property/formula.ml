@@ -5,8 +5,6 @@ let equal_event a b = Order.event a b = 0
 let equal_num a b = Order.num a b = 0
 let equal_prop a b = Order.prop a b = 0
 let equal a b = Order.temporal a b = 0
-let equal_modulo_order a b = equal (Rename.ordered a) (Rename.ordered b)
-let permuted = Rename.temporal
 
 let complement : Law.comparison -> Law.comparison = function
   | Lt -> Ge
@@ -27,14 +25,8 @@ let rec negate = function
 let dual = Scc_ctl.Timed_formula.dual
 
 let rec negation_normal_form = function
-  | State p -> State p
   | Temporal_not f -> refuse f
-  | Temporal_and fs -> Temporal_and (List.map negation_normal_form fs)
-  | Temporal_or fs -> Temporal_or (List.map negation_normal_form fs)
-  | Next (q, f) -> Next (q, negation_normal_form f)
-  | Finally (q, b, f) -> Finally (q, b, negation_normal_form f)
-  | Globally (q, b, f) -> Globally (q, b, negation_normal_form f)
-  | Until (q, b, f, g) -> Until (q, b, negation_normal_form f, negation_normal_form g)
+  | f -> Parts.map_temporal negation_normal_form f
 
 (* The normal form of the negation. *)
 and refuse = function
@@ -64,29 +56,19 @@ let rec quantifies kind f =
 
 (* Whether some atom passes a test: all are visited as long as none does. *)
 let rec exists_num test = function
-  | Const _ -> false
   | Quantity q -> test (Atom.quantity q)
-  | Count ps -> List.exists (exists_prop test) ps
-  | Neg a -> exists_num test a
-  | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) -> exists_num test a || exists_num test b
-  | If (p, a, b) -> exists_prop test p || exists_num test a || exists_num test b
+  | n -> exists_parts test (Parts.of_num n)
 
 and exists_prop test = function
-  | Bool _ -> false
-  | Compare (_, a, b) -> exists_num test a || exists_num test b
   | Fact f -> test (Atom.fact f)
-  | Not p -> exists_prop test p
-  | And ps | Or ps -> List.exists (exists_prop test) ps
+  | p -> exists_parts test (Parts.of_prop p)
 
-let parts = function
-  | State _ -> []
-  | Temporal_not f | Next (_, f) | Finally (_, _, f) | Globally (_, _, f) -> [ f ]
-  | Temporal_and fs | Temporal_or fs -> fs
-  | Until (_, _, f, g) -> [ f; g ]
+and exists_parts test { Parts.numbers; predicates } =
+  List.exists (exists_prop test) predicates || List.exists (exists_num test) numbers
 
 let rec exists test = function
   | State p -> exists_prop test p
-  | f -> List.exists (exists test) (parts f)
+  | f -> List.exists (exists test) (Parts.of_temporal f)
 
 let atoms f =
   let found = ref [] in
@@ -106,7 +88,7 @@ let always = { low = Scc_exact.Rat.zero; high = None }
 
 let rec asks_probability = function
   | Next (Chance _, _) | Finally (Chance _, _, _) | Globally (Chance _, _, _) | Until (Chance _, _, _, _) -> true
-  | f -> List.exists asks_probability (parts f)
+  | f -> List.exists asks_probability (Parts.of_temporal f)
 
 let mentions_time f = exists (Atom.depends_on Absolute_time) f
 let mentions_position f = exists (Atom.depends_on Absolute_place) f
@@ -121,10 +103,6 @@ let global f =
   in
   exists is_whole f
 
-let rec mentions_next = function
-  | Next _ -> true
-  | f -> List.exists mentions_next (parts f)
-
 module Leaves = Set.Make (Int)
 
 let leaves f =
@@ -133,22 +111,14 @@ let leaves f =
 
 let rec predicates = function
   | State p -> [ p ]
-  | f -> List.concat_map predicates (parts f)
+  | f -> List.concat_map predicates (Parts.of_temporal f)
 
 let rec state_formula = function
   | State p -> Some p
   | Temporal_not f -> Option.map negate (state_formula f)
-  | Temporal_and fs -> Option.map (fun ps -> And ps) (all fs)
-  | Temporal_or fs -> Option.map (fun ps -> Or ps) (all fs)
+  | Temporal_and fs -> Option.map (fun ps -> And ps) (Option.all state_formula fs)
+  | Temporal_or fs -> Option.map (fun ps -> Or ps) (Option.all state_formula fs)
   | Next _ | Finally _ | Globally _ | Until _ -> None
-
-and all fs =
-  let add found f =
-    match (found, state_formula f) with
-    | Some ps, Some p -> Some (p :: ps)
-    | _, _ -> None
-  in
-  Option.map List.rev (List.fold_left add (Some []) fs)
 
 let events f =
   Scc_data.Lists.distinct equal_event (List.filter_map (fun (a : Atom.t) -> a.event) (atoms f))

@@ -14,17 +14,6 @@ val equal_prop : prop -> prop -> bool
 val equal : temporal -> temporal -> bool
 (** [equal a b] is true if [a] and [b] are the same term. *)
 
-val equal_modulo_order : temporal -> temporal -> bool
-(** [equal_modulo_order a b] is true if [a] and [b] have the same {!Rename.ordered} form. They may differ in:
-    - the order and the brackets of what [and], [or], [count], [+] and [*] join;
-    - the order of the leaves of symmetric atoms ([bound], [same], [touching], [distance2], [bonds], [event]);
-    - the direction of comparisons.
-
-    Such formulas are equivalent; equivalent formulas may differ in other ways. *)
-
-val permuted : (int -> int) -> temporal -> temporal
-(** [permuted image f] is [f] with the index of each leaf replaced by its image. *)
-
 val negate : prop -> prop
 (** The complement of a predicate, with [not] only in front of facts. A comparison becomes the complementary one.
 *)
@@ -56,10 +45,6 @@ val mentions_position : temporal -> bool
 (** [mentions_position f] is true if an absolute coordinate or an angular momentum occurs in [f]. A translation may
     then change the value of [f]. *)
 
-val mentions_next : temporal -> bool
-(** [mentions_next f] is true if the operator X occurs in [f]. The value of [f] then depends on the number of
-    transitions. *)
-
 val has_events : temporal -> bool
 (** [has_events f] is true if an atom [event] occurs in [f]. The value of [f] then depends on the transitions
     that led to a state, too. *)
@@ -84,9 +69,6 @@ val atoms : temporal -> Atom.t list
 val steady : rigid:bool -> prop -> bool
 (** [steady ~rigid p] is true if all atoms of [p] keep their values while time passes and nothing happens
     ({!Atom.steady}). *)
-
-val parts : temporal -> temporal list
-(** The formulas that the outermost operator of a formula joins, in order; none for a state predicate. *)
 
 val predicates : temporal -> prop list
 (** The maximal state predicates of a formula, in order, with repetitions. *)

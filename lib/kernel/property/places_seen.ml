@@ -7,11 +7,9 @@ type place = Distance of int * int | Along of Vec.t * int
 let compare_place a b =
   match (a, b) with
   | Distance (i, j), Distance (k, l) ->
-    let c = Int.compare i k in
-    if c <> 0 then c else Int.compare j l
+    Int.compare i k <?> fun () -> Int.compare j l
   | Along (n, i), Along (m, j) ->
-    let c = Int.compare i j in
-    if c <> 0 then c else Vec.compare n m
+    Int.compare i j <?> fun () -> Vec.compare n m
   | Distance _, Along _ -> -1
   | Along _, Distance _ -> 1
 
@@ -91,9 +89,7 @@ let compared m a b =
 
 let rec prop m = function
   | Compare (_, a, b) -> join (compared m a b) (join (conditions m a) (conditions m b))
-  | Not p -> prop m p
-  | And ps | Or ps -> join_all (prop m) ps
-  | Fact _ | Bool _ -> nothing
+  | p -> join_all (prop m) (Parts.of_prop p).predicates
 
 and conditions m n = join_all (prop m) (By_cases.conditions n)
 

@@ -11,9 +11,6 @@ val num : (int -> int) -> num -> num
 val prop : (int -> int) -> prop -> prop
 (** [prop image p] is [p] with the index of each leaf replaced by its image. *)
 
-val check : (int -> int) -> check -> check
-(** [check image c] is [c] with the index of each leaf replaced by its image, in its formula and in its mean. *)
-
 val ordered : temporal -> temporal
 (** An equivalent formula in a normal form, which is equal for formulas that differ only in:
     - the order or the brackets of what [and], [or], [count], [+] and [*] join;

@@ -26,22 +26,18 @@ let settles c =
 let atom a = if Atom.depends_on Absolute_time a then Always else Never
 
 let rec num m = function
-  | Const _ -> Never
   | Quantity q -> atom (Atom.quantity q)
-  | Count ps -> join_all (prop m) ps
-  | Neg n -> num m n
-  | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) -> join (num m a) (num m b)
-  | If (p, a, b) -> join (prop m p) (join (num m a) (num m b))
+  | n ->
+    let { Parts.numbers; predicates } = Parts.of_num n in
+    join (join_all (prop m) predicates) (join_all (num m) numbers)
 
 and prop m = function
   | Compare (_, a, b) -> (
       match By_cases.cases m ~variable:of_time (Sub (a, b)) with
       | Some cases -> join (join_all settles cases) (join (conditions m a) (conditions m b))
       | None -> join (num m a) (num m b))
-  | Not p -> prop m p
-  | And ps | Or ps -> join_all (prop m) ps
   | Fact f -> atom (Atom.fact f)
-  | Bool _ -> Never
+  | p -> join_all (prop m) (Parts.of_prop p).predicates
 
 (* What conditions within a number see. *)
 and conditions m n = join_all (prop m) (By_cases.conditions n)

@@ -11,8 +11,7 @@ let parts (c : Semantics.t) processes =
 (* Those of two processes together, in order. *)
 let by_processes pairs =
   let compare (_, ((a : Part.t), (b : Part.t))) (_, ((a' : Part.t), (b' : Part.t))) =
-    let c = Int.compare a.process a'.process in
-    if c <> 0 then c else Int.compare b.process b'.process
+    Int.compare a.process a'.process <?> fun () -> Int.compare b.process b'.process
   in
   let group groups pair =
     match groups with

@@ -83,11 +83,6 @@ let time c s () =
   | None -> []
   | Some d -> [ passes c d s ]
 
-let rec all_ok acc = function
-  | [] -> Ok (List.rev acc)
-  | Ok t :: rest -> all_ok (t :: acc) rest
-  | Error e :: _ -> Error e
-
 let draw_rules = [ Rule.Draw ]
 
 let drawn c s ~before p (velocity, chance) =
@@ -96,11 +91,11 @@ let drawn c s ~before p (velocity, chance) =
 
 let draws c s p =
   let* chances = Steer.chances c s p in
-  all_ok [] (List.map (drawn c s ~before:(fun _ -> None) p) chances)
+  Result.all (drawn c s ~before:(fun _ -> None) p) chances
 
 let lots c (s : State.t) due =
   let* outcomes = Splits.lots c due in
-  Result.map (List.map snd) (all_ok [] (List.map (happens c s ~step:s.step) outcomes))
+  Result.map (List.map snd) (Result.all (happens c s ~step:s.step) outcomes)
 
 let tied transitions =
   let odds = Ties.odds (List.filter_map fst transitions) in
@@ -113,7 +108,7 @@ let events_and_time c s =
   let time () = List.map (Result.map (fun t -> (None, t))) (time c s ()) in
   { urgent = of_single c s urgent; weak = of_single c s weak; collisions = collisions c s }
   |> in_order Fun.id ~time
-  |> all_ok []
+  |> Result.all Fun.id
   |> Result.map tied
 
 let successors c s =

@@ -6,14 +6,6 @@ let rules = [ Rule.Steer ]
 
 (* {1 What laws give} *)
 
-let all_ok list =
-  let add known x =
-    let* known = known in
-    let* x = x in
-    Ok (x :: known)
-  in
-  Result.map List.rev (List.fold_left add (Ok []) list)
-
 (* Each vector once, in order, with all of its chance. *)
 let distinct = Scc_data.Lists.merged Vec.compare Rat.add
 
@@ -43,7 +35,7 @@ let shares env kicks =
     | s when s < 0 -> Error Law.Negative_weight
     | _ -> Result.map (fun v -> [ (v, weight) ]) (vector env k.velocity)
   in
-  let* shares = Result.map List.concat (all_ok (List.map share kicks)) in
+  let* shares = Result.map List.concat (Result.all share kicks) in
   let total = List.fold_left (fun sum (_, w) -> Rat.add sum w) Rat.zero shares in
   if Rat.sign total = 0 then Error Law.No_weight
   else Ok (distinct (List.map (fun (v, w) -> (v, Rat.div w total)) shares))
@@ -126,7 +118,7 @@ let ask (c : Semantics.t) ~which (s : State.t) =
       let next = if Process.draws m p then State.Waits else Drawn (fst (List.hd velocities)) in
       Ok (State.with_draw (Some next) p)
   in
-  let* processes = all_ok (List.mapi ask_one (Array.to_list s.processes)) in
+  let* processes = Result.all Fun.id (List.mapi ask_one (Array.to_list s.processes)) in
   Ok (State.make ~processes ~step:s.step ~time:s.time)
 
 (* All velocities take effect at once, and steps begin. *)

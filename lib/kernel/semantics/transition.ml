@@ -74,14 +74,12 @@ let duration (t : t) = duration_of t.label
 let equal_release r s = State.equal_bond r.bond s.bond && Rat.equal r.push s.push
 
 let compare_ends (i, p) (j, q) =
-  let c = Int.compare i j in
-  if c <> 0 then c else Int.compare p q
+  Int.compare i j <?> fun () -> Int.compare p q
 
 let hit a b = if compare_ends a b <= 0 then { one = a; two = b } else { one = b; two = a }
 
 let compare_hit a b =
-  let c = compare_ends a.one b.one in
-  if c <> 0 then c else compare_ends a.two b.two
+  compare_ends a.one b.one <?> fun () -> compare_ends a.two b.two
 
 let equal_label a b =
   match (a, b) with

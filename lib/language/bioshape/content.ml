@@ -89,13 +89,7 @@ let names =
   let read e =
     match words e with
     | [] -> refuse Code.xml_missing e "names are missing here"
-    | words ->
-      let each acc w =
-        match (acc, Embedded.name w) with
-        | Ok names, Ok n -> Ok (n :: names)
-        | (Error _ as wrong), _ | _, (Error _ as wrong) -> wrong
-      in
-      Result.map List.rev (List.fold_left each (Ok []) words)
+    | words -> Result.all Embedded.name words
   in
   { read; instead = (fun _ -> []) }
 

@@ -277,8 +277,7 @@ let reachable entries start =
   Hashtbl.fold (fun i () list -> i :: list) seen [] |> List.sort Int.compare
 
 let by_name_and_index ((name, i), _) ((name', i'), _) =
-  let c = String.compare name name' in
-  if c <> 0 then c else Int.compare i i'
+  String.compare name name' <?> fun () -> Int.compare i i'
 
 let check_private t entries =
   let check ((name, start), at) =

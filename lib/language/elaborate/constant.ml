@@ -299,11 +299,5 @@ let segment report env (s : Ast.segment) =
   match s.indices with
   | [] -> Some s.name.it
   | indices ->
-    let add printed e =
-      match (printed, index report env e) with
-      | Some printed, Some i -> Some (Z.to_string i :: printed)
-      | _ -> None
-    in
-    List.fold_left add (Some []) indices
-    |> Option.map (fun printed ->
-        Printf.sprintf "%s[%s]" s.name.it (String.concat "," (List.rev printed)))
+    let*? known = Option.all (index report env) indices in
+    Some (Printf.sprintf "%s[%s]" s.name.it (String.concat "," (List.map Z.to_string known)))

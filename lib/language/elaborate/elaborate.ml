@@ -14,6 +14,7 @@ type t = {
   uncertain : Uncertain.t option;
   checks : Property.check list;
   premises : Property.check list;
+  lattices : Lattices.t list;
   warnings : Diag.t list;
   kept : kept;
 }
@@ -75,7 +76,7 @@ let warn_of_uses c program =
   warn_unused c program
 
 (* Everything is in order. *)
-let build (c : Context.t) bodies composition joints initial written later =
+let build (c : Context.t) bodies (composition : Composition.t) joints initial written later =
   let program = later.program and checks, premises = later.own in
   let definitions = Behaviour.canonical_definitions written in
   let initial = Array.map (Behaviour.canonical written) initial in
@@ -116,6 +117,7 @@ let build (c : Context.t) bodies composition joints initial written later =
     uncertain = Assembly.uncertain bodies composition program.ranges;
     checks;
     premises;
+    lattices = composition.lattices;
     warnings = Report.warnings c.report;
     kept = { later with ended };
   }

@@ -20,6 +20,7 @@ type t = {
   checks : Property.check list;
   premises : Property.check list;
   (** the premises without which checks hold vacuously ({!Premises}), each with the name of its check *)
+  lattices : Lattices.t list;  (** of the bodies that diffuse *)
   warnings : Diag.t list;
   kept : kept;  (** for {!with_checks} *)
 }

@@ -36,12 +36,7 @@ let same_names = List.equal (fun (a, _) (b, _) -> String.equal a b)
 
 (* The vertices of a tuple and the prefix that they share. *)
 let vertices report env (paths : Ast.path list) =
-  let add found (path : Ast.path) =
-    match (found, segments report env path) with
-    | Some found, Some names -> Some (split_last names :: found)
-    | _ -> None
-  in
-  let*? all = Option.map List.rev (List.fold_left add (Some []) paths) in
+  let*? all = Option.all (fun path -> Option.map split_last (segments report env path)) paths in
   match all with
   | [] -> Some ([], [])
   | (prefix, _) :: _ ->

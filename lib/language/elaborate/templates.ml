@@ -241,8 +241,7 @@ let read_unused (c : Context.t) =
   let place (f : Context.family) = (f.family_span.file, f.family_span.start) in
   let in_order a b =
     let (file, start), (file', start') = (place a, place b) in
-    let c = String.compare file file' in
-    if c <> 0 then c else Int.compare start start'
+    String.compare file file' <?> fun () -> Int.compare start start'
   in
   let read (f : Context.family) =
     let { Family.key; formals } = f.head in

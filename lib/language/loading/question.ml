@@ -64,14 +64,12 @@ let ask ~model load = Result.map (fun (_, l, q) -> (l, q)) (formed ~model load)
 (* What each is by itself, then all of them in one model. *)
 let all (l : Loaded.t) sources =
   let read = Scc_syntax.Parse.expression in
-  let rec forms known = function
-    | [] -> Ok (List.rev known)
-    | source :: rest ->
-      let* e = read source in
-      let* form, _, _ = formed ~model:Fun.id (fun form -> Loaded.with_checks l [ item form e ]) in
-      forms ((form, e) :: known) rest
+  let form source =
+    let* e = read source in
+    let* form, _, _ = formed ~model:Fun.id (fun form -> Loaded.with_checks l [ item form e ]) in
+    Ok (form, e)
   in
-  let* forms = forms [] sources in
+  let* forms = Result.all form sources in
   let* l = Loaded.with_checks l (List.mapi (fun i (form, e) -> numbered i form e) forms) in
   let before = List.length l.checks - List.length forms in
   let checks = List.filteri (fun i _ -> i >= before) l.checks in

@@ -186,7 +186,7 @@ let with_trivia ?(tokens = Tokens.read ?rewrite:None) source =
   match of_tokens t source Parser.Incremental.model with
   | Error errors -> Error errors
   | Ok _ when is_empty t ->
-    let span = Span.make ~file:t.file ~start:0 ~stop:0 in
+    let span = Span.of_file t.file in
     finish
       [ Diag.error Code.empty_model span "this model declares nothing"
           ~hint:"a model declares at least one `process`" ]

@@ -11,11 +11,8 @@ let add a y =
   | At_least x -> At_least (Rat.add x y)
   | Infinite -> Infinite
 
-let rank = function Less -> 0 | At_most -> 1 | At_least_so -> 2 | More -> 3
-
 let compare_bound a b =
-  let order = Int.compare (rank a.relation) (rank b.relation) in
-  if order <> 0 then order else Rat.compare a.than b.than
+  compare a.relation b.relation <?> fun () -> Rat.compare a.than b.than
 
 let sign = function Less -> "<" | At_most -> "<=" | At_least_so -> ">=" | More -> ">"
 let bound_to_string b = Printf.sprintf "%s %s" (sign b.relation) (Rat.to_string b.than)

@@ -15,13 +15,8 @@ type t =
   | Finally of quantifier * bound * t
   | Globally of quantifier * bound * t
 
-let first_difference list = match List.find_opt (fun c -> c <> 0) list with Some c -> c | None -> 0
-
-let side_rank = function Least -> 0 | Greatest -> 1
-
 let compare_chance a b =
-  first_difference
-    [ Int.compare (side_rank a.side) (side_rank b.side); Scc_chance.Answer.compare_bound a.test b.test ]
+  compare a.side b.side <?> fun () -> Scc_chance.Answer.compare_bound a.test b.test
 
 let quantifier_rank = function All -> 0 | Exists -> 1 | Chance _ -> 2
 
@@ -46,8 +41,7 @@ let dual = function
     in
     Chance { side = other_side side; test = { relation; than = Rat.sub Rat.one test.than } }
 
-let compare_bound a b =
-  first_difference [ Rat.compare a.low b.low; Option.compare Rat.compare a.high b.high ]
+let compare_bound a b = Rat.compare a.low b.low <?> fun () -> Option.compare Rat.compare a.high b.high
 
 let rank = function
   | Predicate _ -> 0
@@ -64,11 +58,11 @@ let rec compare a b =
   | Predicate i, Predicate j -> Int.compare i j
   | Not f, Not g -> compare f g
   | And l, And m | Or l, Or m -> List.compare compare l m
-  | Next (p, f), Next (q, g) -> first_difference [ compare_quantifier p q; compare f g ]
+  | Next (p, f), Next (q, g) -> compare_quantifier p q <?> fun () -> compare f g
   | Until (p, b, f, g), Until (q, c, h, i) ->
-    first_difference [ compare_quantifier p q; compare_bound b c; compare f h; compare g i ]
+    compare_quantifier p q <?> fun () -> compare_bound b c <?> fun () -> compare f h <?> fun () -> compare g i
   | Finally (p, b, f), Finally (q, c, g) | Globally (p, b, f), Globally (q, c, g) ->
-    first_difference [ compare_quantifier p q; compare_bound b c; compare f g ]
+    compare_quantifier p q <?> fun () -> compare_bound b c <?> fun () -> compare f g
   | ( ( Predicate _ | Not _ | And _ | Or _ | Next _ | Until _ | Finally _ | Globally _ ), _ ) ->
     Int.compare (rank a) (rank b)
 

@@ -106,8 +106,7 @@ let of_cuts extent cuts equal f =
 type moment = { offset : Algebraic.t; attained : bool }
 
 let compare_moment a b =
-  let c = Algebraic.compare a.offset b.offset in
-  if c <> 0 then c else Bool.compare b.attained a.attained
+  Algebraic.compare a.offset b.offset <?> fun () -> Bool.compare b.attained a.attained
 
 let first_after_start test t =
   let rec go = function

@@ -30,11 +30,8 @@ module Ways = Map.Make (struct
     type t = way
 
     let compare a b =
-      let c = Int.compare a.target b.target in
-      if c <> 0 then c
-      else
-        let c = Bool.compare a.seen b.seen in
-        if c <> 0 then c else List.compare String.compare a.texts b.texts
+      Int.compare a.target b.target <?> fun () ->
+        Bool.compare a.seen b.seen <?> fun () -> List.compare String.compare a.texts b.texts
   end)
 
 (* What a state is left by instead of its transitions: ways by what is drawn, transitions after what is chosen; and

@@ -20,7 +20,7 @@ let exit_code (report : Check.report) verdicts =
 
 let make_folder path =
   let fail message =
-    let at = Span.make ~file:path ~start:0 ~stop:0 in
+    let at = Span.of_file path in
     Error (Diag.error Code.cannot_write at "cannot make the folder: %s" message)
   in
   match Sys.is_directory path with

@@ -29,35 +29,27 @@ let checks =
     ~doc:"Decides only the check $(docv), as if the model had no others. May be given several times."
 
 let witness =
-  let doc =
+  Options.maybe Options.named [ "witness" ] ~docv:"DIR"
     "Writes a schedule for each property that has a witness to the folder $(docv), which is created if \
      necessary: $(docv)/$(i,PROPERTY).json. $(b,scc trace --schedule) replays it."
-  in
-  Arg.(value & opt (some Options.named) None & info [ "witness" ] ~docv:"DIR" ~doc)
 
 let coverage =
-  let doc =
+  Options.flag [ "coverage" ]
     "Lists the summands of behaviours that never fired, the behaviours that were never reached, and the channels \
      and rules that were never used. It explores the whole model once more, even if all is decided, and counts \
      during this exploration, within the same bounds; half of the seconds are kept for it. If a bound ends it, \
      the report says how much was explored."
-  in
-  Arg.(value & flag & info [ "coverage" ] ~doc)
 
 let stats =
-  let doc =
+  Options.flag [ "stats" ]
     "Prints what the run cost: seconds of each phase, states and transitions a second, memory. The phases are \
      reading, exploring, searching for an invariant, and concluding: making verdicts and runs from the \
      exploration. To standard error, or as $(b,measured) in the JSON document. It varies from run to run."
-  in
-  Arg.(value & flag & info [ "stats" ] ~doc)
 
 let sarif =
-  let doc =
+  Options.maybe Options.named [ "sarif" ] ~docv:"FILE"
     "Writes errors, warnings, and the properties that are violated or undecided to $(docv), as SARIF 2.1.0. \
      Editors and code reviews show them at their places. The steps of a witness are a code flow."
-  in
-  Arg.(value & opt (some Options.named) None & info [ "sarif" ] ~docv:"FILE" ~doc)
 
 let kind =
   let parse text =
@@ -93,72 +85,53 @@ let order =
   Arg.(value & opt (enum orders) State_graph.By_steps & info [ "shortest" ] ~docv:"ORDER" ~doc)
 
 let compact =
-  let doc =
+  Options.flag [ "hash-compact" ]
     "Hash compaction: stores a fingerprint of each state instead of the state, which saves about 5 bytes a \
      state. Two states with one fingerprint are taken for one, so that a search that finds nothing proves \
      nothing. Such verdicts hold up to a bound, which names the probability that a state was left out. For \
      $(b,always) and $(b,possibly) without a bound of time, their own or $(b,--time); other properties are \
      checked as usual. Memory for the states of $(b,--states) is reserved at once."
-  in
-  Arg.(value & flag & info [ "hash-compact" ] ~doc)
 
 let where =
-  let doc =
+  Options.flag [ "where" ]
     "For a model with ranges of parameters ($(b,param x in [0, 6])): prints for each property the values for \
      which it holds, exactly, and the probability of these values, if they are independent and uniform in their \
      ranges."
-  in
-  Arg.(value & flag & info [ "where" ] ~doc)
 
 let smt =
-  let doc =
+  Options.maybe Options.named [ "smt" ] ~docv:"FILE"
     "Like $(b,--where), but writes the sets to $(docv), as a script of SMT-LIB 2.6 that defines for each \
      property where it holds, where it fails, and where that is unknown."
-  in
-  Arg.(value & opt (some Options.named) None & info [ "smt" ] ~docv:"FILE" ~doc)
 
 let draw =
-  let doc =
+  Options.maybe Options.named [ "draw" ] ~docv:"FILE"
     "Like $(b,--where), but draws the sets to $(docv), in SVG: the line of one parameter or the plane of two, \
      divided into regions by the properties that hold there."
-  in
-  Arg.(value & opt (some Options.named) None & info [ "draw" ] ~docv:"FILE" ~doc)
 
 let axes =
-  let doc = "The one or two parameters to $(b,--draw); by default the first ones." in
-  Arg.(value & opt (list string) [] & info [ "axes" ] ~docv:"X,Y" ~doc)
+  Options.default Arg.(list string) [] [ "axes" ] ~docv:"X,Y"
+    "The one or two parameters to $(b,--draw); by default the first ones."
 
 let slice =
-  let doc =
+  Options.repeated Options.override [ "slice" ] ~docv:"NAME=VALUE"
     "Draws the regions at this value of a parameter that is not an axis. For other such parameters the drawing \
      shows whether a property holds for all of their values, for some, or for none."
-  in
-  Arg.(value & opt_all Options.override [] & info [ "slice" ] ~docv:"NAME=VALUE" ~doc)
 
 let prove =
-  let doc =
+  Options.flag [ "prove" ]
     "Searches for an invariant: a set of states that no run leaves. It may prove that something never happens \
      where exploring does not end. The search is brief at first, and longer where a bound ended the exploration, \
      all within the bounds. See PROOFS."
-  in
-  Arg.(value & flag & info [ "prove" ] ~doc)
 
 let invariant =
-  let doc =
+  Options.maybe Arg.string [ "invariant" ] ~docv:"FILE"
     "Like $(b,--prove), and writes the invariant on which a verdict rests to $(docv): kinds of states, each with \
      inequalities between its numbers. $(b,-) is standard output."
-  in
-  Arg.(value & opt (some string) None & info [ "invariant" ] ~docv:"FILE" ~doc)
 
 let jobs =
-  let doc =
+  Options.maybe Options.processes [ "j"; "jobs" ] ~docv:"J"
     "The number of processes that explore. By default as many as there are cores, once that pays; with 1 only \
      this process. The report is the same for any number, to the byte."
-  in
-  Arg.(
-    value
-    & opt (some (Options.integer ~least:1 ~most:1024 "number of processes from 1 to 1024")) None
-    & info [ "j"; "jobs" ] ~docv:"J" ~doc)
 
 let store =
   let doc =
@@ -184,16 +157,14 @@ let explored e (budget : Scc_verdicts.Budget.t) =
   ]
 
 let curve =
-  let doc =
+  Options.maybe Arg.string [ "curve" ] ~docv:"NAME"
     "Reports the probability that the check $(docv) asks for as a function of time. The check asks $(b,P = ?) of \
      an operator with a bound of time. A table lists all times up to the end of this bound at which the \
      probability changes, and its value from there on. All of them come of one exploration."
-  in
-  Arg.(value & opt (some string) None & info [ "curve" ] ~docv:"NAME" ~doc)
 
 let plot =
-  let doc = "Draws the curve of $(b,--curve) as an SVG picture to $(docv)." in
-  Arg.(value & opt (some Options.named) None & info [ "curve-plot" ] ~docv:"FILE" ~doc)
+  Options.maybe Options.named [ "curve-plot" ] ~docv:"FILE"
+    "Draws the curve of $(b,--curve) as an SVG picture to $(docv)."
 
 let term =
   let make checks witness coverage stats sarif reductions order compact where smt draw axes slice prove invariant

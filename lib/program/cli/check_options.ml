@@ -54,20 +54,20 @@ let seconds_conv =
 let docs = "BOUNDS"
 
 let depth =
-  let doc = "Expands only states that $(docv) or fewer transitions lead to. No default." in
-  Arg.(value & opt (some Options.transitions) None & info [ "depth" ] ~docv:"N" ~doc ~docs)
+  Options.maybe Options.transitions [ "depth" ] ~docv:"N" ~docs
+    "Expands only states that $(docv) or fewer transitions lead to. No default."
 
 let time =
-  let doc = "Expands only states that can be reached by the model time $(docv). No default." in
-  Arg.(value & opt (some duration) None & info [ "time" ] ~docv:"T" ~doc ~docs)
+  Options.maybe duration [ "time" ] ~docv:"T" ~docs
+    "Expands only states that can be reached by the model time $(docv). No default."
 
 let states =
-  let doc = Printf.sprintf "Keeps at most $(docv) states. The default is %d." default_states in
-  Arg.(value & opt (some (positive "states")) None & info [ "states" ] ~docv:"N" ~doc ~docs)
+  Options.maybe (positive "states") [ "states" ] ~docv:"N" ~docs
+    (Printf.sprintf "Keeps at most $(docv) states. The default is %d." default_states)
 
 let seconds =
-  let doc = "Explores for at most $(docv) seconds of the clock. No default." in
-  Arg.(value & opt (some seconds_conv) None & info [ "seconds" ] ~docv:"S" ~doc ~docs)
+  Options.maybe seconds_conv [ "seconds" ] ~docv:"S" ~docs
+    "Explores for at most $(docv) seconds of the clock. No default."
 
 let memory =
   let doc =

@@ -13,13 +13,7 @@ let named (l : Loaded.t) name =
   | [] -> Error [ Input.no_check Code.unknown_name Span.command_line name l.checks ]
   | found -> Ok found
 
-let of_names l names =
-  let add found name =
-    let* found = found in
-    let* those = named l name in
-    Ok (those :: found)
-  in
-  Result.map (fun found -> List.concat (List.rev found)) (List.fold_left add (Ok []) names)
+let of_names l names = Result.map List.concat (Result.all (named l) names)
 
 let only (l : Loaded.t) = function
   | [] -> Ok l

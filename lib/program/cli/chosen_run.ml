@@ -111,11 +111,9 @@ let finish console (l : Loaded.t) (result : (Replay.ending, Replay.failure) resu
 (* {1 The command line} *)
 
 let schedule =
-  let doc =
+  Options.maybe Arg.string [ "schedule" ] ~docv:"FILE"
     "Makes the choices of $(docv): a schedule, as $(b,scc check --witness) writes it, or a trace, whose schedule \
      is used. The run follows it to its end. An impossible choice is an error."
-  in
-  Arg.(value & opt (some string) None & info [ "schedule" ] ~docv:"FILE" ~doc)
 
 (* A word, or a seed; [seed] is that of a value which is not the word. *)
 let seeded ~docv word ~plain ~random ~seed =
@@ -144,11 +142,9 @@ let start_conv : Sample.how Arg.conv =
   seeded ~docv:"START" "simple" ~plain:Sample.Simple ~random ~seed
 
 let choose =
-  let doc =
+  Options.default choose_conv First [ "choose" ] ~docv:"POLICY"
     "How to choose between transitions: $(b,first), the first one, or $(b,random:SEED), each equally likely, by \
      the generator SplitMix64 from the integer $(b,SEED): the same on every machine."
-  in
-  Arg.(value & opt choose_conv First & info [ "choose" ] ~docv:"POLICY" ~doc)
 
 let start ~sampled =
   let doc =
@@ -169,8 +165,8 @@ let steps =
   Arg.(value & opt (some Options.transitions) None & info [ "steps" ] ~docv:"N" ~doc)
 
 let time =
-  let doc = "Ends the run at the model time $(docv), between events if necessary." in
-  Arg.(value & opt (some (Options.not_negative "model time")) None & info [ "time" ] ~docv:"T" ~doc)
+  Options.maybe (Options.not_negative "model time") [ "time" ] ~docv:"T"
+    "Ends the run at the model time $(docv), between events if necessary."
 
 let options ~sampled =
   let make schedule choose start steps time = { schedule; choose; start; steps; time } in

@@ -49,7 +49,7 @@ let write_graphs o first second =
   | None -> Ok ()
   | Some prefix ->
     let file n g = (Printf.sprintf "%s-%d.aut" prefix n, Aut.write g) in
-    Result.map_error (fun d -> [ d ]) (Whole_file.write [ file 1 first; file 2 second ])
+    Result.listed (Whole_file.write [ file 1 first; file 2 second ])
 
 let compare console o =
   let watch = Check_options.watch o.budget in
@@ -91,18 +91,16 @@ let input index docv =
   Arg.(required & pos index (some string) None & info [] ~docv:(String.uppercase_ascii docv) ~doc)
 
 let relation =
-  let doc =
+  Options.default (Arg.enum Compare_report.relations) Compare.Branching [ "modulo" ] ~docv:"RELATION"
     "The equivalence: $(b,trace), $(b,weak), $(b,branching), $(b,strong) or $(b,timed) (see RELATIONS)."
-  in
-  Arg.(value & opt (enum Compare_report.relations) Compare.Branching & info [ "modulo" ] ~docv:"RELATION" ~doc)
 
 let definitions names what =
   let doc = Printf.sprintf "As $(b,-D), for the %s model only. Repeatable." what in
   Arg.(value & opt_all Options.override [] & info names ~docv:"NAME=VALUE" ~doc)
 
 let overrides =
-  let doc = "Gives the parameter $(i,NAME) of both models the value $(i,VALUE), a rational. Repeatable." in
-  Arg.(value & opt_all Options.override [] & info [ "D"; "define" ] ~docv:"NAME=VALUE" ~doc)
+  Options.repeated Options.override [ "D"; "define" ] ~docv:"NAME=VALUE"
+    "Gives the parameter $(i,NAME) of both models the value $(i,VALUE), a rational. Repeatable."
 
 let renaming =
   let refuse fmt = Printf.ksprintf (fun s -> Error (`Msg s)) fmt in
@@ -118,20 +116,16 @@ let renaming =
   Arg.conv ~docv:"FROM=TO" (parse, fun ppf (from, into) -> Format.fprintf ppf "%s=%s" from into)
 
 let renamed =
-  let doc =
+  Options.repeated renaming [ "rename" ] ~docv:"FROM=TO"
     "Changes the labels of the first model before the comparison. $(i,FROM) is a name of a body, a part or a \
      channel, which is replaced wherever it occurs in a label ($(b,p=left)). If it has a bracket or a $(b,*), it \
      is a pattern for whole labels: the texts that match its stars replace the stars of $(i,TO) ($(b,'bind(a, \
      *\\)=bind(b, *\\)')). The first matching pattern decides; else all names are replaced at once. Repeatable."
-  in
-  Arg.(value & opt_all renaming [] & info [ "rename" ] ~docv:"FROM=TO" ~doc)
 
 let write =
-  let doc =
+  Options.maybe Options.named [ "write" ] ~docv:"PREFIX"
     "Writes the two graphs as they are compared, renamed, hidden and with the relation's treatment of time, to \
      $(docv)-1.aut and $(docv)-2.aut."
-  in
-  Arg.(value & opt (some Options.named) None & info [ "write" ] ~docv:"PREFIX" ~doc)
 
 let options =
   let make relation first second overrides left right hidden renamed write budget =

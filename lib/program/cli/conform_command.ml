@@ -45,7 +45,7 @@ let note_semantics console (trace : Recorded.t) =
 
 let write_run path origin choices =
   let text = Schedule.to_string (Schedule.made origin choices ~offset:None) in
-  Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
+  Result.listed (Whole_file.with_file path (fun put -> put text))
 
 (* An instant of a release that nobody told, or not exactly, could be any of uncountably many. *)
 let exact_enough (l : Loaded.t) ~tolerance unobserved =
@@ -71,7 +71,7 @@ let conform console o =
   let* overrides, narrowed = parameters trace o.given in
   let given =
     if o.given.values <> [] || o.given.narrowed <> [] then Span.command_line
-    else Span.make ~file:(Source.name source) ~start:0 ~stop:0
+    else Span.of_file (Source.name source)
   in
   let* l = Input.model ~given console ~overrides ~narrowed o.path in
   let* () = Ordinary.at_point l in
@@ -79,7 +79,7 @@ let conform console o =
   Console.report console l.warnings;
   note_semantics console trace;
   let* tolerance = Verdict.tolerance l.model trace o.tolerance in
-  let* () = Result.map_error (fun d -> [ d ]) (exact_enough l ~tolerance o.unobserved) in
+  let* () = Result.listed (exact_enough l ~tolerance o.unobserved) in
   let observed label = not (List.exists (fun p -> Hide.matches p label) o.unobserved) in
   let limits = { Trace_search.states = o.states; interrupted } in
   let* answer =
@@ -109,24 +109,19 @@ let run color json o =
 (* The command line. *)
 
 let trace =
-  let doc = "The trace, as JSON Lines or CSV; $(b,-) reads it from standard input." in
-  Arg.(required & pos 1 (some string) None & info [] ~docv:"TRACE" ~doc)
+  Options.argument 1 ~docv:"TRACE" "The trace, as JSON Lines or CSV; $(b,-) reads it from standard input."
 
 let tolerance =
-  let doc =
+  Options.maybe (Options.not_negative "tolerance") [ "tolerance" ] ~docv:"T"
     "The tolerance of times, positions, velocities and other numbers of the trace, each by itself. With 0, the \
      default, they must be equal. A trace with floats (numbers with a point or an exponent) needs a tolerance; \
      in a rigid model it is not less than the resolution, unless it is 0."
-  in
-  Arg.(value & opt (some (Options.not_negative "tolerance")) None & info [ "tolerance" ] ~docv:"T" ~doc)
 
 let unobserved =
-  let doc =
+  Options.repeated Hide.pattern [ "unobserved" ] ~docv:"PATTERN"
     "Events that the trace may omit: a kind ($(b,bounce), $(b,bind), $(b,weak), $(b,strong)), or the text of a \
      label, in which $(b,*) stands for any characters: $(b,'bounce(p, *\\)'). Repeatable. The trace must have \
      every other event."
-  in
-  Arg.(value & opt_all Hide.pattern [] & info [ "unobserved" ] ~docv:"PATTERN" ~doc)
 
 let states =
   let doc =
@@ -137,8 +132,8 @@ let states =
   Arg.(value & opt count Trace_search.default_states & info [ "states" ] ~docv:"N" ~doc)
 
 let run_file =
-  let doc = "Writes a run that agrees with the trace to $(docv), as a schedule for $(b,scc trace --schedule)." in
-  Arg.(value & opt (some Options.named) None & info [ "run" ] ~docv:"FILE" ~doc)
+  Options.maybe Options.named [ "run" ] ~docv:"FILE"
+    "Writes a run that agrees with the trace to $(docv), as a schedule for $(b,scc trace --schedule)."
 
 let options =
   let make path trace given tolerance unobserved states run =

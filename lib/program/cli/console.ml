@@ -48,7 +48,7 @@ let source c name = List.find_opt (fun s -> String.equal (Source.name s) name) c
 
 let output_failed name message =
   Output_failed
-    (Diag.error Code.cannot_write (Span.make ~file:name ~start:0 ~stop:0) "cannot write: %s" message)
+    (Diag.error Code.cannot_write (Span.of_file name) "cannot write: %s" message)
 
 (* A closed pipe is the reader's choice, everything else is a failure. *)
 let to_stdout f =

@@ -108,7 +108,7 @@ let stopped ~seconds (stop : Scc_graph_search.Limits.stop) =
 (* The mesh, what was done to it, and its parts. *)
 let work console ~mend path =
   let* source = Input.warned console path in
-  let* set = Result.map_error (fun d -> [ d ]) (Scc_mesh.Mesh.read ~path (Source.text source)) in
+  let* set = Result.listed (Scc_mesh.Mesh.read ~path (Source.text source)) in
   let* set, mended = Mend_options.apply mend set in
   let* t = Result.map_error (diagnostics set) (Decomposed.make ~progress:(show console) set) in
   Ok (t, mended)
@@ -120,7 +120,7 @@ let report console ~mended ~mass output path (t : Parts.t) =
     | Some (path, write) ->
       let mass = match mass with Some m -> m | None -> Drawn.volume t.drawn.set in
       let text = write ~path ~mass t in
-      Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
+      Result.listed (Whole_file.with_file path (fun put -> put text))
   in
   let* () =
     Console.answer_and_write console write
@@ -151,25 +151,20 @@ let run color json mend seconds mass output path =
     Guard.by_ending file ~endings:(List.map fst formats) ~what:"parts" find (fun output -> go (Some output))
 
 let mesh =
-  let doc = "A polyhedron file, in any format that $(b,scc shape) reads." in
-  Arg.(required & pos 0 (some string) None & info [] ~docv:"MESH" ~doc)
+  Options.argument 0 ~docv:"MESH" "A polyhedron file, in any format that $(b,scc shape) reads."
 
 let output =
-  let doc =
+  Options.maybe Options.named [ "o"; "output" ] ~docv:"OUT"
     "Writes the parts to $(docv), exactly. The ending of the name selects the format: $(b,.sc), a compound of \
      the language with a template for each part, glued where they touch; or $(b,.obj), each part an object."
-  in
-  Arg.(value & opt (some Options.named) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
 
 let mass =
-  let doc =
+  Options.maybe (Options.positive "mass") [ "mass" ] ~docv:"M"
     "The mass of the whole in $(b,-o) $(i,OUT).sc; its volume by default. Parts share it by their volumes."
-  in
-  Arg.(value & opt (some (Options.positive "mass")) None & info [ "mass" ] ~docv:"M" ~doc)
 
 let seconds =
-  let doc = "Gives up after $(docv) seconds of the clock. No default." in
-  Arg.(value & opt (some Check_options.seconds_conv) None & info [ "seconds" ] ~docv:"S" ~doc)
+  Options.maybe Check_options.seconds_conv [ "seconds" ] ~docv:"S"
+    "Gives up after $(docv) seconds of the clock. No default."
 
 let command =
   let exits =

@@ -48,11 +48,9 @@ let trace index docv =
   Arg.(required & pos index (some string) None & info [] ~docv ~doc)
 
 let tolerance_option =
-  let doc =
+  Options.maybe (Options.not_negative "tolerance") [ "tolerance" ] ~docv:"T"
     "The tolerance of the numbers of the two traces, each by itself. With 0, the default, they must be equal. A \
      trace with floats needs a tolerance."
-  in
-  Arg.(value & opt (some (Options.not_negative "tolerance")) None & info [ "tolerance" ] ~docv:"T" ~doc)
 
 let options =
   let make first second tolerance = { first; second; tolerance } in

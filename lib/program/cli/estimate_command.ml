@@ -27,28 +27,14 @@ type options = {
 
 (* {1 What is asked} *)
 
-let properties console (l : Loaded.t) texts =
-  let source i = Input.given console ~name:(Printf.sprintf "<property %d>" (i + 1)) in
-  let sources = List.mapi source texts in
-  let* l, questions = if texts = [] then Ok (l, []) else Question.all l sources in
-  let named i : Question.t -> (Property.check, Diag.t list) result = function
-    | Temporal check -> Ok { check with name = Printf.sprintf "property%d" (i + 1) }
-    | State _ | Number _ ->
-      let source = List.nth sources i in
-      let at = Span.make ~file:(Source.name source) ~start:0 ~stop:(String.length (Source.text source)) in
-      Error
-        [
-          Diag.error Code.type_mismatch at ~hint:"as in `P = ? [ eventually f ]`, `E = ? [ x(p) at 10 ]`"
-            "this is about states, and asks for no probability and no mean";
-        ]
-  in
-  let rec all i found = function
-    | [] -> Ok (l, List.rev found)
-    | q :: rest ->
-      let* check = named i q in
-      all (i + 1) (check :: found) rest
-  in
-  all 0 [] questions
+let properties console l texts =
+  Observed.questions console l texts ~name:(fun i _ -> Printf.sprintf "<property %d>" (i + 1))
+    (fun i _ question ~refuse ->
+       match question with
+       | Temporal check -> Ok { check with name = Printf.sprintf "property%d" (i + 1) }
+       | State _ | Number _ ->
+         refuse Code.type_mismatch ~hint:"as in `P = ? [ eventually f ]`, `E = ? [ x(p) at 10 ]`"
+           "this is about states, and asks for no probability and no mean")
 
 let refused (c : Property.check) why =
   [ Diag.error Code.type_mismatch c.span "`%s` cannot be estimated: %s" c.name why ]
@@ -74,7 +60,7 @@ let paths (l : Loaded.t) asked ~by_name =
     Error
       [
         Diag.error Code.type_mismatch
-          (Span.make ~file:(Source.name l.source) ~start:0 ~stop:0)
+          (Span.of_file (Source.name l.source))
           "no check of the model asks for a probability or a mean"
           ~hint:"`--property 'P = ? [ eventually f ]'` asks";
       ]
@@ -140,7 +126,7 @@ let style : Estimation.verdict -> Console.style = function
   | Undecided -> Doubtful
   | Estimated -> Strong
 
-let text console (r : Estimate_report.t) =
+let text console lattices (r : Estimate_report.t) =
   let answer (a : Estimation.answer) =
     let verdict = Console.styled console (style a.verdict) (Estimate_report.word a.verdict) in
     let line = Estimate_report.line a ~confidence:r.aim.confidence in
@@ -155,7 +141,8 @@ let text console (r : Estimate_report.t) =
     let names = List.filter_map (fun (name, w) -> if String.equal w why then Some name else None) r.left_out in
     Console.styled console Faint ("left out: " ^ String.concat ", " names ^ ": " ^ why) ^ "\n"
   in
-  String.concat "\n" (List.map answer r.answers @ List.map left reasons)
+  let lattice = Option.to_list (Option.map (fun line -> line ^ "\n") (Scc_elaborate.Lattices.line lattices)) in
+  String.concat "\n" (lattice @ List.map answer r.answers @ List.map left reasons)
 
 let exit_code (answers : Estimation.answer list) ending : Exit_code.t =
   let code (a : Estimation.answer) : Exit_code.t =
@@ -209,7 +196,7 @@ let estimate console o watch =
   in
   Console.answer console
     ~json:(fun () -> Scc_json.Json_format.write Estimate_report.format (report, exit))
-    ~text:(fun () -> text console report);
+    ~text:(fun () -> text console model.lattices report);
   Kept.conclude console unkept;
   (match ending with
    | Whole -> ()
@@ -227,62 +214,45 @@ let run color progress json o =
 let checks = Chosen_checks.option ~doc:"Estimates only the check $(docv). May be given several times."
 
 let properties =
-  let doc =
+  Options.repeated Arg.string [ "property" ] ~docv:"PROPERTY"
     "Estimates $(docv), a property that is not in the model: $(b,P = ? [ eventually f ]). May be given several \
      times."
-  in
-  Arg.(value & opt_all string [] & info [ "property" ] ~docv:"PROPERTY" ~doc)
 
 let count = Options.integer ~least:1 "number of runs"
 
 let runs =
-  let doc = "Makes $(docv) runs, and evaluates once: the intervals are narrower than after as many runs by \
-             $(b,--width)." in
-  Arg.(value & opt (some count) None & info [ "runs" ] ~docv:"N" ~doc)
+  Options.maybe count [ "runs" ] ~docv:"N"
+    "Makes $(docv) runs, and evaluates once: the intervals are narrower than after as many runs by \
+     $(b,--width)."
 
 let most =
-  let doc = "Makes at most $(docv) runs." in
-  Arg.(value & opt count 10_000 & info [ "most" ] ~docv:"N" ~doc)
+  Options.default count 10_000 [ "most" ] ~docv:"N" "Makes at most $(docv) runs."
 
 let confidence =
-  let doc =
+  let otherwise = Rat.make (Z.of_int 99) (Z.of_int 100) in
+  Options.default (Options.positive "confidence") otherwise [ "confidence" ] ~docv:"C"
     "An interval misses the number, or an answer is wrong, with a probability of at most 1 less $(docv), for each \
      property."
-  in
-  Arg.(
-    value
-    & opt (Options.positive "confidence") (Rat.make (Z.of_int 99) (Z.of_int 100))
-    & info [ "confidence" ] ~docv:"C" ~doc)
 
 let width =
-  let doc =
+  Options.default (Options.positive "width") (Rat.make Z.one (Z.of_int 20)) [ "width" ] ~docv:"W"
     "Makes runs until the interval of a probability is at most $(docv) wide, and that of a mean at most this \
      share of the mean; of a comparison, until it is decided."
-  in
-  Arg.(
-    value
-    & opt (Options.positive "width") (Rat.make Z.one (Z.of_int 20))
-    & info [ "width" ] ~docv:"W" ~doc)
 
 let free =
-  let doc =
+  let ways = Arg.enum [ ("apart", Sample.Apart); ("evenly", Sample.Evenly) ] in
+  Options.default ways Sample.Apart [ "free" ] ~docv:"HOW"
     "The treatment of a run where several things are possible and none of them is drawn. With $(b,apart) the run \
      stops there. What is still unknown then counts for no at the lower end of the interval, and for yes at the \
      upper end. So the interval contains the least and the greatest probability. With $(b,evenly) each \
      possibility has the same probability; the result is valid only for these choices."
-  in
-  Arg.(
-    value
-    & opt (enum [ ("apart", Sample.Apart); ("evenly", Sample.Evenly) ]) Sample.Apart
-    & info [ "free" ] ~docv:"HOW" ~doc)
 
 let steps =
-  let doc = "Leaves a run after $(docv) transitions." in
-  Arg.(value & opt Options.transitions 10_000 & info [ "steps" ] ~docv:"N" ~doc)
+  Options.default Options.transitions 10_000 [ "steps" ] ~docv:"N" "Leaves a run after $(docv) transitions."
 
 let until =
-  let doc = "Stops a run at the model time $(docv), if not all is decided by then." in
-  Arg.(value & opt (some (Options.positive "model time")) None & info [ "until" ] ~docv:"TIME" ~doc)
+  Options.maybe (Options.positive "model time") [ "until" ] ~docv:"TIME"
+    "Stops a run at the model time $(docv), if not all is decided by then."
 
 let store_option =
   Kept.option

@@ -45,7 +45,7 @@ let guard t explore =
     Error
       [
         Diag.error Code.damaged_store
-          (Span.make ~file:folder ~start:0 ~stop:0)
+          (Span.of_file folder)
           "the store does not fit the exploration: %s" what
           ~hint:"remove the folder to begin anew";
       ]

@@ -105,21 +105,17 @@ let run color json o =
   Guard.run console (fun () -> Result.map (fun () -> Exit_code.Holds) (explain console o))
 
 let witness =
-  let doc =
+  Options.argument 0 ~docv:"WITNESS"
     "The run: a schedule, as $(b,scc check --witness) writes it, or a trace, whose schedule is used."
-  in
-  Arg.(required & pos 0 (some string) None & info [] ~docv:"WITNESS" ~doc)
 
 let model =
   let doc = "The model. A schedule of $(b,scc check) names its model, by the path given then." in
   Arg.(value & pos 1 (some string) None & info [] ~docv:"MODEL" ~doc)
 
 let check =
-  let doc =
+  Options.maybe Arg.string [ "check" ] ~docv:"NAME"
     "Explains the facts in the check $(docv) of the model. By default it is the check for which the schedule is \
      a witness; without one, the last event of the run is explained."
-  in
-  Arg.(value & opt (some string) None & info [ "check" ] ~docv:"NAME" ~doc)
 
 let options =
   let full = Options.full "Prints every step of the run, and all digits of numbers." in

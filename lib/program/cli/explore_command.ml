@@ -94,7 +94,7 @@ let write_all console o files =
     Console.flush console;
     Ok ()
   end
-  else Result.map_error (fun d -> [ d ]) (Whole_file.write files)
+  else Result.listed (Whole_file.write files)
 
 (** {2 The command} *)
 
@@ -180,11 +180,9 @@ let output =
   Arg.(required & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
 
 let format =
-  let doc =
+  Options.maybe (Arg.enum formats) [ "format" ] ~docv:"FORMAT"
     "The format, whatever the extension of the file: $(b,aut), $(b,dot), $(b,json), $(b,tra) or $(b,drn) (see \
      FORMATS)."
-  in
-  Arg.(value & opt (some (enum formats)) None & info [ "format" ] ~docv:"FORMAT" ~doc)
 
 let dialect =
   let doc = "The dialect of the explicit files: $(b,prism) or $(b,storm). For the format $(b,tra)." in
@@ -192,28 +190,21 @@ let dialect =
   Arg.(value & opt (enum dialects) Explicit_files.Prism & info [ "dialect" ] ~docv:"TOOL" ~doc)
 
 let cadp =
-  let doc =
+  Options.flag [ "cadp" ]
     "Writes the invisible action as $(b,i), as CADP does, instead of $(b,\"tau\"). For the format $(b,aut)."
-  in
-  Arg.(value & flag & info [ "cadp" ] ~doc)
 
 let all_steps =
-  let doc =
+  Options.flag [ "all-steps" ]
     "Keeps consecutive passings of time apart that have nothing else possible between them: every state is in \
      the file, under its number. For the format $(b,aut)."
-  in
-  Arg.(value & flag & info [ "all-steps" ] ~doc)
 
 let instants =
-  let doc =
+  Options.flag [ "instants" ]
     "Adds states for the instants, and for the times between them, at which a predicate of some check changes \
      while time passes, so that the labels describe whole runs. For the formats $(b,tra) and $(b,drn)."
-  in
-  Arg.(value & flag & info [ "instants" ] ~doc)
 
 let positions =
-  let doc = "Shows the places and motions of bodies. For the format $(b,dot)." in
-  Arg.(value & flag & info [ "positions" ] ~doc)
+  Options.flag [ "positions" ] "Shows the places and motions of bodies. For the format $(b,dot)."
 
 let options =
   let make path given budget output format dialect cadp all_steps hidden instants positions =

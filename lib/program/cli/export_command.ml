@@ -54,17 +54,16 @@ let make_folder path =
     Error
       [
         Diag.error Code.cannot_write
-          (Span.make ~file:path ~start:0 ~stop:0)
+          (Span.of_file path)
           "cannot make this folder: %s" (Os_error.reason path message);
       ]
 
-let diagnosed r = Result.map_error (fun d -> [ d ]) r
-let alone console o write = diagnosed (Console.with_output console ~path:o.output write)
+let alone console o write = Result.listed (Console.with_output console ~path:o.output write)
 
 let several o files =
   match o.output with
   | None -> Bug.fail __POS__ "several files without a name"
-  | Some path -> diagnosed (Whole_file.write (files path))
+  | Some path -> Result.listed (Whole_file.write (files path))
 
 let write console o (f : Film.t) observables =
   let* () = check_every f o.every in
@@ -85,7 +84,7 @@ let write console o (f : Film.t) observables =
 
 let too_great o =
   Diag.error Code.number_too_large
-    (Span.make ~file:o.path ~start:0 ~stop:0)
+    (Span.of_file o.path)
     ~hint:"`--format csv` tells exact numbers, however great"
     "the run leads to a number that is too great for the floats of this format"
 
@@ -152,11 +151,9 @@ let run color o =
 (* {1 The command line} *)
 
 let format =
-  let doc =
+  Options.maybe (Arg.enum formats) [ "format" ] ~docv:"FORMAT"
     "The format to write: $(b,glb) (glTF), $(b,x3d), $(b,vtp) (a series for ParaView), $(b,simularium), $(b,obj) \
      (one state) or $(b,csv) (a table of numbers). By default the ending of $(b,-o) selects it."
-  in
-  Arg.(value & opt (some (enum formats)) None & info [ "format" ] ~docv:"FORMAT" ~doc)
 
 let output =
   Options.output
@@ -164,23 +161,19 @@ let output =
      to files beside it, so these formats need a name."
 
 let at =
-  let doc = "With $(b,obj): the state at the time $(docv). The default is the end of the run." in
-  Arg.(value & opt (some (Options.not_negative "time")) None & info [ "at" ] ~docv:"TIME" ~doc)
+  Options.maybe (Options.not_negative "time") [ "at" ] ~docv:"TIME"
+    "With $(b,obj): the state at the time $(docv). The default is the end of the run."
 
 let every =
-  let doc =
+  Options.maybe (Options.positive "step") [ "every" ] ~docv:"STEP"
     "With $(b,vtp), $(b,simularium) and $(b,csv): the states at the multiples of $(docv). By default $(b,vtp) \
      has each instant with an event, $(b,csv) each state after a transition, and $(b,simularium) a hundred steps \
      of the same length."
-  in
-  Arg.(value & opt (some (Options.positive "step")) None & info [ "every" ] ~docv:"STEP" ~doc)
 
 let observed =
-  let doc =
+  Options.repeated Arg.string [ "observe" ] ~docv:"FORMULA"
     "With $(b,csv): a column for $(docv), any number or predicate of a state that a check can name. May be given \
      several times."
-  in
-  Arg.(value & opt_all string [] & info [ "observe" ] ~docv:"FORMULA" ~doc)
 
 let of_ending output =
   match Option.map Filename.extension output with

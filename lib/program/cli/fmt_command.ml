@@ -21,7 +21,7 @@ let one console mode path =
     Ok Exit_code.Violated
   | In_place when String.equal before after -> Ok Exit_code.Holds
   | In_place ->
-    let* () = Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put after)) in
+    let* () = Result.listed (Whole_file.with_file path (fun put -> put after)) in
     Ok Exit_code.Holds
 
 let run color mode paths =

@@ -4,8 +4,6 @@ open Scc_verdicts
 open Scc_inflate
 open Cmdliner
 
-let plain r = Result.map_error (fun d -> [ d ]) r
-
 type options = { path : string; resolution : int option; output : string option; inflate : Inflated.options }
 
 (* {1 Report} *)
@@ -89,9 +87,9 @@ let format : (answer, unit) Scc_json.Json_format.t =
 (* {1 Work} *)
 
 let inflate console o write =
-  let* source = plain (Input.read o.path) in
+  let* source = Result.listed (Input.read o.path) in
   if Scc_pixels.Icon.is_text (Source.text source) then Console.add_source console source;
-  let* picture = plain (Scc_pixels.Icon.read ?resolution:o.resolution ~path:o.path (Source.text source)) in
+  let* picture = Result.listed (Scc_pixels.Icon.read ?resolution:o.resolution ~path:o.path (Source.text source)) in
   let progress what share =
     Console.progress console (Printf.sprintf "%s: %.0f %%" what (100. *. Float.min 1. share))
   in
@@ -148,12 +146,10 @@ let strength_conv =
   Arg.conv ~docv:"STRENGTH" (parse, print)
 
 let strengths =
-  let doc =
+  Options.repeated strength_conv [ "strength" ] ~docv:"STRENGTH"
     "The strength of the inflation: a number, 1 by default, or $(i,COLOUR)$(b,=)$(i,NUMBER), as in \
      $(b,'#ff0000=2'), for the pixels of exactly that colour. Repeatable, with one for each colour. A region \
      with 0 is a skin over its surroundings."
-  in
-  Arg.(value & opt_all strength_conv [] & info [ "strength" ] ~docv:"STRENGTH" ~doc)
 
 let strengths =
   let split given =
@@ -167,11 +163,9 @@ let strengths =
   Term.(term_result' ~usage:true (const split $ strengths))
 
 let shaded =
-  let doc =
+  Options.flag [ "shaded" ]
     "Multiplies strengths by how dark a pixel is: the full strength for black, none for white, and in between by \
      the mean of red, green and blue."
-  in
-  Arg.(value & flag & info [ "shaded" ] ~doc)
 
 let profile =
   let doc =
@@ -201,21 +195,17 @@ let faces =
   Arg.(value & opt (conv ~docv:"N" (parse, print)) (Some default) & info [ "faces" ] ~docv:"N" ~doc)
 
 let scale =
-  let doc = "The length of a pixel in the solid, 1 by default." in
-  Arg.(value & opt (Options.positive "length") Rat.one & info [ "scale" ] ~docv:"LENGTH" ~doc)
+  Options.default (Options.positive "length") Rat.one [ "scale" ] ~docv:"LENGTH"
+    "The length of a pixel in the solid, 1 by default."
 
 let background =
-  let doc =
+  Options.maybe colour [ "background" ] ~docv:"COLOUR"
     "The colour of the background, as #ff8000. By default, the shape is the opaque part of a picture with \
      transparent pixels, and in other pictures the part that is far from white."
-  in
-  Arg.(value & opt (some colour) None & info [ "background" ] ~docv:"COLOUR" ~doc)
 
 let piece =
-  let doc =
+  Options.maybe (Options.integer ~least:1 "number of a piece") [ "piece" ] ~docv:"N"
     "Takes this piece of a drawing in several pieces: 1 is the largest. Pixels are connected by their edges."
-  in
-  Arg.(value & opt (some (Options.integer ~least:1 "number of a piece")) None & info [ "piece" ] ~docv:"N" ~doc)
 
 let resolution =
   let doc =
@@ -234,8 +224,8 @@ let output =
   Arg.(value & opt (some Options.named) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
 
 let icon =
-  let doc = "The drawing: PNG, Netpbm (PBM, PGM, PPM) or SVG; $(b,-) reads it from standard input." in
-  Arg.(required & pos 0 (some string) None & info [] ~docv:"ICON" ~doc)
+  Options.argument 0 ~docv:"ICON"
+    "The drawing: PNG, Netpbm (PBM, PGM, PPM) or SVG; $(b,-) reads it from standard input."
 
 let options =
   let make path resolution output background piece (strength, colours) shaded profile faces scale =

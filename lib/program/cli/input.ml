@@ -47,7 +47,7 @@ let bytes ?(max_bytes = max_bytes) path =
 let standard_input = "<standard input>"
 
 let cannot_read name reason =
-  Diag.error Code.cannot_read (Span.make ~file:name ~start:0 ~stop:0) "cannot read: %s" reason
+  Diag.error Code.cannot_read (Span.of_file name) "cannot read: %s" reason
 
 let read ?max_bytes path =
   let name = if String.equal path "-" then standard_input else path in
@@ -56,7 +56,7 @@ let read ?max_bytes path =
   | Error reason -> Error (cannot_read name reason)
 
 let text console path =
-  let* source = Result.map_error (fun d -> [ d ]) (read path) in
+  let* source = Result.listed (read path) in
   Console.add_source console source;
   Ok source
 

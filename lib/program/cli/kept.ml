@@ -14,7 +14,7 @@ let tell console d =
   else Console.report console [ d ]
 
 let openly console ~folder identity =
-  Result.map_error (fun d -> [ d ]) (Store.openly folder ~identity ~warn:(tell console))
+  Result.listed (Store.openly folder ~identity ~warn:(tell console))
 
 let code = List.map (fun (_ : Diag.t) -> Scc_verdicts.Exit_code.Unwritten)
 let conclude console = List.iter (tell console)

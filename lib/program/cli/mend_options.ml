@@ -19,22 +19,20 @@ let grid =
   let value = Arg.(value & opt (some Options.rational) None & info [ "grid" ] ~docv:"DISTANCE" ~doc) in
   Term.(term_result' ~usage:true (const positive $ value))
 
-let flag name doc = Arg.(value & flag & info [ name ] ~doc)
-
 let weld =
-  flag "weld"
+  Options.flag [ "weld" ]
     "Makes equal points one vertex, as many programs give every face corners of its own, and removes faces that \
      then have fewer than three corners."
 
 let orient =
-  flag "orient"
+  Options.flag [ "orient" ]
     "Turns faces over so that all are counter-clockwise from outside, and names them. A piece within a solid is \
      taken for a hollow of it, whose faces look into the hollow, and a piece in a hollow for a solid. Where \
      faces cross each other this is unknown: a piece that is inside out, and within the box of another piece, \
      stays so."
 
 let merge =
-  flag "merge"
+  Options.flag [ "merge" ]
     "Makes one face of neighbouring faces that are in one plane, exactly: most files have triangles only, and a \
      template has maximal faces."
 

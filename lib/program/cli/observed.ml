@@ -2,25 +2,25 @@ open Scc_base
 open Scc_loading
 open Scc_export
 
-let all console (l : Loaded.t) texts =
-  let source i = Input.given console ~name:(Printf.sprintf "<observable %d>" (i + 1)) in
-  let sources = List.mapi source texts in
-  let observable source : Question.t -> (Table.observable, Diag.t list) result = function
-    | Number n -> Ok { Table.text = Source.text source; what = Number n }
-    | State p -> Ok { Table.text = Source.text source; what = Truth p }
-    | Temporal check ->
-      let at = Span.make ~file:(Source.name source) ~start:0 ~stop:(String.length (Source.text source)) in
-      Error
-        [
-          Diag.error Code.type_mismatch at ~hint:"`scc check` decides it"
-            "%s is a formula about runs: a number or a predicate of a state is needed here" check.text;
-        ]
-  in
+let questions console l texts ~name meant =
+  let sources = List.mapi (fun i text -> Input.given console ~name:(name i text) text) texts in
   let* l, questions = if texts = [] then Ok (l, []) else Question.all l sources in
-  let rec all found = function
-    | [], _ | _, [] -> Ok (l, List.rev found)
-    | source :: sources, question :: questions ->
-      let* o = observable source question in
-      all (o :: found) (sources, questions)
+  let one (i, source, question) =
+    let refuse code ?hint why =
+      let at = Span.make ~file:(Source.name source) ~start:0 ~stop:(String.length (Source.text source)) in
+      Error [ Diag.error code at ?hint "%s" why ]
+    in
+    meant i source question ~refuse
   in
-  all [] (sources, questions)
+  let numbered = List.mapi (fun i (source, question) -> (i, source, question)) (List.combine sources questions) in
+  Result.map (fun found -> (l, found)) (Result.all one numbered)
+
+let all console l texts =
+  questions console l texts ~name:(fun i _ -> Printf.sprintf "<observable %d>" (i + 1))
+    (fun _ source question ~refuse ->
+       match question with
+       | Number n -> Ok { Table.text = Source.text source; what = Number n }
+       | State p -> Ok { Table.text = Source.text source; what = Truth p }
+       | Temporal check ->
+         refuse Code.type_mismatch ~hint:"`scc check` decides it"
+           (check.text ^ " is a formula about runs: a number or a predicate of a state is needed here"))

@@ -36,6 +36,14 @@ let integer ?(least = min_int) ?(most = max_int) what =
   in
   Arg.conv ~docv:"N" (parse, Format.pp_print_int)
 
+(* {1 Making options} *)
+
+let flag ?docs names doc = Arg.(value & flag & info names ~doc ?docs)
+let maybe ?docs kind names ~docv doc = Arg.(value & opt (some kind) None & info names ~docv ~doc ?docs)
+let default ?docs kind otherwise names ~docv doc = Arg.(value & opt kind otherwise & info names ~docv ~doc ?docs)
+let repeated kind names ~docv doc = Arg.(value & opt_all kind [] & info names ~docv ~doc)
+let argument index ~docv doc = Arg.(required & pos index (some string) None & info [] ~docv ~doc)
+
 (* {1 Outputs} *)
 
 let output ?(docv = "FILE") doc =
@@ -50,10 +58,10 @@ let named =
   Arg.conv ~docv:"FILE" (parse, Format.pp_print_string)
 
 let transitions = integer ~least:0 "number of transitions"
+let processes = integer ~least:1 ~most:1024 "number of processes from 1 to 1024"
 
 let model_file =
-  let doc = "The model, a $(b,.sc) file; $(b,-) reads it from standard input." in
-  Arg.(required & pos 0 (some string) None & info [] ~docv:"MODEL" ~doc)
+  argument 0 ~docv:"MODEL" "The model, a $(b,.sc) file; $(b,-) reads it from standard input."
 
 (* What is given for a name, as [value] reads and prints it. *)
 let for_name ~docv value print =
@@ -69,8 +77,8 @@ let for_name ~docv value print =
 let override = for_name ~docv:"NAME=VALUE" (Arg.conv_parser rational) Rat.to_string
 
 let overrides =
-  let doc = "Gives the parameter $(i,NAME) of the model the value $(i,VALUE), a rational. Repeatable." in
-  Arg.(value & opt_all override [] & info [ "D"; "define" ] ~docv:"NAME=VALUE" ~doc)
+  repeated override [ "D"; "define" ] ~docv:"NAME=VALUE"
+    "Gives the parameter $(i,NAME) of the model the value $(i,VALUE), a rational. Repeatable."
 
 (* {1 Ranges} *)
 
@@ -161,11 +169,9 @@ let progress =
   Term.(const lines $ Arg.(value & flag & info [ "progress" ] ~doc ~docs:sdocs))
 
 let json =
-  let doc =
+  flag [ "json" ]
     "Prints one JSON document to standard output: the report, or the diagnostics if there can be no report. \
      Nothing is printed to standard error. The schemas are in $(b,specs/schema)."
-  in
-  Arg.(value & flag & info [ "json" ] ~doc)
 
 let full doc =
   let doc =

@@ -24,18 +24,14 @@ let direction =
   Arg.conv ~docv:"X,Y,Z" (parse, print)
 
 let from =
-  let doc =
+  Options.maybe direction [ "from" ] ~docv:"X,Y,Z"
     "With $(b,--svg): looks from the side to which the vector $(docv) points: $(b,0,1,0) is from above. Write \
      $(b,--from=-1,0,0) if it begins with a minus."
-  in
-  Arg.(value & opt (some direction) None & info [ "from" ] ~docv:"X,Y,Z" ~doc)
 
 let up =
-  let doc =
+  Options.maybe direction [ "up" ] ~docv:"X,Y,Z"
     "With $(b,--svg): the direction that is upwards in the picture, by default the y axis, or another axis if \
      the view is along it."
-  in
-  Arg.(value & opt (some direction) None & info [ "up" ] ~docv:"X,Y,Z" ~doc)
 
 let width =
   let doc = "With $(b,--svg): the width of the picture, in pixels." in

@@ -12,7 +12,7 @@ let conflict ~resume ~store ~part ~lines =
 
 let bad path format =
   Printf.ksprintf
-    (fun text -> Error [ Diag.error Code.bad_trace (Span.make ~file:path ~start:0 ~stop:0) "%s" text ])
+    (fun text -> Error [ Diag.error Code.bad_trace (Span.of_file path) "%s" text ])
     format
 
 type line = Whole | Interrupted | Other
@@ -30,7 +30,7 @@ let kind member number line =
 
 (* A last line without its end is none. *)
 let lines ~path ~header ~member ~what =
-  let* source = Result.map_error (fun d -> [ d ]) (Input.read ~max_bytes:max_int path) in
+  let* source = Result.listed (Input.read ~max_bytes:max_int path) in
   match String.split_on_char '\n' (Source.text source) with
   | first :: rest when String.equal (first ^ "\n") header ->
     let rec count n = function

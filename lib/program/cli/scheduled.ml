@@ -4,7 +4,7 @@ open Scc_runs
 
 let read console path =
   let* source = Input.text console path in
-  Result.map_error (fun d -> [ d ]) (Schedule.read source)
+  Result.listed (Schedule.read source)
 
 let parameters (s : Schedule.t) (given : Options.definitions) =
   let clash name =

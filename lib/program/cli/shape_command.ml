@@ -20,7 +20,7 @@ let template console ~overrides path name =
 
 let mesh console path =
   let* source = Input.warned console path in
-  Result.map_error (fun d -> [ d ]) (Scc_mesh.Mesh.read ~path (Source.text source))
+  Result.listed (Scc_mesh.Mesh.read ~path (Source.text source))
 
 let templates_of console path =
   let* source = Input.warned console path in
@@ -166,14 +166,14 @@ let draw o ~name report =
   | None -> Ok ()
   | Some path ->
     let text = Scc_picture.Solid_picture.svg ~name o.drawing report in
-    Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
+    Result.listed (Whole_file.with_file path (fun put -> put text))
 
 let show o ~name report =
   match o.page with
   | None -> Ok ()
   | Some path ->
     let page = Scc_view.Solid_page.write ~name report in
-    Result.map_error (fun d -> [ d ]) (Whole_file.with_file path page)
+    Result.listed (Whole_file.with_file path page)
 
 let shape console ~overrides o output argument =
   let* set = set console ~overrides argument in
@@ -239,21 +239,17 @@ let argument =
   Arg.(required & pos 0 (some string) None & info [] ~docv:"FILE" ~doc)
 
 let snap_option =
-  let doc =
+  Options.maybe Options.rational [ "snap" ] ~docv:"DISTANCE"
     "Makes the solid exact: finds a convex closed polyhedron with the same vertices, faces and names, no vertex \
      of which is farther than $(docv) from its original place, and prints how far they moved. For solids with \
      rounded decimals, so that the corners of faces are not quite in one plane."
-  in
-  Arg.(value & opt (some Options.rational) None & info [ "snap" ] ~docv:"DISTANCE" ~doc)
 
 let hull_option =
-  let doc =
+  Options.flag [ "hull" ]
     "Takes the convex hull of the vertices, exactly, whatever the faces of $(i,FILE) are; it may be a cloud of \
      points. With $(b,--snap), neighbouring faces that are flat within the distance become one face, whose \
      corners are moved into one plane, so that rounded points give the original solid. No point is farther than \
      the distance in front of a face."
-  in
-  Arg.(value & flag & info [ "hull" ] ~doc)
 
 let faces_option =
   let least = 4 and most = 1000 in
@@ -274,7 +270,7 @@ let faces_option =
   Arg.(value & opt (some number) None & info [ "faces" ] ~docv:"N" ~doc)
 
 let output =
-  let doc =
+  Options.maybe Options.named [ "o"; "output" ] ~docv:"OUT"
     "Writes the shape to $(docv), exactly, if it is accepted. A refused shape is written too if its faces bound \
      a solid: closed, in one piece, and without cutting each other, but not convex, or with faces that \
      $(b,--merge) would join. The report says so, and the exit code is still that of a refused shape; $(b,scc \
@@ -282,31 +278,23 @@ let output =
      the format: $(b,.off), $(b,.obj) (which keeps the names of faces), $(b,.stl), $(b,.ply), or $(b,.sc), a \
      template for a model, or a compound. Coordinates are decimals. A number without a decimal, such as 1/3, is \
      a fraction p/q, which other programs may not read; STL and PLY are then not written."
-  in
-  Arg.(value & opt (some Options.named) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
 
 let round =
-  let doc =
+  Options.flag [ "round" ]
     "Rounds the coordinates in the output of $(b,-o) to the nearest 64-bit numbers, for other programs; the \
      report says how many changed and by how much at most."
-  in
-  Arg.(value & flag & info [ "round" ] ~doc)
 
 let svg =
-  let doc =
+  Options.maybe Options.named [ "svg" ] ~docv:"PICTURE"
     "Draws the shape into $(docv), from two opposite sides, with the names of its faces and vertices. For a \
      refused shape it shows the witness of each fault, and of each condition of Definition 4.3 that fails, at \
      its place. Hidden surfaces are computed exactly; places in the picture are rounded."
-  in
-  Arg.(value & opt (some Options.named) None & info [ "svg" ] ~docv:"PICTURE" ~doc)
 
 let page =
-  let doc =
+  Options.maybe Options.named [ "view" ] ~docv:"PAGE"
     "Writes a page to $(docv), one file of HTML that opens in a browser from disk. It shows the shape in space, \
      with the names and exact places of its faces, edges and vertices, and each fault at its place, as for \
      $(b,--svg)."
-  in
-  Arg.(value & opt (some Options.named) None & info [ "view" ] ~docv:"PAGE" ~doc)
 
 let drawn =
   let one svg drawing =

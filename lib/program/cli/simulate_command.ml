@@ -116,6 +116,8 @@ let simulate console o ~interrupted =
   Console.report console model.warnings;
   let* loaded, observables = Observed.all console model o.observed in
   let plan = plan o loaded observables in
+  if o.form = Csv then
+    Option.iter (fun line -> Console.note console ("scc: " ^ line)) (Scc_elaborate.Lattices.line model.lattices);
   let report = report o model observables plan.times in
   let* there, before, earlier = before o report in
   let from, last = Task_part.range o.part ~count:o.runs in
@@ -149,7 +151,7 @@ let simulate console o ~interrupted =
   match Console.with_output console ~pieces:(not o.summary) ~path write with
   | Error d -> Error [ d ]
   | Ok result ->
-    let* () = Result.map_error (fun d -> [ d ]) (Option.fold ~none:(Ok ()) ~some:draw o.plot) in
+    let* () = Result.listed (Option.fold ~none:(Ok ()) ~some:draw o.plot) in
     let runs = last - from and finished = !written and partly = !partly and ended_early = !ended_early in
     let* code = conclude console ~runs ~finished ~partly ~ended_early result in
     Ok (Kept_runs.finish console kept code)
@@ -182,16 +184,13 @@ let until =
   Arg.(required & opt (some (Options.not_negative "model time")) None & info [ "until" ] ~docv:"TIME" ~doc)
 
 let steps =
-  let doc = "Ends a run after $(docv) transitions." in
-  Arg.(value & opt (some Options.transitions) None & info [ "steps" ] ~docv:"N" ~doc)
+  Options.maybe Options.transitions [ "steps" ] ~docv:"N" "Ends a run after $(docv) transitions."
 
 let summary =
-  let doc =
+  Options.flag [ "summary" ]
     "Summarises all runs, for each time and observable: the number of runs with a value, mean, variance of the \
      sample, standard deviation, least, quantiles and greatest. All are exact except the deviation, which is \
      rounded to $(b,--decimals), or 6."
-  in
-  Arg.(value & flag & info [ "summary" ] ~doc)
 
 let quantiles =
   let doc = "The quantiles of $(b,--summary) and $(b,--plot), by the nearest rank." in
@@ -199,35 +198,25 @@ let quantiles =
   Arg.(value & opt (list (Options.not_negative "quantile")) default & info [ "quantiles" ] ~docv:"Q,..." ~doc)
 
 let plot =
-  let doc =
+  Options.maybe Options.named [ "plot" ] ~docv:"FILE"
     "Draws a chart, as SVG: for each observable the mean over the time, and the range from the first to the \
      last of $(b,--quantiles)."
-  in
-  Arg.(value & opt (some Options.named) None & info [ "plot" ] ~docv:"FILE" ~doc)
 
 let form =
-  let doc = "$(b,csv) (RFC 4180), or $(b,jsonl), a JSON object a line." in
-  Arg.(
-    value
-    & opt (enum [ ("csv", Report.Csv); ("jsonl", Jsonl) ]) Report.Csv
-    & info [ "format" ] ~docv:"FORMAT" ~doc)
+  Options.default (Arg.enum [ ("csv", Report.Csv); ("jsonl", Jsonl) ]) Report.Csv [ "format" ] ~docv:"FORMAT"
+    "$(b,csv) (RFC 4180), or $(b,jsonl), a JSON object a line."
 
 let decimals =
-  let doc =
+  Options.maybe (Options.integer ~least:0 ~most:1000 "number of decimals") [ "decimals" ] ~docv:"K"
     "Writes numbers rounded to $(docv) decimals, instead of exactly as texts $(b,p/q)."
-  in
-  Arg.(value & opt (some (Options.integer ~least:0 ~most:1000 "number of decimals")) None & info [ "decimals" ]
-         ~docv:"K" ~doc)
 
 let resume =
-  let doc =
+  Options.maybe Options.named [ "resume" ] ~docv:"FILE"
     "Continues $(docv), written with $(b,--format jsonl) by a simulation that was interrupted, or had fewer \
      runs; an unfinished line is made anew. All options except $(b,--runs) and $(b,--jobs) must be the same. The \
      file, or $(b,-o), becomes what it would be without an interruption. The exit code is about the new runs. \
      $(b,--summary) does not change the file, and summarises its runs together with the new ones, as $(b,--plot) \
      does; the numbers of the file must be exact."
-  in
-  Arg.(value & opt (some Options.named) None & info [ "resume" ] ~docv:"FILE" ~doc)
 
 let store_option =
   Kept.option

@@ -144,11 +144,9 @@ let run color options given path =
     Guard.run console (fun () -> talk console options given path)
 
 let names =
-  let doc =
+  Options.repeated Arg.string [ "check" ] ~docv:"NAME"
     "Serves only the property $(docv), as if the model had no others. Repeatable. By default all properties are \
      served."
-  in
-  Arg.(value & opt_all string [] & info [ "check" ] ~docv:"NAME" ~doc)
 
 let number =
   let doc =
@@ -159,11 +157,9 @@ let number =
   Arg.(value & opt number 1 & info [ "exploration" ] ~docv:"N" ~doc)
 
 let framing =
-  let doc =
+  Options.default (Arg.enum framings) Lines [ "framing" ] ~docv:"HOW"
     "The form of states and answers: $(b,lines), a text for each, or $(b,batches), columns of numbers for many \
      at once."
-  in
-  Arg.(value & opt (enum framings) Lines & info [ "framing" ] ~docv:"HOW" ~doc)
 
 let options =
   let make names number reductions bits framing =

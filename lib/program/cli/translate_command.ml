@@ -26,7 +26,7 @@ let translate console notation output path =
     if String.equal from.name notation.name then Ok ()
     else check_readable console ~from:source notation text
   in
-  let* () = Result.map_error (fun d -> [ d ]) (Console.with_output console ~path:output (fun put -> put text)) in
+  let* () = Result.listed (Console.with_output console ~path:output (fun put -> put text)) in
   Console.flush console;
   Ok Exit_code.Holds
 
@@ -47,11 +47,9 @@ let output =
     "Writes to $(docv) instead of standard output; without $(b,--to), the ending of its name selects the notation."
 
 let file =
-  let doc =
+  Options.argument 0 ~docv:"FILE"
     "The model. The ending of its name selects the notation, or, without a name, the beginning of its text; \
      $(b,-) is standard input."
-  in
-  Arg.(required & pos 0 (some string) None & info [] ~docv:"FILE" ~doc)
 
 let man =
   let told (n : Notation.t) =

@@ -71,24 +71,19 @@ let output =
   Options.output "Writes to $(docv) instead of the name of the model with $(b,.html), in the present folder."
 
 let data_alone =
-  let doc =
+  Options.flag [ "data" ]
     "Writes only the data of the page, as JSON ($(b,specs/schema/view.schema.json)), for other viewers."
-  in
-  Arg.(value & flag & info [ "data" ] ~doc)
 
 let check =
-  let doc = "Shows the check $(docv) alone." in
-  Arg.(value & opt (some string) None & info [ "check" ] ~docv:"NAME" ~doc)
+  Options.maybe Arg.string [ "check" ] ~docv:"NAME" "Shows the check $(docv) alone."
 
 let schedule =
-  let doc =
+  Options.maybe Arg.string [ "schedule" ] ~docv:"FILE"
     "Shows the run of the schedule $(docv), as $(b,scc check --witness) writes it; then nothing is checked."
-  in
-  Arg.(value & opt (some string) None & info [ "schedule" ] ~docv:"FILE" ~doc)
 
 let trace =
-  let doc = "Shows the run of a trace, as $(b,scc trace) writes it; then nothing is checked." in
-  Arg.(value & opt (some string) None & info [ "trace" ] ~docv:"FILE" ~doc)
+  Options.maybe Arg.string [ "trace" ] ~docv:"FILE"
+    "Shows the run of a trace, as $(b,scc trace) writes it; then nothing is checked."
 
 let followed =
   let one schedule trace =
@@ -100,37 +95,28 @@ let followed =
   Term.(term_result' ~usage:true (const one $ schedule $ trace))
 
 let plots =
-  let doc =
+  Options.repeated Arg.string [ "plot" ] ~docv:"NUMBER"
     "Plots the number $(docv) over time, written as in a check: $(b,distance2\\(p, q\\)). May be given several \
      times. Numbers in the checks are always plotted."
-  in
-  Arg.(value & opt_all string [] & info [ "plot" ] ~docv:"NUMBER" ~doc)
 
 let graph =
-  let doc =
+  Options.default (Options.integer ~least:0 "number of states") 1000 [ "graph" ] ~docv:"N"
     "Includes alternatives to the shown runs: at most $(docv) states in all. There are fewer if each state is \
      large, or if half of $(b,--seconds) is over."
-  in
-  Arg.(value & opt (Options.integer ~least:0 "number of states") 1000 & info [ "graph" ] ~docv:"N" ~doc)
 
 let svg =
-  let doc =
+  Options.maybe (Options.not_negative "model time") [ "svg" ] ~docv:"TIME"
     "Writes a picture of the state at the model time $(docv) instead of a page, as SVG, with exact hidden \
      surfaces. The run is that of $(b,--schedule) or $(b,--trace), that which shows the verdict of $(b,--check), \
      or that of the first choices."
-  in
-  Arg.(value & opt (some (Options.not_negative "model time")) None & info [ "svg" ] ~docv:"TIME" ~doc)
 
 let names =
-  let doc = "With $(b,--svg): writes the names of bodies into the picture." in
-  Arg.(value & flag & info [ "names" ] ~doc)
+  Options.flag [ "names" ] "With $(b,--svg): writes the names of bodies into the picture."
 
 let without =
-  let doc =
+  Options.repeated Arg.string [ "without" ] ~docv:"NAME"
     "With $(b,--svg): leaves out $(docv), a body, a part of one such as a wall that hides what is behind it \
      ($(b,room.south)), or a family of bodies. May be given several times."
-  in
-  Arg.(value & opt_all string [] & info [ "without" ] ~docv:"NAME" ~doc)
 
 let what =
   let one data svg names without picture =

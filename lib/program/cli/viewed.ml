@@ -226,23 +226,14 @@ let scheduled making world (s : Schedule.t) ~interrupted =
 
 (* The numbers that are asked for, and the model in which they have their meaning. *)
 let asked console (l : Loaded.t) texts =
-  match texts with
-  | [] -> Ok (l, [])
-  | _ :: _ ->
-    let source text = Input.given console ~name:("--plot " ^ text) text in
-    let sources = List.map source texts in
-    let* model, questions = Question.all l sources in
-    let number source (q : Question.t) =
-      match q with
-      | Number n -> Ok n
-      | State _ | Temporal _ ->
-        let text = Source.text source in
-        let at = Span.make ~file:(Source.name source) ~start:0 ~stop:(String.length text) in
-        Error [ Diag.error Code.bad_value at "this is no number: a plot shows a number over time" ]
-    in
-    let add all q = let* all = all in Result.map (fun n -> n :: all) q in
-    let* numbers = List.fold_left add (Ok []) (List.map2 number sources questions) in
-    Ok ({ model with checks = l.checks }, List.rev numbers)
+  let* model, numbers =
+    Observed.questions console l texts ~name:(fun _ text -> "--plot " ^ text)
+      (fun _ _ question ~refuse ->
+         match question with
+         | Number n -> Ok n
+         | State _ | Temporal _ -> refuse Code.bad_value "this is no number: a plot shows a number over time")
+  in
+  Ok ({ model with checks = l.checks }, numbers)
 
 let document console o watch =
   let* schedule = read_schedule console o in

@@ -6,7 +6,7 @@ exception Failed of Diag.t
 (* [path] is what the user knows the file by. *)
 let fail path message =
   raise
-    (Failed (Diag.error Code.cannot_write (Span.make ~file:path ~start:0 ~stop:0) "cannot write: %s" message))
+    (Failed (Diag.error Code.cannot_write (Span.of_file path) "cannot write: %s" message))
 
 let failing path f =
   try f () with

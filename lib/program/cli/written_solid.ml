@@ -15,11 +15,11 @@ let text (path, write) set =
 
 let put ((path, _) as output) ~hint set =
   match text output set with
-  | Ok text -> Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
+  | Ok text -> Result.listed (Whole_file.with_file path (fun put -> put text))
   | Error vertex ->
     Error
       [
-        Diag.error Code.cannot_write (Span.make ~file:path ~start:0 ~stop:0) ~hint
+        Diag.error Code.cannot_write (Span.of_file path) ~hint
           "the coordinates of %s are no decimals, and files of this format have no fractions" vertex;
       ]
 
@@ -32,7 +32,7 @@ let rounded console ~round path set =
   else
     match Scc_mesh.Written.rounded set with
     | None ->
-      let at = Span.make ~file:path ~start:0 ~stop:0 in
+      let at = Span.of_file path in
       Error [ Diag.error Code.cannot_write at "a coordinate is beyond the greatest 64-bit number" ]
     | Some (set, 0, _) -> Ok set
     | Some (set, moved, most) ->

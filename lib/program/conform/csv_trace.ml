@@ -188,7 +188,7 @@ let read source =
   | (_, at, first) :: rest ->
     let names = Option.map (List.map String.lowercase_ascii) (cells first) in
     let* names = Option.to_result ~none:[ malformed at "a quote is not closed" ] names in
-    let* () = Result.map_error (fun d -> [ d ]) (heading at names) in
+    let* () = Result.listed (heading at names) in
     let add (items, inexact, faults) line =
       match Result.bind (row names line) item with
       | Ok (i, is_float) ->

@@ -9,13 +9,7 @@ type context = { at : Span.t; line : int; inexact : bool ref }
 let wrong c fmt = Printf.ksprintf (fun m -> Error (malformed c.at "%s" m)) fmt
 
 let all c what read items =
-  let rec go acc = function
-    | [] -> Ok (List.rev acc)
-    | x :: rest ->
-      let* y = read c x in
-      go (y :: acc) rest
-  in
-  match items with `List l -> go [] l | _ -> wrong c "`%s` is not an array" what
+  match items with `List l -> Result.all (read c) l | _ -> wrong c "`%s` is not an array" what
 
 let rational c what json =
   match number json with
@@ -214,12 +208,8 @@ let header c json =
     match Json.member "parameters" json with
     | None -> Ok []
     | Some (`Assoc members) ->
-      let add acc (name, v) =
-        let* acc = acc in
-        let* q = rational { c with inexact = ref false } name v in
-        Ok ((name, q) :: acc)
-      in
-      Result.map List.rev (List.fold_left add (Ok []) members)
+      let read (name, v) = Result.map (fun q -> (name, q)) (rational { c with inexact = ref false } name v) in
+      Result.all read members
     | Some _ -> wrong c "`parameters` is not an object"
   in
   Ok { digest = Option.map (fun d -> (d, c.at)) digest; parameters; semantics }
@@ -263,4 +253,4 @@ let read source =
           lines (number + 1) (stop + 1) head { found = List.rev_append items r.found; ends; float_at }
   in
   lines 1 (Source.after_mark s) no_header { found = []; ends = None; float_at = None }
-  |> Result.map_error (fun d -> [ d ])
+  |> Result.listed

@@ -8,19 +8,14 @@ let most = 8
 
 let rec of_num found (n : Property.num) =
   match n with
-  | Const _ | Quantity (Time | Parameter _) -> found
+  | Quantity (Time | Parameter _) -> found
   | Quantity _ -> n :: found
-  | Count props -> List.fold_left of_prop found props
-  | Neg a -> of_num found a
-  | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) -> of_num (of_num found a) b
-  | If (p, a, b) -> of_num (of_num (of_prop found p) a) b
+  | _ -> of_parts found (Parts.of_num n)
 
-and of_prop found (p : Property.prop) =
-  match p with
-  | Bool _ | Fact _ -> found
-  | Compare (_, a, b) -> of_num (of_num found a) b
-  | Not p -> of_prop found p
-  | And all | Or all -> List.fold_left of_prop found all
+and of_prop found p = of_parts found (Parts.of_prop p)
+
+and of_parts found { numbers; predicates } =
+  List.fold_left of_num (List.fold_left of_prop found predicates) numbers
 
 let of_checks (checks : Property.check list) =
   let of_check (c : Property.check) =

@@ -58,8 +58,7 @@ let same_leaf (a : State.leaf) (b : State.leaf) =
   && Quaternion.equal a.turned b.turned
   && Behaviour.equal_aged a.behaviour b.behaviour
 
-let same_array equal a b =
-  a == b || (Array.length a = Array.length b && Array.for_all2 equal a b)
+let same_array equal a b = a == b || Scc_data.Arrays.equal equal a b
 
 (* Whether a process is what another one has become by moving on alone, as it goes on itself: clocks are not
    told. *)

@@ -37,8 +37,7 @@ let coincident placed =
   (Array.of_list (List.rev distinct), List.rev pairs)
 
 let compare_pair (i, j) (k, l) =
-  let c = Int.compare i k in
-  if c <> 0 then c else Int.compare j l
+  Int.compare i k <?> fun () -> Int.compare j l
 
 let all_pairs cache placed =
   let distinct, coinciding = coincident placed in

@@ -75,8 +75,7 @@ let make ?(tick = fun ~left:_ -> ()) ~limit (d : Drawn.t) pieces =
 (* {1 Places} *)
 
 let compare_sites (k, f) (l, g) =
-  let c = Int.compare k l in
-  if c <> 0 then c else Feature.compare f g
+  Int.compare k l <?> fun () -> Feature.compare f g
 
 let inside t feature =
   List.sort_uniq compare_sites (Option.value ~default:[] (Hashtbl.find_opt t.shows feature))

@@ -73,8 +73,7 @@ let shape points = function
 let reversed = function Flat.Polygon ps -> Flat.Polygon (List.rev ps) | s -> s
 
 let compare_pair p q =
-  let c = Feature.compare p.first q.first in
-  if c <> 0 then c else Feature.compare p.second q.second
+  Feature.compare p.first q.first <?> fun () -> Feature.compare p.second q.second
 
 let pairs of_a of_b =
   let pair (first, s) (second, t) =

@@ -74,26 +74,12 @@ let canonical a =
   let start = least_rotation a in
   Array.init n (fun i -> a.((start + i) mod n))
 
-let compare_tuples a b =
-  let n = Array.length a in
-  let rec go i =
-    if i >= n then 0
-    else
-      let c = Int.compare a.(i) b.(i) in
-      if c <> 0 then c else go (i + 1)
-  in
-  let c = Int.compare n (Array.length b) in
-  if c <> 0 then c else go 0
-
 let equivalent faces =
   let keyed = List.rev_map (fun (f, corners) -> (f, canonical corners)) faces in
-  let order (f, a) (g, b) =
-    let c = compare_tuples a b in
-    if c <> 0 then c else Int.compare f g
-  in
+  let order (f, a) (g, b) = Scc_data.Arrays.compare Int.compare a b <?> fun () -> Int.compare f g in
   let rec neighbours = function
     | (f, a) :: ((g, b) :: _ as rest) ->
-      if compare_tuples a b = 0 then Some (Equivalent (f, g)) else neighbours rest
+      if Scc_data.Arrays.compare Int.compare a b = 0 then Some (Equivalent (f, g)) else neighbours rest
     | [ _ ] | [] -> None
   in
   neighbours (List.sort order keyed)

@@ -5,7 +5,6 @@ let index = function Vertex i | Edge i | Face i -> i
 let equal a b = dimension a = dimension b && index a = index b
 
 let compare a b =
-  let c = Int.compare (dimension a) (dimension b) in
-  if c <> 0 then c else Int.compare (index a) (index b)
+  Int.compare (dimension a) (dimension b) <?> fun () -> Int.compare (index a) (index b)
 
 let hash f = (index f * 3) + dimension f

@@ -127,8 +127,7 @@ let region ~normal (s, ends_s) (t, ends_t) =
 let corners = function Point p -> [ p ] | Segment (p, q) -> [ p; q ] | Polygon ps -> ps
 
 let compare_points p q =
-  let c = Z.compare p.x q.x in
-  if c <> 0 then c else Z.compare p.y q.y
+  Z.compare p.x q.x <?> fun () -> Z.compare p.y q.y
 
 (* The chain of true left turns through sorted points, backwards and without its last point (Andrew's monotone
    chain). *)

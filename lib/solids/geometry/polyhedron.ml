@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_data
 open Scc_exact
 
 type t = {
@@ -124,8 +125,7 @@ let rotation_equivalent f g =
   Array.length g = n && (n = 0 || some 0)
 
 let compare_edge (a, b) (c, d) =
-  let o = Int.compare a c in
-  if o <> 0 then o else Int.compare b d
+  Int.compare a c <?> fun () -> Int.compare b d
 
 let find_edge p v w =
   let wanted = (Int.min v w, Int.max v w) in
@@ -179,9 +179,8 @@ let feature_name p = function
     Printf.sprintf "[%s,%s]" (fst p.vertices.(v)) (fst p.vertices.(w))
   | Face f -> fst p.faces.(f)
 
-let equal_arrays equal a b = Array.length a = Array.length b && Array.for_all2 equal a b
 
 let equal p q =
   let vertex (m, v) (n, w) = String.equal m n && Vec.equal v w in
-  let face (m, f) (n, g) = String.equal m n && equal_arrays Int.equal f g in
-  equal_arrays vertex p.vertices q.vertices && equal_arrays face p.faces q.faces
+  let face (m, f) (n, g) = String.equal m n && Arrays.equal Int.equal f g in
+  Arrays.equal vertex p.vertices q.vertices && Arrays.equal face p.faces q.faces

@@ -45,8 +45,7 @@ let around (n : Ivec.t) =
   let half x y = if Z.sign y > 0 || (Z.sign y = 0 && Z.sign x > 0) then 0 else 1 in
   fun d e ->
     let dx = Ivec.dot d u and dy = Ivec.dot d v and ex = Ivec.dot e u and ey = Ivec.dot e v in
-    let c = Int.compare (half dx dy) (half ex ey) in
-    if c <> 0 then c else Z.compare (Z.mul ex dy) (Z.mul dx ey)
+    Int.compare (half dx dy) (half ex ey) <?> fun () -> Z.compare (Z.mul ex dy) (Z.mul dx ey)
 
 (* One direction strictly inside each sector between neighbouring lines. With two lines or more, neighbours are
    less than half a turn apart and their sum lies between them; one line leaves two sectors, none the whole

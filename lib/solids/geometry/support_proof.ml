@@ -112,12 +112,12 @@ let exact_product c n p =
 
 (* The sign of n.p. *)
 let side c { n; f; norm1 } p =
-  let sign = certain (float_dot f (float_point c p)) (0x1p-48 *. norm1 *. c.question.bound) in
-  if sign <> 0 then sign else Z.sign (exact_product c n p)
+  certain (float_dot f (float_point c p)) (0x1p-48 *. norm1 *. c.question.bound) <?> fun () ->
+    Z.sign (exact_product c n p)
 
 let along c { n; f; norm1 } =
-  let sign = certain (float_dot f c.question.velocity) (0x1p-48 *. norm1 *. c.speed_bound) in
-  if sign <> 0 then sign else Z.sign (Ivec.dot n (velocity c))
+  certain (float_dot f c.question.velocity) (0x1p-48 *. norm1 *. c.speed_bound) <?> fun () ->
+    Z.sign (Ivec.dot n (velocity c))
 
 (* The sign of the determinant of three vectors, the first within [bound], as far as floats tell. *)
 let[@inline] orientation c (u : Shadow.floats) (v : Shadow.floats) (w : Shadow.floats) bound =

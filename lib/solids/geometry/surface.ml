@@ -144,8 +144,7 @@ let pieces s =
   List.rev !roots
 
 let edge_compare (a, b) (c, d) =
-  let o = Int.compare a c in
-  if o <> 0 then o else Int.compare b d
+  Int.compare a c <?> fun () -> Int.compare b d
 
 let unordered s =
   Table.fold (fun k l acc -> ((k / s.count, k mod s.count), List.rev l) :: acc) (uses s) []

@@ -15,7 +15,7 @@ type options = {
 
 type t = { relief : Relief.t; solid : Solid_of.t }
 
-let start path = Span.make ~file:path ~start:0 ~stop:0
+let start path = Span.of_file path
 let refuse ~path ?hint code format =
   Printf.ksprintf (fun m -> Error (Diag.error ?hint code (start path) "%s" m)) format
 

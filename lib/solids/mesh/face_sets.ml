@@ -20,7 +20,7 @@ let identity = function
   | _ -> None
 
 let moves ~path key values =
-  let* numbers = map (coordinate ~path) values in
+  let* numbers = Result.all (coordinate ~path) values in
   match (identity key, numbers) with
   | Some expected, [ x; y; z ] -> Ok (not (List.for_all (Rat.equal expected) [ x; y; z ]))
   | None, [ _; _; _; angle ] -> Ok (Rat.sign angle <> 0)

@@ -117,13 +117,13 @@ let primitive file at p =
             if mirrored then Soup.add file.soup a c b else Soup.add file.soup a b c);
         Ok ()
 
-let all f list = Result.map ignore (map f (Array.to_list list))
+let all f list = Result.map ignore (Result.all f (Array.to_list list))
 
 let mesh file at m =
   let* weights = J.items "weights" m in
   let* () =
     let rest w = Result.map (fun w -> Rat.sign w = 0) (J.number w) in
-    let* at_rest = map rest (Array.to_list weights) in
+    let* at_rest = Result.all rest (Array.to_list weights) in
     if List.for_all Fun.id at_rest then Ok () else J.fail m "a morphed mesh is not read"
   in
   let* primitives = J.items "primitives" m in
@@ -175,7 +175,7 @@ let scene root file =
   | Some s -> Result.bind (J.items "nodes" s) (all (node file 0 Affine.identity))
   | None when Array.length file.nodes > 0 ->
     let* first = roots file.nodes in
-    Result.map ignore (map (fun i -> node file 0 Affine.identity (J.of_index root i)) first)
+    Result.map ignore (Result.all (fun i -> node file 0 Affine.identity (J.of_index root i)) first)
   | None -> all (mesh file Affine.identity) file.meshes
 
 (* Extensions that a file cannot be read without, and that leave positions as they are. *)

@@ -114,7 +114,7 @@ let points t holder ~offset ~count =
   let* name = J.needed "bufferView" holder in
   let* v = view t name in
   let* place = places v ~offset ~count ~width:12 in
-  Result.map Array.of_list (map (point t v place) (List.init count Fun.id))
+  Result.map Array.of_list (Result.all (point t v place) (List.init count Fun.id))
 
 let with_sparse t accessor ~count all =
   match J.member "sparse" accessor with

@@ -73,7 +73,7 @@ let number v =
 let numbers n v =
   let* list = elements v in
   if Array.length list <> n then fail v "expected %d numbers, not %d" n (Array.length list)
-  else Result.map Array.of_list (map number (Array.to_list list))
+  else Result.map Array.of_list (Result.all number (Array.to_list list))
 
 let index v =
   match v.value with

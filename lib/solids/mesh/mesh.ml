@@ -43,7 +43,7 @@ let check_denominator ~path ifs =
   if Polyhedron.too_fine ifs then
     Error
       (Diag.error Code.number_too_large
-         (Span.make ~file:path ~start:0 ~stop:0)
+         (Span.of_file path)
          "the common denominator of the coordinates is too large"
          ~hint:"use decimals, or fractions with few different denominators")
   else Ok ifs
@@ -61,6 +61,6 @@ let read ~path text =
     let known = String.concat ", " (List.map fst formats) in
     Error
       (Diag.error Code.mesh_format
-         (Span.make ~file:path ~start:0 ~stop:0)
+         (Span.of_file path)
          "the format of this mesh file is not known"
          ~hint:("the formats are told by the ending of the name: " ^ known))

@@ -72,11 +72,8 @@ let neighbours faces =
 type candidate = { bent : float; first : int; second : int; sizes : int * int }
 
 let compare_candidates a b =
-  let c = Float.compare a.bent b.bent in
-  if c <> 0 then c
-  else
-    let c = Int.compare a.first b.first in
-    if c <> 0 then c else Int.compare a.second b.second
+  Float.compare a.bent b.bent <?> fun () ->
+    Int.compare a.first b.first <?> fun () -> Int.compare a.second b.second
 
 let groups ~within (set : Polyhedron.ifs) =
   let faces = Array.map snd set.ifs_faces and points = points set in

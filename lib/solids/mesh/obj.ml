@@ -49,7 +49,7 @@ let corner ~path state w =
   else Ok (index, state.count + i)
 
 let face_statement ~path keyword state words =
-  let* corners = map (corner ~path state) words in
+  let* corners = Result.all (corner ~path state) words in
   match corners with
   | _ :: _ :: _ :: _ -> 
     let label = match state.groups with Some _ as g -> g | None -> state.objects in
@@ -96,5 +96,5 @@ let read ~path text =
   let* state = go { vertices = []; count = 0; objects = None; groups = None; faces = [] } 0 in
   if state.count = 0 then error_at ~path 0 "the file has no vertices"
   else
-    let* faces = map (resolve ~path state.count) (List.rev state.faces) in
+    let* faces = Result.all (resolve ~path state.count) (List.rev state.faces) in
     Ok (labelled state.vertices (List.rev faces))

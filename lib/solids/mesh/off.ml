@@ -33,11 +33,11 @@ let header ~path text =
   | None -> error_at ~path 0 "the file is empty: expected `OFF`"
   | Some ({ text = "4OFF" | "nOFF" | "4nOFF"; _ } :: _, _) ->
     Error
-      (Diag.error Code.mesh_format (Span.make ~file:path ~start:0 ~stop:0)
+      (Diag.error Code.mesh_format (Span.of_file path)
          "OFF files of other than three dimensions are not supported")
   | Some (_ :: { text = "BINARY"; _ } :: _, _) ->
     Error
-      (Diag.error Code.mesh_format (Span.make ~file:path ~start:0 ~stop:0)
+      (Diag.error Code.mesh_format (Span.of_file path)
          "binary OFF files are not supported" ~hint:"convert the file to ASCII OFF")
   | Some ([], _) -> Bug.fail __POS__ "a line without words"
   | Some (w :: rest, next) when is_keyword w.text -> (
@@ -81,7 +81,7 @@ let face_line ~path ~count = function
     else if given < corners then
       error ~path k "the face promises %d corners, but the line names only %d" corners given
     else
-      let* indices = map (vertex ~path ~count) (List.filteri (fun i _ -> i < corners) rest) in
+      let* indices = Result.all (vertex ~path ~count) (List.filteri (fun i _ -> i < corners) rest) in
       Ok (Array.of_list indices)
 
 let read ~path text =

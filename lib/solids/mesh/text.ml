@@ -114,16 +114,6 @@ let vertex ~path ~count w =
   else if count = 0 then error ~path w "a face names vertex %d, but there are no vertices" i
   else error ~path w "a face names vertex %d, but the vertices are 0 to %d" i (count - 1)
 
-let map f l =
-  let rec go acc = function
-    | [] -> Ok (List.rev acc)
-    | x :: rest -> (
-        match f x with
-        | Ok y -> go (y :: acc) rest
-        | Error _ as e -> e)
-  in
-  go [] l
-
 let labelled vertices faces =
   let in_order l = Array.of_list (List.rev l) in
   let vertices = Array.mapi (fun i x -> ("v" ^ string_of_int i, x)) (in_order vertices) in

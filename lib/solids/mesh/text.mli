@@ -40,10 +40,7 @@ val integer : path:string -> what:string -> word -> (int, Diag.t) result
 val vertex : path:string -> count:int -> word -> (int, Diag.t) result
 (** [vertex ~path ~count word] is an index from 0 to [count - 1]. *)
 
-(** {1 Results} *)
-
-val map : ('a -> ('b, 'e) result) -> 'a list -> ('b list, 'e) result
-(** The results of a function in the order of the list, or the first error. Tail recursive. *)
+(** {1 Sets of faces} *)
 
 val labelled : Vec.t list -> (string option * int array) list -> Scc_geometry.Polyhedron.ifs
 (** A set from vertices and faces, both in reverse order. Vertices are named [v0], …, and faces by

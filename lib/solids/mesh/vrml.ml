@@ -128,7 +128,7 @@ let read ~path text =
   if is_vrml_1 text then
     Error
       (Diag.error Code.mesh_format
-         (Span.make ~file:path ~start:0 ~stop:0)
+         (Span.of_file path)
          "VRML 1 files are not supported" ~hint:"convert the file to VRML 2 (VRML97), X3D, PLY or OFF")
   else
     let* sets = scan ~path { nodes = []; sets = []; def = None; shape = None } (tokens text) in

@@ -149,7 +149,7 @@ let check ~path text tag =
       let* words = words_of ~path text tag key in
       Face_sets.moves ~path key words
     in
-    let* moving = map moves (List.filter has fields) in
+    let* moving = Result.all moves (List.filter has fields) in
     if List.exists Fun.id moving then
       error ~path tag.name "a Transform that moves points is not supported: apply it to the points first"
     else Ok ()
@@ -184,7 +184,7 @@ let add ~path text state tag =
 
 let read ~path text =
   let* tags = tags ~path text in
-  let* _ = map (check ~path text) tags in
+  let* _ = Result.all (check ~path text) tags in
   let step acc tag = Result.bind acc (fun acc -> add ~path text acc tag) in
   let* state = List.fold_left step (Ok { shape = None; inside = false; sets = [] }) tags in
   Face_sets.to_ifs ~path (List.rev state.sets)

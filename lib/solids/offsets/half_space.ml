@@ -61,11 +61,14 @@ let passage all =
 let first_collision { entered; left; along } ~limit =
   let in_time f = match limit with None -> [] | Some t -> [ Constraint.at_most (crossing f) t ] in
   let before f g = Constraint.less (crossing f) (crossing g) in
-  overlap along
-  @ List.concat_map in_time entered
-  (* in the future, as they do not interpenetrate now *)
-  @ List.map (fun g -> Constraint.greater (crossing g) (zero g)) left
-  @ List.concat_map (fun f -> List.map (before f) left) entered
+  let conditions =
+    overlap along
+    @ List.concat_map in_time entered
+    (* in the future, as they do not interpenetrate now *)
+    @ List.map (fun g -> Constraint.greater (crossing g) (zero g)) left
+    @ List.concat_map (fun f -> List.map (before f) left) entered
+  in
+  (List.map crossing entered, conditions)
 
 let first_meeting { entered; left; along } ~now ~limit =
   let from = now :: List.map crossing entered and until = Option.to_list limit @ List.map crossing left in

@@ -62,9 +62,9 @@ type passage = {
 val passage : t list -> passage
 (** The half-spaces by how the offset passes them. *)
 
-val first_collision : passage -> limit:Linear.t option -> Constraint.t list
+val first_collision : passage -> limit:Linear.t option -> Linear.t list * Constraint.t list
 (** Rule Ftoc, where bodies do not interpenetrate now. They collide, now or later and not after the limit, where
-    all of these hold. The time is the last crossing of those that are entered. *)
+    all of the constraints hold. The time is the greatest of the forms, the crossings of what is entered. *)
 
 val first_meeting : passage -> now:Linear.t -> limit:Linear.t option -> Linear.t list * Constraint.t list
 (** [first_meeting passage ~now ~limit] is for closed sets, as in reading I-33. The offset is in the set at some

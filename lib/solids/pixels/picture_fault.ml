@@ -1,6 +1,6 @@
 open Scc_base
 
-let start path = Span.make ~file:path ~start:0 ~stop:0
+let start path = Span.of_file path
 let malformed ~path format =
   Printf.ksprintf (fun m -> Error (Diag.error Code.bad_picture (start path) "%s" m)) format
 

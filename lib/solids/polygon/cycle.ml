@@ -41,11 +41,8 @@ let spliced at i hole k =
   Array.concat [ Array.sub at 0 (i + 1); loop; Array.sub at i (Array.length at - i) ]
 
 let compare_triples (h, i, k) (h', i', k') =
-  let c = Int.compare h h' in
-  if c <> 0 then c
-  else
-    let c = Int.compare i i' in
-    if c <> 0 then c else Int.compare k k'
+  Int.compare h h' <?> fun () ->
+    Int.compare i i' <?> fun () -> Int.compare k k'
 
 (* All cuts from a position to a corner of a hole, the shortest first. *)
 let cuts g at holes =
@@ -54,8 +51,7 @@ let cuts g at holes =
     List.concat (List.init (Array.length at) (fun i -> List.init (Array.length hole) (to_corner i)))
   in
   let shorter (d, one) (e, other) =
-    let c = Z.compare d e in
-    if c <> 0 then c else compare_triples one other
+    Z.compare d e <?> fun () -> compare_triples one other
   in
   List.map snd (List.sort shorter (List.concat (List.mapi of_hole holes)))
 

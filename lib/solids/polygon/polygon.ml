@@ -56,8 +56,7 @@ let directed g ~left ring = if Grid.twice_area g ring > 0 = left then ring else 
 let repeated g rings =
   let all = Array.concat rings in
   let order a b =
-    let c = Grid.compare_x g a b in
-    if c <> 0 then c else Grid.compare_y g a b
+    Grid.compare_x g a b <?> fun () -> Grid.compare_y g a b
   in
   Array.stable_sort order all;
   let rec from k =

@@ -73,8 +73,7 @@ let compare_normals c d =
       let order = Z.compare c.normal.(i) d.normal.(i) in
       if order <> 0 then order else from (i + 1)
   in
-  let order = Int.compare (dimension c) (dimension d) in
-  if order <> 0 then order else from 0
+  Int.compare (dimension c) (dimension d) <?> fun () -> from 0
 
 let rank = function Equal -> 0 | Less -> 1 | At_most -> 2
 
@@ -100,11 +99,8 @@ let compare c d =
     else
       (* b/g against b'/g', where g and g' are the common factors of the normals *)
       let g = gcd_of c.normal Z.zero and h = gcd_of d.normal Z.zero in
-      let order = Z.compare (Z.mul c.right h) (Z.mul d.right g) in
-      if order <> 0 then order
-      else
-        let order = Int.compare (rank c.relation) (rank d.relation) in
-        if order <> 0 then order else Z.compare c.right d.right
+      Z.compare (Z.mul c.right h) (Z.mul d.right g) <?> fun () ->
+        Int.compare (rank c.relation) (rank d.relation) <?> fun () -> Z.compare c.right d.right
 
 let equal c d = c == d || (c.relation = d.relation && Z.equal c.right d.right && compare_normals c d = 0)
 

@@ -22,7 +22,6 @@ type contact = { first : int; second : int; normal : Ivec.t; corner : Vec.t }
 type encounter = { one : int; two : int; contacts : Near_contact.t list }
 
 let compare_contacts p q =
-  let ( <?> ) c next = if c <> 0 then c else next () in
   Int.compare p.first q.first <?> fun () ->
     Int.compare p.second q.second <?> fun () ->
       Ivec.compare p.normal q.normal <?> fun () -> Vec.compare p.corner q.corner

@@ -89,8 +89,7 @@ let tries = 300
 
 let cheaper a b =
   let (x, y), (x', y') = (a.cost, b.cost) in
-  let c = Int.compare x x' in
-  if c <> 0 then c else Int.compare y y'
+  Int.compare x x' <?> fun () -> Int.compare y y'
 
 let best i ~grid ~count =
   let state = ref 1L in

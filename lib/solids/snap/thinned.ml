@@ -137,8 +137,7 @@ let drop t f fresh =
 type candidate = { face : int; grows : float; change : int; fresh : corner list }
 
 let compare_candidates a b =
-  let c = Float.compare a.grows b.grows in
-  if c <> 0 then c else Int.compare a.face b.face
+  Float.compare a.grows b.grows <?> fun () -> Int.compare a.face b.face
 
 let start (set : Polyhedron.ifs) =
   let sum = Array.fold_left (fun s (_, p) -> Vec.add s p) Vec.zero set.ifs_vertices in

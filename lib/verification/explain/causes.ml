@@ -29,16 +29,11 @@ let run t = t.run
 let events t = t.events
 let duration t = t.duration
 
-let rank = function Motion -> 0 | Structure -> 1 | Behaviour -> 2 | Clock -> 3 | Itself -> 4
-
 (* {1 Reasons} *)
 
 let order a b =
-  let c = Int.compare a.cause b.cause in
-  if c <> 0 then c
-  else
-    let c = Int.compare (rank a.aspect) (rank b.aspect) in
-    if c <> 0 then c else Int.compare a.leaf b.leaf
+  Int.compare a.cause b.cause <?> fun () ->
+    compare a.aspect b.aspect <?> fun () -> Int.compare a.leaf b.leaf
 
 let changed table aspect leaf = if table.(leaf) < 0 then [] else [ { cause = table.(leaf); aspect; leaf } ]
 

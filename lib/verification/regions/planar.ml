@@ -4,8 +4,7 @@ open Scc_polyhedra
 type point = { x : Rat.t; y : Rat.t }
 
 let compare a b =
-  let c = Rat.compare a.x b.x in
-  if c <> 0 then c else Rat.compare a.y b.y
+  Rat.compare a.x b.x <?> fun () -> Rat.compare a.y b.y
 
 let midpoint a b = { x = Rat.middle a.x b.x; y = Rat.middle a.y b.y }
 let mem u p = Union.mem u [| p.x; p.y |]

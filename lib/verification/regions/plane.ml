@@ -79,12 +79,6 @@ let outcomes ranges view ~box (w : Where.t) =
 
 type region = { outcomes : outcome list; set : Union.t; share : Rat.t }
 
-let rank = function
-  | Holds -> 0
-  | Varies -> 1
-  | Unknown -> 2
-  | Fails -> 3
-
 let area u =
   match Where.measure u with
   | Some area -> area
@@ -103,7 +97,5 @@ let regions ranges view checks =
     let set = Where.tidy set in
     { outcomes = List.rev outcomes; set; share = Rat.div (area set) whole }
   in
-  let order a b =
-    List.compare (fun a b -> Int.compare (rank a) (rank b)) a.outcomes b.outcomes
-  in
+  let order a b = compare a.outcomes b.outcomes in
   List.sort order (List.map region (List.fold_left further [ ([], box) ] checks))

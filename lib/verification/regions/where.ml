@@ -6,15 +6,9 @@ type t = { ranges : Ranges.t; holds : Union.t; fails : Union.t; unknown : Union.
 
 (* {1 Pieces} *)
 
-let rec compare_points a b i =
-  if i = Array.length a then 0
-  else
-    let c = Rat.compare a.(i) b.(i) in
-    if c <> 0 then c else compare_points a b (i + 1)
-
 let order pieces =
   let key p = (Polyhedron.affine_dimension p, Option.get (Polyhedron.interior_point p), p) in
-  let compare (m, a, _) (n, b, _) = if m <> n then Int.compare n m else compare_points a b 0 in
+  let compare (m, a, _) (n, b, _) = if m <> n then Int.compare n m else Scc_data.Arrays.compare Rat.compare a b in
   List.map (fun (_, _, p) -> p) (List.sort compare (List.map key pieces))
 
 let with_pieces u change = Union.of_polyhedra (Union.dimension u) (change (Union.pieces u))

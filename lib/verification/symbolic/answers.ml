@@ -40,14 +40,11 @@ let make context atoms ~parameters formula =
 
 let reach t = Plan.reach t.formula
 
-let rec bounded : Property.temporal -> bool = function
-  | State _ -> false
-  | Temporal_not f | Next (_, f) -> bounded f
-  | Temporal_and fs | Temporal_or fs -> List.exists bounded fs
-  | Finally (_, b, f) | Globally (_, b, f) -> some_bound b || bounded f
-  | Until (_, b, f, g) -> some_bound b || bounded f || bounded g
-
-and some_bound b = Rat.sign b.low > 0 || Option.is_some b.high
+let rec bounded (f : Property.temporal) =
+  (match f with
+   | Finally (_, b, _) | Globally (_, b, _) | Until (_, b, _, _) -> Rat.sign b.low > 0 || Option.is_some b.high
+   | State _ | Temporal_not _ | Temporal_and _ | Temporal_or _ | Next _ -> false)
+  || List.exists bounded (Parts.of_temporal f)
 
 let needs_time formula = Formula.mentions_time formula || bounded formula
 

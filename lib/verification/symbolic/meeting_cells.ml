@@ -15,11 +15,17 @@ let greatest within = function
     in
     List.fold_left more [ (within, f) ] rest
 
-let make offsets ~offset ~velocity ~limit within =
-  let x, _, _ = offset in
-  let now = Linear.constant (Linear.dimension x) Rat.zero in
-  let passage = Half_space.passage (Half_space.of_closed offsets offset velocity) in
-  let times, conditions = Half_space.first_meeting passage ~now ~limit in
+let cut within (times, conditions) =
   match Region.split within conditions with
   | None, rest -> ([], rest)
   | Some meet, rest -> (greatest meet times, rest)
+
+let of_solids o ~offset ~velocity ~limit within =
+  let passage = Half_space.passage (Half_space.moving o offset velocity) in
+  if Vec.is_zero velocity then ([], [ within ]) else cut within (Half_space.first_collision passage ~limit)
+
+let of_features offsets ~offset ~velocity ~limit within =
+  let x, _, _ = offset in
+  let now = Linear.constant (Linear.dimension x) Rat.zero in
+  let passage = Half_space.passage (Half_space.of_closed offsets offset velocity) in
+  cut within (Half_space.first_meeting passage ~now ~limit)

@@ -9,18 +9,12 @@ type due = Contact of int | Expiry of int * Linear.t | Split_instant of int
 
 (* {1 What comes first} *)
 
-let contact c (a, b) ~limit region =
-  let velocity = relative_velocity a b in
-  let hits, rest =
-    Contact_cells.make (c.obstacle a.solid b.solid) ~offset:(offset a b) ~velocity ~limit region
-  in
-  (List.map (fun (h : Contact_cells.hit) -> (h.region, h.time)) hits, rest)
+let contact c (a, b) =
+  Meeting_cells.of_solids (c.obstacle a.solid b.solid) ~offset:(offset a b) ~velocity:(relative_velocity a b)
 
 (* Reading I-33: open features that fit come to meet. *)
 let meetings c (a, b) =
-  let meeting offsets ~limit region =
-    Meeting_cells.make offsets ~offset:(offset a b) ~velocity:(relative_velocity a b) ~limit region
-  in
+  let meeting = Meeting_cells.of_features ~offset:(offset a b) ~velocity:(relative_velocity a b) in
   if Model.binds_on_contact (Semantics.model c.semantics) then List.map meeting (meeting_offsets c (a, b)) else []
 
 let same_due a b =

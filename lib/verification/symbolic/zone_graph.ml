@@ -23,7 +23,7 @@ type node = {
   mutable expanded : bool;
 }
 
-type later = Left_out | Followed of int | Unexplored
+type later = Followed of int | Unexplored
 type limits = { depth : int option; nodes : int option; horizon : Rat.t option; later : later }
 type end_ = Closed | Decided | Bounded of { depth : bool; nodes : bool } | Stopped | Not_affine of string
 
@@ -112,22 +112,17 @@ let link e (source : node) (step : Zone_steps.step) ~beyond (zone : Zone.t) =
   let n, map = node_of e zone ~beyond ~parent:(fun number map -> Some (source.number, edge number map)) in
   source.edges <- edge n.number map :: source.edges
 
-let is_followed e (source : node) =
-  match (e.limits.later, source.beyond) with
-  | Followed most, None -> most > 0
-  | Followed most, Some so_far -> so_far < most
-  | (Left_out | Unexplored), _ -> false
-
 (* After the horizon only so many events are followed, and the time that passes before them. *)
 let add_edge e (source : node) (step : Zone_steps.step) (target : Zone.t) =
   let within, late = cut_at_horizon e target in
   List.iter (link e source step ~beyond:None) within;
   let so_far = Option.value source.beyond ~default:0 in
+  let is_followed = match e.limits.later with Followed most -> so_far < most | Unexplored -> false in
   let linked events = List.iter (link e source step ~beyond:(Some events)) late in
   match step with
   | (Happens _ | Passes _ | Passes_some) when late = [] -> ()
-  | Happens _ when is_followed e source -> linked (so_far + 1)
-  | (Passes _ | Passes_some) when is_followed e source -> linked so_far
+  | Happens _ when is_followed -> linked (so_far + 1)
+  | (Passes _ | Passes_some) when is_followed -> linked so_far
   | Happens _ | Passes _ | Passes_some -> (
       e.visitor.late target;
       match (step, e.limits.later) with

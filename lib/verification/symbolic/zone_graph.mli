@@ -51,9 +51,8 @@ val roots : t -> node list
 
 (** What becomes of states after the horizon. *)
 type later =
-  | Left_out  (** {!node.late} has the states that lead to them *)
   | Followed of int  (** so many events are followed, and the time that passes before each; what comes then is left
-                         out *)
+                         out, and {!node.late} has the states that lead there *)
   | Unexplored  (** they are nodes that are never expanded *)
 
 (** The bounds of the exploration; [None]: no bound. *)

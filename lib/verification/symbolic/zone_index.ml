@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 open Scc_polyhedra
 open Scc_state_sets
@@ -9,7 +10,6 @@ module Kinds = Hashtbl.Make (struct
     let hash = Zone_form.hash_kind
   end)
 
-let equal_arrays equal a b = Array.length a = Array.length b && Array.for_all2 equal a b
 let hash_array hash = Array.fold_left (fun h x -> (h * 31) + hash x) 0
 
 (* Coordinates but for their constants, and which of them are the variables. *)
@@ -18,14 +18,14 @@ type directions = { basis : int array; linear : Linear.t array }
 module Directions = Hashtbl.Make (struct
     type t = directions
 
-    let equal a b = equal_arrays Int.equal a.basis b.basis && equal_arrays Linear.equal a.linear b.linear
+    let equal a b = Arrays.equal Int.equal a.basis b.basis && Arrays.equal Linear.equal a.linear b.linear
     let hash d = hash_array Linear.hash d.linear
   end)
 
 module Constants = Hashtbl.Make (struct
     type t = Rat.t array
 
-    let equal = equal_arrays Rat.equal
+    let equal = Arrays.equal Rat.equal
     let hash = hash_array Rat.hash
   end)
 

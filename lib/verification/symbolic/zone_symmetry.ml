@@ -32,8 +32,7 @@ let compare_bound (a : Polyhedron.bound option) (b : Polyhedron.bound option) =
   | (Some Unbounded | None), (Some Unbounded | None) -> 0
 
 let compare_bounds (low, high) (low', high') =
-  let c = compare_bound low low' in
-  if c <> 0 then c else compare_bound high high'
+  compare_bound low low' <?> fun () -> compare_bound high high'
 
 let compare a b =
   let orders =

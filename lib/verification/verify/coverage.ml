@@ -90,8 +90,7 @@ let create (m : Model.t) ~initial =
   List.iter add_species beginnings;
   let possible = Hashtbl.fold (fun (s, k) leaf all -> (s, k, leaf) :: all) possible [] in
   let in_order (s, k, _) (s', k', _) =
-    let c = Int.compare k k' in
-    if c <> 0 then c else String.compare s s'
+    Int.compare k k' <?> fun () -> String.compare s s'
   in
   let possible = List.sort in_order possible in
   let first_leaf k = List.find_map (fun (_, k', leaf) -> if k = k' then Some leaf else None) possible in

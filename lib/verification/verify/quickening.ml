@@ -69,7 +69,7 @@ let factor (s : State.t) (t : State.t) =
   let same_step =
     Option.equal
       (fun (a : State.step) (b : State.step) ->
-         Rat.equal a.remaining b.remaining && State.equal_phase a.phase b.phase)
+         Rat.equal a.remaining b.remaining && a.phase = b.phase)
       s.step t.step
   in
   let alike = Array.length t.processes = n && same_step && Array.for_all2 same s.processes t.processes in

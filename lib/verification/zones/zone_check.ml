@@ -237,12 +237,11 @@ let run (options : Setup.t) semantics u ~declared ~exactly ~premises checks =
   let context = Instant.context semantics in
   let initial = By_invariant.initial semantics declared in
   (* All are explored before an invariant is searched for, so that no search takes the time of another check. *)
-  let rec all explored = function
-    | [] -> Ok (List.map (fun proved -> proved ()) (List.rev explored))
-    | group :: rest ->
-      Result.bind (of_group options semantics context u ~declared ~initial ~exactly group) (fun proved ->
-          all (proved :: explored) rest)
+  let explored =
+    let* groups = groups options context u ~initial ~premises checks in
+    Result.all (of_group options semantics context u ~declared ~initial ~exactly) groups
   in
-  match Result.bind (groups options context u ~initial ~premises checks) (all []) with
+  match explored with
   | Error { Start.at; reason } -> Error { at; reason }
-  | Ok explored -> Ok (report options semantics u ~declared ~initial explored)
+  | Ok explored ->
+    Ok (report options semantics u ~declared ~initial (List.map (fun proved -> proved ()) explored))

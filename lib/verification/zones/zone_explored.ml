@@ -76,11 +76,11 @@ let horizon (options : Setup.t) (group : Zone_groups.t) looking =
   let asked = if group.keeps_time then Plan.latest (List.map Answers.reach looking) else None in
   match (asked, Bounds.value options.bounds.time) with
   | Some { time; events = 0 }, Some b when Rat.compare time b <= 0 ->
-    { time = Some time; later = Left_out; by_user = false }
+    { time = Some time; later = Followed 0; by_user = false }
   | _, (Some _ as time) ->
-    { time; later = (if List.for_all Answers.is_search looking then Left_out else Unexplored); by_user = true }
+    { time; later = (if List.for_all Answers.is_search looking then Followed 0 else Unexplored); by_user = true }
   | Some { time; events }, None -> { time = Some time; later = Followed events; by_user = false }
-  | None, None -> { time = None; later = Left_out; by_user = false }
+  | None, None -> { time = None; later = Followed 0; by_user = false }
 
 let visitor (options : Setup.t) visited ~by_user ~looking ~enough : Zone_graph.visitor =
   {

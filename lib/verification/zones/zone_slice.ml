@@ -181,7 +181,7 @@ let lasts s g =
   match Start.zones s.context s.uncertain ~initial ~keeps_time:true with
   | Error _ -> false
   | Ok zones ->
-    let limits = { Zone_graph.depth = None; nodes = Some patience; horizon = s.horizon; later = Left_out } in
+    let limits = { Zone_graph.depth = None; nodes = Some patience; horizon = s.horizon; later = Followed 0 } in
     let never _ = () and no _ = false in
     let visitor = { Zone_graph.found = never; expanded = never; late = never; enough = no; stop = no } in
     let graph, end_ = Zone_graph.explore s.context ~events:[||] ~limits ~visitor zones in

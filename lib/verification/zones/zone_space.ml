@@ -60,7 +60,7 @@ let of_start (options : Setup.t) context zones =
   let most = match depth.limit with Depth d -> d | _ -> Zone_bounds.default_depth in
   let horizon = Bounds.value bounds.time in
   let nodes = Bounds.value bounds.states in
-  let limits = { Zone_graph.depth = Some most; nodes; horizon; later = Left_out } in
+  let limits = { Zone_graph.depth = Some most; nodes; horizon; later = Followed 0 } in
   let graph, end_ = Zone_graph.explore ~attempt context ~events:[||] ~limits ~visitor zones in
   let stopped_by : Verdict.truncation list =
     match end_ with

@@ -151,13 +151,25 @@ let verdicts n =
         in
         o.check.name ^ ": " ^ kind)
 
+let renamed_mean f = function
+  | Property.Time_until g -> Property.Time_until (Rename.temporal f g)
+  | Events_until (e, g) -> Events_until (Rename.prop f e, Rename.temporal f g)
+  | Value_at (n, time) -> Value_at (Rename.num f n, time)
+
+let renamed f (c : Property.check) =
+  let asked =
+    match c.asked with
+    | (Whether | How_likely _) as asked -> asked
+    | Expected (sides, m, test) -> Property.Expected (sides, renamed_mean f m, test)
+  in
+  { c with asked; formula = Rename.temporal f c.formula }
+
 let permuted rand ?perm n =
   let perm, symmetry = symmetry rand ?perm n.model in
-  let check = Rename.check (Array.get perm) in
   {
     model = symmetry.model n.model;
     declared = symmetry.state n.declared;
-    checks = List.map check n.checks;
+    checks = List.map (renamed (Array.get perm)) n.checks;
   }
 
 let same_verdicts seed change () =

@@ -117,6 +117,10 @@ let undecided = ref 0
 let branching = ref 0
 let next = ref 0
 
+let rec mentions_next = function
+  | Property.Next _ -> true
+  | f -> List.exists mentions_next (Parts.of_temporal f)
+
 let is_search f = Plan.is_search (Plan.of_formula f)
 
 let grid (s : Scene.t) : Model.splits =
@@ -152,7 +156,7 @@ let at_point case standard report values =
       incr compared;
       if a then incr holding;
       if not (is_search o.check.formula) then incr branching;
-      if Formula.mentions_next o.check.formula then incr next;
+      if mentions_next o.check.formula then incr next;
       if a <> b then fail values o (if a then "holds" else "is violated")
     | _ -> incr undecided
   in

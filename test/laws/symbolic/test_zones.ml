@@ -57,7 +57,7 @@ let symbolic case semantics (s : Scene.t) zones =
       stop = (fun () -> false);
     }
   in
-  let limits = { Zone_graph.depth = None; nodes = Some most_nodes; horizon = bound; later = Left_out } in
+  let limits = { Zone_graph.depth = None; nodes = Some most_nodes; horizon = bound; later = Followed 0 } in
   let graph, ended = Zone_graph.explore context ~events ~limits ~visitor zones in
   let nodes = List.init (Zone_graph.size graph) (Zone_graph.node graph) in
   let around (n : Zone_graph.node) =

@@ -187,6 +187,8 @@ let sign c = Int.compare c 0
    whether two are the same. *)
 let same (f : temporal) (g : temporal) = Stdlib.compare f g = 0
 
+let equal_modulo_order f g = Formula.equal (Rename.ordered f) (Rename.ordered g)
+
 let orders =
   [
     test "equal exactly when the same" (Gen.pair formula formula) (fun (f, g) ->
@@ -198,7 +200,7 @@ let orders =
     test "equal exactly when the same, for events" (Gen.pair event event) (fun (e, f) ->
         Bool.equal (Formula.equal_event e f) (Stdlib.compare e f = 0));
     test "equal exactly when the same, but for leaves" (Gen.triple formula leaf leaf) (fun (f, i, j) ->
-        let g = Formula.permuted (fun k -> if k = i then j else k) f in
+        let g = Rename.temporal (fun k -> if k = i then j else k) f in
         Bool.equal (Formula.equal f g) (same f g));
     test "antisymmetric" (Gen.pair formula formula) (fun (f, g) ->
         sign (Order.temporal f g) = -sign (Order.temporal g f));
@@ -207,7 +209,7 @@ let orders =
         | [ a; _; c ] -> Order.temporal a c <= 0
         | _ -> false);
     test "one form for all orders" (Gen.pair formula Gen.int) (fun (f, seed) ->
-        Formula.equal_modulo_order f (shuffled (Random.State.make [| seed |]) f));
+        equal_modulo_order f (shuffled (Random.State.make [| seed |]) f));
     test "the one form is its own" formula (fun f ->
         let g = Rename.ordered f in
         Formula.equal g (Rename.ordered g));
@@ -218,26 +220,25 @@ let transposition i j k = if k = i then j else if k = j then i else k
 let renaming =
   [
     test "a transposition is its own inverse" formula (fun f ->
-        let swap = Formula.permuted (transposition 0 2) in
+        let swap = Rename.temporal (transposition 0 2) in
         Formula.equal f (swap (swap f)));
     test "renamed leaves" formula (fun f ->
         let shift i = i + 10 in
         List.equal Int.equal
-          (Formula.leaves (Formula.permuted shift f))
+          (Formula.leaves (Rename.temporal shift f))
           (List.map shift (Formula.leaves f)));
     test "what is not renamed stays" formula (fun f ->
-        let g = Formula.permuted (transposition 0 1) f in
+        let g = Rename.temporal (transposition 0 1) f in
         Bool.equal (Formula.global f) (Formula.global g)
-        && Bool.equal (Formula.has_events f) (Formula.has_events g)
-        && Bool.equal (Formula.mentions_next f) (Formula.mentions_next g));
+        && Bool.equal (Formula.has_events f) (Formula.has_events g));
     test "exchangeable: as the whole in another order" (Gen.triple formula leaf leaf) (fun (f, i, j) ->
-        let as_whole f = Formula.equal_modulo_order f (Formula.permuted (transposition i j) f) in
+        let as_whole f = equal_modulo_order f (Rename.temporal (transposition i j) f) in
         let agrees f = Bool.equal (Exchangeable.are (Exchangeable.make f) i j) (as_whole f) in
-        let other = Formula.permuted (transposition i j) f in
+        let other = Rename.temporal (transposition i j) f in
         agrees f && agrees (Temporal_or [ f; other ]) && agrees (Temporal_and [ other; other; f ]));
     test "nothing changes without the leaves" formula (fun f ->
         List.exists (fun i -> i < 2) (Formula.leaves f)
-        || Formula.equal f (Formula.permuted (transposition 0 1) f));
+        || Formula.equal f (Rename.temporal (transposition 0 1) f));
   ]
 
 (* {1 Cases} *)
@@ -253,7 +254,7 @@ let happens e = Fact (Event e)
 let symmetric name f expected =
   Alcotest.test_case name `Quick (fun () ->
       Alcotest.(check bool) name expected
-        (Formula.equal_modulo_order f (Formula.permuted (transposition 0 1) f));
+        (equal_modulo_order f (Rename.temporal (transposition 0 1) f));
       Alcotest.(check bool) "by parts" expected (Exchangeable.are (Exchangeable.make f) 0 1))
 
 let symmetries =
@@ -287,9 +288,6 @@ let looks () =
   global "an event without leaves" (happens (Bond (Made, Some "a", Any))) true;
   global "an event of a leaf" (happens (Bond (Made, Some "a", One 0))) false;
   global "time" (positive (Quantity Time)) false;
-  let next = Temporal_or [ always (Fact Quiescent); Temporal_not (Next (All, State (Fact Quiescent))) ] in
-  Alcotest.(check bool) "next" true (Formula.mentions_next next);
-  Alcotest.(check bool) "no next" false (Formula.mentions_next (always (Fact Quiescent)));
   Alcotest.(check bool) "events" true (Formula.has_events (always (positive (Count [ happens (Bounce Any) ]))))
 
 (* Three cubes, of a part each. *)

@@ -1,6 +1,6 @@
 let () =
   Scc_test_support.Suites.run
-    [ Test_contact_cells.suite;
+    [ Test_meeting_cells.suite;
       Test_touching_cells.suite;
       Test_offsets.suite;
       Test_first.suite;
