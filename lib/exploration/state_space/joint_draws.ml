@@ -6,7 +6,10 @@ type outcome = { tuple : int array; chance : Rat.t; transitions : int }
 module Tuple_table = Hashtbl.Make (struct
     type t = int array
 
-    let equal (a : int array) b = a = b
+    let equal (a : t) (b : t) =
+      let rec from i = i < 0 || (Int.equal a.(i) b.(i) && from (i - 1)) in
+      Array.length a = Array.length b && from (Array.length a - 1)
+
     let hash t = Array.fold_left (fun h n -> ((1_000_003 * h) + n) land max_int) 0 t
   end)
 

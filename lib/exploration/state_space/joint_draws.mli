@@ -7,6 +7,9 @@ open Scc_semantics
 (** A state after draws: its tuple, the chance of the draws that lead to it, and the fewest of these. *)
 type outcome = { tuple : int array; chance : Rat.t; transitions : int }
 
+module Tuple_table : Hashtbl.S with type key = int array
+(** Tables by tuples. *)
+
 val merged : outcome list -> outcome list
 (** [merged outcomes] is the outcomes with each tuple once, in the order in which they come up, with the sum of its
     chances and the fewest transitions. *)

@@ -33,7 +33,6 @@ let width c = Catalogue.width (catalogue c)
 let representative c tuple =
   let tuple = match c.walks with Some walks -> Walks.standing walks tuple | None -> tuple in
   Quotient.representative c.quotient tuple
-
 let initial c = representative c (Catalogue.encode (catalogue c) c.initial)
 let names_differ c = Quotient.renames c.quotient
 
@@ -368,26 +367,6 @@ let draws_towards c state target =
   let test tuple = representative c tuple = target in
   Option.bind c.walks (fun walks -> Walk_draws.towards walks (Catalogue.encode (catalogue c) state) test)
 
-(** {2 One group of many} *)
-
-(* Of the groups with something urgent to do, the first in which nobody can be seen, if others could act as
-   well. *)
-let group_moves semantics visible present (d : Local.move Network.discrete) =
-  let groups = Groups.of_processes semantics (processes present) in
-  let group (m : Local.move) = Groups.of_leaf groups m.leaf in
-  let hidden g = not (List.exists visible (Groups.leaves groups g)) in
-  let urgent = List.rev_append d.urgent d.collisions in
-  let candidates = List.sort_uniq Int.compare (List.map group urgent) in
-  match List.find_opt hidden candidates with
-  | None -> None
-  | Some g ->
-    let inside = List.filter (fun m -> group m = g) in
-    let mine = { Network.urgent = inside d.urgent; weak = inside d.weak; collisions = inside d.collisions } in
-    let count (d : Local.move Network.discrete) =
-      List.length d.urgent + List.length d.weak + List.length d.collisions
-    in
-    if count mine < count d then Some mine else None
-
 let reduced c tuple =
   match c.visible with
   | None -> None
@@ -396,5 +375,5 @@ let reduced c tuple =
       let now = now c tuple in
       if not (Network.is_urgent now.can) then None
       else
-        group_moves (semantics c) visible (present now) now.can
+        Group_moves.first_hidden (semantics c) visible (processes (present now)) now.can
         |> Option.map (Network.in_order (step c tuple) ~time:(fun () -> [])))

@@ -83,19 +83,19 @@ let groups (kicks : kick array array) =
 (* All joint draws of a group, those with the same courses once. *)
 let of_group w (walkers : (int * walker) array) (kicks : kick array array) members =
   let n = Array.length members in
-  let chosen = Array.make n 0 and found = Hashtbl.create 64 and order = ref [] in
+  let chosen = Array.make n 0 and found = Joint_draws.Tuple_table.create 64 and order = ref [] in
   let now () = Array.mapi (fun k i -> kicks.(i).(chosen.(k))) members in
   let finish chance =
     let now = now () in
     let blocked = blocked w now in
     let begins k i = if blocked land (1 lsl k) <> 0 then (snd walkers.(i)).stays else now.(k).course.number in
     let begun = Array.mapi begins members in
-    let key = Array.to_list begun in
-    match Hashtbl.find_opt found key with
-    | Some joint -> Hashtbl.replace found key { joint with chance = Rat.add joint.chance chance }
+    match Joint_draws.Tuple_table.find_opt found begun with
+    | Some joint ->
+      Joint_draws.Tuple_table.replace found begun { joint with chance = Rat.add joint.chance chance }
     | None ->
-      order := key :: !order;
-      Hashtbl.add found key { kicked = Array.copy chosen; begun; chance }
+      order := begun :: !order;
+      Joint_draws.Tuple_table.add found begun { kicked = Array.copy chosen; begun; chance }
   in
   let rec choose k chance =
     if k = n then finish chance
@@ -107,7 +107,7 @@ let of_group w (walkers : (int * walker) array) (kicks : kick array array) membe
         kicks.(members.(k))
   in
   choose 0 Rat.one;
-  List.rev_map (Hashtbl.find found) !order
+  List.rev_map (Joint_draws.Tuple_table.find found) !order
 
 let most = 1 lsl 18
 

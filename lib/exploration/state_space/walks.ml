@@ -28,6 +28,18 @@ type walker = {
 
 type pair = { key : int; how : Blocked.together }
 
+(* Two processes but for where they are as a whole: forms and velocities by their numbers, and the offset. *)
+module Apart = struct
+  type t = { forms : int * int; velocities : int * int; offset : Vec.t }
+
+  let equal a b = a.forms = b.forms && a.velocities = b.velocities && Vec.equal a.offset b.offset
+
+  let hash { forms = f, g; velocities = v, u; offset } =
+    ((((((((f * 31) + g) * 31) + v) * 31) + u) * 31) + Vec.hash offset) land max_int
+end
+
+module Offsets = Hashtbl.Make (Apart)
+
 type t = {
   local : Local.t;
   model : Model.t;
@@ -36,6 +48,8 @@ type t = {
   courses : course Recent.t;
   walkers : walker Recent.t;
   pairs : pair Recent.t;
+  offsets : Blocked.together Offsets.t;
+  most : int;
 }
 
 let catalogue w = Local.catalogue w.local
@@ -72,6 +86,8 @@ let make ~units ~most local =
         shared = List.map predicate shared;
         courses = Recent.create ~number:(fun c -> c.number) ~none:no_course ~most;
         walkers = Recent.create ~number:(fun w -> w.waiting) ~none:no_walker ~most;
+        most;
+        offsets = Offsets.create 64;
         pairs = Recent.create ~number:(fun p -> spread p.key) ~none:no_pair ~most:(16 * most);
       }
   else None
@@ -162,6 +178,23 @@ let walker w number =
 
 (* {1 Two processes} *)
 
+let by_offset w one two =
+  let one = Catalogue.body (catalogue w) one and two = Catalogue.body (catalogue w) two in
+  let place (b : Catalogue.body) = b.process.leaves.(0).position in
+  let key =
+    {
+      Apart.forms = (one.form, two.form); velocities = (one.velocity, two.velocity);
+      offset = Vec.sub (place two) (place one);
+    }
+  in
+  match Offsets.find_opt w.offsets key with
+  | Some how -> how
+  | None ->
+    let how = Blocked.together (Local.afresh w.local) one.process two.process in
+    if Offsets.length w.offsets >= w.most then Offsets.reset w.offsets;
+    Offsets.add w.offsets key how;
+    how
+
 let together w a b =
   if not (Float_box.meet a.box b.box) then apart
   else begin
@@ -170,8 +203,7 @@ let together w a b =
     let found = Recent.get w.pairs (spread key) in
     if found.key = key then found.how
     else begin
-      let process number = (Catalogue.body (catalogue w) number).process in
-      let how = Blocked.together (Local.afresh w.local) (process one) (process two) in
+      let how = by_offset w one two in
       Recent.keep w.pairs { key; how };
       how
     end

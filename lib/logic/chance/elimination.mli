@@ -5,7 +5,7 @@
     of Discrete-Time Markov Chains", 2004). The next one has the least product of the number of unknowns that
     depend on it and the number of unknowns that it depends on (Markowitz). Pivots are on the diagonal. They are
     positive: 1 minus the coefficient of an unknown in its own row is at least the probability that the unknown is
-    left for ever. *)
+    left for ever. Once each elimination makes more entries than it removes, [Lifting] solves what is left. *)
 
 open Scc_exact
 

@@ -131,6 +131,7 @@ let count_steps t part (r : Rounded.t) ~sweeps =
     round t part p ~target:0.25 <= 0.5
     || (p.sweeps < sweeps && (p.stride = 1. || p.moved <= 8. *. p.calm) && go p ~sweeps)
   in
+  Krylov.approach t r part;
   let enough =
     go (pace t) ~sweeps:64
     || begin

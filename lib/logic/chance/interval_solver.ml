@@ -150,6 +150,7 @@ let solve_part t part ~gap =
   if not (narrow t part o ~gap) then begin
     let direct = Guess.directly t part in
     if t.fresh && (not direct) && Float.is_finite t.r.upper.(first) then Guess.start t part p;
+    if t.fresh && not direct then Krylov.approach t t.r part;
     let low = direct && trial Low (Gap gap) 8 in
     let high = direct && bounded o && trial High (Gap gap) 8 in
     if not (low && (high || not (bounded o))) then go ~low ~high ~tries:1 (gap /. 64.) gap

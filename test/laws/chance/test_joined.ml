@@ -266,8 +266,8 @@ let counts () =
 
 let cube = "shape Cube = box(1, 1, 1)\ntimestep 1 steady\n"
 
-let walker ?(velocity = 0) name y law =
-  Printf.sprintf "process %s = Cube mass 1 velocity (%d, 0, 0) at translate (0, %d, 0) [nil]\n" name velocity y
+let walker ?(velocity = 0) ?(x = 0) name y law =
+  Printf.sprintf "process %s = Cube mass 1 velocity (%d, 0, 0) at translate (%d, %d, 0) [nil]\n" name velocity x y
   ^ Printf.sprintf "motion %s = choose { %s }\n" name law
 
 let coin = "(1,0,0), (-1,0,0)"
@@ -308,6 +308,9 @@ let half =
 (* It stays where it is for ever, and comes back to another velocity than it began with. *)
 let stays = "(0,0,0), (1,0,0)"
 
+(* It comes to 0 from the left, and then goes round between 0 and 1, and comes to 0 from the right. *)
+let goes_round = "(if x < 1/2 then 1 else -1, 0, 0)"
+
 let through () =
   let o n chance =
     { Joint_draws.tuple = [| n |]; chance = Result.get_ok (Rat.of_literal chance); transitions = 1 }
@@ -336,6 +339,11 @@ let by_hand =
      is "1/4" (half ^ walker "q" 9 coin) "P = ? [ eventually x(a) > 9/4 within 2 ]");
     ("runs that recur",
      is "violated" (walker "p" 0 ~velocity:5 stays ^ walker "q" 9 stays) "AF x(p) > 1");
+    ("runs that come back with another velocity",
+     is "violated" (walker ~x:(-1) "p" 0 goes_round ^ walker ~x:(-1) "q" 9 goes_round) "AF y(p) > 5");
+    ("runs that come back from another place",
+     is "violated" ("blocked wait\n" ^ walker ~x:(-1) "p" 0 goes_round ^ walker ~x:(-1) "q" 9 goes_round)
+       "AF y(p) > 5");
     ("outcomes are merged", through);
   ]
 
