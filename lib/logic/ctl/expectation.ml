@@ -65,7 +65,7 @@ let mean_until e side ~earns g =
       { branch with reward = (if up then high else low) }
     in
     let choices p = List.map (List.map (earning p)) (choices q w p) in
-    solve side (Eval.effort e) (build ~choices [ next q w (place w 0 Rat.zero) ])
+    solve side (Effort.default) (build ~choices [ next q w (place w 0 Rat.zero) ])
   in
   let least = answer ~up:false in
   let same = value.lower == value.upper && Timed_graph.complete (Eval.index e) && not !enclosed in
@@ -139,7 +139,7 @@ let value_at e side number time =
     let certain = Qualitative.one_min (until first) in
     if not (List.for_all (Bits.mem certain) first.asked) then unknown (Some (endless time))
     else
-      let answer = Answer.add (solve side (Eval.effort e) (build (Some lowest))) lowest in
+      let answer = Answer.add (solve side (Effort.default) (build (Some lowest))) lowest in
       Known { least = answer; most = answer }
   | None, [], None -> unknown (Some (endless time))
   | reason, _, _ -> unknown reason

@@ -6,7 +6,7 @@ open Scc_semantics
 open Scc_graph_search
 open Scc_state_space
 
-module Labels = Catalogue.Interned (struct
+module Labels = Scc_data.Numbering.Make (struct
     type t = Transition.label
 
     let equal = Transition.equal_label
@@ -72,7 +72,7 @@ let renew ?(most = most_bodies) f =
 
 let label_number f number =
   for i = Growable.length f.numbers to number do
-    Growable.push f.numbers (Labels.intern f.labels (Catalogue.label_of (catalogue f) i))
+    Growable.push f.numbers (Labels.number f.labels (Catalogue.label_of (catalogue f) i))
   done;
   Growable.get f.numbers number
 
