@@ -215,7 +215,7 @@ def check_ranges(scc, folder):
         cube = text.read().split("shape Cube {")[1].split("}")[0]
     with open(model, "w", encoding="utf-8") as out:
         out.write("shape Cube {" + cube + "}\n" + RANGES)
-    for options in ([], ["--where"], ["--where", "-D", "y=1", "-D", "z=0..1"]):
+    for options in ([], ["--where"], ["--where", "-D", "y=1", "-D", "z=[0,1]"]):
         result = run(scc, "check", model, "--json", *options)
         what = "check ranges " + " ".join(options)
         document = check("check", text_of(result), what)

@@ -67,7 +67,7 @@ A value, or a narrower range, may be given:
       there:
   explored: 3 states, 2 transitions, depth 2, model time 10; complete
   4 properties: 3 hold, 1 violated
-  $ scc check meet.sc -D y=1..3 --where | sed -n '/^met/,/^$/p'
+  $ scc check meet.sc -D 'y=[1,3]' --where | sed -n '/^met/,/^$/p'
   met: violated for y = 2, z = -3
     possibly bound(p, q)
     no run from there does otherwise: everything that counts was explored
@@ -96,17 +96,38 @@ A value, or a narrower range, may be given:
   $ scc check meet.sc -D y=5.5
   command line: error[SC0217]: `y = 11/2` is not within `y in [-5, 5]`
   [64]
-  $ scc check meet.sc -D y=-6..1
+  $ scc check meet.sc -D 'y=[-6,1]'
   command line: error[SC0217]: `y in [-6, 1]` is not within `y in [-5, 5]`
   [64]
-  $ scc check meet.sc -D y=1..0
+  $ scc check meet.sc -D 'y=[1,0]'
   command line: error[SC0217]: `y in [1, 0]` has no numbers: its first end is the greater one
   [64]
-  $ scc check meet.sc -D y=1..2..3 2>&1 | head -1
-  scc: option '-D': `2..3' is no number such as 3, 1/4, 0.125 or 1e-3
+
+A range of all numbers between is in brackets; values one after the other are for loops and sweeps:
+
+  $ scc check meet.sc -D y=1..2 2>&1 | head -2
+  scc: option '-D': `1..2' are values one after the other, as scc sweep takes
+       them: a range of all numbers between is written [1,2]
+  $ scc check meet.sc -D y=1:2:1/8 2>&1 | head -2
+  scc: option '-D': `1:2:1/8' are values one after the other, as scc sweep
+       takes them: a range of all numbers between is written [1,2]
+  $ scc check meet.sc -D y=1,2 2>&1 | head -2
+  scc: option '-D': `1,2' are values one after the other, as scc sweep takes
+       them: a range of all numbers between is written [1,2]
+  $ scc sweep meet.sc -D 'y=[1,2)' 2>&1 | head -2
+  scc: option '-D': `[1,2)' is a range of all numbers between, for scc check;
+       the values of a sweep are 1..2, or 1:2:1/8 with steps of 1/8
+  $ refused() { (cat meet.sc; echo "$1") > other.sc; scc check other.sc 2>&1 | grep error; }
+  $ refused 'param s in 1..2'
+  other.sc:14:12: error[SC0110]: `1` does not fit here: expected a range such as `[0, 6]`, or `(0, 6]` without its first end (`0..6` are integers, for loops)
+  $ refused 'for i in [1, 2] { check c : always y(p) > i }'
+  other.sc:14:10: error[SC0110]: `[` does not fit here: expected a range of integers, such as `1..n`
+  $ refused 'check c : always forall i in [1, 2]: y(p) > i'
+  other.sc:14:30: error[SC0110]: `[` does not fit here: expected the name of a shape, or a range of integers such as `1..n`
+
   $ scc check meet.sc -D 'y=[1;2]' 2>&1 | head -1
-  scc: option '-D': `[1;2]' is no range such as [1, 3) or 1..3
-  $ scc check meet.sc -D y=1 -D y=1..2
+  scc: option '-D': `[1;2]' is no range such as [1, 3) or [0, 1/2]
+  $ scc check meet.sc -D y=1 -D 'y=[1,2]'
   command line: error[SC0212]: the parameter `y` is given two values by -D
   [64]
 
@@ -131,7 +152,7 @@ What needs values says so:
 
 The graph of all sets of states, as a picture:
 
-  $ scc explore meet.sc -o - --format dot --positions -D y=0..5
+  $ scc explore meet.sc -o - --format dot --positions -D 'y=[0,5]'
   digraph "model" {
     node [shape=box, fontname="Helvetica", fontsize=10]
     edge [fontname="Helvetica", fontsize=9]
@@ -218,27 +239,27 @@ What -D or a schedule gives is kept, and a model of one start has none to choose
 
 A range that -D narrows is the one that is sampled; a schedule or a trace made with a value of it will do:
 
-  $ scc trace meet.sc -D y=1..3 --start simple --human --states=ends | sed -n '1p'
+  $ scc trace meet.sc -D 'y=[1,3]' --start simple --human --states=ends | sed -n '1p'
   for y = 2, z = 0
-  $ scc trace meet.sc -D 'y=[2,3)' -D z=4..5 --start random:8 > narrow.jsonl
+  $ scc trace meet.sc -D 'y=[2,3)' -D 'z=[4,5]' --start random:8 > narrow.jsonl
   $ head -1 narrow.jsonl | grep -o '"parameters":{[^}]*}'
   "parameters":{"y":"1499/512","z":"1259/256"}
   $ scc trace meet.sc -D y=1499/512 -D z=1259/256 | cmp - narrow.jsonl
-  $ scc trace meet.sc -D y=1..3 2>&1 | grep error
+  $ scc trace meet.sc -D 'y=[1,3]' 2>&1 | grep error
   error[SC0903]: this needs the values of all parameters, and of `y`, `z` a range is known
-  $ scc trace meet.sc -D y=5..9 --start simple
+  $ scc trace meet.sc -D 'y=[5,9]' --start simple
   command line: error[SC0217]: `y in [5, 9]` is not within `y in [-5, 5]`
   [64]
-  $ scc trace meet.sc -D y=-1..3 --schedule simple.jsonl | cmp - simple.jsonl
-  $ scc trace meet.sc -D y=1..3 --schedule simple.jsonl 2>&1 | grep error
+  $ scc trace meet.sc -D 'y=[-1,3]' --schedule simple.jsonl | cmp - simple.jsonl
+  $ scc trace meet.sc -D 'y=[1,3]' --schedule simple.jsonl 2>&1 | grep error
   command line: error[SC0801]: the schedule was made with another value of `y` than -D gives
-  $ scc explain simple.jsonl meet.sc -D y=-1..3 | grep matter
+  $ scc explain simple.jsonl meet.sc -D 'y=[-1,3]' | grep matter
   1 of 1 events matter
-  $ scc explain simple.jsonl meet.sc -D y=1..3 2>&1 | grep error
+  $ scc explain simple.jsonl meet.sc -D 'y=[1,3]' 2>&1 | grep error
   command line: error[SC0801]: the schedule was made with another value of `y` than -D gives
-  $ scc conform meet.sc simple.jsonl -D y=-1..3
+  $ scc conform meet.sc simple.jsonl -D 'y=[-1,3]'
   simple.jsonl: conforms: 1 event, a run of 2 transitions up to time 10
-  $ scc conform meet.sc simple.jsonl -D y=1..3
+  $ scc conform meet.sc simple.jsonl -D 'y=[1,3]'
   command line: error[SC0804]: the trace was made with another value of `y` than -D gives
   [64]
 

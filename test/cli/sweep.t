@@ -81,6 +81,47 @@ Parts, one after the other, are the whole.
   $ sweep --part 1/2 --plot part.svg 2>&1 | head -1
   scc: --plot does not go with --part
 
+Of bodies that diffuse the table has the kick. A chosen one that changes is a warning; a given one does not change.
+
+  $ cat > drift.sc <<'END'
+  > model drift
+  > timestep 1 steady
+  > import <solids>
+  > param d = 1/2
+  > process p = solids.Cube(1) mass 1 [nil]
+  > fixed w = solids.Cube(1) absorb at translate (4, 0, 0)
+  > motion p = diffuse((d, 0, 0))
+  > check near : P = ? [ eventually gone(p) within 3 ]
+  > END
+  $ scc sweep drift.sc -D d=1/2,1/4,1 | cut -d, -f 1-6
+  drift.sc:7:1: warning[SC0604]: the lattice changes over the sweep: the kick is 2 at point 2, and was 1 at the first point
+     |
+   7 | motion p = diffuse((d, 0, 0))
+     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    hint: what bodies reach depends on the lattice, too, and not on the constant alone: fix the kick, as in `diffuse(d, h = 2)`, to compare points
+  scc: the kicks chosen for diffuse are from 1 to 2: h = 2 is long enough at all points
+  point,d,kick,check,verdict,least from
+  0,1/2,1,near,measured,1/8
+  1,1/4,1,near,measured,1/64
+  2,1,2,near,measured,1/8
+  $ scc sweep drift.sc -D d=1/2,1 --format jsonl 2>/dev/null | tail -1 | cut -d '[' -f 1-3
+  {"point":1,"parameters":{"d":"1/1"},"refused":null,"lattices":[{"bodies":["p"],"kick":"2/1","chosen":true}],"checks":
+  $ scc simulate drift.sc --runs 1 --observe 'x(p)' --every 1 --until 1
+  scc: kick 1, kick chosen as the least power of two whose square is no less than 1
+  run,time,x(p),ended
+  0,0,0,
+  0,1,1,
+  $ scc estimate drift.sc --runs 100 2>&1 | head -1
+  kick 1, kick chosen as the least power of two whose square is no less than 1
+  $ sed -i 's/0))/0), h = 2)/' drift.sc
+  $ scc sweep drift.sc -D d=1/2,1/4,1 | cut -d, -f 1-6
+  point,d,kick,check,verdict,least from
+  0,1/2,2,near,measured,5/128
+  1,1/4,2,near,measured,11/1024
+  2,1,2,near,measured,1/8
+  $ scc check drift.sc | head -1
+  semantics 3: timestep 1 steady, kick 2
+
 Pictures: curves over one parameter, cells of colours over two.
 
   $ scc sweep walk.sc -D p=0:1:1/4 --plot curves.svg -o curves.csv

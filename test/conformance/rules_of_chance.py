@@ -1,7 +1,8 @@
 """By hand: what is left to chance, velocities by laws, and weak splits."""
 
-from make_rules import at_once, BIND, BOUNCE, DOCK, TIME, WEAK, Rule, binds, bonded, bounces, cubes, leaf, passes, releases
-from cases import num, nums, unordered
+from make_rules import (absorbs, at_once, BIND, BOUNCE, DOCK, TIME, WEAK, Rule, binds, bonded, bounces, cubes, leaf, passes, reacts,
+                        releases)
+from cases import num, nums, result, unordered
 
 
 def draws(process, velocity, chance):
@@ -66,6 +67,11 @@ def diffuse():
                [draws('p', a, '1/8') for a in axes] + [draws('p', (0, 0, 0), '1/4')])
     r.outcomes('Along one axis, with a drift and a kick of 2.', text % (1, '(1/2, 0, 0), (vx + 1, 3, 0), 2'), [],
                [draws('p', (4, 3, 0), '1/8'), draws('p', (0, 3, 0), '1/8'), draws('p', (2, 3, 0), '3/4')])
+    r.outcomes('A kick by its name, without a drift.', text % (1, '(1/2, 0, 0), h = 2'), [],
+               [draws('p', (2, 0, 0), '1/8'), draws('p', (-2, 0, 0), '1/8'), draws('p', (0, 0, 0), '3/4')])
+    r.outcomes('A kick by its name, after a drift.', text % (1, '(1/2, 0, 0), (vx + 1, 3, 0), h = 2'), [],
+               [draws('p', (4, 3, 0), '1/8'), draws('p', (0, 3, 0), '1/8'), draws('p', (2, 3, 0), '3/4')])
+    r.refused('A kick by its name and by its place.', text % (1, '1/8, (0,0,0), 1, h = 1'), 'SC0206')
     r.refused('A kick of 1 for S = 6.', text % (1, '1, (0,0,0), 1'), 'SC0601')
     r.refused('A constant that is no constant.', text % (1, 'x'), 'SC0601')
     return r
@@ -114,6 +120,52 @@ def blocked():
     r.outcomes('What fits binds.', binding, draw, [binds('dock', 'p.right', 'lock.left')])
     for text in ('dynamics free_body', 'round velocity 1/2'):
         r.refused('Not in such a model.', text + '\n' + row('wait', ('p', 6, right)), 'SC0901')
+    return r
+
+
+def ties():
+    r = Rule('Ties')
+
+    def odds(note, text, along, *transitions):
+        """All transitions of a state: a label, and its chance or None."""
+        told = [{'label': label, **({'chance': num(chance)} if chance else {})} for label, chance in transitions]
+        r.add_next(note, 'successors', {'model': r.model('collisions drawn\n' + text), 'states': 'here'},
+                   result(transitions=unordered(told)), along)
+
+    site, key = '<a, {left, right}>. nil', '<~a, {left, right}>. nil'
+    two = ('process s = Cube mass 1 [%s]\nprocess p = Cube mass 1 velocity (1,0,0) at translate (-2,0,0) [%s]\n'
+           'process q = Cube mass 1 velocity (-1,0,0) at translate (2,0,0) [%s]\n')
+    p, q = binds('a', 'p.right', 's.left'), binds('a', 'q.left', 's.right')
+    race = two % (site, key, key)
+    odds('Each as likely as the other.', race, [], (p, '1/2'), (q, '1/2'))
+    r.outcomes('The same transitions as in turn.', 'collisions in_turn\n' + race, [], [p, q])
+    odds('One that is left has nothing to draw.', race, [p], (bounces('s', 'q'), None))
+    r.measured('One number.', 'collisions drawn\n' + race, 'P = ? [ eventually bound(p, s) ]', least='1/2', greatest='1/2')
+    r.measured('From 0 to 1 where nothing is said.', race, 'P = ? [ eventually bound(p, s) ]', least=0, greatest=1)
+    by_b = binds('b', 'p.right', 's.left')
+    both = two % (site + ' + <b, {left}>. nil', key + ' + <~b, {right}>. nil', key)
+    odds('Who acts, and then what they do.', both, [], (p, '1/4'), (by_b, '1/4'), (q, '1/2'))
+    edges = two % ('<a, {top, bottom}>. nil + <b, {left}>. nil + <c, {right}>. nil', '<~a, {right}>. nil + <~b, {right}>. nil',
+                   '<~c, {left}>. nil')
+    ways = [binds('a', 'p.[b,c]', 's.[a,d]'), binds('a', 'p.[f,g]', 's.[e,h]')]
+    odds('Then by which features.', edges, [], (ways[0], '1/8'), (ways[1], '1/8'), (by_b, '1/4'),
+         (binds('c', 'q.left', 's.right'), '1/2'))
+    follows = two % ('<a, {left}>. nil + <a, {left}>. eps(1). nil + <a, {left}>. nil', key, key)
+    odds('Ways to go on are different, and equal summands are one.', follows, [], (p, '1/4'), (p, '1/4'),
+         (bounces('s', 'q'), '1/2'))
+    gone = ('process p = Cube mass 1 velocity (1,1,1) [nil]\nprocess q = Cube mass 1 at translate (2,1,0) [nil]\n'
+            'fixed drain = Cube absorb at translate (0,2,0)\nfixed sink = Cube absorb at translate (0,0,2)\n')
+    odds('Bounces and absorptions.', gone, [], (bounces('p', 'q'), '1/3'), (absorbs('p', 'drain'), '1/3'),
+         (absorbs('p', 'sink'), '1/3'))
+    reaction = bonded('', 'rho({<dock, {right}>}). nil', 'rho({<dock, {left}>}). nil',
+                      'process r = Cube mass 1 velocity (0,1,0) at translate (0,-2,0) [nil]\n')
+    odds('A reaction and a collision of one process.', reaction, [], (reacts(('dock', *PQ)), '1/2'), (bounces('p', 'r'), '1/2'))
+    weak = race + ('process u = Cube mass 1 at translate (0,9,0) [omega(dock, {right}). nil]\n'
+                   'process v = Cube mass 1 at translate (2,9,0) [omega(dock, {left}). nil]\nbond <dock, {u.right, v.left}>\n')
+    odds('A weak split stays free.', weak, [], (p, '1/2'), (q, '1/2'), (releases('dock', 'u.right', 'v.left'), None))
+    weak = 'collisions drawn\n' + weak
+    r.measured('Whatever is chosen.', weak, 'P = ? [ eventually bound(p, s) ]', least='1/2', greatest='1/2')
+    r.measured('And this is chosen.', weak, 'P = ? [ bonds(a) = 0 U bonds(dock) = 0 ]', least=0, greatest=1)
     return r
 
 
@@ -393,4 +445,4 @@ def i_38():
 
 
 def suites():
-    return [draw(), diffuse(), blocked(), i_38(), lots(), i_39(), probability(), expectation()]
+    return [draw(), diffuse(), blocked(), ties(), i_38(), lots(), i_39(), probability(), expectation()]

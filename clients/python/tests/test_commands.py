@@ -249,7 +249,7 @@ class Results(Commands):
         self.assertEqual(result.runs[0].values[1], (1, 1))
 
     def test_tables(self):
-        results = [check(MODEL), estimate(WALK, runs=5), trace(MODEL), sweep(MODEL, {"speed": [1]}),
+        results = [check(WALK), estimate(WALK, runs=5), trace(MODEL), sweep(MODEL, {"speed": [1]}),
                    simulate(WALK, runs=2, observe="x(p)", every=1, until=1),
                    simulate(WALK, runs=2, observe="x(p)", every=1, until=1, summary=True)]
         for result in results:

@@ -19,8 +19,9 @@ let counts_events (c : Property.check) =
 let unseen (c : Property.check) =
   is_flat c.formula && (not (Formula.has_events c.formula)) && not (counts_events c)
 
+let is_number (c : Property.check) = match c.asked with How_likely _ | Expected _ -> true | Whether -> false
+
 (* Runs that recur are shown for claims, but not for numbers. What such a run comes back to may have another
    velocity there. *)
 let velocities_unseen (c : Property.check) =
-  let is_number = match c.asked with How_likely _ | Expected _ -> true | Whether -> false in
-  is_number && not (List.exists (Atom.depends_on Speed) (Formula.atoms c.formula))
+  is_number c && not (List.exists (Atom.depends_on Speed) (Formula.atoms c.formula))

@@ -25,7 +25,7 @@ let hash_label : Transition.label -> int = function
   | Bounce { firsts; _ } -> List.fold_left (fun h p -> (1_000_003 * h) + p) 5 firsts land max_int
 
 type joint = { chance : Rat.t; transitions : int }
-type label = One of Transition.label | Joint of joint
+type label = One of Transition.label | Tied of Transition.label * Rat.t | Joint of joint
 
 module Labels = Numbering.Make (struct
     type t = label
@@ -33,10 +33,14 @@ module Labels = Numbering.Make (struct
     let equal a b =
       match (a, b) with
       | One a, One b -> Transition.equal_label a b
+      | Tied (a, p), Tied (b, q) -> Rat.equal p q && Transition.equal_label a b
       | Joint a, Joint b -> a.transitions = b.transitions && Rat.equal a.chance b.chance
-      | One _, Joint _ | Joint _, One _ -> false
+      | (One _ | Tied _ | Joint _), _ -> false
 
-    let hash = function One l -> hash_label l | Joint j -> (31 * Rat.hash j.chance) + j.transitions
+    let hash = function
+      | One l -> hash_label l
+      | Tied (l, chance) -> (31 * Rat.hash chance) + hash_label l
+      | Joint j -> (31 * Rat.hash j.chance) + j.transitions
   end)
 
 module Steps = Numbering.Make (struct
@@ -252,6 +256,11 @@ let time_after c tuple d =
   if c.model.keeps_time then Some (time_number c (Rat.add (Rationals.get c.times tuple.(time_slot c)) d)) else None
 
 let label c l = Labels.number c.labels (One l)
+
+let tied c l chance =
+  ignore (label c l);
+  Labels.number c.labels (Tied (l, chance))
+
 let joint c j = Labels.number c.labels (Joint j)
 
 (* Of many states one after the other it is the same. *)
@@ -264,7 +273,7 @@ let time_label c d =
     label
 
 let any_label c i = Labels.get c.labels i
-let single c i = match any_label c i with One l -> Some l | Joint _ -> None
+let single c i = match any_label c i with One l | Tied (l, _) -> Some l | Joint _ -> None
 
 let label_of c i =
   match single c i with Some l -> l | None -> Scc_base.Bug.fail __POS__ "several transitions for one"
@@ -272,17 +281,21 @@ let label_of c i =
 let chance c i =
   match any_label c i with
   | Joint j -> Some j.chance
+  | Tied (_, chance) -> Some chance
   | One l -> if Transition.is_drawn l then Some (Transition.chance l) else None
 
-let transitions c i = match any_label c i with Joint j -> j.transitions | One _ -> 1
+let is_tied c i = match any_label c i with Tied _ -> true | One _ | Joint _ -> false
+let transitions c i = match any_label c i with Joint j -> j.transitions | One _ | Tied _ -> 1
 
-let labels c = List.filter_map (single c) (List.init (Labels.size c.labels) Fun.id)
+let labels c =
+  let untied i = if is_tied c i then None else single c i in
+  List.filter_map untied (List.init (Labels.size c.labels) Fun.id)
 
 let has_events c =
   let is_event i = match single c i with None -> true | Some l -> not (Transition.is_time l) in
   List.exists is_event (List.init (Labels.size c.labels) Fun.id)
 
-let duration c i = match any_label c i with One l -> Transition.duration_of l | Joint _ -> Rat.zero
+let duration c i = match any_label c i with One l -> Transition.duration_of l | Tied _ | Joint _ -> Rat.zero
 
 let greatest_bits c = c.bits
 let longest c =

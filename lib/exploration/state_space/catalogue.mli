@@ -126,6 +126,10 @@ val hash_label : Transition.label -> int
     the number of transitions that it stands for. *)
 type joint = { chance : Rat.t; transitions : int }
 
+val tied : t -> Transition.label -> Rat.t -> int
+(** [tied c l chance] is the number of the label [l] of an urgent transition to which chance gives the probability
+    [chance] (rule Ties). *)
+
 val joint : t -> joint -> int
 (** The number of a label for joined draws; a new label gets the next number. *)
 
@@ -136,13 +140,17 @@ val single : t -> int -> Transition.label option
 (** The label with a number; [None] for a number of {!joint}. *)
 
 val chance : t -> int -> Rat.t option
-(** The chance of the label with a number, if chance decides: it is a draw, a lot, or a number of {!joint}. *)
+(** The chance of the label with a number, if chance decides: it is a draw, a lot, or a number of {!tied} or
+    {!joint}. *)
+
+val is_tied : t -> int -> bool
+(** [is_tied c i] is true if [i] is a number of {!tied}. *)
 
 val transitions : t -> int -> int
 (** How many transitions of a run the label with a number stands for: 1, except for a number of {!joint}. *)
 
 val labels : t -> Transition.label list
-(** All labels with a number but those of {!joint}, in the order of their numbers. *)
+(** All labels with a number but those of {!joint}, each once, in the order of their numbers. *)
 
 val has_events : t -> bool
 (** [has_events t] is true if a label has a number that is no passing of time. *)

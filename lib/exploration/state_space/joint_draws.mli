@@ -7,6 +7,10 @@ open Scc_semantics
 (** A state after draws: its tuple, the chance of the draws that lead to it, and the fewest of these. *)
 type outcome = { tuple : int array; chance : Rat.t; transitions : int }
 
+val merged : outcome list -> outcome list
+(** [merged outcomes] is the outcomes with each tuple once, in the order in which they come up, with the sum of its
+    chances and the fewest transitions. *)
+
 val through :
   (int array -> (outcome list option, 'fault) result) ->
   outcome list ->

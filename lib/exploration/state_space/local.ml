@@ -10,7 +10,7 @@ open Scc_graph_search
 open Scc_evaluate
 open Scc_engine
 
-type move = { step : Lts.step; leaf : int; takes_out : bool }
+type move = { step : Lts.step; leaf : int; takes_out : bool; deed : Ties.deed option }
 type nature = { splits : bool; wait : Rat.t option }
 
 type alone = {
@@ -125,6 +125,9 @@ let move t (o : Transition.outcome) =
       };
     leaf = Catalogue.first_leaf (List.hd o.gone);
     takes_out = o.come = [];
+    deed =
+      (if Model.draws_ties (Semantics.model t.semantics) && Transition.is_urgent o.label then Some (Ties.deed o)
+       else None);
   }
 
 (* {1 One process} *)

@@ -13,6 +13,7 @@ type move = {
   step : Lts.step;
   leaf : int;  (** the first leaf of one of the processes *)
   takes_out : bool;  (** the processes leave the network, and none comes instead (rule Absorb) *)
+  deed : Ties.deed option;  (** what it does, if it is urgent in a model that draws ties (rule Ties) *)
 }
 
 (** What depends on the form of a process alone. *)

@@ -45,14 +45,16 @@ let of_component c ~family text =
   | 2 -> Catalogue.rational_number catalogue (reading text Packed.rational)
   | _ -> Network_lts.mark_of c (reading text (fun s -> Packed.list s Packed.nat))
 
-(* 0 and the label, or the number of joined draws and their chance. *)
+(* 0 and the label, and its chance if that is not its own; or the number of joined draws and their chance. *)
 let name c label =
   let catalogue = catalogue c in
   bytes (fun b ->
       match Catalogue.single catalogue label with
       | Some l ->
         Packed.put_nat b 0;
-        Label_codec.put (codec c) b l
+        Label_codec.put (codec c) b l;
+        if Catalogue.is_tied catalogue label then
+          Packed.put_rational b (Option.get (Catalogue.chance catalogue label))
       | None ->
         Packed.put_nat b (Catalogue.transitions catalogue label);
         Packed.put_rational b (Option.get (Catalogue.chance catalogue label)))
@@ -60,5 +62,8 @@ let name c label =
 let of_name c text =
   reading text (fun source ->
       match Packed.nat source with
-      | 0 -> Catalogue.label (catalogue c) (Label_codec.read (codec c) source)
+      | 0 ->
+        let label = Label_codec.read (codec c) source in
+        if Packed.at_end source then Catalogue.label (catalogue c) label
+        else Catalogue.tied (catalogue c) label (Packed.rational source)
       | transitions -> Catalogue.joint (catalogue c) { chance = Packed.rational source; transitions })

@@ -9,6 +9,7 @@ type fault = Transition.fault
 type context = {
   local : Local.t;
   quotient : Quotient.within;
+  walks : Walks.t option;  (** steps in which nothing is seen are one *)
   visible : (int -> bool) option;
   initial : State.t;
   encounters : Encounters.t;
@@ -29,9 +30,12 @@ let model c = Semantics.model (semantics c)
 let start c = c.initial
 let codec c = Lazy.force c.codec
 let width c = Catalogue.width (catalogue c)
-let initial c = Quotient.representative c.quotient (Catalogue.encode (catalogue c) c.initial)
+let representative c tuple =
+  let tuple = match c.walks with Some walks -> Walks.standing walks tuple | None -> tuple in
+  Quotient.representative c.quotient tuple
+
+let initial c = representative c (Catalogue.encode (catalogue c) c.initial)
 let names_differ c = Quotient.renames c.quotient
-let representative c tuple = Quotient.representative c.quotient tuple
 
 let same_but_for_places c (s : State.t) (t : State.t) =
   Quotient.same_but_for_places c.quotient (Catalogue.encode (catalogue c) s)
@@ -45,11 +49,11 @@ let transitions c label = Catalogue.transitions (catalogue c) label
 
 let by_pairs (m : Model.t) =
   match (m.collisions, m.binding) with
-  | In_turn, On_collision -> true
+  | (In_turn | Drawn), On_collision -> true
   | Together, _ | _, On_contact -> false
 
 let make ?(events = []) ?(time_seen = Scc_property.Time_seen.Always) ?(quotient = Quotient.none) ?visible
-    ?(joined = false) ?(memory = 1 lsl 16) ?(few = 32) semantics initial =
+    ?(joined = false) ?units ?(memory = 1 lsl 16) ?(few = 32) semantics initial =
   let m = Semantics.model semantics in
   let local = Local.create ~events ~time_seen ~memory semantics in
   let many = Model.part_count m > few in
@@ -60,9 +64,11 @@ let make ?(events = []) ?(time_seen = Scc_property.Time_seen.Always) ?(quotient 
   let right = Section.memory local ~first:(leaves / 2) ~beyond:leaves in
   let draws = Model.draws m && Option.is_none m.rigid && events = [] in
   let codec = lazy (Scc_codec.State_codec.make m initial) in
-  let quotient = Quotient.within quotient (Local.catalogue local) in
+  let catalogue = Local.catalogue local in
   let joined = joined && Model.leaves_to_chance m && Option.is_none m.rigid && events = [] in
-  { local; quotient; visible; initial; encounters; left; right; scene; draws; joined; codec; given_up = [];
+  let walks = if joined then Option.bind units (fun units -> Walks.make ~units ~most:memory local) else None in
+  let quotient = Quotient.within quotient catalogue in
+  { local; quotient; walks; visible; initial; encounters; left; right; scene; draws; joined; codec; given_up = [];
     seen = Bytes.empty; may_split = false }
 
 (* Processes that were only thought of, as targets of transitions that are not possible as yet, do not count. *)
@@ -224,14 +230,19 @@ let choices c source =
   let encoded (t : Transition.t) =
     let target = Catalogue.encode (catalogue c) t.target in
     set_mark c target (Local.mark c.local ~source t.label);
-    Quotient.representative c.quotient target
+    representative c target
   in
   let with_target t = (t, lazy (encoded t)) in
   Result.map (List.map with_target) (Network.successors (semantics c) source)
 
 let whole c tuple =
   let step ((t : Transition.t), target) : Lts.step =
-    { label = Catalogue.label (catalogue c) t.label; changes = Tuples.difference tuple (Lazy.force target) }
+    let label =
+      match t.chance with
+      | Some chance when not (Transition.is_drawn t.label) -> Catalogue.tied (catalogue c) t.label chance
+      | Some _ | None -> Catalogue.label (catalogue c) t.label
+    in
+    { label; changes = Tuples.difference tuple (Lazy.force target) }
   in
   match choices c (Catalogue.decode (catalogue c) tuple) with
   | Ok transitions -> Ok (List.map step transitions)
@@ -239,6 +250,21 @@ let whole c tuple =
     if not (List.mem fault c.given_up) then c.given_up <- fault :: c.given_up;
     Ok []
   | Error _ as fault -> fault
+
+(* With the chances of urgent moves, where these are drawn (rule Ties). *)
+let tied c (can : Local.move Network.discrete) =
+  if not (Model.draws_ties (model c)) then can
+  else
+    let deeds = List.filter_map (fun (m : Local.move) -> m.deed) in
+    let odds = Ties.odds (deeds can.urgent @ deeds can.collisions) in
+    let by_chance (m : Local.move) =
+      match Option.bind m.deed odds with
+      | None -> m
+      | Some chance ->
+        let label = Catalogue.label_of (catalogue c) m.step.label in
+        { m with step = { m.step with label = Catalogue.tied (catalogue c) label chance } }
+    in
+    { can with urgent = List.map by_chance can.urgent; collisions = List.map by_chance can.collisions }
 
 let by_parts c tuple =
   let now = now c tuple in
@@ -249,7 +275,7 @@ let by_parts c tuple =
     | None -> []
     | Some d -> [ pass c tuple now d ]
   in
-  Network.in_order (step c tuple) now.can ~time
+  Network.in_order (step c tuple) (tied c now.can) ~time
 
 (** {2 Draws} *)
 
@@ -263,22 +289,25 @@ let drawn c tuple p outcome =
   let target' = Quotient.representative c.quotient target in
   { Lts.label; changes = (if target' == target then [| slot; number |] else Tuples.difference tuple target') }
 
+(* Those that wait to draw; [None] where lots are pending. *)
+let waiters c tuple =
+  let rec from i found =
+    if i < 0 then Some found
+    else if tuple.(i) = Catalogue.nobody then from (i - 1) found
+    else
+      let p = (Catalogue.body (catalogue c) tuple.(i)).process in
+      if Lots.is_pending p then None
+      else from (i - 1) (match p.draw with Some Waits -> p :: found | Some (Drawn _) | None -> found)
+  in
+  from (Array.length (model c).leaves - 1) []
+
 (* While two or more wait to draw (rule Draw), a draw changes one process alone: what all have drawn takes effect
    when the last one has, and who is first is told by those who wait. Of bodies that turn nothing is said here, as
    turns may end before each draw. *)
 let draws c tuple =
   if not c.draws then None
   else
-    let n = Array.length (model c).leaves in
-    let rec waiting i found =
-      if i < 0 then Some found
-      else if tuple.(i) = Catalogue.nobody then waiting (i - 1) found
-      else
-        let p = (Catalogue.body (catalogue c) tuple.(i)).process in
-        if Lots.is_pending p then None
-        else waiting (i - 1) (match p.draw with Some Waits -> p :: found | Some (Drawn _) | None -> found)
-    in
-    match waiting (n - 1) [] with
+    match waiters c tuple with
     | Some (_ :: _ :: _ as processes) ->
       let first = Option.get (Process.first_by_place (model c) processes) in
       let step = Catalogue.step (catalogue c) tuple and time = Catalogue.time (catalogue c) tuple in
@@ -289,19 +318,7 @@ let draws c tuple =
 
 (* {2 Joined draws} *)
 
-(* How many processes wait to draw; [None] where lots are pending. *)
-let waiting c tuple =
-  let n = Array.length (model c).leaves in
-  let rec from i count =
-    if i = n then Some count
-    else if tuple.(i) = Catalogue.nobody then from (i + 1) count
-    else
-      let p = (Catalogue.body (catalogue c) tuple.(i)).process in
-      if Lots.is_pending p then None
-      else from (i + 1) (match p.draw with Some Waits -> count + 1 | Some (Drawn _) | None -> count)
-  in
-  from 0 0
-
+let waiting c tuple = Option.map List.length (waiters c tuple)
 let one_by_one c tuple = match draws c tuple with Some steps -> steps | None -> whole c tuple
 
 let outcome c tuple (s : Lts.step) =
@@ -322,7 +339,8 @@ let by_velocities c tuple =
     Result.map (Option.map (List.map representative)) (Joint_draws.velocities (semantics c) (catalogue c) tuple)
   else Ok None
 
-let is_drawn c (s : Lts.step) = Option.is_some (Catalogue.chance (catalogue c) s.label)
+let is_drawn c (s : Lts.step) =
+  Option.is_some (Catalogue.chance (catalogue c) s.label) && not (Catalogue.is_tied (catalogue c) s.label)
 
 (* What a state that draws is left by; [None] for all others. *)
 let leave c tuple =
@@ -335,6 +353,9 @@ let leave c tuple =
       let* steps = one_by_one c tuple in
       Ok (if List.exists (is_drawn c) steps then Some (List.map (outcome c tuple) steps) else None)
 
+let by_walks c tuple =
+  Option.bind c.walks (fun walks -> Walk_draws.outcomes walks tuple ~representative:(representative c))
+
 let joined c tuple =
   let step (o : Joint_draws.outcome) =
     let label = Catalogue.joint (catalogue c) { chance = o.chance; transitions = o.transitions } in
@@ -345,19 +366,28 @@ let joined c tuple =
     match all with Some all -> Ok (List.map step all) | None -> otherwise ()
   in
   let* outcomes = by_velocities c tuple in
-  match outcomes with
-  | Some outcomes -> through outcomes ~otherwise:(fun () -> one_by_one c tuple)
-  | None when several_velocities c tuple -> one_by_one c tuple
-  | None ->
+  match (by_walks c tuple, outcomes) with
+  | Some outcomes, _ -> Ok (List.map step outcomes)
+  | None, Some outcomes -> through outcomes ~otherwise:(fun () -> one_by_one c tuple)
+  | None, None when several_velocities c tuple -> one_by_one c tuple
+  | None, None ->
     let* steps = one_by_one c tuple in
     let goes_on s = is_drawn c s && waiting c (Tuples.apply s.Lts.changes tuple) <> Some 0 in
     if List.exists goes_on steps then through (List.map (outcome c tuple) steps) ~otherwise:(fun () -> Ok steps)
     else Ok steps
 
+let passes c tuple =
+  let step (label, target) = { Lts.label; changes = Tuples.difference tuple (representative c target) } in
+  Option.map step (Option.bind c.walks (fun walks -> Walks.pass walks tuple))
+
 let successors c tuple =
   if Model.straight (model c) then Ok (by_parts c tuple)
   else if c.joined && waiting c tuple <> Some 0 then joined c tuple
-  else one_by_one c tuple
+  else match passes c tuple with Some step -> Ok [ step ] | None -> one_by_one c tuple
+
+let draws_towards c state target =
+  let test tuple = representative c tuple = target in
+  Option.bind c.walks (fun walks -> Walk_draws.towards walks (Catalogue.encode (catalogue c) state) test)
 
 (** {2 One group of many} *)
 

@@ -15,6 +15,7 @@ val make :
   ?quotient:Quotient.t ->
   ?visible:(int -> bool) ->
   ?joined:bool ->
+  ?units:Course_units.t list ->
   ?memory:int ->
   ?few:int ->
   Semantics.t -> State.t -> context
@@ -28,6 +29,9 @@ val make :
       that no formula depends on are made in one order only ({!reduced}).
     - [joined], by default false, makes the draws and lots of one instant one transition (rule JoinedDraws). It has
       no effect if there are [events], or if bodies turn.
+    - [units] is what formulas see of bodies that move between two draws; all other states of one step of walkers
+      are one (rule JoinedDraws). By default all are distinguished. It has no effect without [joined], and needs
+      {!Quotient.t.forgets}.
     - [memory], a power of two, bounds each cache. It changes nothing but the speed.
     - [few] is a number of basic shapes, by default 32. In models with no more, all pairs are compared in each
       state. It changes nothing but the speed. *)
@@ -81,6 +85,11 @@ val is_dead_end : Semantics.t -> State.t -> bool
 val representative : context -> int array -> int array
 (** The representative of a state in its class modulo the quotient. Events may lead from a representative to
     states that are none, if {!Quotient.t.drift} finds that more bodies are apart for ever. *)
+
+val draws_towards : context -> State.t -> int array -> (int * Vec.t) list option
+(** [draws_towards c s target] is the first leaves of the walkers that wait to draw in [s], and the velocities
+    that they draw so that the state after them has the representative [target]. It is [None] where this is to be
+    searched. *)
 
 val names_differ : context -> bool
 (** [names_differ c] is true if a state of the graph may have other names of leaves than the states that it stands

@@ -19,6 +19,10 @@ val translatable : Model.t -> State.t -> Property.temporal list -> bool
 (** [translatable m s formulas] is true if nothing depends on the place of the whole. That is so if no law of [m]
     and no formula depends on positions, and no process of [s] is fixed. *)
 
+val is_lost : Model.t -> State.process -> bool
+(** [is_lost m p] is true if the next velocity of [p] does not depend on its velocity: the law of each leaf draws
+    or gives one without reading [vx], [vy] or [vz]. *)
+
 (** {1 Of the tuples of a catalogue} *)
 
 type within

@@ -23,11 +23,22 @@ let joins kinds (m : Model.t) checks =
   let unseen = List.for_all Between_draws.unseen in
   used kinds Draws && Model.leaves_to_chance m && Option.is_none m.rigid && unseen checks
 
+let forgets kinds model checks = joins kinds model checks && List.for_all Between_draws.velocities_unseen checks
+let seen_on_courses kinds model checks = if forgets kinds model checks then Course_units.of_checks checks else None
+
+(* Of a number only its predicates count, each by itself. *)
+let symmetry model state ~checks ~searched ~evaluated =
+  let is_number (c : Property.check) = Between_draws.is_number c && Between_draws.unseen c in
+  let numbers = List.filter_map (fun c -> if is_number c then Some c.Property.formula else None) checks in
+  let predicates f = List.map (fun p -> Property.State p) (Formula.predicates f) in
+  let evaluated = List.filter (fun f -> not (List.memq f numbers)) evaluated in
+  Symmetry.find model ~initial:state ~searched:(searched @ List.concat_map predicates numbers) ~evaluated
+
 let quotient kinds model state ~checks ~searched ~evaluated : Quotient.t =
   {
-    forgets = joins kinds model checks && List.for_all Between_draws.velocities_unseen checks;
+    forgets = forgets kinds model checks;
     symmetry =
-      (if used kinds Symmetry then Symmetry.find model ~initial:state ~searched ~evaluated else Symmetry.none);
+      (if used kinds Symmetry then symmetry model state ~checks ~searched ~evaluated else Symmetry.none);
     translation = used kinds Translation && Quotient.translatable model state (searched @ evaluated);
     drift = (if used kinds Drift then Drift.make model state checks else None);
   }

@@ -32,6 +32,11 @@ val joins : kind list -> Model.t -> Property.check list -> bool
 (** [joins kinds m checks] is true if draws of one instant are one transition for these checks: {!Draws} is used,
     chance decides something in [m], no body turns, and no check sees between draws ({!Between_draws.unseen}). *)
 
+val seen_on_courses : kind list -> Model.t -> Property.check list -> Course_units.t list option
+(** [seen_on_courses kinds m checks] is what the checks see of bodies that move between two draws. It is [None]
+    if all states of such steps are to be distinguished: draws are not joined, some check reads velocities or
+    asks for no number, or this is not known. *)
+
 val quotient :
   kind list ->
   Model.t -> State.t ->

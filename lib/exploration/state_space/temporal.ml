@@ -37,14 +37,13 @@ let indexed test edges =
   let all = Array.to_list (Array.mapi (fun k e -> (k, e)) edges) in
   Array.of_list (List.filter (fun (_, e) -> test e) all)
 
-(* Where something is drawn nothing else can happen. *)
-let drawn context g i =
+let drawn context g =
   let chance (e : Graph.edge) = Catalogue.chance (Network_lts.catalogue context) e.label in
-  match Graph.edges g i with
-  | [||] -> None
-  | edges ->
-    let chances = Array.map chance edges in
-    if Option.is_some chances.(0) then Some (Array.map Option.get chances) else None
+  if not (Scc_calculus.Model.decides_by_chance (Network_lts.model context)) then fun _ -> None
+  else
+    fun i ->
+      let chances = Array.map chance (Graph.edges g i) in
+      if Array.exists Option.is_some chances then Some chances else None
 
 let timed_graph context ~rests g : Timed_graph.t =
   let size = Graph.size g in

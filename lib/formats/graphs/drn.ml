@@ -9,7 +9,7 @@ let write (e : Exported.t) mdp put =
   let line fmt = Printf.ksprintf (fun s -> put (s ^ "\n")) fmt in
   let l = Mdp.labelling mdp in
   (* The format has no declarations, and Storm does not know labels that hold nowhere. *)
-  let occurs = Mdp.occurs mdp and draws = Scc_calculus.Model.leaves_to_chance e.loaded.model in
+  let occurs = Mdp.occurs mdp and draws = Scc_calculus.Model.decides_by_chance e.loaded.model in
   List.iter (comment put) (Exported.summary e);
   List.iter (comment put) (Exported.label_notes l);
   Array.iter

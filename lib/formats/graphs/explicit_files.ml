@@ -99,7 +99,7 @@ type names = { exported : Exported.t; mdp : Mdp.t; variables : State_variables.t
 
 let check_format =
   let asked (n, (c : Property.check)) =
-    let occurs = Mdp.occurs n.mdp and draws = Scc_calculus.Model.leaves_to_chance n.exported.loaded.model in
+    let occurs = Mdp.occurs n.mdp and draws = Scc_calculus.Model.decides_by_chance n.exported.loaded.model in
     Result.to_option (Pctl.check ~occurs ~draws (Labelling.predicates (Mdp.labelling n.mdp)) c)
   in
   fields

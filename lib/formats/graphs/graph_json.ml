@@ -34,6 +34,7 @@ let edge =
     [
       field "label" State_json.label_format (fun (m, (e : Explored.edge)) -> (m, e.label));
       field "target" natural (fun (_, (e : Explored.edge)) -> e.target);
+      State_json.tie_chance (fun (_, (e : Explored.edge)) -> (e.label, e.chance));
     ]
 
 (* A state whose transitions are known has some, and any other one has none. *)

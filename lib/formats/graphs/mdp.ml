@@ -20,13 +20,17 @@ let loop action target = { action; duration = Rat.zero; targets = surely target 
 (* Each target once, in order. *)
 let distinct = Scc_data.Lists.merged Int.compare Rat.add
 
-(* Where something is drawn, that is all that happens: the one choice is to let it. *)
-let draw m text (edges : Explored.edge array) =
-  let outcome (e : Explored.edge) = (e.target, Transition.chance e.label) in
-  {
-    action = Safe_names.name m.names text; duration = Rat.zero;
-    targets = distinct (List.map outcome (Array.to_list edges));
-  }
+(* What chance decides is one choice: to let it. *)
+let draw m (edge : Explored.edge) outcomes =
+  let model = Explored.model (Labelling.space m.labelling) in
+  let text =
+    match edge.label with
+    | Draw { first; _ } -> Printf.sprintf "draw(%s)" model.leaves.(first).name
+    | Lot { bond; decision = First; _ } -> Printf.sprintf "first(%s)" (Transition.bond_to_string model bond)
+    | Lot { bond; _ } -> Printf.sprintf "lot(%s)" (Transition.bond_to_string model bond)
+    | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> "tie"
+  in
+  { action = Safe_names.name m.names text; duration = Rat.zero; targets = distinct outcomes }
 
 let of_stretch m (s : Labelling.stretch) =
   match s.lasts with
@@ -48,14 +52,12 @@ let of_state m i =
   | Rests, None -> [ loop "rest" i ]
   | Rests, Some (d, target) -> [ passing m d ~target ]
   | Moves, _ -> (
-      let edges = space.edges i in
-      let model = Explored.model space in
-      match edges.(0).label with
-      | Draw { first; _ } -> [ draw m (Printf.sprintf "draw(%s)" model.leaves.(first).name) edges ]
-      | Lot { bond; decision = (Kept | Let_go | First) as decision; _ } ->
-        let what = match decision with First -> "first" | Kept | Let_go | Chosen -> "lot" in
-        [ draw m (Printf.sprintf "%s(%s)" what (Transition.bond_to_string model bond)) edges ]
-      | _ -> List.map choice (Array.to_list edges))
+      let outcome (e : Explored.edge) = Option.map (fun chance -> (e, (e.target, chance))) e.chance in
+      let edges = Array.to_list (space.edges i) in
+      let others = List.filter (fun (e : Explored.edge) -> Option.is_none e.chance) edges in
+      match List.filter_map outcome edges with
+      | [] -> List.map choice edges
+      | (first, _) :: _ as drawn -> draw m first (List.map snd drawn) :: List.map choice others)
 
 let choices m i =
   match Labelling.stretch m.labelling i with

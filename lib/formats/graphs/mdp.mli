@@ -1,5 +1,6 @@
 (** An explored graph as a Markov decision process. Each transition is an action that leads to its target with
-    probability 1, except that the draws of a state (rule Draw) are one action together.
+    probability 1, except that what chance decides in a state is one action: its draws (rules Draw and Lot), or its
+    urgent transitions in a model that draws ties (rule Ties), by the name [tie].
 
     Every state of an MDP needs an action, so a state without transitions gets a loop. It is [rest] if time
     passes for ever, [stuck] if not even time passes, and [unexplored] if its transitions are not known. *)

@@ -109,6 +109,7 @@ let step =
       field "choice" natural (fun (_, (s : Witness.step)) -> s.choice);
       field "label" State_json.label_format (fun (m, (s : Witness.step)) -> (m, s.transition.label));
       field "time" Shared.rational (fun (_, (s : Witness.step)) -> s.time) ~about:"Model time after it.";
+      State_json.tie_chance (fun (_, (s : Witness.step)) -> (s.transition.label, s.transition.chance));
     ]
 
 (* The first and the last steps, and how many are left out in between. *)

@@ -11,7 +11,7 @@ let default_instant = 10_000
 let default_steps = 1_000
 
 type given_up = { fault : Transition.fault; steps : int; time : Rat.t }
-type ending = Open | Quiescent | Stuck of given_up | Zeno
+type ending = Open | Quiescent | Stuck of given_up | Zeno | Broken_off
 
 let diagnostic model g =
   let where =
@@ -26,10 +26,12 @@ type event =
       number : int;
       index : int;
       among : int;
+      free : bool;
       time : Rat.t;
       taken : Run.alternative;
       changes : unit -> Event_run.changes option;
       state : unit -> State.t;
+      part : int list -> State.t;
     }
   | Instant of { offset : Rat.t; time : Rat.t; state : State.t }
   | End of {
@@ -59,7 +61,7 @@ type place = {
 type ahead = Possible of Run.labels | Over of given_up
 
 let nothing : Run.labels =
-  { count = 0; label = (fun _ -> Bug.fail __POS__ "a transition that is not there") }
+  { count = 0; label = (fun _ -> Bug.fail __POS__ "a transition that is not there"); tie = None }
 
 let transitions = function Possible labels -> labels | Over _ -> nothing
 
@@ -102,11 +104,32 @@ let part_of_time (model : Model.t) transitions (c : Schedule.choice) =
     let at_place = match c.index with Some i -> i = time_index transitions | None -> true in
     if at_place then Transition.time_of_string label else None
 
-(* What is drawn by its chances; all else alike, as nothing tells how likely it is. *)
+(* A source of numbers from a generator, which is what is left of it afterwards. *)
+let source g : Ties.source =
+  let next (k, rest) =
+    g := rest;
+    k
+  in
+  { below = (fun n -> next (Splitmix64.below n !g)); by_chance = (fun chances -> next (Splitmix64.by_chance chances !g)) }
+
+(* What chance decides by its chances; all choices alike, as nothing tells how likely they are. *)
 let at_random (transitions : Run.labels) g =
-  if Transition.is_drawn (transitions.label 0) then
+  match transitions.tie with
+  | Some { others; pick } ->
+    let g = ref g in
+    let source = source g in
+    let i = if others = [] then 0 else source.below (1 + List.length others) in
+    let i = if i = 0 then pick source else List.nth others (i - 1) in
+    (i, !g)
+  | None when Transition.is_drawn (transitions.label 0) ->
     Splitmix64.by_chance (List.map Transition.chance (Run.list transitions)) g
-  else Splitmix64.below transitions.count g
+  | None -> Splitmix64.below transitions.count g
+
+(* Whether the choice of a transition was free: chance did not decide all. *)
+let is_free (transitions : Run.labels) (taken : Run.alternative) =
+  match transitions.tie with
+  | Some { others; _ } -> others <> []
+  | None -> transitions.count > 1 && not (Transition.is_drawn taken.label)
 
 let decide model (transitions : Run.labels) guide =
   match guide with
@@ -219,20 +242,31 @@ let not_asked ~start:_ ~lasts:_ _ = ()
 
 let unbounded : Scc_graph_search.Limits.attempt = { run = (fun _ f -> Ok (f ())) }
 
+let start_of : policy -> guide * (Rat.t * Span.t) option = function
+  | First -> (Always_first, None)
+  | Random seed -> (Generator (Splitmix64.of_seed seed), None)
+  | Scheduled s -> (Choices s.choices, Option.map (fun d -> (d, s.offset_at)) s.offset)
+
+(* After a step that was broken off no state is there. *)
+let break_off run emit place ~within_step =
+  let last = if within_step then None else Some (fun () -> Run.state run) in
+  emit (End { steps = place.taken; time = place.time; ending = Broken_off; last; rounded = Run.rounded run })
+
 let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy limits ~interrupted emit =
   (* A step may take long, as its numbers do. *)
-  let step f = Result.map_error (fun stop -> Interrupted stop) (attempt.run Exploring f) in
-  let model = Semantics.model semantics in
-  let guide, offset =
-    match policy with
-    | First -> (Always_first, None)
-    | Random seed -> (Generator (Splitmix64.of_seed seed), None)
-    | Scheduled s -> (Choices s.choices, Option.map (fun d -> (d, s.offset_at)) s.offset)
+  let within_step = ref false in
+  let step f =
+    within_step := true;
+    let result = attempt.run Exploring f in
+    within_step := Result.is_error result;
+    Result.map_error (fun stop -> Interrupted stop) result
   in
-  let not_started fault = Fault { fault; steps = 0; time = Rat.zero } in
+  let model = Semantics.model semantics in
+  let guide, offset = start_of policy in
   let* started = step (fun () -> Run.start semantics declared) in
-  let* run = Result.map_error not_started started in
-  let state () = Run.state run and changes () = Run.changes run in
+  let* run = Result.map_error (fun fault -> Fault { fault; steps = 0; time = Rat.zero }) started in
+  let state () = Run.state run and changes () = Run.changes run and part = Run.part run in
+  let reached = ref { time = Rat.zero; taken = 0; still = 0; guide } in
   let rec from place =
     if interrupted () then Error (Interrupted Scc_graph_search.Limits.Interrupted)
     else
@@ -248,7 +282,7 @@ let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy 
           within place ahead d (fun () ->
               passes place d;
               let* taken = step (fun () -> Run.take run index) in
-              go_on place guide index transitions.count taken)
+              go_on place guide index transitions.count ~free:(is_free transitions taken) taken)
         | Wait (d, choice, guide) ->
           within place ahead d (fun () ->
               passes place d;
@@ -256,7 +290,7 @@ let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy 
               let* waited = step (fun () -> Run.wait run d) in
               match waited with
               | Ok (Some taken) ->
-                go_on place guide index (Int.max transitions.count (index + 1)) taken
+                go_on place guide index (Int.max transitions.count (index + 1)) ~free:(is_free transitions taken) taken
               | Ok None -> Error (misfit model transitions place choice)
               | Error fault -> Error (Fault { fault; steps = place.taken; time = place.time }))
   and passes place d = if Rat.sign d > 0 then passing ~start:place.time ~lasts:d state
@@ -266,10 +300,15 @@ let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy 
                                             ~at:Span.none
     | Some _ -> finish run limits emit place ahead
     | None -> go ()
-  and go_on place guide index among taken =
+  and go_on place guide index among ~free taken =
     let next = advance place guide taken in
-    emit (Step { number = next.taken; index; among; time = next.time; taken; changes; state });
+    reached := next;
+    emit (Step { number = next.taken; index; among; free; time = next.time; taken; changes; state; part });
     from next
   in
   emit (Start (state ()));
-  from { time = Rat.zero; taken = 0; still = 0; guide }
+  let result = from !reached in
+  (match result with
+   | Error (Interrupted _) -> break_off run emit !reached ~within_step:!within_step
+   | Ok _ | Error (Fault _ | Refused _) -> ());
+  result

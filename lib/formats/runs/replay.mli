@@ -37,6 +37,7 @@ type ending =
   | Quiescent  (** nothing will ever happen again *)
   | Stuck of given_up  (** neither time nor anything else can go on (rule DeadEnd) *)
   | Zeno  (** the Zeno guard stopped it *)
+  | Broken_off  (** it was interrupted, and {!run} returns [Interrupted] *)
 
 (** An event of a run. Whole states cost more than the transitions of a large network, so they are computed on
     demand. The functions may only be called while the event is emitted. *)
@@ -48,11 +49,13 @@ type event =
       (** its number among the successors. A passing of time below the greatest one has its number, and if
           time may pass for ever, the number after all others *)
       among : int;
+      free : bool;  (** it was one of several choices, where all that chance decides is one choice *)
       time : Rat.t;  (** model time after it *)
       taken : Run.alternative;
       changes : unit -> Event_run.changes option;
       (** [Run.changes] since its last call. To follow a run by its changes, call it after each step. *)
       state : unit -> State.t;  (** after it *)
+      part : int list -> State.t;  (** of this state, the processes that have some of these leaves *)
     }
   | Instant of { offset : Rat.t; time : Rat.t; state : State.t }
   (** the run ends within a passing of time, [offset] after the last transition *)

@@ -66,6 +66,14 @@ let bounce =
       maybe "touching" (list pair) touching ~about:"The pairs of bodies that touch, or of parts of them.";
     ]
 
+let tie_chance part =
+  let chance x =
+    let label, chance = part x in
+    if Transition.is_drawn label then None else chance
+  in
+  maybe "chance" Shared.rational chance
+    ~about:"Its probability, where chance decides which of several urgent transitions comes first (rule Ties)."
+
 let draw_members =
   all
     [

@@ -8,6 +8,11 @@ open Scc_json
 val label_format : (Model.t * Transition.label, unit) Json_format.t
 (** The format of a transition label [{"kind", "text", …}]: its kind, its text, and its parts by name. *)
 
+val tie_chance : ('a -> Transition.label * Scc_exact.Rat.t option) -> ('a, unit) Json_format.members
+(** [tie_chance part] is the member ["chance"] of a transition that is one of several urgent ones in a model that draws
+    ties (rule Ties). [part x] is its label, and its probability if chance decides. Other transitions do not have
+    the member. *)
+
 val state_format : (Model.t * State.t, unit) Json_format.t
 (** The format of a state in full. *)
 

@@ -79,17 +79,20 @@ let ending : Replay.ending -> string = function
   | Quiescent -> "quiescent"
   | Stuck _ -> "stuck"
   | Zeno -> "zeno"
+  | Broken_off -> "interrupted"
 
 let diagnostic m : Replay.ending -> _ = function
   | Stuck given_up -> Some ((fun _ -> None), Replay.diagnostic m given_up)
-  | Open | Quiescent | Zeno -> None
+  | Open | Quiescent | Zeno | Broken_off -> None
 
 let diagnostic_member =
   maybe "diagnostic" Diag_json.format (fun (m, e) -> diagnostic m e) ~about:"With stuck: why and where (SC0602)."
 
 let ending_format =
-  word Fun.id [ "open"; "quiescent"; "stuck"; "zeno" ]
-  |> from ending |> about "stuck: a dead end, in which the run is over."
+  word Fun.id [ "open"; "quiescent"; "stuck"; "zeno"; "interrupted" ]
+  |> from ending
+  |> about
+    "stuck: a dead end, in which the run is over. interrupted: by a signal, and nothing is said of what follows."
 
 let end_members =
   let bounds = fields [ field "low" totals fst; field "high" totals snd ] in

@@ -17,7 +17,7 @@ val ending_format : (Replay.ending, string) Json_format.t
 (** The format of the end of a run, as the word of {!ending}. *)
 
 val ending : Replay.ending -> string
-(** The word for the end of a run: ["open"], ["quiescent"], ["stuck"] or ["zeno"]. *)
+(** The word for the end of a run: ["open"], ["quiescent"], ["stuck"], ["zeno"] or ["interrupted"]. *)
 
 val why : Model.t -> Replay.ending -> (string * Json.t) list
 (** The member ["diagnostic"] (SC0602) of a run that is [Stuck], and nothing for any other. *)

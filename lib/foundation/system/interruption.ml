@@ -96,14 +96,33 @@ let leave_to_parent () =
   set Sys.Signal_ignore [ Sys.sigint; Sys.sighup ];
   set Sys.Signal_default [ Sys.sigterm; Sys.sigxcpu ]
 
+let request = Sys.sigusr1
+
+(* Seconds in which work ends by itself after a request of the parent, before it is broken off. *)
+let gentle = 0.2
+
+(* A signal to all processes of the program reaches the parent, which requests what it wants. *)
+let leave_requests_to_parent () =
+  let parent = Unix.getppid () in
+  let requested _ =
+    if not (heard ()) then begin
+      first := Unix.gettimeofday ();
+      ignore (Unix.setitimer ITIMER_REAL { it_interval = 0.; it_value = gentle })
+    end
+  in
+  Sys.set_signal Sys.sigalrm (Signal_handle (fun _ -> if !waiting > 0 then break_off ()));
+  Sys.set_signal Sys.sigterm (Signal_handle (fun s -> if Unix.getppid () <> parent then end_by s));
+  Sys.set_signal request (Signal_handle requested)
+
 (* No handler of this process is ever called in the other one. *)
-let fork work =
-  let before = Unix.sigprocmask SIG_BLOCK (Sys.sigalrm :: signals) in
+let fork ?(obedient = false) work =
+  let before = Unix.sigprocmask SIG_BLOCK (request :: Sys.sigalrm :: signals) in
   let unblock () = ignore (Unix.sigprocmask SIG_SETMASK before) in
   match Unix.fork () with
   | 0 ->
     leave_to_parent ();
     Sys.set_signal Sys.sigalrm Sys.Signal_default;
+    if obedient then leave_requests_to_parent ();
     unblock ();
     work ()
   | pid ->

@@ -50,6 +50,13 @@ val expire : string -> unit
 val ignored : unit -> unit
 (** [ignored ()] ignores all {!signals} from now on: the program is ending. *)
 
-val fork : (unit -> int) -> int
+val fork : ?obedient:bool -> (unit -> int) -> int
 (** [fork work] starts a process that leaves the signals of a terminal to this one and runs [work], which must
-    not return. The result is the number of the process. [Unix.Unix_error] if the system refuses it. *)
+    not return. The result is the number of the process. [Unix.Unix_error] if the system refuses it.
+
+    An [obedient] process (default: false) also leaves SIGTERM to this one, while this one lives. It is asked to
+    end by the signal {!request}: then {!heard} is true there. After 0.2 seconds more, its work within {!at_once}
+    is ended by {!Interrupted}. *)
+
+val request : int
+(** The signal that asks an obedient process of {!fork} to end: SIGUSR1. *)

@@ -19,14 +19,16 @@ val most_deaths : int
 (** 10: the number of workers in a row that one task may bring to an end before the pool gives up. *)
 
 val run :
+  ?patience:float ->
   jobs:int ->
   first:int ->
   count:int ->
   work:(int -> 'a) ->
   interrupted:(unit -> bool) ->
   each:(int -> 'a -> unit) ->
+  unit ->
   (unit, stop) result
-(** [run ~jobs ~first ~count ~work ~interrupted ~each] works on the tasks [first] to [count - 1] with [jobs]
+(** [run ~jobs ~first ~count ~work ~interrupted ~each ()] works on the tasks [first] to [count - 1] with [jobs]
     workers.
 
     [work] is called in a worker, even if [jobs] is 1, so that a long task can be abandoned. It may be called again
@@ -35,4 +37,9 @@ val run :
 
     [each] is called in this process, with the task and its result, by increasing tasks, up to the task at which
     the run stops. [interrupted] is called a few times a second; when it is true the run stops. Output that was
-    flushed before is not printed twice. *)
+    flushed before is not printed twice.
+
+    When the run stops, workers are killed, and their tasks are lost. With [patience], their tasks are asked to end
+    instead ({!Interruption.fork}, [obedient]), and [work] may return what it has: from then on
+    {!Interruption.heard} is true there, and a little later {!Interruption.Interrupted} is raised in it. [each] is
+    called for these results too, up to the first task of which nothing is heard within [patience] seconds. *)

@@ -30,7 +30,7 @@ type rigid = {
 }
 
 type steps = Shared | Own | Steady
-type collisions = In_turn | Together
+type collisions = In_turn | Together | Drawn
 type binding = On_collision | On_contact
 type bonds = Acyclic | Cyclic
 type blocked = Bounce | Stop | Wait
@@ -63,6 +63,8 @@ let closes_rings m = match m.bonds with Cyclic -> true | Acyclic -> false
 let stops_walkers m = match m.blocked with Stop | Wait -> true | Bounce -> false
 let draws m = Array.exists (fun l -> Law.draws l.law) m.leaves
 let leaves_to_chance m = m.lots || draws m
+let draws_ties m = match m.collisions with Drawn -> true | In_turn | Together -> false
+let decides_by_chance m = leaves_to_chance m || draws_ties m
 let straight m = not (m.steered || has_turns m || m.lots)
 let absorbs m = Array.exists (fun (l : leaf) -> l.absorbs) m.leaves
 

@@ -53,6 +53,7 @@ type steps =
 type collisions =
   | In_turn  (** two processes at a time, in every order (reading I-8) *)
   | Together  (** all of them as one (reading I-32) *)
+  | Drawn  (** as [In_turn], and chance decides which urgent transition comes first (rule Ties) *)
 
 (** When open, compatible channels bind whose active surfaces meet. *)
 type binding =
@@ -128,6 +129,12 @@ val draws : t -> bool
 
 val leaves_to_chance : t -> bool
 (** [leaves_to_chance m] is true if velocities ({!draws}) or splits (the field [lots]) of [m] are drawn. *)
+
+val draws_ties : t -> bool
+(** [draws_ties m] is true if chance decides which urgent transition of [m] comes first (rule Ties). *)
+
+val decides_by_chance : t -> bool
+(** [decides_by_chance m] is true if chance decides something in [m]: {!leaves_to_chance} or {!draws_ties}. *)
 
 val straight : t -> bool
 (** [straight m] is true if [m] is neither steered nor has turns or lots. Then each process moves in a straight

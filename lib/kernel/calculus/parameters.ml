@@ -47,7 +47,10 @@ let listed (m : Model.t) s =
   (if may_split m s then [ splits m.splits ] else [])
   @ (if not (m.steered || Option.is_some m.rigid) then []
      else [ ("timestep", Rat.to_string m.timestep ^ steps m) ])
-  @ (match m.collisions with Together -> [ ("collisions", "together") ] | In_turn -> [])
+  @ (match m.collisions with
+      | Together -> [ ("collisions", "together") ]
+      | Drawn -> [ ("collisions", "drawn") ]
+      | In_turn -> [])
   @ (match m.binding with On_contact -> [ ("binding", "contact") ] | On_collision -> [])
   @ (match m.bonds with Cyclic -> [ ("bonds", "cyclic") ] | Acyclic -> [])
   @ (match m.blocked with Stop -> [ ("blocked", "stop") ] | Wait -> [ ("blocked", "wait") ] | Bounce -> [])

@@ -150,6 +150,12 @@ let leaf_opt p leaf =
 
 let has_leaf p leaf = Array.exists (fun (l : leaf) -> l.leaf = leaf) p.leaves
 
+let with_leaves (s : t) leaves =
+  let wanted = Array.make (1 + List.fold_left Int.max (-1) leaves) false in
+  List.iter (fun leaf -> wanted.(leaf) <- true) leaves;
+  let is_wanted (l : leaf) = l.leaf < Array.length wanted && wanted.(l.leaf) in
+  restricted s (fun i -> Array.exists is_wanted s.processes.(i).leaves)
+
 let leaf_of p leaf =
   match leaf_opt p leaf with
   | Some l -> l

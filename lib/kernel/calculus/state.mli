@@ -133,6 +133,9 @@ val mapi : (int -> process -> process) -> t -> t
 val restricted : t -> (int -> bool) -> t
 (** [restricted s stays] is [s] with only the processes whose indices pass the test. *)
 
+val with_leaves : t -> int list -> t
+(** [with_leaves s leaves] is [s] with only the processes that have some of these leaves. *)
+
 val at : step:step option -> time:Rat.t option -> t -> t
 (** [at ~step ~time s] is the processes of [s], in this movement step and at this absolute time. *)
 

@@ -40,6 +40,7 @@ type t = {
   flights : Flights.t;
   agenda : event Heap.t;
   bodies : body option array;  (** by first leaf *)
+  homes : int array;  (** by leaf: the first leaf of the process that had it last *)
   mutable frame : State.t;  (** the movement step and the absolute time now, without processes *)
   mutable steered : int;  (** how many bodies laws move *)
   mutable now : Rat.t;  (** since the start *)
@@ -132,6 +133,7 @@ let enter t (p : State.process) =
   if b.is_steered then t.steered <- t.steered + 1;
   touch t flight.first;
   t.bodies.(flight.first) <- Some b;
+  Array.iter (fun (l : State.leaf) -> t.homes.(l.leaf) <- flight.first) p.leaves;
   schedule t b
 
 let body t first =
@@ -226,6 +228,15 @@ let all t which =
   let add all b = if which b then present t b :: all else all in
   List.rev (Array.fold_left (fun all b -> Option.fold ~none:all ~some:(add all) b) [] t.bodies)
 
+let with_leaves t leaves =
+  let home leaf =
+    let first = t.homes.(leaf) in
+    let has b = State.has_leaf b.process leaf in
+    if Option.fold ~none:false ~some:has t.bodies.(first) then Some first else None
+  in
+  let firsts = List.sort_uniq Int.compare (List.filter_map home leaves) in
+  List.map (fun first -> present t (body t first)) firsts
+
 let steered t = all t (fun b -> b.is_steered)
 let unsteered t = all t (fun b -> not b.is_steered)
 
@@ -290,6 +301,7 @@ let start semantics ~step (s : State.t) =
       flights = Flights.create semantics;
       agenda = Heap.create ~near:(fun e -> Rat.to_float (time_of e)) ~compare:by_time;
       bodies = Array.make leaves None;
+      homes = Array.init leaves Fun.id;
       frame = State.make ~processes:[] ~step ~time:s.time;
       steered = 0;
       now = Rat.zero;

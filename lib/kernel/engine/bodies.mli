@@ -58,6 +58,10 @@ val steered : t -> State.process list
 val unsteered : t -> State.process list
 (** The other processes as they are now, in order. It takes time proportional to the size of the network. *)
 
+val with_leaves : t -> int list -> State.process list
+(** [with_leaves t leaves] is the processes that have some of these leaves as they are now, in order, apart from
+    draws. It takes time proportional to the number of [leaves], and not to the size of the network. *)
+
 val any_steered : t -> bool
 (** [any_steered t] is true if some process is steered. *)
 

@@ -35,5 +35,23 @@ let draw d velocity =
   d.chances <- None;
   d.left = []
 
+let find d first =
+  let all = d.undrawn.processes in
+  let rec within low high =
+    if low >= high then None
+    else
+      let middle = (low + high) / 2 in
+      let there = all.(middle).leaves.(0).leaf in
+      if there = first then Some all.(middle)
+      else if there < first then within (middle + 1) high
+      else within low middle
+  in
+  within 0 (Array.length all)
+
 let before d (p : State.process) = d.drawn.(p.leaves.(0).leaf)
 let state d = Steer.drawn (before d) d.undrawn
+
+let drawn d processes =
+  let waiting (p : State.process) = Option.value (find d p.leaves.(0).leaf) ~default:p in
+  let { State.step; time; _ } = d.undrawn in
+  Steer.drawn (before d) (State.make ~processes:(List.map waiting processes) ~step ~time)

@@ -24,5 +24,8 @@ val draw : t -> Vec.t -> bool
 val before : t -> State.process -> Vec.t option
 (** [before d p] is the velocity that [p] has drawn; [None] if it has not drawn. *)
 
+val drawn : t -> State.process list -> State.t
+(** [drawn d processes] is {!state} with [processes] alone, which are there apart from draws, in order. *)
+
 val state : t -> State.t
 (** The state of {!waiting}, with the draws that have been made. *)

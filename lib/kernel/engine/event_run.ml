@@ -59,7 +59,7 @@ let doubt_all t outcomes =
 let collisions_now t =
   let together processes = doubt_all t (Network.together t.semantics processes) in
   match (model t).collisions with
-  | In_turn -> Bodies.collisions t.bodies (fun p q -> together [| p; q |])
+  | In_turn | Drawn -> Bodies.collisions t.bodies (fun p q -> together [| p; q |])
   | Together ->
     let collisions = Array.of_list (together (Array.of_list (Bodies.involved t.bodies))) in
     (Array.length collisions, Array.get collisions)
@@ -120,6 +120,21 @@ let event t i =
     else if i < urgent then Happens c.urgent.(i)
     else if i < urgent + weak then Happens c.weak.(i - urgent)
     else Collides (c.collision (i - urgent - weak))
+
+let tie t =
+  if Option.is_some t.draws || not (Model.draws_ties (model t)) then None
+  else
+    let c = choices t in
+    let urgent = Array.length c.urgent and weak = Array.length c.weak in
+    let outcome k = if k < urgent then c.urgent.(k) else c.collision (k - urgent) in
+    let deed k = Ties.deed (outcome k) in
+    if urgent + c.collisions < 2 then None
+    else
+      let pick source =
+        let k = Ties.pick source (urgent + c.collisions) deed in
+        if k < urgent then k else k + weak
+      in
+      Some { Ties.others = List.init weak (fun k -> urgent + k); pick }
 
 let choice t i = match t.draws with Some _ -> Drawn i | None -> event t i
 let drawn_label draws chances i = Steer.draw_label (Draws.drawer draws) (Array.get chances i)
@@ -219,6 +234,13 @@ let state t =
     | None -> Bodies.steered t.bodies
   in
   State.make ~processes:(Bodies.unsteered t.bodies @ steered) ~step ~time
+
+let part t leaves =
+  let processes = Bodies.with_leaves t.bodies leaves in
+  let { State.step; time; _ } = Bodies.frame t.bodies in
+  match t.draws with
+  | Some draws -> State.at ~step ~time (Draws.drawn draws processes)
+  | None -> State.make ~processes ~step ~time
 
 type changes = Bodies.changes = { gone : int list; come : State.process list }
 

@@ -41,6 +41,9 @@ val count : t -> int
 val label : t -> int -> Transition.label
 (** The label of the alternative with a number. *)
 
+val tie : t -> Ties.tie option
+(** What chance decides between urgent transitions now, if it does (rule Ties). *)
+
 val take : t -> int -> alternative
 (** Takes the alternative with a number and returns it. *)
 
@@ -52,6 +55,10 @@ val elapsed : t -> Rat.t
 
 val state : t -> State.t
 (** The present state, in full. It takes time proportional to the size of the network. *)
+
+val part : t -> int list -> State.t
+(** [part t leaves] is {!state} without the processes that have none of these leaves. Its time does not depend on
+    the size of the network. *)
 
 val velocity : t -> int -> Vec.t
 (** The velocity of the process with this first leaf, in the world. It is a bug if no process begins with the

@@ -9,7 +9,7 @@ type alternative = Event_run.alternative = {
 }
 
 (* What may happen, of a network that does not run from event to event. *)
-type ahead = Draws of Draws.t | Events of (alternative * State.t) array
+type ahead = Draws of Draws.t | Events of (alternative * Transition.t) array
 
 type stepwise = {
   semantics : Semantics.t;
@@ -43,7 +43,7 @@ let inertial m = Model.straight m && Event_run.can_run m
 
 let seen s (t : Transition.t) =
   let rounded = Totals.added (Semantics.model s.semantics) t in
-  ({ label = t.label; rules = t.rules; rounded }, t.target)
+  ({ label = t.label; rules = t.rules; rounded }, t)
 
 let look s =
   match Draws.waiting s.semantics s.present with
@@ -60,29 +60,40 @@ let ahead s =
     s.ahead <- Some ahead;
     ahead
 
-type labels = { count : int; label : int -> Transition.label }
+type labels = { count : int; label : int -> Transition.label; tie : Ties.tie option }
 
 let list labels = List.init labels.count labels.label
+
+(* Where chance decides between urgent transitions. *)
+let tie transitions =
+  let with_chance i (t : Transition.t) = Option.map (fun chance -> (i, chance)) t.chance in
+  match List.filter_map Fun.id (List.mapi with_chance transitions) with
+  | (i, _) :: _ as urgent when not (Transition.is_drawn (List.nth transitions i).label) ->
+    let others i = if List.mem_assoc i urgent then None else Some i in
+    let pick (source : Ties.source) = fst (List.nth urgent (source.by_chance (List.map snd urgent))) in
+    Some { Ties.others = List.filter_map others (List.init (List.length transitions) Fun.id); pick }
+  | _ -> None
 
 let labels_ahead s =
   let* ahead = ahead s in
   match ahead with
   | Events events ->
-    Ok { count = Array.length events; label = (fun i -> let (a : alternative), _ = events.(i) in a.label) }
+    let label i = let (a : alternative), _ = events.(i) in a.label in
+    Ok { count = Array.length events; label; tie = tie (Array.to_list (Array.map snd events)) }
   | Draws d ->
     let* chances = Draws.chances s.semantics d in
     let drawer = Draws.drawer d in
-    Ok { count = Array.length chances; label = (fun i -> Steer.draw_label drawer chances.(i)) }
+    Ok { count = Array.length chances; label = (fun i -> Steer.draw_label drawer chances.(i)); tie = None }
 
 let labels t =
   match way t with
-  | Eventwise run -> Ok { count = Event_run.count run; label = Event_run.label run }
+  | Eventwise run -> Ok { count = Event_run.count run; label = Event_run.label run; tie = Event_run.tie run }
   | Stepwise s -> labels_ahead s
 
-let go s ((taken : alternative), target) =
+let go s ((taken : alternative), (transition : Transition.t)) =
   Option.iter (fun added -> s.rounded <- Totals.accumulate s.rounded (Lazy.force added)) taken.rounded;
   s.elapsed <- Scc_exact.Rat.add s.elapsed (Transition.duration_of taken.label);
-  s.present <- target;
+  s.present <- transition.target;
   s.ahead <- None;
   taken
 
@@ -124,6 +135,11 @@ let wait t d =
 let changes t = match t.way with Eventwise run -> Some (Event_run.changes run) | Stepwise _ -> None
 let elapsed t = match t.way with Eventwise run -> Event_run.elapsed run | Stepwise s -> s.elapsed
 let state t = match t.way with Eventwise run -> Event_run.state run | Stepwise s -> present s
+
+let part t leaves =
+  match t.way with
+  | Eventwise run -> Event_run.part run leaves
+  | Stepwise s -> State.with_leaves (present s) leaves
 
 (* From event to event, whatever may ever happen gives time a place to pass to: see {!Time.delay}. *)
 let quiescent t =

@@ -27,7 +27,11 @@ type alternative = Event_run.alternative = {
 
 (** The possible transitions: their number, and the label of each by its number, from 0. The record is valid
     until the next step. *)
-type labels = { count : int; label : int -> Transition.label }
+type labels = {
+  count : int;
+  label : int -> Transition.label;
+  tie : Ties.tie option;  (** what chance decides between urgent transitions, if it does (rule Ties) *)
+}
 
 val labels : t -> (labels, Transition.fault) result
 (** The labels of {!Scc_semantics.Network.successors} of the present state, in that order. *)
@@ -47,6 +51,10 @@ val elapsed : t -> Scc_exact.Rat.t
 
 val state : t -> State.t
 (** The present state, in full. It takes time proportional to the size of the network. *)
+
+val part : t -> int list -> State.t
+(** [part t leaves] is {!state} without the processes that have none of these leaves. From event to event, its time
+    does not depend on the size of the network. *)
 
 val inertial : Model.t -> bool
 (** [inertial m] is true if [m] runs from event to event and has no laws of motion. Its runs have {!changes}, which

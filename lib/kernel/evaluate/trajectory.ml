@@ -10,22 +10,37 @@ type t = {
   state : State.t;
   extent : Timeline.extent;
   paths : Path.t array;  (** by process *)
-  homes : int array;  (** by leaf, the index of its process *)
+  home : int -> int;  (** by leaf, the index of its process; -1 if it is in none *)
   arrived : Property.event -> bool;
 }
 
+(* A part of a state may have few processes of many. *)
+let few = 4
+
+let home (model : Model.t) (state : State.t) =
+  if Array.length state.processes <= few then begin
+    let rec from leaf i =
+      if i < 0 || State.has_leaf state.processes.(i) leaf then i else from leaf (i - 1)
+    in
+    fun leaf -> from leaf (Array.length state.processes - 1)
+  end
+  else begin
+    let homes = Array.make (Array.length model.leaves) (-1) in
+    Array.iteri
+      (fun i (p : State.process) -> Array.iter (fun (l : State.leaf) -> homes.(l.leaf) <- i) p.leaves)
+      state.processes;
+    Array.get homes
+  end
+
 let make ?(arrived = fun _ -> false) semantics (state : State.t) extent =
   let model = Semantics.model semantics in
-  let homes = Array.make (Array.length model.Model.leaves) (-1) in
-  Array.iteri
-    (fun i (p : State.process) -> Array.iter (fun (l : State.leaf) -> homes.(l.leaf) <- i) p.leaves)
-    state.processes;
   let for_ever =
     match (extent : Timeline.extent) with
     | Forever -> true
     | Instant | Lasts _ -> false
   in
-  { semantics; state; extent; homes; arrived; paths = Array.map (Path.make ~for_ever model) state.processes }
+  let paths = Array.map (Path.make ~for_ever model) state.processes in
+  { semantics; state; extent; home = home model state; arrived; paths }
 
 let extent semantics state (transitions : Transition.t list) : Timeline.extent =
   let time (t : Transition.t) = match t.label with Time d -> Some d | _ -> None in
@@ -47,7 +62,7 @@ module Stretch = struct
   let semantics c = c
 
   let path s leaf =
-    match s.homes.(leaf) with
+    match s.home leaf with
     | -1 -> None
     | i -> Some s.paths.(i)
 

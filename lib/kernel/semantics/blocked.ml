@@ -68,6 +68,45 @@ let sweeps_meet (c : Semantics.t) two =
   let meet (a, (b : Part.t)) = c.setting.geometry.sweeps_meet a.Part.placed b.placed (path a) (path b) in
   List.exists meet two.parts
 
+type together = { blocks : bool; sweeps : bool; undisturbed : bool }
+
+(* Where both move, one may be stopped at the end by a third, so that the other one runs into it. *)
+let may_react_at_end (c : Semantics.t) (s : State.t) two =
+  let model = Semantics.model c in
+  let p = s.processes.(0) and q = s.processes.(1) in
+  let d = model.timestep in
+  if Vec.is_zero p.velocity || Vec.is_zero q.velocity then binds_at c d p q
+  else
+    let then_ = [| Turn.pass model d p; Turn.pass model d q |] in
+    let at_end (part : Part.t) =
+      let moved = Vec.axpy d (Part.velocity part) part.placed.at in
+      { part with owner = then_.(part.process); placed = { part.placed with at = moved } }
+    in
+    let touch ((a : Part.t), (b : Part.t)) =
+      match c.setting.geometry.relation a.placed b.placed with Touching -> true | Apart | Interpenetrating -> false
+    in
+    let touching = List.filter touch (List.map (fun (a, b) -> (at_end a, at_end b)) two.parts) in
+    touching <> []
+    && Collisions.candidates c then_ { Kinematics.first = 0; second = 1; collide = true; touching } <> []
+
+let together (c : Semantics.t) p q =
+  let s = State.make ~processes:[ p; q ] ~step:None ~time:None in
+  let of_process i (part : Part.t) = Int.equal part.process i in
+  let parts = Array.to_list (Collisions.parts c s.processes) in
+  let ones = List.filter (of_process 0) parts and others = List.filter (of_process 1) parts in
+  let two = { first = 0; second = 1; parts = List.concat_map (fun a -> List.map (fun b -> (a, b)) others) ones } in
+  let overlap ((a : Part.t), (b : Part.t)) =
+    match c.setting.geometry.relation a.placed b.placed with Interpenetrating -> true | Apart | Touching -> false
+  in
+  if List.exists overlap two.parts then { blocks = true; sweeps = true; undisturbed = false }
+  else
+    let in_time = match first_collision c two with
+      | Some t -> Rat.compare t c.setting.model.timestep < 0
+      | None -> false
+    in
+    let undisturbed = not (in_time || may_react_at_end c s two) in
+    { blocks = run_into_each_other c s two; sweeps = sweeps_meet c two; undisturbed }
+
 (* From those that run into something, on through all whose sweeps meet. *)
 let rec spread ~beside blocked = function
   | [] -> blocked

@@ -11,3 +11,15 @@ val waiting : Semantics.t -> kicked:(int -> bool) -> State.t -> State.t
 (** [waiting c ~kicked s] is [s] in which those processes stand still whose kicks are blocked; in models whose
     walkers take all kicks, [s] itself. [s] has the velocities that all have drawn. [kicked] is true for the
     indices of the processes that have drawn now. *)
+
+(** How two processes are to each other on the straight paths of one step. *)
+type together = {
+  blocks : bool;  (** they run together: a kick of either is blocked (rule Blocked, (a) and (b)) *)
+  sweeps : bool;  (** the interiors of their sweeps meet (rule Blocked, (c)) *)
+  undisturbed : bool;  (** they do not collide before the end of the step, nor make a bond, nor absorb, at its
+                           end *)
+}
+
+val together : Semantics.t -> State.process -> State.process -> together
+(** [together c p q] is this for two processes with the velocities that they have drawn, at least one of which is
+    steered. It does not depend on other processes. Two that overlap are disturbed. *)

@@ -204,7 +204,7 @@ let add linked found x =
 let clusters (c : Semantics.t) processes =
   let single = List.map of_meeting (List.filter (fun m -> blocked c processes m = []) (meetings c processes)) in
   match c.setting.model.collisions with
-  | In_turn -> single
+  | In_turn | Drawn -> single
   | Together -> List.fold_left (add (linked c.setting.model processes)) [] single
 
 (* {1 Rule Bounce} *)

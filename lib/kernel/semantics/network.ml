@@ -28,6 +28,7 @@ let finish (c : Semantics.t) ?(fired = []) label rules target =
       rules = rules @ settled.rules;
       fired;
       target = settled.state;
+      chance = (if Transition.is_drawn label then Some (Transition.chance label) else None);
       rounded = settled.rounded;
     }
 
@@ -42,10 +43,12 @@ let after_collision m (step : State.step option) =
 
 (* {1 Transitions} *)
 
-(* An outcome as a transition of the whole network. *)
+(* An outcome as a transition of the whole network, with its deed where ties are drawn (rule Ties). *)
 let happens c (s : State.t) ~step (o : Transition.outcome) =
   let target = State.at ~step ~time:s.time (State.exchange ~gone:o.gone ~come:o.come s) in
-  finish c ~fired:o.fired o.label (Transition.rules o) target
+  let is_tied = Model.draws_ties (Semantics.model c) && Transition.is_urgent o.label in
+  let deed = if is_tied then Some (Ties.deed o) else None in
+  Result.map (fun t -> (deed, t)) (finish c ~fired:o.fired o.label (Transition.rules o) target)
 
 let last_first lists = List.fold_left (fun all list -> List.rev_append list all) [] lists
 
@@ -92,12 +95,21 @@ let draws c s p =
 
 let lots c (s : State.t) due =
   let* outcomes = Splits.lots c due in
-  Result.all (happens c s ~step:s.step) outcomes
+  Result.map (List.map snd) (Result.all (happens c s ~step:s.step) outcomes)
+
+let tied transitions =
+  let odds = Ties.odds (List.filter_map fst transitions) in
+  let by_chance (deed, (t : Transition.t)) =
+    match deed with None -> t | Some deed -> { t with chance = odds deed }
+  in
+  List.map by_chance transitions
 
 let events_and_time c s =
+  let time () = List.map (Result.map (fun t -> (None, t))) (time c s ()) in
   { urgent = of_single c s urgent; weak = of_single c s weak; collisions = collisions c s }
-  |> in_order Fun.id ~time:(time c s)
+  |> in_order Fun.id ~time
   |> Result.all Fun.id
+  |> Result.map tied
 
 let successors c s =
   match (Lots.due (Semantics.model c) s, Steer.next_to_draw c s) with

@@ -35,6 +35,7 @@ type t = {
   rules : Rule.t list;
   fired : Behaviours.derivation list list;
   target : State.t;
+  chance : Rat.t option;
   rounded : State.t option;
 }
 type fault =

@@ -59,6 +59,9 @@ type t = {
   rules : Rule.t list;  (** the rules that made it, the network's rule first *)
   fired : Behaviours.derivation list list;  (** the summands that took part, in each way to do it *)
   target : State.t;
+  chance : Rat.t option;
+  (** its probability, if chance decides: it is drawn ({!is_drawn}), or one of several urgent transitions in a model
+      that draws which comes first (rule Ties) *)
   rounded : State.t option;
   (** if rule Round was used: the processes as they were before it, and nothing else of the target *)
 }

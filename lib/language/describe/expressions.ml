@@ -5,11 +5,14 @@ open Scope
 (* As what the bodies, behaviours and templates of a path are looked up. *)
 type role = Number | Body | Over | Kind
 
+let diffuse = "diffuse"
+
 let rec expr t c (e : Ast.expr) =
   match e.it with
   | Number _ | True | False -> ()
   | Path p -> path t c Number p
   | Co name -> name_channel t c Asked name
+  | Apply (f, es) when c.law && String.equal f.it diffuse -> diffusion t c f es
   | Apply (f, es) -> apply t c f es
   | Apply_in (p, f, es) -> apply_in t c p f es
   | Component (e, axis) ->
@@ -42,6 +45,19 @@ let rec expr t c (e : Ast.expr) =
     Option.iter (bound t c) b;
     expr t c g
   | Event (w, es) -> event t c w es
+
+(* The name of an argument means what the function does. *)
+and diffusion t c f es =
+  let meaning = first [ (fun () -> word Law diffuse) ] in
+  let argument (e : Ast.expr) =
+    match e.it with
+    | Binary (Eq, { it = Path { it = [ { name; indices = [] } ]; _ }; _ }, value) ->
+      known t name meaning;
+      expr t c value
+    | _ -> expr t c e
+  in
+  known t f meaning;
+  List.iter argument es
 
 and measure t c (m : Ast.expr) =
   match m.it with

@@ -189,10 +189,11 @@ let read_body r (body : Program.body) =
   r.group_count <- r.group_count + 1;
   Some ()
 
-let read (c : Context.t) bodies =
+let read (c : Context.t) (program : Program.t) =
   let names = Registry.create c.report in
   let r = { c; names; found = []; count = 0; groups = []; group_count = 0 } in
-  List.iter (fun b -> ignore (read_body r b)) bodies;
+  List.iter (fun b -> ignore (read_body r b)) program.bodies;
+  List.iter (Registry.declare_family names) program.families.bodies;
   {
     leaves = Array.of_list (List.rev r.found);
     processes = Array.of_list (List.rev r.groups);

@@ -37,6 +37,6 @@ type t = {
 val centroid : leaf -> Vec.t
 (** The centroid of a leaf in the world, at {!Context.point}. *)
 
-val read : Context.t -> Program.body list -> t
-(** Reads bodies. Leaves and processes are numbered in the order of declaration. A body with faults, which are
-    reported, is [None]. *)
+val read : Context.t -> Program.t -> t
+(** Reads the bodies of a program. Leaves and processes are numbered in the order of declaration. A body with
+    faults, which are reported, is [None]. *)

@@ -2,7 +2,7 @@ open Scc_base
 open Scc_syntax
 open Scc_calculus
 
-type t = { included : bool array; index : int array; laws : (Law.t * Span.t) array }
+type t = { included : bool array; index : int array; laws : (Law.t * Span.t) array; lattices : Lattices.t list }
 
 let single report env (path : Ast.path) =
   match path.it with
@@ -89,7 +89,7 @@ let rank : Registry.target -> int = function
   | Process _ -> 2
   | Leaf _ -> 3
 
-type assignment = { law : Law.t; rank : int; at : Span.t }
+type assignment = { law : Law.t * Diffusion.lattice option; rank : int; at : Span.t }
 
 let is_fixed (bodies : Bodies.t) i =
   match bodies.leaves.(i) with
@@ -146,10 +146,23 @@ let read_laws report (program : Program.t) (bodies : Bodies.t) =
     match (laws.(i), general) with
     | Some a, _ -> (a.law, a.at)
     | None, Some law when not (is_fixed bodies i) -> law
-    | None, _ -> (Law.Inertial, Span.none)
+    | None, _ -> ((Law.Inertial, None), Span.none)
   in
   Array.init (Array.length bodies.leaves) law
 
+(* Of the bodies that take part. *)
+let lattices bodies included laws =
+  let of_leaf i ((_, lattice), at) =
+    if included.(i) then Option.map (fun lattice -> (leaf_name bodies i, lattice, at)) lattice else None
+  in
+  Lattices.of_bodies (List.filter_map Fun.id (Array.to_list (Array.mapi of_leaf laws)))
+
 let read (c : Context.t) (program : Program.t) (bodies : Bodies.t) =
   let included = included c.report program bodies in
-  { included; index = number included; laws = read_laws c.report program bodies }
+  let laws = read_laws c.report program bodies in
+  {
+    included;
+    index = number included;
+    laws = Array.map (fun ((law, _), at) -> (law, at)) laws;
+    lattices = lattices bodies included laws;
+  }

@@ -6,6 +6,7 @@ type t = {
   included : bool array;  (** by number of the declared leaf *)
   index : int array;  (** its index in the model, or -1 *)
   laws : (Law.t * Scc_base.Span.t) array;  (** with their places, by number of the declared leaf *)
+  lattices : Lattices.t list;  (** of all that take part *)
 }
 
 val read : Context.t -> Program.t -> Bodies.t -> t

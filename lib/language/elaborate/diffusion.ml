@@ -1,6 +1,8 @@
 open Scc_exact
 open Scc_calculus
 
+type lattice = { kick : Rat.t; spread : Rat.t; chosen : bool }
+
 let axes = [ Vec.of_ints 1 0 0; Vec.of_ints 0 1 0; Vec.of_ints 0 0 1 ]
 let constants (d : Vec.t) = [ d.x; d.y; d.z ]
 let sum = List.fold_left Rat.add Rat.zero

@@ -8,11 +8,13 @@ type t = {
   name : string option;
   parameters : (string * Rat.t) list;
   templates : (string * Polyhedron.t) list;
+  families : Repeated.t;
   model : Model.t;
   declared : State.t;
   uncertain : Uncertain.t option;
   checks : Property.check list;
   premises : Property.check list;
+  lattices : Lattices.t list;
   warnings : Diag.t list;
   kept : kept;
 }
@@ -74,7 +76,7 @@ let warn_of_uses c program =
   warn_unused c program
 
 (* Everything is in order. *)
-let build (c : Context.t) bodies composition joints initial written later =
+let build (c : Context.t) bodies (composition : Composition.t) joints initial written later =
   let program = later.program and checks, premises = later.own in
   let definitions = Behaviour.canonical_definitions written in
   let initial = Array.map (Behaviour.canonical written) initial in
@@ -109,11 +111,13 @@ let build (c : Context.t) bodies composition joints initial written later =
     name = program.name;
     parameters = program.parameters;
     templates = templates c program;
+    families = program.families;
     model;
     declared;
     uncertain = Assembly.uncertain bodies composition program.ranges;
     checks;
     premises;
+    lattices = composition.lattices;
     warnings = Report.warnings c.report;
     kept = { later with ended };
   }
@@ -133,7 +137,7 @@ let checks_of (c : Context.t) formulas written =
   (checks, if Report.failed c.report then [] else List.concat_map (Formulas.premises formulas) written)
 
 let read c (program : Program.t) ~whole =
-  let bodies = Bodies.read c program.bodies in
+  let bodies = Bodies.read c program in
   let composition = Composition.read c program bodies in
   let table = Behaviours.create c program in
   let included i = composition.included.(i) in

@@ -11,6 +11,7 @@ type t = {
   name : string option;  (** from [model NAME] *)
   parameters : (string * Rat.t) list;  (** with their values in this run, in order *)
   templates : (string * Polyhedron.t) list;  (** in order of declaration *)
+  families : Repeated.t;  (** those of loops, be they empty or not *)
   model : Model.t;
   declared : State.t;
   (** as declared, before [Scc_semantics] sets clocks and steers. Parameters with ranges have simple numbers
@@ -19,6 +20,7 @@ type t = {
   checks : Property.check list;
   premises : Property.check list;
   (** the premises without which checks hold vacuously ({!Premises}), each with the name of its check *)
+  lattices : Lattices.t list;  (** of the bodies that diffuse *)
   warnings : Diag.t list;
   kept : kept;  (** for {!with_checks} *)
 }

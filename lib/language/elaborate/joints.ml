@@ -21,6 +21,10 @@ let read_end (c : Context.t) env (bodies : Bodies.t) (f : Ast.feature) =
         let*? leaf = bodies.leaves.(i) in
         let*? meaning = Feature_name.on_shape c.report ~own:None leaf.shape { f with prefix = rest } in
         Some (i, meaning)
+      | Some (Process [] | Family []) ->
+        Report.error c.report Code.wrong_kind at
+          "`%s` is a family that has no members here; a bond joins two bodies" name;
+        None
       | Some (Process _ | Family _) ->
         Report.error c.report Code.wrong_kind at
           "`%s` stands for several bodies; a bond joins two of them" name;

@@ -197,46 +197,74 @@ let length c env (e : Ast.expr) =
     None
   | h -> h
 
+let kick_name = "h"
+
+(* The arguments by their places, and the kick if the last one gives it by its name. *)
+let by_name (args : Ast.expr list) =
+  match List.rev args with
+  | { it = Binary (Eq, { it = Path { it = [ { name = { it; _ }; indices = [] } ]; _ }; _ }, h); _ } :: before
+    when String.equal it kick_name ->
+    (List.rev before, Some h)
+  | _ -> (args, None)
+
+let diffuses c ~timestep at ~drift ~kick d =
+  let spread = Diffusion.spread ~timestep d in
+  let chosen = Option.is_none kick in
+  let kick = match kick with Some h -> h | None -> Diffusion.least_kick ~timestep d in
+  match Diffusion.kicks ~timestep ~drift ~kick d with
+  | Ok kicks -> Some (Law.Choose kicks, Some { Diffusion.kick; spread; chosen })
+  | Error least ->
+    Report.error c.Algebra.report Code.bad_law at
+      "kicks of %s are too short to diffuse so fast: their square is less than %s, which is 2 d times the \
+       timestep, of all axes together"
+      (Rat.to_string kick) (Rat.to_string least);
+    None
+
 let diffusion c ~timestep env at args =
   let at_rest = Law.(Const Rat.zero, Const Rat.zero, Const Rat.zero) in
-  let read d drift kick =
+  let read d drift h =
+    let drift = Option.fold ~none:(Some at_rest) ~some:(vector c env) drift in
+    let kick = Option.fold ~none:(Some None) ~some:(fun h -> Option.map Option.some (length c env h)) h in
     match (constants c env d, drift, kick) with
-    | Some d, Some drift, Some kick -> (
-        let kick = match kick with Some h -> h | None -> Diffusion.least_kick ~timestep d in
-        match Diffusion.kicks ~timestep ~drift ~kick d with
-        | Ok kicks -> Some (Law.Choose kicks)
-        | Error least ->
-          Report.error c.Algebra.report Code.bad_law at
-            "kicks of %s are too short to diffuse so fast: their square is less than %s, which is 2 d times the \
-             timestep, of all axes together"
-            (Rat.to_string kick) (Rat.to_string least);
-          None)
+    | Some d, Some drift, Some kick -> diffuses c ~timestep at ~drift ~kick d
     | _ -> None
   in
-  match args with
-  | [ d ] -> read d (Some at_rest) (Some None)
-  | [ d; v ] -> read d (vector c env v) (Some None)
-  | [ d; v; h ] -> read d (vector c env v) (Option.map Option.some (length c env h))
+  match by_name args with
+  | [ d ], h -> read d None h
+  | [ d; v ], h -> read d (Some v) h
+  | [ d; v; h ], None -> read d (Some v) (Some h)
   | _ ->
     Report.error c.report Code.bad_arity at
-      "`diffuse` takes a diffusion constant, and then a drift and the length of a kick, if they are to be said";
+      "`diffuse` takes a diffusion constant, and then a drift and the length of a kick, if they are to be said"
+      ~hint:"`diffuse(1, h = 2)` gives the length without a drift";
     None
 
 let law report budget ~timestep env (l : Ast.law) =
   let c = { Algebra.report; budget } in
+  let plain law = (law, None) in
   match l.it with
-  | Inertial -> Some Law.Inertial
+  | Inertial -> Some (plain Law.Inertial)
   | Expression { it = Apply ({ it = f; _ }, args); at } when String.equal f diffuse ->
     diffusion c ~timestep env at args
-  | Expression v -> Option.map (fun v -> Law.Velocity v) (vector c env v)
+  | Expression v -> Option.map (fun v -> plain (Law.Velocity v)) (vector c env v)
   | Choose kicks -> (
       match Option.all (kick c env) kicks with
       | None -> None
       | Some kicks ->
         let kicks = List.concat kicks in
-        if not (List.for_all is_nothing kicks) then Some (Law.Choose kicks)
+        if not (List.for_all is_nothing kicks) then Some (plain (Law.Choose kicks))
         else begin
           Report.error report Code.bad_law l.at
             "the weights of all velocities are 0, or there is none: there is nothing to choose";
           None
         end)
+
+let some_diffuse =
+  let is_so (i : Ast.item) =
+    match i.it with
+    | Motion (_, { it = Expression { it = Apply ({ it; _ }, _); _ }; _ }) -> String.equal it diffuse
+    | _ -> false
+  in
+  let rec some items = List.exists (fun (i : Ast.item) -> is_so i || some (inner i)) items
+  and inner (i : Ast.item) = match i.it with For (_, items) -> items | _ -> [] in
+  some

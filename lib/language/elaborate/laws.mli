@@ -21,6 +21,10 @@ val speaks_of_a_law : Env.t -> Ast.expr -> bool
 (** [speaks_of_a_law env e] is true if [e] has a variable that only laws have. [time] is none, since formulas
     have it too. *)
 
-val law : Report.t -> Typed.budget -> timestep:Rat.t -> Env.t -> Ast.law -> Law.t option
-(** Elaborates a law. A choice without velocities, or with weights that are all 0, is SC0601. So is a weight
-    that is negative in every state. *)
+val some_diffuse : Ast.model -> bool
+(** [some_diffuse m] is true if some law of [m] is [diffuse]. *)
+
+val law :
+  Report.t -> Typed.budget -> timestep:Rat.t -> Env.t -> Ast.law -> (Law.t * Diffusion.lattice option) option
+(** Elaborates a law, with the lattice of [diffuse]. A choice without velocities, or with weights that are all 0,
+    is SC0601. So is a weight that is negative in every state. *)

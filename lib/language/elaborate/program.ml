@@ -35,6 +35,7 @@ type t = {
   steps : Model.steps;
   splits : Model.splits;
   settings : Settings.t;
+  families : Repeated.t;
   bodies : body list;
   bonds : (Env.t * Ast.bond) list;
   behaviours : (string, behaviour) Hashtbl.t;
@@ -354,7 +355,7 @@ let gather c overrides narrowed =
     overflow = false;
   }
 
-let program g ~last =
+let program g model ~last =
   let value step ~default = match step with Some (Some q, _) -> q | Some (None, _) | None -> default in
   let timestep = value g.delta ~default:Rat.one in
   {
@@ -367,6 +368,7 @@ let program g ~last =
     steps = g.steps;
     splits = value g.split ~default:(Model.Every timestep);
     settings = g.settings;
+    families = Repeated.of_model model;
     bodies = List.rev g.all_bodies;
     bonds = List.rev g.all_bonds;
     behaviours = g.behaviour_table;
@@ -390,4 +392,4 @@ let read c ~overrides ~narrowed model =
   let after = List.fold_left (item g) (at_top c.root) model in
   Overrides.check g.overrides c.report Span.none;
   if List.length model = 0 then Report.error c.report Code.empty_model Span.none "the model declares nothing";
-  if g.overflow then None else Some (program g ~last:after.env)
+  if g.overflow then None else Some (program g model ~last:after.env)

@@ -46,6 +46,7 @@ type t = {
   steps : Model.steps;
   splits : Model.splits;
   settings : Settings.t;  (** of rigid motion *)
+  families : Repeated.t;
   bodies : body list;
   bonds : (Env.t * Ast.bond) list;
   behaviours : (string, behaviour) Hashtbl.t;

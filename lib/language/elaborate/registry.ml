@@ -25,6 +25,14 @@ let add_to_family t (s : Ast.segment) target =
     family.target <- Family (List.rev_append (leaves target) earlier)
   | Some { target = Leaf _ | Process _; span } -> taken t s.name.at s.name.it span
 
+let declare_family t (name : Ast.name) =
+  match Hashtbl.find_opt t.entries name.it with
+  | None -> Hashtbl.add t.entries name.it { target = Family []; span = name.at }
+  | Some { target = Family _; _ } -> ()
+  | Some { target = Leaf _ | Process _; span } ->
+    let first, second = if span.start < name.at.start then (span, name.at) else (name.at, span) in
+    taken t second name.it first
+
 let add t (s : Ast.segment) printed target =
   match Hashtbl.find_opt t.entries printed with
   | Some first -> taken t s.name.at printed first.span

@@ -17,6 +17,10 @@ val add : t -> Ast.segment -> string -> target -> unit
 (** [add t segment printed target] enters a leaf or a process by its printed name ([c[3]]). If the name has
     indices, its leaves also join the family. A name in use is SC0202. *)
 
+val declare_family : t -> Ast.name -> unit
+(** [declare_family t name] enters a family without members, unless the family has members already. A name in use
+    for something else is SC0202. *)
+
 val find : t -> string -> target option
 (** The body, process or family of a printed name. *)
 

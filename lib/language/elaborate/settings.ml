@@ -46,7 +46,9 @@ let dynamics t report (name : Ast.name) =
   t.dynamics <- once report t.dynamics "dynamics" name.at (choice report "dynamics" kinds name)
 
 let read_collisions t report (name : Ast.name) =
-  let kinds : (string * Model.collisions) list = [ ("in_turn", In_turn); ("together", Together) ] in
+  let kinds : (string * Model.collisions) list =
+    [ ("in_turn", In_turn); ("together", Together); ("drawn", Drawn) ]
+  in
   t.collisions <- once report t.collisions "collisions" name.at (choice report "collisions" kinds name)
 
 let read_binding t report (name : Ast.name) =

@@ -16,7 +16,7 @@ val dynamics : t -> Report.t -> Ast.name -> unit
 (** Reads [dynamics]: [constant_spin] or [free_body]. Any other word is SC0201. *)
 
 val read_collisions : t -> Report.t -> Ast.name -> unit
-(** Reads [collisions]: [in_turn] or [together]. Any other word is SC0201. *)
+(** Reads [collisions]: [in_turn], [together] or [drawn]. Any other word is SC0201. *)
 
 val read_binding : t -> Report.t -> Ast.name -> unit
 (** Reads [binding]: [collision] or [contact]. Any other word is SC0201. *)

@@ -23,6 +23,9 @@ let resolve_leaf t (name, at) =
   let number =
     match Registry.find t.bodies.registry name with
     | Some (Leaf i) | Some (Process [ i ]) -> Some i
+    | Some (Process [] | Family []) ->
+      error t Code.wrong_kind at "`%s` is a family that has no members here, and one body is expected" name;
+      None
     | Some (Process _ | Family _) ->
       error t Code.wrong_kind at "`%s` stands for several bodies, and one is expected here" name
         ~hint:"name one of them, or use `forall`, `exists` or `count`";

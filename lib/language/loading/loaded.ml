@@ -14,6 +14,8 @@ type t = {
   uncertain : Uncertain.t option;
   checks : Property.check list;
   premises : Property.check list;
+  families : Scc_elaborate.Repeated.t;
+  lattices : Scc_elaborate.Lattices.t list;
   warnings : Diag.t list;
   at_values : (string * Rat.t) list -> (t, Diag.t list) result;
   beside : Scc_syntax.Ast.model -> (t, Diag.t list) result;
@@ -41,9 +43,13 @@ let rec of_tree ~read_file ~overrides ?narrowed source tree =
   let digest = Origin.digest ~text:(Source.text source) ~files in
   let rec loaded items elaborated =
     let* (e : Scc_elaborate.Elaborate.t) = Result.map_error (fun errors -> errors @ misleading) elaborated in
-    let { Scc_elaborate.Elaborate.model; declared; uncertain; checks; premises; warnings; _ } = e in
+    let { Scc_elaborate.Elaborate.model; declared; uncertain; checks; premises; families; lattices; warnings; _ } =
+      e
+    in
     let warnings = misleading @ warnings in
-    let settings = Scc_calculus.Parameters.listed model declared in
+    let settings =
+      List.append (Scc_calculus.Parameters.listed model declared) (Scc_elaborate.Lattices.settings lattices)
+    in
     let origin = { Origin.name = e.name; digest; parameters = e.parameters; settings } in
     let at_values values =
       of_tree ~read_file ~overrides:(overrides @ values) ?narrowed source (List.append tree items)
@@ -52,7 +58,7 @@ let rec of_tree ~read_file ~overrides ?narrowed source tree =
     Ok
       {
         source; origin; semantics = Standard.of_model model; model; declared; uncertain; checks; premises;
-        warnings; at_values; beside;
+        families; lattices; warnings; at_values; beside;
       }
   in
   loaded [] elaborated

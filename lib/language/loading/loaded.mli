@@ -20,6 +20,8 @@ type t = {
   (** The premises of the checks, each with the name of its check: a check whose premise never comes true is
       vacuous. They are decided beside the checks, and prolong no exploration. A check is never decided before
       its premise has been met or all is explored. *)
+  families : Scc_elaborate.Repeated.t;  (** those of loops, be they empty or not *)
+  lattices : Scc_elaborate.Lattices.t list;  (** of the bodies that diffuse *)
   warnings : Diag.t list;
   at_values : (string * Rat.t) list -> (t, Diag.t list) result;  (** see {!at} *)
   beside : Scc_syntax.Ast.model -> (t, Diag.t list) result;  (** see {!with_checks} *)

@@ -12,6 +12,7 @@ exception Too_long
 type 'a t = {
   zero : 'a;
   one : 'a;
+  integer : Z.t -> 'a;
   mean : weights -> (int -> 'a) -> 'a;
   compare : 'a -> 'a -> int;
   to_rat : 'a -> Rat.t;
@@ -61,7 +62,8 @@ let exact ~base ~bits =
     let e = Int.max x.e y.e in
     Z.compare (raised x e) (raised y e)
   in
-  { zero = { n = Z.zero; e = 0 }; one = { n = Z.one; e = 0 }; mean = unless_certain mean; compare; to_rat }
+  let integer n = { n; e = 0 } in
+  { zero = integer Z.zero; one = integer Z.one; integer; mean = unless_certain mean; compare; to_rat }
 
 (* {1 Fractions} *)
 
@@ -71,7 +73,8 @@ let rational ~bits =
     Array.iteri (fun i w -> total := Rat.add !total (Rat.mul (Rat.make w sum) (value i))) weight;
     bounded bits !total
   in
-  { zero = Rat.zero; one = Rat.one; mean = unless_certain mean; compare = Rat.compare; to_rat = Fun.id }
+  let integer n = Rat.make n Z.one in
+  { zero = Rat.zero; one = Rat.one; integer; mean = unless_certain mean; compare = Rat.compare; to_rat = Fun.id }
 
 (* {1 Rounded} *)
 
@@ -88,10 +91,12 @@ let rounded direction =
   {
     zero = Z.zero;
     one = unit;
+    integer = Z.mul unit;
     mean = unless_certain mean;
     compare = Z.compare;
     to_rat = (fun n -> Rat.make n unit);
   }
 
 let nothing =
-  { zero = (); one = (); mean = (fun _ _ -> ()); compare = (fun () () -> 0); to_rat = (fun () -> Rat.zero) }
+  let to_rat () = Rat.zero in
+  { zero = (); one = (); integer = ignore; mean = (fun _ _ -> ()); compare = (fun () () -> 0); to_rat }

@@ -1,5 +1,5 @@
-(** Kinds of numbers from 0 to 1 in which means over branches are computed. The branches of one choice have integer
-    weights over a common denominator, so that a mean is a sum of products by small integers, without a greatest
+(** Kinds of numbers of at least 0 in which means over branches are computed. The branches of one choice have
+    integer weights over a common denominator, so that a mean is a sum of products by small integers, without a greatest
     common divisor. *)
 
 open Scc_exact
@@ -18,6 +18,7 @@ exception Too_long
 type 'a t = {
   zero : 'a;
   one : 'a;
+  integer : Z.t -> 'a;  (** of at least 0 *)
   mean : weights -> (int -> 'a) -> 'a;
   (** [mean w value] is the sum of [value i] times the probability of branch [i]. It may raise {!Too_long}. *)
   compare : 'a -> 'a -> int;

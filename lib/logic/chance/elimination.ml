@@ -98,20 +98,47 @@ let eliminate s ~check i =
   List.iter (fun (j, _) -> wait s j) others;
   { unknown = i; at_least = constant; others }
 
+(* From here on elimination makes more entries than it removes. *)
+let fills s i = cost s i > Table.length s.out.(i) + Table.length s.into.(i)
+let few = 40
+
+(* Those that are left, as a system of their own. *)
+let rest s ~bits ~interrupted =
+  let left = List.filter (fun i -> s.left.(i)) (List.init (Array.length s.left) Fun.id) |> Array.of_list in
+  let place = Table.create (Array.length left) in
+  Array.iteri (fun k i -> Table.replace place i k) left;
+  let row k =
+    let i = left.(k) in
+    (k, Rat.sub Rat.one s.own.(i)) :: List.map (fun (j, p) -> (Table.find place j, Rat.neg p)) (pairs s.out.(i))
+  in
+  let constant k = s.constant.(left.(k)) in
+  match Lifting.solve ~size:(Array.length left) ~row ~constant ~bits ~interrupted with
+  | Ok values -> Some (Array.to_list (Array.mapi (fun k x -> (left.(k), x)) values))
+  | Error Interrupted -> raise (Given_up Interrupted)
+  | Error Too_long -> raise (Given_up Too_long)
+  | Error Unfit -> None
+
 let solve ~size ~row ~constant ~bits ~interrupted =
   let check x = if Rat.bits x > bits then raise (Given_up Too_long) in
   let s = start ~size ~row ~constant in
-  let rec go solved =
+  let rec go ~lifts ~left solved =
     if interrupted () then raise (Given_up Interrupted);
-    match next s with None -> solved | Some i -> go (eliminate s ~check i :: solved)
+    match next s with
+    | None -> (solved, [])
+    | Some i when lifts && left > few && fills s i -> (
+        match rest s ~bits ~interrupted with
+        | Some known -> (solved, known)
+        | None -> go ~lifts:false ~left:(left - 1) (eliminate s ~check i :: solved))
+    | Some i -> go ~lifts ~left:(left - 1) (eliminate s ~check i :: solved)
   in
-  match go [] with
+  match go ~lifts:true ~left:size [] with
   | exception Given_up why -> Error why
-  | solved ->
+  | solved, known ->
     let x = Array.make size Rat.zero in
+    List.iter (fun (i, value) -> x.(i) <- value) known;
     let value v =
       List.fold_left (fun sum (j, p) -> Rat.add sum (Rat.mul p x.(j))) v.at_least v.others
     in
-    (* The last to be eliminated asks for nothing, and comes first here. *)
+    (* The last to be eliminated asks for nothing but what is known, and comes first here. *)
     List.iter (fun v -> x.(v.unknown) <- value v) solved;
     Ok x

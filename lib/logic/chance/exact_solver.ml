@@ -144,7 +144,7 @@ let improve e part value (row : int array) =
   let next =
     Array.init (part.last - part.first + 1) (fun i ->
         let v = part.first + i in
-        fst (best e at v row.(v)))
+        if Equations.first_row e (v + 1) - Equations.first_row e v = 1 then row.(v) else fst (best e at v row.(v)))
   in
   Array.iteri
     (fun i r ->

@@ -8,8 +8,8 @@ let first_of q : Timeline.moment = { offset = Algebraic.of_rat (Rat.max Rat.zero
 
 (* Where runs may come back to a node in no time, all places are looked at one by one. *)
 let arrivals q w starts =
-  match Layers.make q w starts with
-  | Some layers -> Layers.arrivals layers
+  match Layers.until q w starts with
+  | Some layers -> Layers.arrivals q w layers
   | None ->
     let places = (build ~choices:(choices q w) starts).places in
     let after elapsed (m : Timeline.moment) = { m with offset = Algebraic.add_rat elapsed m.offset } in

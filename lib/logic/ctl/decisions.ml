@@ -75,13 +75,10 @@ let by_flow q w p (flow : Timed_graph.flow) first =
     List.mapi (fun k t -> one (Move (Flow k)) (next q w (after w p t d))) (Array.to_list targets)
 
 let by_edges q w p =
-  let branch k t probability =
+  let branch (k, t, probability) =
     { way = Move (Edge k); next = next q w (after w p t Rat.zero); probability; reward = Rat.zero }
   in
-  let edges = q.graph.edges p.node in
-  match q.graph.drawn p.node with
-  | Some chances -> [ List.mapi (fun k t -> branch k t chances.(k)) (Array.to_list edges) ]
-  | None -> List.mapi (fun k t -> [ branch k t Rat.one ]) (Array.to_list edges)
+  List.map (List.map branch) (Timed_graph.edge_choices q.graph p.node)
 
 let choices q w p =
   let flow = q.graph.flow p.node in

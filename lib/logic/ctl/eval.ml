@@ -12,16 +12,18 @@ type value = { lower : Positions.t; upper : Positions.t }
 type t = {
   index : Timed_graph.index;
   predicates : predicates;
+  effort : Effort.t;
   still : Timed_formula.t -> Timed_formula.t option;
   mutable values : value Map.t;
   mutable fresh : Timed_formula.t list;  (** what got its value since something was forgotten *)
 }
 
-let create ?(still = fun _ -> None) index predicates =
-  { index; predicates; still; values = Map.empty; fresh = [] }
+let create ?(effort = Effort.default) ?(still = fun _ -> None) index predicates =
+  { index; predicates; effort; still; values = Map.empty; fresh = [] }
 
 let index t = t.index
 let graph t = Timed_graph.graph t.index
+let effort t = t.effort
 let predicates t = t.predicates
 
 type until = {
@@ -104,7 +106,7 @@ let likely t ({ side; test } : Timed_formula.chance) bound f g =
   let question generous side_of : Likelihood.question =
     { graph = graph t; side; bound; f = side_of f; g = side_of g; generous }
   in
-  let effort = { Effort.default with bound = Some test } in
+  let effort = { t.effort with bound = Some test } in
   let low = question false (fun v -> v.lower) and high = question true (fun v -> v.upper) in
   let surely a = Answer.holds a test = Some true and perhaps a = Answer.holds a test <> Some false in
   let upwards = match test.relation with At_least_so | More -> true | At_most | Less -> false in
@@ -211,7 +213,7 @@ let probability t ~decide side f position =
       | Chance { test; _ } -> Some test
       | All | Exists -> None
     in
-    let effort = { Effort.default with bound = if decide then asked u.quantifier else None } in
+    let effort = { t.effort with bound = if decide then asked u.quantifier else None } in
     let side = if flipped then Timed_formula.other_side side else side in
     let low, high = interval t effort side u.bound (value t u.left) (value t u.right) position in
     if flipped then { least = Answer.complement high; most = Answer.complement low }
@@ -236,7 +238,7 @@ let curve t side f node =
     in
     let points moments =
       let at = Curve.horizons moments ~high in
-      let values q = Curve.values q Effort.default node (List.map snd at) in
+      let values q = Curve.values q t.effort node (List.map snd at) in
       let least = values low in
       let most = if exact then least else values high_end in
       let measured a b =
@@ -277,4 +279,4 @@ let likely_run t (u : until) position =
   | All | Exists -> None
   | Chance { side; _ } ->
     let f = (value t u.left).lower and g = (value t u.right).lower in
-    Likelihood.run { graph = graph t; side; bound = u.bound; f; g; generous = false } Effort.default position
+    Likelihood.run { graph = graph t; side; bound = u.bound; f; g; generous = false } t.effort position

@@ -38,18 +38,22 @@ type predicates = {
 type t
 
 val create :
+  ?effort:Scc_chance.Effort.t ->
   ?still:(Timed_formula.t -> Timed_formula.t option) ->
   Timed_graph.index -> predicates -> t
-(** [create ~still index predicates] is an evaluator with a cache of the sets of all sub-formulas. [still g] is
-    a predicate that holds at all positions from which a run may come to [g]; [None] if no such predicate is known.
-    So "f U g" is "(f and still g) U g", which may be known where the former is not: a node at which [still g]
-    fails need not be known. *)
+(** [create ~effort ~still index predicates] is an evaluator with a cache of the sets of all sub-formulas. [effort]
+    is that for probabilities. [still g] is a predicate that holds at all positions from which a run may come to
+    [g]; [None] if no such predicate is known. So "f U g" is "(f and still g) U g", which may be known where the
+    former is not: a node at which [still g] fails need not be known. *)
 
 val index : t -> Timed_graph.index
 (** [index e] is the graph with its reversed edges, as given to {!create}. *)
 
 val graph : t -> Timed_graph.t
 (** [graph e] is the graph. *)
+
+val effort : t -> Scc_chance.Effort.t
+(** [effort e] is the effort for probabilities. *)
 
 val predicates : t -> predicates
 (** [predicates e] is the predicates given to {!create}. *)

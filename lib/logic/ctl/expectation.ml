@@ -65,7 +65,7 @@ let mean_until e side ~earns g =
       { branch with reward = (if up then high else low) }
     in
     let choices p = List.map (List.map (earning p)) (choices q w p) in
-    solve side (Effort.default) (build ~choices [ next q w (place w 0 Rat.zero) ])
+    solve side (Eval.effort e) (build ~choices [ next q w (place w 0 Rat.zero) ])
   in
   let least = answer ~up:false in
   let same = value.lower == value.upper && Timed_graph.complete (Eval.index e) && not !enclosed in
@@ -95,18 +95,13 @@ let steps graph ends number time ~shift (p : place) =
     [ one Nowhere Fail ]
   end
   else
-    let branch k t probability =
+    let branch (k, t, probability) =
       { way = Move (Edge k); next = go t Rat.zero; probability; reward = Rat.zero }
     in
-    let edges = Array.to_list (graph.edges s) in
-    let discrete =
-      match graph.drawn s with
-      | Some chances -> [ List.mapi (fun k t -> branch k t chances.(k)) edges ]
-      | None -> List.mapi (fun k t -> [ branch k t Rat.one ]) edges
-    in
+    let discrete = List.map (List.map branch) (Timed_graph.edge_choices graph s) in
     let timed =
       match graph.flow s with
-      | No_flow when edges = [] && Rat.equal elapsed time -> ending ()
+      | No_flow when discrete = [] && Rat.equal elapsed time -> ending ()
       | No_flow -> []
       | Forever -> ending ()
       | Lasts (d, targets) ->
@@ -126,23 +121,33 @@ let steps graph ends number time ~shift (p : place) =
 let endless time =
   Printf.sprintf "runs that go on for ever within one instant do not come to time %s" (Rat.to_string time)
 
-let value_at e side number time =
+let unknown ends reason = Unknown { reason; unexplored = List.sort_uniq Int.compare ends.unexplored }
+let known answer = Known { least = answer; most = answer }
+
+(* Where runs may come back to a node in no time, there are equations. *)
+let by_equations e side number time start =
   let graph = Eval.graph e in
   let ends = { reason = None; unexplored = []; lowest = None } in
-  let start = [ Go { node = 0; elapsed = Some Rat.zero } ] in
-  let build shift = build ~choices:(steps graph ends number time ~shift) start in
+  let build shift = build ~choices:(steps graph ends number time ~shift) [ start ] in
   (* What is earned is never negative: at first it is only looked what the least is. *)
   let first = build None in
-  let unknown reason = Unknown { reason; unexplored = List.sort_uniq Int.compare ends.unexplored } in
   match (ends.reason, ends.unexplored, ends.lowest) with
   | None, [], Some lowest ->
     let certain = Qualitative.one_min (until first) in
-    if not (List.for_all (Bits.mem certain) first.asked) then unknown (Some (endless time))
-    else
-      let answer = Answer.add (solve side (Effort.default) (build (Some lowest))) lowest in
-      Known { least = answer; most = answer }
-  | None, [], None -> unknown (Some (endless time))
-  | reason, _, _ -> unknown reason
+    if not (List.for_all (Bits.mem certain) first.asked) then unknown ends (Some (endless time))
+    else known (Answer.add (solve side (Eval.effort e) (build (Some lowest))) lowest)
+  | None, [], None -> unknown ends (Some (endless time))
+  | reason, _, _ -> unknown ends reason
+
+(* Each run ends, since it never comes back to a node in no time. *)
+let value_at e side number time =
+  let ends = { reason = None; unexplored = []; lowest = None } in
+  let start = Go { node = 0; elapsed = Some Rat.zero } in
+  let choices = steps (Eval.graph e) ends number time ~shift:(Some Rat.zero) in
+  match Layers.means (Eval.graph e) side ~choices time [ start ] with
+  | None -> by_equations e side number time start
+  | Some _ when Option.is_some ends.reason || ends.unexplored <> [] -> unknown ends ends.reason
+  | Some layers -> known (Layered.value (Layered.solve layers (Eval.effort e)) start)
 
 let find e side = function
   | Time_until g -> mean_until e side ~earns:(duration (Eval.graph e)) g

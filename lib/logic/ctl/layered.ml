@@ -17,6 +17,7 @@ let never = max_int
 
 type 'a backwards = {
   numbers : 'a Arithmetic.t;
+  ends : 'a array;  (** the value of each end, by its number *)
   computed : 'a computed array;  (** of each layer; empty where it is not needed any more *)
   taken : Int_array.t array;
   (** Of each place the branch with the fewest steps to the goal, counted through all its choices. It is empty if
@@ -31,6 +32,10 @@ let find b layer rank get ~goal ~fail =
   else
     let computed = b.computed.(number layer) in
     (get computed).(slot computed layer rank)
+
+let value_of b layer rank =
+  if rank < at_fail then b.ends.(end_number rank)
+  else find b layer rank (fun c -> c.value) ~goal:b.numbers.one ~fail:b.numbers.zero
 
 let best_of (side : Timed_formula.side) compare a b =
   match side with Least -> if compare b a < 0 then b else a | Greatest -> if compare b a > 0 then b else a
@@ -63,10 +68,10 @@ let compute_place t b ~trace layer i =
   let value { weights; target; delay } =
     b.numbers.mean weights (fun k ->
         let next = if delay.(k) = 0 then layer else later t layer delay.(k) in
-        find b next (rank_of t target.(k)) (fun c -> c.value) ~goal:b.numbers.one ~fail:b.numbers.zero)
+        value_of b next (rank_of t target.(k)))
   in
   let values = Array.map value choices in
-  let best = Array.fold_left (best_of (question t).side b.numbers.compare) values.(0) values in
+  let best = Array.fold_left (best_of (side t) b.numbers.compare) values.(0) values in
   let computed = b.computed.(number layer) in
   let slot = if computed.by_rank then rank else i in
   computed.value.(slot) <- best;
@@ -77,11 +82,11 @@ let compute_place t b ~trace layer i =
   end
 
 (* From the last layer back. [keep] is called once a layer is computed. *)
-let backwards t (effort : Effort.t) numbers ~trace keep =
+let backwards t (effort : Effort.t) ?(ends = [||]) numbers ~trace keep =
   let layers = all t and all_ranks = count t in
   let size = Array.length layers in
   let none = { value = [||]; steps = [||]; by_rank = false } in
-  let b = { numbers; computed = Array.make size none; taken = Array.make size (Int_array.make 0 0) } in
+  let b = { numbers; ends; computed = Array.make size none; taken = Array.make size (Int_array.make 0 0) } in
   let over = Array.make size [] in
   Array.iter (fun layer -> over.(first_source layer) <- number layer :: over.(first_source layer)) layers;
   for k = size - 1 downto 0 do
@@ -120,16 +125,15 @@ let by_time t =
   List.iter add (starts t);
   table
 
-let rationals t effort numbers =
+let rationals t effort ~ends numbers =
   let starts = by_time t and found = Places.create 16 in
   let keep b layer =
     let note (p : place) =
-      let x = find b layer (rank_of t p.node) (fun c -> c.value) ~goal:numbers.Arithmetic.one ~fail:numbers.zero in
-      Places.replace found p (numbers.to_rat x)
+      Places.replace found p (numbers.Arithmetic.to_rat (value_of b layer (rank_of t p.node)))
     in
     List.iter note (Hashtbl.find_all starts (number layer))
   in
-  ignore (backwards t effort numbers ~trace:false keep);
+  ignore (backwards t effort ~ends numbers ~trace:false keep);
   found
 
 let map f table =
@@ -137,15 +141,34 @@ let map f table =
   Places.iter (fun p x -> Places.replace result p (f p x)) table;
   result
 
+(* What is computed is [scaled]: integers from 0 to [most] at ends, which stand for their rewards. *)
+type scale = { scaled : Z.t array; most : Rat.t; back : Rat.t -> Rat.t }
+
+let scale t =
+  let rewards = rewards t in
+  if Array.length rewards = 0 then { scaled = [||]; most = Rat.one; back = Fun.id }
+  else
+    let least = Array.fold_left Rat.min rewards.(0) rewards in
+    let unit = Array.fold_left (fun d x -> Z.lcm d (Rat.sub x least).den) Z.one rewards in
+    let unit = Rat.make unit Z.one in
+    let scaled = Array.map (fun x -> (Rat.mul unit (Rat.sub x least)).num) rewards in
+    let most = Rat.make (Array.fold_left Z.max Z.zero scaled) Z.one in
+    { scaled; most; back = (fun x -> Rat.add least (Rat.div x unit)) }
+
 let unknown t =
-  let found = Places.create 16 in
-  let note = function Go p -> Places.replace found p (Answer.Within (Rat.zero, Rat.one)) | Goal | Fail -> () in
-  List.iter note (starts t);
+  let found = Places.create 16 and { most; back; _ } = scale t in
+  let nothing = Answer.Within (back Rat.zero, back most) in
+  List.iter (function Go p -> Places.replace found p nothing | Goal | Fail -> ()) (starts t);
   found
 
+let values t effort numbers =
+  let { scaled; back; _ } = scale t in
+  let ends = Array.map numbers.Arithmetic.integer scaled in
+  map (fun _ x -> back x) (rationals t effort ~ends numbers)
+
 let enclosed t effort =
-  let low = rationals t effort (Arithmetic.rounded Down) in
-  let high = rationals t effort (Arithmetic.rounded Up) in
+  let low = values t effort (Arithmetic.rounded Down) in
+  let high = values t effort (Arithmetic.rounded Up) in
   map
     (fun p low ->
        let high = Places.find high p in
@@ -163,7 +186,7 @@ let exactly t (effort : Effort.t) { use } =
 
 let solve t (effort : Effort.t) =
   let exact () =
-    let found = exactly t effort { use = (fun numbers -> rationals t effort numbers) } in
+    let found = exactly t effort { use = (fun numbers -> values t effort numbers) } in
     map (fun _ x -> Answer.Exact x) found
   in
   try
@@ -190,7 +213,7 @@ let follow t taken start =
     | Go ({ elapsed = Some time; node } as p) ->
       let layer = layer_of t time in
       let k = Int_array.get taken.(number layer) (index layer (rank_of t node)) in
-      let branch = nth_branch (Decisions.choices (question t) (window t) p) k in
+      let branch = nth_branch (choices t p) k in
       go branch.next ((p, branch) :: trail)
   in
   go start []
@@ -209,7 +232,7 @@ let traced t effort start numbers =
 let run t (effort : Effort.t) start =
   let exact () = exactly t effort { use = (fun numbers -> traced t effort start numbers) } in
   let near () =
-    traced t effort start (Arithmetic.rounded (match (question t).side with Least -> Up | Greatest -> Down))
+    traced t effort start (Arithmetic.rounded (match side t with Least -> Up | Greatest -> Down))
   in
   try
     match effort.engine with

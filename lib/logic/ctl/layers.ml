@@ -5,9 +5,11 @@ open Decisions
 
 (* {1 The choices of a node} *)
 
-(* Where a branch leads: a node, or one of these. *)
+(* Where a branch leads: a node, or one of these, or the end with a number. *)
 let at_goal = -1
 let at_fail = -2
+let at_end k = -3 - k
+let end_number target = -3 - target
 
 (* A branch leads to a node after one of the delays, numbered from 1 on, or at once, which is delay 0. *)
 type choice = { weights : Arithmetic.weights; target : int array; delay : int array }
@@ -20,6 +22,7 @@ let endless = -1
 let not_looked_at = -2
 
 module Times = Map.Make (Rat)
+module Rewards = Hashtbl.Make (Rat)
 
 type layer = {
   time : Rat.t;
@@ -32,9 +35,14 @@ type layer = {
 }
 
 type t = {
-  question : question;
+  graph : Timed_graph.t;
+  side : Timed_formula.side;
+  places : place -> branch list list;  (** the choices of a place *)
   window : window;
   starts : next list;
+  earning : bool;  (** an end counts by the reward of its branch *)
+  numbers : int Rewards.t;  (** of these rewards *)
+  rewards : Rat.t Growable.t;  (** by these numbers *)
   delays : Rat.t Growable.t;
   lasts : Int_array.t;  (** for each node: the delay of its flow, [endless] or [not_looked_at] *)
   inside : choice array option array;  (** for each node, as far as it was needed *)
@@ -58,11 +66,20 @@ let delay_number t d =
   in
   if Rat.sign d = 0 then 0 else find 1
 
+let end_of t reward =
+  match Rewards.find_opt t.numbers reward with
+  | Some k -> k
+  | None ->
+    let k = Growable.length t.rewards in
+    Rewards.add t.numbers reward k;
+    Growable.push t.rewards reward;
+    k
+
 let choice t elapsed branches =
   let branches = Array.of_list branches in
   let where b =
     match b.next with
-    | Goal -> (at_goal, 0)
+    | Goal -> ((if t.earning then at_end (end_of t b.reward) else at_goal), 0)
     | Fail -> (at_fail, 0)
     | Go { node; elapsed = Some later } -> (node, delay_number t (Rat.sub later elapsed))
     | Go { elapsed = None; _ } -> Scc_base.Bug.fail __POS__ "a place without a time in a window that ends"
@@ -83,7 +100,7 @@ let delay_of t s =
   if known <> not_looked_at then known
   else
     let delay =
-      match Timed_graph.flow t.question.graph s with
+      match Timed_graph.flow t.graph s with
       | No_flow -> 0
       | Lasts (d, _) -> delay_number t d
       | Forever -> endless
@@ -104,7 +121,7 @@ let rec part_of t layer delay =
 
 let choices_of t layer s =
   let compute () =
-    let choices = Decisions.choices t.question t.window { node = s; elapsed = Some layer.time } in
+    let choices = t.places { node = s; elapsed = Some layer.time } in
     if List.compare_length_with choices 1 > 0 then t.free <- true;
     Array.of_list (List.map (choice t layer.time) choices)
   in
@@ -207,11 +224,11 @@ let forwards t seen =
 (* Ranks such that edges lead to smaller ones; [None] if there are none. Every node has the edges that it has at
    all times, as those that a window excludes do no harm. *)
 let rank t seen =
-  let size = t.question.graph.size in
+  let size = t.graph.size in
   let inside s = Int_array.get seen s >= 0 in
   let loops = ref false in
   let successors s =
-    let edges = Timed_graph.edges t.question.graph s in
+    let edges = Timed_graph.edges t.graph s in
     if Array.exists (Int.equal s) edges then loops := true;
     edges
   in
@@ -251,15 +268,20 @@ let sort t marks nodes =
     Bytes.fill marks 0 (Bytes.length marks) '\000'
   end
 
-let make question window starts =
+let make graph side ~earning ~choices window starts =
   if is_open window then None
   else
-    let size = question.graph.size in
+    let size = graph.Timed_graph.size in
     let t =
       {
-        question;
+        graph;
+        side;
+        places = choices;
         window;
         starts;
+        earning;
+        numbers = Rewards.create 16;
+        rewards = Growable.create ();
         delays = Growable.create ();
         lasts = Int_array.make size not_looked_at;
         inside = Array.make size None;
@@ -282,6 +304,13 @@ let make question window starts =
       let marks = Bytes.make (Int_array.length node_of) '\000' in
       Array.iter (fun layer -> sort t marks layer.nodes) t.layers;
       Some t
+
+let until (q : question) window starts =
+  make q.graph q.side ~earning:false ~choices:(Decisions.choices q window) window starts
+
+let means graph side ~choices time starts =
+  let window = { low = Algebraic.of_rat time; high = Some (Algebraic.of_rat time) } in
+  make graph side ~earning:true ~choices window starts
 
 (* {1 Places} *)
 
@@ -314,11 +343,11 @@ module Moments = Set.Make (struct
     let compare = Timeline.compare_moment
   end)
 
-let arrivals t =
+let arrivals q w t =
   let known = Hashtbl.create 64 in
   let of_node layer rank =
     let s = Int_array.get t.node_of rank in
-    let compute () = meetings t.question t.window { node = s; elapsed = Some layer.time } in
+    let compute () = meetings q w { node = s; elapsed = Some layer.time } in
     match part_of t layer (delay_of t s) with
     | Inside -> (
         match Hashtbl.find_opt known s with
@@ -343,8 +372,9 @@ let arrivals t =
 
 (* {1 What others read} *)
 
-let question t = t.question
-let window t = t.window
+let side t = t.side
+let choices t = t.places
+let rewards t = Array.init (Growable.length t.rewards) (Growable.get t.rewards)
 let starts t = t.starts
 let is_free t = t.free
 let base t = t.base

@@ -1,5 +1,5 @@
-(** The places of {!Decisions} for "f until g" within a window of time that ends, layer by layer. A layer is the
-    places that are entered at one time. Time passes from a layer to later ones only. Within a layer, nodes have
+(** The places of {!Decisions} for "f until g" within a window of time that ends, or up to a time, layer by layer. A
+    layer is the places that are entered at one time. Time passes from a layer to later ones only. Within a layer, nodes have
     ranks such that edges lead to smaller ones. So values can be computed from the last layer back ({!Layered}).
 
     It works if no run comes back to a node in no time. Otherwise a layer would be a system of equations. *)
@@ -18,23 +18,41 @@ val at_goal : int
 val at_fail : int
 (** The target of a branch that leads to [Fail]. *)
 
+val at_end : int -> int
+(** [at_end k] is the target of a branch that leads to an end with the reward [(rewards t).(k)]; it is less than
+    {!at_fail}. *)
+
+val end_number : int -> int
+(** [end_number target] is the k of which [target] is [at_end k]. *)
+
 type layer
 
 type t
 (** The layers of the places that can be reached from some starts. *)
 
-val make : Decisions.question -> Decisions.window -> Decisions.next list -> t option
-(** [make q w starts] is the layers of all places that can be reached from the starts. It is [None] if the window
-    has no end, or if some of these runs may come back to a node in no time. *)
+val until : Decisions.question -> Decisions.window -> Decisions.next list -> t option
+(** [until q w starts] is the layers of all places of the question [q] that can be reached from the starts. It is
+    [None] if the window has no end, or if some of these runs may come back to a node in no time. *)
 
-val question : t -> Decisions.question
-(** [question t] is the question given to {!make}. *)
+val means :
+  Timed_graph.t -> Timed_formula.side -> choices:(Decisions.place -> Decisions.branch list list) -> Rat.t ->
+  Decisions.next list -> t option
+(** [means graph side ~choices time starts] is the layers of all places up to [time]. Each run ends by a branch to
+    [Goal], with the reward of that branch, or by one to [Fail], with none. The choices of a node may depend on the
+    time only where its flow does not end before [time]. It is [None] if some run may come back to a node in no
+    time. *)
 
-val window : t -> Decisions.window
-(** [window t] is the window given to {!make}. *)
+val side : t -> Timed_formula.side
+(** [side t] is whether choices make values least or greatest. *)
+
+val choices : t -> Decisions.place -> Decisions.branch list list
+(** [choices t p] is the choices of a place, as given to {!until} or {!means}. *)
+
+val rewards : t -> Rat.t array
+(** [rewards t] is the rewards of all ends, each once, by their numbers ({!at_end}). *)
 
 val starts : t -> Decisions.next list
-(** [starts t] is the starts given to {!make}. *)
+(** [starts t] is the starts given to {!until} or {!means}. *)
 
 val is_free : t -> bool
 (** [is_free t] is true if some place has several choices. *)
@@ -78,6 +96,6 @@ val node_of : t -> int -> int
 val count : t -> int
 (** [count t] is the number of ranks: they are from 0 on. *)
 
-val arrivals : t -> Timeline.moment list
-(** [arrivals t] is the times at which some run from a start may meet g, increasing, each once. Times are elapsed
-    times, as those of places. *)
+val arrivals : Decisions.question -> Decisions.window -> t -> Timeline.moment list
+(** [arrivals q w t] is the times at which some run from a start may meet g, increasing, each once, where [t] is of
+    [until q w]. Times are elapsed times, as those of places. *)

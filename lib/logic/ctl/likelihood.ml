@@ -24,7 +24,7 @@ let solve_whole q effort w starts =
 
 let solve q effort w starts =
   let solution =
-    match Layers.make q w starts with
+    match Layers.until q w starts with
     | Some layers -> Layered (Layered.solve layers effort)
     | None ->
       let built, solution = solve_whole q effort w starts in
@@ -199,6 +199,6 @@ let run_of_layers q effort w position first layers =
 
 let run q effort position =
   let w, first = from q position in
-  match Layers.make q w (nexts first) with
+  match Layers.until q w (nexts first) with
   | Some layers -> run_of_layers q effort w position first layers
   | None -> run_of_whole q effort w position first

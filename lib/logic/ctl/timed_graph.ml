@@ -6,7 +6,7 @@ type t = {
   size : int;
   known : int -> bool;
   edges : int -> int array;
-  drawn : int -> Rat.t array option;
+  drawn : int -> Rat.t option array option;
   flow : int -> flow;
 }
 
@@ -25,6 +25,17 @@ let extent : flow -> Timeline.extent = function
   | Forever -> Forever
 
 type move = Edge of int | Flow of int
+
+let edge_choices g s =
+  let alone k t = [ (k, t, Rat.one) ] in
+  let targets = Array.to_list (edges g s) in
+  match g.drawn s with
+  | None -> List.mapi alone targets
+  | Some chances ->
+    let numbered = List.mapi (fun k t -> (k, t)) targets in
+    let drawn (k, t) = Option.map (fun chance -> (k, t, chance)) chances.(k) in
+    let others = List.filter (fun (k, _) -> Option.is_none chances.(k)) numbered in
+    List.filter_map drawn numbered :: List.map (fun (k, t) -> alone k t) others
 
 let target g s = function Edge k -> (edges g s).(k) | Flow k -> (targets (flow g s)).(k)
 

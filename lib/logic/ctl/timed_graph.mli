@@ -13,9 +13,9 @@ type t = {
   size : int;  (** nodes are 0 .. size - 1; runs begin in node 0 *)
   known : int -> bool;  (** [false] if the successors of the node were not explored *)
   edges : int -> int array;  (** the targets of its discrete transitions, which take no time *)
-  drawn : int -> Rat.t array option;
-  (** For a node with a draw: the probability of each edge, positive and with the sum 1. Such a node has no flow.
-  *)
+  drawn : int -> Rat.t option array option;
+  (** For a node at which chance decides: the probability of each edge that is drawn, positive and with the sum 1,
+      and [None] for each edge that is a choice of its own. Such a node has no flow. *)
   flow : int -> flow;  (** the time transition of the node *)
 }
 (** A node may have edges and a flow. A known node with neither is a dead end: the run is over, and no time passes
@@ -40,6 +40,11 @@ val extent : flow -> Timeline.extent
 type move =
   | Edge of int  (** by the edge of this index *)
   | Flow of int  (** at the end of its flow, to the target of this index *)
+
+val edge_choices : t -> int -> (int * int * Rat.t) list list
+(** [edge_choices g s] is the choices between edges at the known node [s]: each is a list of edges by their indices,
+    with their targets and probabilities. All edges that are drawn are the first choice, and each other edge is one
+    of its own. *)
 
 val target : t -> int -> move -> int
 (** [target g s move] is the node that the move from node [s] leads to. *)

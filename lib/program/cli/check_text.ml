@@ -125,7 +125,7 @@ let indented depth lines = List.map (fun l -> String.make depth ' ' ^ l ^ "\n") 
 let counted (check : Scc_property.Property.check) (w : Witness.t) =
   let chance =
     List.fold_left
-      (fun product (s : Witness.step) -> Rat.mul product (Scc_semantics.Transition.chance s.transition.label))
+      (fun product (s : Witness.step) -> Option.fold ~none:product ~some:(Rat.mul product) s.transition.chance)
       Rat.one w.steps
   in
   let counts =

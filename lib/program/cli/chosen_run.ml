@@ -97,7 +97,7 @@ let finish console (l : Loaded.t) (result : (Replay.ending, Replay.failure) resu
       (Printf.sprintf "scc: stopped after %d transitions without time passing (Zeno behaviour)"
          Replay.default_instant);
     Exit_code.Stopped
-  | Ok (Open | Quiescent) -> Exit_code.Holds
+  | Ok (Open | Quiescent | Broken_off) -> Exit_code.Holds
   | Error (Interrupted stop) ->
     Console.note console ("scc: " ^ Watch.reason stop);
     Exit_code.Stopped

@@ -50,6 +50,12 @@ let paths (l : Loaded.t) asked ~by_name =
     List.fold_left (fun acc c -> let* acc = acc in one acc c) (Ok ([], [])) asked
   in
   match (found, left) with
+  | [], [] when by_name ->
+    Error
+      [
+        Diag.error Code.wrong_kind Span.command_line "the checks that are named have no members here"
+          ~hint:"the loops that declare them are empty";
+      ]
   | [], _ ->
     Error
       [
@@ -64,8 +70,12 @@ let paths (l : Loaded.t) asked ~by_name =
 
 type ending = Whole | Interrupted | Lost of { why : string; fault : bool }
 
+(* Seconds in which runs that are under way are to say what they have come to. *)
+let patience = 5.
+
 let sample console o runs (plan : Sample.plan) estimation ~stopped =
-  let work = Sample.run plan ~seed:o.seed in
+  let work = Sample.run plan ~seed:o.seed ~interrupted:Scc_system.Interruption.heard in
+  let whole (r : Sample.run) = not r.interrupted in
   let rec go first =
     match Estimation.next estimation with
     | None -> Whole
@@ -74,7 +84,10 @@ let sample console o runs (plan : Sample.plan) estimation ~stopped =
           Console.progress console (Printf.sprintf "%d runs" (k + 1));
           Estimation.add estimation outcome
         in
-        match Kept_runs.run runs ~jobs:o.jobs ~first ~count ~work ~interrupted:stopped ~each with
+        let made =
+          Kept_runs.run runs ~patience ~whole ~jobs:o.jobs ~first ~count ~work ~interrupted:stopped ~each
+        in
+        match made with
         | Ok () ->
           Estimation.judge estimation ~last:false;
           go count
@@ -113,7 +126,7 @@ let style : Estimation.verdict -> Console.style = function
   | Undecided -> Doubtful
   | Estimated -> Strong
 
-let text console (r : Estimate_report.t) =
+let text console lattices (r : Estimate_report.t) =
   let answer (a : Estimation.answer) =
     let verdict = Console.styled console (style a.verdict) (Estimate_report.word a.verdict) in
     let line = Estimate_report.line a ~confidence:r.aim.confidence in
@@ -128,7 +141,8 @@ let text console (r : Estimate_report.t) =
     let names = List.filter_map (fun (name, w) -> if String.equal w why then Some name else None) r.left_out in
     Console.styled console Faint ("left out: " ^ String.concat ", " names ^ ": " ^ why) ^ "\n"
   in
-  String.concat "\n" (List.map answer r.answers @ List.map left reasons)
+  let lattice = Option.to_list (Option.map (fun line -> line ^ "\n") (Scc_elaborate.Lattices.line lattices)) in
+  String.concat "\n" (lattice @ List.map answer r.answers @ List.map left reasons)
 
 let exit_code (answers : Estimation.answer list) ending : Exit_code.t =
   let code (a : Estimation.answer) : Exit_code.t =
@@ -148,7 +162,7 @@ let estimate console o watch =
   Console.report console model.warnings;
   let* loaded, added = properties console model o.properties in
   let by_name = o.checks <> [] || added <> [] in
-  let* named = Chosen_checks.of_names loaded.checks o.checks in
+  let* named = Chosen_checks.of_names loaded o.checks in
   let asked = if by_name then named @ added else model.checks in
   let* paths, left_out = paths model asked ~by_name in
   let size = match o.runs with Some n -> Estimation.Exactly n | None -> At_most o.most in
@@ -182,7 +196,7 @@ let estimate console o watch =
   in
   Console.answer console
     ~json:(fun () -> Scc_json.Json_format.write Estimate_report.format (report, exit))
-    ~text:(fun () -> text console report);
+    ~text:(fun () -> text console model.lattices report);
   Kept.conclude console unkept;
   (match ending with
    | Whole -> ()

@@ -46,7 +46,7 @@ let over check (ending : Replay.ending) =
   match ending with
   | Stuck { fault = Persistent_contact firsts; _ } when not (Option.fold ~none:false ~some:searched check) ->
     Some firsts
-  | Open | Quiescent | Stuck _ | Zeno -> None
+  | Open | Quiescent | Stuck _ | Zeno | Broken_off -> None
 
 (* The run, and how it stands where the schedule leaves it. *)
 let follow (l : Loaded.t) schedule check =
@@ -96,7 +96,7 @@ let explain console o =
   let* run, ending = follow model schedule check in
   (match ending with
    | Stuck s -> Console.report console [ Scc_verify.Bounds.dead_end (Replay.diagnostic model.model s) ]
-   | Open | Quiescent | Zeno -> ());
+   | Open | Quiescent | Zeno | Broken_off -> ());
   print console ~full:o.full model check ending (explanation run check);
   Ok ()
 

@@ -167,7 +167,7 @@ let dead_end m (ending : Scc_runs.Replay.ending) =
   match ending with
   | Stuck { fault; _ } ->
     [ "       the run ends here, in a dead end: " ^ (Transition.diagnostic m fault).message ]
-  | Open | Quiescent | Zeno -> []
+  | Open | Quiescent | Zeno | Broken_off -> []
 
 let lines console ~full check ending x =
   let over = dead_end (Causes.model x.Omission.story) ending in

@@ -58,6 +58,7 @@ let ending : Replay.ending -> string = function
   | Quiescent -> "nothing will ever happen again"
   | Stuck _ -> "nothing can happen, not even the passing of time"
   | Zeno -> "stopped: too many transitions without time passing"
+  | Broken_off -> "interrupted"
 
 let teller model ~full states write =
   let t = { model; full; write; passing = None; known = None } in
@@ -66,7 +67,7 @@ let teller model ~full states write =
     | Start s ->
       line t "time 0";
       tell_state t s
-    | Step { number = n; index; among; time; taken; state = after } -> (
+    | Step { number = n; index; among; time; taken; state = after; _ } -> (
         let rules = String.concat ", " (List.map Rule.id taken.rules) in
         let state = match (states : Trace.states) with All -> Some (after ()) | Ends -> None in
         match taken.label with

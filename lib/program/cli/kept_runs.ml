@@ -39,7 +39,7 @@ let keep t outcome =
   if Option.is_some t.store then
     Blocks.add t.blocks (fun buffer -> Buffer.add_string buffer (Marshal.to_string outcome []))
 
-let run t ~jobs ~first ~count ~work ~interrupted ~each =
+let run ?patience ?(whole = fun _ -> true) t ~jobs ~first ~count ~work ~interrupted ~each =
   let rec follow k =
     if k >= count then Ok ()
     else if interrupted () then Error Pool.Interrupted
@@ -50,21 +50,26 @@ let run t ~jobs ~first ~count ~work ~interrupted ~each =
         follow (k + 1)
       | None ->
         let each k outcome =
-          keep t outcome;
+          if whole outcome then keep t outcome;
           each k outcome
         in
-        Pool.run ~jobs ~first:k ~count ~work ~interrupted ~each
+        Pool.run ?patience ~jobs ~first:k ~count ~work ~interrupted ~each ()
   in
   Fun.protect ~finally:(fun () -> Blocks.write t.blocks) (fun () -> follow first)
 
 let lost ~what ~task ~how = Printf.sprintf "%s %d is lost: %s" what task how
 let loss ~fault = if fault then Scc_verdicts.Exit_code.Bug else Stopped
 
-let stopped console ~what ~written ~count (stop : Pool.stop) =
+let stopped ?(partly = 0) console ~what ~written ~count (stop : Pool.stop) =
   let all = Printf.sprintf "%d of %d %ss" written count what in
+  let others =
+    if partly = 0 then ""
+    else if partly = 1 then "; 1 more is written as far as it came"
+    else Printf.sprintf "; %d more are written as far as they came" partly
+  in
   match stop with
   | Interrupted ->
-    Console.note console (Printf.sprintf "scc: interrupted after %s, which are written" all);
+    Console.note console (Printf.sprintf "scc: interrupted after %s, which are written%s" all others);
     Scc_verdicts.Exit_code.Stopped
   | Lost { task; how; fault } ->
     Console.note console (Printf.sprintf "scc: %s; %s are written" (lost ~what ~task ~how) all);

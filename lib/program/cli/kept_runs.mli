@@ -13,6 +13,8 @@ val openly :
     ensures that: it includes the build, the command and the options. *)
 
 val run :
+  ?patience:float ->
+  ?whole:('a -> bool) ->
   'a t ->
   jobs:int ->
   first:int ->
@@ -22,7 +24,8 @@ val run :
   each:(int -> 'a -> unit) ->
   (unit, Scc_workers.Pool.stop) result
 (** Does the tasks, as {!Scc_workers.Pool.run}, except those with results in the store. A further call
-    continues: [first] is where the last call ended. *)
+    continues: [first] is where the last call ended. With [patience], tasks that are under way at an interruption
+    may return what they have. Only results that are [whole] (default: all) are stored. *)
 
 val lost : what:string -> task:int -> how:string -> string
 (** The loss of a task as a clause: ["run 7 is lost: a process was killed"]. [what] names a task. *)
@@ -31,8 +34,10 @@ val loss : fault:bool -> Scc_verdicts.Exit_code.t
 (** The exit code of a run that is lost ({!Scc_workers.Pool.stop}). *)
 
 val stopped :
+  ?partly:int ->
   Console.t -> what:string -> written:int -> count:int -> Scc_workers.Pool.stop -> Scc_verdicts.Exit_code.t
-(** Notes why the tasks ended early, and how many of them are written; the exit code for it. *)
+(** Notes why the tasks ended early, and how many of them are [written], and how many more [partly] (default: 0).
+    The result is the exit code for it. *)
 
 val close : 'a t -> Diag.t list
 (** Closes the store, and returns its error if writing to it failed. *)

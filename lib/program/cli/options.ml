@@ -102,16 +102,30 @@ let cut s by =
   in
   from 0
 
+let no_range s = Error (`Msg (Printf.sprintf "`%s' is no range such as [1, 3) or [0, 1/2]" s))
+
+(* How loops and the grid of a sweep write values one after the other. *)
+let several s =
+  match List.find_map (cut s) [ ".."; ":"; "," ] with
+  | None -> None
+  | Some (low, rest) ->
+    let high = match cut rest ":" with Some (high, _) -> high | None -> rest in
+    Some
+      (Printf.sprintf
+         "`%s' are values one after the other, as scc sweep takes them: a range of all numbers between is \
+          written [%s,%s]"
+         s (String.trim low) (String.trim high))
+
 let parse_given s =
   let n = String.length s in
   let bracketed = n > 2 && (s.[0] = '[' || s.[0] = '(') && (s.[n - 1] = ']' || s.[n - 1] = ')') in
   if bracketed then
     match cut (String.sub s 1 (n - 2)) "," with
     | Some (low, high) -> between s.[0] low high s.[n - 1]
-    | None -> Error (`Msg (Printf.sprintf "`%s' is no range such as [1, 3) or 1..3" s))
+    | None -> no_range s
   else
-    match cut s ".." with
-    | Some (low, high) -> between '[' low high ']'
+    match several s with
+    | Some why -> Error (`Msg why)
     | None -> Result.map (fun q -> Value q) (Arg.conv_parser rational s)
 
 let given_to_string = function
@@ -130,8 +144,8 @@ type definitions = {
 let definitions =
   let doc =
     "Gives the parameter $(i,NAME) of the model the value $(i,VALUE), a rational. If the parameter has a range, \
-     it can be narrowed instead: to $(b,1..3), with both ends, or to $(b,[1,3\\)), where a round bracket \
-     excludes an end. Repeatable."
+     it can be narrowed instead: to $(b,[1,3]), or to $(b,[1,3\\)), where a round bracket excludes an end. \
+     Repeatable."
   in
   let given = for_name ~docv:"NAME=VALUE" parse_given given_to_string in
   let values = List.filter_map (function name, Value q -> Some (name, q) | _, Within _ -> None) in

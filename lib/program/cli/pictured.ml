@@ -31,15 +31,16 @@ let course console (o : Viewed.options) watch time =
   let* l = Viewed.model console o schedule in
   let* point = Viewed.at_point l in
   let interrupted = Watch.interrupted watch in
+  let known course = (l.families, course) in
   match (schedule, o.checks) with
-  | Some s, _ -> by_choices point (Scheduled s) ~until:None ~interrupted
-  | None, (All | Unchecked) -> by_choices point First ~until:(Some time) ~interrupted
+  | Some s, _ -> Result.map known (by_choices point (Scheduled s) ~until:None ~interrupted)
+  | None, (All | Unchecked) -> Result.map known (by_choices point First ~until:(Some time) ~interrupted)
   | None, Only name -> (
       let* checks = Viewed.find_check name l.checks in
       let* outcomes, _ = Viewed.report console o l checks watch in
       match List.find_map (fun (v : Verdict.outcome) -> Verdict.shown v.verdict) outcomes with
       | None -> Error (no_run name)
-      | Some w -> Ok (of_witness point w))
+      | Some w -> Ok (known (of_witness point w)))
 
 (* Where nothing happens any more, time goes on. *)
 let at course time =
@@ -56,6 +57,6 @@ let at course time =
         ]
 
 let state console o watch time =
-  let* course = course console o watch time in
+  let* families, course = course console o watch time in
   let* state = at course time in
-  Ok (Semantics.model (Course.semantics course), state)
+  Ok (families, Semantics.model (Course.semantics course), state)

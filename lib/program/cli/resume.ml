@@ -15,11 +15,18 @@ let bad path format =
     (fun text -> Error [ Diag.error Code.bad_trace (Span.of_file path) "%s" text ])
     format
 
-let has_number member number line =
+type line = Whole | Interrupted | Other
+
+(* What is to be made anew is what a line says to be interrupted. *)
+let kind member number line =
   match Yojson.Safe.from_string line with
-  | `Assoc members -> (match List.assoc_opt member members with Some (`Int n) -> n = number | _ -> false)
-  | _ -> false
-  | exception Yojson.Json_error _ -> false
+  | `Assoc members -> (
+      match (List.assoc_opt member members, List.assoc_opt "interrupted" members) with
+      | Some (`Int n), Some (`Bool true) when n = number -> Interrupted
+      | Some (`Int n), _ when n = number -> Whole
+      | _, _ -> Other)
+  | _ -> Other
+  | exception Yojson.Json_error _ -> Other
 
 (* A last line without its end is none. *)
 let lines ~path ~header ~member ~what =
@@ -28,8 +35,11 @@ let lines ~path ~header ~member ~what =
   | first :: rest when String.equal (first ^ "\n") header ->
     let rec count n = function
       | [] | [ _ ] -> Ok n
-      | line :: rest when has_number member n line -> count (n + 1) rest
-      | _ -> bad path "line %d is not that of %s %d" (n + 2) member n
+      | line :: rest -> (
+          match kind member n line with
+          | Whole -> count (n + 1) rest
+          | Interrupted -> Ok n
+          | Other -> bad path "line %d is not that of %s %d" (n + 2) member n)
     in
     let* n = count 0 rest in
     let kept = List.filteri (fun i _ -> i <= n) (first :: rest) in

@@ -47,13 +47,17 @@ let report o (l : Loaded.t) observables times : Report.t =
     times;
   }
 
+(* Seconds in which runs that are under way are to say what they have come to. *)
+let patience = 5.
+
 let each_run console o kept plan ~runs ~written ~first ~last ~interrupted each =
   let told _ (r : Simulation.run) =
     each r;
     Console.progress console (Printf.sprintf "%d of %d runs" !written runs)
   in
-  let work = Simulation.run plan ~seed:o.seed in
-  let result = Kept_runs.run kept ~jobs:o.jobs ~first ~count:last ~work ~interrupted ~each:told in
+  let work = Simulation.run plan ~seed:o.seed ~interrupted:Scc_system.Interruption.heard in
+  let whole (r : Simulation.run) = not r.interrupted in
+  let result = Kept_runs.run kept ~patience ~whole ~jobs:o.jobs ~first ~count:last ~work ~interrupted ~each:told in
   Console.progress_done console;
   result
 
@@ -78,13 +82,14 @@ let early console n =
       (Printf.sprintf "scc: %s did not come to the last time; what was not observed is empty"
          (Scc_base.Plural.count n "run" "runs"))
 
-let conclude console ~runs ~finished ~ended_early = function
+let conclude console ~runs ~finished ~partly ~ended_early result =
+  match if partly > 0 then Error Pool.Interrupted else result with
   | Ok () ->
     early console ended_early;
     Ok (if ended_early > 0 then Exit_code.Undecided else Exit_code.Holds)
   | Error stop ->
     (match (stop : Pool.stop) with Interrupted -> early console ended_early | Lost _ -> ());
-    Ok (Kept_runs.stopped console ~what:"run" ~written:finished ~count:runs stop)
+    Ok (Kept_runs.stopped console ~what:"run" ~partly ~written:finished ~count:runs stop)
 
 let in_all o = o.summary || Option.is_some o.plot
 
@@ -111,13 +116,15 @@ let simulate console o ~interrupted =
   Console.report console model.warnings;
   let* loaded, observables = Observed.all console model o.observed in
   let plan = plan o loaded observables in
+  if o.form = Csv then
+    Option.iter (fun line -> Console.note console ("scc: " ^ line)) (Scc_elaborate.Lattices.line model.lattices);
   let report = report o model observables plan.times in
   let* there, before, earlier = before o report in
   let from, last = Task_part.range o.part ~count:o.runs in
   let first = max there from in
   let path = if o.summary then o.output else Resume.file ~output:o.output ~resume:o.resume in
   let* kept = Kept_runs.openly console ~folder:o.store ~identity:(identity o model) "the runs" in
-  let written = ref there and ended_early = ref 0 in
+  let written = ref there and ended_early = ref 0 and partly = ref 0 in
   let all = ref (Report.nobody report) in
   let add (r : Simulation.run) =
     if Option.is_some r.ended then incr ended_early;
@@ -128,7 +135,7 @@ let simulate console o ~interrupted =
     if not o.summary then put before;
     let result =
       each_run console o kept plan ~runs:(last - from) ~written ~first ~last ~interrupted (fun r ->
-          incr written;
+          incr (if r.interrupted then partly else written);
           add r;
           if not o.summary then put (Report.run report r))
     in
@@ -145,7 +152,8 @@ let simulate console o ~interrupted =
   | Error d -> Error [ d ]
   | Ok result ->
     let* () = Result.listed (Option.fold ~none:(Ok ()) ~some:draw o.plot) in
-    let* code = conclude console ~runs:(last - from) ~finished:!written ~ended_early:!ended_early result in
+    let runs = last - from and finished = !written and partly = !partly and ended_early = !ended_early in
+    let* code = conclude console ~runs ~finished ~partly ~ended_early result in
     Ok (Kept_runs.finish console kept code)
 
 let run color progress o =
@@ -249,7 +257,7 @@ let command =
     [
       (Exit_code.Holds, "if all runs came to the last time.");
       (Exit_code.Undecided, "if some run was over before.");
-      (Exit_code.Stopped, "if it was interrupted: the finished runs are written.");
+      (Exit_code.Stopped, "if it was interrupted: the runs are written as far as they came.");
     ]
   in
   let exits = Exits.man ~told ~never:[ Violated ] () in

@@ -37,11 +37,11 @@ let check o source k =
       | Ok report -> report
       | Error stop -> Ok (Check.unexplored options (l.checks @ l.premises) stop)
     in
-    Ok (List.filteri (fun i _ -> i < List.length l.checks) report.outcomes)
+    Ok (l.lattices, List.filteri (fun i _ -> i < List.length l.checks) report.outcomes)
   in
   Watch.finish watch;
   match found with
-  | Ok outcomes -> Outcome.of_outcomes outcomes
+  | Ok (lattices, outcomes) -> Outcome.of_outcomes ~lattices outcomes
   | Error diagnostics -> Outcome.of_diagnostics diagnostics
 
 (* {1 All of them} *)
@@ -63,16 +63,22 @@ let first_point console source o =
     Error diagnostics
   | Error _ -> Ok None
 
+(* Seen in the text, so that all points have the same columns. *)
+let diffuses source =
+  Result.fold ~ok:Scc_elaborate.Laws.some_diffuse ~error:(fun _ -> false) (Scc_notation.Notation.model source)
+
 type seen = {
   mutable written : int;
   mutable open_ : int;
   mutable refused : int;
   mutable stopped : int;
+  kicks : Kicks.t;
   mutable all : Outcome.t list;  (** the last first, if there is to be a picture *)
 }
 
 let conclude console seen ~count = function
   | Ok () ->
+    Option.iter (Console.note console) (Kicks.conclusion seen.kicks);
     if seen.refused > 0 then
       Console.note console (Printf.sprintf "scc: the model is invalid at %d of %d points" seen.refused count);
     if count > 0 && seen.refused = count then Ok Exit_code.Invalid
@@ -97,13 +103,14 @@ let identity o ~digest =
   in
   Kept.identity ~digest ~parameters:[] options
 
-let note console o seen outcome =
+let note console o seen k outcome =
   seen.written <- seen.written + 1;
   (match (outcome : Outcome.t) with
    | Refused _ -> seen.refused <- seen.refused + 1
    | Checked _ -> if not (Outcome.is_known outcome) then seen.open_ <- seen.open_ + 1);
   if Outcome.is_stopped outcome then seen.stopped <- seen.stopped + 1;
   List.iter (Console.fault console) (Outcome.faults outcome);
+  Option.iter (fun d -> Console.report console [ d ]) (Kicks.add seen.kicks k (Outcome.lattices outcome));
   if Option.is_some o.plot then seen.all <- outcome :: seen.all
 
 let sweep console o ~interrupted =
@@ -114,7 +121,7 @@ let sweep console o ~interrupted =
     | Some l -> Table.origin l.origin
     | None -> (None, "md5:" ^ Digest.to_hex (Digest.string (Source.text source)))
   in
-  let table = { Table.name; digest; grid = o.grid; bounds = bounds o.budget } in
+  let table = { Table.name; digest; grid = o.grid; bounds = bounds o.budget; diffuses = diffuses source } in
   let from, last = Task_part.range o.part ~count:(Z.to_int (Grid.size o.grid)) in
   let count = last - from in
   let* there, before =
@@ -124,11 +131,12 @@ let sweep console o ~interrupted =
   in
   let* points = Kept_runs.openly console ~folder:o.store ~identity:(identity o ~digest) "the points" in
   let path = Resume.file ~output:o.output ~resume:o.resume in
-  let seen = { written = there; open_ = 0; refused = 0; stopped = 0; all = [] } in
+  let kicks = Kicks.start (Option.fold ~none:[] ~some:(fun (l : Loaded.t) -> l.lattices) first) in
+  let seen = { written = there; open_ = 0; refused = 0; stopped = 0; kicks; all = [] } in
   let write put =
     put before;
     let each k outcome =
-      note console o seen outcome;
+      note console o seen k outcome;
       Console.progress console (Printf.sprintf "%d of %d points" seen.written count);
       put (match o.form with Csv -> Table.csv table k outcome | Jsonl -> Table.json table k outcome)
     in

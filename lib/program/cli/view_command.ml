@@ -20,8 +20,9 @@ let output_of o =
     let ending = match o.what with Page -> ".html" | Data -> ".view.json" | Picture _ -> ".svg" in
     (if String.equal o.shown.path "-" then "model" else base) ^ ending
 
-let known model names =
-  match Scc_picture.Picture.unknown model names with
+let known families model names =
+  let may_be_empty name = Scc_elaborate.Repeated.has_body families name in
+  match Scc_picture.Picture.unknown model (List.filter (fun n -> not (may_be_empty n)) names) with
   | None -> Ok ()
   | Some name ->
     Error
@@ -39,8 +40,8 @@ let content console o watch =
     let page (d : Document.t) = Page.write ~title:(d.name ^ " – scc") (Document.write d) in
     Result.map page (document ())
   | Picture time ->
-    let* model, state = Pictured.state console o.shown watch time in
-    let* () = known model o.drawing.without in
+    let* families, model, state = Pictured.state console o.shown watch time in
+    let* () = known families model o.drawing.without in
     Ok (fun put -> put (Scc_picture.Picture.svg model state o.drawing))
 
 let run color progress budget o =

@@ -70,6 +70,7 @@ let ending (l : Loaded.t) (e : Replay.ending) =
   | Open -> []
   | Quiescent -> [ "nothing happens any more" ]
   | Zeno -> [ "the run was stopped: it went on within one instant" ]
+  | Broken_off -> [ "the run was interrupted" ]
   | Stuck f -> [ (Replay.diagnostic l.model f).message ]
 
 (* {1 The document} *)

@@ -171,8 +171,8 @@ let ended c json =
     match ending with
     | Some "quiescent" -> Ok [ Quiescent ]
     | Some "stuck" -> Ok [ Stuck ]
-    | Some ("open" | "zeno") | None -> Ok []
-    | Some e -> wrong c "`%s` is none of open, quiescent, stuck and zeno" e
+    | Some ("open" | "zeno" | "interrupted") | None -> Ok []
+    | Some e -> wrong c "`%s` is none of open, quiescent, stuck, zeno and interrupted" e
   in
   let items = List.map (item c time) (State ([], None) :: claims) in
   Ok (items, Some { last = List.hd items; claim = ending })

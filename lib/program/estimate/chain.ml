@@ -70,14 +70,19 @@ let trajectory t i extent =
 type questions = {
   paths : Path.t list;
   formulas : Timed_formula.t list;
-  props : Property.prop array;
+  truths : (Trajectory.t -> Truth.t Timeline.t) array;  (** of each predicate *)
   steady : bool array;
 }
 
 let questions semantics paths =
   let formulas, props = Skeleton.of_temporal (List.map (fun (p : Path.t) -> p.formula) paths) in
   let rigid = Option.is_some (Semantics.model semantics).Model.rigid in
-  { paths; formulas; props; steady = Array.map (Scc_property.Formula.steady ~rigid) props }
+  {
+    paths;
+    formulas;
+    truths = Array.map (Trajectory.predicate semantics) props;
+    steady = Array.map (Scc_property.Formula.steady ~rigid) props;
+  }
 
 let remembered table (key : int * int) find =
   match Hashtbl.find_opt table key with
@@ -91,9 +96,9 @@ let predicates q t : Eval.predicates =
   {
     at =
       (fun p i ->
-         remembered t.at (p, i) (fun () -> (Trajectory.prop (trajectory t i Timeline.Instant) q.props.(p)).start));
+         remembered t.at (p, i) (fun () -> (q.truths.(p) (trajectory t i Timeline.Instant)).start));
     along =
-      (fun p i extent -> let find () = Trajectory.prop (trajectory t i extent) q.props.(p) in
+      (fun p i extent -> let find () = q.truths.(p) (trajectory t i extent) in
         remembered t.along (p, i) find);
     steady = (fun p -> q.steady.(p));
   }

@@ -26,6 +26,7 @@ type answer = {
 type question = {
   asked : Path.t;
   mutable tally : Tally.t;
+  mutable left_out : int;  (** runs that were interrupted, and are not in the tally *)
   mutable answer : answer option;  (** when it is settled *)
 }
 
@@ -34,7 +35,7 @@ type t = { aim : aim; questions : question list; mutable looks : int; mutable ru
 let first_size = 128
 
 let start aim paths =
-  let question path = { asked = path; tally = Tally.empty; answer = None } in
+  let question path = { asked = path; tally = Tally.empty; left_out = 0; answer = None } in
   { aim; questions = List.map question paths; looks = 0; runs = 0; chosen = false }
 
 let settled t = List.for_all (fun q -> Option.is_some q.answer) t.questions
@@ -46,10 +47,17 @@ let next t =
     | Exactly n -> Some n
     | At_most n -> Some (Int.min n (if t.runs = 0 then first_size else t.runs + (t.runs / 2)))
 
-let add t (outcomes, chosen) =
+(* Of a number without a known range nothing is known where a run is open, and nothing is proved by the others: a
+   run that was interrupted is left out. *)
+let add_outcome q (o : Sample.outcome) =
+  match (q.asked.question, o) with
+  | Amounts (_, None), Too_long Interruption -> q.left_out <- q.left_out + 1
+  | (Amounts _ | Does), _ -> q.tally <- Tally.add q.tally o
+
+let add t (r : Sample.run) =
   t.runs <- t.runs + 1;
-  if chosen then t.chosen <- true;
-  List.iter2 (fun q o -> if Option.is_none q.answer then q.tally <- Tally.add q.tally o) t.questions outcomes
+  if r.chosen then t.chosen <- true;
+  List.iter2 (fun q o -> if Option.is_none q.answer then add_outcome q o) t.questions r.outcomes
 
 (* {1 One look} *)
 
@@ -124,10 +132,15 @@ let of_bound : Sample.bound -> string = function
   | Steps -> "--steps"
   | Time -> "--until"
   | Instant -> "many transitions happen without time passing"
+  | Interruption -> "the command was stopped"
 
-let open_reasons (tally : Tally.t) =
+let open_reasons { tally; left_out; _ } =
   List.concat
     [
+      (match left_out with
+       | 0 -> []
+       | 1 -> [ "1 more run is left out, which was interrupted" ]
+       | n -> [ Printf.sprintf "%d more runs are left out, which were interrupted" n ]);
       (if tally.free = 0 then []
        else
          [ of_runs tally tally.free
@@ -158,7 +171,7 @@ let look t q ~miss ~last =
   let value = value q miss in
   let narrow = is_narrow t value and hopeless = is_hopeless t q ~miss value in
   let wide () =
-    let still_open = open_reasons q.tally in
+    let still_open = open_reasons q in
     match value with
     | _ when narrow -> []
     | Unknown when still_open <> [] -> still_open
@@ -173,7 +186,7 @@ let look t q ~miss ~last =
       match value with
       | Sample _ | Unknown -> settle Undecided ~reasons:(wide ())
       | Probability _ | Mean _ | Infinite ->
-        settle Estimated ~reasons:(if fixed && not hopeless then open_reasons q.tally else wide ()))
+        settle Estimated ~reasons:(if fixed && not hopeless then open_reasons q else wide ()))
   | Some (side, test) -> (
       match Option.bind (known t q side value) (fun known -> Answer.holds known test) with
       | Some holds -> settle (if holds then Holds else Violated) ~reasons:[]

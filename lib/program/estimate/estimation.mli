@@ -51,8 +51,9 @@ val start : aim -> Path.t list -> t
 val next : t -> int option
 (** The total number of runs at which {!judge} is due; [None] if all properties are settled. *)
 
-val add : t -> Sample.outcome list * bool -> unit
-(** Adds the outcomes of the next run, and whether it made choices that are not drawn. *)
+val add : t -> Sample.run -> unit
+(** Adds the next run. A run that was interrupted is left out for a mean without a known range, if it has no
+    number; the reasons of the answer say so. *)
 
 val judge : t -> last:bool -> unit
 (** Settles the properties that the runs so far decide. [last] is true if there will be no more runs.

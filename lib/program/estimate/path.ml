@@ -46,6 +46,23 @@ let of_check model (check : Property.check) =
   | Whether -> Error "no probability or mean is asked for: `scc check` decides it"
   | Expected (_, mean, _) -> made (Amounts (mean, range model mean))
 
+let atoms path =
+  let of_number n = Formula.atoms (State (Compare (Eq, n, Const Rat.zero))) in
+  let of_mean : Property.mean -> Atom.t list = function
+    | Time_until f -> Formula.atoms f
+    | Events_until (p, f) -> Formula.atoms (State p) @ Formula.atoms f
+    | Value_at (n, _) -> of_number n
+  in
+  let of_question = match path.question with Does -> [] | Amounts (mean, _) -> of_mean mean in
+  Formula.atoms path.formula @ of_question
+
+(* An event is in the label of a transition, but for the processes of its leaves. *)
+let seen paths =
+  let atoms = List.concat_map atoms paths in
+  let is_global (a : Atom.t) = match a.scope with Whole -> Option.is_none a.event | Named -> false in
+  if List.exists is_global atoms then None
+  else Some (List.sort_uniq Int.compare (List.concat_map Atom.leaves atoms))
+
 let test path =
   match (path.check.asked, path.check.formula) with
   | Expected ([ side ], _, Some test), _ -> Some (side, test)

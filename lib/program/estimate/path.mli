@@ -18,6 +18,10 @@ type t = {
   horizon : Rat.t option;  (** model time after which it is decided; [None]: it may never be *)
 }
 
+val seen : t list -> int list option
+(** The leaves whose processes the formulas and numbers of all these paths depend on, in order. [None]: they depend
+    on the network as a whole. *)
+
 val test : t -> (Property.side * Scc_chance.Answer.bound) option
 (** What it is compared with; [None]: a number is asked for. *)
 

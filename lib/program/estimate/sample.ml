@@ -1,3 +1,4 @@
+open Scc_system
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
@@ -15,8 +16,10 @@ type plan = {
   until : Rat.t option;
 }
 
-type bound = Steps | Time | Instant
+type bound = Steps | Time | Instant | Interruption
 type outcome = Truth of bool | Number of Rat.t | Never | Free | Too_long of bound | No_value of string
+
+type run = { outcomes : outcome list; chosen : bool; interrupted : bool }
 
 (* What was asked is looked for after so many states, half as many again, and so on. *)
 let first_look = 8
@@ -31,11 +34,11 @@ let horizon plan =
 
 let until plan = Option.merge Rat.min (horizon plan) plan.until
 
-let is_free (s : Scc_engine.Run.alternative) ~among = among > 1 && not (Scc_semantics.Transition.is_drawn s.label)
-
-let run plan ~seed number =
+let run plan ~seed ~interrupted number =
   let chain = Chain.make plan.semantics and questions = Chain.questions plan.semantics plan.paths in
-  let next = ref first_look and found = ref [] and over = ref false and chosen = ref false in
+  let seen = Path.seen plan.paths in
+  let next = ref first_look and found = ref (List.map (fun _ -> Chain.Open) plan.paths) in
+  let over = ref false and chosen = ref false in
   let look () =
     found := Chain.answers questions chain;
     if List.for_all (fun (a : Chain.answer) -> a <> Open) !found then over := true
@@ -44,9 +47,8 @@ let run plan ~seed number =
   let note (event : Replay.event) =
     (match event with Step _ -> incr steps | Start _ | Instant _ | End _ -> ());
     match event with
-    | Start state -> Chain.start chain state
-    | Step { taken; among; state; _ } when not !over ->
-      let free = is_free taken ~among in
+    | Start state -> Chain.start chain (Option.fold ~none:state ~some:(State.with_leaves state) seen)
+    | Step { taken; free; state; part; _ } when not !over ->
       if free && plan.free = Evenly then chosen := true;
       if free && plan.free = Apart then begin
         look ();
@@ -54,7 +56,8 @@ let run plan ~seed number =
         over := true
       end
       else begin
-        Chain.step chain taken.label (state ());
+        let ({ label; _ } : Scc_engine.Run.alternative) = taken in
+        Chain.step chain label (match seen with Some leaves -> part leaves | None -> state ());
         if Chain.length chain >= !next then begin
           next := next_look !next;
           look ()
@@ -66,18 +69,26 @@ let run plan ~seed number =
     | End { ending = Stuck _; _ } -> Chain.dead_end chain
     | End { ending = Open; _ } -> if !steps >= plan.steps then bound := Steps
     | End { ending = Zeno; _ } -> bound := Instant
+    | End { ending = Broken_off; _ } -> ()
   in
   let limits = { Replay.steps = Some plan.steps; time = until plan; instant = Replay.default_instant } in
-  let policy = Replay.Random (Simulation.seed_of seed number) and interrupted () = !over in
-  (match Replay.run plan.semantics plan.declared policy limits ~interrupted note with
-   | Ok _ | Error (Fault _) -> if not !over then look ()
-   | Error (Interrupted _ | Refused _) -> ());
+  let policy = Replay.Random (Simulation.seed_of seed number) and left () = !over || interrupted () in
+  let go_on () =
+    match Replay.run plan.semantics plan.declared policy limits ~interrupted:left note with
+    | Ok _ | Error (Fault _) -> ()
+    | Error (Interrupted _ | Refused _) -> if not !over then bound := Interruption
+  in
+  (try
+     go_on ();
+     if not !over then look ()
+   with Interruption.Interrupted _ -> bound := Interruption);
   let outcome : Chain.answer -> outcome = function
     | Truth b -> Truth b
     | Number r -> Number r
     | Never -> Never
     | No_value why -> No_value why
+    | Open when !bound = Interruption -> Too_long Interruption
     | Open when Chain.is_over chain -> No_value "something that it asks for has no value there"
     | Open -> if !stopped_by_choice then Free else Too_long !bound
   in
-  (List.map outcome !found, !chosen)
+  { outcomes = List.map outcome !found; chosen = !chosen; interrupted = !bound = Interruption }

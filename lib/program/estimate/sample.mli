@@ -24,6 +24,7 @@ type bound =
   | Steps  (** so many transitions, [plan.steps] *)
   | Time  (** [plan.until] *)
   | Instant  (** so many transitions without time passing *)
+  | Interruption
 
 (** The outcome of a run for one question. *)
 type outcome =
@@ -34,6 +35,13 @@ type outcome =
   | Too_long of bound  (** the run was stopped before the outcome was known *)
   | No_value of string
 
-val run : plan -> seed:int64 -> int -> outcome list * bool
-(** Makes the run with this number, whose seed is {!Scc_simulate.Simulation.seed_of}. The results are the
-    outcome of each path in order, and true if a choice that is not drawn was made, uniformly. *)
+(** The result of a run. *)
+type run = {
+  outcomes : outcome list;  (** of each path, in order *)
+  chosen : bool;  (** a choice that is not drawn was made, uniformly *)
+  interrupted : bool;  (** it ended by an interruption: an outcome that depends on its rest is [Too_long] *)
+}
+
+val run : plan -> seed:int64 -> interrupted:(unit -> bool) -> int -> run
+(** Makes the run with this number, whose seed is {!Scc_simulate.Simulation.seed_of}. If [interrupted ()] is true,
+    it ends before its next transition; {!Scc_system.Interruption.Interrupted} ends it at once. *)

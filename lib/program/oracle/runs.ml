@@ -49,7 +49,9 @@ let successors_format =
   let transition =
     fields
       [
-        within fst taken_members; maybe "rounded" totals rounded;
+        within fst taken_members;
+        State_json.tie_chance (fun ((_, _, (t : Transition.t)), _) -> (t.label, t.chance));
+        maybe "rounded" totals rounded;
         maybe "state" State_json.state_format target;
       ]
   in

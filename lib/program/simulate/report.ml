@@ -79,8 +79,13 @@ let run_format =
      and+ ended =
        required "ended" (nullable text) (fun (_, (r : Simulation.run)) -> r.ended)
          ~about:"Why it did not come to the last time, in words."
+     and+ interrupted =
+       optional "interrupted" bool
+         (fun (_, (r : Simulation.run)) -> if r.interrupted then Some true else None)
+         ~about:"true: an interruption ended it, and it would have gone on. --resume makes it anew."
      in
-     { Simulation.number; values = Array.of_list (List.map Array.of_list values); ended })
+     let interrupted = Option.value interrupted ~default:false in
+     { Simulation.number; values = Array.of_list (List.map Array.of_list values); ended; interrupted })
 
 let header t =
   match t.form with

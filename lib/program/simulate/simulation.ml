@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_system
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
@@ -28,7 +29,7 @@ let golden = 0x9E3779B97F4A7C15L
 let seed_of seed k =
   fst (Splitmix64.next (Splitmix64.of_seed (Int64.add seed (Int64.mul (Int64.of_int k) golden))))
 
-type run = { number : int; values : Rat.t option array array; ended : string option }
+type run = { number : int; values : Rat.t option array array; ended : string option; interrupted : bool }
 
 let observed plan state =
   Array.of_list (List.map (fun o -> Table.exact plan.semantics o state) plan.observables)
@@ -66,19 +67,23 @@ let why_over plan ~steps ~time (ending : Replay.ending) =
   match ending with
   | Open when plan.steps = Some steps -> Printf.sprintf "ended after %d transitions, %s" steps at
   | Open | Quiescent -> "over " ^ at
+  | Broken_off -> Printf.sprintf "interrupted after %d transitions, %s" steps at
   | Zeno -> Printf.sprintf "goes on for ever within one instant, %s" at
   | Stuck g -> Printf.sprintf "over %s: %s" at (Transition.diagnostic (Semantics.model plan.semantics)
                                                   g.fault).message
 
-let run plan ~seed number =
+let run plan ~seed ~interrupted number =
   let none = Array.make (List.length plan.observables) None in
   let values = Array.make (Array.length plan.times) none and next = ref 0 in
   let until = plan.times.(Array.length plan.times - 1) in
-  let ended = ref None in
+  let ended = ref None and cut = ref false and taken = ref 0 and now = ref Rat.zero in
   let is_done () = !next >= Array.length plan.times in
   let finish ~steps ~time ending = if not (is_done ()) then ended := Some (why_over plan ~steps ~time ending) in
   let note : Replay.event -> unit = function
-    | Start _ | Step _ -> ()
+    | Start _ -> ()
+    | Step s ->
+      taken := s.number;
+      now := s.time
     | Instant i -> look_at_end plan values next i.time (fun () -> i.state)
     | End { steps; time; ending; last; _ } ->
       (match (ending, last) with
@@ -90,11 +95,13 @@ let run plan ~seed number =
   let limits = { Replay.steps = plan.steps; time = Some until; instant = Replay.default_instant } in
   let passing ~start ~lasts state = look plan values next ~start ~lasts state in
   let policy = Replay.Random (seed_of seed number) in
-  let interrupted () = false in
   (match Replay.run ~passing plan.semantics plan.declared policy limits ~interrupted note with
    | Ok _ -> ()
    | Error (Fault g) ->
      let message = (Transition.diagnostic (Semantics.model plan.semantics) g.fault).message in
      ended := Some (Printf.sprintf "over at time %s: %s" (Rat.to_string g.time) message)
-   | Error (Interrupted _ | Refused _) -> Bug.fail __POS__ "a run that nobody leads or interrupts");
-  { number; values; ended = !ended }
+   | Error (Interrupted _) | (exception Interruption.Interrupted _) ->
+     cut := not (is_done ());
+     finish ~steps:!taken ~time:!now Broken_off
+   | Error (Refused _) -> Bug.fail __POS__ "a run that nobody leads");
+  { number; values; ended = !ended; interrupted = !cut }

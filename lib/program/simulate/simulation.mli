@@ -34,9 +34,13 @@ type run = {
   number : int;
   values : Rat.t option array array;  (** by time, and then by observable *)
   ended : string option;  (** why it ended before the last time *)
+  interrupted : bool;  (** it ended by an interruption, and would have gone on *)
 }
 
-val run : plan -> seed:int64 -> int -> run
+val run : plan -> seed:int64 -> interrupted:(unit -> bool) -> int -> run
 (** Simulates the run with this number. The value at a time is that after all events of the instant. Draws have
     their probabilities. A choice that is not drawn is made uniformly among all transitions, since it has no
-    probabilities. *)
+    probabilities.
+
+    If [interrupted ()] is true, the run ends before its next transition.
+    {!Scc_system.Interruption.Interrupted} ends it at once. The values up to there are those of the whole run. *)

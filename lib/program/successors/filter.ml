@@ -6,11 +6,13 @@ open Scc_semantics
 open Scc_graph_search
 open Scc_state_space
 
-module Labels = Scc_data.Numbering.Make (struct
-    type t = Transition.label
+type label = Transition.label * Rat.t option
 
-    let equal = Transition.equal_label
-    let hash = Catalogue.hash_label
+module Labels = Scc_data.Numbering.Make (struct
+    type t = label
+
+    let equal (a, p) (b, q) = Transition.equal_label a b && Option.equal Rat.equal p q
+    let hash (l, chance) = Catalogue.hash_label l + Option.fold ~none:0 ~some:Rat.hash chance
   end)
 
 type reached = { tuple : int array; fingerprint : Keys.fingerprint; goals : Truth.t array; too_long : bool }
@@ -72,7 +74,8 @@ let renew ?(most = most_bodies) f =
 
 let label_number f number =
   for i = Growable.length f.numbers to number do
-    Growable.push f.numbers (Labels.number f.labels (Catalogue.label_of (catalogue f) i))
+    let label = (Catalogue.label_of (catalogue f) i, Catalogue.chance (catalogue f) i) in
+    Growable.push f.numbers (Labels.number f.labels label)
   done;
   Growable.get f.numbers number
 

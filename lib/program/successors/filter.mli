@@ -34,7 +34,10 @@ val events : t -> Scc_property.Property.event list
 val labels : t -> int
 (** The number of labels met so far. *)
 
-val label : t -> int -> Transition.label
+type label = Transition.label * Scc_exact.Rat.t option
+(** A label, and its probability if chance decides ({!Catalogue.chance}). *)
+
+val label : t -> int -> label
 (** The label with a number. *)
 
 (** {1 States} *)

@@ -27,10 +27,9 @@ let truth =
 let label =
   all
     [
-      field "label" some_text (fun (model, l) -> Transition.label_to_string model l);
-      field "duration" Shared.rational (fun (_, l) -> Transition.duration_of l);
-      maybe "chance" Shared.rational (fun (_, l) ->
-          if Transition.is_drawn l then Some (Transition.chance l) else None);
+      field "label" some_text (fun (model, (l, _)) -> Transition.label_to_string model l);
+      field "duration" Shared.rational (fun (_, (l, _)) -> Transition.duration_of l);
+      maybe "chance" Shared.rational (fun (_, (_, chance)) -> chance);
     ]
 
 (* {1 States} *)

@@ -30,13 +30,13 @@ type note = {
   error : Diag.t option;  (** why the bytes are no state *)
 }
 
-val moves_text : ((Scc_calculus.Model.t * Scc_semantics.Transition.label) list * note list, unit) Json_format.t
+val moves_text : ((Scc_calculus.Model.t * Filter.label) list * note list, unit) Json_format.t
 (** The format of the text of frames about states: labels and notes. *)
 
 val reason : _ Filter.following -> Diag.t option
 (** Why nothing follows a state, if there is a reason. *)
 
-val of_moves : Scc_calculus.Model.t -> Scc_semantics.Transition.label list -> note list -> string
+val of_moves : Scc_calculus.Model.t -> Filter.label list -> note list -> string
 (** The text of new labels and notes. It is empty if there are neither. *)
 
 val targets_text : ((int * Truth.t array) list, unit) Json_format.t

@@ -30,7 +30,25 @@ let cut_dots text =
   in
   from 0
 
+(* A range of all numbers between has no values to try one after the other. *)
+let between text =
+  let n = String.length text in
+  let is_end c = match c with '[' | '(' | ']' | ')' -> true | _ -> false in
+  if n > 0 && is_end text.[0] then
+    let inner = String.sub text 1 (n - 1) in
+    let inner = if n > 1 && is_end text.[n - 1] then String.sub text 1 (n - 2) else inner in
+    match List.map String.trim (String.split_on_char ',' inner) with
+    | [ low; high ] ->
+      Error
+        (Printf.sprintf
+           "`%s' is a range of all numbers between, for scc check; the values of a sweep are %s..%s, or %s:%s:1/8 \
+            with steps of 1/8"
+           text low high low high)
+    | _ -> Error (Printf.sprintf "`%s' is neither a value, nor a list 1,2,5, nor 1..10, nor 0:2:1/8" text)
+  else Ok ()
+
 let values text =
+  let* () = between text in
   match (cut_dots text, String.split_on_char ':' text) with
   | Some (low, high), _ ->
     let* low = number low in

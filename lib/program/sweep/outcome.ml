@@ -13,7 +13,9 @@ type check = {
   faults : string list;
 }
 
-type t = Checked of check list | Refused of { code : string; message : string }
+type t =
+  | Checked of { checks : check list; lattices : Scc_elaborate.Lattices.t list }
+  | Refused of { code : string; message : string }
 
 let number (side, (m : Scc_ctl.Eval.measured)) =
   let infinite = match m.least with Answer.Infinite -> true | Exact _ | Within _ | At_least _ -> false in
@@ -36,19 +38,20 @@ let check (o : Verdict.outcome) =
     faults = o.lost;
   }
 
-let of_outcomes list = Checked (List.map check list)
+let of_outcomes ~lattices list = Checked { checks = List.map check list; lattices }
 
 let of_diagnostics = function
   | [] -> Bug.fail __POS__ "refused without a diagnostic"
   | (d : Diag.t) :: _ -> Refused { code = d.code; message = d.message }
 
-let faults = function Refused _ -> [] | Checked checks -> List.concat_map (fun c -> c.faults) checks
-
-let is_stopped = function Refused _ -> false | Checked checks -> List.exists (fun c -> c.stopped) checks
+let checks = function Refused _ -> [] | Checked { checks; _ } -> checks
+let lattices = function Refused _ -> [] | Checked { lattices; _ } -> lattices
+let faults t = List.concat_map (fun c -> c.faults) (checks t)
+let is_stopped t = List.exists (fun c -> c.stopped) (checks t)
 
 let is_known = function
   | Refused _ -> false
-  | Checked checks ->
+  | Checked { checks; _ } ->
     let known c =
       match c.verdict with
       | "holds" | "violated" -> true

@@ -22,14 +22,20 @@ type check = {
 
 (** The result at a point. *)
 type t =
-  | Checked of check list
+  | Checked of { checks : check list; lattices : Scc_elaborate.Lattices.t list }
   | Refused of { code : string; message : string }  (** the model is invalid there *)
 
-val of_outcomes : Scc_verify.Verdict.outcome list -> t
-(** The result of a model that was checked. *)
+val of_outcomes : lattices:Scc_elaborate.Lattices.t list -> Scc_verify.Verdict.outcome list -> t
+(** The result of a model that was checked, with the lattices of the bodies that diffuse. *)
 
 val of_diagnostics : Scc_base.Diag.t list -> t
 (** The result of an invalid model: its first diagnostic. An empty list is a bug. *)
+
+val checks : t -> check list
+(** The results of the checks; none if the model is invalid. *)
+
+val lattices : t -> Scc_elaborate.Lattices.t list
+(** The lattices of the bodies that diffuse; none if the model is invalid. *)
 
 val faults : t -> string list
 (** The faults of scc in all checks. *)

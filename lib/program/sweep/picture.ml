@@ -9,18 +9,14 @@ let axes grid =
   | [] -> Error "a chart is drawn over one or two parameters that have several values, and none has"
   | _ -> Error "a chart is drawn over one or two parameters that have several values, and more have"
 
-let found name : Outcome.t -> Outcome.check option = function
-  | Refused _ -> None
-  | Checked checks -> List.find_opt (fun (c : Outcome.check) -> String.equal c.name name) checks
+let found name outcome =
+  List.find_opt (fun (c : Outcome.check) -> String.equal c.name name) (Outcome.checks outcome)
 
 (* In the order in which they come first. *)
 let names outcomes =
   let add names (o : Outcome.t) =
-    match o with
-    | Refused _ -> names
-    | Checked checks ->
-      let new_ (c : Outcome.check) = not (List.mem c.name names) in
-      names @ List.map (fun (c : Outcome.check) -> c.name) (List.filter new_ checks)
+    let new_ (c : Outcome.check) = not (List.mem c.name names) in
+    names @ List.map (fun (c : Outcome.check) -> c.name) (List.filter new_ (Outcome.checks o))
   in
   Array.fold_left add [] outcomes
 

@@ -1,11 +1,12 @@
 open Scc_exact
+open Scc_elaborate
 open Scc_loading
 open Scc_json
 open Scc_runs
 open Scc_reports
 open Json_format
 
-type t = { name : string option; digest : string; grid : Grid.t; bounds : (string * string) list }
+type t = { name : string option; digest : string; grid : Grid.t; bounds : (string * string) list; diffuses : bool }
 
 let origin (o : Origin.t) = (o.name, o.digest)
 
@@ -22,6 +23,7 @@ let number_columns = List.concat_map (fun side -> [ side ^ " from"; side ^ " to"
 let csv_header t =
   csv_line
     (("point" :: List.map (fun (a : Grid.axis) -> a.name) t.grid)
+     @ (if t.diffuses then [ "kick" ] else [])
      @ [ "check"; "verdict" ] @ number_columns @ [ "why" ])
 
 let number_fields (c : Outcome.check) =
@@ -37,11 +39,12 @@ let number_fields (c : Outcome.check) =
 
 let csv t k outcome =
   let start = string_of_int k :: List.map (fun (_, r) -> Rat.to_string r) (Grid.point t.grid k) in
+  let start = start @ if t.diffuses then [ Lattices.kicks (Outcome.lattices outcome) ] else [] in
   match (outcome : Outcome.t) with
   | Refused { code; message } ->
     let nothing = List.map (fun _ -> "") number_columns in
     csv_line (start @ [ ""; "invalid" ] @ nothing @ [ Printf.sprintf "%s: %s" code message ])
-  | Checked checks ->
+  | Checked { checks; _ } ->
     let line (c : Outcome.check) =
       csv_line (start @ [ c.name; c.verdict ] @ number_fields c @ [ String.concat "; " c.reasons ])
     in
@@ -93,17 +96,30 @@ let check =
         ~about:"Why it is not known, or no better; bounds up to which it holds.";
     ]
 
+let lattice =
+  let lattice f (l : Lattices.t) = f l.lattice in
+  fields
+    [
+      field "bodies" (list ~least:1 text) (fun (l : Lattices.t) -> l.bodies)
+        ~about:"Names of bodies; a family once, by its name.";
+      field "kick" Shared.rational (lattice (fun l -> l.kick));
+      field "chosen" bool (lattice (fun l -> l.chosen))
+        ~about:"The model does not give the kick: it is the least power of two that is long enough.";
+    ]
+
 let point_format =
   let refusal = fields [ field "code" Shared.code fst; field "message" text snd ] in
   let refused : Outcome.t -> _ = function Refused { code; message } -> Some (code, message) | Checked _ -> None in
-  let checks : Outcome.t -> _ = function Refused _ -> [] | Checked checks -> checks in
+  let lattices o = match Outcome.lattices o with [] -> None | _ :: _ as lattices -> Some lattices in
   fields
     [
       field "point" natural (fun (_, k, _) -> k);
       field "parameters" Origin_json.parameters_format (fun (t, k, _) -> Grid.point t.grid k);
       field "refused" (nullable refusal) (fun (_, _, o) -> refused o)
         ~about:"Why the model is invalid there; then there are no checks.";
-      field "checks" (list check) (fun (_, _, o) -> checks o);
+      maybe "lattices" (list ~least:1 lattice) (fun (_, _, o) -> lattices o)
+        ~about:"Of the bodies that diffuse: the lengths of their kicks.";
+      field "checks" (list check) (fun (_, _, o) -> Outcome.checks o);
     ]
 
 let format =

@@ -8,6 +8,7 @@ type t = {
   digest : string;
   grid : Grid.t;
   bounds : (string * string) list;
+  diffuses : bool;  (** true if some body may diffuse: then there is a column of the lengths of kicks *)
 }
 
 val csv_header : t -> string

@@ -40,7 +40,9 @@ let draws context from target =
   let catalogue = Network_lts.catalogue context in
   let wanted =
     let moving (p : State.process) = (p.leaves.(0).leaf, p.velocity) in
-    List.map moving (Array.to_list (Catalogue.decode catalogue target).processes)
+    match Network_lts.draws_towards context from.last target with
+    | Some velocities -> velocities
+    | None -> List.map moving (Array.to_list (Catalogue.decode catalogue target).processes)
   in
   let fits ((t : Transition.t), _) =
     match t.label with

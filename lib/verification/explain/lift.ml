@@ -18,10 +18,20 @@ let patience t = 10_000 * Array.length (Semantics.model t.semantics).leaves
 
 let labels t = match Run.labels t.run with Ok found -> Run.list found | Error _ -> fail ()
 
+(* The probability of a transition to be taken, where chance decides between urgent ones (rule Ties). *)
+let tie_chance t choice =
+  if not (Model.draws_ties (Semantics.model t.semantics)) then None
+  else
+    match Network.successors t.semantics (Run.state t.run) with
+    | Ok transitions -> Option.bind (List.nth_opt transitions choice) (fun (x : Transition.t) -> x.chance)
+    | Error _ -> fail ()
+
 let take t choice =
+  let chance = tie_chance t choice in
   let a = Run.take t.run choice in
   let target = Run.state t.run in
-  let transition = { Transition.label = a.label; rules = a.rules; fired = []; target; rounded = None } in
+  let chance = if Transition.is_drawn a.label then Some (Transition.chance a.label) else chance in
+  let transition = { Transition.label = a.label; rules = a.rules; fired = []; target; chance; rounded = None } in
   t.within_instant <- (match a.label with Time _ -> 0 | _ -> t.within_instant + 1);
   if t.within_instant > patience t then fail ();
   t.steps <- { choice; transition; time = Run.elapsed t.run } :: t.steps

@@ -188,6 +188,6 @@ let of_explanation context graph temporal e =
   Option.map
     (fun run ->
        let w = of_run context graph temporal run in
-       let facts = Wording.facts context graph temporal e in
+       let facts = Wording.facts context graph temporal ~last:w.last e in
        { w with Witness.facts; argument = Wording.argument context graph temporal e })
     (Explanation.chain e)

@@ -8,8 +8,9 @@ module Graph = State_graph
 
 (** {2 Facts} *)
 
-let facts_at context graph temporal (at : Scc_ctl.Positions.position) p =
-  let state = Catalogue.decode (Network_lts.catalogue context) (Graph.tuple graph at.node) in
+let facts_at ?real context graph temporal (at : Scc_ctl.Positions.position) p =
+  let standing () = Catalogue.decode (Network_lts.catalogue context) (Graph.tuple graph at.node) in
+  let state = match real with Some state -> state | None -> standing () in
   let extent =
     if not (Scc_ctl.Positions.is_inside at) then Timeline.Instant
     else
@@ -68,8 +69,14 @@ let on_the_way_of (along : Explanation.along option) =
     (match last stretches with Some { why; _ } -> given (Lazy.force why) | None -> [])
   | Some _ | None -> []
 
-let facts context graph temporal e =
-  let told = List.concat_map (fun (p, at) -> facts_at context graph temporal at p) in
+(* Where one run shows a probability, it leads to a real state, for which that of the graph stands. *)
+let facts context graph temporal ~last e =
+  let real =
+    match e.Explanation.because with
+    | Likelihood { parts; _ } when not (List.exists has_run parts) -> Some last
+    | Given | Parts _ | Run _ | Everywhere _ | Likelihood _ -> None
+  in
+  let told = List.concat_map (fun (p, at) -> facts_at ?real context graph temporal at p) in
   match last_run e with
   | None -> []
   | Some (run, parts, along) ->

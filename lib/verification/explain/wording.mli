@@ -3,8 +3,10 @@
 open Scc_ctl
 open Scc_state_space
 
-val facts : Network_lts.context -> State_graph.t -> Temporal.t -> Explanation.t -> string list
-(** The facts at the end of the run of an explanation ({!Scc_ctl.Explanation.chain}), a sentence for each atom. *)
+val facts :
+  Network_lts.context -> State_graph.t -> Temporal.t -> last:Scc_calculus.State.t -> Explanation.t -> string list
+(** The facts at the end of the run of an explanation ({!Scc_ctl.Explanation.chain}), a sentence for each atom.
+    [last] is the state of the model from which the run goes on at its end. *)
 
 val argument : Network_lts.context -> State_graph.t -> Temporal.t -> Explanation.t -> Witness.argument option
 (** The explanation as a tree. [None] if it is only one run, with facts at its end. *)

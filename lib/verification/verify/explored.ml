@@ -3,7 +3,7 @@ open Scc_semantics
 open Scc_state_space
 module Graph = State_graph
 
-type edge = { label : Transition.label; target : int }
+type edge = { label : Transition.label; chance : Scc_exact.Rat.t option; target : int }
 
 type t = {
   semantics : Semantics.t;
@@ -34,7 +34,9 @@ let explore ?time_seen ?visitor options semantics ~initial =
     Joint_check.explore ?time_seen ?visitor options semantics ~initial
   in
   let catalogue = Network_lts.catalogue context in
-  let edge (e : Graph.edge) = { label = Catalogue.label_of catalogue e.label; target = e.target } in
+  let edge (e : Graph.edge) =
+    { label = Catalogue.label_of catalogue e.label; chance = Catalogue.chance catalogue e.label; target = e.target }
+  in
   let expanded i =
     match Graph.status graph i with Scc_graph_search.Explore.Expanded -> true | Queued | Unexpanded _ -> false
   in

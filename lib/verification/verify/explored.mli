@@ -4,7 +4,11 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 
-type edge = { label : Transition.label; target : int }
+type edge = {
+  label : Transition.label;
+  chance : Scc_exact.Rat.t option;  (** its probability, if chance decides (rules Draw, Lot and Ties) *)
+  target : int;
+}
 
 type t = {
   semantics : Semantics.t;

@@ -254,6 +254,7 @@ let system (options : Setup.t) semantics ~initial checks plans =
     ~quotient:(Reduction.quotient options.reductions model initial ~checks ~searched ~evaluated)
     ?visible:(Reduction.visible options.reductions ~deep ~searched ~evaluated)
     ~joined:(Reduction.joins options.reductions model checks)
+    ?units:(Reduction.seen_on_courses options.reductions model checks)
     semantics initial
 
 (* A question for a number is one about the graph, whatever the formula is. *)

@@ -83,7 +83,7 @@ class Draws:
             constants = (constants,) * 3
         if min(constants) < 0:
             raise Undefined
-        drift = self.velocity(written[1], env) if len(written) > 1 else ZERO
+        drift = self.velocity(written[1], env) if len(written) > 1 and written[1] is not None else ZERO
         step = self.model.timestep
         spread = 2 * step * sum(constants)
         if len(written) > 2:

@@ -613,7 +613,7 @@ class Generator:
         """A law that leaves the velocity to chance (Draw); in a few states it has no value."""
         rng = self.rng
         if rng.random() < 0.2:
-            more = rng.choice(["", "", ", (vx, 0, -1)", ", (vx, vy, vz)/2, 2", ", (0, dt, 0), 3"])
+            more = rng.choice(["", "", ", (vx, 0, -1)", ", (vx, vy, vz)/2, h = 2", ", h = 3", ", (0, dt, 0), 3"])
             return "diffuse(%s%s)" % (rng.choice(["1/8", "1/3", "(1/4, 0, 1/2)"]), more)
         if rng.random() < 0.1:
             return rng.choice(

@@ -562,8 +562,22 @@ class Reader:
             return ("motion", target, ("choose", self.separated(self._kick, "}")))
         if self.peek() == "diffuse" and self.peek(1) == "(":
             self.at += 2
-            return ("motion", target, ("diffuse", self.separated(self.expr, ")")))
+            return ("motion", target, ("diffuse", self._diffusion()))
         return ("motion", target, self.expr())
+
+    def _diffusion(self) -> List[Any]:
+        """The constant, the drift and the kick of ``diffuse``, the last one by its place or its name."""
+        by_name: List[Any] = []
+
+        def argument() -> Any:
+            if self.peek() == "h" and self.peek(1) == "=":
+                self.at += 2
+                by_name.append(self.expr())
+                return None
+            return self.expr()
+
+        written = [e for e in self.separated(argument, ")") if e is not None]
+        return written + [None] * (2 - len(written)) + by_name if by_name else written
 
     def _kick(self) -> Any:
         """A velocity of ``choose``, with its weight, and the indices that write many of them."""

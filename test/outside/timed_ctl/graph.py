@@ -38,7 +38,7 @@ class Trajectory:
 
 @dataclass(frozen=True)
 class State:
-    """`drawn` are branches with their probabilities, `chosen` single transitions; one of the two is empty. `events` are the letters
+    """`drawn` are branches with their probabilities, `chosen` single transitions, which come after them. `events` are the letters
     of each of these: of e, for all that happens by it."""
 
     known: bool

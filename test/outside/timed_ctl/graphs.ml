@@ -107,8 +107,9 @@ let node events (x : Small.node) : Yojson.Basic.t =
     | Ray _ -> `Assoc [ ("time", `Null); ("to", `List []); ("truth", by_predicate along) ]
   in
   let drawn = x.drawn && x.edges <> [] in
-  let edge (t, happens) chance : Yojson.Basic.t =
-    let told = if drawn then [ ("probability", rat chance) ] else [] in
+  let chances = if drawn then Small.chances x else [] in
+  let edge i (t, happens) : Yojson.Basic.t =
+    let told = List.map (fun chance -> ("probability", rat chance)) (Option.to_list (List.nth_opt chances i)) in
     `Assoc (("to", `Int t) :: ("events", `String (letters happens)) :: told)
   in
   let truth = ("truth", by_predicate (fun p -> letter x.at.(p))) in
@@ -118,7 +119,7 @@ let node events (x : Small.node) : Yojson.Basic.t =
       [
         ("known", `Bool true);
         truth;
-        ("transitions", `List (List.map2 edge (List.combine x.edges events) (Small.chances x)));
+        ("transitions", `List (List.mapi edge (List.combine x.edges events)));
         ("trajectory", trajectory);
       ]
 

@@ -113,7 +113,8 @@ class Until:
     def options(self, node: Node) -> List[Option]:
         s, elapsed = node
         state = self.graph.states[s]
-        found = [Option(True, 0, (Branch(ONE, t, self.enter(t, elapsed), e),)) for t, e in zip(state.chosen, state.events)]
+        chosen = zip(state.chosen, state.events[len(state.drawn):])
+        found = [Option(True, 0, (Branch(ONE, t, self.enter(t, elapsed), e),)) for t, e in chosen]
         if state.drawn:
             drawn = zip(state.drawn, state.events)
             found.append(Option(True, 0, tuple(Branch(p, t, self.enter(t, elapsed), e) for (p, t), e in drawn)))

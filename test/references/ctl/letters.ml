@@ -11,7 +11,7 @@ let truths text =
 
 let node ?(edges = []) ?(drawn = false) ?(flow = Small.No_flow) ?(p = "") ?(q = "") ?(known = true) at : Small.node
   =
-  { at = truths at; cells = [| truths p; truths q |]; edges; drawn; flow; known }
+  { at = truths at; cells = [| truths p; truths q |]; edges; drawn; others = 0; flow; known }
 
 let graph nodes : Small.t = { nodes = Array.of_list nodes; unit = Rat.one }
 let p = Predicate 0

@@ -213,7 +213,9 @@ let likely t w (side : Timed_formula.side) ~generous ~f ~g =
     let jumps =
       match x.place with
       | Node s when t.small.nodes.(s).drawn ->
-        [ List.map2 (fun k' p -> (to_ k', p)) x.jumps (Small.chances t.small.nodes.(s)) ]
+        let node = t.small.nodes.(s) in
+        let drawn, others = Small.split node x.jumps in
+        List.map2 (fun k' p -> (to_ k', p)) drawn (Small.chances node) :: List.map (fun k' -> sure (to_ k')) others
       | _ -> List.map (fun k' -> sure (to_ k')) x.jumps
     in
     jumps @ List.map (fun k' -> sure (to_ k')) x.passes

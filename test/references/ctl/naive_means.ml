@@ -31,9 +31,11 @@ let ways t x ~jump ~pass ~state =
   let jumps =
     match x.place with
     | Node s when t.small.nodes.(s).drawn && x.jumps <> [] ->
-      let chances = Small.chances t.small.nodes.(s) in
+      let node = t.small.nodes.(s) in
+      let chances = Small.chances node and drawn, others = Small.split node x.jumps in
       let earned = List.mapi (fun i p -> Rat.mul p (jump i)) chances in
-      [ (List.fold_left Rat.add Rat.zero earned, List.map2 (fun k' p -> (state k', p)) x.jumps chances) ]
+      (List.fold_left Rat.add Rat.zero earned, List.map2 (fun k' p -> (state k', p)) drawn chances)
+      :: List.mapi (fun i k' -> sure (jump (i + List.length drawn)) k') others
     | _ -> List.mapi (fun i k' -> sure (jump i) k') x.jumps
   in
   jumps @ List.map (sure pass) x.passes

@@ -9,6 +9,7 @@ type node = {
   cells : truth array array;
   edges : int list;
   drawn : bool;
+  others : int;
   flow : flow;
   known : bool;
 }
@@ -19,9 +20,14 @@ let time g k = Rat.mul g.unit (Rat.of_int k)
 let cells node = match node.flow with No_flow -> 0 | Lasts (d, _) -> (2 * d) - 1 | Ray k -> (2 * k) + 1
 let cell a i = a.(Int.min i (Array.length a - 1))
 
+let split node list =
+  let n = Int.max 1 (List.length list - node.others) in
+  (List.filteri (fun i _ -> i < n) list, List.filteri (fun i _ -> i >= n) list)
+
 let chances node =
-  let n = List.length node.edges in
-  List.mapi (fun i _ -> Rat.make (Z.of_int (2 * (i + 1))) (Z.of_int (n * (n + 1)))) node.edges
+  let drawn, _ = split node node.edges in
+  let n = List.length drawn in
+  List.mapi (fun i _ -> Rat.make (Z.of_int (2 * (i + 1))) (Z.of_int (n * (n + 1)))) drawn
 
 let graph g : Timed_graph.t =
   {
@@ -31,7 +37,10 @@ let graph g : Timed_graph.t =
     drawn =
       (fun s ->
          let node = g.nodes.(s) in
-         if node.drawn && node.edges <> [] then Some (Array.of_list (chances node)) else None);
+         if not (node.drawn && node.edges <> []) then None
+         else
+           let _, others = split node node.edges in
+           Some (Array.of_list (List.map Option.some (chances node) @ List.map (fun _ -> None) others)));
     flow =
       (fun s ->
          match g.nodes.(s).flow with
@@ -64,7 +73,7 @@ let predicates g : Eval.predicates =
   in
   { at; along; steady = is_steady }
 
-let evaluator g = Eval.create (Timed_graph.index (graph g)) (predicates g)
+let evaluator ?effort g = Eval.create ?effort (Timed_graph.index (graph g)) (predicates g)
 
 (* Not always the middle: what holds there must hold on the whole interval. *)
 let offset g i =
@@ -96,8 +105,9 @@ let node_gen n ~weights ~known =
   let* known = known in
   let* by_lot = bool in
   let drawn = by_lot && edges <> [] && flow = No_flow in
+  let* others = if drawn then int_range 0 (List.length edges - 1) else return 0 in
   let* at = array_repeat count truth in
-  let blank = { at; cells = [||]; edges; drawn; flow; known } in
+  let blank = { at; cells = [||]; edges; drawn; others; flow; known } in
   (* Often the same all the way. *)
   let* varied = bool in
   let along v = if varied then array_repeat (cells blank) truth else return (Array.make (cells blank) v) in
@@ -188,7 +198,10 @@ let print g =
       | Ray _ -> Printf.sprintf " for ever [%s]" (rows x.cells)
     in
     Printf.sprintf "%d%s %s -> %s%s" i (if x.known then "" else " (unknown)") (row x.at)
-      (if x.drawn then "by lot " ^ numbers x.edges else numbers x.edges)
+      (if not x.drawn then numbers x.edges
+       else
+         let drawn, others = split x x.edges in
+         Printf.sprintf "by lot %s or %s" (numbers drawn) (numbers others))
       flow
   in
   String.concat "\n" (Array.to_list (Array.mapi node g.nodes) @ [ "unit " ^ Rat.to_string g.unit ])

@@ -16,6 +16,7 @@ type node = {
   cells : truth array array;  (** by predicate, along the flow *)
   edges : int list;
   drawn : bool;  (** which of the edges is left to chance: 1 part to the first, 2 to the second, … *)
+  others : int;  (** where it is: so many of the last edges are choices of their own, but not the first edge *)
   flow : flow;
   known : bool;  (** what follows a node that is not known is there all the same: one way it could be *)
 }
@@ -24,13 +25,16 @@ type t = { nodes : node array; unit : Rat.t }
 
 val graph : t -> Timed_graph.t
 val predicates : t -> Eval.predicates
-val evaluator : t -> Eval.t
+val evaluator : ?effort:Scc_chance.Effort.t -> t -> Eval.t
 
 val cells : node -> int
 (** Of its flow. *)
 
 val chances : node -> Rat.t list
-(** Of its edges, when they are drawn. *)
+(** Of its edges that are drawn, when some are. *)
+
+val split : node -> 'a list -> 'a list * 'a list
+(** What stands for edges, in order: the part that is drawn, when some are, and the others. *)
 
 val cell : truth array -> int -> truth
 (** The last one stands for all that come after it. *)

@@ -124,7 +124,8 @@ let chance_of c (run : Run.t) =
   let step product (s : Run.step) =
     let node = c.graph.nodes.(s.source) in
     match s.move with
-    | Edge k when node.drawn -> Rat.mul product (List.nth (Small.chances node) k)
+    | Edge k when node.drawn ->
+      Option.fold ~none:product ~some:(Rat.mul product) (List.nth_opt (Small.chances node) k)
     | Edge _ | Flow _ -> product
   in
   List.fold_left step Rat.one run.steps

@@ -71,7 +71,7 @@ let agrees c =
   let q = question c in
   let w, starts = starts q in
   let expected = whole q w starts in
-  match Layers.make q w starts with
+  match Layers.until q w starts with
   | None -> true
   | Some layers ->
     incr by_layers;
@@ -110,7 +110,7 @@ let shows c =
     done;
     (far.(0), !free)
   in
-  match Layers.make q w starts with
+  match Layers.until q w starts with
   | None -> true
   | Some layers ->
     let values = Layered.solve layers Effort.default in
@@ -162,7 +162,7 @@ let long () =
       size = 3;
       known = (fun _ -> true);
       edges = (fun s -> if s = 0 then [| 1; 2 |] else [||]);
-      drawn = (fun s -> if s = 0 then Some [| half; half |] else None);
+      drawn = (fun s -> if s = 0 then Some [| Some half; Some half |] else None);
       flow = (fun s -> if s = 0 then No_flow else if s = 1 then Lasts (Rat.one, [| 0 |]) else Forever);
     }
   in

@@ -76,6 +76,22 @@ let value_at c =
   | Unknown { reason; unexplored }, Never_decided -> reason <> None || unexplored <> []
   | (Known _ | Unknown _), _ -> false
 
+(* Intervals contain what rationals say, and short rationals are intervals or the same. *)
+let enclosed c =
+  let time = Rat.mul (Rat.div (Rat.of_int c.time) (Rat.of_int 2)) c.graph.unit in
+  let third s offset = Ok (Rat.sub (Rat.div (number c s offset) (Rat.of_int 3)) Rat.one) in
+  let found effort = Expectation.find (Small.evaluator ~effort c.graph) c.side (Value_at (third, time)) in
+  let contains x effort =
+    match found effort with Known { least; most } -> least = most && Answer.contains least x | Unknown _ -> false
+  in
+  match found { Effort.default with engine = Exactly } with
+  | Known { least = Exact x; most = Exact y } ->
+    Rat.equal x y
+    && contains x { Effort.default with engine = Nearly }
+    && contains x { Effort.default with bits = 8 }
+  | Known _ -> false
+  | Unknown _ -> true
+
 let law ?(unsure = false) ?(truncated = false) name f =
   Scc_test_support.Property.case (QCheck2.Test.make ~name ~count:1600 ~print (gen ~unsure ~truncated) f)
 
@@ -120,6 +136,7 @@ let suite =
          law "the time until something" time_until;
          law "how often something happens" counts_until;
          law "a number at a time" value_at;
+         law "a number at a time in intervals" enclosed;
          law ~unsure:true ~truncated:true "times on truncated graphs" time_until;
          law ~unsure:true ~truncated:true "counts on truncated graphs" counts_until;
          law ~truncated:true "numbers on truncated graphs" value_at;

@@ -68,10 +68,62 @@ let least () =
   | Ok _ -> Alcotest.fail "a kick that is too short"
   | Error least -> Alcotest.(check string) "the least square" "6" (Rat.to_string least)
 
+(* {1 Kicks as models give them} *)
+
+let model laws =
+  Models.cube ^ "timestep 1/4 steady\nparam h = 3\n"
+  ^ "process p = Cube mass 1 [nil]\nprocess q[1] = Cube mass 1 at translate (9,0,0) [nil]\n"
+  ^ "process q[2] = Cube mass 1 at translate (18,0,0) [nil]\nfixed w = Cube at translate (0,9,0)\n" ^ laws
+
+let laws_of text = Array.map (fun (l : Model.leaf) -> l.law) (Models.accept (model text)).model.leaves
+
+(* The same law as by places; the name stands beside values of the same name, and last. *)
+let by_name () =
+  let same a b =
+    Alcotest.(check bool) (a ^ ", " ^ b) true
+      (Array.for_all2 Law.equal (laws_of ("motion " ^ a)) (laws_of ("motion " ^ b)))
+  in
+  same "diffuse(1/2, h = 2)" "diffuse(1/2, (0, 0, 0), 2)";
+  same "diffuse(1/2, (vx, 0, 1), h = 2)" "diffuse(1/2, (vx, 0, 1), 2)";
+  same "diffuse((1/2, 0, 0), h = h + 1)" "diffuse((1/2, 0, 0), (0, 0, 0), 4)";
+  same "diffuse(1/2)" "diffuse(1/2, h = 1)";
+  let refused law code =
+    match Models.elaborate (model ("motion " ^ law)) with
+    | Ok _ -> Alcotest.fail (law ^ " is accepted")
+    | Error (d :: _) -> Alcotest.(check string) law code d.code
+    | Error [] -> Alcotest.fail "no diagnostic"
+  in
+  refused "diffuse(h = 2)" "SC0206";
+  refused "diffuse(1/2, (0, 0, 0), 2, h = 2)" "SC0206";
+  refused "diffuse(1/2, k = 2)" "SC0201";
+  refused "diffuse(1/2, h = 0)" "SC0601";
+  refused "diffuse(1/2, h = 1/2)" "SC0601";
+  refused "diffuse(1/2, h = x)" "SC0601"
+
+let in_reports () =
+  let check what expected text =
+    let t = Models.accept (model text) in
+    let text = Option.value (Lattices.line t.lattices) ~default:"" in
+    Alcotest.(check (pair string string)) what expected (text, Lattices.kicks t.lattices)
+  in
+  let chosen = "the least power of two whose square is no less than " in
+  check "none" ("", "") "motion choose { (1, 0, 0), (-1, 0, 0) }";
+  check "given" ("kick 3", "3") "motion diffuse(1/2, h = h)";
+  check "chosen" ("kick 1, kick chosen as " ^ chosen ^ "3/4", "1") "motion diffuse(1/2)";
+  check "several"
+    ("kick of p 2, kick of q 1, kick of q chosen as " ^ chosen ^ "3/4", "p 2; q 1")
+    "motion diffuse(1/2)\nmotion p = diffuse(1/2, h = 2)";
+  check "of bodies that take part" ("kick 2", "2")
+    "motion diffuse(1/2)\nmotion p = diffuse(1/2, h = 2)\nnetwork p || w"
+
 let suite =
   ("diffusion",
    [
      ( "Diffuse",
        Scc_test_support.Property.cases [ moments ]
-       @ [ Alcotest.test_case "Diffuse: the least kick" `Quick least ] );
+       @ [
+         Alcotest.test_case "Diffuse: the least kick" `Quick least;
+         Alcotest.test_case "Diffuse: a kick by its name" `Quick by_name;
+         Alcotest.test_case "Diffuse: lattices in reports" `Quick in_reports;
+       ] );
    ])

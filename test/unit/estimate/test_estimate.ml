@@ -75,7 +75,7 @@ let estimate aim path p g =
     if n = 0 then g
     else
       let side, g = coin p g in
-      Estimation.add t ([ Sample.Truth side ], false);
+      Estimation.add t { Sample.outcomes = [ Truth side ]; chosen = false; interrupted = false };
       throw (n - 1) g
   in
   let rec go made g =
@@ -172,7 +172,7 @@ let no_runs () =
 
 let folder = "../../../specs/models/"
 
-let sampled ?(free = Sample.Apart) ?(steps = 10_000) text property ~runs =
+let sampled ?(free = Sample.Apart) ?(steps = 10_000) ?(interrupted = fun () -> false) text property ~runs =
   let e = Load.exactly (Load.text (text ^ "\ncheck asked : " ^ property ^ "\n")) in
   let check = List.find (fun (c : Scc_property.Property.check) -> c.name = "asked") e.checks in
   let path = Result.get_ok (Path.of_check e.model check) in
@@ -184,7 +184,7 @@ let sampled ?(free = Sample.Apart) ?(steps = 10_000) text property ~runs =
     | [ { verdict = Measured { values; _ }; _ } ] -> List.map (fun (_, (m : Scc_ctl.Eval.measured)) -> m) values
     | _ -> []
   in
-  (List.init runs (Sample.run plan ~seed:3L), checked)
+  (List.init runs (Sample.run plan ~seed:3L ~interrupted), checked)
 
 let outcome : Sample.outcome -> string = function
   | Truth b -> string_of_bool b
@@ -199,7 +199,11 @@ let model name = Load.read (folder ^ name)
 let hand () =
   let check ?free ?steps name text property expected =
     let runs, _ = sampled ?free ?steps text property ~runs:1 in
-    let found = match runs with [ ([ o ], chosen) ] -> (outcome o, chosen) | _ -> ("", false) in
+    let found =
+      match runs with
+      | [ { Sample.outcomes = [ o ]; chosen; _ } ] -> (outcome o, chosen)
+      | _ -> ("", false)
+    in
     Alcotest.(check (pair string bool)) (name ^ ": " ^ property) expected found
   in
   let straight = "import <solids>\nprocess a = solids.Cube(1) mass 1 velocity (2, 0, 0) [nil]" in
@@ -230,11 +234,12 @@ let near file property () =
     | { least = Exact x; _ } :: _ -> x
     | _ -> Alcotest.failf "%s: %s is not known" file property
   in
-  let number : Sample.outcome list * bool -> Rat.t = function
-    | [ Truth true ], false -> Rat.one
-    | [ Truth false ], false -> Rat.zero
-    | [ Number r ], false -> r
-    | os, _ -> Alcotest.failf "%s: %s: %s" file property (String.concat " " (List.map outcome os))
+  let number (r : Sample.run) =
+    match r.outcomes with
+    | [ Truth true ] when not r.chosen -> Rat.one
+    | [ Truth false ] when not r.chosen -> Rat.zero
+    | [ Number x ] when not r.chosen -> x
+    | os -> Alcotest.failf "%s: %s: %s" file property (String.concat " " (List.map outcome os))
   in
   let s = List.fold_left Scc_simulate.Statistics.add Scc_simulate.Statistics.empty (List.map number runs) in
   let off = Rat.sub (Scc_simulate.Statistics.mean s) exact in
@@ -243,6 +248,97 @@ let near file property () =
     Alcotest.failf "%s: %s is %s on the average, and not %s" file property
       (Rat.to_string (Scc_simulate.Statistics.mean s))
       (Rat.to_string exact)
+
+(* What is asked of some bodies is found from them alone, and in the whole network if something else needs it. *)
+let crowd =
+  "timestep 1 steady\nimport <solids>\nfixed room = solids.Room(8, 8, 1, 1)\n\
+   behaviour A = <a, {right}> . omega(a, {right}) . A\nbehaviour B = <~a, {left}> . omega(a, {left}) . B\n\
+   for i in 1..3 { process c[i] = solids.Cube(1) mass 1 at translate (-9/2 + 2*i, 3/2, 0) [A] }\n\
+   for i in 1..3 { process d[i] = solids.Cube(1) mass 1 at translate (-7/2 + 2*i, -3/2, 0) [B] }\n\
+   fixed sink = solids.Cube(1) absorb at translate (7/2, 7/2, 0)\n\
+   motion choose { (1,0,0), (-1,0,0), (0,1,0), (0,-1,0) }\n"
+
+let asked_of_some =
+  [
+    "P = ? [ eventually bound(c[1], d[2]) within 9 ]"; "P = ? [ eventually event bounce(c[2], d[2]) within 5 ]";
+    "P = ? [ eventually event bounce within 1 ]"; "P = ? [ eventually event absorb(d[3], sink) within 9 ]";
+    "P = ? [ not touching(c[2], c[3]) U[1, 6] x(c[2]) > 1 ]"; "P = ? [ eventually gone(c[3]) within 9 ]";
+    "P = ? [ always distance2(c[1], d[1]) > 1 and speed2(c[1]) <= 2 within 6 ]";
+    "P = ? [ eventually same(c[1], d[1]) and size(c[1]) > 2 within 9 ]";
+    "E = ? [ event bounce(c[2]) U time >= 4 ]"; "E = ? [ x(c[1]) - vx(d[1]) at 5 ]";
+    "E = ? [ time U x(c[2]) >= 3/2 or y(c[2]) < 0 ]";
+    "E = ? [ if offers(c[1], a) then bonds(a, c[1], d[1]) else 2 at 7 ]";
+  ]
+
+let parts () =
+  let check i text = Printf.sprintf "check q%d : %s\n" i text in
+  let whole = "P = ? [ eventually energy < 0 within 1 ]" in
+  let e = Load.exactly (Load.text (crowd ^ String.concat "" (List.mapi check (asked_of_some @ [ whole ])))) in
+  let paths = List.map (fun c -> Result.get_ok (Path.of_check e.model c)) e.checks in
+  let everything = List.nth paths (List.length asked_of_some) in
+  let semantics = Scc_engine.Standard.of_model e.model in
+  Alcotest.(check bool) "from event to event" true (Scc_engine.Event_run.can_run e.model);
+  Alcotest.(check bool) "a whole network" true (Path.seen [ everything ] = None);
+  let outcomes paths =
+    let plan = { Sample.semantics; declared = e.declared; paths; free = Evenly; steps = 5_000; until = None } in
+    List.init 15 (fun k ->
+        outcome (List.hd (Sample.run plan ~seed:7L ~interrupted:(fun () -> false) k).outcomes))
+  in
+  let several =
+    List.map2
+      (fun path text ->
+         Alcotest.(check bool) (text ^ ": of some bodies") true (Path.seen [ path ] <> None);
+         let found = outcomes [ path ] in
+         Alcotest.(check (list string)) text (outcomes [ path; everything ]) found;
+         List.length (List.sort_uniq String.compare found) > 1)
+      (Scc_data.Lists.take (List.length asked_of_some) paths)
+      asked_of_some
+  in
+  Alcotest.(check bool) "most have several outcomes" true (List.length (List.filter Fun.id several) >= 8)
+
+(* What an interrupted run decides is what the whole one does; nothing else is decided. *)
+let cut file property () =
+  let single interrupted =
+    match sampled ~interrupted (model file) property ~runs:1 with
+    | [ { Sample.outcomes = [ o ]; interrupted; _ } ], _ -> (o, interrupted)
+    | _ -> Alcotest.fail "no single run"
+  in
+  let whole, _ = single (fun () -> false) in
+  let rec go n opens =
+    let left = ref n in
+    let interrupted () =
+      decr left;
+      !left < 0
+    in
+    match single interrupted with
+    | Too_long Interruption, true -> go (n + 1) (opens + 1)
+    | found, cut ->
+      Alcotest.(check string) (Printf.sprintf "interrupted after %d" n) (outcome whole) (outcome found);
+      if cut then go (n + 1) opens else opens
+  in
+  Alcotest.(check bool) "some are open" true (go 0 0 > 0)
+
+(* A run that was interrupted is open where a range is known, and else left out, and the answer says so. *)
+let open_runs () =
+  let body = "import <solids>\nprocess a = solids.Cube(1) mass 1 [nil]\n" in
+  let answer property outcomes =
+    let e = Load.exactly (Load.text (body ^ "check c : " ^ property ^ "\n")) in
+    let path = Result.get_ok (Path.of_check e.model (List.hd e.checks)) in
+    let aim = { Estimation.confidence = fraction 19 20; width = fraction 1 20; size = Exactly 9; free = Evenly } in
+    let t = Estimation.start aim [ path ] in
+    let add o = Estimation.add t { Sample.outcomes = [ o ]; chosen = false; interrupted = true } in
+    List.iter add outcomes;
+    Estimation.judge t ~last:true;
+    List.hd (Estimation.answers t)
+  in
+  let check property outcomes expected =
+    let a = answer property outcomes in
+    Alcotest.(check (pair int string)) property expected (a.tally.runs, String.concat "; " a.reasons)
+  in
+  let cut = Sample.Too_long Interruption in
+  check "P = ? [ eventually x(a) >= 1 ]" [ Truth true; Truth false; cut ]
+    (3, "1 of 3 runs were left before it was known: the command was stopped");
+  check "E = ? [ time U x(a) >= 1 ]" [ cut; cut ] (0, "2 more runs are left out, which were interrupted")
 
 let () =
   let case name f = Alcotest.test_case name `Quick f in
@@ -256,7 +352,12 @@ let () =
           case "500 intervals in looks" (counted "looks" ~count:500 (At_most 1_000) (fraction 1 3));
           case "comparisons" decided; case "no runs" no_runs;
         ] );
-      ("single runs", [ case "by hand" hand ]);
+      ( "interrupted runs",
+        [
+          case "ruin" (cut "ruin.sc" "P = ? [ eventually gone(walker) within 4 ]");
+          case "a time" (cut "ruin.sc" "E = ? [ time U gone(walker) ]"); case "answers" open_runs;
+        ] );
+      ("single runs", [ case "by hand" hand; case "some bodies of many" parts ]);
       ( "beside the model checker",
         [
           near "ruin.sc" "P = ? [ eventually event absorb(walker, ruin) ]";

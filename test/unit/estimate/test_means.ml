@@ -150,7 +150,7 @@ let without_range () =
       | None -> List.hd (Estimation.answers t)
       | Some n ->
         for i = made to n - 1 do
-          Estimation.add t ([ Sample.Number (numbers i) ], false)
+          Estimation.add t { Sample.outcomes = [ Number (numbers i) ]; chosen = false; interrupted = false }
         done;
         Estimation.judge t ~last:false;
         go n
@@ -193,7 +193,8 @@ let means ~count size () =
         if n = 0 then g
         else
           let side, g = coin (fraction 1 20) g in
-          Estimation.add t ([ Sample.Number (Rat.of_int (if side then 4 else 0)) ], false);
+          let outcomes = [ Sample.Number (Rat.of_int (if side then 4 else 0)) ] in
+          Estimation.add t { outcomes; chosen = false; interrupted = false };
           throw (n - 1) g
       in
       let rec looks made g =

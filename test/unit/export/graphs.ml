@@ -26,7 +26,10 @@ let explored ?(options = Setup.default) text : Exported.t =
 
 let made ?(unexplored = []) ?(resting = []) transitions : Exported.t =
   let l, initial = loaded "process p = Cube mass 1 [nil]\nprocess q = Cube mass 1 at translate (5,0,0) [nil]" in
-  let edge (label, target) = { Explored.label; target } in
+  let edge (label, target) =
+    let chance = if Scc_semantics.Transition.is_drawn label then Some (Scc_semantics.Transition.chance label) else None in
+    { Explored.label; chance; target }
+  in
   let out = Array.map (fun l -> Array.of_list (List.map edge l)) transitions in
   let space : Explored.t =
     {

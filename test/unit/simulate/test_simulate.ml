@@ -115,19 +115,50 @@ let plan file text times =
     steps = None;
   }
 
+let never () = false
 let value (r : Simulation.run) i = Option.get r.values.(i).(0)
 
 let certain (file, text, times) () =
   let times = List.map (fun (n, d) -> fraction n d) times in
-  let run = Simulation.run (plan file text times) ~seed:11L 0 in
+  let run : Simulation.run = Simulation.run (plan file text times) ~seed:11L ~interrupted:never 0 in
   Alcotest.(check (option string)) "it comes to the last time" None run.ended;
   same text (expected file text times) (List.mapi (fun i _ -> value run i) times)
+
+(* An interruption before any transition leaves values of the whole run up to some time, the more the later it
+   is. *)
+let cut (file, text, times) () =
+  let plan = plan file text (List.map (fun (n, d) -> fraction n d) times) in
+  let whole : Simulation.run = Simulation.run plan ~seed:11L ~interrupted:never 0 in
+  let rec prefix a b =
+    match (a, b) with
+    | Some x :: a, Some y :: b -> Rat.equal x y && prefix a b
+    | rest, _ -> List.for_all Option.is_none rest
+  in
+  let known (r : Simulation.run) = List.map (fun row -> row.(0)) (Array.to_list r.values) in
+  let count r = List.length (List.filter Option.is_some (known r)) in
+  let rec go n before =
+    let left = ref n in
+    let interrupted () =
+      decr left;
+      !left < 0
+    in
+    let run : Simulation.run = Simulation.run plan ~seed:11L ~interrupted 0 in
+    Alcotest.(check bool) "values of the whole run" true (prefix (known run) (known whole));
+    Alcotest.(check bool) "more and more" true (count run >= before);
+    Alcotest.(check bool) "it says so" run.interrupted
+      (Option.fold ~none:false ~some:(String.starts_with ~prefix:(Printf.sprintf "interrupted after %d tran" n))
+         run.ended);
+    if run.interrupted then go (n + 1) (count run) else (n, run)
+  in
+  let n, last = go 0 0 in
+  Alcotest.(check bool) "some are interrupted" true (n > 1);
+  Alcotest.(check bool) "the last is whole" true (count last = count whole && last.ended = whole.ended)
 
 (* The mean of n independent values is hardly ever more than five of its deviations from theirs. *)
 let drawn (file, text, times) () =
   let times = List.map (fun (n, d) -> fraction n d) times in
   let plan = plan file text times and count = 3_000 in
-  let runs = List.init count (Simulation.run plan ~seed:2026L) in
+  let runs = List.init count (Simulation.run plan ~seed:2026L ~interrupted:never) in
   let check i exact =
     let s = collected (List.map (fun r -> value r i) runs) in
     let off = Rat.sub (Statistics.mean s) exact in
@@ -162,5 +193,6 @@ let () =
       ("statistics", Property.cases [ definitions; roots ]);
       ("plans", [ case "times" times; case "seeds" seeds ]);
       ("runs without draws", List.map (with_name certain) deterministic);
+      ("interrupted runs", List.map (with_name cut) (deterministic @ random));
       ("runs with draws", List.map (with_name drawn) random);
     ]

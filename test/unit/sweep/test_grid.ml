@@ -74,11 +74,36 @@ let empty_charts () =
   drawn [ { title = "p"; curves = [] } ] [];
   drawn [ { title = "p"; curves = [ { name = "n"; pieces = [ [] ] } ] } ] []
 
+(* One warning at most, where a chosen kick is first another than at the first point. *)
+let kicks () =
+  let lattice ?(chosen = true) ?(name = "p") kick =
+    let lattice = { Scc_elaborate.Diffusion.kick = Rat.of_int kick; spread = Rat.one; chosen } in
+    Scc_elaborate.Lattices.of_bodies [ (name, lattice, Scc_base.Span.none) ]
+  in
+  let check what expected ?(first = lattice 2) points =
+    let t = Kicks.start first in
+    let warned = List.filteri (fun k l -> Option.is_some (Kicks.add t k l)) points in
+    let end_ = Option.value (Kicks.conclusion t) ~default:"" in
+    Alcotest.(check (pair int string)) what expected (List.length warned, end_)
+  in
+  let changed low high =
+    Printf.sprintf "scc: the kicks chosen for diffuse are from %d to %d: h = %d is long enough at all points" low
+      high high
+  in
+  check "the same" (0, "") [ lattice 2; lattice 2 ];
+  check "longer" (1, changed 2 8) [ lattice 2; lattice 4; lattice 8; lattice 2 ];
+  check "shorter" (1, changed 1 2) [ lattice 2; lattice 1 ];
+  check "given" (0, "") ~first:(lattice ~chosen:false 2) [ lattice ~chosen:false 2; lattice ~chosen:false 4 ];
+  check "of another body" (0, "") [ lattice 2; lattice ~name:"q" 4 ];
+  check "an invalid point" (1, changed 2 4) [ lattice 2; []; lattice 4 ];
+  check "an invalid first point" (1, changed 2 4) ~first:[] [ []; lattice 2; lattice 4 ]
+
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "grid"
     [
       ("values", [ case "as they are written" written; case "what is none" refused ]);
       ("points", Property.cases [ points ]);
+      ("kicks", [ case "Diffuse: kicks over a sweep" kicks ]);
       ("charts", [ case "of nothing" empty_charts ]);
     ]

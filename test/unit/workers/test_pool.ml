@@ -1,5 +1,6 @@
 (* Tasks of several processes: what comes of them is what comes of one, and whatever happens to them is told. *)
 
+open Scc_system
 open Scc_workers
 
 (* In words: how it ended. *)
@@ -15,7 +16,7 @@ let never () = false
 let collected ?(interrupted = never) ?(first = 0) ~jobs ~count work =
   let found = ref [] in
   let each k x = found := (k, x) :: !found in
-  let ended = Pool.run ~jobs ~first ~count ~work ~interrupted ~each in
+  let ended = Pool.run ~jobs ~first ~count ~work ~interrupted ~each () in
   (ended, List.rev !found)
 
 let same () =
@@ -109,7 +110,7 @@ let killed_from_outside () =
       try Unix.kill pid Sys.sigkill with Unix.Unix_error (ESRCH, _, _) -> ()
     end
   in
-  let ended = Pool.run ~jobs:3 ~first:0 ~count:200 ~work ~interrupted:never ~each in
+  let ended = Pool.run ~jobs:3 ~first:0 ~count:200 ~work ~interrupted:never ~each () in
   Alcotest.(check string) "to the end" "all" (told ended);
   Alcotest.(check bool) "some were killed" true (!kills > 30);
   Alcotest.(check bool) "each once, in order" true (List.rev !found = List.init 200 (fun k -> (k, k, 100_000)));
@@ -185,10 +186,56 @@ let asleep () =
   Alcotest.(check string) "interrupted" "interrupted" (told ended);
   nobody_left ()
 
+(* A task that ends when it is asked to, one that is broken off, and one that does not answer in time. *)
+let asked_to_end () =
+  let waits k =
+    let count = ref 0 in
+    match
+      while not (Interruption.heard ()) do
+        incr count;
+        Unix.sleepf 0.01
+      done
+    with
+    | () -> (k, if !count > 0 then "waited" else "not begun")
+  and works k =
+    match
+      while true do
+        ignore (Sys.opaque_identity (ref 0))
+      done
+    with
+    | () -> (k, "ended")
+    | exception Interruption.Interrupted _ -> (k, "broken off")
+  and lost _ =
+    while true do
+      ignore (Sys.opaque_identity (ref 0))
+    done;
+    (0, "")
+  and deaf _ =
+    Scc_base.Critical.run (fun () -> Unix.sleep 1000);
+    (0, "")
+  in
+  let check name ~jobs ?(patience = 5.) work expected =
+    let found = ref [] and since = Unix.gettimeofday () in
+    let interrupted () = Unix.gettimeofday () -. since > 0.3 in
+    let each k x = found := (k, x) :: !found in
+    let work k = if k = 0 then (k, "whole") else work k in
+    let ended = Pool.run ~patience ~jobs ~first:0 ~count:100 ~work ~interrupted ~each () in
+    Alcotest.(check string) (name ^ ": interrupted") "interrupted" (told ended);
+    let expected = (0, (0, "whole")) :: List.map (fun (k, text) -> (k, (k, text))) expected in
+    Alcotest.(check (list (pair int (pair int string)))) name expected (List.rev !found);
+    nobody_left ()
+  in
+  check "one" ~jobs:1 waits [ (1, "waited") ];
+  check "two" ~jobs:2 waits [ (1, "waited"); (2, "waited") ];
+  check "one that works on" ~jobs:1 works [ (1, "broken off") ];
+  check "three that work on" ~jobs:3 works [ (1, "broken off"); (2, "broken off"); (3, "broken off") ];
+  check "lost" ~jobs:2 lost [];
+  check "deaf" ~jobs:2 ~patience:0.5 deaf []
+
 (* What takes up the tasks may fail: no process is left over. *)
 let refused () =
   let each k () = if k = 4 then failwith "enough" in
-  (match Pool.run ~jobs:2 ~first:0 ~count:100 ~work:ignore ~interrupted:never ~each with
+  (match Pool.run ~jobs:2 ~first:0 ~count:100 ~work:ignore ~interrupted:never ~each () with
    | _ -> Alcotest.fail "an exception is lost"
    | exception Failure what -> Alcotest.(check string) "it is told" "enough" what);
   nobody_left ()
@@ -204,6 +251,6 @@ let () =
           case "processes that are killed are replaced" killed_from_outside;
           case "a task that ends all" lost; case "few descriptors" few_descriptors;
           case "an interruption" interrupted; case "an interruption of what sleeps" asleep;
-          case "an exception" refused;
+          case "tasks that are asked to end" asked_to_end; case "an exception" refused;
         ] );
     ]

@@ -29,7 +29,8 @@ def open_file(path: str, mode: str) -> Any:
         try:
             import fsspec
 
-            return fsspec.open(path, mode).open()
+            opened: Any = fsspec.open(path, mode)
+            return opened.open()
         except (ImportError, ValueError) as e:  # nothing there knows such addresses
             raise CannotKeep("%s: %s" % (path, e)) from None
     return open(path, mode)

@@ -127,7 +127,8 @@ class _StandardError(io.RawIOBase):
 
 
 def printed() -> Any:
-    return io.TextIOWrapper(_StandardError(), "utf-8", "backslashreplace", write_through=True)
+    raw: Any = _StandardError()  # typeshed asks for a name, which no raw stream has
+    return io.TextIOWrapper(raw, "utf-8", "backslashreplace", write_through=True)
 
 
 # The worker ---------------------------------------------------------------------------

@@ -175,6 +175,7 @@ class Exploration:
 
     def start(self) -> None:
         """All owners with the initial state; nothing is kept yet."""
+        lost: List[str] = []
         for k in range(MOST_TRIES):
             try:
                 return self.begin()

@@ -39,9 +39,9 @@ def connect(address: Optional[str], deadline: float) -> Any:
         try:
             if address is None:
                 # By itself Ray would join one that runs here already.
-                ray.init(address="local", include_dashboard=False, log_to_driver=False, logging_level="error")
+                ray.init(address="local", include_dashboard=False, log_to_driver=False, logging_level=logging.ERROR)
             else:
-                ray.init(address=address, log_to_driver=False, logging_level="error")
+                ray.init(address=address, log_to_driver=False, logging_level=logging.ERROR)
         except Exception as e:  # whatever Ray says of an address
             if any(text in str(e) for text in BUSY) and time.monotonic() < end - 1:
                 time.sleep(1)
@@ -112,7 +112,8 @@ class Gauges:
     def __init__(self, ray: Any, **descriptions: str):
         from ray.util.client import ray as client
 
-        self.there = ray.remote(num_cpus=0)(Here).remote(descriptions) if client.is_connected() else None
+        here: Any = client
+        self.there = ray.remote(num_cpus=0)(Here).remote(descriptions) if here.is_connected() else None
         self.here = Here(descriptions) if self.there is None else None
 
     def set(self, **values: float) -> None:

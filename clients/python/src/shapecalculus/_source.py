@@ -141,7 +141,7 @@ def define(model: Source, value: Optional[Mapping[str, Setting]]) -> List[str]:
             said = setting
         elif isinstance(setting, (tuple, list)):
             ends: Sequence[Number] = setting
-            said = "..".join(str(numbers.to_json(end)) for end in ends)
+            said = "[%s]" % ",".join(str(numbers.to_json(end)) for end in ends)
         else:
             said = str(numbers.to_json(setting))
         words += _one("--define", "%s=%s" % (name, said))

@@ -68,8 +68,7 @@ def check(
       probability changes, and its value from there on. All of them come of one exploration.
     ``curve_plot``: Draws the curve of --curve as an SVG picture to FILE.
     ``define``: Gives the parameter NAME of the model the value VALUE, a rational. If the parameter has a range,
-      it can be narrowed instead: to 1..3, with both ends, or to [1,3), where a round bracket excludes an end.
-      Repeatable.
+      it can be narrowed instead: to [1,3], or to [1,3), where a round bracket excludes an end. Repeatable.
     ``draw``: Like --where, but draws the sets to FILE, in SVG: the line of one parameter or the plane of two,
       divided into regions by the properties that hold there.
     ``full``: Prints runs in full: every step and every body, and numbers with all their digits; in JSON all
@@ -391,8 +390,7 @@ def trace(
     ``choose``: How to choose between transitions: first, the first one, or random:SEED, each equally likely, by
       the generator SplitMix64 from the integer SEED: the same on every machine.
     ``define``: Gives the parameter NAME of the model the value VALUE, a rational. If the parameter has a range,
-      it can be narrowed instead: to 1..3, with both ends, or to [1,3), where a round bracket excludes an end.
-      Repeatable.
+      it can be narrowed instead: to [1,3], or to [1,3), where a round bracket excludes an end. Repeatable.
     ``full``: With --human: prints every step, every body and all digits of numbers. Without it long numbers are
       decimals: after ~ the nearest one with so many digits, with an error of at most half a unit of the last
       digit; without ~ the number itself.
@@ -473,8 +471,7 @@ def view(
     ``time``: Expands only states that can be reached by the model time T. No default.
     ``check``: Shows the check NAME alone.
     ``define``: Gives the parameter NAME of the model the value VALUE, a rational. If the parameter has a range,
-      it can be narrowed instead: to 1..3, with both ends, or to [1,3), where a round bracket excludes an end.
-      Repeatable.
+      it can be narrowed instead: to [1,3], or to [1,3), where a round bracket excludes an end. Repeatable.
     ``data``: Writes only the data of the page, as JSON (specs/schema/view.schema.json), for other viewers.
     ``from_``: With --svg: looks from the side to which the vector X,Y,Z points: 0,1,0 is from above. Write
       --from=-1,0,0 if it begins with a minus.

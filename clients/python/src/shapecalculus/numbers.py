@@ -39,15 +39,16 @@ def integer(number: SupportsIndex) -> int:
 def _exact(number: Number) -> Fraction:
     if isinstance(number, (str, float, Decimal, Fraction)):
         return Fraction(number)
-    if hasattr(number, "__index__"):
+    like: Any = number
+    if hasattr(like, "__index__"):
         try:
-            return Fraction(operator.index(number))
+            return Fraction(operator.index(like))
         except TypeError:
             pass  # an array of several numbers, say
-    if isinstance(number, Rational):
-        return Fraction(int(number.numerator), int(number.denominator))
-    if hasattr(number, "as_integer_ratio"):
-        p, q = number.as_integer_ratio()
+    if isinstance(like, Rational):
+        return Fraction(int(like.numerator), int(like.denominator))
+    if hasattr(like, "as_integer_ratio"):
+        p, q = like.as_integer_ratio()
         return Fraction(int(p), int(q))
     raise TypeError(
         "not a number: %r, of the type %s; numbers are int, float, Fraction, Decimal, texts as '1/3' and '0.25', and "
