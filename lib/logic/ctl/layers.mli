@@ -18,12 +18,9 @@ val at_goal : int
 val at_fail : int
 (** The target of a branch that leads to [Fail]. *)
 
-val at_end : int -> int
-(** [at_end k] is the target of a branch that leads to an end with the reward [(rewards t).(k)]; it is less than
-    {!at_fail}. *)
-
 val end_number : int -> int
-(** [end_number target] is the k of which [target] is [at_end k]. *)
+(** [end_number target] is k where the target of a branch is an end with the reward [(rewards t).(k)]. Such targets
+    are less than {!at_fail}. *)
 
 type layer
 
@@ -49,7 +46,7 @@ val choices : t -> Decisions.place -> Decisions.branch list list
 (** [choices t p] is the choices of a place, as given to {!until} or {!means}. *)
 
 val rewards : t -> Rat.t array
-(** [rewards t] is the rewards of all ends, each once, by their numbers ({!at_end}). *)
+(** [rewards t] is the rewards of all ends, each once, by their numbers ({!end_number}). *)
 
 val starts : t -> Decisions.next list
 (** [starts t] is the starts given to {!until} or {!means}. *)
