@@ -10,7 +10,3 @@ type t = {
 
 val none : t
 (** The log that has no blocks and keeps none. *)
-
-val in_memory : string list -> t * (unit -> string list)
-(** [in_memory blocks] is a log in memory that begins with [blocks], and a function that returns all its blocks
-    at the time of the call, in order. *)

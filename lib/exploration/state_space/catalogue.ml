@@ -4,29 +4,9 @@ open Scc_calculus
 open Scc_semantics
 open Scc_graph_search
 
-module Interned (Thing : Hashtbl.HashedType) = struct
-  module Table = Hashtbl.Make (Thing)
+module Vectors = Numbering.Make (Vec)
 
-  type t = { numbers : int Table.t; things : Thing.t Growable.t }
-
-  let create () = { numbers = Table.create 64; things = Growable.create () }
-  let size t = Growable.length t.things
-  let get t i = Growable.get t.things i
-
-  let intern t thing =
-    match Table.find_opt t.numbers thing with
-    | Some i -> i
-    | None ->
-      Scc_base.Critical.run (fun () ->
-          let i = size t in
-          Growable.push t.things thing;
-          Table.add t.numbers thing i;
-          i)
-end
-
-module Vectors = Interned (Vec)
-
-module Forms = Interned (struct
+module Forms = Numbering.Make (struct
     type t = State.process
 
     let equal = State.equal_process
@@ -47,7 +27,7 @@ let hash_label : Transition.label -> int = function
 type joint = { chance : Rat.t; transitions : int }
 type label = One of Transition.label | Tied of Transition.label * Rat.t | Joint of joint
 
-module Labels = Interned (struct
+module Labels = Numbering.Make (struct
     type t = label
 
     let equal a b =
@@ -63,7 +43,7 @@ module Labels = Interned (struct
       | Joint j -> (31 * Rat.hash j.chance) + j.transitions
   end)
 
-module Steps = Interned (struct
+module Steps = Numbering.Make (struct
     type t = State.step
 
     let equal (a : t) (b : t) =
@@ -109,7 +89,7 @@ let no_body =
 
 let create ~marked ~time_seen ~memory model =
   let vectors = Vectors.create () in
-  ignore (Vectors.intern vectors Vec.zero);
+  ignore (Vectors.number vectors Vec.zero);
   {
     model; time_seen; marked; vectors;
     forms = Forms.create ();
@@ -143,7 +123,7 @@ let slot c i =
   else Process
 
 let step_of_number c i = Steps.get c.steps i
-let step_number c s = Steps.intern c.steps s
+let step_number c s = Steps.number c.steps s
 let rational c i = Rationals.get c.times i
 
 (* The tuple of the empty network has a slot all the same. *)
@@ -161,13 +141,13 @@ let measure c ~known ~(number : int) bits = if number = known then c.bits <- Int
 
 let vector c v =
   let known = Vectors.size c.vectors in
-  let number = Vectors.intern c.vectors v in
+  let number = Vectors.number c.vectors v in
   measure c ~known ~number (fun () -> Vec.bits v);
   number
 
 let form_of c (p : State.process) =
   let known = Forms.size c.forms in
-  let number = Forms.intern c.forms p in
+  let number = Forms.number c.forms p in
   let longest () = List.fold_left (fun most (_, bits) -> Int.max most bits) 0 (Length.of_process p) in
   measure c ~known ~number longest;
   number
@@ -275,18 +255,18 @@ let decode c tuple =
 let time_after c tuple d =
   if c.model.keeps_time then Some (time_number c (Rat.add (Rationals.get c.times tuple.(time_slot c)) d)) else None
 
-let label c l = Labels.intern c.labels (One l)
+let label c l = Labels.number c.labels (One l)
 
 let tied c l chance =
   ignore (label c l);
-  Labels.intern c.labels (Tied (l, chance))
+  Labels.number c.labels (Tied (l, chance))
 
 let label_of_transition c (t : Transition.t) =
   match t.chance with
   | Some chance when not (Transition.is_drawn t.label) -> tied c t.label chance
   | Some _ | None -> label c t.label
 
-let joint c j = Labels.intern c.labels (Joint j)
+let joint c j = Labels.number c.labels (Joint j)
 
 (* Of many states one after the other it is the same. *)
 let time_label c d =

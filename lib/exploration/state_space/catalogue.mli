@@ -78,23 +78,6 @@ val rational_number : t -> Rat.t -> int
 
 (** {1 Components} *)
 
-(** Numbers from 0 on for things, in the order in which they come up. *)
-module Interned (Thing : Hashtbl.HashedType) : sig
-  type t
-
-  val create : unit -> t
-  (** An empty table. *)
-
-  val size : t -> int
-  (** The number of things so far. *)
-
-  val get : t -> int -> Thing.t
-  (** The thing with a number. *)
-
-  val intern : t -> Thing.t -> int
-  (** The number of a thing; a new thing gets the next number. *)
-end
-
 val process : t -> State.process -> int
 (** The number of a process; never {!nobody}. *)
 

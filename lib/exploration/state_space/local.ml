@@ -29,7 +29,7 @@ type alone = {
 type hit = { pair : int; moves : move list }
 
 (* Which events, by their places in the list, have just happened. *)
-module Marks = Catalogue.Interned (struct
+module Marks = Scc_data.Numbering.Make (struct
     type t = int list
 
     let equal = List.equal Int.equal
@@ -60,7 +60,7 @@ let spread pair = pair lxor ((pair lsr 31) * 0x9E3779B1)
 let create ~events ~time_seen ~memory semantics =
   let catalogue = Catalogue.create ~marked:(events <> []) ~time_seen ~memory (Semantics.model semantics) in
   let marks = Marks.create () in
-  ignore (Marks.intern marks []);
+  ignore (Marks.number marks []);
   let nobody =
     {
       body = Catalogue.no_body;
@@ -90,13 +90,13 @@ let mark t ~source label =
   | [] -> 0
   | _ :: _ ->
     let happened = List.mapi (fun i e -> if Event.matches ~source label e then Some i else None) t.events in
-    Marks.intern t.marks (List.filter_map Fun.id happened)
+    Marks.number t.marks (List.filter_map Fun.id happened)
 
 let has_events t = match t.events with [] -> false | _ :: _ -> true
 let events t = t.events
 
 let events_of t mark = Marks.get t.marks mark
-let mark_of t events = Marks.intern t.marks events
+let mark_of t events = Marks.number t.marks events
 
 let place t event =
   let rec from i = function

@@ -5,6 +5,8 @@ let pairs list =
   in
   go [] list
 
+let product ones twos = List.concat_map (fun a -> List.map (fun b -> (a, b)) twos) ones
+
 let neighbours list =
   let rec go found = function
     | a :: (b :: _ as rest) -> go ((a, b) :: found) rest

@@ -1,5 +1,8 @@
 (** Functions on lists that several modules use. All of them take constant stack. *)
 
+val product : 'a list -> 'b list -> ('a * 'b) list
+(** [product ones twos] is each element of [ones] with each of [twos], those with the first one first. *)
+
 val pairs : 'a list -> ('a * 'a) list
 (** [pairs [a; b; c]] is [[(a, b); (a, c); (b, c)]]: each two elements once, the earlier one first. *)
 

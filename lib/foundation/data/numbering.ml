@@ -1,20 +1,21 @@
 module Make (Key : Hashtbl.HashedType) = struct
   module Table = Hashtbl.Make (Key)
 
-  (* The last key first. *)
-  type t = { numbers : int Table.t; mutable keys : Key.t list }
+  type t = { numbers : int Table.t; keys : Key.t Growable.t }
 
-  let create () = { numbers = Table.create 64; keys = [] }
-  let size t = Table.length t.numbers
+  let create () = { numbers = Table.create 64; keys = Growable.create () }
+  let size t = Growable.length t.keys
+  let get t i = Growable.get t.keys i
 
   let number t key =
     match Table.find_opt t.numbers key with
     | Some i -> i
     | None ->
-      let i = size t in
-      Table.add t.numbers key i;
-      t.keys <- key :: t.keys;
-      i
+      Scc_base.Critical.run (fun () ->
+          let i = size t in
+          Growable.push t.keys key;
+          Table.add t.numbers key i;
+          i)
 
-  let keys t = List.rev t.keys
+  let keys t = List.init (size t) (get t)
 end

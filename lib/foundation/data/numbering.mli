@@ -12,6 +12,9 @@ module Make (Key : Hashtbl.HashedType) : sig
   val size : t -> int
   (** [size t] is how many keys have a number. *)
 
+  val get : t -> int -> Key.t
+  (** [get t n] is the key with the number [n], which must exist (a bug otherwise). *)
+
   val keys : t -> Key.t list
   (** [keys t] are the keys in the order of their numbers. *)
 end

@@ -117,6 +117,11 @@ let written t b =
   else if Rat.sign t.constant = 0 then Delay (Rat.zero, b)
   else delay t.constant b
 
+let parts = function
+  | Nil | Call _ -> []
+  | Open (_, _, b) | Weak (_, _, b) | Strong (_, _, b) | Delay (_, b) | Wait (_, b) -> [ b ]
+  | Sum (a, b) -> [ a; b ]
+
 let rec sum a = function
   | Sum (b, c) -> Sum (sum a b, c)
   | (Nil | Open _ | Weak _ | Strong _ | Delay _ | Wait _ | Call _) as b -> Sum (a, b)

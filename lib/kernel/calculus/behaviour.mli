@@ -66,6 +66,9 @@ val written : Linear.t -> t -> t
 (** [written t b] is eps(t). B as a model's text has it: an eps(0) stays in the term. {!canonical} takes such
     terms. A negative constant is a bug. *)
 
+val parts : t -> t list
+(** [parts b] is the behaviours directly within [b]: what follows a prefix, or both sides of a sum. *)
+
 val sum : t -> t -> t
 (** [sum a b] is A + B, without brackets: in the result [Sum (a, b)], the right side [b] is no sum. *)
 

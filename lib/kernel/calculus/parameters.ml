@@ -4,13 +4,7 @@ let version = "3"
 
 (* Whether some prefix that is written anywhere is so. *)
 let exists_prefix is (m : Model.t) (s : State.t) =
-  let rec within (b : Behaviour.t) =
-    match b with
-    | Nil | Call _ -> false
-    | Open (_, _, rest) | Weak (_, _, rest) | Strong (_, _, rest) | Delay (_, rest) | Wait (_, rest) ->
-      is b || within rest
-    | Sum (b, c) -> within b || within c
-  in
+  let rec within b = is b || List.exists within (Behaviour.parts b) in
   let of_process (p : State.process) =
     Array.exists (fun (l : State.leaf) -> within l.behaviour.term) p.leaves
   in

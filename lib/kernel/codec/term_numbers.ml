@@ -10,12 +10,6 @@ type t = {
 
 (* {1 All terms} *)
 
-let sections (b : Behaviour.t) =
-  match b with
-  | Nil | Call _ -> []
-  | Open (_, _, b) | Weak (_, _, b) | Strong (_, _, b) | Delay (_, b) | Wait (_, b) -> [ b ]
-  | Sum (a, b) -> [ a; b ]
-
 let collected roots =
   let number = Numbers.create 256 in
   let rec collect found list =
@@ -24,7 +18,7 @@ let collected roots =
     | b :: rest when Numbers.mem number b -> collect found rest
     | b :: rest ->
       Numbers.add number b (Numbers.length number);
-      collect (b :: found) (sections b @ rest)
+      collect (b :: found) (Behaviour.parts b @ rest)
   in
   let terms = collect [] roots in
   (number, terms)

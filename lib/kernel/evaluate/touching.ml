@@ -33,7 +33,7 @@ let straight semantics i j extent (p : State.process) (q : State.process) =
   let m = Semantics.model semantics in
   let ones = placed m (State.leaf_of p i) and twos = placed m (State.leaf_of q j) in
   let velocity = Vec.sub q.velocity p.velocity in
-  let pairs = List.concat_map (fun a -> List.map (fun b -> (a, b)) twos) ones in
+  let pairs = Scc_data.Lists.product ones twos in
   List.fold_left
     (fun found (a, b) -> Timeline.map2 ( || ) found (parts semantics extent a b velocity))
     (Timeline.constant extent false) pairs

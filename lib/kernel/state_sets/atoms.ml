@@ -191,7 +191,7 @@ module View = struct
       List.concat_map look found
     in
     let ones = parts i and twos = parts j in
-    let pairs = List.concat_map (fun a -> List.map (fun b -> (a, b)) twos) ones in
+    let pairs = Scc_data.Lists.product ones twos in
     List.map (fun (p, t) -> (p, Truth.of_bool t)) (List.fold_left pair (everywhere v false) pairs)
 
   let behaviour v leaf test =

@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 open Scc_geometry
 open Scc_polyhedra
@@ -37,8 +38,7 @@ let parts (m : Model.t) z (process : State.process) =
 
 let by_process m (z : Zone.t) = List.map (parts m z) (Array.to_list z.skeleton.processes)
 let all m z = List.concat (by_process m z)
-let each_with_each (ones, twos) = List.concat_map (fun a -> List.map (fun b -> (a, b)) twos) ones
-let pairs m z = List.concat_map each_with_each (Scc_data.Lists.pairs (by_process m z))
+let pairs m z = List.concat_map (fun (ones, twos) -> Lists.product ones twos) (Lists.pairs (by_process m z))
 let offset a b = Place.sub b.place a.place
 let relative_velocity a b = Vec.sub b.process.velocity a.process.velocity
 let facets c (a, b) = Half_space.moving (c.obstacle a.solid b.solid) (offset a b) (relative_velocity a b)
@@ -47,7 +47,7 @@ let facets c (a, b) = Half_space.moving (c.obstacle a.solid b.solid) (offset a b
 
 let side part feature = { Feature_offsets.solid = part.solid; feature }
 let sides part sites = List.map (side part) (Site.on part.index sites)
-let facing (a, b) (ones, twos) = each_with_each (sides a ones, sides b twos)
+let facing (a, b) (ones, twos) = Lists.product (sides a ones) (sides b twos)
 let of_end parts (f : State.finish) = List.find (fun p -> p.leaf = f.at && p.index = f.site.part) parts
 
 let joint c (z : Zone.t) parts ((f : State.finish), (g : State.finish)) =

@@ -195,8 +195,6 @@ let zeno_left_out t =
     "Zeno behaviour: a run that goes on for ever within one instant, which is left out: making it ended at %s\n"
     (Verdict.truncation_to_string t)
 
-let plural n one many = if n = 1 then "1 " ^ one else Printf.sprintf "%d %s" n many
-
 let explored (s : Stats.t) =
   let how =
     if s.complete then "complete"
@@ -211,8 +209,8 @@ let explored (s : Stats.t) =
   let told t = ", model time " ^ Scc_runs.Short_text.exact t in
   let time = Option.fold ~none:"" ~some:told s.model_time in
   Printf.sprintf "explored: %s, %s, depth %d%s; %s\n"
-    (plural s.states "state" "states")
-    (plural s.transitions "transition" "transitions")
+    (Scc_base.Plural.count s.states "state" "states")
+    (Scc_base.Plural.count s.transitions "transition" "transitions")
     s.depth
     time
     how
@@ -236,7 +234,7 @@ let invariants ~asked (report : Check.report) =
   let text = function
     | By_invariant.Proved { invariant; _ } ->
       Printf.sprintf "invariant: %s that no run leaves, checked afresh\n"
-        (plural (List.length invariant.locations) "kind of states" "kinds of states")
+        (Scc_base.Plural.count (List.length invariant.locations) "kind of states" "kinds of states")
     | None_found reason | Given_up reason -> if asked then Printf.sprintf "no invariant: %s\n" reason else ""
   in
   String.concat "" (List.map text report.invariants)
@@ -246,7 +244,7 @@ let left_out (slice : Check.slice) =
   let more = List.length slice.left_out - List.length shown in
   let names = String.concat ", " shown ^ if more > 0 then Printf.sprintf " and %d more" more else "" in
   Printf.sprintf "  of that, without %s, which cannot matter: %s for %s\n" names
-    (plural slice.explored.states "state" "states")
+    (Scc_base.Plural.count slice.explored.states "state" "states")
     (String.concat ", " slice.properties)
 
 let slices list = String.concat "" (List.map left_out list)
@@ -272,5 +270,5 @@ let tally console verdicts =
   | [] -> "no properties to check\n"
   | _ ->
     Printf.sprintf "%s: %s\n"
-      (plural (List.length verdicts) "property" "properties")
+      (Scc_base.Plural.count (List.length verdicts) "property" "properties")
       (String.concat ", " parts)

@@ -39,8 +39,6 @@ let reason_text : Compare.reason -> string = function
   | Too_many_pairs ->
     Printf.sprintf "more than %d pairs of states would have to be compared" Game.most_pairs
 
-let plural n one many = if n = 1 then "1 " ^ one else Printf.sprintf "%d %s" n many
-
 (* Two files of one name are told apart. *)
 let title t first =
   let own = Scc_base.Visible.line (if first then t.first.path else t.second.path) in
@@ -73,12 +71,12 @@ let side_text t first =
   let states, transitions = Compared.size c in
   let classes =
     match s.classes with
-    | Some n -> Printf.sprintf ", %s" (plural n "class" "classes")
+    | Some n -> Printf.sprintf ", %s" (Scc_base.Plural.count n "class" "classes")
     | None -> ""
   in
   Printf.sprintf "%s: %s, %s%s; %s%s\n" (title t first)
-    (plural states "state" "states")
-    (plural transitions "transition" "transitions")
+    (Scc_base.Plural.count states "state" "states")
+    (Scc_base.Plural.count transitions "transition" "transitions")
     classes (limits c)
     (Verdict.scale_to_string (scale c) ^ settings c)
 
@@ -107,7 +105,7 @@ let formula_text t (d : Compare.difference) =
   | None -> "  a formula that tells them apart is too large, or too hard to find\n"
   | Some f when Modal_formula.size f > most_printed ->
     Printf.sprintf "  a formula of %s tells them apart%s\n"
-      (plural (Modal_formula.size f) "operator" "operators")
+      (Scc_base.Plural.count (Modal_formula.size f) "operator" "operators")
       (if Modal_formula.size f <= most_written then ": see --json" else "")
   | Some f ->
     Printf.sprintf "  this is true of %s, and not of %s:\n%s" (title t true) (title t false)

@@ -37,8 +37,6 @@ let diagnostics (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list = funct
 
 (* {1 Report} *)
 
-let counted n one many = Printf.sprintf "%d %s" n (if n = 1 then one else many)
-
 let most_listed = 40
 
 (* Cuts through cuts have long numbers. *)
@@ -51,12 +49,12 @@ let text ~name ~mended (t : Parts.t) =
   Buffer.add_string b (Mend_options.text mended);
   let drawn = t.drawn in
   Printf.bprintf b "%s: %s, %s, volume %s\n" name
-    (counted (Array.length drawn.regions) "plane face" "plane faces")
-    (counted (Drawn.reflex_edges drawn) "reflex edge" "reflex edges")
+    (Plural.count (Array.length drawn.regions) "plane face" "plane faces")
+    (Plural.count (Drawn.reflex_edges drawn) "reflex edge" "reflex edges")
     (short ~most:64 (Drawn.volume drawn.set));
   let joints = Joints.forest (Array.map snd t.parts) in
-  Printf.bprintf b "%s, %s\n" (counted (Array.length t.parts) "convex part" "convex parts")
-    (counted (List.length joints) "joint" "joints");
+  Printf.bprintf b "%s, %s\n" (Plural.count (Array.length t.parts) "convex part" "convex parts")
+    (Plural.count (List.length joints) "joint" "joints");
   let part k (name, (p : Polyhedron.t)) =
     if k < most_listed then
       Printf.bprintf b "  %s: %d corners, %d faces, volume %s\n" name (Array.length p.vertices)
@@ -81,10 +79,10 @@ let writer path =
   List.find_opt (fun (ending, _) -> Filename.check_suffix base ending) formats
 
 let line : Decomposed.progress -> string = function
-  | Looking faces -> "looking at " ^ counted faces "face" "faces"
-  | Cutting n -> "cutting: " ^ counted n "cell looked at" "cells looked at"
+  | Looking faces -> "looking at " ^ Plural.count faces "face" "faces"
+  | Cutting n -> "cutting: " ^ Plural.count n "cell looked at" "cells looked at"
   | Making (k, of_) -> Printf.sprintf "making part %d of %d" k of_
-  | Naming left -> "naming faces: " ^ counted left "part left" "parts left"
+  | Naming left -> "naming faces: " ^ Plural.count left "part left" "parts left"
 
 (* At most ten times a second. *)
 let show console =

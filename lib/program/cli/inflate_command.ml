@@ -9,7 +9,6 @@ type options = { path : string; resolution : int option; output : string option;
 (* {1 Report} *)
 
 let profile_name = function Relief.Diffused -> "diffused" | Round -> "round"
-let many n what = Printf.sprintf "%d %s%s" n what (if n = 1 then "" else "s")
 
 (* A distance is told rounded up, so that what is said holds. *)
 let short q = Decimal.significant ~digits:4 (Rat.short_above q)
@@ -17,7 +16,7 @@ let short q = Decimal.significant ~digits:4 (Rat.short_above q)
 let text o (t : Inflated.t) =
   let shape = t.relief.shape and gaps = t.solid.gaps in
   let height = Rat.make (Z.of_int t.relief.highest) (Z.of_int Relief.quanta) in
-  let holes = match t.solid.holes with 0 -> "" | n -> Printf.sprintf ", with %s" (many n "hole") in
+  let holes = match t.solid.holes with 0 -> "" | n -> Printf.sprintf ", with %s" (Plural.count n "hole" "holes") in
   let b = Buffer.create 256 in
   Printf.bprintf b "%s: %d x %d pixels, of which the shape has %d%s\n" (Visible.line o.path) shape.picture.width
     shape.picture.height shape.size holes;
@@ -28,7 +27,7 @@ let text o (t : Inflated.t) =
   Printf.bprintf b "  no height is farther than %s pixels from that of the exact solution\n" (short gaps.solution);
   Printf.bprintf b "solid: %s, %s\n"
     (Printf.sprintf "%d vertices" (Array.length t.solid.mesh.ifs_vertices))
-    (many (Array.length t.solid.mesh.ifs_faces) "face");
+    (Plural.count (Array.length t.solid.mesh.ifs_faces) "face" "faces");
   if Rat.sign gaps.surface > 0 || Rat.sign gaps.outline > 0 then
     Printf.bprintf b "  simplified: heights change by at most %s pixels, the outline by at most %s\n"
       (short gaps.surface) (short gaps.outline);

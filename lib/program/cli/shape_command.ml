@@ -108,7 +108,7 @@ let too_fine set =
 
 (* {1 Report} *)
 
-let plural n = if n = 1 then "1 vertex" else Printf.sprintf "%d vertices" n
+let vertices n = Plural.count n "vertex" "vertices"
 
 let snap_text ~gone (tolerance, (s : Snap.snapped)) =
   let moved = Array.fold_left (fun n d -> if Rat.sign d > 0 then n + 1 else n) 0 s.moved in
@@ -116,12 +116,12 @@ let snap_text ~gone (tolerance, (s : Snap.snapped)) =
   Array.iteri (fun v d -> if Rat.compare d s.moved.(!far) > 0 then far := v) s.moved;
   let short = Decimal.significant ~digits:3 in
   let over = if s.turned_over then "; all faces were turned over, as they were listed clockwise" else "" in
-  let gone = if gone > 0 then Printf.sprintf "; without %s of the hull" (plural gone) else "" in
+  let gone = if gone > 0 then Printf.sprintf "; without %s of the hull" (vertices gone) else "" in
   if moved = 0 then
     Printf.sprintf "snapped within %s: nothing moved, it is exact as it is%s\n" (short tolerance) gone
   else
     Printf.sprintf "snapped within %s: %s moved, %s the farthest, by %s; coordinates of at most %d bits%s%s\n"
-      (short tolerance) (plural moved)
+      (short tolerance) (vertices moved)
       (fst s.set.ifs_vertices.(!far))
       (short s.moved.(!far)) s.bits over gone
 

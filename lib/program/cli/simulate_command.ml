@@ -80,7 +80,7 @@ let early console n =
   if n > 0 then
     Console.note console
       (Printf.sprintf "scc: %s did not come to the last time; what was not observed is empty"
-         (if n = 1 then "1 run" else Printf.sprintf "%d runs" n))
+         (Scc_base.Plural.count n "run" "runs"))
 
 let conclude console ~runs ~finished ~partly ~ended_early result =
   match if partly > 0 then Error Pool.Interrupted else result with

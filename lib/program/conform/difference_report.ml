@@ -66,5 +66,5 @@ let lines (a : Recorded.t) (b : Recorded.t) : Difference.t -> string list = func
 let text (a : Recorded.t) (b : Recorded.t) = function
   | None ->
     let n = Recorded.events a in
-    Printf.sprintf "the traces are the same: %s\n" (if n = 1 then "1 event" else Printf.sprintf "%d events" n)
+    Printf.sprintf "the traces are the same: %s\n" (Scc_base.Plural.count n "event" "events")
   | Some d -> String.concat "" (List.map (fun l -> Scc_base.Visible.line l ^ "\n") (lines a b d))

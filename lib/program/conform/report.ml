@@ -16,8 +16,6 @@ let reason m : Trace_search.reason -> string = function
   | Interrupted -> "it was interrupted"
   | Fault fault -> (Transition.diagnostic m fault).message
 
-let plural n one many = if n = 1 then "1 " ^ one else Printf.sprintf "%d %s" n many
-
 let happened (i : Recorded.item) =
   match i.what with
   | Event e -> Recorded.event_text e
@@ -39,7 +37,7 @@ let some_of lines =
   if n <= most_shown then lines
   else
     List.filteri (fun i _ -> i < most_shown) lines
-    @ [ Printf.sprintf "… %s" (plural (n - most_shown) "more" "more") ]
+    @ [ Printf.sprintf "… %s" (Scc_base.Plural.count (n - most_shown) "more" "more") ]
 
 let difference_text (d : Against.difference) =
   let number text = match Rat.of_literal text with Ok q -> Number.short q | Error _ -> text in
@@ -67,7 +65,7 @@ let text t =
   let lines =
     match t.answer with
     | Conforms { choices; ended; deviation; widest } ->
-      let met = plural (Recorded.events t.trace) "event" "events" in
+      let met = Scc_base.Plural.count (Recorded.events t.trace) "event" "events" in
       let off =
         if Rat.sign t.tolerance = 0 then []
         else
@@ -79,7 +77,7 @@ let text t =
       in
       [
         Printf.sprintf "%s: conforms: %s, a run of %s up to time %s" t.trace.name met
-          (plural (List.length choices) "transition" "transitions")
+          (Scc_base.Plural.count (List.length choices) "transition" "transitions")
           (Number.short ended);
       ]
       @ off
@@ -88,7 +86,7 @@ let text t =
     | Undecided { reason = why; items } ->
       [
         Printf.sprintf "%s: undecided after %d of %s: %s" t.trace.name items
-          (plural (Array.length t.trace.items) "item" "items")
+          (Scc_base.Plural.count (Array.length t.trace.items) "item" "items")
           (reason t.loaded.model why);
       ]
   in

@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_data
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
@@ -13,39 +14,33 @@ type over = Unknown | For_ever | Dead_end
 
 type t = {
   semantics : Semantics.t;
-  mutable nodes : node array;
-  mutable length : int;
+  nodes : node Growable.t;
   mutable over : over;
   at : (int * int, Truth.t) Hashtbl.t;  (** by predicate and node: what has been found *)
   along : (int * int, Truth.t Timeline.t) Hashtbl.t;
 }
 
 let make semantics =
-  { semantics; nodes = [||]; length = 0; over = Unknown; at = Hashtbl.create 64; along = Hashtbl.create 64 }
+  { semantics; nodes = Growable.create (); over = Unknown; at = Hashtbl.create 64; along = Hashtbl.create 64 }
 
-let push t node =
-  if t.length = Array.length t.nodes then begin
-    let larger = Array.make (Int.max 16 (2 * t.length)) node in
-    Array.blit t.nodes 0 larger 0 t.length;
-    t.nodes <- larger
-  end;
-  t.nodes.(t.length) <- node;
-  t.length <- t.length + 1
+let start t state = Growable.push t.nodes { state; before = None }
+let length t = Growable.length t.nodes
+let node t i = Growable.get t.nodes i
 
-let start t state = push t { state; before = None }
-let step t label state = push t { state; before = Some (t.nodes.(t.length - 1).state, label) }
+let step t label state =
+  Growable.push t.nodes { state; before = Some ((node t (length t - 1)).state, label) }
+
 let for_ever t = t.over <- For_ever
 let dead_end t = t.over <- Dead_end
 let is_over t = t.over <> Unknown
-let length t = t.length
 
 (* {1 The graph} *)
 
 let label t i =
-  match t.nodes.(i + 1).before with
+  match (node t (i + 1)).before with
   | Some (_, label) -> label
   | None -> Bug.fail __POS__ "a beginning in the midst of a run"
-let is_last t i = i = t.length - 1
+let is_last t i = i = length t - 1
 
 let edges t i =
   if is_last t i then [||] else match label t i with Transition.Time _ -> [||] | _ -> [| i + 1 |]
@@ -56,7 +51,7 @@ let flow t i : Timed_graph.flow =
 
 let graph t : Timed_graph.t =
   {
-    size = t.length;
+    size = length t;
     known = (fun i -> (not (is_last t i)) || t.over <> Unknown);
     edges = edges t;
     drawn = (fun _ -> None);
@@ -64,7 +59,7 @@ let graph t : Timed_graph.t =
   }
 
 let trajectory t i extent =
-  let node = t.nodes.(i) in
+  let node = node t i in
   let arrived event =
     match node.before with None -> false | Some (source, label) -> Event.matches ~source label event
   in
@@ -115,7 +110,7 @@ let number t n i offset =
   Trajectory.number_at (trajectory t i extent) n offset
 
 let counted t p i _ =
-  let n = Counted.by t.semantics ~source:t.nodes.(i).state (label t i) p in
+  let n = Counted.by t.semantics ~source:(node t i).state (label t i) p in
   (n.least, n.most)
 
 let mean eval t (formula : Timed_formula.t) (mean : Property.mean) =

@@ -8,7 +8,7 @@ open Scc_state_space
 
 type label = Transition.label * Rat.t option
 
-module Labels = Catalogue.Interned (struct
+module Labels = Scc_data.Numbering.Make (struct
     type t = label
 
     let equal (a, p) (b, q) = Transition.equal_label a b && Option.equal Rat.equal p q
@@ -75,7 +75,7 @@ let renew ?(most = most_bodies) f =
 let label_number f number =
   for i = Growable.length f.numbers to number do
     let label = (Catalogue.label_of (catalogue f) i, Catalogue.chance (catalogue f) i) in
-    Growable.push f.numbers (Labels.intern f.labels label)
+    Growable.push f.numbers (Labels.number f.labels label)
   done;
   Growable.get f.numbers number
 

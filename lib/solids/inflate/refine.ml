@@ -1,11 +1,5 @@
 open Front
 
-let height_at t k x y =
-  let a, b, c = Triangulation.corners t k in
-  let a = Triangulation.vertex t a and b = Triangulation.vertex t b and c = Triangulation.vertex t c in
-  let u = cross a.x a.y b.x b.y x y and v = cross b.x b.y c.x c.y x y and w = cross c.x c.y a.x a.y x y in
-  (-((v * a.z) + (w * b.z) + (u * c.z)), -(u + v + w))
-
 (* A centre of a pixel strictly inside the triangle or on an edge that is no part of the outline, where the surface
    and the triangle differ most, with 1/256 of a quantum as the least difference that counts. *)
 type candidate = { gap : int; pixel : int * int }

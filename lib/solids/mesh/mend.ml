@@ -2,9 +2,8 @@ open Scc_exact
 open Scc_geometry
 module Points = Hashtbl.Make (Vec)
 
-let count n one many = if n = 1 then "1 " ^ one else Printf.sprintf "%d %s" n many
-let vertices n = count n "vertex" "vertices"
-let faces n = count n "face" "faces"
+let vertices n = Scc_base.Plural.count n "vertex" "vertices"
+let faces n = Scc_base.Plural.count n "face" "faces"
 
 (* {1 Grid} *)
 

@@ -137,8 +137,6 @@ let glance c d =
     | Some (p, q, false) ->
       let room = Z.sign (Z.add (Z.mul p c.right) (Z.mul q d.right)) in
       if room < 0 || (room = 0 && (c.relation = Less || d.relation = Less)) then Excludes else Unrelated
-
-let hash c = Array.fold_left (fun h a -> (h * 31) + Z.hash a) ((Z.hash c.right * 3) + rank c.relation) c.normal
 let opposite c relation = { normal = Array.map Z.neg c.normal; relation; right = Z.neg c.right }
 
 let halves c =

@@ -74,9 +74,6 @@ val same_normal : t -> t -> bool
 (** [same_normal c d] is true if the normals, each divided by its common factor, are the same. Relations and
     right sides may differ. *)
 
-val hash : t -> int
-(** A hash that is compatible with {!equal}. *)
-
 (** {1 Others that it gives rise to} *)
 
 val halves : t -> t list

@@ -143,18 +143,7 @@ let inter p q =
   | Some constraints -> add_all p (List.rev constraints)
 
 let disjoint p q = is_empty (inter p q)
-let is_closed p = included (closure p) p
 
-let hash_of_closure p =
-  List.fold_left (fun h c -> (h * 31) + Constraint.hash c) p.dimension (constraints (closure p))
-
-(* {1 Points with simple coordinates}
-
-   Setting a coordinate to a value inside of its range leaves a polyhedron whose relative interior is part of
-   that of the whole. *)
-
-(* Of a range that is narrow the middle half has to do: otherwise a number that takes nearly all of what is left
-   to a sum leaves hardly anything to the next one, whose denominator is the square of its own, and so on. *)
 let narrow = Z.of_int 100
 
 let simple ~above ~below =

@@ -88,10 +88,6 @@ val is_bounded : t -> bool
 val implies : t -> Constraint.t -> bool
 (** [implies p c] is true if all points of [p] satisfy [c]. *)
 
-val is_closed : t -> bool
-(** [is_closed p] is true if [p] contains its closure, so that it can be described without strict constraints.
-*)
-
 (** {1 Comparing} *)
 
 val included : t -> t -> bool
@@ -102,9 +98,6 @@ val equal : t -> t -> bool
 
 val disjoint : t -> t -> bool
 (** [disjoint p q] is true if no point is in both. *)
-
-val hash_of_closure : t -> int
-(** A hash of the closure: equal for polyhedra whose closures are equal. *)
 
 (** {1 Others that it gives rise to} *)
 

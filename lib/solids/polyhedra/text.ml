@@ -59,12 +59,6 @@ let polyhedron ~name p =
     | [] -> "true"
     | constraints -> String.concat ", " (List.map (constraint_ ~name) constraints)
 
-let union ~name u =
-  match Union.pieces u with
-  | [] -> "false"
-  | [ p ] -> polyhedron ~name p
-  | pieces -> String.concat " or " (List.map (fun p -> "(" ^ polyhedron ~name p ^ ")") pieces)
-
 (* {1 SMT-LIB} *)
 
 let reserved =

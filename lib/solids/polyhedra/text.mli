@@ -12,9 +12,6 @@ val polyhedron : name:(int -> string) -> Polyhedron.t -> string
 (** The constraints of the minimal form, separated by commas, equalities first: ["x = y, z < 2"]. All points
     are ["true"], none are ["false"]. *)
 
-val union : name:(int -> string) -> Union.t -> string
-(** The pieces, separated by [" or "], in parentheses if there are several; ["false"] for no piece. *)
-
 (** {1 SMT-LIB}
 
     Terms of sort Bool over constants of sort Real, of SMT-LIB 2.6. Names that are no simple symbols of SMT-LIB

@@ -54,7 +54,6 @@ let difference u v =
   same_dimension u v.dimension;
   { u with pieces = List.fold_left without u.pieces v.pieces }
 
-let complement u ~within = difference within u
 let map ~dimension f u = of_polyhedra dimension (List.map f u.pieces)
 
 let disjoint u =

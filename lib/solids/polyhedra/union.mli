@@ -60,9 +60,6 @@ val inter : t -> t -> t
 val difference : t -> t -> t
 (** [difference u v] has the points of [u] that are not in [v]. *)
 
-val complement : t -> within:t -> t
-(** [complement u ~within] has the points of [within] that are not in [u]. *)
-
 val map : dimension:int -> (Polyhedron.t -> Polyhedron.t) -> t -> t
 (** [map ~dimension f u] is the union of [f] of each piece, in a space of [dimension] variables. It is meant
     for operations that commute with unions, as projections and preimages do. *)

@@ -82,4 +82,3 @@ let of_polyhedron p =
   else Infinite
 
 let sum = List.fold_left (map2 Rat.add) (Finite Rat.zero)
-let of_union u = sum (List.map of_polyhedron (Union.pieces (Union.disjoint u)))

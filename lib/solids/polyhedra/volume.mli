@@ -19,6 +19,3 @@ val of_polyhedron : Polyhedron.t -> t
 
 val sum : t list -> t
 (** The sum of volumes. [Infinite] if one of them is infinite, else [Not_computed] if one of them is. *)
-
-val of_union : Union.t -> t
-(** The volume of a set; what several pieces have in common counts once. *)

@@ -195,11 +195,9 @@ let pass t (z : Zone.t) region =
 
 (* The lengths of all delays that a behaviour may ever come to, as far as they depend on parameters: one that has
    no length is over as it begins (rule Eps0). *)
-let rec lengths : Behaviour.t -> Linear.t list = function
-  | Nil | Call _ -> []
-  | Open (_, _, rest) | Weak (_, _, rest) | Strong (_, _, rest) | Delay (_, rest) -> lengths rest
-  | Wait (f, rest) -> f :: lengths rest
-  | Sum (x, y) -> lengths x @ lengths y
+let rec lengths b =
+  let own = match (b : Behaviour.t) with Wait (f, _) -> [ f ] | _ -> [] in
+  own @ List.concat_map lengths (Behaviour.parts b)
 
 let all_lengths t (z : Zone.t) =
   let of_process (p : State.process) =

@@ -36,18 +36,7 @@ let make ranges ~holds ~fails =
   if overlap holds fails then Scc_base.Bug.fail __POS__ "it holds and fails";
   { ranges; holds; fails; unknown = tidy (Union.difference (Union.difference box holds) fails) }
 
-let decided ranges ~holds =
-  let box = box ranges in
-  let holds = tidy (Union.inter box holds) in
-  { ranges; holds; fails = tidy (Union.difference box holds); unknown = Union.empty (Array.length ranges) }
-
-let of_test ranges truth =
-  let n = Array.length ranges in
-  decided ranges ~holds:(if truth then Union.universe n else Union.empty n)
-
 (* {1 What it says} *)
-
-let dimension w = Array.length w.ranges
 
 let measure u =
   match Volume.sum (List.map Volume.of_polyhedron (Union.pieces u)) with
@@ -80,23 +69,3 @@ let probability w =
     if Rat.sign unknown = 0 then Exactly (of_all least)
     else Between (of_all least, of_all (Rat.add least unknown))
   | _ -> Not_computed
-
-(* {1 Judging} *)
-
-let rec pairs_overlap = function
-  | [] -> false
-  | p :: rest -> List.exists (fun q -> not (Polyhedron.disjoint p q)) rest || pairs_overlap rest
-
-let faults w =
-  let sets = [ ("holds", w.holds); ("fails", w.fails); ("unknown", w.unknown) ] in
-  let within (name, u) =
-    if pairs_overlap (Union.pieces u) then [ "pieces where it is '" ^ name ^ "' overlap" ] else []
-  in
-  let between (a, u) (b, v) = if overlap u v then [ "'" ^ a ^ "' and '" ^ b ^ "' overlap" ] else [] in
-  let all = Union.union w.holds (Union.union w.fails w.unknown) in
-  let covers = Union.equal all (box w.ranges) in
-  List.concat_map within sets
-  @ between ("holds", w.holds) ("fails", w.fails)
-  @ between ("holds", w.holds) ("unknown", w.unknown)
-  @ between ("fails", w.fails) ("unknown", w.unknown)
-  @ if covers then [] else [ "the sets together are not the box" ]

@@ -22,12 +22,6 @@ val make : Ranges.t -> holds:Union.t -> fails:Union.t -> t
     dropped. Pieces of one set may overlap. The two sets have no common point, and no range is one point (bugs
     otherwise). *)
 
-val decided : Ranges.t -> holds:Union.t -> t
-(** [decided ranges ~holds]: the check fails in the rest of the box. *)
-
-val of_test : Ranges.t -> bool -> t
-(** [of_test ranges b]: the check holds everywhere in the box if [b], else it fails everywhere. *)
-
 val tidy : Union.t -> Union.t
 (** The set, by disjoint pieces, merged where two of them have a convex union, and in {!order}. *)
 
@@ -36,9 +30,6 @@ val order : Polyhedron.t list -> Polyhedron.t list
     [Polyhedron.interior_point], coordinate by coordinate. The order depends on the sets of points alone. *)
 
 (** {1 What it says} *)
-
-val dimension : t -> int
-(** The number of parameters. *)
 
 val measure : Union.t -> Rat.t option
 (** The volume of a set of disjoint, bounded pieces, in the units of the parameters. A set of volume 0 may
@@ -63,9 +54,3 @@ val probability : t -> probability
     is the volume where it holds, divided by that of the box. If the outcome is unknown on a set of positive
     volume, the bounds are those for failing there and for holding there. [Not_computed] if a measure that it
     needs is not computed. *)
-
-(** {1 Judging} *)
-
-val faults : t -> string list
-(** Violated invariants, for tests: sets that overlap, or that do not cover exactly the box. Empty if there are
-    none. *)

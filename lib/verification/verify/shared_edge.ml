@@ -8,14 +8,12 @@ let opened (m : Model.t) (l : State.leaf) =
   let seen = Array.make (Array.length m.definitions) false in
   let rec within found (b : Behaviour.t) =
     match b with
-    | Nil -> found
     | Open (_, c, rest) -> within (c.sites @ found) rest
-    | Weak (_, _, rest) | Strong (_, _, rest) | Delay (_, rest) | Wait (_, rest) -> within found rest
-    | Sum (x, y) -> within (within found x) y
     | Call k when seen.(k) -> found
     | Call k ->
       seen.(k) <- true;
       within found m.definitions.(k).body
+    | Nil | Weak _ | Strong _ | Delay _ | Wait _ | Sum _ -> List.fold_left within found (Behaviour.parts b)
   in
   List.sort_uniq Site.compare (within [] l.behaviour.term)
 

@@ -91,7 +91,7 @@ let alone state p =
     ("universe", string_of_bool (Polyhedron.is_universe p));
     ("dimension", string_of_int (Polyhedron.affine_dimension p));
     ("bounded", string_of_bool (Polyhedron.is_bounded p));
-    ("closed", string_of_bool (Polyhedron.is_closed p));
+    ("closed", string_of_bool (Polyhedron.included (Polyhedron.closure p) p));
     ("minimal", polyhedron p);
     ("closure", polyhedron (Polyhedron.closure p));
     ("point", point (Polyhedron.point p));

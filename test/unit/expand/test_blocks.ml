@@ -5,7 +5,7 @@ open Scc_parallel
 let check = Alcotest.(check (list string))
 
 let blocks ?full () =
-  let log, kept = Log.in_memory [] in
+  let log, kept = Kept_in_memory.log [] in
   let b = Blocks.make ?full log in
   (b, kept, fun text -> Blocks.add b (fun buffer -> Buffer.add_string buffer text))
 

@@ -185,11 +185,11 @@ let same case text expected =
 let remade case =
   let expected = told { case with keep_edges = true } in
   let anew = { case with keep_edges = false } in
-  let log, kept = Log.in_memory [] in
+  let log, kept = Kept_in_memory.log [] in
   let journal log = Journal.expanding ~block:1 log Graph.here in
   same anew (told anew) expected
   && same anew (told ~expanding:(journal log) anew) expected
-  && same anew (told ~expanding:(journal (fst (Log.in_memory (kept ())))) anew) expected
+  && same anew (told ~expanding:(journal (fst (Kept_in_memory.log (kept ())))) anew) expected
 
 let remade =
   QCheck2.Test.make ~count:2000 ~name:"edges that are made anew are those that are kept" ~print case_gen remade
@@ -197,7 +197,7 @@ let remade =
 (** {2 What is kept} *)
 
 (* With a block for each note. *)
-let kept_from blocks = Log.in_memory blocks
+let kept_from blocks = Kept_in_memory.log blocks
 let by_journal log = Journal.expanding ~block:1 log Graph.here
 
 let rec prefixes = function [] -> [ [] ] | x :: rest -> [] :: List.map (fun p -> x :: p) (prefixes rest)

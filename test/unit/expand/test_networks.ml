@@ -46,11 +46,11 @@ let shared network =
 
 let kept network =
   let expected = told ~keep_edges:false network in
-  let log, blocks = Log.in_memory [] in
+  let log, blocks = Kept_in_memory.log [] in
   let run log = told ~expanding:(Journal.expanding ~block:1 log Graph.here) ~keep_edges:false network in
   let first = run log in
   let half = List.filteri (fun i _ -> 2 * i < List.length (blocks ())) (blocks ()) in
-  same network first expected && same network (run (fst (Log.in_memory half))) expected
+  same network first expected && same network (run (fst (Kept_in_memory.log half))) expected
 
 (* With all tables in mapped files, which processes that are forked have as well. *)
 let in_files network =

@@ -218,6 +218,14 @@ let random_icon =
           (let* p = int_range 0 99 and* d = int_range 1 9 in
            return (if p < fill then string_of_int d else " "))))
 
+(* The height at (x, y) in the plane of a triangle: numerator and denominator > 0. *)
+let height_at t k x y =
+  let a, b, c = Triangulation.corners t k in
+  let a = Triangulation.vertex t a and b = Triangulation.vertex t b and c = Triangulation.vertex t c in
+  let area (p : Front.corner) (q : Front.corner) = Front.cross p.x p.y q.x q.y x y in
+  let u = area a b and v = area b c and w = area c a in
+  (-((v * a.z) + (w * b.z) + (u * c.z)), -(u + v + w))
+
 (* The least and greatest of H - G at points of a fine grid, and whether the told gap holds there. *)
 let gap_holds rows =
   match Silhouette.find ~piece:1 (picture rows) with
@@ -239,7 +247,7 @@ let gap_holds rows =
                let n', d' =
                  match Triangulation.locate t (2 * x) (2 * y) with
                  | None -> (0, 1)
-                 | Some k -> Refine.height_at t k (2 * x) (2 * y)
+                 | Some k -> height_at t k (2 * x) (2 * y)
                in
                let off = abs ((n * d') - (n' * d)) in
                met := max !met ((off + (d * d') - 1) / (d * d'))

@@ -74,12 +74,12 @@ let nowhere name = holds name [] Rat.zero
 
 let agrees all e =
   let w = List.assoc e.name all in
-  let n = Where.dimension w in
+  let n = Array.length w.Where.ranges in
   let box = Union.of_polyhedron (Scc_calculus.Ranges.box w.ranges) in
   let wanted = Union.of_polyhedra n (List.map (Polyhedron.of_constraints n) e.holds) in
   let name = e.name in
-  let text u = Text.union ~name:(fun i -> w.ranges.(i).name) u in
-  Alcotest.(check (list string)) (name ^ ": parted") [] (Where.faults w);
+  let text = Where_samples.Samples.text w in
+  Alcotest.(check (list string)) (name ^ ": parted") [] (Where_samples.Samples.faults w);
   if not (Union.equal w.holds (Union.inter wanted box)) then
     Alcotest.failf "%s holds where %s; by hand where %s" name (text w.holds) (text wanted);
   Alcotest.(check bool) (name ^ ": all is known") true (Union.is_empty w.unknown);

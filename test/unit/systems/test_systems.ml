@@ -22,6 +22,8 @@ let system n constraints = Polyhedron.of_constraints n (List.map constraint_ con
 let text = Text.polyhedron ~name
 let is what expected p = Alcotest.(check string) what expected (text p)
 let yes = Alcotest.(check bool)
+let volume_of_union u = Volume.sum (List.map Volume.of_polyhedron (Union.pieces (Union.disjoint u)))
+
 let volume_text = function
   | Volume.Finite x -> Some (Rat.to_string x)
   | Infinite -> None
@@ -55,7 +57,8 @@ let minimal_forms () =
   let p = system 2 [ ([ 1; 0 ], ">=", 0); ([ 0; 1 ], ">=", 0); ([ 1; 1 ], ">", 0) ] in
   let p' = system 2 [ ([ 1; 0 ], ">=", 0); ([ 0; 1 ], ">=", 0); ([ 1; 2 ], ">", 0) ] in
   yes "one set, two forms" true (Polyhedron.equal p p' && text p <> text p');
-  Alcotest.(check int) "one closure" (Polyhedron.hash_of_closure p) (Polyhedron.hash_of_closure p')
+  let closure p = Polyhedron.constraints (Polyhedron.closure p) in
+  Alcotest.(check bool) "one closure" true (List.equal Constraint.equal (closure p) (closure p'))
 
 let projections () =
   let p = system 2 [ ([ 1; -1 ], "<", 0); ([ 0; 1 ], "<=", 3); ([ 1; 1 ], ">=", 0) ] in
@@ -103,7 +106,7 @@ let near_borders () =
 let sets () =
   let hole = Union.difference (Union.of_polyhedron (square "0" "3")) (Union.of_polyhedron (square "1" "2")) in
   Alcotest.(check int) "a ring" 4 (List.length (Union.pieces hole));
-  Alcotest.(check (option string)) "its area" (Some "8") (volume_text (Volume.of_union hole));
+  Alcotest.(check (option string)) "its area" (Some "8") (volume_text (volume_of_union hole));
   let filled = Union.union hole (Union.of_polyhedron (square "1" "2")) in
   yes "filled" true (Union.covers filled (square "0" "3"));
   Alcotest.(check int) "merged" 1 (List.length (Union.pieces (Union.merged filled)));

@@ -78,7 +78,7 @@ let at_points =
   let gen = G.pair (random_where 3) (random_where 3) in
   let print (a, b) = print a ^ " / " ^ print b in
   QCheck2.Test.make ~name:"outcomes at points" ~count:40 ~print gen (fun ((a, _, _), (b, holds, _)) ->
-      let b = Where.decided a.ranges ~holds:(Union.union b.holds holds) in
+      let b = decided a.ranges ~holds:(Union.union b.holds holds) in
       let regions = Plane.regions a.ranges (view a.ranges [ "y"; "x" ] []) [ a; b ] in
       let some u x y =
         let fix p i v = Polyhedron.substitute p i (Linear.constant 3 v) in
@@ -202,7 +202,7 @@ let files () =
   has "lossy";
   Alcotest.(check string) "the same bytes" text (drawn ligands [ ("tie", tie) ]);
   (* 10^-6 wide: less than any pixel *)
-  let thin = Where.decided ligands ~holds:(set 2 [ [ below 0 1; negative 2 999999 [ -1000000; 0 ] ] ]) in
+  let thin = decided ligands ~holds:(set 2 [ [ below 0 1; negative 2 999999 [ -1000000; 0 ] ] ]) in
   Alcotest.(check bool) "thin sets are seen" true
     (contains (drawn ligands [ ("thin", thin) ]) "fill=\"none\" stroke=\"#4477aa\" stroke-width=\"2\"")
 

@@ -22,12 +22,12 @@ let reports () =
   check_lines "ligands"
     [ "holds where"; "  2s + 2 <= t"; "fails elsewhere"; "probability 1/9, about 0.1111" ]
     possibly;
-  check_lines "everywhere" [ "holds everywhere"; "probability 1" ] (Where.of_test x04 true);
-  check_lines "nowhere" [ "fails everywhere"; "probability 0" ] (Where.of_test x04 false);
-  check_lines "no parameters" [ "holds everywhere"; "probability 1" ] (Where.of_test [||] true);
+  check_lines "everywhere" [ "holds everywhere"; "probability 1" ] (of_test x04 true);
+  check_lines "nowhere" [ "fails everywhere"; "probability 0" ] (of_test x04 false);
+  check_lines "no parameters" [ "holds everywhere"; "probability 1" ] (of_test [||] true);
   check_lines "the shorter side"
     [ "fails where"; "  1 < x <= 2"; "holds elsewhere"; "probability 3/4 = 0.75" ]
-    (Where.decided x04 ~holds:(Union.union (upto 1) (above 2)))
+    (decided x04 ~holds:(Union.union (upto 1) (above 2)))
 
 let without_volume () =
   check_lines "a tie"
@@ -35,10 +35,10 @@ let without_volume () =
     tie;
   check_lines "all but a point"
     [ "fails where"; "  x = 1 (no length)"; "holds elsewhere"; "probability 1, but not everywhere" ]
-    (Where.decided x04 ~holds:(Union.difference (Union.universe 1) (at_point 1)));
+    (decided x04 ~holds:(Union.difference (Union.universe 1) (at_point 1)));
   check_lines "two pieces"
     [ "holds where"; "  x <= 1"; "  or x = 2 (no length)"; "fails elsewhere"; "probability 1/4 = 0.25" ]
-    (Where.decided x04 ~holds:(Union.union (upto 1) (at_point 2)))
+    (decided x04 ~holds:(Union.union (upto 1) (at_point 2)))
 
 let unknown () =
   check_lines "a part"
@@ -106,9 +106,9 @@ let json () =
      ^ {|],"fails":{"pieces":[[|} ^ c (x "-1") "<=" "0/1" ^ "," ^ c (x "1") "<" "1/1" ^ "],["
      ^ c (x "-1") "<" "-1/1" ^ ","
      ^ c (x "1") "<=" "4/1" ^ {|]],"measure":"4/1"},"unknown":{"pieces":[],"measure":"0/1"}}|})
-    (Where.decided x04 ~holds:(at_point 1));
+    (decided x04 ~holds:(at_point 1));
   let plane = Scc_reports.Where_json.where
-      (Where.decided ligands ~holds:(set 2 [ [ is_zero 2 (-1) [ 1; 0 ] ] ])) in
+      (decided ligands ~holds:(set 2 [ [ is_zero 2 (-1) [ 1; 0 ] ] ])) in
   let pieces = Option.get (Scc_json.Json.member "pieces" plane) in
   let t a = Printf.sprintf "\"t\":\"%s/1\"" a in
   Alcotest.(check string) "without coefficients that are 0"
@@ -117,13 +117,13 @@ let json () =
   check "no parameters"
     ({|{"parameters":[],"pieces":[[]],"measure":"1/1","probability":"1/1","range":[],|}
      ^ {|"fails":{"pieces":[],"measure":"0/1"},"unknown":{"pieces":[],"measure":"0/1"}}|})
-    (Where.of_test [||] true)
+    (of_test [||] true)
 
 (* {1 SMT-LIB} *)
 
 let smt () =
   let ranges = [| whole "abs" 0 4 |] in
-  let script = Smt.script ranges [ ("meets", Where.decided ranges ~holds:(upto 1)) ] in
+  let script = Smt.script ranges [ ("meets", decided ranges ~holds:(upto 1)) ] in
   Alcotest.(check string) "script"
     {|(set-info :smt-lib-version 2.6)
 (set-logic QF_LRA)
