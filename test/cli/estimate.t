@@ -17,16 +17,16 @@ A mean has an interval where its number is in a range. Of others nothing is know
   [2]
   $ scc estimate $M/association.sc --property 'E >= 1/2 [ bonds() at 3 ]' --property 'E > 2 [ count(i in 1..n: bound(m[i], s[i])) at 3 ]'
   property1: undecided whether it is >= 1/2: from 0.445495 to 3.44747 with confidence 99/100, 128 runs
-    47 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+    47 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   
   property2: undecided whether it is > 2: from 0.542022 to 2.379321 with confidence 99/100, 128 runs
-    47 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+    47 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   [2]
   $ scc estimate $M/ruin.sc --check drift --check how_long --runs 500 --seed 7
-  drift: sampled: the mean of these runs alone is -0.254, with the standard deviation 1.08436, 500 runs
+  how_long: sampled: the mean of these runs alone is 5.372, with the standard deviation 4.048506, 500 runs
     no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
   
-  how_long: sampled: the mean of these runs alone is 5.372, with the standard deviation 4.048506, 500 runs
+  drift: sampled: the mean of these runs alone is -0.254, with the standard deviation 1.08436, 500 runs
     no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
   [2]
   $ cat > rare.sc <<'END'
@@ -84,13 +84,13 @@ What nobody draws is left open, or taken evenly, and then it is said.
   $ ask() { scc estimate $M/dimer.sc --property 'P = ? [ eventually bonds() = 0 ]' --property 'P >= 1/10 [ always bonds() > 0 ]' --property 'E = ? [ bonds() at 3 ]' "$@"; }
   $ ask
   property1: undecided: not known, 128 runs
-    128 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+    128 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   
   property2: undecided whether it is >= 1/10: not known, 128 runs
-    128 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+    128 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   
   property3: undecided: not known, 128 runs
-    128 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+    128 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   [2]
   $ ask --free evenly --runs 200
   property1: estimated: 1, from 0.973856 to 1 with confidence 99/100, 200 runs
@@ -234,16 +234,16 @@ Where walkers bounce nothing draws which does so first. No interval is given if 
   > END
   $ scc estimate crowd.sc --runs 50
   right: undecided: not known, 50 runs
-    50 of 50 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, `blocked wait` in the model leaves none where walkers bounce, and `scc check` tells the least and the greatest
+    50 of 50 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `blocked wait` leaves none where walkers bounce; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   
   half: undecided whether it is >= 1/2: not known, 50 runs
-    50 of 50 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, `blocked wait` in the model leaves none where walkers bounce, and `scc check` tells the least and the greatest
+    50 of 50 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `blocked wait` leaves none where walkers bounce; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   
   mean: undecided: not known, 50 runs
-    50 of 50 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, `blocked wait` in the model leaves none where walkers bounce, and `scc check` tells the least and the greatest
+    50 of 50 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `blocked wait` leaves none where walkers bounce; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   
   share: undecided: not known, 50 runs
-    50 of 50 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, `blocked wait` in the model leaves none where walkers bounce, and `scc check` tells the least and the greatest
+    50 of 50 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `blocked wait` leaves none where walkers bounce; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   [2]
   $ scc estimate crowd.sc --runs 50 --free evenly --json | grep -E 'verdict|kind'
         "verdict": "estimated",

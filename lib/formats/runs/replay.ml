@@ -229,7 +229,8 @@ let advance place guide (taken : Run.alternative) =
   {
     time = Rat.add place.time d;
     taken = place.taken + 1;
-    still = (if Rat.sign d > 0 then 0 else if Transition.is_drawn taken.label then place.still else place.still + 1);
+    still =
+      (if Rat.sign d > 0 then 0 else if Transition.is_drawn taken.label then place.still else place.still + 1);
     guide;
   }
 

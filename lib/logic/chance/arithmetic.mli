@@ -1,6 +1,6 @@
 (** Kinds of numbers of at least 0 in which means over branches are computed. The branches of one choice have
-    integer weights over a common denominator, so that a mean is a sum of products by small integers, without a greatest
-    common divisor. *)
+    integer weights over a common denominator. So a mean is a sum of products by small integers, without a
+    greatest common divisor. *)
 
 open Scc_exact
 

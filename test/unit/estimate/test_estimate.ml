@@ -281,7 +281,8 @@ let parts () =
   Alcotest.(check bool) "from event to event" true (Scc_engine.Event_run.can_run e.model);
   Alcotest.(check bool) "a whole network" true (Path.seen [ everything ] = None);
   let outcomes paths =
-    let plan = { Sample.semantics; declared = e.declared; paths; free = Evenly; steps = Some 5_000; until = None } in
+    let steps = Some 5_000 in
+    let plan = { Sample.semantics; declared = e.declared; paths; free = Evenly; steps; until = None } in
     List.init 15 (fun k ->
         outcome (List.hd (Sample.run plan ~seed:7L ~interrupted:(fun () -> false) k).outcomes))
   in
