@@ -149,10 +149,10 @@ let open_reasons { tally; left_out; _ } =
       (if tally.free = 0 then []
        else
          [ of_runs tally tally.free
-            ^ " depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in \
-               the model draws them; "
-            ^ (if tally.bounces = 0 then "" else "`blocked wait` leaves none where walkers bounce; ")
-            ^ "`--free evenly` takes each choice as often; and `scc check` tells the least and the greatest" ]);
+           ^ " depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in \
+              the model draws them; "
+           ^ (if tally.bounces = 0 then "" else "`blocked wait` leaves none where walkers bounce; ")
+           ^ "`--free evenly` takes each choice as often; and `scc check` tells the least and the greatest" ]);
       (if tally.too_long = 0 then []
        else [ of_runs tally tally.too_long ^ " were left before it was known: "
               ^ String.concat ", " (List.map of_bound tally.bounds) ]);
