@@ -257,6 +257,8 @@ let break_off run emit place ~within_step =
   let last = if within_step then None else Some (fun () -> Run.state run) in
   emit (End { steps = place.taken; time = place.time; ending = Broken_off; last; rounded = Run.rounded run })
 
+let draws_on run (taken : Run.alternative) = Transition.is_drawn taken.label && Run.draws_on run
+
 let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy limits ~interrupted emit =
   (* A step may take long, as its numbers do. *)
   let within_step = ref false in
@@ -266,8 +268,7 @@ let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy 
     within_step := Result.is_error result;
     Result.map_error (fun stop -> Interrupted stop) result
   in
-  let model = Semantics.model semantics in
-  let guide, offset = start_of policy in
+  let model = Semantics.model semantics and guide, offset = start_of policy in
   let* started = step (fun () -> Run.start semantics declared) in
   let* run = Result.map_error (fun fault -> Fault { fault; steps = 0; time = Rat.zero }) started in
   let state () = Run.state run and changes () = Run.changes run and part = Run.part run in
@@ -302,16 +303,14 @@ let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy 
   and passes place d = if Rat.sign d > 0 then passing ~start:place.time ~lasts:d state
   and within place ahead d go =
     match beyond limits place d with
-    | Some rest when Rat.sign rest > 0 -> leave_at semantics run limits ~passing emit place ahead rest
-                                            ~at:Span.none
+    | Some d when Rat.sign d > 0 -> leave_at semantics run limits ~passing emit place ahead d ~at:Span.none
     | Some _ -> finish run limits emit place ahead
     | None -> go ()
   and go_on place guide index among ~free taken =
     let next = advance place guide taken in
     reached := next;
-    let draws_on = Transition.is_drawn taken.label && Run.draws_on run in
-    let number = next.taken and time = next.time in
-    emit (Step { number; index; among; free; time; taken; changes; state; part; draws_on });
+    let { taken = number; time; _ } = next in
+    emit (Step { number; index; among; free; time; taken; changes; state; part; draws_on = draws_on run taken });
     from next
   in
   emit (Start (state ()));

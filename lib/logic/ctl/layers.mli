@@ -1,6 +1,6 @@
 (** The places of {!Decisions} for "f until g" within a window of time that ends, or up to a time, by layers. A
-    layer is the places that are entered at one time. Time passes from a layer to later ones only. Within a layer, nodes
-    have ranks such that edges lead to smaller ones. So values can be computed from the last layer back
+    layer is the places that are entered at one time. Time passes from a layer to later ones only. Within a layer,
+    nodes have ranks such that edges lead to smaller ones. So values can be computed from the last layer back
     ({!Layered}).
 
     It works if no run comes back to a node in no time. Otherwise a layer would be a system of equations. *)

@@ -59,8 +59,7 @@ let run plan ~seed ~interrupted number =
     found := Chain.answers questions chain;
     if List.for_all (fun (a : Chain.answer) -> a <> Open) !found then over := true
   in
-  let limit = limit plan in
-  let stopped_by_choice = ref None and steps = ref 0 and bound = ref Time in
+  let limit = limit plan and stopped_by_choice = ref None and steps = ref 0 and bound = ref Time in
   let note (event : Replay.event) =
     (match event with Step _ -> incr steps | Start _ | Instant _ | End _ -> ());
     match event with
