@@ -303,15 +303,37 @@ class Errors(Commands):
             check(WALK, scc="/bin/cat")
 
 
+def is_busy(seconds):
+    """Whether some process below this one has used so many seconds of the processor."""
+    below, used = {os.getpid()}, {}
+    for pid in sorted(map(int, filter(str.isdigit, os.listdir("/proc")))):
+        try:
+            with open("/proc/%d/stat" % pid, encoding="utf-8") as file:
+                fields = file.read().rsplit(")", 1)[1].split()
+        except OSError:
+            continue
+        used[pid] = (int(fields[1]), int(fields[11]) + int(fields[12]))
+    for _ in range(4):
+        below |= {pid for pid, (parent, _) in used.items() if parent in below}
+    ticks = [used[pid][1] for pid in below if pid in used and pid != os.getpid()]
+    return max(ticks, default=0) >= seconds * os.sysconf("SC_CLK_TCK")
+
+
 class Interruptions(Commands):
     def interrupted(self, function, *arguments, **options):
-        """The result of a call that SIGINT interrupts after a second and a half."""
-        timer = threading.Timer(1.5, os.kill, (os.getpid(), signal.SIGINT))
-        timer.start()
+        """The result of a call that SIGINT interrupts once scc has worked for a second."""
+
+        def interrupt():
+            while not is_busy(1):
+                time.sleep(0.05)
+            os.kill(os.getpid(), signal.SIGINT)
+
+        thread = threading.Thread(target=interrupt, daemon=True)
+        thread.start()
         try:
             return function(*arguments, **options)
         finally:
-            timer.join()
+            thread.join()
 
     def test_results(self):
         checked = self.interrupted(check, LONG, states=10**8, jobs=1)
@@ -322,21 +344,28 @@ class Interruptions(Commands):
         self.assertTrue(result.interrupted and 0 < len(result.runs) < 10**7)
         self.assertTrue(self.interrupted(estimate, LONG, most=10**7, steps=10**6).interrupted)
         run = self.interrupted(trace, LONG, steps=10**8)
-        self.assertTrue(run.interrupted and run.ending is None and run.steps)
+        self.assertEqual((run.interrupted, run.ending), (True, "interrupted"))
+        self.assertTrue(run.steps)
         self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
 
     def test_twice(self):
-        scc = self.path("scc")
+        """The second SIGINT is no longer waited for. The program is one of its own, as signals go on until it ends."""
+        scc, started = self.path("scc"), self.path("started")
         with open(scc, "w", encoding="utf-8") as file:
-            file.write("#!/bin/sh\ntrap '' INT\nsleep 1000\n")
+            file.write("#!/bin/sh\ntrap '' INT\n: > '%s'\nsleep 1000\n" % started)
         os.chmod(scc, 0o755)
-        again = threading.Timer(2.5, os.kill, (os.getpid(), signal.SIGINT))
-        again.start()
-        start = time.time()
-        with self.assertRaises(KeyboardInterrupt):
-            self.interrupted(check, WALK, scc=scc)
-        self.assertLess(time.time() - start, 60)
-        again.join()
+        program = ("import signal, sys; from shapecalculus import check\n"
+                   "try: check('', scc=sys.argv[1])\n"
+                   "except KeyboardInterrupt: signal.signal(signal.SIGINT, signal.SIG_IGN); print('left')\n")
+        child = subprocess.Popen([sys.executable, "-B", "-c", program, scc], stdout=subprocess.PIPE,
+                                 env=dict(os.environ, PYTHONPATH=os.pathsep.join(sys.path)))
+        while not os.path.exists(started):
+            time.sleep(0.05)
+        while child.poll() is None:
+            child.send_signal(signal.SIGINT)
+            time.sleep(2)
+        with child.stdout:
+            self.assertEqual((child.stdout.read().strip(), child.returncode), (b"left", 0))
 
     def test_progress(self):
         lines = []

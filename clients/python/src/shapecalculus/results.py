@@ -252,8 +252,8 @@ class TraceStep:
 @dataclass(frozen=True)
 class Traced(Result):
     """A run of a model, from its ``initial`` state. ``last``: the state in which it was left. ``ending``: ``"open"``
-    (at a bound), ``"quiescent"``, ``"stuck"`` or ``"zeno"``; None if the trace was interrupted. With ``human`` or
-    ``itf`` there is only ``run.text``."""
+    (at a bound), ``"quiescent"``, ``"stuck"``, ``"zeno"`` or ``"interrupted"``; None if it has no end. With ``human``
+    or ``itf`` there is only ``run.text``."""
 
     header: Json
     initial: Optional[State]
