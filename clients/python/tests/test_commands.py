@@ -355,15 +355,18 @@ class Interruptions(Commands):
             file.write("#!/bin/sh\ntrap '' INT\n: > '%s'\nsleep 1000\n" % started)
         os.chmod(scc, 0o755)
         program = ("import signal, sys; from shapecalculus import check\n"
+                   "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
                    "try: check('', scc=sys.argv[1])\n"
                    "except KeyboardInterrupt: signal.signal(signal.SIGINT, signal.SIG_IGN); print('left')\n")
         child = subprocess.Popen([sys.executable, "-B", "-c", program, scc], stdout=subprocess.PIPE,
                                  env=dict(os.environ, PYTHONPATH=os.pathsep.join(sys.path)))
         while not os.path.exists(started):
             time.sleep(0.05)
-        while child.poll() is None:
-            child.send_signal(signal.SIGINT)
-            time.sleep(2)
+        for _ in range(30):
+            if child.poll() is None:
+                child.send_signal(signal.SIGINT)
+                time.sleep(2)
+        child.kill()
         with child.stdout:
             self.assertEqual((child.stdout.read().strip(), child.returncode), (b"left", 0))
 
