@@ -303,28 +303,29 @@ class Errors(Commands):
             check(WALK, scc="/bin/cat")
 
 
-def is_busy(seconds):
-    """Whether some process below this one has used so many seconds of the processor."""
-    below, used = {os.getpid()}, {}
-    for pid in sorted(map(int, filter(str.isdigit, os.listdir("/proc")))):
+def used_below():
+    """The seconds of the processor that each process below this one has used."""
+    below, found = {os.getpid()}, {}
+    for pid in map(int, filter(str.isdigit, os.listdir("/proc"))):
         try:
             with open("/proc/%d/stat" % pid, encoding="utf-8") as file:
                 fields = file.read().rsplit(")", 1)[1].split()
         except OSError:
             continue
-        used[pid] = (int(fields[1]), int(fields[11]) + int(fields[12]))
+        found[pid] = (int(fields[1]), (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK"))
     for _ in range(4):
-        below |= {pid for pid, (parent, _) in used.items() if parent in below}
-    ticks = [used[pid][1] for pid in below if pid in used and pid != os.getpid()]
-    return max(ticks, default=0) >= seconds * os.sysconf("SC_CLK_TCK")
+        below |= {pid for pid, (parent, _) in found.items() if parent in below}
+    return {pid: used for pid, (_, used) in found.items() if pid in below and pid != os.getpid()}
 
 
 class Interruptions(Commands):
     def interrupted(self, function, *arguments, **options):
         """The result of a call that SIGINT interrupts once scc has worked for a second."""
 
+        before = used_below()
+
         def interrupt():
-            while not is_busy(1):
+            while not any(used >= 1 for pid, used in used_below().items() if pid not in before):
                 time.sleep(0.05)
             os.kill(os.getpid(), signal.SIGINT)
 

@@ -208,7 +208,8 @@ def compare(run, name, prop, question, exact, floats, truncated, eventful, param
     bound = simple and simple.group(3)
     answers = []
     if question is not None and not truncated:
-        if 'R{"time"}' not in question:
+        # Floats do not decide a probability that is the bound itself.
+        if 'R{"time"}' not in question and not re.search(r"\bP(min|max)? *[<>]", prop["formula"]):
             answers.append(floats.holds(question))
         answers.append(exact.holds(prop["asked"]))
     # States do not tell of events.
