@@ -30,8 +30,8 @@ val segments : t -> View.edge -> (Ivec.t * Ivec.t) list
 (** The visible parts of an edge, in order: those along which a face of it is visible. *)
 
 val uncovered : t -> Ivec.t * Rat.t -> Ivec.t * Rat.t -> (Ivec.t * Ivec.t) list
-(** The parts of a segment without a face in front of them, except of glass. Both ends are points of the picture with
-    their depths. Sides of faces hide nothing. *)
+(** The parts of a segment without a face in front of them, except of glass. Both ends are points of the picture
+    with their depths. Sides of faces hide nothing. *)
 
 val shows : t -> Ivec.t -> depth:Rat.t -> bool
 (** [shows t p ~depth] is true if no face, except of glass, is in front of the point [p] of the picture at that
