@@ -28,8 +28,8 @@ let cube =
 
 let print_fault f =
   let name i = string_of_int i in
-  let hint = Option.value ~default:"" (Polyhedron_fault.hint ~vertex:name ~face:name f) in
-  Polyhedron_fault.(kind f ^ ": " ^ message ~vertex:name ~face:name f ^ hint)
+  let cure = Option.value ~default:"" (Polyhedron_fault.hint ~vertex:name ~face:name f) in
+  Polyhedron_fault.(kind f ^ ": " ^ message ~vertex:name ~face:name f ^ cure)
 
 let faults_of vertices faces =
   match Polyhedron.of_ifs (set vertices faces) with

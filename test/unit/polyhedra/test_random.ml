@@ -270,7 +270,7 @@ let witnesses =
       match Polyhedron.of_ifs (to_ifs s) with
       | Ok _ -> true
       | Error faults ->
-        (* Faults of an inside-out or welded set, or with a face out of order, are those of the set as mended. *)
+        (* Faults of an inside-out or welded set, or of a face out of order, are those of the set as mended. *)
         let mended = function
           | Polyhedron_fault.Inward | Same_position _ | Self_crossing (_, Some _) -> true
           | _ -> false
@@ -283,7 +283,8 @@ let suite =
      ( "Def-4.3",
        Scc_test_support.Property.cases
          [
-           hulls_accepted; implies_paper; inside_out; two_hulls; without_a_face; turned_face; out_of_order; affine; witnesses;
+           hulls_accepted; implies_paper; inside_out; two_hulls; without_a_face; turned_face; out_of_order; affine;
+           witnesses;
            as_written "changed hulls: E0 to E5 as written" changed_hull;
            as_written "noise: E0 to E5 as written" noise;
          ] );
