@@ -36,12 +36,14 @@ let mirrored : Law.comparison -> Law.comparison = function
   | Ge -> Le
   | (Eq | Ne) as c -> c
 
-(* The first factor that is not 0 becomes 1. *)
-let compared c { constant; terms } =
-  let lead = List.find_opt (fun (_, f) -> Rat.sign f <> 0) (collected terms) in
-  let factor = match lead with None -> Rat.one | Some (_, f) -> Rat.div Rat.one f in
-  let c = if Rat.sign factor < 0 then mirrored c else c in
-  let scaled = scale factor { constant; terms } in
+(* The first factor that is not 0; 1 if there is none. *)
+let lead terms =
+  match List.find_opt (fun (_, f) -> Rat.sign f <> 0) (collected terms) with None -> Rat.one | Some (_, f) -> f
+
+let compared c a =
+  let lead = lead a.terms in
+  let c = if Rat.sign lead < 0 then mirrored c else c in
+  let scaled = scale (Rat.div Rat.one lead) a in
   Compare (c, sum scaled.terms, Const (Rat.neg scaled.constant))
 
 let rec combination n =
@@ -62,7 +64,10 @@ let rec combination n =
 and product a b =
   if is_const a then scale a.constant b
   else if is_const b then scale b.constant a
-  else term (Mul (written a, written b))
+  else
+    let p = lead a.terms and q = lead b.terms in
+    let simple lead c = written (scale (Rat.div Rat.one lead) c) in
+    scale (Rat.mul p q) (term (Mul (simple p a, simple q b)))
 
 and num n = Rename.ordered_num (written (combination n))
 
