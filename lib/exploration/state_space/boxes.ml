@@ -21,15 +21,15 @@ let overlap a b =
 let with_component (axis : Vec.axis) c (v : Vec.t) =
   match axis with X -> { v with x = c } | Y -> { v with y = c } | Z -> { v with z = c }
 
-(* What of the box lies outside another one that it overlaps: what is before and after it along each axis, of what is
-   left after the axes before. *)
+(* What of the box lies outside another one that it overlaps: what is before and after it along each axis, of what
+   is left after the axes before. *)
 let without other box =
   let along (pieces, box) axis =
     let at v = Vec.component axis v in
-    let before = if less (at box.low) (at other.low) then [ { box with high = with_component axis (at other.low) box.high } ] else [] in
-    let after = if less (at other.high) (at box.high) then [ { box with low = with_component axis (at other.high) box.low } ] else [] in
-    let low = Rat.max (at box.low) (at other.low) and high = Rat.min (at box.high) (at other.high) in
-    (before @ after @ pieces, { low = with_component axis low box.low; high = with_component axis high box.high })
+    let cut low high = { low = with_component axis low box.low; high = with_component axis high box.high } in
+    let before = if less (at box.low) (at other.low) then [ cut (at box.low) (at other.low) ] else [] in
+    let after = if less (at other.high) (at box.high) then [ cut (at other.high) (at box.high) ] else [] in
+    (before @ after @ pieces, cut (Rat.max (at box.low) (at other.low)) (Rat.min (at box.high) (at other.high)))
   in
   fst (List.fold_left along ([], box) axes)
 

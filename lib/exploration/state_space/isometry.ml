@@ -13,8 +13,9 @@ type t = {
   map : map;
   shift : Vec.t;  (** after the map *)
   own : Vec.t array;  (** of each leaf that is not fixed: the map takes its shape to its shape, moved by this *)
-  origin : int array;  (** of each fixed leaf: the one that comes to where it is, or -1 if only all of them together do;
-                           of others, the leaf itself *)
+  origin : int array;
+  (** of each fixed leaf: the one that comes to where it is, or -1 if only all of them together do; of others, the
+      leaf itself *)
 }
 
 let row map : Vec.axis -> row = function X -> map.x | Y -> map.y | Z -> map.z
@@ -127,7 +128,8 @@ let given (law : Law.t) =
 
 let keeps_law map law =
   let equal (u, w) (v, x) = Vec.equal u v && Rat.equal w x in
-  let same kicks = List.equal equal (weighted kicks) (weighted (List.map (fun (v, w) -> (apply map v, w)) kicks)) in
+  let image (v, w) = (apply map v, w) in
+  let same kicks = List.equal equal (weighted kicks) (weighted (List.map image kicks)) in
   Option.fold ~none:false ~some:same (given law)
 
 (** {2 Behaviours} *)
@@ -150,9 +152,8 @@ let keeps_site (leaf : Model.leaf) ~at (site : Site.t) =
 (* So do those of each channel that the leaf may come to offer, and of each bond that it has. *)
 let keeps_channels (m : Model.t) (p : State.process) (l : State.leaf) ~at =
   let kept = keeps_site m.leaves.(l.leaf) ~at in
-  let changes b =
-    pushes b || List.exists (fun (c : Behaviour.channel) -> not (List.for_all kept c.surface)) (Behaviour.channels b)
-  in
+  let is_kept (c : Behaviour.channel) = List.for_all kept c.surface in
+  let changes b = pushes b || not (List.for_all is_kept (Behaviour.channels b)) in
   let keeps_end (e : State.finish) = e.at <> l.leaf || kept e.site in
   (not (Behaviour.some_prefix m.definitions ~behind:(fun _ -> true) changes l.behaviour.term))
   && Array.for_all (fun (b : State.bond) -> keeps_end b.one && keeps_end b.two) p.bonds
@@ -275,7 +276,8 @@ let image g (m : Model.t) (p : State.process) =
 
 (* Where the bodies and what the laws give come to. *)
 let seen (m : Model.t) (initial : State.t) ~image ~map =
-  let of_leaf (l : State.leaf) = l.position :: List.map (fun (v, _) -> map v) (Option.value (given m.leaves.(l.leaf).law) ~default:[]) in
+  let gives (l : State.leaf) = Option.value (given m.leaves.(l.leaf).law) ~default:[] in
+  let of_leaf (l : State.leaf) = l.position :: List.map (fun (v, _) -> map v) (gives l) in
   let of_process p =
     let p = image p in
     p.State.velocity :: List.concat_map of_leaf (Array.to_list p.leaves)

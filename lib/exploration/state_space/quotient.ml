@@ -234,4 +234,8 @@ let keeps w tuple quantity =
 
 let is_none w =
   let q = w.quotient in
-  Symmetry.is_none q.symmetry && (not q.translation) && Option.is_none q.drift && (not q.forgets) && q.isometries = []
+  Symmetry.is_none q.symmetry
+  && (not q.translation)
+  && Option.is_none q.drift
+  && (not q.forgets)
+  && q.isometries = []
