@@ -10,10 +10,10 @@ type t
 val find : Model.t -> initial:State.t -> predicates:Property.prop list -> numbers:Property.num list -> t list
 (** [find m ~initial ~predicates ~numbers] is all such maps but the identity, in a fixed order, under which the
     following is unchanged: the fixed bodies of [initial] as a set, the shape of each other body, the laws of
-    motion with their chances, the features that behaviours name, and each of the predicates and numbers. There is none
-    where no body is fixed, a law is not constant, bodies turn, or velocities are rounded. Of maps that do the same
-    to all bodies and velocities of [initial] and to all that laws give, one is in the list: none if that is what
-    the identity does. *)
+    motion with their chances, the features that behaviours name, and each of the predicates and numbers. There is
+    none where no body is fixed, a law is not constant, bodies turn, or velocities are rounded. Of maps that do the
+    same to all bodies and velocities of [initial] and to all that laws give, one is in the list: none if that is
+    what the identity does. *)
 
 val image : t -> Model.t -> State.process -> State.process
 (** [image g m p] is the process that [p] is in the image of its state under [g]. It has the same leaves, bonds and
