@@ -23,8 +23,7 @@ val translation : Rat.t -> Rat.t -> t
 (** [translation x y] adds [x] and [y] to the coordinates. *)
 
 val cos_sin : Rat.t -> point
-(** The cosine and the sine of an angle in degrees, each within 2{^-50}, and exact for multiples of 90
-    degrees. *)
+(** The cosine and the sine of an angle in degrees, as {!Angle.cos_sin} gives them. *)
 
 val rotation : Rat.t -> t
 (** The rotation by an angle in degrees, with the numbers of {!cos_sin}. It takes the x axis towards the y
