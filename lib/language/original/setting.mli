@@ -14,7 +14,8 @@ val rough : t
 
 val read : Plain.t -> Ast.name -> Ast.expr -> t
 (** [read plain word e] is the setting of the side [word] and the distance [e], a fraction of the radius. Raises
-    {!Fault.Found}: SC0362 if [e] is no plain number, SC0365 if it is not between {!Scc_mesh.Curved.least} and 1/2. *)
+    {!Fault.Found}: SC0362 if [e] is no plain number, SC0365 if it is not between {!Scc_mesh.Curved.least} and
+    1/2. *)
 
 val notes : t -> string list
 (** Sentences for the kinds of curved solids used so far: how many corners their polyhedra have, and how near

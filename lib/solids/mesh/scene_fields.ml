@@ -6,7 +6,8 @@ let check ~path node ~read ~still =
   let one ((w : Text.word), value) =
     let harmless = match value with Nodes nodes -> List.for_all is_still nodes | Words _ -> false in
     if not (List.mem w.text read || List.mem w.text still || harmless) then
-      unread ~path w ~hint:"remove it if it changes nothing, or export the scene in another format, such as PLY or OFF"
+      unread ~path w
+        ~hint:"remove it if it changes nothing, or export the scene in another format, such as PLY or OFF"
         "%s has no field %s that is known here" node.kind.text (Text.quote w.text)
   in
   List.iter one node.fields

@@ -99,7 +99,8 @@ let truth_of_all t node name =
     let hides (w : Text.word) = not (List.mem w.text [ "TRUE"; "true" ]) in
     Option.iter
       (fun w ->
-         unread ~path:t.path w ~hint:"remove what is not to be seen" "a layer that hides some of its parts is not read")
+         unread ~path:t.path w ~hint:"remove what is not to be seen"
+           "a layer that hides some of its parts is not read")
       (List.find_opt hides words);
     true
 
@@ -108,8 +109,10 @@ let inside t names node = List.concat_map (F.nodes ~path:t.path node) names
 
 let chosen t node =
   let choices = inside t [ "choice"; "children" ] node in
-  let given = List.concat_map (function _, Nodes l -> l | _, Words _ -> []) in
-  let all = given (List.filter (fun ((w : Text.word), _) -> List.mem w.text [ "choice"; "children" ]) node.fields) in
+  let given ((w : Text.word), value) =
+    match value with Nodes l when List.mem w.text [ "choice"; "children" ] -> l | Nodes _ | Words _ -> []
+  in
+  let all = List.concat_map given node.fields in
   let which = F.integer ~path:t.path node "whichChoice" ~default:(-1) in
   match List.nth_opt all which with
   | Some choice when List.memq choice choices -> [ choice ]
@@ -118,7 +121,8 @@ let chosen t node =
 
 let rec show t depth place ~name node =
   spend t node 1;
-  if depth > max_depth then bad ~path:t.path node.kind "nodes are inside of each other more than %d deep" max_depth;
+  if depth > max_depth then
+    bad ~path:t.path node.kind "nodes are inside of each other more than %d deep" max_depth;
   match Scene_table.find node.kind.text with
   | Still -> ()
   | Unread hint -> unread ~path:t.path node.kind ~hint "the node %s is not read" (Text.quote node.kind.text)
@@ -191,7 +195,8 @@ let moving ~path (file : file) =
   | None -> []
   | Some route ->
     [
-      Diag.warning Code.mesh_left_out (at ~path route.at) ~hint:"nothing has to be done if the start is what is meant"
+      Diag.warning Code.mesh_left_out (at ~path route.at)
+        ~hint:"nothing has to be done if the start is what is meant"
         "the scene changes while time passes, and is read as it is at its start";
     ]
 

@@ -134,7 +134,8 @@ let scene ~path text =
   in
   go (Scene.ok (Xml_tags.tags ~path text));
   match r.opened with
-  | [ root ] -> { Scene.nodes = List.rev_map snd root.inside; routes = List.rev r.routes; names = Scene.known r.names }
+  | [ root ] ->
+    { Scene.nodes = List.rev_map snd root.inside; routes = List.rev r.routes; names = Scene.known r.names }
   | element :: _ -> Scene.bad ~path element.tag.name "the element %s does not end" (quote element.tag.name.text)
   | [] -> Scc_base.Bug.fail __POS__ "the file is closed"
 

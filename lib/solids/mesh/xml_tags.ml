@@ -57,9 +57,9 @@ let tags ~path text =
         else if starts "<![CDATA[" then after "a CDATA section" "]]>"
         else if starts "<!" then
           (match (String.index_from_opt text i '>', String.index_from_opt text i '[') with
-          | Some stop, Some bracket when bracket < stop ->
-            error_at ~path i "a document type with declarations of its own is not read: remove them"
-          | _ -> after "a declaration" ">")
+           | Some stop, Some bracket when bracket < stop ->
+             error_at ~path i "a document type with declarations of its own is not read: remove them"
+           | _ -> after "a declaration" ">")
         else if starts "<?" then after "an instruction" "?>"
         else
           let start = if starts "</" then i + 2 else i + 1 in

@@ -276,7 +276,8 @@ let bad =
     ("X3D, an unknown entity", "t.x3d", "<IndexedFaceSet coordIndex='0 &dash;1'/>", "1:31 SC0320");
     ("X3D, no character", "t.x3d", "<IndexedFaceSet coordIndex='0 &#xD800;'/>", "1:31 SC0320");
     ("X3D, a reference that does not end", "t.x3d", "<IndexedFaceSet coordIndex='0 & 1'/>", "1:31 SC0320");
-    ("X3D, a number after a reference", "t.x3d", "<IndexedFaceSet><Coordinate point='&#49; x 0'/></IndexedFaceSet>", "1:42 SC0320");
+    ("X3D, a number after a reference", "t.x3d",
+     "<IndexedFaceSet><Coordinate point='&#49; x 0'/></IndexedFaceSet>", "1:42 SC0320");
     ("VRML 1", "t.wrl", "#VRML V1.0 ascii\nSeparator { }\n", "1:1 SC0321");
     ("after a byte order mark", "t.off", "\xEF\xBB\xBFPLY", "1:1 SC0320");
     ("the plain format of two counts", "t", "4 4\n0 0 0\n", "1:1 SC0321");

@@ -27,7 +27,8 @@ let rec vrml n =
 let quoted words = "'" ^ String.map (function '"' -> '\t' | c -> c) words ^ "'"
 
 let rec xml ?(role = "") n =
-  let words = List.filter_map (function f, W w -> Some (Printf.sprintf " %s=%s" f (quoted w)) | _ -> None) n.fields in
+  let attribute = function f, W w -> Some (Printf.sprintf " %s=%s" f (quoted w)) | _, (N _ | Again _) -> None in
+  let words = List.filter_map attribute n.fields in
   let inside = function
     | _, W _ -> ""
     | role, N nodes -> String.concat "" (List.map (xml ~role) nodes)
@@ -113,7 +114,9 @@ let placed row own =
 
 let beside row own = both [ tetrahedron; placed row own ]
 
-let starts prefix text = String.length text >= String.length prefix && String.sub text 0 (String.length prefix) = prefix
+let starts prefix text =
+  let n = String.length prefix in
+  String.length text >= n && String.sub text 0 n = prefix
 
 let refused what code at (path, text) =
   match found path text with
@@ -210,7 +213,10 @@ let places =
       [ node "Collision" [ ("proxy", N [ tetrahedron ]); ("children", N [ box [] ]) ] ],
       "(-1, -1, -1) (1, 1, 1) solid" );
     ( "a part",
-      [ node "CADPart" [ ("translation", W "1 0 0"); ("children", N [ node "CADFace" [ ("shape", N [ box [] ]) ] ]) ] ],
+      [
+        node "CADPart"
+          [ ("translation", W "1 0 0"); ("children", N [ node "CADFace" [ ("shape", N [ box [] ]) ] ]) ];
+      ],
       "(0, -1, -1) (2, 1, 1) solid" );
     ( "what is not visible",
       [ node "Group" [ ("visible", W "FALSE"); ("children", N [ tetrahedron ]) ]; box [] ],
@@ -233,7 +239,8 @@ let places =
   ]
 
 let check_place (what, nodes, expected) =
-  let test () = List.iter (fun (path, text) -> Alcotest.(check string) text expected (extent path text)) (both nodes) in
+  let one (path, text) = Alcotest.(check string) text expected (extent path text) in
+  let test () = List.iter one (both nodes) in
   Alcotest.test_case what `Quick test
 
 (* The same tetrahedron by every set of faces. *)
@@ -280,7 +287,8 @@ let rotated (ax, ay, az) angle (x, y, z) =
 let rotations =
   let open QCheck2 in
   let part = Gen.map (fun n -> Rat.make (Z.of_int n) (Z.of_int 1000)) (Gen.int_range (-5000) 5000) in
-  let angle = Gen.oneof [ part; Gen.map (fun k -> Rat.make (Z.of_int (k * 15708)) (Z.of_int 10000)) (Gen.int_range (-9) 9) ] in
+  let quarters k = Rat.make (Z.of_int (k * 15708)) (Z.of_int 10000) in
+  let angle = Gen.oneof [ part; Gen.map quarters (Gen.int_range (-9) 9) ] in
   Test.make ~name:"rotations are within their bound of the rotations by floats" ~count:2000
     (Gen.pair (Gen.triple part part part) angle)
     (fun ((x, y, z), angle) ->
@@ -297,7 +305,8 @@ let rotations =
          in
          let identity = Mat.equal (Mat.mul m (Mat.transpose m)) Mat.identity in
          let near p = far p <= f bound +. 3e-7 in
-         identity && Rat.equal (Mat.det m) Rat.one && (Vec.is_zero axis || List.for_all near [ (1, 0, 0); (0, 1, 0); (0, 0, 1) ]))
+         let units = [ (1, 0, 0); (0, 1, 0); (0, 0, 1) ] in
+         identity && Rat.equal (Mat.det m) Rat.one && (Vec.is_zero axis || List.for_all near units))
 
 (* The distance that is reported for turned and curved shapes, against a scene in floats. *)
 let distances () =
@@ -310,7 +319,8 @@ let distances () =
   in
   let one = distance "1 1 1" in
   Alcotest.(check bool) "at most a hundredth of the radius, and a little" true (one > 0.005 && one < 0.010001);
-  Alcotest.(check bool) "it grows with the greatest scale" true (Float.abs ((distance "1 3 1" /. one) -. 3.) < 0.02)
+  let factor = distance "1 3 1" /. one in
+  Alcotest.(check bool) "it grows with the greatest scale" true (Float.abs (factor -. 3.) < 0.02)
 
 (* {1 What is refused} *)
 
