@@ -6,6 +6,9 @@ type t = { a : Rat.t; b : Rat.t; c : Rat.t; d : Rat.t; e : Rat.t; f : Rat.t }
 let zero = Rat.zero
 let one = Rat.one
 let identity = { a = one; b = zero; c = zero; d = one; e = zero; f = zero }
+let is_identity m =
+  Rat.equal m.a one && Rat.equal m.d one && List.for_all (fun q -> Rat.sign q = 0) [ m.b; m.c; m.e; m.f ]
+
 let ( + ) = Rat.add
 let ( * ) = Rat.mul
 let apply m (x, y) = ((m.a * x) + (m.c * y) + m.e, (m.b * x) + (m.d * y) + m.f)

@@ -13,6 +13,9 @@ val identity : t
 val apply : t -> point -> point
 (** [apply m p] is the image of the point [p]. *)
 
+val is_identity : t -> bool
+(** [is_identity m] is true if [m] leaves each point where it is. *)
+
 val compose : t -> t -> t
 (** [compose m n] is the map that applies [n], then [m]. *)
 
