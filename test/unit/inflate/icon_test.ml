@@ -256,7 +256,7 @@ let shapes () =
   twice "CSS: half a turn about a point" "style='transform:rotate(.5turn);transform-origin:10px 5px'";
   twice "CSS: half a turn about a share" "style='transform:rotate(200grad);transform-origin:25% 5px'";
   twice "an origin as an attribute" "transform='rotate(180)' transform-origin='10 5'";
-  twice "CSS: a mirror about words" "style='transform:translateX(-10px) scaleX(-1);transform-origin:top center'";
+  twice "CSS: a mirror about words" "style='transform:translateX(-20px) scaleX(-1);transform-origin:top center'";
   area "CSS: names and words in capitals"
     "<rect width='40' height='30' style='FILL:NONE'/><rect width='9' height='9'/>"
     (box 0. 0. 9. 9.);
