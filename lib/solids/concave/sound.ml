@@ -72,7 +72,8 @@ let common one m other =
 
 let on_segment x (a, b) =
   let way = Vec.sub b a in
-  Vec.is_zero (Vec.cross way (Vec.sub x a))
+  (not (Vec.is_zero way) || Vec.equal x a)
+  && Vec.is_zero (Vec.cross way (Vec.sub x a))
   && Rat.sign (Vec.dot way (Vec.sub x a)) >= 0
   && Rat.sign (Vec.dot way (Vec.sub b x)) >= 0
 
