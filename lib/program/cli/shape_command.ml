@@ -20,7 +20,7 @@ let template console ~overrides path name =
 
 let mesh console path =
   let* source = Input.warned console path in
-  let* set, warnings = Result.listed (Scc_mesh.Mesh.read ~path (Source.text source)) in
+  let* set, warnings = Result.listed (Scc_mesh.Mesh.read ~files:Input.beside ~path (Source.text source)) in
   Console.report console warnings;
   Ok set
 
