@@ -14,7 +14,7 @@ let structure (set : Polyhedron.ifs) faults =
   let last = List.length faults - 1 in
   let one i fault =
     let hint =
-      match (Mend_options.helping [ fault ], Mend_options.helping faults) with
+      match (Mend_options.helping set [ fault ], Mend_options.helping set faults) with
       | _, (_ :: _ as tries) when i = last -> Some ("to mend it, add " ^ String.concat " " tries)
       | [], _ -> Polyhedron_fault.hint ~vertex ~face fault
       | _ -> None

@@ -140,7 +140,7 @@ let advice (r : Solid_report.t) =
   match r.verdict with
   | Accepted _ -> ""
   | Rejected faults ->
-    let tries = Mend_options.helping faults in
+    let tries = Mend_options.helping r.set faults in
     let bent = function Polyhedron_fault.Not_convex _ | Degenerate_face _ -> true | _ -> false in
     let concave = List.exists bent faults in
     (if tries = [] then "" else Printf.sprintf "to mend it: scc shape %s\n" (String.concat " " tries))

@@ -1,8 +1,11 @@
 type reader = string -> (string, string) result
 
+let none _ = Error "no files are read beside it"
+
 let stays name =
   let parts = String.split_on_char '/' name in
-  let fine part = part <> "" && part <> ".." && not (String.exists (fun c -> c = ':' || c = '\\' || c < ' ') part) in
+  let odd c = c = ':' || c = '\\' || c < ' ' in
+  let fine part = part <> "" && part <> ".." && not (String.exists odd part) in
   List.for_all fine parts
 
 let find read ~path name =

@@ -127,8 +127,8 @@ let whole t holder ~offset ~count ~below =
      | Some i -> J.fail holder "there is an index %d, but only %d vertices" i below
      | None -> Ok found)
 
-(* How a coordinate is read, and how wide it is. Integers that are normalized are parts of the greatest one, and the
-   least one counts as the one after it. *)
+(* How a coordinate is read, and how wide it is. Integers that are normalized are parts of the greatest one, and
+   the least one counts as the one after it. *)
 let coordinate t holder =
   let* component = Result.bind (J.needed "componentType" holder) J.index in
   let* normalized = J.truth "normalized" holder in
@@ -138,7 +138,8 @@ let coordinate t holder =
       if normalized then Rat.make (Z.of_int (max n (-most))) (Z.of_int most) else Rat.of_int n
     in
     if t.quantized then Ok (width, fun data place -> Ok (value data place))
-    else J.fail holder "positions of type %d need the extension KHR_mesh_quantization, which is not named" component
+    else
+      J.fail holder "positions of type %d need the extension KHR_mesh_quantization, which is not named" component
   in
   match component with
   | 5126 -> Ok (4, fun data place -> Bytes_of.real ~path:"" ~big_endian:false data place 4)

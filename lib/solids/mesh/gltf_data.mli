@@ -1,5 +1,6 @@
 (** Numbers in the buffers of a glTF file (sections 3.6.1 and 3.6.2 of the specification 2.0 of Khronos).
-    Buffers are inside the file, as base64 or as the binary chunk, or in files beside it. Views, accessors and sparse accessors are
+    Buffers are inside the file, as base64 or as the binary chunk, or in files beside it. Views, accessors and
+    sparse accessors are
     supported. *)
 
 open Scc_base
@@ -15,7 +16,8 @@ val make :
   quantized:bool ->
   Gltf_json.t ->
   (t, Diag.t) result
-(** [make ~files ~path ~binary ~budget ~quantized root] gives access to the data of a file, where [binary] is the binary chunk of
+(** [make ~files ~path ~binary ~budget ~quantized root] gives access to the data of a file, where [binary] is
+    the binary chunk of
     a GLB file. The budget is the number of elements that may still be read. It bounds the memory that a small
     file can ask for by naming one accessor often. Reading subtracts from it; callers may subtract too. Other files
     add to it. With [quantized], positions may be integers of 1 or 2 bytes (KHR_mesh_quantization). *)

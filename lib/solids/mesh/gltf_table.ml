@@ -9,12 +9,15 @@ let begins prefix text =
 (* Properties that are read, and those that are still. *)
 let properties =
   [
-    ( "glTF", "asset extensionsRequired extensionsUsed accessors buffers bufferViews meshes nodes scenes scene animations",
+    ( "glTF",
+      "asset extensionsRequired extensionsUsed accessors buffers bufferViews meshes nodes scenes scene animations",
       "cameras images materials samplers skins textures" );
-    ("scene", "nodes", "name"); ("node", "matrix translation rotation scale mesh skin weights children", "name camera");
+    ("scene", "nodes", "name");
+    ("node", "matrix translation rotation scale mesh skin weights children", "name camera");
     ("mesh", "primitives weights", "name"); ("primitive", "attributes indices mode", "material targets");
     ("accessor", "bufferView byteOffset componentType normalized count type sparse", "name min max");
-    ("sparse", "count indices values", ""); ("bufferView", "buffer byteOffset byteLength byteStride", "name target");
+    ("sparse", "count indices values", "");
+    ("bufferView", "buffer byteOffset byteLength byteStride", "name target");
     ("buffer", "uri byteLength", "name");
   ]
 
@@ -28,14 +31,18 @@ let still = [ "KHR_materials_"; "KHR_texture_"; "KHR_lights_"; "EXT_texture_"; "
 (* The numbers that a file has beside what is compressed are the same; outlines are drawn along edges. *)
 let still_too =
   words
-    "KHR_xmp KHR_xmp_json_ld KHR_draco_mesh_compression EXT_meshopt_compression KHR_meshopt_compression KHR_audio_emitter \
-     KHR_node_selectability KHR_node_hoverability EXT_mesh_features EXT_instance_features EXT_structural_metadata \
-     CESIUM_primitive_outline EXT_mesh_primitive_edge_visibility FB_geometry_metadata MSFT_packing_normalRoughnessMetallic \
-     MSFT_packing_occlusionRoughnessMetallic ADOBE_materials_clearcoat_specular MOZ_hubs_components OMI_audio_emitter"
+    "KHR_xmp KHR_xmp_json_ld KHR_draco_mesh_compression EXT_meshopt_compression KHR_meshopt_compression \
+     KHR_audio_emitter KHR_node_selectability KHR_node_hoverability EXT_mesh_features EXT_instance_features \
+     EXT_structural_metadata      CESIUM_primitive_outline \
+     EXT_mesh_primitive_edge_visibility FB_geometry_metadata \
+     MSFT_packing_normalRoughnessMetallic \
+     MSFT_packing_occlusionRoughnessMetallic ADOBE_materials_clearcoat_specular \
+     MOZ_hubs_components OMI_audio_emitter"
 
 let is_still name = List.exists (fun p -> begins p name) still
 
-let required name = is_still name || String.equal name quantization || List.mem name (words "KHR_xmp KHR_xmp_json_ld")
+let required name =
+  is_still name || String.equal name quantization || List.mem name (words "KHR_xmp KHR_xmp_json_ld")
 
 let known kind name =
   if String.equal kind "attributes" then List.mem name attributes || List.exists (fun p -> begins p name) numbered

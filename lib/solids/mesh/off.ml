@@ -12,7 +12,8 @@ let is_keyword w =
 (* Some programs write the first count at once after the keyword. *)
 let unglued = function
   | ({ text; start } as w) :: rest -> (
-      match List.find_opt (fun i -> text.[i] >= '0' && text.[i] <= '9') (List.init (String.length text) Fun.id) with
+      let digit i = text.[i] >= '0' && text.[i] <= '9' in
+      match List.find_opt digit (List.init (min 8 (String.length text)) Fun.id) with
       | Some i when i > 0 && is_keyword (String.sub text 0 i) ->
         let count = { text = String.sub text i (String.length text - i); start = start + i } in
         { w with text = String.sub text 0 i } :: count :: rest

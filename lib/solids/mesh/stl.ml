@@ -95,8 +95,8 @@ let binary ~path text count ~next soup =
   in
   go 0 84
 
-(* Where the triangles end, if each is followed by as many bytes as its last number says: by what some programs write
-   about it. *)
+(* Where the triangles end, if each is followed by as many bytes as its last number says: by what some programs
+   write about it. *)
 let end_with_data text count =
   let n = String.length text in
   let rec go k offset =
@@ -121,7 +121,8 @@ let read_binary ~path text count soup =
       let next o = o + 50 + Bytes_of.unsigned ~big_endian:false text (o + 48) 2 in
       Result.map (fun () -> []) (binary ~path text count ~next soup)
     | _ when n > plain && count > 0 ->
-      Result.map (fun () -> [ trailing ~path ~stop:plain n ]) (binary ~path text count ~next:(fun o -> o + 50) soup)
+      let* () = binary ~path text count ~next:(fun o -> o + 50) soup in
+      Ok [ trailing ~path ~stop:plain n ]
     | _ ->
       error_at ~path 0 "the header promises %d triangles, which take %d bytes, but the file has %d" count plain n
 

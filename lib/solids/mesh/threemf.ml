@@ -160,7 +160,9 @@ and thing m tag =
   let kind = Option.value (X.attribute tag "type") ~default:"model" in
   let body = ref Nothing in
   each m "object" (fun name _ ->
-      (match !body with Nothing -> () | Mesh _ | Components _ -> X.fail m.x "the object %s has two shapes" (Text.quote id));
+      (match !body with
+       | Nothing -> ()
+       | Mesh _ | Components _ -> X.fail m.x "the object %s has two shapes" (Text.quote id));
       body := if String.equal name "mesh" then mesh m else components m);
   let support = String.equal kind "support" || String.equal kind "solidsupport" in
   Hashtbl.add m.things id { support; other = String.equal kind "other"; body = !body }
@@ -186,7 +188,8 @@ and model package ~built x (((namespace, name), _) as tag) =
   (match package.unit_ with
    | None -> package.unit_ <- Some own
    | Some other when String.equal own other -> ()
-   | Some other -> X.fail x "this part is in the unit %s, and the first part in %s" (Text.quote own) (Text.quote other));
+   | Some other ->
+     X.fail x "this part is in the unit %s, and the first part in %s" (Text.quote own) (Text.quote other));
   each m "model" (fun name _ ->
       if String.equal name "resources" then each m "resources" (fun _ -> thing m) else built m x);
   m

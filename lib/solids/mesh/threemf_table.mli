@@ -13,7 +13,8 @@ val production : string
 (** The namespace of the production extension: objects in other parts of the package. *)
 
 val element : within:string -> Xmlm.name -> t
-(** [element ~within name] is how an element is treated inside of the element [within] of the core specification. *)
+(** [element ~within name] is how an element is treated inside of the element [within] of the core
+    specification. *)
 
 val attribute : string -> Xmlm.name -> t
 (** [attribute element name] is how an attribute of an element of the core specification is treated. *)

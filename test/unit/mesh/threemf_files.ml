@@ -120,8 +120,8 @@ let elsewhere ?things ?(build = "<item objectid='2'/>") ?(part_unit = "inch") pa
   let things = Option.value things ~default:[ thing "2" (components [ component ~more:there "1" ]) ] in
   let other =
     Printf.sprintf
-      "<model unit='%s' xmlns='http://schemas.microsoft.com/3dmanufacturing/core/2015/02'><resources>%s</resources>\
-       <build/></model>"
+      "<model unit='%s' xmlns='http://schemas.microsoft.com/3dmanufacturing/core/2015/02'><resources>%s\
+       </resources><build/></model>"
       part_unit (thing "1" mesh)
   in
   zip
@@ -226,7 +226,8 @@ let bad =
     fault "a part in another unit" (elsewhere ~part_unit:"meter" "/3D/Objects/a.model");
     fault "beams"
       (of_mesh ("<mesh>" ^ vertices ^ triangles
-                ^ "<b:beamlattice xmlns:b='http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02'/></mesh>"));
+                ^ "<b:beamlattice xmlns:b='http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02'/>"
+                ^ "</mesh>"));
     fault "an item that is not printed"
       (package (model ~build:"<item objectid='1' printable='0'/>" [ thing "1" mesh ]));
     fault "two shapes" (of_mesh (mesh ^ mesh));
