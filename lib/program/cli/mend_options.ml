@@ -22,8 +22,8 @@ let grid =
 let weld =
   Options.flag [ "weld" ]
     "Makes equal points one vertex, as many programs give every face corners of its own, and removes faces that \
-     then have fewer than three corners, and faces that are there twice. If each face is there from both sides, the \
-     first of both stays."
+     then have fewer than three corners, and faces that are there twice. If each face is there from both sides, \
+     the first of both stays."
 
 let orient =
   Options.flag [ "orient" ]
