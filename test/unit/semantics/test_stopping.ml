@@ -111,7 +111,7 @@ let words n =
     }
   in
   let m, declared = network { crowd; blocked = Wait; askew = false; by_contact = false; own = false;
-                           tall = false; absorbs = false; drawn = false } in
+                              tall = false; absorbs = false; drawn = false } in
   match Run.start (Standard.of_model m) declared with
   | Error _ -> Alcotest.fail "laws that are constant"
   | Ok run ->
