@@ -102,7 +102,7 @@ A drawing in SVG, on whose pieces one may insist; what is wrong is told where it
   solid: 48 vertices, 92 faces
   $ sed 's/<rect /<rect stroke="red" /' two.svg > stroke.svg
   $ scc inflate stroke.svg
-  stroke.svg:3:57: error[SC0341]: this is not read: strokes (turn them into paths, or set stroke to none)
+  stroke.svg:3:57: error[SC0341]: this is not read: strokes (turn them into paths, in Inkscape by Path, Stroke to Path, or set stroke to none)
      |
    3 |   <rect stroke="red" x="12" y="2" width="4" height="4"/>
      |                                                         ^

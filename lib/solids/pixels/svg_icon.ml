@@ -77,40 +77,30 @@ let frame ~resolution ~path attributes =
   | Error d -> raise (Refused d)
   | Ok () ->
     let to_pixels = Plane_map.(compose (scaling scale scale) (translation (Rat.neg x) (Rat.neg y))) in
-    (Raster.create ~width ~height, to_pixels)
+    (Raster.create ~width ~height, to_pixels, (w, h))
 
-(* What is around an element: its style, and its map to pixels. *)
-type around = { style : Svg_style.t; map : Plane_map.t }
-
+(* What is around an element: its style, and its map to pixels; and the size of the view box. *)
+type around = { style : Svg_style.t; map : Plane_map.t; size : Rat.t * Rat.t }
 
 let paint raster ~budget here name attributes =
   let s = here.style in
   if s.displayed && s.shown then begin
-    if s.stroked then raise (Unread "strokes (turn them into paths, or set stroke to none)");
-    match s.fill with
-    | Some colour when Rat.compare s.opacity Rat.half >= 0 ->
+    if Svg_style.stroked s then
+      raise (Unread "strokes (turn them into paths, in Inkscape by Path, Stroke to Path, or set stroke to none)");
+    match Svg_style.fill s with
+    | Some colour ->
       Fill.polygons raster s.rule ~colour (polygons (Svg_path.pen ~budget here.map) name attributes)
-    | _ -> ()
+    | None -> ()
   end
 
-let enter around attributes =
-  let style = Svg_style.of_element around.style attributes in
-  let map =
-    match attribute attributes "transform" with
-    | None -> around.map
-    | Some text -> Plane_map.compose around.map (Svg_style.transform text)
-  in
-  { style; map }
+let enter around name attributes =
+  let properties = Svg_declarations.of_element name attributes in
+  let style = Svg_style.of_properties around.style properties in
+  let own = Svg_transform.of_properties ~size:around.size properties in
+  { around with style; map = Plane_map.compose around.map own }
 
-let groups = [ "g"; "a" ]
-let shapes = [ "path"; "rect"; "circle"; "ellipse"; "polygon"; "polyline" ]
-
-(* Elements that paint nothing by themselves, with all that is in them. *)
-let silent =
-  [
-    "title"; "desc"; "metadata"; "defs"; "line"; "clipPath"; "mask"; "linearGradient"; "radialGradient"; "filter";
-    "symbol"; "marker"; "pattern"; "script";
-  ]
+let is_svg ns = ns = space || ns = ""
+let refuse name cure = raise (Unread (Printf.sprintf "the element %S: %s" name cure))
 
 (* The rest of an element whose start was read is passed over. *)
 let pass_over input =
@@ -123,6 +113,25 @@ let pass_over input =
   in
   go 1
 
+(* What is in a shape, which is to change nothing of it. *)
+let rec shape_content input =
+  match Xmlm.input input with
+  | `El_end -> ()
+  | `El_start ((ns, name), _) when is_svg ns && not (Svg_table.within_shape name) ->
+    let cure = match Svg_table.element name with Refused cure -> cure | _ -> "it does not belong into a shape" in
+    refuse name cure
+  | `El_start _ -> pass_over input; shape_content input
+  | `Data _ | `Dtd _ -> shape_content input
+
+(* How the view box is fitted into the drawing changes its shape only if it is stretched or cut. *)
+let check_ratio attributes =
+  match attribute attributes "preserveAspectRatio" with
+  | None -> ()
+  | Some text ->
+    let words = String.split_on_char ' ' (String.trim text) in
+    if List.mem "none" words || List.mem "slice" words then
+      raise (Unread (Printf.sprintf "preserveAspectRatio %S" text))
+
 let draw ~resolution ~path input =
   let plain attributes =
     List.filter_map (fun ((ns, name), v) -> if ns = "" then Some (name, v) else None) attributes
@@ -132,32 +141,36 @@ let draw ~resolution ~path input =
     | `Dtd (Some text) when String.contains text '[' ->
       raise (Unread "document types with declarations of their own")
     | `Dtd _ -> root ()
-    | `El_start ((ns, "svg"), attributes) when ns = space || ns = "" -> plain attributes
+    | `El_start ((ns, "svg"), attributes) when is_svg ns -> plain attributes
     | _ -> raise (Unread "XML whose root is no svg element")
   in
   let attributes = root () in
-  let raster, map = frame ~resolution ~path attributes in
+  check_ratio attributes;
+  let raster, map, size = frame ~resolution ~path attributes in
   let budget = ref max_corners in
   let rec content stack =
     if List.compare_length_with stack max_depth > 0 then raise (Bad "elements nested too deep");
     match (Xmlm.input input, stack) with
     | `El_end, [ _ ] -> ()
     | `El_end, _ :: outer -> content outer
-    | `El_start ((ns, _), _), _ when ns <> space && ns <> "" -> pass_over input; content stack
-    | `El_start ((_, name), attributes), around :: _ ->
-      let attributes = plain attributes in
-      if List.mem name silent then begin pass_over input; content stack end
-      else if List.mem name groups then content (enter around attributes :: stack)
-      else if List.mem name shapes then begin
-        paint raster ~budget (enter around attributes) name attributes;
-        pass_over input;
-        content stack
-      end
-      else raise (Unread (Printf.sprintf "the element %S" name))
+    | `El_start ((ns, _), _), _ when not (is_svg ns) -> pass_over input; content stack
+    | `El_start ((_, name), attributes), around :: _ -> (
+        let attributes = plain attributes in
+        match Svg_table.element name with
+        | Silent -> pass_over input; content stack
+        | Group -> content (enter around name attributes :: stack)
+        | Shape ->
+          paint raster ~budget (enter around name attributes) name attributes;
+          shape_content input;
+          content stack
+        | Refused cure -> refuse name cure)
     | (`Data _ | `Dtd _), _ -> content stack
     | _, [] -> ()
   in
-  content [ { style = Svg_style.of_element Svg_style.initial attributes; map } ];
+  let root = enter { style = Svg_style.initial; map = Plane_map.identity; size } "svg" attributes in
+  if not (Plane_map.is_identity root.map) then
+    raise (Unread "a transform of the whole drawing: put a `g` into it");
+  content [ { root with map } ];
   raster
 
 (* {1 Faults} *)

@@ -92,7 +92,7 @@ let length text =
   let c = { text; at = 0 } in
   let q = number c in
   let times n d = Rat.mul q (Rat.make (Z.of_int n) (Z.of_int d)) in
-  match String.trim (String.sub text c.at (String.length text - c.at)) with
+  match String.lowercase_ascii (String.trim (String.sub text c.at (String.length text - c.at))) with
   | "" | "px" -> q
   | "pt" -> times 4 3
   | "pc" -> times 16 1

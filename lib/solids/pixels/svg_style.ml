@@ -1,10 +1,26 @@
 open Scc_exact
 open Svg_number
 
-type t = { fill : int option; rule : Fill.rule; shown : bool; displayed : bool; opacity : Rat.t; stroked : bool }
+type paint = Nothing | Colour of int | Current
+
+type t = {
+  fill : paint;
+  color : int option;
+  rule : Fill.rule;
+  shown : bool;
+  displayed : bool;
+  opacity : Rat.t;
+  fill_opacity : Rat.t;
+  stroke : paint;
+  stroke_width : Rat.t;
+  stroke_opacity : Rat.t;
+}
 
 let initial =
-  { fill = Some 0; rule = Nonzero; shown = true; displayed = true; opacity = Rat.one; stroked = false }
+  {
+    fill = Colour 0; color = Some 0; rule = Nonzero; shown = true; displayed = true; opacity = Rat.one;
+    fill_opacity = Rat.one; stroke = Nothing; stroke_width = Rat.one; stroke_opacity = Rat.one;
+  }
 
 let named =
   [
@@ -12,7 +28,6 @@ let named =
     ("maroon", 0x800000); ("red", 0xff0000); ("purple", 0x800080); ("fuchsia", 0xff00ff); ("magenta", 0xff00ff);
     ("green", 0x008000); ("lime", 0x00ff00); ("olive", 0x808000); ("yellow", 0xffff00); ("navy", 0x000080);
     ("blue", 0x0000ff); ("teal", 0x008080); ("aqua", 0x00ffff); ("cyan", 0x00ffff); ("orange", 0xffa500);
-    ("currentcolor", 0x000000);
   ]
 
 let unread format = Printf.ksprintf (fun m -> raise (Unread m)) format
@@ -49,68 +64,39 @@ let share text =
   let q = if String.contains text '%' then Rat.div q (Rat.of_int 100) else q in
   Rat.max Rat.zero (Rat.min Rat.one q)
 
+let paint text =
+  if String.lowercase_ascii (String.trim text) = "currentcolor" then Current
+  else match colour text with Some c -> Colour c | None -> Nothing
+
 let property style (name, value) =
-  let value = String.trim value in
   match (name, value) with
+  | _, ("initial" | "unset" | "revert" | "revert-layer") -> unread "the value %S of %s" value name
   | _, "inherit" -> style
-  | "fill", _ -> { style with fill = colour value }
+  | "fill", _ -> { style with fill = paint value }
+  | "color", "currentcolor" -> style
+  | "color", _ -> { style with color = colour value }
   | "fill-rule", "nonzero" -> { style with rule = Fill.Nonzero }
   | "fill-rule", "evenodd" -> { style with rule = Fill.Even_odd }
   | "fill-rule", _ -> raise (Bad (Printf.sprintf "the fill-rule %S" value))
   | "visibility", _ -> { style with shown = value = "visible" }
   | "display", _ -> { style with displayed = style.displayed && value <> "none" }
-  | ("opacity" | "fill-opacity"), _ -> { style with opacity = Rat.mul style.opacity (share value) }
-  | "stroke", _ -> { style with stroked = not (List.mem value [ "none"; "transparent" ]) }
+  | "opacity", _ -> { style with opacity = Rat.mul style.opacity (share value) }
+  | "fill-opacity", _ -> { style with fill_opacity = share value }
+  | "stroke", _ -> { style with stroke = (if String.contains value '(' then Current else paint value) }
+  | "stroke-width", _ -> { style with stroke_width = length value }
+  | "stroke-opacity", _ -> { style with stroke_opacity = share value }
   | ("clip-path" | "mask" | "filter"), v when v <> "none" -> unread "%s" name
   | _ -> style
 
-let declarations text =
-  List.filter_map
-    (fun part ->
-       match String.index_opt part ':' with
-       | Some i -> Some (String.trim (String.sub part 0 i), String.sub part (i + 1) (String.length part - i - 1))
-       | None -> None)
-    (String.split_on_char ';' text)
+let of_properties around properties = List.fold_left property around properties
 
-(* What style says comes after, and so counts. *)
-let of_element around attributes =
-  let style = List.fold_left property around attributes in
-  match List.assoc_opt "style" attributes with
-  | None -> style
-  | Some text -> List.fold_left property style (declarations text)
+let fill s =
+  let seen = Rat.compare (Rat.mul s.opacity s.fill_opacity) Rat.half >= 0 in
+  match s.fill with
+  | Colour c when seen -> Some c
+  | Current when seen -> s.color
+  | Nothing | Colour _ | Current -> None
 
-(* {1 Transforms} *)
-
-let one_transform name values =
-  let zero = Rat.zero in
-  match (name, values) with
-  | "matrix", [ a; b; c; d; e; f ] -> { Plane_map.a; b; c; d; e; f }
-  | "translate", [ x; y ] -> Plane_map.translation x y
-  | "translate", [ x ] -> Plane_map.translation x zero
-  | "scale", [ x; y ] -> Plane_map.scaling x y
-  | "scale", [ x ] -> Plane_map.scaling x x
-  | "rotate", [ a ] -> Plane_map.rotation a
-  | "rotate", [ a; x; y ] ->
-    Plane_map.(compose (translation x y) (compose (rotation a) (translation (Rat.neg x) (Rat.neg y))))
-  | ("skewX" | "skewY"), [ a ] -> (
-      match Plane_map.skewing (if name = "skewX" then `X else `Y) a with
-      | Some m -> m
-      | None -> raise (Bad "a skew by a right angle"))
-  | _ -> raise (Bad (Printf.sprintf "the transform %S with %d numbers" name (List.length values)))
-
-let transform text =
-  let c = { text; at = 0 } in
-  let rec go map =
-    if ended c then map
-    else
-      match String.index_from_opt text c.at '(' with
-      | None -> raise (Bad (Printf.sprintf "the transform %S" text))
-      | Some i -> (
-          match String.index_from_opt text i ')' with
-          | None -> raise (Bad (Printf.sprintf "the transform %S" text))
-          | Some j ->
-            let name = String.trim (String.sub text c.at (i - c.at)) in
-            c.at <- j + 1;
-            go (Plane_map.compose map (one_transform name (all (String.sub text (i + 1) (j - i - 1))))))
-  in
-  go Plane_map.identity
+let stroked s =
+  let painted = match s.stroke with Nothing -> false | Colour _ -> true | Current -> Option.is_some s.color in
+  painted && Rat.sign s.stroke_width > 0 && Rat.sign s.stroke_opacity > 0
