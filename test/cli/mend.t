@@ -48,6 +48,26 @@ A cube whose faces are there twice, and one whose faces are there from both side
   sides.off
   vertices: 8, edges: 12, faces: 6
 
+A model mends a mesh by the same words, in the order in which the options work:
+
+  $ cat > mended.sc << 'END'
+  > shape Cube = mesh "soup.obj" grid 1/100 weld orient merge
+  > compound Drawn = decompose "soup.obj" grid 1/100 weld orient merge mass 1
+  > process p = Cube mass 1 [nil]
+  > END
+  $ scc check mended.sc 2> /dev/null | head -1
+  semantics 3
+  $ scc fmt mended.sc | head -2
+  shape Cube = mesh "soup.obj" grid 1/100 weld orient merge
+  compound Drawn = decompose "soup.obj" grid 1/100 weld orient merge mass 1
+  $ scc translate --to xml mended.sc | grep '<mesh' | head -1
+      <mesh file="soup.obj" grid="1/100" weld="true" orient="true" merge="true"/>
+  $ sed 's/weld orient/orient weld/' mended.sc > order.sc; scc check order.sc 2>&1 | head -1
+  order.sc:1:48: error[SC0110]: `weld` does not fit here: expected `merge`, `snap` and a distance, `scaled`, an attribute, or the next declaration
+  $ sed 's/ merge//' mended.sc > merge.sc; scc check merge.sc 2>&1 | grep -E 'error|hint' | head -2
+  merge.sc:1:19: error[SC0308]: faces f0 and f1 are coplanar neighbours
+    hint: write `merge` after the file: neighbours in one plane become one face
+
   $ head -7 cube.stl
   solid scc
     facet normal 0 0 -1

@@ -29,13 +29,25 @@ let snapped report (path : string Ast.loc) set tolerance =
     Report.error report Code.cannot_snap path.at ?hint "the mesh `%s` cannot be snapped: %s" path.it why;
     None
 
-let read report env ~read_file (path : string Ast.loc) snap =
+let mended report (path : string Ast.loc) set mending =
+  match Scc_concave.Mended.apply mending set with
+  | Ok (set, _) -> Some set
+  | Error why ->
+    Report.error report Code.overused_edge path.at "the faces of the mesh `%s` cannot be oriented: %s" path.it why;
+    None
+
+let read report env ~read_file (path : string Ast.loc) (m : Ast.mending) =
   let path = { path with it = Env.beside env path.it } in
   let set = file report read_file path in
-  match snap with
-  | None -> set
-  | Some e ->
-    let tolerance = Constant.positive report env "distance to snap" e in
-    let*? set = set in
-    let*? tolerance = tolerance in
-    snapped report path set tolerance
+  let length what = function
+    | None -> Some None
+    | Some e -> Option.map Option.some (Constant.positive report env what e)
+  in
+  let grid = length "distance of the grid" m.grid and tolerance = length "distance to snap" m.snap in
+  let*? set = set in
+  let*? grid = grid in
+  let*? tolerance = tolerance in
+  let*? set = mended report path set { grid; weld = m.weld; orient = m.orient; merge = m.merge } in
+  match tolerance with
+  | None -> Some set
+  | Some tolerance -> snapped report path set tolerance
