@@ -108,7 +108,6 @@ What is refused, and why:
   $ sed 's/^1 0 2$/1 0 -1/' ell.off > bent.off && scc decompose bent.off 2>&1 | head -n 3
   error[SC0306]: face f0 is not a simple polygon: it crosses itself or winds more than once
   error[SC0306]: face f5 is not a simple polygon: it crosses itself or winds more than once
-  error[SC0305]: face f6 is not planar: v10 is off its plane
   $ scc decompose crossing.off
   error[SC0337]: the faces `f0` and `f5` have the point (2, 1, 0) in common, which is at no edge or corner of both
   [3]
@@ -190,3 +189,29 @@ One that takes too long, of 7200 triangles; there is nothing then.
   [64]
   $ python3 -B terrain.py 4 > small.off && scc decompose small.off --seconds 100 | head -n 1
   small.off: 37 plane faces, 25 reflex edges, volume 46229/2
+
+A prism with a zigzag on top needs no more parts than cuts between its corners. A cut along a slanted face goes on into
+the cap; with `--names` each part shows one face of the solid on each side.
+
+  $ python3 -B zigzag.py > zigzag.off
+  $ scc decompose zigzag.off | sed -n 2p
+  6 convex parts, 5 joints
+  $ scc decompose zigzag.off --names | sed -n 2p
+  7 convex parts, 6 joints
+
+Faces that are not flat become triangles, which is told; the volume is that of the triangles.
+
+  $ printf 'OFF\n8 6 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 2\n2 0 2\n2 2 3\n0 2 2\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n' > bent_lid.off
+  $ scc decompose bent_lid.off
+  triangles: 1 face was not planar, with corners up to 0.471 off the plane
+  bent_lid.off: 7 plane faces, 1 reflex edge, volume 26/3
+  2 convex parts, 1 joint
+    p1: 6 corners, 5 faces, volume 4
+    p2: 6 corners, 5 faces, volume 14/3
+  $ scc decompose bent_lid.off --json | sed -n '/mended/,/]/p'
+    "mended": [
+      {
+        "by": "triangles",
+        "told": "triangles: 1 face was not planar, with corners up to 0.471 off the plane"
+      }
+    ],

@@ -81,7 +81,7 @@ let parts ?(progress = ignore) set =
   if Rat.equal (volume list) (Drawn.volume set) && connected list then Ok (list, drawn)
   else Scc_base.Bug.fail __POS__ "parts that are not the solid"
 
-let make ?(progress = ignore) set =
+let make ?(progress = ignore) ?names set =
   let* list, drawn = parts ~progress set in
   let tick ~left = progress (Naming left) in
-  Option.to_result ~none:Too_many (Parts.make ~tick ~limit drawn list)
+  Option.to_result ~none:Too_many (Parts.make ~tick ?names ~limit drawn list)
