@@ -196,4 +196,5 @@ let command =
   Cmd.v
     (Cmd.info "decompose" ~doc:"cut a solid that is not convex into convex parts" ~man:Manual.decompose ~exits)
     Term.(
-      const run $ Options.color $ Options.json $ Mend_options.term $ names $ union $ seconds $ mass $ output $ mesh)
+      const run $ Options.color $ Options.json $ Mend_options.term $ names $ union $ seconds $ mass $ output
+      $ mesh)
