@@ -108,23 +108,23 @@ What is refused, and why:
   $ sed 's/^1 0 2$/1 0 -1/' ell.off > bent.off && scc decompose bent.off 2>&1 | head -n 3
   error[SC0306]: face f0 is not a simple polygon: it crosses itself or winds more than once
   error[SC0306]: face f5 is not a simple polygon: it crosses itself or winds more than once
-  error[SC0305]: face f6 is not planar: v10 is off its plane
   $ scc decompose crossing.off
   error[SC0337]: the faces `f0` and `f5` have the point (2, 1, 0) in common, which is at no edge or corner of both
+    hint: if solids overlap there, add --union
   [3]
   $ sed 's/^1 1 1$/11 1 1/; s/^5 1 1/15 1 1/; s/^1 5 1/11 5 1/; s/^1 1 -5/11 1 -5/' crossing.off > two.off
   $ scc decompose two.off
   error[SC0310]: these are several solids: `f0` is a face of one, and `f4` of another one beside it
-    hint: each of several solids needs a file of its own
+    hint: each of several solids needs a file of its own, or add --union for all of them
   [3]
   $ sed 's/^1 0 0$/8 0 0/; s/^0 1 0$/0 8 0/; s/^0 0 1$/0 0 8/; s/^8 8 0$/12 12 0/; s/^3 0 2 1$/1 1 1\n2 1 1\n1 2 1\n1 1 2\n&/' hollow.off > island.off
   $ printf '3 8 10 9\n3 8 9 11\n3 8 11 10\n3 9 10 11\n' >> island.off && scc decompose island.off
   error[SC0310]: these are several solids: `f8` is a face of one that is in a hollow of another one, with the face `f0`
-    hint: each of several solids needs a file of its own
+    hint: each of several solids needs a file of its own, or add --union for all of them
   [3]
   $ scc decompose island.off --orient 2>&1 | tail -n 2
   error[SC0310]: these are several solids: `f8` is a face of one that is in a hollow of another one, with the face `f0`
-    hint: each of several solids needs a file of its own
+    hint: each of several solids needs a file of its own, or add --union for all of them
   $ scc decompose ell.off -o ell.stp
   scc: `ell.stp' does not tell a format that parts are written in, by its ending: .sc, .obj
   [64]
@@ -190,3 +190,62 @@ One that takes too long, of 7200 triangles; there is nothing then.
   [64]
   $ python3 -B terrain.py 4 > small.off && scc decompose small.off --seconds 100 | head -n 1
   small.off: 37 plane faces, 25 reflex edges, volume 46229/2
+
+A prism with a zigzag on top needs no more parts than cuts between its corners. A cut along a slanted face goes on into
+the cap; with `--names` each part shows one face of the solid on each side.
+
+  $ python3 -B zigzag.py > zigzag.off
+  $ scc decompose zigzag.off | sed -n 2p
+  6 convex parts, 5 joints
+  $ scc decompose zigzag.off --names | sed -n 2p
+  7 convex parts, 6 joints
+
+Faces that are not flat become triangles, which is told; the volume is that of the triangles.
+
+  $ printf 'OFF\n8 6 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 2\n2 0 2\n2 2 3\n0 2 2\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n' > bent_lid.off
+  $ scc decompose bent_lid.off
+  triangles: 1 face was not planar, with corners up to 0.471 off the plane
+  bent_lid.off: 7 plane faces, 1 reflex edge, volume 26/3
+  2 convex parts, 1 joint
+    p1: 6 corners, 5 faces, volume 4
+    p2: 6 corners, 5 faces, volume 14/3
+  $ scc decompose bent_lid.off --json | sed -n '/mended/,/]/p'
+    "mended": [
+      {
+        "by": "triangles",
+        "told": "triangles: 1 face was not planar, with corners up to 0.471 off the plane"
+      }
+    ],
+
+Solids of one file that overlap, touch or are apart are cut by `--union`: here two cubes with an edge in common, of which
+each needs a compound of its own.
+
+  $ printf 'OFF\n16 12 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n1 1 0\n2 1 0\n2 2 0\n1 2 0\n1 1 1\n2 1 1\n2 2 1\n1 2 1\n' > edge.off
+  $ printf '4 0 3 2 1\n4 4 5 6 7\n4 0 4 7 3\n4 1 2 6 5\n4 0 1 5 4\n4 3 7 6 2\n4 8 11 10 9\n4 12 13 14 15\n4 8 12 15 11\n4 9 10 14 13\n4 8 9 13 12\n4 11 15 14 10\n' >> edge.off
+  $ scc decompose edge.off --weld
+  error[SC0303]: faces f3 and f8 both run from v2 to v6
+  error[SC0303]: faces f5 and f10 both run from v6 to v2
+  [3]
+  $ scc decompose edge.off --union -o edge.sc && grep -A 2 compound edge.sc
+  edge.off: 12 plane faces, 1 reflex edge, volume 2
+  2 convex parts, 0 joints
+    p1: 8 corners, 6 faces, volume 1
+    p2: 8 corners, 6 faces, volume 1
+  compound Edge_1 {
+    part p1 : Edge_p1 mass 1
+  }
+  --
+  compound Edge_2 {
+    part p2 : Edge_p2 mass 1
+  }
+  $ scc decompose crossing.off --union | head -n 2
+  crossing.off: 8 plane faces, 5 reflex edges, volume 51/2
+  3 convex parts, 2 joints
+  $ scc decompose ell.off --union | head -n 2
+  ell.off: 8 plane faces, 1 reflex edge, volume 6
+  2 convex parts, 1 joint
+  $ scc decompose open.off --union | head -n 1
+  error[SC0302]: the solid is not closed: edge [v5,v0] belongs to one face only, f0
+  error[SC0302]: the solid is not closed: edge [v6,v11] belongs to one face only, f1
+  error[SC0302]: the solid is not closed: edge [v0,v6] belongs to one face only, f2
+  error[SC0302]: the solid is not closed: edge [v11,v5] belongs to one face only, f6

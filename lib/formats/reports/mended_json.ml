@@ -2,7 +2,7 @@ open Scc_json
 open Scc_runs
 open Json_format
 
-let ways = [ "grid"; "weld"; "orient"; "merge" ]
+let ways = [ "grid"; "weld"; "orient"; "merge"; "triangles" ]
 
 let format =
   fields

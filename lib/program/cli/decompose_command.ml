@@ -28,9 +28,11 @@ let diagnostics (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list = funct
   | fault ->
     let hint =
       match fault with
-      | Pieces (Apart _ | Island _) -> Some "each of several solids needs a file of its own"
+      | Pieces (Apart _ | Island _) ->
+        Some "each of several solids needs a file of its own, or add --union for all of them"
       | Pieces (Outward _) -> Some "to mend it, add --orient"
-      | Unsound _ | Too_many -> None
+      | Unsound (Cut _) -> Some "if solids overlap there, add --union"
+      | Unsound (Structure _) | Too_many -> None
     in
     let code, text = Decomposed.message set fault in
     [ Diag.error code Span.none ?hint "%s" text ]
@@ -104,12 +106,18 @@ let stopped ~seconds (stop : Scc_graph_search.Limits.stop) =
   why ^ ": nothing was written"
 
 (* The mesh, what was done to it, and its parts. *)
-let work console ~mend path =
+let work console ~mend ~names ~union path =
   let* source = Input.warned console path in
   let* set, warnings = Result.listed (Scc_mesh.Mesh.read ~files:Input.beside ~path (Source.text source)) in
   Console.report console warnings;
   let* set, mended = Mend_options.apply mend set in
-  let* t = Result.map_error (diagnostics set) (Decomposed.make ~progress:(show console) set) in
+  let set, mended =
+    match Bent.triangulated set with
+    | Some (set, line) -> (set, mended @ [ ("triangles", line) ])
+    | None -> (set, mended)
+  in
+  let cut ~progress = if union then Decomposed.united ~progress else Decomposed.make ~progress ~names in
+  let* t = Result.map_error (diagnostics set) (cut ~progress:(show console) set) in
   Ok (t, mended)
 
 let report console ~mended ~mass output path (t : Parts.t) =
@@ -129,9 +137,9 @@ let report console ~mended ~mass output path (t : Parts.t) =
   in
   Ok Exit_code.Holds
 
-let decompose console ~mend ~seconds ~mass output path =
+let decompose console ~mend ~names ~union ~seconds ~mass output path =
   let watch = Watch.start ?seconds () in
-  let done_ = (Watch.attempt watch).run Exploring (fun () -> work console ~mend path) in
+  let done_ = (Watch.attempt watch).run Exploring (fun () -> work console ~mend ~names ~union path) in
   Watch.finish watch;
   match done_ with
   | Error stop -> Ok (Guard.stopped console (stopped ~seconds stop))
@@ -140,9 +148,11 @@ let decompose console ~mend ~seconds ~mass output path =
     Console.progress_done console;
     report console ~mended ~mass output path t
 
-let run color json mend seconds mass output path =
+let run color json mend names union seconds mass output path =
   let console = Console.make ~color ~json () in
-  let go output = Guard.run console (fun () -> decompose console ~mend ~seconds ~mass output path) in
+  let go output =
+    Guard.run console (fun () -> decompose console ~mend ~names ~union ~seconds ~mass output path)
+  in
   match output with
   | None -> go None
   | Some file ->
@@ -161,6 +171,16 @@ let mass =
   Options.maybe (Options.positive "mass") [ "mass" ] ~docv:"M"
     "The mass of the whole in $(b,-o) $(i,OUT).sc; its volume by default. Parts share it by their volumes."
 
+let names =
+  Options.flag [ "names" ]
+    "Cuts parts further where one of their faces would lie in two faces of the solid, so that the name of a face \
+     means that face. Without it, such a face has the name of one of them, and there are fewer parts."
+
+let union =
+  Options.flag [ "union" ]
+    "Cuts the union of what the faces surround: solids of one file may overlap, share faces, or touch in edges \
+     and corners, and need not be connected. Faces get new names."
+
 let seconds =
   Options.maybe Check_options.seconds_conv [ "seconds" ] ~docv:"S"
     "Gives up after $(docv) seconds of the clock. No default."
@@ -176,4 +196,6 @@ let command =
   in
   Cmd.v
     (Cmd.info "decompose" ~doc:"cut a solid that is not convex into convex parts" ~man:Manual.decompose ~exits)
-    Term.(const run $ Options.color $ Options.json $ Mend_options.term $ seconds $ mass $ output $ mesh)
+    Term.(
+      const run $ Options.color $ Options.json $ Mend_options.term $ names $ union $ seconds $ mass $ output
+      $ mesh)

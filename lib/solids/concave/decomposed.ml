@@ -81,7 +81,25 @@ let parts ?(progress = ignore) set =
   if Rat.equal (volume list) (Drawn.volume set) && connected list then Ok (list, drawn)
   else Scc_base.Bug.fail __POS__ "parts that are not the solid"
 
-let make ?(progress = ignore) set =
+let united ?(progress = ignore) set =
+  progress (Looking (Array.length set.Polyhedron.ifs_faces));
+  let left = ref ticks in
+  let tick () =
+    decr left;
+    if !left < 0 then raise_notrace Too_long;
+    progress (Cutting (ticks - !left))
+  in
+  match United.parts ~tick set with
+  | exception Too_long -> Error Too_many
+  | None -> Error (Unsound (Option.value (Sound.faults set) ~default:(Sound.Structure [ Inward ])))
+  | Some (list, surface) -> (
+      match Drawn.make surface with
+      | Some drawn when Rat.equal (volume list) (Drawn.volume surface) ->
+        let tick ~left = progress (Naming left) in
+        Option.to_result ~none:Too_many (Parts.make ~tick ~names:false ~limit drawn list)
+      | _ -> Scc_base.Bug.fail __POS__ "parts of a union that their surface does not bound")
+
+let make ?(progress = ignore) ?names set =
   let* list, drawn = parts ~progress set in
   let tick ~left = progress (Naming left) in
-  Option.to_result ~none:Too_many (Parts.make ~tick ~limit drawn list)
+  Option.to_result ~none:Too_many (Parts.make ~tick ?names ~limit drawn list)

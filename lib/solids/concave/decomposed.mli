@@ -22,7 +22,12 @@ type progress =
   | Making of int * int  (** the number of the part being made, and the number of all parts *)
   | Naming of int  (** the number of parts left whose faces need names *)
 
-val make : ?progress:(progress -> unit) -> Polyhedron.ifs -> (Parts.t, fault) result
+val make : ?progress:(progress -> unit) -> ?names:bool -> Polyhedron.ifs -> (Parts.t, fault) result
 (** The solid in convex parts: those of {!Scc_polygon.Prism} for a prism over a polygon, and of
-    {!Scc_decompose.Decompose} for any other solid. They are cut further so that names of the solid's faces are
-    exact, with these names. The function [progress] is called again and again, and may raise. *)
+    {!Scc_decompose.Decompose} for any other solid. With [names], the default, they are cut further so that names of
+    the solid's faces are exact ({!Parts.make}). A convex solid is one part. The function [progress] is called again and again, and may raise. *)
+
+val united : ?progress:(progress -> unit) -> Polyhedron.ifs -> (Parts.t, fault) result
+(** The union of solids that overlap or touch ({!United}) in convex parts, which need not be connected. Faces are
+    those of the union, with new names, and parts are not cut for names. A set that bounds no union has the faults
+    of {!Sound.faults}. *)

@@ -92,6 +92,14 @@ let numbered joined count =
 
 let count_of numbers = Array.fold_left (fun most k -> Int.max most (k + 1)) 0 numbers
 
+(* The members of each class, in order. *)
+let members numbers =
+  let classes = Array.make (count_of numbers) [] in
+  for i = Array.length numbers - 1 downto 0 do
+    classes.(numbers.(i)) <- i :: classes.(numbers.(i))
+  done;
+  classes
+
 let regions_of set normals edges =
   let faces = Array.length set.Polyhedron.ifs_faces in
   let joined = Union_find.create faces in
@@ -143,9 +151,9 @@ let make (set : Polyhedron.ifs) =
     if Array.exists Option.is_none pieces then None
     else begin
       let all, numbers, between, corners = borders_of set region_of_face edges in
-      let faces = List.init (Array.length set.ifs_faces) Fun.id in
+      let faces_of = members region_of_face and edges_of = members numbers in
       let region r =
-        let members = List.filter (fun i -> region_of_face.(i) = r) faces in
+        let members = faces_of.(r) in
         let first = List.hd members in
         let name, face = set.ifs_faces.(first) in
         {
@@ -155,9 +163,8 @@ let make (set : Polyhedron.ifs) =
           pieces = List.concat_map (fun i -> Option.value ~default:[] pieces.(i)) members;
         }
       in
-      let edge_list = Array.to_list (Array.mapi (fun k key -> (numbers.(k), key)) all) in
       let border b =
-        let members = List.filter_map (fun (k, key) -> if k = b then Some key else None) edge_list in
+        let members = List.map (fun k -> all.(k)) edges_of.(b) in
         {
           segments = List.map (fun (u, v) -> (place set u, place set v)) members;
           between = List.sort_uniq Int.compare (List.concat_map between members);

@@ -25,7 +25,7 @@ let namer (set : Polyhedron.ifs) prefix =
   in
   next
 
-let names (d : Drawn.t) =
+let given_names (d : Drawn.t) =
   let at = Points.create 64 in
   Array.iter (fun (n, x) -> if not (Points.mem at x) then Points.add at x n) d.set.ifs_vertices;
   let inner = namer d.set "w" and hidden = namer d.set "cut" in
@@ -46,20 +46,20 @@ let names (d : Drawn.t) =
 
 let renamed (vertex, face) (p : Polyhedron.t) features =
   let { Polyhedron.ifs_vertices; ifs_faces } = Polyhedron.to_ifs p in
-  let name_face f (_, corners) =
-    (face (List.assoc_opt (Feature.Face f) features), corners)
-  in
+  let shows = Array.make (Array.length ifs_faces) None in
+  List.iter (function Feature.Face f, list -> shows.(f) <- Some list | _ -> ()) features;
+  let name_face f (_, corners) = (face shows.(f), corners) in
   let ifs_vertices = Array.map (fun (_, x) -> (vertex x, x)) ifs_vertices in
   match Polyhedron.of_ifs { ifs_vertices; ifs_faces = Array.mapi name_face ifs_faces } with
   | Ok p -> p
   | Error _ -> Bug.fail __POS__ "a polyhedron that is none under other names"
 
-let make ?(tick = fun ~left:_ -> ()) ~limit (d : Drawn.t) pieces =
+let make ?(tick = fun ~left:_ -> ()) ?(names = true) ~limit (d : Drawn.t) pieces =
   let shown = Shown.make d in
-  match Refined.parts ~tick shown d ~limit pieces with
+  match Refined.parts ~tick ~names shown d ~limit pieces with
   | None -> None
   | Some list ->
-    let shows = Hashtbl.create 256 and names = names d in
+    let shows = Hashtbl.create 256 and naming = given_names d in
     let enter k (p, features) =
       let put (feature, carriers) =
         let add c =
@@ -68,7 +68,7 @@ let make ?(tick = fun ~left:_ -> ()) ~limit (d : Drawn.t) pieces =
         List.iter add carriers
       in
       List.iter put features;
-      (Printf.sprintf "p%d" (k + 1), renamed names p features)
+      (Printf.sprintf "p%d" (k + 1), renamed naming p features)
     in
     Some { drawn = d; parts = Array.of_list (List.mapi enter list); shows }
 

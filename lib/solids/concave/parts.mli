@@ -10,9 +10,10 @@ type t = private {
   shows : (Drawn.feature, (int * Feature.t) list) Hashtbl.t;
 }
 
-val make : ?tick:(left:int -> unit) -> limit:int -> Drawn.t -> Polyhedron.t list -> t option
+val make : ?tick:(left:int -> unit) -> ?names:bool -> limit:int -> Drawn.t -> Polyhedron.t list -> t option
 (** [make ~limit drawn parts] are the convex parts [parts] of the solid, cut further as {!Refined.parts} does,
-    with names. [tick] gets the number of parts left. [None] if there would be more than [limit] parts. *)
+    with names. With [~names:false] they stay as they are, and a face that shows several regions has the name of
+    the first one. [tick] gets the number of parts left. [None] if there would be more than [limit] parts. *)
 
 val inside : t -> Drawn.feature -> (int * Feature.t) list
 (** The features of parts that show the relative interior of a feature: a region without its borders and

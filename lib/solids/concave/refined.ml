@@ -69,14 +69,14 @@ let dividing (d : Drawn.t) p (feature, shows) =
   | (Face _ | Edge _), _ :: _ :: _ -> Option.map snd (Array.fold_left better None d.regions)
   | _ -> None
 
-let parts ~tick shown (d : Drawn.t) ~limit list =
+let parts ~tick ~names shown (d : Drawn.t) ~limit list =
   let rec refine done_ count left = function
     | _ when count > limit -> None
     | [] -> Some (List.rev done_)
     | p :: rest -> (
         tick ~left;
         let features = Shown.features shown p in
-        match List.find_map (dividing d p) features with
+        match if names then List.find_map (dividing d p) features else None with
         | None -> refine ((p, features) :: done_) count (left - 1) rest
         | Some region ->
           let one, other = halves region p in

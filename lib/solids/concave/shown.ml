@@ -10,7 +10,8 @@ type t = {
   by_plane : (string, int) Hashtbl.t;  (* the regions of each plane *)
   by_sides : (int * int, int) Hashtbl.t;  (* the borders between two regions *)
   corner_at : int Points.t;
-  regions_at : int list Points.t;  (* those in whose planes a point is, as far as they have been asked for *)
+  pieces : (Float_box.t * Vec.t array) list array;  (* of regions *)
+  boxes : Scc_broad_phase.Box_tree.t;  (* of regions *)
 }
 
 let plane n level = Ivec.to_string n ^ " " ^ Rat.to_string level
@@ -25,17 +26,22 @@ let make (d : Drawn.t) =
     d.borders;
   Array.iteri (fun v corner -> if corner then Points.replace corner_at (snd d.set.ifs_vertices.(v)) v) d.corners;
   let plane (region : Drawn.region) = Plane.make region.normal (Homogeneous.of_vec (List.hd region.pieces).(0)) in
-  { drawn = d; planes = Array.map plane d.regions; by_plane; by_sides; corner_at; regions_at = Points.create 64 }
+  let pieces_of (region : Drawn.region) = List.map (fun p -> (Boxed.of_points p, p)) region.pieces in
+  let pieces = Array.map pieces_of d.regions and boxes = Scc_broad_phase.Box_tree.create () in
+  let whole pieces = Float_box.hull (Array.of_list (List.map fst pieces)) in
+  Array.iteri (fun r list -> Scc_broad_phase.Box_tree.insert boxes r (whole list)) pieces;
+  { drawn = d; planes = Array.map plane d.regions; by_plane; by_sides; corner_at; pieces; boxes }
 
-let regions_at t x =
-  match Points.find_opt t.regions_at x with
-  | Some list -> list
-  | None ->
-    let place = Homogeneous.of_vec x in
-    let all = List.init (Array.length t.drawn.regions) Fun.id in
-    let list = List.filter (fun r -> Plane.side t.planes.(r) place = 0) all in
-    Points.add t.regions_at x list;
-    list
+(* The regions in whose planes all points are, and whose boxes meet the box around them. *)
+let regions_at t box points =
+  let places = Array.map Homogeneous.of_vec points and found = ref [] in
+  let add r = if Array.for_all (fun p -> Plane.side t.planes.(r) p = 0) places then found := r :: !found in
+  Scc_broad_phase.Box_tree.iter_meeting t.boxes box add;
+  List.sort Int.compare !found
+
+(* The pieces of a region whose boxes meet a box. *)
+let pieces_near t box r =
+  List.filter_map (fun (own, piece) -> if Float_box.meet box own then Some piece else None) t.pieces.(r)
 
 (* {1 In a plane with the normal n} *)
 
@@ -51,9 +57,9 @@ let apart n one other =
   let separates edge = Array.for_all (fun x -> side n edge x <= 0) other in
   List.exists separates (cyclic one)
 
-let overlap (region : Drawn.region) polygon =
-  let n = Ivec.to_vec region.normal in
-  List.exists (fun piece -> not (apart n piece polygon || apart n polygon piece)) region.pieces
+let overlap t box polygon r =
+  let n = Ivec.to_vec t.drawn.regions.(r).normal in
+  List.exists (fun piece -> not (apart n piece polygon || apart n polygon piece)) (pieces_near t box r)
 
 let share n one other =
   let turned = Array.of_list (List.rev (Array.to_list other)) in
@@ -104,7 +110,7 @@ let of_face t (p : Polyhedron.t) f =
   let n = Ivec.primitive (fst (Ivec.of_vec normal)) in
   let level = Vec.dot (Ivec.to_vec n) corners.(0) in
   Hashtbl.find_all t.by_plane (plane n level)
-  |> List.filter (fun r -> overlap t.drawn.regions.(r) corners)
+  |> List.filter (overlap t (Boxed.of_points corners) corners)
   |> List.sort Int.compare
   |> List.map (fun r -> Drawn.Region r)
 
@@ -114,8 +120,8 @@ let borders_of t regions =
   List.concat_map (fun pair -> Hashtbl.find_all t.by_sides pair) pairs
 
 let of_edge t (a, b) =
-  let there = regions_at t b in
-  let regions = List.filter (fun r -> List.mem r there) (regions_at t a) in
+  let box = Boxed.of_points [| a; b |] in
+  let regions = regions_at t box [| a; b |] in
   let on_border k = List.filter_map (common (a, b)) t.drawn.borders.(k).segments in
   let borders =
     List.filter_map
@@ -123,9 +129,8 @@ let of_edge t (a, b) =
       (List.sort_uniq Int.compare (borders_of t regions))
   in
   let inside r =
-    let region = t.drawn.regions.(r) in
-    let n = Ivec.to_vec region.normal in
-    let all = List.filter_map (fun piece -> clip n piece (a, b)) region.pieces in
+    let n = Ivec.to_vec t.drawn.regions.(r).normal in
+    let all = List.filter_map (fun piece -> clip n piece (a, b)) (pieces_near t box r) in
     let beside = List.filter (fun (k, _) -> List.mem r t.drawn.borders.(k).between) borders in
     Rat.compare (length all) (length (List.concat_map snd beside)) > 0
   in
@@ -142,14 +147,15 @@ let of_vertex t x =
   match Points.find_opt t.corner_at x with
   | Some v -> [ Drawn.Corner v ]
   | None -> (
-      let regions = regions_at t x in
+      let box = Boxed.of_points [| x |] in
+      let regions = regions_at t box [| x |] in
       let on k = List.exists (on_segment x) t.drawn.borders.(k).segments in
       match List.filter on (List.sort_uniq Int.compare (borders_of t regions)) with
       | _ :: _ as borders -> List.map (fun k -> Drawn.Border k) borders
       | [] ->
         let inside r =
-          let region = t.drawn.regions.(r) in
-          List.exists (fun piece -> holds (Ivec.to_vec region.normal) piece x) region.pieces
+          let n = Ivec.to_vec t.drawn.regions.(r).normal in
+          List.exists (fun piece -> holds n piece x) (pieces_near t box r)
         in
         List.map (fun r -> Drawn.Region r) (List.filter inside regions))
 

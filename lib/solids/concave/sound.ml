@@ -1,6 +1,7 @@
 open Scc_exact
 open Scc_geometry
 open Scc_polygon
+open Scc_decompose
 
 type fault = Structure of Polyhedron_fault.t list | Cut of int * int * Vec.t
 
@@ -44,18 +45,46 @@ let flatness set f (_, corners) =
 
 (* {1 Two faces} *)
 
-type face = { number : int; corners : int array; normal : Vec.t; pieces : Vec.t array list }
+type face = {
+  number : int;
+  corners : int array;
+  at : Homogeneous.t array;  (* of the corners *)
+  normal : Vec.t;
+  plane : Plane.t;
+  pieces : (Float_box.t * Vec.t array) list;
+}
 
-(* What a convex polygon has on the closed side of a plane, on which the height is not negative. *)
-let clip height polygon =
-  let n = Array.length polygon in
-  let step k =
-    let a = polygon.(k) and b = polygon.((k + 1) mod n) in
-    let h = height a and i = height b in
-    let here = if Rat.sign h >= 0 then [ a ] else [] in
-    if Rat.sign h * Rat.sign i < 0 then here @ [ Vec.axpy (Rat.div h (Rat.sub h i)) (Vec.sub b a) a ] else here
+let is_edge g u v =
+  let n = Array.length g.corners in
+  let rec from k =
+    k < n
+    &&
+    let a = g.corners.(k) and b = g.corners.((k + 1) mod n) in
+    (a = u && b = v) || (a = v && b = u) || from (k + 1)
   in
-  Array.of_list (List.concat (List.init n step))
+  from 0
+
+(* All corners of f that g does not have are strictly on one side of the plane of g, and there are such. So f has
+   points on this plane at common corners alone, and on its edges between two of them, which are edges of g. *)
+let beside f g =
+  let n = Array.length f.corners in
+  let common = Array.map (fun v -> Array.exists (Int.equal v) g.corners) f.corners in
+  let rec one_side k side =
+    if k = n then side <> 0
+    else if common.(k) then one_side (k + 1) side
+    else
+      let s = Plane.side g.plane f.at.(k) in
+      s <> 0 && side * s >= 0 && one_side (k + 1) s
+  in
+  let rec edges k =
+    k = n
+    ||
+    let l = (k + 1) mod n in
+    ((not (common.(k) && common.(l))) || is_edge g f.corners.(k) f.corners.(l)) && edges (k + 1)
+  in
+  one_side 0 0 && edges 0
+
+let clip = Clipped.clip
 
 (* Two convex polygons: points of which what they have in common is the hull. *)
 let common one m other =
@@ -94,8 +123,8 @@ let stray set f g =
   let mean points =
     Vec.scale (Rat.div Rat.one (Rat.of_int (List.length points))) (List.fold_left Vec.add Vec.zero points)
   in
-  let of_pieces one other =
-    let points = common one g.normal other in
+  let of_pieces (box, one) (box', other) =
+    let points = if Float_box.meet box box' then common one g.normal other else [] in
     match points with
     | [] -> None
     | first :: _ ->
@@ -107,33 +136,19 @@ let stray set f g =
   in
   List.find_map (fun one -> List.find_map (of_pieces one) g.pieces) f.pieces
 
-let extent set corners get =
-  let values = Array.map (fun v -> get (place set v)) corners in
-  (Array.fold_left Rat.min values.(0) values, Array.fold_left Rat.max values.(0) values)
-
 (* From left to right, those whose boxes meet. *)
 let find_cut set faces =
-  let boxed f =
-    let of_axis get = extent set f.corners get in
-    (of_axis (fun (v : Vec.t) -> v.x), of_axis (fun v -> v.y), of_axis (fun v -> v.z), f)
+  let least f = Array.fold_left (fun m v -> Rat.min m (place set v).x) (place set f.corners.(0)).x f.corners in
+  let sorted = Array.of_list (List.map (fun f -> (least f, f)) faces) in
+  Array.stable_sort (fun (a, _) (b, _) -> Rat.compare a b) sorted;
+  let sorted = Array.map snd sorted in
+  let boxes = Array.map (fun f -> Boxed.of_points (Array.map (place set) f.corners)) sorted in
+  let cut (i, j) =
+    let f = sorted.(i) and g = sorted.(j) in
+    if beside f g || beside g f then None
+    else Option.map (fun at -> Cut (Int.min f.number g.number, Int.max f.number g.number, at)) (stray set f g)
   in
-  let sorted = Array.of_list (List.map boxed faces) in
-  Array.stable_sort (fun ((a, _), _, _, _) ((b, _), _, _, _) -> Rat.compare a b) sorted;
-  let n = Array.length sorted in
-  let meet (a, b) (c, d) = Rat.compare a d <= 0 && Rat.compare c b <= 0 in
-  let rec from i j =
-    if i >= n then None
-    else if j >= n then from (i + 1) (i + 2)
-    else
-      let x, y, z, f = sorted.(i) and x', y', z', g = sorted.(j) in
-      if Rat.compare (fst x') (snd x) > 0 then from (i + 1) (i + 2)
-      else if not (meet y y' && meet z z') then from i (j + 1)
-      else
-        match stray set f g with
-        | Some at -> Some (Cut (Int.min f.number g.number, Int.max f.number g.number, at))
-        | None -> from i (j + 1)
-  in
-  from 0 1
+  List.find_map cut (Scc_broad_phase.Boxes.pairs boxes)
 
 (* {1 All} *)
 
@@ -150,10 +165,13 @@ let faults (set : Polyhedron.ifs) =
     <|> (fun () ->
         some_structure (List.filter_map Fun.id (Array.to_list (Array.mapi (flatness set) set.ifs_faces))))
     <|> (fun () ->
+        let places = Array.map (fun (_, x) -> Homogeneous.of_vec x) set.ifs_vertices in
         let face number (_, corners) =
           let normal = Drawn.normal set corners in
           let pieces = Option.value ~default:[] (Drawn.convex_pieces set corners normal) in
-          { number; corners; normal; pieces }
+          let at = Array.map (fun v -> places.(v)) corners in
+          let plane = Plane.make (Ivec.primitive (fst (Ivec.of_vec normal))) at.(0) in
+          { number; corners; at; normal; plane; pieces = List.map (fun p -> (Boxed.of_points p, p)) pieces }
         in
         find_cut set (Array.to_list (Array.mapi face set.ifs_faces)))
     <|> fun () -> if Rat.sign (Drawn.volume set) <= 0 then Some (Structure [ Inward ]) else None

@@ -3,12 +3,12 @@ open Scc_geometry
 
 (* The ray goes up from (x + e, y + e'), with e far greater than e', and both smaller than anything else: it meets
    no edge. Of edges seen from above, those count that pass y upwards or downwards on the right of the ray. *)
-let over set corners (p : Vec.t) =
+let over corners (p : Vec.t) =
   let n = Array.length corners in
   let odd = ref false in
   for i = 0 to n - 1 do
-    let (a : Vec.t) = snd set.Polyhedron.ifs_vertices.(corners.(i)) in
-    let (b : Vec.t) = snd set.ifs_vertices.(corners.((i + 1) mod n)) in
+    let (a : Vec.t) = corners.(i) in
+    let (b : Vec.t) = corners.((i + 1) mod n) in
     let above = Rat.compare a.y p.y > 0 in
     if not (Bool.equal above (Rat.compare b.y p.y > 0)) then begin
       let turn =
@@ -21,13 +21,20 @@ let over set corners (p : Vec.t) =
   done;
   !odd
 
-let meets set corners p =
-  over set corners p
+let meets (n : Vec.t) corners p =
+  over corners p
   &&
-  let n = Drawn.normal set corners in
-  let below = Vec.dot n (Vec.sub (snd set.ifs_vertices.(corners.(0))) p) in
+  let below = Vec.dot n (Vec.sub corners.(0) p) in
   Rat.sign n.z * Rat.sign below > 0
 
 let surface (set : Polyhedron.ifs) faces p =
-  let crossed odd f = if meets set (snd set.ifs_faces.(f)) p then not odd else odd in
+  let crossed odd f =
+    let face = snd set.ifs_faces.(f) in
+    let corners = Array.map (fun v -> snd set.ifs_vertices.(v)) face in
+    if meets (Drawn.normal set face) corners p then not odd else odd
+  in
   List.fold_left crossed false faces
+
+let winding polygons p =
+  let crossed sum ((n : Vec.t), corners) = if meets n corners p then sum + Rat.sign n.z else sum in
+  List.fold_left crossed 0 polygons

@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 open Scc_geometry
 
@@ -12,25 +13,42 @@ let template b name (p : Polyhedron.t) =
   Array.iter face p.faces;
   Printf.bprintf b "}\n\n"
 
+(* The parts of each group that joints connect, in order. *)
+let groups joints count =
+  let joined = Union_find.create count in
+  List.iter (fun ((s : Joints.site), (u : Joints.site)) -> ignore (Union_find.union joined s.part u.part)) joints;
+  let members = Array.make count [] in
+  for part = count - 1 downto 0 do
+    let root = Union_find.find joined part in
+    members.(root) <- part :: members.(root)
+  done;
+  List.sort (List.compare Int.compare) (List.filter (fun list -> list <> []) (Array.to_list members))
+
 let compound ~name ~mass (t : Parts.t) =
   let b = Buffer.create 4096 in
   let shape part = Printf.sprintf "%s_%s" name part in
   Array.iter (fun (part, p) -> template b (shape part) p) t.parts;
-  Printf.bprintf b "compound %s {\n" name;
   let whole = Drawn.volume t.drawn.set in
-  let part (part, p) =
+  let part k =
+    let part, p = t.parts.(k) in
     let share = Rat.div (Mass_properties.of_polyhedron p).volume whole in
     Printf.bprintf b "  part %s : %s mass %s\n" part (shape part) (Rat.to_string (Rat.mul mass share))
   in
-  Array.iter part t.parts;
   let feature (s : Joints.site) =
     let part, p = t.parts.(s.part) in
     part ^ "." ^ fst p.faces.(s.face)
   in
-  List.iter
-    (fun (one, other) -> Printf.bprintf b "  glue %s ~ %s\n" (feature one) (feature other))
-    (Joints.forest (Array.map snd t.parts));
-  Printf.bprintf b "}\n";
+  let joints = Joints.forest (Array.map snd t.parts) in
+  let glue (one, other) = Printf.bprintf b "  glue %s ~ %s\n" (feature one) (feature other) in
+  let all = groups joints (Array.length t.parts) in
+  let one k members =
+    let own = if List.length all = 1 then name else Printf.sprintf "%s_%d" name (k + 1) in
+    Printf.bprintf b "%scompound %s {\n" (if k = 0 then "" else "\n") own;
+    List.iter part members;
+    List.iter glue (List.filter (fun ((s : Joints.site), _) -> List.mem s.part members) joints);
+    Printf.bprintf b "}\n"
+  in
+  List.iteri one all;
   Buffer.contents b
 
 let obj (t : Parts.t) =

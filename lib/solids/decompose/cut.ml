@@ -74,3 +74,46 @@ let parts ~tick box polygons =
           else work found ((behind, back, notches_behind) :: waiting))
   in
   work [] [ (box, fragments, notches) ]
+
+(* {1 Surfaces that cross themselves} *)
+
+let most_tried = 12
+
+(* The plane of a fragment that cuts few others and has about as many in front as behind. *)
+let best planes fragments =
+  let cost plane =
+    let cut = ref 0 and balance = ref 0 in
+    let count f =
+      match Cell.position plane f.polygon with
+      | On -> decr cut
+      | Behind -> decr balance
+      | In_front -> incr balance
+      | Across -> incr cut
+    in
+    Array.iter count fragments;
+    (8 * !cut) + abs !balance
+  in
+  let n = Array.length fragments in
+  let tried = Int.min n most_tried in
+  let all = List.init tried (fun i -> planes.(fragments.(i * n / tried).plane)) in
+  let better (least, found) plane =
+    let c = cost plane in
+    if c < least then (c, plane) else (least, found)
+  in
+  snd (List.fold_left better (max_int, planes.(fragments.(0).plane)) all)
+
+let surrounded ~tick ~inside box polygons =
+  let planes = Array.of_list (List.map fst polygons) in
+  let fragments = Array.of_list (List.mapi (fun plane (_, polygon) -> { plane; polygon }) polygons) in
+  let rec work found = function
+    | [] -> List.rev found
+    | (cell, [||]) :: waiting ->
+      tick ();
+      work (if inside cell then cell :: found else found) waiting
+    | (cell, fragments) :: waiting ->
+      tick ();
+      let plane = best planes fragments in
+      let back, front = halves plane fragments in
+      work found ((clipped cell plane, back) :: (clipped cell (Plane.opposite plane), front) :: waiting)
+  in
+  work [] [ (box, fragments) ]

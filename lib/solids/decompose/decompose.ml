@@ -16,11 +16,14 @@ let around polygons =
   in
   Cell.box (corner Rat.min (Rat.of_int (-1))) (corner Rat.max Rat.one)
 
-let parts ?(tick = ignore) polygons =
+let surface polygon =
+  let corners = Array.map Homogeneous.of_vec polygon in
+  (Plane.make (normal polygon) corners.(0), corners)
+
+let merged ~tick cut polygons =
   let box = around polygons in
-  let surface polygon =
-    let corners = Array.map Homogeneous.of_vec polygon in
-    (Plane.make (normal polygon) corners.(0), corners)
-  in
-  let cells = Cut.parts ~tick box (List.map surface polygons) in
+  let cells = cut box (List.map surface polygons) in
   List.map (fun cell -> List.map Homogeneous.to_vec (Cell.corners cell)) (Union.merge ~tick box cells)
+
+let parts ?(tick = ignore) polygons = merged ~tick (Cut.parts ~tick) polygons
+let surrounded ~tick ~inside polygons = merged ~tick (Cut.surrounded ~tick ~inside) polygons

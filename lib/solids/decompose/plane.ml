@@ -29,10 +29,10 @@ let hash s = (((((Z.hash s.a * 31) + Z.hash s.b) * 31) + Z.hash s.c) * 31) + Z.h
 let height s (p : Homogeneous.t) =
   Z.sub (Z.add (Z.mul s.a p.x) (Z.add (Z.mul s.b p.y) (Z.mul s.c p.z))) (Z.mul s.d p.w)
 
-(* With u = 2^-53, each product of floats has a relative error of at most (3 + 1 + 1) u and terms of order
-   u^2, and the level one of u. Three sums add at most 3 u times the sum of magnitudes, whose own rounding
-   is of order u^2. So 2^-48 times that sum bounds the error. Products do not underflow: factors are 0 or at
-   least 2^-1000 and 1. Where one overflows or is a NaN, no comparison holds. *)
+(* Let u be 2^-53. Each product of floats has a relative error of at most (3 + 1 + 1) u and terms of order u^2,
+   and the level one of u. Three sums add at most 3 u times the sum of magnitudes, whose own rounding is of order
+   u^2. So 2^-48 times that sum bounds the error. Products do not underflow: factors are 0 or at least 2^-1000
+   and 1. Where one overflows or is a NaN, no comparison holds. *)
 let side s (p : Homogeneous.t) =
   let n = s.near and q = p.near in
   let x = n.na *. q.nx and y = n.nb *. q.ny and z = n.nc *. q.nz in

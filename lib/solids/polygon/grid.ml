@@ -13,12 +13,11 @@ let integers numbers =
   let common = Array.fold_left (fun d q -> Z.lcm d (Q.den q)) Z.one numbers in
   Array.map (fun q -> Z.mul (Q.num q) (Z.divexact common (Q.den q))) numbers
 
-(* [error] bounds that of {!orient} in floats, by the greatest magnitudes m and n of the coordinates. With u
-   = 2^-53, a coordinate is off by at most m u, a difference of two by 2 m u and its own rounding, 2 m u. So
-   a product of differences, which are at most 2 m and 2 n, is off by 16 m n u and its own rounding, 4 m n
-   u. The difference of two products is off by 2 * 20 m n u and 8 m n u, up to terms of order u^2: less than
-   64 m n u = 2^-47 m n. A NaN or an infinity leaves the decision to integers; all numbers that are not 0
-   are at least 1. *)
+(* [error] bounds that of {!orient} in floats, by the greatest magnitudes m and n of the coordinates. Let u be
+   2^-53. A coordinate is off by at most m u, a difference of two by 2 m u and its own rounding, 2 m u. So a
+   product of differences, which are at most 2 m and 2 n, is off by 16 m n u and its own rounding, 4 m n u. The
+   difference of two products is off by 2 * 20 m n u and 8 m n u, up to terms of order u^2: less than 64 m n u =
+   2^-47 m n. A NaN or an infinity leaves the decision to integers; all numbers that are not 0 are at least 1. *)
 let make points =
   let xs = integers (Array.map (fun p -> p.x) points) and ys = integers (Array.map (fun p -> p.y) points) in
   let near_xs = Array.map Z.to_float xs and near_ys = Array.map Z.to_float ys in

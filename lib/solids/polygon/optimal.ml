@@ -38,13 +38,28 @@ let chords (c : Cycle.t) =
 let orient t a b c = Grid.orient t.g t.at.(a) t.at.(b) t.at.(c)
 let turns t a b c = Grid.turns t.g t.at.(a) t.at.(b) t.at.(c)
 
+(* The place in [into] of the first chord that does not begin before i. *)
+let first_from (list : (int * int) array) i =
+  let rec between low high =
+    if low >= high then low
+    else
+      let middle = (low + high) / 2 in
+      if fst list.(middle) < i then between (middle + 1) high else between low middle
+  in
+  between 0 (Array.length list)
+
+let iter_from f list i =
+  for k = first_from list i to Array.length list - 1 do
+    f list.(k)
+  done
+
 (* The best chain from i that ends with the chord (a, b), i < a. *)
 let extend t i b (a, chord) =
   t.cost.(chord) <- never;
   if orient t a b i >= 0 && not (Grid.same t.g t.at.(b) t.at.(i)) then
-    Array.iter
+    iter_from
       (fun (p, last) ->
-         if p >= i && t.cost.(last) < never then begin
+         if t.cost.(last) < never then begin
            let cost = t.cost.(last) + t.least.(chord) and first = t.first.(last) in
            let better = cost < t.cost.(chord) || (cost = t.cost.(chord) && first > t.first.(chord)) in
            if better && turns t p a b && orient t i first b >= 0 then begin
@@ -53,7 +68,7 @@ let extend t i b (a, chord) =
              t.before.(chord) <- last
            end
          end)
-      t.into.(a)
+      t.into.(a) i
 
 (* The last chord of the best piece at the chord (i, b), and what it costs. *)
 let close t i b =
@@ -67,8 +82,8 @@ let close t i b =
 let chains t i ~upto =
   let closing = ref (-1) in
   for b = i + 1 to upto do
-    Array.iter (fun (a, chord) -> if a > i then extend t i b (a, chord)) t.into.(b);
-    Array.iter
+    iter_from (extend t i b) t.into.(b) (i + 1);
+    iter_from
       (fun (a, chord) ->
          if a = i then begin
            let last, cost = close t i b in
@@ -78,7 +93,7 @@ let chains t i ~upto =
            t.first.(chord) <- b;
            t.before.(chord) <- -1
          end)
-      t.into.(b)
+      t.into.(b) i
   done;
   !closing
 

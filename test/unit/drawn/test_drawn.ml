@@ -108,6 +108,49 @@ let merged_keep_the_volume cells =
     let volume (_, p) = (Mass_properties.of_polyhedron p).volume in
     Rat.equal (rat (List.length cells)) (Array.fold_left (fun sum p -> Rat.add sum (volume p)) Rat.zero t.parts)
 
+(* Boxes that overlap, touch or are apart, each with faces and corners of its own. Cells say what is inside. *)
+let random_boxes =
+  let open QCheck2.Gen in
+  let box =
+    let* x = int_range 0 3 and* y = int_range 0 3 and* z = int_range 0 3 in
+    let+ a = int_range 1 2 and+ b = int_range 1 2 and+ c = int_range 1 2 in
+    ((x, y, z), (x + a, y + b, z + c))
+  in
+  list_size (int_range 1 5) box
+
+let box_faces ((x, y, z), (x', y', z')) =
+  let at (a, b, c) = vec ((if a = 0 then x else x'), (if b = 0 then y else y'), if c = 0 then z else z') in
+  List.map (fun d -> List.map at (square d)) axes
+
+let soup boxes : Polyhedron.ifs =
+  let faces = List.concat_map box_faces boxes in
+  {
+    ifs_vertices = Array.of_list (List.mapi (fun i x -> (Printf.sprintf "v%d" i, x)) (List.concat faces));
+    ifs_faces =
+      Array.of_list (List.mapi (fun k _ -> (Printf.sprintf "f%d" k, Array.init 4 (fun i -> (4 * k) + i))) faces);
+  }
+
+let union_has_the_cells boxes =
+  let cells = List.init 216 (fun k -> (k mod 6, k / 6 mod 6, k / 36)) in
+  let within (x, y, z) ((a, b, c), (a', b', c')) = a <= x && x < a' && b <= y && y < b' && c <= z && z < c' in
+  let t = match Decomposed.united (soup boxes) with Ok t -> t | Error _ -> QCheck2.Test.fail_report "refused" in
+  let strictly (x, y, z) (_, (p : Polyhedron.t)) =
+    let middle v = Rat.add (rat v) Rat.half in
+    let at = Vec.make (middle x) (middle y) (Rat.add (middle z) (Rat.make Z.one (Z.of_int 7))) in
+    let behind (_, f) =
+      let corners = Array.map (fun v -> snd p.vertices.(v)) f in
+      let normal = Drawn.area_vector (Array.get corners) (Array.length corners) in
+      Rat.sign (Vec.dot normal (Vec.sub at corners.(0))) < 0
+    in
+    Array.for_all behind p.faces
+  in
+  let right cell =
+    let count = List.length (List.filter (strictly cell) (Array.to_list t.parts)) in
+    count = if List.exists (within cell) boxes then 1 else 0
+  in
+  let covered = List.filter (fun cell -> List.exists (within cell) boxes) cells in
+  List.for_all right cells && Rat.equal (rat (List.length covered)) (Drawn.volume t.drawn.set)
+
 let property name holds =
   QCheck2.Test.make ~count:60 ~name
     ~print:QCheck2.Print.(list (triple int int int))
@@ -208,6 +251,9 @@ let () =
             QCheck2.Test.make ~count:40 ~name:"merged faces keep the volume"
               ~print:QCheck2.Print.(list (triple int int int))
               (grown 40) merged_keep_the_volume;
+            QCheck2.Test.make ~count:40 ~name:"a union of boxes has their cells"
+              ~print:QCheck2.Print.(list (pair (triple int int int) (triple int int int)))
+              random_boxes union_has_the_cells;
             QCheck2.Test.make ~count:60 ~name:"prisms keep the volume"
               ~print:QCheck2.Print.(list (triple int int int))
               flat_cells

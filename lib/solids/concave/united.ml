@@ -1,0 +1,118 @@
+open Scc_data
+open Scc_exact
+open Scc_geometry
+open Scc_decompose
+module Points = Hashtbl.Make (Vec)
+
+let place (set : Polyhedron.ifs) v = snd set.ifs_vertices.(v)
+
+(* {1 What faces surround} *)
+
+let numbered points =
+  let table = Points.create 256 and list = Growable.create () in
+  let number x =
+    match Points.find_opt table x with
+    | Some k -> k
+    | None ->
+      let k = Points.length table in
+      Points.add table x k;
+      Growable.push list x;
+      k
+  in
+  let numbers = List.map (Array.map number) points in
+  (Array.init (Growable.length list) (Growable.get list), numbers)
+
+let closed polygons =
+  let _, cycles = numbered polygons in
+  let balance = Hashtbl.create 256 in
+  let add key d = Hashtbl.replace balance key (d + Option.value ~default:0 (Hashtbl.find_opt balance key)) in
+  let edge (u, v) = if u < v then add (u, v) 1 else add (v, u) (-1) in
+  List.iter (fun cycle -> List.iter edge (Scc_polygon.Polygon.edges cycle)) cycles;
+  Hashtbl.fold (fun _ d all -> d = 0 && all) balance true
+
+let outlines (set : Polyhedron.ifs) =
+  let inside v = v >= 0 && v < Array.length set.ifs_vertices in
+  let fine (_, face) = Array.length face > 2 && Array.for_all inside face in
+  if Array.for_all fine set.ifs_faces then
+    Some (List.map (fun (_, face) -> Array.map (place set) face) (Array.to_list set.ifs_faces))
+  else None
+
+let pieces (set : Polyhedron.ifs) (_, face) =
+  let n = Drawn.normal set face in
+  let flat v = Rat.sign (Vec.dot n (Vec.sub (place set v) (place set face.(0)))) = 0 in
+  if Vec.is_zero n || not (Array.for_all flat face) then None else Drawn.convex_pieces set face n
+
+let middle cell =
+  let corners = List.map Homogeneous.to_vec (Cell.corners cell) in
+  Vec.scale (Rat.div Rat.one (Rat.of_int (List.length corners))) (List.fold_left Vec.add Vec.zero corners)
+
+(* {1 The surface of parts} *)
+
+type side = { part : int; normal : Vec.t; corners : Vec.t array; box : Float_box.t; plane : Plane.t }
+
+let sides part (p : Polyhedron.t) =
+  let side (_, face) =
+    let corners = Array.map (fun v -> snd p.vertices.(v)) face in
+    let area = Drawn.area_vector (Array.get corners) (Array.length corners) in
+    let normal = Ivec.primitive (fst (Ivec.of_vec area)) in
+    let plane = Plane.make normal (Homogeneous.of_vec corners.(0)) in
+    { part; normal = Ivec.to_vec normal; corners; box = Boxed.of_points corners; plane }
+  in
+  List.map side (Array.to_list p.faces)
+
+module Planes = Hashtbl.Make (Plane)
+
+(* Each face without what faces of other parts cover. *)
+let uncovered parts =
+  let all = List.concat (List.mapi sides parts) in
+  let by_plane = Planes.create 256 in
+  List.iter (fun s -> Planes.add by_plane s.plane s) all;
+  let rest s =
+    let covers o = o.part <> s.part && Float_box.meet o.box s.box in
+    let others = List.filter covers (Planes.find_all by_plane (Plane.opposite s.plane)) in
+    let without pieces o =
+      let turned = Array.of_list (List.rev (Array.to_list o.corners)) in
+      List.concat_map (fun piece -> Clipped.difference s.normal piece turned) pieces
+    in
+    List.fold_left without [ s.corners ] others
+  in
+  List.concat_map rest all
+
+(* Corners of others on an edge become corners of it. *)
+let conforming polygons =
+  let points, cycles = numbered polygons in
+  let tree = Scc_broad_phase.Box_tree.create () in
+  Array.iteri (fun k x -> Scc_broad_phase.Box_tree.insert tree k (Boxed.of_points [| x |])) points;
+  let on_edge (u, v) =
+    let a = points.(u) and way = Vec.sub points.(v) points.(u) and found = ref [] in
+    let look k =
+      let to_k = Vec.sub points.(k) a in
+      if k <> u && k <> v && Vec.is_zero (Vec.cross way to_k) then
+        let t = Rat.div (Vec.dot way to_k) (Vec.norm2 way) in
+        if Rat.sign t > 0 && Rat.compare t Rat.one < 0 then found := (t, k) :: !found
+    in
+    Scc_broad_phase.Box_tree.iter_meeting tree (Boxed.of_points [| a; points.(v) |]) look;
+    u :: List.map snd (List.sort (fun (s, _) (t, _) -> Rat.compare s t) !found)
+  in
+  let whole cycle = Array.of_list (List.concat_map on_edge (Scc_polygon.Polygon.edges cycle)) in
+  {
+    Polyhedron.ifs_vertices = Array.mapi (fun k x -> (Printf.sprintf "v%d" k, x)) points;
+    ifs_faces = Array.of_list (List.mapi (fun k cycle -> (Printf.sprintf "f%d" k, whole cycle)) cycles);
+  }
+
+(* {1 All} *)
+
+let solids ~tick polygons =
+  let with_normal p = (Drawn.area_vector (Array.get p) (Array.length p), p) in
+  let signed = List.map with_normal polygons in
+  let inside cell = Within.winding signed (middle cell) > 0 in
+  List.map Refined.solid (Decompose.surrounded ~tick ~inside polygons)
+
+let parts ~tick set =
+  let*? outlines = outlines set in
+  if not (closed outlines) then None
+  else
+    let*? polygons = Option.all (pieces set) (Array.to_list set.ifs_faces) in
+    match solids ~tick (List.concat polygons) with
+    | [] -> None
+    | list -> Some (list, conforming (uncovered list))
