@@ -100,13 +100,19 @@ A drawing in SVG, on whose pieces one may insist; what is wrong is told where it
   inflated: highest 3.332 pixels (diffused, radius 2)
     no height is farther than 0.001303 pixels from that of the exact solution
   solid: 48 vertices, 92 faces
-  $ sed 's/<rect /<rect stroke="red" /' two.svg > stroke.svg
-  $ scc inflate stroke.svg
-  stroke.svg:3:57: error[SC0341]: this is not read: strokes (turn them into paths, or set stroke to none)
+  $ sed 's/<rect /<rect stroke="red" stroke-width="2" fill="none" /' two.svg > stroke.svg
+  $ scc inflate stroke.svg --resolution 20 --piece 2
+  stroke.svg: 20 x 10 pixels, of which the shape has 32, with 1 hole
+  inflated: highest 3.77 pixels (diffused, radius 1.418)
+    no height is farther than 0.001635 pixels from that of the exact solution
+  solid: 96 vertices, 192 faces
+  $ sed 's/<rect .*/<text>A<\/text>/' two.svg > text.svg
+  $ scc inflate text.svg
+  text.svg:3:16: error[SC0341]: this is not read: the element "text"
      |
-   3 |   <rect stroke="red" x="12" y="2" width="4" height="4"/>
-     |                                                         ^
-    hint: filled paths, rectangles, circles, ellipses and polygons are read, in groups, with transforms
+   3 |   <text>A</text>
+     |                ^
+    hint: shapes with fills and strokes are read, in groups and where they are used, with transforms and clip paths
   [3]
   $ sed 's/"4"/"four"/' two.svg > four.svg
   $ scc inflate four.svg
