@@ -10,7 +10,8 @@ let box text =
     { x; y; width; height }
   | _ -> raise (Bad "a viewBox without four numbers")
 
-let words text = List.filter (( <> ) "") (String.split_on_char ' ' (String.map (fun c -> if is_blank c then ' ' else c) text))
+let words text = List.filter (( <> ) "") (String.split_on_char ' ' (String.map (fun c -> if is_blank c then ' '
+                                                                                 else c) text))
 
 (* How much of the room that is left comes before the box. *)
 let share text = function

@@ -73,7 +73,8 @@ let declaration text =
     let bang = String.index_opt value '!' in
     let word j = String.lowercase_ascii (String.trim (String.sub value (j + 1) (String.length value - j - 1))) in
     match bang with
-    | Some j when word j = "important" -> { property; value = String.trim (String.sub value 0 j); important = true }
+    | Some j when word j = "important" -> { property; value = String.trim (String.sub value 0 j); important =
+                                                                                                    true }
     | _ -> { property; value; important = false }
 
 let declarations_of text =
@@ -206,8 +207,8 @@ let step t n =
   t.steps <- t.steps + n;
   if t.steps > max_steps then bad "style sheets with more selectors than are compared with so many elements"
 
-(* [places] are the parts of the chain that begin with what fits the selector so far, the longest first. For `Within
-   only the longest counts. *)
+(* [places] are the parts of the chain that begin with what fits the selector so far, the longest first. For
+   `Within only the longest counts. *)
 let selects t selector chain =
   let fits c = function [] -> false | subject :: rest -> fits c ~root:(rest = []) subject in
   let rec tails = function [] -> [] | _ :: rest as chain -> chain :: tails rest in

@@ -127,7 +127,8 @@ let colour text =
 let unquoted text =
   let text = String.trim text in
   let n = String.length text in
-  if n >= 2 && (text.[0] = '"' || text.[0] = '\'') && text.[n - 1] = text.[0] then String.sub text 1 (n - 2) else text
+  if n >= 2 && (text.[0] = '"' || text.[0] = '\'') && text.[n - 1] = text.[0] then String.sub text 1 (n - 2)
+  else text
 
 (* The id of url(#id) at the start of a text, and what comes after it. *)
 let server text =
@@ -136,7 +137,8 @@ let server text =
   match String.index_opt text ')' with
   | Some stop when n > 4 && String.lowercase_ascii (String.sub text 0 4) = "url(" ->
     let target = unquoted (String.sub text 4 (stop - 4)) in
-    if target = "" || target.[0] <> '#' then raise (Unread (Printf.sprintf "the reference %S to another file" target));
+    if target = "" || target.[0] <> '#' then raise (Unread (Printf.sprintf "the reference %S to another file"
+                                                              target));
     Some (String.sub target 1 (String.length target - 1), String.trim (String.sub text (stop + 1) (n - stop - 1)))
   | _ -> None
 

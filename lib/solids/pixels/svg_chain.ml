@@ -54,13 +54,15 @@ let curve p ~place ~middle ~leaves ~arrives parameters stop =
 
 let bezier_curve p controls stop =
   let points = List.map (on p) (p.here :: controls) in
-  let away points = List.find_map (fun q -> if same q (List.hd points) then None else Some (q -: List.hd points)) points in
+  let away points = List.find_map (fun q -> if same q (List.hd points) then None else Some (q -: List.hd
+                                                                                              points)) points in
   match (away points, away (List.rev points)) with
   | Some leaves, Some back ->
     let n = pieces ~share:p.share points in
     Svg_polygon.spend p.budget n;
     let parameters = List.init (n + 1) (fun i -> Rat.make (Z.of_int i) (Z.of_int n)) in
-    curve p ~place:(fun t -> bezier t points) ~middle:Rat.middle ~leaves ~arrives:(Rat.of_int (-1) *: back) parameters stop
+    curve p ~place:(fun t -> bezier t points) ~middle:Rat.middle ~leaves ~arrives:(Rat.of_int (-1) *: back)
+      parameters stop
   | _ -> ()
 
 let arc_curve p ({ map; start; stop = last; forward } : circular) stop =

@@ -15,5 +15,6 @@ val pattern : Rat.t list -> offset:Rat.t -> pattern
 (** [pattern lengths ~offset]: an even number of lengths, none negative, not all 0. *)
 
 val cut : budget:Svg_polygon.budget -> pattern -> Svg_chain.line -> run list
-(** [cut ~budget pattern line] are the dashes of a line with strands. In a closed line, a dash that ends where one begins is one with
-    it. Each end of a dash takes one from the budget. Lengths are those of chords, to forty bits. *)
+(** [cut ~budget pattern line] are the dashes of a line with strands. In a closed line, a dash that ends where
+    one begins is one with it. Each end of a dash takes one from the budget. Lengths are those of chords, to
+    forty bits. *)

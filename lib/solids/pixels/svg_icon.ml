@@ -128,7 +128,8 @@ let rec style_above scene (node : Svg_tree.node) =
   | None -> Svg_style.initial
   | Some parent ->
     count scene;
-    { (Svg_style.of_element (style_above scene parent) (Svg_tree.declared scene.tree parent)) with displayed = true }
+    { (Svg_style.of_element (style_above scene parent) (Svg_tree.declared scene.tree parent)) with displayed =
+                                                                                                     true }
 
 let rec clipped scene here =
   match here.style.own.clip with
@@ -234,7 +235,8 @@ let groups = [ "g"; "a" ]
 
 (* Elements that paint nothing by themselves, with all that is in them. *)
 let silent =
-  [ "style"; "defs"; "clipPath"; "mask"; "linearGradient"; "radialGradient"; "filter"; "symbol"; "marker"; "pattern" ]
+  [ "style"; "defs"; "clipPath"; "mask"; "linearGradient"; "radialGradient"; "filter"; "symbol"; "marker";
+    "pattern" ]
 
 let rec element scene around (node : Svg_tree.node) =
   if List.mem node.name silent then ()
@@ -253,7 +255,8 @@ let rec element scene around (node : Svg_tree.node) =
     raise (Unread (Printf.sprintf "the element %S" node.name))
   end
 
-and children scene here (node : Svg_tree.node) = if here.style.displayed then List.iter (element scene here) node.children
+and children scene here (node : Svg_tree.node) = if here.style.displayed then List.iter (element scene here)
+      node.children
 
 (* A drawing within the drawing; [size] is the element whose width and height count most. *)
 and shown_at scene around node ~size =
@@ -307,5 +310,6 @@ let read ~resolution ~path text =
     fault Code.bad_picture at ("the XML is not well formed: " ^ Xmlm.error_message error)
   | exception Svg_tree.Fault (at, Unread what) ->
     fault Code.picture_format at ("this is not read: " ^ what)
-      ~hint:"shapes with fills and strokes are read, in groups and where they are used, with transforms and clip paths"
+      ~hint:"shapes with fills and strokes are read, in groups and where they are used, with transforms and clip \
+             paths"
   | exception Svg_tree.Fault (at, Bad what) -> fault Code.bad_picture at ("a fault in the drawing: " ^ what)

@@ -17,5 +17,5 @@ val corner : Plane_map.point -> int * int
     picture. *)
 
 val filled : budget:budget -> Plane_map.t -> Svg_segment.outline -> polygon list
-(** [filled ~budget m outline] are the polygons inside the lines of an outline, each line closed. [m] is the map from the
-    units of the drawing to pixels. *)
+(** [filled ~budget m outline] are the polygons inside the lines of an outline, each line closed. [m] is the map
+    from the units of the drawing to pixels. *)

@@ -42,7 +42,8 @@ let outline view node =
     let x = value across "cx" in
     (x, value down "cy")
   in
-  let ellipse (rx, ry) = if Rat.sign rx = 0 || Rat.sign ry = 0 then nothing else Svg_path.ellipse (centre ()) rx ry in
+  let ellipse (rx, ry) = if Rat.sign rx = 0 || Rat.sign ry = 0 then nothing else Svg_path.ellipse (centre ()) rx
+        ry in
   match node.name with
   | "path" -> Svg_path.path (Option.value (attribute "d") ~default:"")
   | "polygon" -> Svg_path.points ~closed:true (points node)

@@ -19,4 +19,5 @@ val names : string list
 (** The names of elements that are shapes. *)
 
 val outline : view -> Svg_tree.node -> Svg_segment.outline
-(** The outline of an element that is a shape; nothing if a size is 0. It, or its use, raises {!Svg_number.Bad} and {!Svg_number.Unread}. *)
+(** The outline of an element that is a shape; nothing if a size is 0. It, or its use, raises {!Svg_number.Bad}
+    and {!Svg_number.Unread}. *)

@@ -5,8 +5,8 @@ type cap = Butt | Round_cap | Square
 type join = Miter of Rat.t | Round | Bevel
 type t = { half : Rat.t; cap : cap; join : join; dashes : Rat.t list; offset : Rat.t }
 
-(* Chords of curves, chords of round caps and joins, and directions of chords at the ends of curves take this share of a
-   pixel each; the fourth part is left for rounding. *)
+(* Chords of curves, chords of round caps and joins, and directions of chords at the ends of curves take this
+   share of a pixel each; the fourth part is left for rounding. *)
 let each = 4 * 64
 
 (* Here the units of the drawing are scaled by a power of two, so that lengths are no shorter than their images in
@@ -21,8 +21,8 @@ type pen = {
 
 let minus v = Rat.of_int (-1) *: v
 
-(* Corners are rounded first. So triangles that have a side in common leave no slit, and each runs the same way round,
-   however thin it is. *)
+(* Corners are rounded first. So triangles that have a side in common leave no slit, and each runs the same way
+   round, however thin it is. *)
 let triangle p a b c =
   Svg_polygon.spend p.budget 3;
   let corner q = Svg_polygon.corner (Plane_map.apply p.map q) in
@@ -77,7 +77,8 @@ let outer p d e =
     let u = normal p d and v = normal p e in
     if turn > 0 then Some (minus u, minus v) else Some (u, v)
 
-(* In the middle of the outer side of a sharp turn: ahead of the direction before it, and back from the one after it. *)
+(* In the middle of the outer side of a sharp turn: ahead of the direction before it, and back from the one
+   after it. *)
 let ahead p d e () = short (forth p (forth p d -: forth p e))
 
 (* Within a curve, both sides of a turn are swept. *)
@@ -96,12 +97,13 @@ let disc p c =
 
 (* {1 Joins and caps} *)
 
-(* The length of a miter is 1/cos(a/2) of the width, for a turn by a: within the limit l if 1 + cos a >= 2/l^2. With c, d
-   and e the cosine and the directions, c |d| |e| is their scalar product. *)
+(* The length of a miter is 1/cos(a/2) of the width, for a turn by a: within the limit l if 1 + cos a >= 2/l^2.
+   With c, d and e the cosine and the directions, c |d| |e| is their scalar product. *)
 let within_limit limit d e =
   let least = Rat.sub (Rat.div (Rat.of_int 2) (Rat.mul limit limit)) Rat.one in
   let product = dot d e in
-  let squares = Rat.compare (Rat.mul product product) (Rat.mul (Rat.mul least least) (Rat.mul (dot d d) (dot e e))) in
+  let squares = Rat.compare (Rat.mul product product) (Rat.mul (Rat.mul least least) (Rat.mul (dot d d) (dot e
+                                                                                                           e))) in
   if Rat.sign product >= 0 then Rat.sign least <= 0 || squares >= 0 else Rat.sign least < 0 && squares <= 0
 
 let join p c d e =

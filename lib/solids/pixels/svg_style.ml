@@ -78,7 +78,8 @@ let dashes value =
   else begin
     let blank c = if is_blank c || c = ',' then ' ' else c in
     let words = List.filter (( <> ) "") (String.split_on_char ' ' (String.map blank value)) in
-    if List.compare_length_with words max_dashes > 0 then bad "a stroke-dasharray of more than %d numbers" max_dashes;
+    if List.compare_length_with words max_dashes > 0 then bad "a stroke-dasharray of more than %d numbers"
+        max_dashes;
     words
   end
 

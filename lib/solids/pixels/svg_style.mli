@@ -36,17 +36,17 @@ val initial : t
     stroke. *)
 
 val of_element : t -> Css.declaration list -> t
-(** [of_element around declared] is the style of an element with these declarations, of which later ones count more, within an
-    element of the style [around]. Raises {!Svg_number.Bad} and {!Svg_number.Unread}. *)
+(** [of_element around declared] is the style of an element with these declarations, of which later ones count
+    more, within an element of the style [around]. Raises {!Svg_number.Bad} and {!Svg_number.Unread}. *)
 
 val painted : t -> Css_colour.paint -> Rat.t -> has:(string -> bool) -> int option
-(** [painted style paint opacity ~has] is the colour, 0xRRGGBB, in which the paint is seen at this opacity: if it is
-    at least half opaque together with all around it. [has] is true for ids of gradients, which count as opaque and
-    black. Raises {!Svg_number.Bad} for another id without a paint in its place. *)
+(** [painted style paint opacity ~has] is the colour, 0xRRGGBB, in which the paint is seen at this opacity: if
+    it is at least half opaque together with all around it. [has] is true for ids of gradients, which count as
+    opaque and black. Raises {!Svg_number.Bad} for another id without a paint in its place. *)
 
 val stroke : t -> length:(string -> Rat.t) -> Svg_stroke.t option
-(** [stroke style ~length] is the pen of the style, if it has a width; [length] reads lengths. Raises {!Svg_number.Bad}
-    and {!Svg_number.Unread}. *)
+(** [stroke style ~length] is the pen of the style, if it has a width; [length] reads lengths. Raises
+    {!Svg_number.Bad} and {!Svg_number.Unread}. *)
 
 val transform : string -> Plane_map.t
 (** The map of the attribute [transform]. Raises {!Svg_number.Bad}. *)

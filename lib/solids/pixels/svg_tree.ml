@@ -51,7 +51,8 @@ let pass_over input =
 
 let rec root_tag input =
   match Xmlm.input input with
-  | `Dtd (Some text) when String.contains text '[' -> raise (Unread "document types with declarations of their own")
+  | `Dtd (Some text) when String.contains text '[' -> raise (Unread
+                                                               "document types with declarations of their own")
   | `Dtd _ -> root_tag input
   | `El_start ((ns, "svg"), attributes) when ns = space || ns = "" -> attributes
   | _ -> raise (Unread "XML whose root is no svg element")
@@ -59,7 +60,8 @@ let rec root_tag input =
 let element input ?parent name attributes =
   { name; attributes = plain attributes; at = Xmlm.pos input; parent; children = []; text = [] }
 
-(* The elements around the place, the nearest first, and how deep it is; children are in reverse until their parent ends. *)
+(* The elements around the place, the nearest first, and how deep it is; children are in reverse until their
+   parent ends. *)
 let content input root =
   let count = ref 1 in
   let rec go stack depth =
@@ -89,7 +91,8 @@ let content input root =
 
 let is_css node =
   let is name accepted =
-    match attribute node name with None -> true | Some v -> List.mem (String.lowercase_ascii (String.trim v)) accepted
+    match attribute node name with None -> true | Some v -> List.mem (String.lowercase_ascii (String.trim v))
+                                                              accepted
   in
   if not (is "type" [ ""; "text/css" ]) then raise (Unread "style sheets in another language than CSS");
   if not (is "media" [ ""; "all"; "screen" ]) then raise (Unread "style sheets for other media than the screen")

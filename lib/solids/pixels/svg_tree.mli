@@ -21,8 +21,9 @@ val max_depth : int
 (** How deep elements may be nested: 200. *)
 
 val read : string -> t
-(** The tree of a document. Elements of other namespaces, and elements with what they hold that are never drawn ([title],
-    [desc], [metadata], [script]), are left out. Raises {!Fault}, and [Xmlm.Error] for XML that is not well formed. *)
+(** The tree of a document. Elements of other namespaces, and elements with what they hold that are never drawn
+    ([title], [desc], [metadata], [script]), are left out. Raises {!Fault}, and [Xmlm.Error] for XML that is not
+    well formed. *)
 
 val attribute : node -> string -> string option
 (** [attribute node name] is the value of an attribute. *)
@@ -31,4 +32,5 @@ val href : node -> string option
 (** The reference of an element: [href], or else [xlink:href]. *)
 
 val declared : t -> node -> Css.declaration list
-(** The properties of an element, from its attributes, the style sheets and [style]; those that count most come last. Raises {!Svg_number.Bad}. *)
+(** The properties of an element, from its attributes, the style sheets and [style]; those that count most come
+    last. Raises {!Svg_number.Bad}. *)

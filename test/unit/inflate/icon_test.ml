@@ -323,8 +323,10 @@ let texts =
       "<g transform='rotate(30 1 2) skewX(5)'>\
        <path style='fill:#123' d='M1 2l3,4-5.6.7e1zC1 2 3 4 5 6s7 8 9 9a1 2 30 1 0 4 4T3 3'/></g>";
     svg
-      "<style>g > .a, #b{stroke:hsl(1 2% 3%);stroke-width:2;stroke-linejoin:round}</style><clipPath id='c'><rect width='9' height='9'/></clipPath>\
-       <g clip-path='url(#c)'><path id='b' stroke-dasharray='3 1 2' d='M1 2l3,4-5.6Q3 4 5 6A9 3 4 0 1 2 2'/></g><use href='#b' x='2'/>\
+      "<style>g > .a, #b{stroke:hsl(1 2% 3%);stroke-width:2;stroke-linejoin:round}</style>\
+       <clipPath id='c'><rect width='9' height='9'/></clipPath>\
+       <g clip-path='url(#c)'><path id='b' stroke-dasharray='3 1 2' d='M1 2l3,4-5.6Q3 4 5 6A9 3 4 0 1 2 2'/></g>\
+       <use href='#b' x='2'/>\
        <svg viewBox='0 0 2 2' preserveAspectRatio='xMinYMax slice'><circle class='a' r='1'/></svg>";
     svg "<rect x='1' y='2mm' width='3' height='4' rx='1'/><ellipse cx='5' cy='5' rx='3' ry='2' opacity='50%'/>";
   ]

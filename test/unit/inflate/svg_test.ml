@@ -14,7 +14,8 @@ let code text = match read ~resolution:16 text with Ok _ -> "read" | Error d -> 
 
 let svg ?(box = "0 0 40 30") body =
   Printf.sprintf
-    "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"%s\">%s</svg>" box body
+    "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" \
+     viewBox=\"%s\">%s</svg>" box body
 
 let inside (r : Raster.t) x y = Bytes.get_uint8 r.alphas ((y * r.width) + x) <> 0
 
@@ -99,9 +100,10 @@ let joins () =
   area "polygon" (Printf.sprintf "<polygon %s points='10 10 30 10 30 20 10 20'/>" pen) sides;
   area "polyline" (Printf.sprintf "<polyline %s points='10 25 10 10 30 10'/>" pen)
     (union arms (box 8. 8. 12. 12.));
-  area "fill and stroke" "<rect stroke='red' stroke-width='4' x='10' y='10' width='20' height='10'/>" (box 8. 8. 32. 22.);
-  area "back on itself, round" (path ~more:"stroke-linejoin='round'" "M10 10h10h-10") (both
-    (union (box 10. 8. 20. 12.) (circle 20. 10. 2.)) (fun x _ -> 10. -. x));
+  area "fill and stroke" "<rect stroke='red' stroke-width='4' x='10' y='10' width='20' height='10'/>"
+    (box 8. 8. 32. 22.);
+  area "back on itself, round" (path ~more:"stroke-linejoin='round'" "M10 10h10h-10")
+    (union (box 10. 8. 20. 12.) (circle 20. 10. 2.));
   area "back on itself, miter" (path "M10 10h10h-10") (box 10. 8. 20. 12.)
 
 let curves () =
@@ -117,7 +119,8 @@ let curves () =
   (* Straight lines as curves. *)
   area "a straight cubic" (path "M10 10C15 12.6666666667 20 15.3333333333 25 18") (bar (10., 10.) (25., 18.) 2.);
   area "a curve that waits" (path "M10 10C10 10 25 18 25 18") (bar (10., 10.) (25., 18.) 2.);
-  area "scaled" "<g transform='translate(20 15) scale(2)'><circle fill='none' stroke='red' stroke-width='2' r='5'/></g>"
+  area "scaled" "<g transform='translate(20 15) scale(2)'><circle fill='none' stroke='red' stroke-width='2' \
+                 r='5'/></g>"
     (ring 0. 0. 10. 2. |> fun f x y -> f (x -. 20.) (y -. 15.));
   (* A circle of radius 1 with a pen of width 1, four times as wide as high: an ellipse without a smaller one. *)
   let stretched x y =
@@ -128,14 +131,18 @@ let curves () =
       let slope = Float.hypot (u /. h /. 8.) (v /. h /. 2.) in
       (Float.abs (h -. 1.) -. 0.5) /. slope /. 2.
   in
-  area "stretched" "<g transform='translate(20 15) scale(8 2)'><circle fill='none' stroke='red' r='1'/></g>" stretched
+  area "stretched" "<g transform='translate(20 15) scale(8 2)'><circle fill='none' stroke='red' r='1'/></g>"
+    stretched
 
 let dashes () =
   let dashed ?(more = "") lengths d = path ~more:(Printf.sprintf "stroke-dasharray='%s' %s" lengths more) d in
-  area "dashes" (dashed "4 2" "M5 10h20") (any [ box 5. 8. 9. 12.; box 11. 8. 15. 12.; box 17. 8. 21. 12.; box 23. 8. 25. 12. ]);
+  area "dashes" (dashed "4 2" "M5 10h20")
+    (any [ box 5. 8. 9. 12.; box 11. 8. 15. 12.; box 17. 8. 21. 12.; box 23. 8. 25. 12. ]);
   area "an odd number" (dashed "5" "M5 10h20") (any [ box 5. 8. 10. 12.; box 15. 8. 20. 12. ]);
-  area "an offset" (dashed ~more:"stroke-dashoffset='3'" "4 2" "M5 10h8") (any [ box 5. 8. 6. 12.; box 8. 8. 12. 12. ]);
-  area "an offset back" (dashed ~more:"stroke-dashoffset='-1'" "4 2" "M5 10h8") (union (box 6. 8. 10. 12.) (box 12. 8. 13. 12.));
+  area "an offset" (dashed ~more:"stroke-dashoffset='3'" "4 2" "M5 10h8")
+    (any [ box 5. 8. 6. 12.; box 8. 8. 12. 12. ]);
+  area "an offset back" (dashed ~more:"stroke-dashoffset='-1'" "4 2" "M5 10h8")
+    (union (box 6. 8. 10. 12.) (box 12. 8. 13. 12.));
   area "around a corner" (dashed "14 100" "M5 10h10v20") (any [ box 5. 8. 17. 12.; box 13. 8. 17. 14. ]);
   area "dots" (dashed ~more:"stroke-linecap='round'" "0 8" "M5 10h18")
     (any [ circle 5. 10. 2.; circle 13. 10. 2.; circle 21. 10. 2. ]);
@@ -143,7 +150,8 @@ let dashes () =
   (* The last dash goes on where the line began: no caps there, but a join. *)
   area "closed" (dashed ~more:"stroke-dashoffset='5'" "10 10" "M10 10h20v10h-20z")
     (any [ box 8. 8. 15. 12.; box 8. 8. 12. 15.; box 25. 8. 32. 12.; box 28. 8. 32. 15.; box 15. 18. 25. 22. ]);
-  area "a ring of one dash" (dashed "100 1" "M10 10h20v10h-20z") (without (box 8. 8. 32. 22.) (box 12. 12. 28. 18.));
+  area "a ring of one dash" (dashed "100 1" "M10 10h20v10h-20z")
+    (without (box 8. 8. 32. 22.) (box 12. 12. 28. 18.));
   (* A quarter of a circle is drawn, the next one not. *)
   let quarters x y = -.((x -. 20.) *. (y -. 15.)) /. Float.hypot (x -. 20.) (y -. 15.) in
   area "on a circle"
@@ -155,39 +163,55 @@ let dashes () =
 let references () =
   let disc = circle 20. 15. 5. in
   area "use" "<defs><circle id='a' r='5'/></defs><use href='#a' x='20' y='15'/>" disc;
-  area "use by XLink, before its target" "<use xlink:href='#a' transform='translate(20 15)'/><defs><circle id='a' r='5'/></defs>" disc;
-  area "use of a group" "<defs><g id='a'><circle id='b' r='5'/></g></defs><use href='#b' x='10' y='15'/><use href='#a' x='30' y='15'/>"
+  area "use by XLink, before its target"
+    "<use xlink:href='#a' transform='translate(20 15)'/><defs><circle id='a' r='5'/></defs>" disc;
+  area "use of a group"
+    "<defs><g id='a'><circle id='b' r='5'/></g></defs><use href='#b' x='10' y='15'/><use href='#a' x='30' y='15'/>"
     (union (circle 10. 15. 5.) (circle 30. 15. 5.));
-  area "use with a style that its target inherits" "<defs><circle id='a' r='5'/></defs><g fill='none'><use href='#a' x='20' y='15' fill='red'/></g>" disc;
+  area "use with a style that its target inherits"
+    "<defs><circle id='a' r='5'/></defs><g fill='none'><use href='#a' x='20' y='15' fill='red'/></g>" disc;
   let symbol = "<symbol id='s' viewBox='0 0 10 10'><rect x='-5' width='10' height='20'/></symbol>" in
   area "symbol" (symbol ^ "<use href='#s' x='5' y='6' width='20' height='20'/>") (box 5. 6. 15. 26.);
-  area "symbol, kept in proportion" (symbol ^ "<use href='#s' x='5' y='6' width='30' height='20'/>") (box 5. 6. 20. 26.);
+  area "symbol, kept in proportion" (symbol ^ "<use href='#s' x='5' y='6' width='30' height='20'/>")
+    (box 5. 6. 20. 26.);
   area "nested svg"
-    "<svg x='5' y='5' width='20' height='20' viewBox='0 0 10 20' preserveAspectRatio='xMaxYMin'><rect width='10' height='20'/></svg>"
+    "<svg x='5' y='5' width='20' height='20' viewBox='0 0 10 20' preserveAspectRatio='xMaxYMin'><rect width='10' \
+     height='20'/></svg>"
     (box 15. 5. 25. 25.);
-  area "stretched" "<svg x='5' y='5' width='30' height='10' viewBox='0 0 10 10' preserveAspectRatio='none'><rect width='10' height='5'/></svg>"
+  area "stretched" "<svg x='5' y='5' width='30' height='10' viewBox='0 0 10 10' preserveAspectRatio='none'><rect \
+                    width='10' height='5'/></svg>"
     (box 5. 5. 35. 10.);
-  area "sliced" "<svg x='5' y='5' width='30' height='10' viewBox='0 0 10 10' preserveAspectRatio='xMidYMid slice'><rect y='4' width='10' height='2'/></svg>"
+  area "sliced" "<svg x='5' y='5' width='30' height='10' viewBox='0 0 10 10' preserveAspectRatio='xMidYMid \
+                 slice'><rect y='4' width='10' height='2'/></svg>"
     (box 5. 7. 35. 13.);
-  area "clipped by its viewport" "<svg x='5' y='5' width='10' height='10'><rect width='100' height='100'/></svg>" (box 5. 5. 15. 15.);
-  area "not clipped" "<svg x='5' y='5' width='10' height='10' overflow='visible'><rect width='15' height='20'/></svg>" (box 5. 5. 20. 25.);
-  area "percentages" "<svg x='10%' y='50%' width='50%' height='50%'><rect x='50%' width='50%' height='50%'/></svg>" (box 14. 15. 24. 22.5)
+  area "clipped by its viewport"
+    "<svg x='5' y='5' width='10' height='10'><rect width='100' height='100'/></svg>" (box 5. 5. 15. 15.);
+  area "not clipped" "<svg x='5' y='5' width='10' height='10' overflow='visible'><rect width='15' \
+                      height='20'/></svg>" (box 5. 5. 20. 25.);
+  area "percentages" "<svg x='10%' y='50%' width='50%' height='50%'><rect x='50%' width='50%' \
+                      height='50%'/></svg>" (box 14. 15. 24. 22.5)
 
 let clips () =
   let clip inner = Printf.sprintf "<clipPath id='c'>%s</clipPath>" inner in
   area "clip" (clip "<circle cx='20' cy='15' r='5'/>" ^ "<rect width='40' height='15' clip-path='url(#c)'/>")
     (both (circle 20. 15. 5.) (fun _ y -> y -. 15.));
-  area "a clip of two" (clip "<rect width='10' height='30'/><rect x='30' width='5' height='30'/>" ^ "<rect y='10' width='40' height='5' clip-path='url(#c)'/>")
+  let two = clip "<rect width='10' height='30'/><rect x='30' width='5' height='30'/>" in
+  area "a clip of two" (two ^ "<rect y='10' width='40' height='5' clip-path='url(#c)'/>")
     (union (box 0. 10. 10. 15.) (box 30. 10. 35. 15.));
-  area "a clip of a group, in its place" (clip "<circle r='5'/>" ^ "<g transform='translate(20 15)' clip-path='url(#c)'><rect x='-20' y='-15' width='40' height='30'/></g>")
+  area "a clip of a group, in its place"
+    (clip "<circle r='5'/>" ^ "<g transform='translate(20 15)' clip-path='url(#c)'><rect x='-20' y='-15' \
+                               width='40' height='30'/></g>")
     (circle 20. 15. 5.);
   area "clips in clips"
-    ("<clipPath id='d'><rect width='20' height='30'/></clipPath><clipPath id='c' clip-path='url(#d)'><circle cx='20' cy='15' r='5'/></clipPath>"
+    ("<clipPath id='d'><rect width='20' height='30'/></clipPath><clipPath id='c' clip-path='url(#d)'><circle \
+      cx='20' cy='15' r='5'/></clipPath>"
      ^ "<rect width='40' height='30' clip-path='url(#c)'/>")
     (both (circle 20. 15. 5.) (fun x _ -> x -. 20.));
-  area "clip-rule" (clip "<path clip-rule='evenodd' d='M0 0h30v20h-30zM5 5h10v10h-10z'/>" ^ "<rect width='40' height='30' clip-path='url(#c)'/>")
+  let everything = "<rect width='40' height='30' clip-path='url(#c)'/>" in
+  area "clip-rule" (clip "<path clip-rule='evenodd' d='M0 0h30v20h-30zM5 5h10v10h-10z'/>" ^ everything)
     (without (box 0. 0. 30. 20.) (box 5. 5. 15. 15.));
-  area "a clip of a stroke" (clip "<rect width='20' height='30'/>" ^ path ~more:"clip-path='url(#c)'" "M10 10H30") (box 10. 8. 20. 12.)
+  area "a clip of a stroke"
+    (clip "<rect width='20' height='30'/>" ^ path ~more:"clip-path='url(#c)'" "M10 10H30") (box 10. 8. 20. 12.)
 
 (* {1 Styles} *)
 
@@ -198,14 +222,19 @@ let colours () =
     Alcotest.(check string) name expected found
   in
   let fill expected value = is value expected (Printf.sprintf "<rect fill='%s' width='1' height='1'/>" value) in
-  fill "#663399" "RebeccaPurple"; fill "#ffefd5" "papayawhip"; fill "#778899" "lightslategrey"; fill "#aabbcc" "#abc";
-  fill "#aabbcc" "#abcf"; fill "none" "#abc4"; fill "#0a0b0c" "#0A0B0Cff"; fill "none" "#0a0b0c7f"; fill "#0a0b0c" "#0a0b0c80";
+  fill "#663399" "RebeccaPurple"; fill "#ffefd5" "papayawhip"; fill "#778899" "lightslategrey"; fill "#aabbcc"
+    "#abc";
+  fill "#aabbcc" "#abcf"; fill "none" "#abc4"; fill "#0a0b0c" "#0A0B0Cff"; fill "none" "#0a0b0c7f"; fill
+    "#0a0b0c" "#0a0b0c80";
   fill "#ff8000" "rgb(255, 128, 0)"; fill "#ff8000" "rgb(100% 50.2% 0% / 100%)"; fill "none" "rgba(1,2,3,.49)";
   fill "#ff0000" "rgb(300,-5,0)"; fill "#008000" "hsl(120, 100%, 25.1%)"; fill "#bf4040" "hsl(0 50% 50%)";
-  fill "#0000ff" "hsl(240deg 100% 50% / .5)"; fill "#ff0000" "hsl(1turn,100%,50%)"; fill "#00ff00" "hsla(-240,100%,50%,1)";
-  fill "none" "transparent"; fill "none" "none"; fill "#000000" "currentColor"; fill "#000000" "initial"; fill "#000000" "inherit";
+  fill "#0000ff" "hsl(240deg 100% 50% / .5)"; fill "#ff0000" "hsl(1turn,100%,50%)"; fill "#00ff00"
+    "hsla(-240,100%,50%,1)";
+  fill "none" "transparent"; fill "none" "none"; fill "#000000" "currentColor"; fill "#000000" "initial"; fill
+    "#000000" "inherit";
   is "currentColor" "#0000ff" "<g color='blue'><rect fill='currentColor' width='1' height='1'/></g>";
-  is "currentColor is inherited as a word" "#ff0000" "<g color='blue' fill='currentColor'><rect color='red' width='1' height='1'/></g>";
+  is "currentColor is inherited as a word" "#ff0000"
+    "<g color='blue' fill='currentColor'><rect color='red' width='1' height='1'/></g>";
   is "inherit" "#0000ff" "<g fill='blue'><rect fill='inherit' width='1' height='1'/></g>";
   let gradient = "<linearGradient id='g'><stop stop-color='red'/></linearGradient>" in
   is "a gradient" "#000000" (gradient ^ "<rect fill='url(#g)' width='1' height='1'/>");
@@ -215,7 +244,8 @@ let colours () =
   is "paint-order" "#000000" "<rect stroke='red' paint-order='stroke' width='1' height='1'/>";
   is "opacity once" "#000000" "<rect opacity='.7' style='opacity:.7' width='1' height='1'/>";
   is "opacity of both" "none" "<g opacity='.7'><rect style='opacity:.7' width='1' height='1'/></g>";
-  is "fill-opacity is inherited" "#000000" "<g fill-opacity='.7'><rect fill-opacity='.7' width='1' height='1'/></g>"
+  is "fill-opacity is inherited" "#000000"
+    "<g fill-opacity='.7'><rect fill-opacity='.7' width='1' height='1'/></g>"
 
 let sheets () =
   let is name expected sheet body =
@@ -235,7 +265,8 @@ let sheets () =
   is "later ones more" "#222222" ".a{fill:red}.b{fill:#222222}" rect;
   is "important ones more" "#222222" ".a{fill:#222222 !important}#i{fill:red}" rect;
   is "style counts more" "#333333" "#i{fill:red}" "<rect id='i' style='FILL:#333333' width='1' height='1'/>";
-  is "but not than what is important" "#222222" "rect{fill:#222222!important}" "<rect style='fill:red' width='1' height='1'/>";
+  is "but not than what is important" "#222222" "rect{fill:#222222!important}"
+    "<rect style='fill:red' width='1' height='1'/>";
   let nested = Printf.sprintf "<g class='o'><g id='m'>%s</g></g>" rect in
   is "within" "#222222" ".o rect{fill:#222222}" nested;
   is "children" "#111111" ".o > rect{fill:red}" nested;
@@ -246,7 +277,8 @@ let sheets () =
   is "CDATA" "#222222" "<![CDATA[ g > rect{fill:#222222} ]]>" nested;
   is "other rules" "#222222" "@charset 'x'; @font-face{font-family:x} rect{fill:#222222}" rect;
   is "after what it is for" "#222222" "" (rect ^ "<style>.a{fill:#222222}</style>");
-  is "used" "#222222" "defs rect{fill:#222222}g rect{fill:red}" (Printf.sprintf "<defs>%s</defs><g><use href='#i'/></g>" rect)
+  is "used" "#222222" "defs rect{fill:#222222}g rect{fill:red}"
+    (Printf.sprintf "<defs>%s</defs><g><use href='#i'/></g>" rect)
 
 (* {1 What is refused} *)
 
@@ -258,10 +290,12 @@ let refused () =
   is "SC0340" "a use of nothing" "<use href='#a'/>";
   is "read" "a use without a reference" "<use/>";
   is "SC0341" "a use of another file" "<use href='a.svg#a'/>";
-  is "SC0340" "a clip of itself" ("<clipPath id='c'><rect clip-path='url(#c)' width='9' height='9'/></clipPath>" ^ rect "clip-path='url(#c)'");
+  is "SC0340" "a clip of itself"
+    ("<clipPath id='c'><rect clip-path='url(#c)' width='9' height='9'/></clipPath>" ^ rect "clip-path='url(#c)'");
   is "SC0340" "no such clip" (rect "clip-path='url(#c)'");
   is "SC0341" "a clip of text" ("<clipPath id='c'><text/></clipPath>" ^ rect "clip-path='url(#c)'");
-  is "SC0341" "a clip in other units" ("<clipPath id='c' clipPathUnits='objectBoundingBox'/>" ^ rect "clip-path='url(#c)'");
+  is "SC0341" "a clip in other units"
+    ("<clipPath id='c' clipPathUnits='objectBoundingBox'/>" ^ rect "clip-path='url(#c)'");
   is "SC0341" "a clip by a shape of CSS" (rect "clip-path='circle(5px)'");
   is "SC0340" "no such gradient" (rect "fill='url(#g)'");
   is "SC0341" "a pattern" ("<pattern id='g'/>" ^ rect "fill='url(#g)'");
@@ -297,12 +331,15 @@ let bombs () =
   let is expected name body = Alcotest.(check string) name expected (code (svg body)) in
   let doubling =
     String.concat ""
-      (List.init 60 (fun i -> Printf.sprintf "<g id='a%d'><use href='#a%d'/><use href='#a%d'/></g>" i (i + 1) (i + 1)))
+      (List.init 60 (fun i -> Printf.sprintf "<g id='a%d'><use href='#a%d'/><use href='#a%d'/></g>" i (i + 1)
+                        (i + 1)))
   in
   is "SC0340" "uses that double" (doubling ^ "<g id='a60'/>");
   is "SC0340" "dashes" "<path stroke='red' stroke-dasharray='1e-9' d='M0 0h30'/>";
   is "SC0340" "fine curves" "<path stroke='red' stroke-width='1e6' d='M0 0Q3 900000 9 9'/>";
-  is "SC0340" "as deep by uses" (String.concat "" (List.init 300 (fun i -> Printf.sprintf "<g id='a%d'><use href='#a%d'/></g>" i (i + 1))) ^ "<g id='a300'/>");
+  is "SC0340" "as deep by uses"
+    (String.concat "" (List.init 300 (fun i -> Printf.sprintf "<g id='a%d'><use href='#a%d'/></g>" i (i + 1))) ^
+     "<g id='a300'/>");
   is "SC0340" "selectors" (Printf.sprintf "<style>%s</style>" (String.concat "" (List.init 2000 (fun _ -> "a{}"))))
 
 (* {1 Random things} *)
@@ -311,12 +348,14 @@ let bombs () =
 let round_strokes =
   let open G in
   let coordinate = int_range 4 36 in
-  let* corners = list_size (int_range 2 6) (pair coordinate (int_range 4 26)) and* width = int_range 1 6 and* closed = bool in
+  let* corners = list_size (int_range 2 6) (pair coordinate (int_range 4 26)) and* width = int_range 1 6 and*
+    closed = bool in
   return (corners, width, closed)
 
 let show (corners, width, closed) =
   let d = String.concat " L" (List.map (fun (x, y) -> Printf.sprintf "%d %d" x y) corners) in
-  Printf.sprintf "<path fill='none' stroke='red' stroke-linecap='round' stroke-linejoin='round' stroke-width='%d' d='M%s%s'/>" width d (if closed then "Z" else "")
+  Printf.sprintf "<path fill='none' stroke='red' stroke-linecap='round' stroke-linejoin='round' \
+                  stroke-width='%d' d='M%s%s'/>" width d (if closed then "Z" else "")
 
 let near_segments ((corners, width, closed) as drawn) =
   let point (x, y) = (float_of_int x, float_of_int y) in
@@ -326,15 +365,18 @@ let near_segments ((corners, width, closed) as drawn) =
     | [] -> []
   in
   let half = float_of_int width /. 2. in
-  let one (a, b) = if a = b then circle (fst (point a)) (snd (point a)) half else capsule (point a) (point b) half in
+  let one (a, b) = if a = b then circle (fst (point a)) (snd (point a)) half else capsule (point a) (point b)
+        half in
   area "random" (show drawn) (any (List.map one (pairs corners)));
   true
 
-(* All strokes of a line lie within that with round ends and joins grown by the miter limit; and a bevel within the miter. *)
+(* All strokes of a line lie within that with round ends and joins grown by the miter limit; and a bevel within
+   the miter. *)
 let nested_joins (corners, width, closed) =
   let drawn join =
     let d = String.concat " L" (List.map (fun (x, y) -> Printf.sprintf "%d %d" x y) corners) in
-    ok "joins" (svg (Printf.sprintf "<path fill='none' stroke='red' stroke-linejoin='%s' stroke-width='%d' d='M%s%s'/>" join width d (if closed then "Z" else "")))
+    ok "joins" (svg (Printf.sprintf "<path fill='none' stroke='red' stroke-linejoin='%s' stroke-width='%d' \
+                                     d='M%s%s'/>" join width d (if closed then "Z" else "")))
   in
   let bevel = drawn "bevel" and round = drawn "round" and miter = drawn "miter" in
   let within (a : Raster.t) (b : Raster.t) =
@@ -353,5 +395,6 @@ let () =
       ("structure", [ case "references" references; case "clips" clips ]);
       ("styles", [ case "colours" colours; case "sheets" sheets ]);
       ("refused", [ case "faults" refused; case "bombs" bombs ]);
-      ("random", [ property "near to segments" 60 near_segments; property "bevels are within round joins and miters" 60 nested_joins ]);
+      ("random", [ property "near to segments" 60 near_segments; property "bevels are within round joins and \
+                                                                           miters" 60 nested_joins ]);
     ]
