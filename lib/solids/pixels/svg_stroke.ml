@@ -36,6 +36,11 @@ let quadrangle p a b c d =
   triangle p a b c;
   triangle p a c d
 
+(* On both sides of the segment from [a] to [b], each by itself, since what comes next has the corners [a] and [b]. *)
+let both_sides p a b u =
+  quadrangle p a b (b +: u) (a +: u);
+  quadrangle p a b (b -: u) (a -: u)
+
 (* The vector of the length of half the width in a direction. *)
 let forth p v = Rat.div p.half (Rat.root (dot v v)) *: v
 let turned (x, y) = (Rat.neg y, x)
@@ -81,10 +86,18 @@ let outer p d e =
    after it. *)
 let ahead p d e () = short (forth p (forth p d -: forth p e))
 
+(* Normals of equal directions may still be rounded to different corners. *)
+let straight_on p c d e =
+  let u = normal p d and v = normal p e in
+  if not (same u v) then begin
+    triangle p c (c +: u) (c +: v);
+    triangle p c (c -: u) (c -: v)
+  end
+
 (* Within a curve, both sides of a turn are swept. *)
 let bend p c d e =
   match outer p d e with
-  | None -> ()
+  | None -> straight_on p c d e
   | Some (u, v) ->
     let middle = ahead p d e in
     wide_sector p c u v ~middle;
@@ -108,7 +121,7 @@ let within_limit limit d e =
 
 let join p c d e =
   match outer p d e with
-  | None -> ()
+  | None -> straight_on p c d e
   | Some (u, v) -> (
       match p.stroke.join with
       | Round -> wide_sector p c u v ~middle:(ahead p d e)
@@ -125,16 +138,14 @@ let cap p c d =
   let u = turned ahead in
   match p.stroke.cap with
   | Butt -> ()
-  | Square -> quadrangle p (c +: u) (c +: u +: ahead) (c -: u +: ahead) (c -: u)
+  | Square -> both_sides p c (c +: ahead) u
   | Round_cap ->
     sector p c u ahead;
     sector p c ahead (minus u)
 
 (* {1 Lines} *)
 
-let chord p a b =
-  let u = normal p (b -: a) in
-  quadrangle p (a +: u) (b +: u) (b -: u) (a -: u)
+let chord p a b = both_sides p a b (normal p (b -: a))
 
 let strand p (s : Svg_chain.strand) =
   let rec along d = function
