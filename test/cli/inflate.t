@@ -87,7 +87,7 @@ A drawing in SVG, on whose pieces one may insist; what is wrong is told where it
      |
    1 | <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 10">
      | ^
-    hint: --piece 1 takes the largest one; pixels that only touch at a corner do not hang together
+    hint: --piece 1 takes the largest one, --pieces apart all of them, and --pieces plate puts them on a plate; pixels that only touch at a corner do not hang together
   [3]
   $ scc inflate two.svg --resolution 20 --piece 3
   two.svg:1:1: error[SC0344]: there is no such piece: the drawing has 2 (1: 52 pixels from column 4, row 2 on, 2: 16 pixels from column 13, row 3 on)
@@ -108,7 +108,7 @@ A drawing in SVG, on whose pieces one may insist; what is wrong is told where it
   solid: 96 vertices, 192 faces
   $ sed 's/<rect .*/<text>A<\/text>/' two.svg > text.svg
   $ scc inflate text.svg
-  text.svg:3:16: error[SC0341]: this is not read: the element "text"
+  text.svg:3:16: error[SC0341]: this is not read: the element "text": turn the text into paths (in Inkscape: Path, Object to Path)
      |
    3 |   <text>A</text>
      |                ^

@@ -9,13 +9,17 @@ let at_rest which = State.mapi (fun i p -> if Ids.mem i which then State.with_ve
 (* {1 Where walkers stop} *)
 
 (* A bond, or an absorption, comes before what else the same walker runs into. *)
-let rec until_none (c : Semantics.t) (s : State.t) =
-  let meetings = Collisions.meetings c s.processes in
-  let busy = List.filter (fun m -> Collisions.candidates c s.processes m <> []) meetings in
+let to_stop (c : Semantics.t) processes =
+  let meetings = Collisions.meetings c processes in
+  let busy = List.filter (fun m -> Collisions.candidates c processes m <> []) meetings in
   let busy = Ids.of_list (List.concat_map (fun (m : Kinematics.meeting) -> [ m.first; m.second ]) busy) in
-  let stops = Ids.of_list (List.concat_map (Collisions.blocked c s.processes) meetings) in
-  let stops = Ids.diff stops busy in
+  Ids.diff (Ids.of_list (List.concat_map (Collisions.blocked c processes) meetings)) busy
+
+let rec until_none (c : Semantics.t) (s : State.t) =
+  let stops = to_stop c s.processes in
   if Ids.is_empty stops then s else until_none c (at_rest stops s)
+
+let stopping c processes = List.map (fun i -> processes.(i)) (Ids.elements (to_stop c processes))
 
 let stopped (c : Semantics.t) s = if Model.stops_walkers c.setting.model then until_none c s else s
 

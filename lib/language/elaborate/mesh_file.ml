@@ -8,12 +8,17 @@ let file report read_file (path : string Ast.loc) =
     Report.error report Code.cannot_read path.at "cannot read the mesh `%s`: %s" path.it why;
     None
   | Ok text -> (
-      match Scc_mesh.Mesh.read ~path:path.it text with
-      | Ok set -> Some set
-      | Error d ->
+      let add (d : Diag.t) =
         let notes = if Span.is_none d.span then [] else [ (path.at, "the mesh is used here") ] in
         let span = if Span.is_none d.span then path.at else d.span in
-        Report.add report { d with span; notes = d.notes @ notes };
+        Report.add report { d with span; notes = d.notes @ notes }
+      in
+      match Scc_mesh.Mesh.read ~path:path.it text with
+      | Ok (set, warnings) ->
+        List.iter add warnings;
+        Some set
+      | Error d ->
+        add d;
         None)
 
 let snapped report (path : string Ast.loc) set tolerance =

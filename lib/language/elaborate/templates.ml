@@ -14,7 +14,8 @@ type feature = Vertex of int | Face of int
 
 let features : Polyhedron_fault.t -> feature option * feature option = function
   | No_faces | Inward -> (None, None)
-  | Flat i | Bad_vertex_index (i, _) | Short_face i | Open_edge (i, _, _) | Turned_face (i, _) | Self_crossing i ->
+  | Flat i | Bad_vertex_index (i, _) | Short_face i | Open_edge (i, _, _) | Turned_face (i, _)
+  | Self_crossing (i, _) ->
     (Some (Face i), None)
   | Repeated_edge (i, j, _, _) | Coplanar_neighbours (i, j) | Separate_solids (i, j) ->
     (Some (Face i), Some (Face j))

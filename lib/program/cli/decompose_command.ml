@@ -106,7 +106,8 @@ let stopped ~seconds (stop : Scc_graph_search.Limits.stop) =
 (* The mesh, what was done to it, and its parts. *)
 let work console ~mend path =
   let* source = Input.warned console path in
-  let* set = Result.listed (Scc_mesh.Mesh.read ~path (Source.text source)) in
+  let* set, warnings = Result.listed (Scc_mesh.Mesh.read ~path (Source.text source)) in
+  Console.report console warnings;
   let* set, mended = Mend_options.apply mend set in
   let* t = Result.map_error (diagnostics set) (Decomposed.make ~progress:(show console) set) in
   Ok (t, mended)

@@ -20,7 +20,9 @@ let template console ~overrides path name =
 
 let mesh console path =
   let* source = Input.warned console path in
-  Result.listed (Scc_mesh.Mesh.read ~path (Source.text source))
+  let* set, warnings = Result.listed (Scc_mesh.Mesh.read ~path (Source.text source)) in
+  Console.report console warnings;
+  Ok set
 
 let templates_of console path =
   let* source = Input.warned console path in

@@ -35,12 +35,12 @@ let positions (set : Polyhedron.ifs) =
 let flatness set f (_, corners) =
   let n = Drawn.normal set corners in
   let off v = Rat.sign (Vec.dot n (Vec.sub (place set v) (place set corners.(0)))) <> 0 in
-  if Vec.is_zero n then Some (Polyhedron_fault.Self_crossing f)
+  if Vec.is_zero n then Some (Polyhedron_fault.Self_crossing (f, None))
   else
     match List.find_opt off (Array.to_list corners) with
     | Some v -> Some (Polyhedron_fault.Off_plane (f, v))
     | None -> if Option.is_none (Drawn.convex_pieces set corners n)
-      then Some (Polyhedron_fault.Self_crossing f) else None
+      then Some (Polyhedron_fault.Self_crossing (f, None)) else None
 
 (* {1 Two faces} *)
 
@@ -72,7 +72,8 @@ let common one m other =
 
 let on_segment x (a, b) =
   let way = Vec.sub b a in
-  Vec.is_zero (Vec.cross way (Vec.sub x a))
+  (not (Vec.is_zero way) || Vec.equal x a)
+  && Vec.is_zero (Vec.cross way (Vec.sub x a))
   && Rat.sign (Vec.dot way (Vec.sub x a)) >= 0
   && Rat.sign (Vec.dot way (Vec.sub b x)) >= 0
 

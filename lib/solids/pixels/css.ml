@@ -34,7 +34,7 @@ let without_comments text =
         Buffer.add_substring b text at (start - at);
         Buffer.add_char b ' ';
         match find text (start + 2) "*/" with
-        | None -> bad "a comment of a style sheet without its end"
+        | None -> ()
         | Some stop -> go (stop + 2))
   in
   go 0;
@@ -68,6 +68,7 @@ let declaration text =
   match first_of text 0 [ ':' ] with
   | None -> bad "the declaration %S without a colon" (String.trim text)
   | Some i ->
+    if String.contains text '\\' then unread "a style with escapes (\\)";
     let property = String.lowercase_ascii (String.trim (String.sub text 0 i)) in
     let value = String.trim (String.sub text (i + 1) (String.length text - i - 1)) in
     let bang = String.index_opt value '!' in

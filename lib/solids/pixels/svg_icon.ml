@@ -75,13 +75,10 @@ let enter scene around (node : Svg_tree.node) =
   scene.at <- node.at;
   count scene;
   if around.depth >= Svg_tree.max_depth then raise (Bad "elements nested too deep");
-  let style = Svg_style.of_element around.style (Svg_tree.declared scene.tree node) in
-  let map =
-    match Svg_tree.attribute node "transform" with
-    | None -> around.map
-    | Some text -> Plane_map.compose around.map (Svg_style.transform text)
-  in
-  { around with style; map; depth = around.depth + 1 }
+  let properties = Svg_tree.declared scene.tree node in
+  let style = Svg_style.of_properties around.style properties in
+  let own = Svg_transform.of_properties ~size:(around.view.width, around.view.height) properties in
+  { around with style; map = Plane_map.compose around.map own; depth = around.depth + 1 }
 
 (* {1 References} *)
 
@@ -128,8 +125,8 @@ let rec style_above scene (node : Svg_tree.node) =
   | None -> Svg_style.initial
   | Some parent ->
     count scene;
-    { (Svg_style.of_element (style_above scene parent) (Svg_tree.declared scene.tree parent)) with displayed =
-                                                                                                     true }
+    let style = Svg_style.of_properties (style_above scene parent) (Svg_tree.declared scene.tree parent) in
+    { style with displayed = true }
 
 let rec clipped scene here =
   match here.style.own.clip with
@@ -153,7 +150,7 @@ and clip_path scene here node =
 
 and clip_piece scene around found (node : Svg_tree.node) =
   let here () = clipped scene (enter scene around node) in
-  if List.mem node.name Svg_shape.names then begin
+  if Svg_table.element node.name = Shape then begin
     let here = here () in
     if here.style.displayed && here.style.shown then
       Svg_polygon.filled ~budget:scene.corners here.map (Svg_shape.outline here.view node)
@@ -162,7 +159,7 @@ and clip_piece scene around found (node : Svg_tree.node) =
   else if node.name = "use" then
     match used scene (here ()) node with
     | None -> ()
-    | Some (here, target) when List.mem target.name Svg_shape.names -> clip_piece scene here found target
+    | Some (here, target) when Svg_table.element target.name = Shape -> clip_piece scene here found target
     | Some _ -> raise (Unread "a use of what is no shape in a clip path")
   else raise (Unread (Printf.sprintf "the element %S in a clip path" node.name))
 
@@ -231,29 +228,34 @@ let viewport scene here node (inside : Aspect.box) =
     Some { here with clip; map = Plane_map.compose here.map map; view = { width; height } }
   end
 
-let groups = [ "g"; "a" ]
+let refuse name cure = raise (Unread (Printf.sprintf "the element %S: %s" name cure))
 
-(* Elements that paint nothing by themselves, with all that is in them. *)
-let silent =
-  [ "style"; "defs"; "clipPath"; "mask"; "linearGradient"; "radialGradient"; "filter"; "symbol"; "marker";
-    "pattern" ]
+(* What is in a shape is to change nothing of it. *)
+let check_content scene (node : Svg_tree.node) =
+  let refused (inner : Svg_tree.node) =
+    scene.at <- inner.at;
+    let cure = match Svg_table.element inner.name with Refused cure -> cure | _ -> "it does not belong into a shape" in
+    refuse inner.name cure
+  in
+  List.iter refused node.children
 
 let rec element scene around (node : Svg_tree.node) =
-  if List.mem node.name silent then ()
-  else if List.mem node.name groups then children scene (clipped scene (enter scene around node)) node
-  else if List.mem node.name Svg_shape.names then paint scene (clipped scene (enter scene around node)) node
-  else if node.name = "svg" then shown_at scene around node ~size:node
-  else if node.name = "use" then begin
-    let here = clipped scene (enter scene around node) in
-    match used scene here node with
-    | None -> ()
-    | Some (here, ({ name = "symbol" | "svg"; _ } as target)) -> shown_at scene here target ~size:node
-    | Some (here, target) -> element scene here target
-  end
-  else begin
+  match Svg_table.element node.name with
+  | Silent -> ()
+  | Group -> children scene (clipped scene (enter scene around node)) node
+  | Shape ->
+    paint scene (clipped scene (enter scene around node)) node;
+    check_content scene node
+  | Viewport -> shown_at scene around node ~size:node
+  | Use -> (
+      let here = clipped scene (enter scene around node) in
+      match used scene here node with
+      | None -> ()
+      | Some (here, ({ name = "symbol" | "svg"; _ } as target)) -> shown_at scene here target ~size:node
+      | Some (here, target) -> element scene here target)
+  | Refused cure ->
     scene.at <- node.at;
-    raise (Unread (Printf.sprintf "the element %S" node.name))
-  end
+    refuse node.name cure
 
 and children scene here (node : Svg_tree.node) = if here.style.displayed then List.iter (element scene here)
       node.children
@@ -269,14 +271,29 @@ and shown_at scene around node ~size =
   let height = side Svg_shape.down "height" around.view.height in
   Option.iter (fun here -> children scene here node) (viewport scene here node { x; y; width; height })
 
+(* How the view box is fitted into the drawing changes its shape only if it is stretched or cut. *)
+let check_ratio root =
+  match Svg_tree.attribute root "preserveAspectRatio" with
+  | None -> ()
+  | Some text ->
+    let words = String.split_on_char ' ' (String.trim text) in
+    if List.mem "none" words || List.mem "slice" words then
+      raise (Unread (Printf.sprintf "preserveAspectRatio %S of the whole drawing" text))
+
 let draw ~resolution ~path tree =
   let root = tree.Svg_tree.root in
-  let raster, map, view = Svg_tree.at root (fun () -> frame ~resolution ~path root) in
+  let raster, map, view =
+    Svg_tree.at root (fun () ->
+        check_ratio root;
+        frame ~resolution ~path root)
+  in
   let scene = { tree; raster; corners = ref max_corners; drawn = 0; area = 0; at = root.at } in
-  let around = { style = Svg_style.initial; map; clip = None; view; depth = 0; used = [] } in
+  let around = { style = Svg_style.initial; map = Plane_map.identity; clip = None; view; depth = 0; used = [] } in
   match
-    if Svg_tree.attribute root "transform" <> None then raise (Unread "a transform of the whole drawing");
-    children scene (clipped scene (enter scene around root)) root
+    let here = enter scene around root in
+    if not (Plane_map.is_identity here.map) then
+      raise (Unread "a transform of the whole drawing: put a `g` into it");
+    children scene (clipped scene { here with map }) root
   with
   | () -> raster
   | exception ((Bad _ | Unread _) as fault) -> raise (Svg_tree.Fault (scene.at, fault))

@@ -92,7 +92,7 @@ let length ?whole text =
   let c = { text; at = 0 } in
   let q = number c in
   let times n d = Rat.mul q (Rat.make (Z.of_int n) (Z.of_int d)) in
-  match (String.trim (String.sub text c.at (String.length text - c.at)), whole) with
+  match (String.lowercase_ascii (String.trim (String.sub text c.at (String.length text - c.at))), whole) with
   | ("" | "px"), _ -> q
   | "%", Some whole -> Rat.mul whole (Rat.div q (Rat.of_int 100))
   | "pt", _ -> times 4 3

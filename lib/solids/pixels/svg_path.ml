@@ -82,10 +82,12 @@ let path text emit =
   let rec next command last =
     if not (ended c) then
       match text.[c.at] with
+      | ('A' .. 'Z' | 'a' .. 'z') as first when Option.is_none command && first <> 'M' && first <> 'm' ->
+        bad "path data that begin with %C, and not with a move (M)" first
       | 'A' .. 'Z' | 'a' .. 'z' -> run (letter ()) last
       | _ -> (
           match command with
-          | None | Some ('Z' | 'z') -> bad "path data that do not begin with a command"
+          | None | Some ('Z' | 'z') -> bad "path data with a number where a command is needed"
           | Some 'M' -> run 'L' last
           | Some 'm' -> run 'l' last
           | Some command -> run command last)

@@ -10,7 +10,6 @@ let along view text =
   let squares = Rat.add (Rat.mul view.width view.width) (Rat.mul view.height view.height) in
   length ~whole:(Rat.root (Rat.mul Rat.half squares)) text
 
-let names = [ "path"; "rect"; "circle"; "ellipse"; "polygon"; "polyline"; "line" ]
 let nothing _ = ()
 
 let points node =

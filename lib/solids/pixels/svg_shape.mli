@@ -15,9 +15,6 @@ val down : view -> string -> Rat.t
 val along : view -> string -> Rat.t
 (** The length of a text, where percentages are of the root of the mean of the squares of both sides. *)
 
-val names : string list
-(** The names of elements that are shapes. *)
-
 val outline : view -> Svg_tree.node -> Svg_segment.outline
 (** The outline of an element that is a shape; nothing if a size is 0. It, or its use, raises {!Svg_number.Bad}
     and {!Svg_number.Unread}. *)

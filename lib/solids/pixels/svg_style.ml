@@ -121,7 +121,11 @@ let inherited name ~from style =
   | _ -> None
 
 let colour style value =
-  match Css_colour.colour value with Some colour -> { style with colour } | None -> style
+  match Css_colour.paint value with
+  | Colour colour -> { style with colour }
+  | Nothing -> { style with colour = { black with alpha = Rat.zero } }
+  | Current -> style
+  | Server _ -> bad "the color %S" value
 
 let order style value =
   let words = String.split_on_char ' ' value in
@@ -167,17 +171,14 @@ let property ~around style (name, value) =
   | "inherit" | "revert" | "revert-layer" -> unread "the value %S of %s" value name
   | _ -> given style name value
 
-(* Of each property the last declaration. *)
-let last declared =
+(* Of each property the last value. *)
+let last properties =
   let table = Hashtbl.create 16 in
-  List.iteri (fun i (d : Css.declaration) -> Hashtbl.replace table d.property i) declared;
-  List.filteri (fun i (d : Css.declaration) -> Hashtbl.find table d.property = i) declared
+  List.iteri (fun i (name, _) -> Hashtbl.replace table (name : string) i) properties;
+  List.filteri (fun i (name, _) -> Hashtbl.find table name = i) properties
 
-let of_element around declared =
-  let begun = { around with own = initial.own } in
-  List.fold_left
-    (fun style (d : Css.declaration) -> property ~around style (d.property, d.value))
-    begun (last declared)
+let of_properties around properties =
+  List.fold_left (property ~around) { around with own = initial.own } (last properties)
 
 (* {1 Painting} *)
 
@@ -212,39 +213,3 @@ let stroke style ~length =
         offset = length style.offset;
       }
   end
-
-(* {1 Transforms} *)
-
-let one_transform name values =
-  let zero = Rat.zero in
-  match (name, values) with
-  | "matrix", [ a; b; c; d; e; f ] -> { Plane_map.a; b; c; d; e; f }
-  | "translate", [ x; y ] -> Plane_map.translation x y
-  | "translate", [ x ] -> Plane_map.translation x zero
-  | "scale", [ x; y ] -> Plane_map.scaling x y
-  | "scale", [ x ] -> Plane_map.scaling x x
-  | "rotate", [ a ] -> Plane_map.rotation a
-  | "rotate", [ a; x; y ] ->
-    Plane_map.(compose (translation x y) (compose (rotation a) (translation (Rat.neg x) (Rat.neg y))))
-  | ("skewX" | "skewY"), [ a ] -> (
-      match Plane_map.skewing (if name = "skewX" then `X else `Y) a with
-      | Some m -> m
-      | None -> raise (Bad "a skew by a right angle"))
-  | _ -> raise (Bad (Printf.sprintf "the transform %S with %d numbers" name (List.length values)))
-
-let transform text =
-  let c = { text; at = 0 } in
-  let rec go map =
-    if ended c then map
-    else
-      match String.index_from_opt text c.at '(' with
-      | None -> raise (Bad (Printf.sprintf "the transform %S" text))
-      | Some i -> (
-          match String.index_from_opt text i ')' with
-          | None -> raise (Bad (Printf.sprintf "the transform %S" text))
-          | Some j ->
-            let name = String.trim (String.sub text c.at (i - c.at)) in
-            c.at <- j + 1;
-            go (Plane_map.compose map (one_transform name (all (String.sub text (i + 1) (j - i - 1))))))
-  in
-  go Plane_map.identity

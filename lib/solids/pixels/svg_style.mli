@@ -35,9 +35,10 @@ val initial : t
 (** The style outside of all elements: a black fill by the rule [Nonzero], visible, opaque, without a
     stroke. *)
 
-val of_element : t -> Css.declaration list -> t
-(** [of_element around declared] is the style of an element with these declarations, of which later ones count
-    more, within an element of the style [around]. Raises {!Svg_number.Bad} and {!Svg_number.Unread}. *)
+val of_properties : t -> (string * string) list -> t
+(** [of_properties around properties] is the style of an element with these properties
+    ({!Svg_declarations.of_element}) within an element of the style [around]. Raises {!Svg_number.Bad} and
+    {!Svg_number.Unread}. *)
 
 val painted : t -> Css_colour.paint -> Rat.t -> has:(string -> bool) -> int option
 (** [painted style paint opacity ~has] is the colour, 0xRRGGBB, in which the paint is seen at this opacity: if
@@ -47,6 +48,3 @@ val painted : t -> Css_colour.paint -> Rat.t -> has:(string -> bool) -> int opti
 val stroke : t -> length:(string -> Rat.t) -> Svg_stroke.t option
 (** [stroke style ~length] is the pen of the style, if it has a width; [length] reads lengths. Raises
     {!Svg_number.Bad} and {!Svg_number.Unread}. *)
-
-val transform : string -> Plane_map.t
-(** The map of the attribute [transform]. Raises {!Svg_number.Bad}. *)

@@ -140,19 +140,7 @@ let subject node =
     raise (Bad (Printf.sprintf "an element of more than %d classes" max_classes));
   { Css.name = node.name; id = attribute node "id"; classes }
 
-(* SVG 2 has these as properties of CSS too. *)
-let geometry = [ "cx"; "cy"; "d"; "height"; "r"; "rx"; "ry"; "width"; "x"; "y" ]
-
 let declared t node =
   let rec chain node = subject node :: (match node.parent with None -> [] | Some parent -> chain parent) in
-  let of_attribute (property, value) = { Css.property; value = String.trim value; important = false } in
-  let attributes = List.map of_attribute (List.filter (fun (name, _) -> name <> "style") node.attributes) in
-  let of_sheet = if Css.is_empty t.sheet then [] else Css.declared t.sheet (chain node) in
-  let own = match attribute node "style" with None -> [] | Some text -> Css.declarations text in
-  let in_css (d : Css.declaration) =
-    if List.mem d.property geometry then raise (Unread (Printf.sprintf "the property %S in CSS" d.property))
-  in
-  List.iter in_css of_sheet;
-  List.iter in_css own;
-  let important, plain = List.partition (fun (d : Css.declaration) -> d.important) (attributes @ of_sheet @ own) in
-  plain @ important
+  let sheet = if Css.is_empty t.sheet then [] else Css.declared t.sheet (chain node) in
+  Svg_declarations.of_element node.name node.attributes ~sheet

@@ -31,6 +31,6 @@ val attribute : node -> string -> string option
 val href : node -> string option
 (** The reference of an element: [href], or else [xlink:href]. *)
 
-val declared : t -> node -> Css.declaration list
-(** The properties of an element, from its attributes, the style sheets and [style]; those that count most come
-    last. Raises {!Svg_number.Bad}. *)
+val declared : t -> node -> (string * string) list
+(** The properties of an element that are read ({!Svg_declarations.of_element}), from its attributes, the style sheets and its
+    style; later ones count more. Raises {!Svg_number.Bad} and {!Svg_number.Unread}. *)

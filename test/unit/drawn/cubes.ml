@@ -70,9 +70,9 @@ let rows cells =
   in
   List.map box starts
 
-let random_cells =
+let grown most =
   let open QCheck2.Gen in
-  let* n = int_range 1 9 in
+  let* n = int_range 1 most in
   let rec grow n cells =
     if n = 0 then return cells
     else
@@ -83,3 +83,5 @@ let random_cells =
       else grow (n - 1) cells
   in
   grow n [ (0, 0, 0) ]
+
+let random_cells = grown 9

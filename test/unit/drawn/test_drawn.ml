@@ -99,6 +99,15 @@ let volume_is_kept parts cells =
   let sum = Array.fold_left (fun sum p -> Rat.add sum (volume p)) Rat.zero t.parts in
   Rat.equal sum (rat (List.length cells)) && Rat.equal sum (Drawn.volume (set_of cells))
 
+(* Faces as large as they can be: those with notches have several convex pieces, some of which meet others in one
+   point. *)
+let merged_keep_the_volume cells =
+  match Decomposed.make (Scc_mesh.Merge_coplanar.merge (set_of cells)) with
+  | Error fault -> QCheck2.Test.fail_reportf "refused: %s" (snd (Decomposed.message (set_of cells) fault))
+  | Ok t ->
+    let volume (_, p) = (Mass_properties.of_polyhedron p).volume in
+    Rat.equal (rat (List.length cells)) (Array.fold_left (fun sum p -> Rat.add sum (volume p)) Rat.zero t.parts)
+
 let property name holds =
   QCheck2.Test.make ~count:60 ~name
     ~print:QCheck2.Print.(list (triple int int int))
@@ -196,6 +205,9 @@ let () =
             property "points and names, decomposed" (names_are_right decomposed);
             property "rows have the volume of the whole" (volume_is_kept parts);
             property "what is decomposed has the volume of the whole" (volume_is_kept decomposed);
+            QCheck2.Test.make ~count:40 ~name:"merged faces keep the volume"
+              ~print:QCheck2.Print.(list (triple int int int))
+              (grown 40) merged_keep_the_volume;
             QCheck2.Test.make ~count:60 ~name:"prisms keep the volume"
               ~print:QCheck2.Print.(list (triple int int int))
               flat_cells

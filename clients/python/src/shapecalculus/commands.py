@@ -83,8 +83,8 @@ def check(
       each with inequalities between its numbers. - is standard output.
     ``jobs``: The number of processes that explore. By default as many as there are cores, once that pays; with
       1 only this process. The report is the same for any number, to the byte.
-    ``no_reduce``: Switches reductions off: symmetry, translation, order, jump, slice, drift, time, draws, or
-      all; separated by commas. No reduction changes a verdict; see REDUCTIONS.
+    ``no_reduce``: Switches reductions off: symmetry, translation, order, jump, slice, drift, time, draws,
+      isometry, or all; separated by commas. No reduction changes a verdict; see REDUCTIONS.
     ``prove``: Searches for an invariant: a set of states that no run leaves. It may prove that something never
       happens where exploring does not end. The search is brief at first, and longer where a bound ended the
       exploration, all within the bounds. See PROOFS.
