@@ -102,7 +102,13 @@ let numbered path k =
 let write_solids o write (found : Inflated.t) =
   let hint = ".off, .obj and .sc keep fractions" in
   let mesh (s : Solid_of.t) = s.mesh in
-  let numbered path = List.mapi (fun k s -> let path = numbered path k in ((path, write path), mesh s)) found.solids in
+  let numbered path =
+    let one k s =
+      let path = numbered path k in
+      ((path, write path), mesh s)
+    in
+    List.mapi one found.solids
+  in
   let several = List.compare_length_with found.solids 1 > 0 in
   match o.output with
   | None -> Ok ()
@@ -206,8 +212,8 @@ let faces =
   let doc =
     Printf.sprintf
       "Simplifies the solid to at most $(docv) triangles, from %d to %d; $(b,all) keeps all triangles of the \
-       pixels. Without this option, a drawing that cannot be had with so few gets more. The report has the distance of the \
-       simplified surface from these."
+       pixels. Without this option, a drawing that cannot be had with so few gets more. The report has the \
+       distance of the simplified surface from these."
       least most
   in
   let parse = function
@@ -217,7 +223,10 @@ let faces =
         | Some n when n >= least && n <= most -> Ok (`Most n)
         | _ -> Error (`Msg (Printf.sprintf "`%s' is neither a number from %d to %d nor `all'" s least most)))
   in
-  let print ppf = function `All -> Format.pp_print_string ppf "all" | `Most n | `About n -> Format.pp_print_int ppf n in
+  let print ppf = function
+    | `All -> Format.pp_print_string ppf "all"
+    | `Most n | `About n -> Format.pp_print_int ppf n
+  in
   Arg.(value & opt (conv ~docv:"N" (parse, print)) (`About default) & info [ "faces" ] ~docv:"N" ~doc)
 
 let scale =
@@ -236,11 +245,11 @@ let piece =
 (* What becomes of several pieces, and if each has a file of its own. *)
 let pieces =
   let doc =
-    "What becomes of a drawing in several pieces. $(b,one): they are refused, unless $(b,--piece) takes one of them. \
-     $(b,apart): all of them, in one file: several closed surfaces, or in .sc a template for each. $(b,each): the same, \
-     with a file for each piece, as bean-1.obj, bean-2.obj, the largest first. $(b,plate): all of them on a plate that \
-     holds them together, as one solid. It reaches two pixels beyond them. Its height over the middle plane is a pixel, \
-     or as $(b,plate=)$(i,HEIGHT) says, in pixels."
+    "What becomes of a drawing in several pieces. $(b,one): they are refused, unless $(b,--piece) takes one of \
+     them. $(b,apart): all of them, in one file: several closed surfaces, or in .sc a template for each. \
+     $(b,each): the same, with a file for each piece, as bean-1.obj, bean-2.obj, the largest first. $(b,plate): \
+     all of them on a plate that holds them together, as one solid. It reaches two pixels beyond them. Its height \
+     over the middle plane is a pixel, or as $(b,plate=)$(i,HEIGHT) says, in pixels."
   in
   let plate q = Ok (Inflated.Plate q, false) in
   let parse s =
@@ -261,7 +270,8 @@ let pieces =
     | Apart, each -> Format.pp_print_string ppf (if each then "each" else "apart")
     | Plate q, _ -> Format.fprintf ppf "plate=%s" (Rat.to_string q)
   in
-  let given = Arg.(value & opt (conv ~docv:"PIECES" (parse, print)) (Inflated.Only None, false) & info [ "pieces" ] ~docv:"PIECES" ~doc) in
+  let pieces = Arg.conv ~docv:"PIECES" (parse, print) in
+  let given = Arg.(value & opt pieces (Inflated.Only None, false) & info [ "pieces" ] ~docv:"PIECES" ~doc) in
   let chosen piece ((pieces, _) as given) =
     match (piece, pieces) with
     | None, _ -> Ok given

@@ -26,7 +26,8 @@ let texts ~hint outputs =
   in
   Result.all one outputs
 
-let write files = Result.listed (Whole_file.write (List.map (fun (path, text) -> (path, fun put -> put text)) files))
+let write files =
+  Result.listed (Whole_file.write (List.map (fun (path, text) -> (path, fun put -> put text)) files))
 
 let put ~hint outputs =
   let* files = texts ~hint outputs in

@@ -98,21 +98,29 @@ let strengths ~path o shape =
 
 (* {1 All of it} *)
 
-(* Solids of reliefs with so many faces together, the smallest relief first. Each has a share of what is left by how
-   many faces it has without simplification, or more where it needs more. The error is how many all may need. *)
+(* Solids of reliefs with so many faces together, the smallest relief first. Each has a share of what is left by
+   how many faces it has without simplification, or more where it needs more. The error is how many all may
+   need. *)
 let share ~progress ~scale ~most reliefs =
   let fewest = 8 in
-  let rec go left weights found = function
-    | [] -> Ok found
+  let rec go left weights solids = function
+    | [] -> Ok solids
     | (everything, relief) :: rest -> (
         let others = List.length rest * fewest in
         let share = max fewest (left * everything / max 1 weights) in
-        let made faces = Solid_of.make ~progress ~faces:(Some (max fewest (min faces (left - others)))) ~scale relief in
-        let made = match made share with Error needed when needed <= left - others -> made needed | other -> other in
-        match made with
+        let made faces =
+          if left - others < fewest then Error fewest
+          else Solid_of.make ~progress ~faces:(Some (min faces (left - others))) ~scale relief
+        in
+        let found =
+          match made share with
+          | Error needed when needed <= left - others -> made needed
+          | found -> found
+        in
+        match found with
         | Ok solid ->
           let used = Array.length solid.mesh.ifs_faces in
-          go (left - used) (weights - everything) (solid :: found) rest
+          go (left - used) (weights - everything) (solid :: solids) rest
         | Error needed -> Error (most - left + needed + others))
   in
   let weighted = List.map (fun r -> (Solid_of.everything r, r)) reliefs in

@@ -35,5 +35,5 @@ val part : t -> Silhouette.t -> t
 (** [part r piece] are the heights of a piece of the shape. *)
 
 val on_plate : t -> margin:int -> plate:int -> t
-(** [on_plate r ~margin ~plate] are the heights on a plate under the shape ({!Silhouette.surrounded}), whose own height is
-    [plate] quanta, more than 0. *)
+(** [on_plate r ~margin ~plate] are the heights on a plate under the shape ({!Silhouette.surrounded}), whose own
+    height is [plate] quanta, more than 0. *)

@@ -91,7 +91,8 @@ let find_all ?background (p : Raster.t) =
   | _, [] -> Error Empty
   | labels, pieces ->
     let all = List.fold_left (fun n (_, piece) -> n + piece.pixels) 0 pieces in
-    Ok (cut p labels (fun l -> l > 0) all, List.map (fun ((n : int), piece) -> cut p labels (( = ) n) piece.pixels) pieces)
+    let one ((number : int), piece) = cut p labels (( = ) number) piece.pixels in
+    Ok (cut p labels (fun l -> l > 0) all, List.map one pieces)
 
 let surrounded s ~margin =
   let width = s.width + (2 * margin) and height = s.height + (2 * margin) in

@@ -31,5 +31,5 @@ val make :
     number of faces that would be needed. *)
 
 val together : t list -> t
-(** [together solids] are solids that do not meet, as one of several closed surfaces, with the sum of the holes and the
-    greatest of each of the errors. *)
+(** [together solids] are solids that do not meet, as one of several closed surfaces, with the sum of the holes
+    and the greatest of each of the errors. *)

@@ -234,7 +234,11 @@ let refuse name cure = raise (Unread (Printf.sprintf "the element %S: %s" name c
 let check_content scene (node : Svg_tree.node) =
   let refused (inner : Svg_tree.node) =
     scene.at <- inner.at;
-    let cure = match Svg_table.element inner.name with Refused cure -> cure | _ -> "it does not belong into a shape" in
+    let cure =
+      match Svg_table.element inner.name with
+      | Refused cure -> cure
+      | Group | Shape | Use | Viewport | Silent -> "it does not belong into a shape"
+    in
     refuse inner.name cure
   in
   List.iter refused node.children

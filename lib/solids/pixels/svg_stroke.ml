@@ -36,7 +36,8 @@ let quadrangle p a b c d =
   triangle p a b c;
   triangle p a c d
 
-(* On both sides of the segment from [a] to [b], each by itself, since what comes next has the corners [a] and [b]. *)
+(* On both sides of the segment from [a] to [b], each by itself, since what comes next has the corners [a] and
+   [b]. *)
 let both_sides p a b u =
   quadrangle p a b (b +: u) (a +: u);
   quadrangle p a b (b -: u) (a -: u)

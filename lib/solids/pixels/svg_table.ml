@@ -14,8 +14,9 @@ let shapes = words "path rect circle ellipse polygon polyline line"
 (* What they hold is painted where something refers to it, if that is read. *)
 let silent =
   words
-    "style title desc metadata defs clipPath mask linearGradient radialGradient filter symbol marker pattern script \
-     view cursor color-profile font font-face glyph missing-glyph hkern vkern meshgradient hatch solidcolor"
+    "style title desc metadata defs clipPath mask linearGradient radialGradient filter symbol marker \
+     pattern script view cursor color-profile font font-face glyph missing-glyph hkern \
+     vkern meshgradient hatch solidcolor"
 
 let cures =
   [
@@ -43,9 +44,9 @@ let within_shape name = List.mem name (words "title desc metadata script")
 let read =
   words
     "fill fill-rule fill-opacity color opacity visibility display stroke stroke-width stroke-opacity \
-     stroke-linecap stroke-linejoin stroke-miterlimit stroke-dasharray stroke-dashoffset paint-order vector-effect \
-     marker marker-start marker-mid marker-end clip-path clip-rule overflow mask filter transform transform-origin \
-     transform-box"
+     stroke-linecap stroke-linejoin stroke-miterlimit stroke-dasharray stroke-dashoffset paint-order \
+     vector-effect marker marker-start marker-mid marker-end clip-path clip-rule overflow mask filter transform \
+     transform-origin transform-box"
 
 (* Of texts, gradients and filters, and of how well something is painted. *)
 let still =
@@ -64,7 +65,8 @@ let still_prefixes = [ "-"; "font"; "text-"; "stop-"; "flood-" ]
 (* These have one value that changes nothing. *)
 let harmless =
   [
-    ("mix-blend-mode", "normal"); ("clip", "auto"); ("translate", "none"); ("rotate", "none"); ("scale", "none"); ("offset-path", "none"); ("zoom", "1");
+    ("mix-blend-mode", "normal"); ("clip", "auto"); ("translate", "none"); ("rotate", "none");
+    ("scale", "none"); ("offset-path", "none"); ("zoom", "1");
     ("animation", "none"); ("animation-name", "none"); ("content-visibility", "visible");
   ]
 

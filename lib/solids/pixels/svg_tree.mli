@@ -32,5 +32,5 @@ val href : node -> string option
 (** The reference of an element: [href], or else [xlink:href]. *)
 
 val declared : t -> node -> (string * string) list
-(** The properties of an element that are read ({!Svg_declarations.of_element}), from its attributes, the style sheets and its
-    style; later ones count more. Raises {!Svg_number.Bad} and {!Svg_number.Unread}. *)
+(** The properties of an element that are read ({!Svg_declarations.of_element}), from its attributes, the style
+    sheets and its style; later ones count more. Raises {!Svg_number.Bad} and {!Svg_number.Unread}. *)

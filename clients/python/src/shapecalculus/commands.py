@@ -485,8 +485,8 @@ def view(
       times. Numbers in the checks are always plotted.
     ``schedule``: Shows the run of the schedule FILE, as scc check --witness writes it; then nothing is checked.
     ``svg``: Writes a picture of the state at the model time TIME instead of a page, as SVG, with exact hidden
-      surfaces. The run is that of --schedule or --trace, that which shows the verdict of --check, or that of
-      the first choices.
+      surfaces. Walls that hide a body entirely are drawn as glass. The run is that of --schedule or --trace,
+      that which shows the verdict of --check, or that of the first choices.
     ``trace``: Shows the run of a trace, as scc trace writes it; then nothing is checked.
     ``up``: With --svg: the direction that is upwards in the picture, by default the y axis, or another axis if
       the view is along it.
