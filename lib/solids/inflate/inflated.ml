@@ -127,16 +127,21 @@ let share ~progress ~scale ~most reliefs =
   let sorted = List.stable_sort (fun (m, _) (n, _) -> Int.compare m n) weighted in
   go most (List.fold_left (fun n (m, _) -> n + m) 0 sorted) [] sorted
 
-let rec solids ~progress o reliefs =
+let solids ~progress o reliefs =
   let scale = o.scale in
-  match (o.faces, reliefs) with
-  | `All, _ -> Result.all (fun r -> Solid_of.make ~progress ~faces:None ~scale r) reliefs
-  | `Most n, [ relief ] -> Result.map (fun s -> [ s ]) (Solid_of.make ~progress ~faces:(Some n) ~scale relief)
-  | `Most most, _ -> share ~progress ~scale ~most reliefs
-  | `About n, _ -> (
-      match solids ~progress { o with faces = `Most n } reliefs with
-      | Error needed -> solids ~progress { o with faces = `About (max needed (2 * n)) } reliefs
-      | found -> found)
+  let one faces relief = Solid_of.make ~progress ~faces ~scale relief in
+  let at_most n =
+    match reliefs with
+    | [ relief ] -> Result.map (fun solid -> [ solid ]) (one (Some n) relief)
+    | _ -> share ~progress ~scale ~most:n reliefs
+  in
+  let rec about n =
+    match at_most n with Error needed -> about (max needed (2 * n)) | found -> found
+  in
+  match o.faces with
+  | `All -> Result.all (one None) reliefs
+  | `Most n -> at_most n
+  | `About n -> about n
 
 (* What is connected, each by itself; [None] if it is too high. *)
 let reliefs o (relief : Relief.t) pieces =

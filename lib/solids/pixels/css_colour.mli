@@ -10,15 +10,12 @@ type paint =
   | Colour of colour
   | Server of string * paint option  (** a gradient by its id, and what is painted if there is none *)
 
-val colour : string -> colour option
-(** A colour: a name of CSS, [#rgb], [#rgba], [#rrggbb], [#rrggbbaa], [rgb()], [rgba()], [hsl()] or [hsla()] in
-    all their notations, or [transparent]. Upper and lower case are the same. [None] for [currentColor]. Raises
+val paint : string -> paint
+(** [paint text] is what the text of a property says: [none], [currentColor], [url(#id)] with or without what takes
+    its place, or a colour. A colour is a name of CSS, [#rgb], [#rgba], [#rrggbb], [#rrggbbaa], [rgb()], [rgba()],
+    [hsl()] or [hsla()] in all their notations, or [transparent]. Upper and lower case are the same. Raises
     {!Svg_number.Bad} for a text that violates the format, and {!Svg_number.Unread} for other functions and
     names. *)
-
-val paint : string -> paint
-(** A paint: [none], [currentColor], a {!val-colour}, or [url(#id)] with or without what takes its place. It
-    raises what {!val-colour} raises. *)
 
 val reference : string -> string option
 (** [reference text] is the id in [url(#id)], quoted or not; [None] if the text is not of this form. *)

@@ -215,7 +215,7 @@ let triangles ~budget map (stroke : t) outline =
       Svg_dash.(cut ~budget (pattern (List.map times stroke.dashes) ~offset:(times stroke.offset)))
   in
   let one (line : Svg_chain.line) =
-    if line.strands = [] then dot_at p line.start else List.iter (put p) (runs line)
+    if line.strands <> [] then List.iter (put p) (runs line) else if not dashed then dot_at p line.start
   in
   List.iter one lines;
   p.found

@@ -20,5 +20,5 @@ val triangles :
     the same way round, so that {!Fill.polygons} by the rule [Nonzero] paints the union. [m] is the map from the
     units of the drawing to pixels, after the stroke. Boundaries are within 1/64 of a pixel of the exact ones.
     Straight lines have the exact stroke, but for square roots (of forty bits) and corners rounded to 1/1024 of
-    a pixel; lengths of dashes on curves are those of chords. Raises {!Svg_number.Bad} as {!Svg_polygon} does.
-*)
+    a pixel; lengths of dashes on curves are those of chords. With dashes, a line without a length has no
+    stroke. Raises {!Svg_number.Bad} as {!Svg_polygon} does. *)

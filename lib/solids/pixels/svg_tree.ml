@@ -30,8 +30,6 @@ let href node =
 
 (* {1 Reading} *)
 
-let never_drawn = [ "title"; "desc"; "metadata"; "script" ]
-
 let plain attributes =
   List.filter_map
     (fun ((ns, name), v) ->
@@ -71,7 +69,7 @@ let content input root =
     | `El_end, node :: outer ->
       node.children <- List.rev node.children;
       if outer <> [] then go outer (depth - 1)
-    | `El_start ((ns, name), _), _ when (ns <> space && ns <> "") || List.mem name never_drawn ->
+    | `El_start ((ns, name), _), _ when (ns <> space && ns <> "") || Svg_table.within_shape name ->
       pass_over input;
       go stack depth
     | `El_start ((_, name), attributes), parent :: _ ->

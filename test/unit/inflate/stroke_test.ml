@@ -84,6 +84,8 @@ let dashes () =
   area "around a corner" (dashed "14 100" "M5 10h10v20") (any [ box 5. 8. 17. 12.; box 13. 8. 17. 14. ]);
   area "dots" (dashed ~more:"stroke-linecap='round'" "0 8" "M5 10h18")
     (any [ circle 5. 10. 2.; circle 13. 10. 2.; circle 21. 10. 2. ]);
+  area "no length" (dashed ~more:"stroke-linecap='round'" "4 2" "M5 10zM20 10h1")
+    (capsule (20., 10.) (21., 10.) 2.);
   area "all lengths 0" (dashed "0 0" "M5 10h20") (box 5. 8. 25. 12.);
   (* The last dash goes on where the line began: no caps there, but a join. *)
   area "closed" (dashed ~more:"stroke-dashoffset='5'" "10 10" "M10 10h20v10h-20z")
