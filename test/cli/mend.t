@@ -24,6 +24,30 @@ one of them turned over:
   vertices: 8, edges: 12, faces: 6
   names of faces: f0, f2, f4, f6, f8, f10
   names of vertices: v0, v1, v2, v5, v6, v7, v8, v11
+
+A cube whose faces are there twice, and one whose faces are there from both sides:
+
+  $ python3 > twice.off << 'END'
+  > corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+  > faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+  > print("OFF", 8, 12, 0)
+  > for c in corners: print(*c)
+  > for f in faces + faces: print(4, *f)
+  > END
+  $ scc shape twice.off | grep mend
+  to mend it: scc shape --weld
+  $ scc shape --weld twice.off | head -3
+  welded: 8 vertices became 8; 6 faces that were there twice went
+  twice.off
+  vertices: 8, edges: 12, faces: 6
+  $ awk 'NR > 15 { print $1, $5, $4, $3, $2; next } { print }' twice.off > sides.off
+  $ scc shape sides.off | grep mend
+  to mend it: scc shape --weld
+  $ scc shape --weld sides.off | head -3
+  welded: 8 vertices became 8; 6 faces that were there twice went
+  sides.off
+  vertices: 8, edges: 12, faces: 6
+
   $ head -7 cube.stl
   solid scc
     facet normal 0 0 -1

@@ -42,8 +42,8 @@ val splits : t -> (Transition.outcome list * Transition.outcome list) list
     that have any, in order. *)
 
 val find : t -> (State.process -> State.process -> Transition.outcome Colliding.found) -> unit
-(** [find t found] finds what may come of the pairs that meet now. [found p q] is this for two processes. It is called
-    once for each pair that meets, and again after a change of one of the two. *)
+(** [find t found] finds what may come of the pairs that meet now. [found p q] is this for two processes. It is
+    called once for each pair that meets, and again after a change of one of the two. *)
 
 val collisions : t -> int * (int -> Transition.outcome)
 (** The number of collisions that are possible now, and each by its number from 0 on, in the order of pairs, as

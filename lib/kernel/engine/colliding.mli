@@ -37,8 +37,8 @@ val nth : ('body, 'outcome) t -> int -> 'outcome
 (** The outcome with a number, from 0 to {!count} - 1. Any other number is a bug. *)
 
 val stopping : ('body, 'outcome) t -> int list
-(** The first leaves of the bodies that are to stop by some pair and are in no busy pair, in order, as {!find} found
-    them last. It takes O(n log n) steps for the n pairs that stop bodies. *)
+(** The first leaves of the bodies that are to stop by some pair and are in no busy pair, in order, as {!find}
+    found them last. It takes O(n log n) steps for the n pairs that stop bodies. *)
 
 val bodies : ('body, 'outcome) t -> 'body list
 (** All bodies that are in pairs, in the order of their first leaves. It takes O(n log n) steps for n pairs. *)

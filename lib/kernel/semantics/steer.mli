@@ -30,10 +30,10 @@ val ask : Semantics.t -> which:(int -> bool) -> State.t -> (State.t, Transition.
     laws. *)
 
 val kicked : Semantics.t -> State.t -> State.t
-(** [kicked c s] is [s] after all velocities that {!ask} or draws gave have taken effect, but for the kicks that are
-    blocked ({!Blocked.waiting}): the next movement step begins. No process of [s] waits to draw. It is the part of
-    {!settle} that begins steps, before walkers stop. With {!Model.Wait}, it depends on processes that are not steered,
-    too. *)
+(** [kicked c s] is [s] after all velocities that {!ask} or draws gave have taken effect, but for the kicks that
+    are blocked ({!Blocked.waiting}): the next movement step begins. No process of [s] waits to draw. It is the
+    part of {!settle} that begins steps, before walkers stop. With {!Model.Wait}, it depends also on processes
+    that are not steered. *)
 
 val next_to_draw : Semantics.t -> State.t -> State.process option
 (** The process that draws next: the first of {!drawers}, in linear time; [None] if no process waits to draw. *)

@@ -95,8 +95,8 @@ let closed what declarations start =
 
 let make model ~reached =
   let items = all_items [] model in
-  let declarations = Hashtbl.create 64 in
-  List.iter (fun d -> Hashtbl.add declarations d.name d) (List.filter_map declaration items);
+  let declarations : (string, declaration) Hashtbl.t = Hashtbl.create 64 in
+  List.iter (fun (d : declaration) -> Hashtbl.add declarations d.name d) (List.filter_map declaration items);
   let is_idle (i : Ast.item) = match i.it with For _ -> not (reached i.at.start) | _ -> false in
   let idle = List.map (fun i -> Limits.Item i) (List.filter is_idle items) in
   let in_idle = within names idle in

@@ -13,7 +13,7 @@ let file report read_file (path : string Ast.loc) =
         let span = if Span.is_none d.span then path.at else d.span in
         Report.add report { d with span; notes = d.notes @ notes }
       in
-      match Scc_mesh.Mesh.read ~path:path.it text with
+      match Scc_mesh.Mesh.read ~files:read_file ~path:path.it text with
       | Ok (set, warnings) ->
         List.iter add warnings;
         Some set

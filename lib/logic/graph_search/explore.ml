@@ -184,13 +184,6 @@ module Make (L : Lts.S) = struct
     if is_earlier then visitor.earlier g target;
     if better then settle g limits visitor target
 
-  (* Whether a transition of the state that is being expanded leads to one that will be expanded after it. *)
-  let is_ahead g (s : Lts.step) =
-    let target changes = Tuples.find g.tuples ~near:g.near changes in
-    match target s.changes with
-    | -1 -> true
-    | j -> j <> target [||] && (match status g j with Queued -> true | Expanded | Unexpanded _ -> false)
-
   let all_or_some g ~some ~all =
     match some with
     | Some steps when List.exists (is_ahead g) steps -> Ok { steps; reduced = true }

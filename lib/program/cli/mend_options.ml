@@ -22,7 +22,8 @@ let grid =
 let weld =
   Options.flag [ "weld" ]
     "Makes equal points one vertex, as many programs give every face corners of its own, and removes faces that \
-     then have fewer than three corners."
+     then have fewer than three corners, and faces that are there twice. If each face is there from both sides, \
+     the first of both stays."
 
 let orient =
   Options.flag [ "orient" ]
@@ -76,11 +77,22 @@ let apply o set =
     oriented
 
 (* In the order in which they help. *)
-let helping faults =
+let helping (set : Polyhedron.ifs) faults =
   let some test = List.exists test faults in
+  let twice =
+    lazy
+      (let corners (_, c) = List.sort Int.compare (Array.to_list c) in
+       let sorted = List.sort (List.compare Int.compare) (List.map corners (Array.to_list set.ifs_faces)) in
+       let rec equal = function a :: (b :: _ as rest) -> List.equal Int.equal a b || equal rest | _ -> false in
+       equal sorted)
+  in
+  let doubled = function
+    | Polyhedron_fault.Repeated_edge _ | Flat _ | Separate_solids _ -> Lazy.force twice
+    | _ -> false
+  in
   let tries =
     [
-      (some (function Polyhedron_fault.Same_position _ | Unused_vertex _ -> true | _ -> false), "--weld");
+      (some (function Polyhedron_fault.Same_position _ | Unused_vertex _ -> true | f -> doubled f), "--weld");
       (some (function Polyhedron_fault.Turned_face _ | Inward -> true | _ -> false), "--orient");
       (some (function Polyhedron_fault.Coplanar_neighbours _ -> true | _ -> false), "--merge");
     ]

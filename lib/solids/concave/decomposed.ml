@@ -67,14 +67,16 @@ let cells progress (drawn : Drawn.t) =
     in
     Ok (List.mapi make list)
 
-(* A prism over a polygon has the parts of [Prism], any other solid those of [Decompose]. *)
+let convex (set : Polyhedron.ifs) = Refined.solid (List.map snd (Array.to_list set.ifs_vertices))
+
+(* A convex solid is one part. A prism over a polygon has the parts of [Prism], any other solid those of
+   [Decompose]. *)
 let parts ?(progress = ignore) set =
   progress (Looking (Array.length set.Polyhedron.ifs_faces));
   let* drawn = surface set in
   let* list =
-    match prism set with
-    | Some list -> Ok list
-    | None -> cells progress drawn
+    if Drawn.reflex_edges drawn = 0 then Ok [ convex set ]
+    else match prism set with Some list -> Ok list | None -> cells progress drawn
   in
   if Rat.equal (volume list) (Drawn.volume set) && connected list then Ok (list, drawn)
   else Scc_base.Bug.fail __POS__ "parts that are not the solid"

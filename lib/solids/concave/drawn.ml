@@ -38,7 +38,7 @@ let convex_corners set face n =
     let corners = Array.map (fun v -> Grid.seen_along n (place set v)) face in
     match Polygon.make corners [ Array.init (Array.length face) Fun.id ] with
     | Error _ -> None
-    | Ok polygon -> Some (List.map (Array.map (fun k -> face.(k))) (Partition.convex polygon))
+    | Ok polygon -> Some (List.map (Array.map (fun k -> face.(k))) (Partition.quick polygon))
 
 let convex_pieces set face n = Option.map (List.map (Array.map (place set))) (convex_corners set face n)
 

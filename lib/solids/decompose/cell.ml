@@ -24,13 +24,15 @@ let box low high : t =
 
 let behind plane corners =
   let n = Array.length corners in
-  let heights = Array.map (Plane.height plane) corners in
+  let sides = Array.map (Plane.side plane) corners in
   let kept = ref [] in
   for i = 0 to n - 1 do
     let j = (i + 1) mod n in
-    let si = Z.sign heights.(i) and sj = Z.sign heights.(j) in
-    if si <= 0 then kept := corners.(i) :: !kept;
-    if si * sj < 0 then kept := Homogeneous.crossing corners.(i) heights.(i) corners.(j) heights.(j) :: !kept
+    if sides.(i) <= 0 then kept := corners.(i) :: !kept;
+    if sides.(i) * sides.(j) < 0 then begin
+      let p = corners.(i) and q = corners.(j) in
+      kept := Homogeneous.crossing p (Plane.height plane p) q (Plane.height plane q) :: !kept
+    end
   done;
   Array.of_list (List.rev !kept)
 

@@ -1,12 +1,21 @@
 open Scc_exact
 
-type t = { x : Z.t; y : Z.t; z : Z.t; w : Z.t }
+type near = { nx : float; ny : float; nz : float }
+type t = { x : Z.t; y : Z.t; z : Z.t; w : Z.t; near : near }
+
+let near_integer n =
+  let f = Z.to_float n in
+  if Float.abs f < 0x1p1000 then f else Float.nan
+
+let of_reduced x y z w =
+  let d = near_integer w in
+  { x; y; z; w; near = { nx = near_integer x /. d; ny = near_integer y /. d; nz = near_integer z /. d } }
 
 let reduced x y z w =
   let g = Z.gcd (Z.gcd x y) (Z.gcd z w) in
   let g = if Z.sign w < 0 then Z.neg g else g in
-  if Z.equal g Z.one then { x; y; z; w }
-  else { x = Z.divexact x g; y = Z.divexact y g; z = Z.divexact z g; w = Z.divexact w g }
+  if Z.equal g Z.one then of_reduced x y z w
+  else of_reduced (Z.divexact x g) (Z.divexact y g) (Z.divexact z g) (Z.divexact w g)
 
 let of_vec v =
   let (n : Ivec.t), w = Ivec.of_vec v in

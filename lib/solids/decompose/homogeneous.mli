@@ -3,7 +3,15 @@
 
 open Scc_exact
 
-type t = private { x : Z.t; y : Z.t; z : Z.t; w : Z.t }
+type near = private { nx : float; ny : float; nz : float }
+(** The coordinates in floats, each with a relative error of at most 3 * 2^-53. All or some are NaNs where a number
+    is 2^1000 or greater. They are for filters alone. *)
+
+type t = private { x : Z.t; y : Z.t; z : Z.t; w : Z.t; near : near }
+
+val near_integer : Z.t -> float
+(** [near_integer n] is a float with a relative error of at most 2^-53, or a NaN if [n] is 2^1000 or greater in
+    magnitude. *)
 
 val of_vec : Vec.t -> t
 (** The point with these rational coordinates. *)

@@ -59,10 +59,9 @@ let of_surface planes polygons =
 let split plane notches =
   let front = ref [] and back = ref [] in
   let cut notch =
-    let ha = Plane.height plane notch.a and hb = Plane.height plane notch.b in
-    let s = Z.sign ha and t = Z.sign hb in
+    let s = Plane.side plane notch.a and t = Plane.side plane notch.b in
     if s * t < 0 then begin
-      let x = Homogeneous.crossing notch.a ha notch.b hb in
+      let x = Homogeneous.crossing notch.a (Plane.height plane notch.a) notch.b (Plane.height plane notch.b) in
       let of_a, of_b = if s > 0 then (front, back) else (back, front) in
       of_a := { notch with b = x } :: !of_a;
       of_b := { notch with a = x } :: !of_b

@@ -2,7 +2,11 @@
 
 open Scc_exact
 
-type t = private { a : Z.t; b : Z.t; c : Z.t; d : Z.t }  (** a x + b y + c z <= d, without a common divisor *)
+type near
+(** The four numbers in floats, for the filter of {!side}. *)
+
+type t = private { a : Z.t; b : Z.t; c : Z.t; d : Z.t; near : near }
+(** a x + b y + c z <= d, without a common divisor *)
 
 val make : Ivec.t -> Homogeneous.t -> t
 (** The plane with this normal, which is not zero, through the point. *)
@@ -25,4 +29,4 @@ val height : t -> Homogeneous.t -> Z.t
     plane. *)
 
 val side : t -> Homogeneous.t -> int
-(** The sign of {!height}: 1 in front, -1 behind, 0 on the plane. *)
+(** The sign of {!height}: 1 in front, -1 behind, 0 on the plane. Floats decide it where their error allows. *)

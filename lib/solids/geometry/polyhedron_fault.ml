@@ -103,6 +103,8 @@ let hint ~vertex ~face = function
     Some (Printf.sprintf "use %s in place of %s in every face" (vertex v) (vertex w))
   | Unused_vertex v -> Some (Printf.sprintf "remove %s" (vertex v))
   | Off_plane _ ->
-    Some "if its decimals are rounded: `snap 1e-5` after a mesh, or scc shape --snap 1e-5, finds an exact solid"
+    Some
+      "if its decimals are rounded and the solid is convex: `snap 1e-5` after a mesh, or scc shape --snap 1e-5, \
+       finds an exact one; of other solids, export the faces as triangles"
   | Separate_solids _ -> Some "make a template of each, and glue them in a compound"
   | _ -> None

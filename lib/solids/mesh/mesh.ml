@@ -1,22 +1,25 @@
 open Scc_base
 open Scc_geometry
 
-(* The readers that never read what is only near, and leave nothing out. *)
-let exact read ~path text = Result.map (fun set -> (set, [])) (read ~path text)
+(* The readers of files that name no others. *)
+let alone read ~files:_ ~path text = read ~path text
+
+(* And that never read what is only near, and leave nothing out. *)
+let exact read = alone (fun ~path text -> Result.map (fun set -> (set, [])) (read ~path text))
 
 let readers =
   [
     ("off", "OFF", exact Off.read);
     ("obj", "OBJ", exact Obj.read);
-    ("stl", "STL", exact Stl.read);
+    ("stl", "STL", alone Stl.read);
     ("ply", "PLY", exact Ply.read);
-    ("wrl", "VRML", Vrml.read);
-    ("vrml", "VRML", Vrml.read);
-    ("x3dv", "X3D (classic)", Vrml.read);
-    ("x3d", "X3D", X3d.read);
-    ("glb", "glTF", exact Gltf.read);
-    ("gltf", "glTF", exact Gltf.read);
-    ("3mf", "3MF", exact Threemf.read);
+    ("wrl", "VRML", alone Vrml.read);
+    ("vrml", "VRML", alone Vrml.read);
+    ("x3dv", "X3D (classic)", alone Vrml.read);
+    ("x3d", "X3D", alone X3d.read);
+    ("glb", "glTF", Gltf.read);
+    ("gltf", "glTF", Gltf.read);
+    ("3mf", "3MF", alone Threemf.read);
     ("xyz", "XYZ", exact Xyz.read);
   ]
 
@@ -54,7 +57,7 @@ let check_denominator ~path (set, warnings) =
          ~hint:"use decimals, or fractions with few different denominators")
   else Ok (set, warnings)
 
-let read ~path text =
+let read ~files ~path text =
   let text = Source.blank_mark text in
   let reader =
     match by_name path with
@@ -62,7 +65,7 @@ let read ~path text =
     | None -> by_text text
   in
   match reader with
-  | Some read -> Result.bind (read ~path text) (check_denominator ~path)
+  | Some read -> Result.bind (read ~files ~path text) (check_denominator ~path)
   | None ->
     let known = String.concat ", " (List.map fst formats) in
     Error

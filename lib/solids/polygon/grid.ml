@@ -1,7 +1,7 @@
 open Scc_exact
 
 type point = { x : Rat.t; y : Rat.t }
-type t = { xs : Z.t array; ys : Z.t array }
+type t = { xs : Z.t array; ys : Z.t array; near_xs : float array; near_ys : float array; error : float }
 
 let seen_along (n : Vec.t) (v : Vec.t) =
   let turned s x y = if s > 0 then { x; y } else { x = y; y = x } in
@@ -13,14 +13,27 @@ let integers numbers =
   let common = Array.fold_left (fun d q -> Z.lcm d (Q.den q)) Z.one numbers in
   Array.map (fun q -> Z.mul (Q.num q) (Z.divexact common (Q.den q))) numbers
 
+(* [error] bounds that of {!orient} in floats, by the greatest magnitudes m and n of the coordinates. With u
+   = 2^-53, a coordinate is off by at most m u, a difference of two by 2 m u and its own rounding, 2 m u. So
+   a product of differences, which are at most 2 m and 2 n, is off by 16 m n u and its own rounding, 4 m n
+   u. The difference of two products is off by 2 * 20 m n u and 8 m n u, up to terms of order u^2: less than
+   64 m n u = 2^-47 m n. A NaN or an infinity leaves the decision to integers; all numbers that are not 0
+   are at least 1. *)
 let make points =
-  { xs = integers (Array.map (fun p -> p.x) points); ys = integers (Array.map (fun p -> p.y) points) }
+  let xs = integers (Array.map (fun p -> p.x) points) and ys = integers (Array.map (fun p -> p.y) points) in
+  let near_xs = Array.map Z.to_float xs and near_ys = Array.map Z.to_float ys in
+  let greatest = Array.fold_left (fun m x -> Float.max m (Float.abs x)) 0. in
+  { xs; ys; near_xs; near_ys; error = 0x1p-47 *. greatest near_xs *. greatest near_ys }
 
 let cross g a b c =
   let x k = Z.sub g.xs.(k) g.xs.(a) and y k = Z.sub g.ys.(k) g.ys.(a) in
   Z.sub (Z.mul (x b) (y c)) (Z.mul (y b) (x c))
 
-let orient g a b c = Z.sign (cross g a b c)
+let orient g a b c =
+  let x k = g.near_xs.(k) -. g.near_xs.(a) and y k = g.near_ys.(k) -. g.near_ys.(a) in
+  let turn = (x b *. y c) -. (y b *. x c) in
+  if turn > g.error then 1 else if turn < -.g.error then -1 else Z.sign (cross g a b c)
+
 let compare_x g a b = Z.compare g.xs.(a) g.xs.(b)
 let compare_y g a b = Z.compare g.ys.(a) g.ys.(b)
 let same g a b = compare_x g a b = 0 && compare_y g a b = 0

@@ -72,8 +72,8 @@ process r = Cube mass 1 velocity (0,0,1) at translate (40,0,0) [Shy]
 check far : possibly x(r) > 41
 |}
 
-(* In each of three groups two pairs collide at one instant. Within a group both orders lead to one state, from which
-   the other groups go on as before: 3 times 3 states, instead of 2^6 sets. *)
+(* In each of three groups two pairs collide at one instant. Within a group both orders lead to one state, from
+   which the other groups go on: 3 times 3 states, instead of 2^6 sets. *)
 let pairs_in_groups =
   shapes
   ^ {|

@@ -5,7 +5,7 @@ open Scc_geometry
 open Scc_mesh
 module G = QCheck2.Gen
 
-let read path text = Result.map fst (Mesh.read ~path text)
+let read path text = Result.map fst (Mesh.read ~files:Beside.none ~path text)
 
 (* Positions in order, then corners, so that all formats can be compared. *)
 let describe (ifs : Polyhedron.ifs) =

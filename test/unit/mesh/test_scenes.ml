@@ -5,7 +5,7 @@ open Scc_exact
 open Scc_geometry
 open Scc_mesh
 
-let read path text = Mesh.read ~path text
+let read path text = Mesh.read ~files:Beside.none ~path text
 
 (* {1 Both ways to write a scene} *)
 

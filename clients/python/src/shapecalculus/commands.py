@@ -183,8 +183,8 @@ def estimate(
     ``seed``: An integer. Run k has the seed that is the output number k, from 0 on, of SplitMix64 from this
       integer, and makes its choices by it as scc trace --choose random: does. The runs are the same for any
       --jobs and on every machine.
-    ``steps``: Leaves a run after N transitions. The default is 10000 if neither the formulas nor --until end
-      the run at a time, and none otherwise.
+    ``steps``: Leaves a run after N transitions; the draws of one instant count as one. The default is 10000 if
+      neither the formulas nor --until end the run at a time, and none otherwise.
     ``store``: Stores the runs in the folder DIR, which is created if necessary, while they are made. The same
       command resumes, and so does one with another --runs, --most, --confidence, --width, --seconds or --jobs.
       See STORES.
