@@ -1,5 +1,5 @@
 type t = Read | Still | Unread of string
-type element = Group | Shape | Silent | Refused of string
+type element = Group | Shape | Use | Viewport | Silent | Refused of string
 
 let words text = List.filter (fun w -> w <> "") (String.split_on_char ' ' text)
 let begins prefix text =
@@ -11,17 +11,15 @@ let begins prefix text =
 let groups = words "g a"
 let shapes = words "path rect circle ellipse polygon polyline line"
 
-(* What they hold is painted where something refers to it, and such references are refused. *)
+(* What they hold is painted where something refers to it, if that is read. *)
 let silent =
   words
-    "title desc metadata defs clipPath mask linearGradient radialGradient filter symbol marker pattern script \
-     view cursor color-profile font font-face glyph missing-glyph hkern vkern meshgradient hatch solidcolor"
+    "style title desc metadata defs clipPath mask linearGradient radialGradient filter symbol marker \
+     pattern script view cursor color-profile font font-face glyph missing-glyph hkern \
+     vkern meshgradient hatch solidcolor"
 
 let cures =
   [
-    ("use", "put a copy of what it refers to in its place");
-    ("svg", "put a `g` with a transform in the place of the inner drawing");
-    ("style", "write the styles to the elements, as most programs can (in Inkscape: save as plain SVG)");
     ("image", "only outlines are read; for pixels give the picture itself, as PNG");
     ("switch", "what it shows depends on the reader: leave what is meant, in a `g`");
   ]
@@ -31,6 +29,8 @@ let animations = words "animate animateColor animateMotion animateTransform set 
 let element name =
   if List.mem name groups then Group
   else if List.mem name shapes then Shape
+  else if name = "use" then Use
+  else if name = "svg" then Viewport
   else if List.mem name silent then Silent
   else if List.mem name animations then Refused "remove what moves: one picture is read"
   else if List.mem name (words "text tspan tref textPath altGlyph") then
@@ -43,15 +43,16 @@ let within_shape name = List.mem name (words "title desc metadata script")
 
 let read =
   words
-    "fill fill-rule fill-opacity color opacity visibility display stroke stroke-width stroke-opacity clip-path \
-     mask filter transform transform-origin transform-box"
+    "fill fill-rule fill-opacity color opacity visibility display stroke stroke-width stroke-opacity \
+     stroke-linecap stroke-linejoin stroke-miterlimit stroke-dasharray stroke-dashoffset paint-order \
+     vector-effect marker marker-start marker-mid marker-end clip-path clip-rule overflow mask filter transform \
+     transform-origin transform-box"
 
-(* Of strokes, which are refused, of texts, gradients and filters, and of how well something is painted. *)
+(* Of texts, gradients and filters, and of how well something is painted. *)
 let still =
   words
-    "stroke-linecap stroke-linejoin stroke-miterlimit stroke-dasharray stroke-dashoffset stroke-linejoin \
-     paint-order shape-rendering image-rendering text-rendering color-rendering color-interpolation \
-     color-interpolation-filters color-profile pointer-events cursor clip-rule enable-background isolation \
+    "shape-rendering image-rendering text-rendering color-rendering color-interpolation \
+     color-interpolation-filters color-profile pointer-events cursor enable-background isolation \
      lighting-color letter-spacing word-spacing writing-mode direction unicode-bidi dominant-baseline \
      alignment-baseline baseline-shift baseline-source kerning glyph-orientation-horizontal \
      glyph-orientation-vertical line-height white-space inline-size shape-inside shape-subtract shape-margin \
@@ -64,9 +65,8 @@ let still_prefixes = [ "-"; "font"; "text-"; "stop-"; "flood-" ]
 (* These have one value that changes nothing. *)
 let harmless =
   [
-    ("marker", "none"); ("marker-start", "none"); ("marker-mid", "none"); ("marker-end", "none");
-    ("mix-blend-mode", "normal"); ("clip", "auto"); ("vector-effect", "none"); ("overflow", "visible");
-    ("translate", "none"); ("rotate", "none"); ("scale", "none"); ("offset-path", "none"); ("zoom", "1");
+    ("mix-blend-mode", "normal"); ("clip", "auto"); ("translate", "none"); ("rotate", "none");
+    ("scale", "none"); ("offset-path", "none"); ("zoom", "1");
     ("animation", "none"); ("animation-name", "none"); ("content-visibility", "visible");
   ]
 
@@ -82,15 +82,16 @@ let property name =
 let geometry =
   [
     ("path", "d"); ("rect", "x y width height rx ry"); ("circle", "cx cy r"); ("ellipse", "cx cy rx ry");
-    ("polygon", "points"); ("polyline", "points"); ("line", "");
-    ("svg", "viewBox width height preserveAspectRatio");
+    ("polygon", "points"); ("polyline", "points"); ("line", "x1 y1 x2 y2");
+    ("svg", "x y viewBox width height preserveAspectRatio");
+    ("symbol", "x y viewBox width height preserveAspectRatio"); ("use", "x y width height href xlink:href");
+    ("clipPath", "clipPathUnits");
   ]
 
-(* A line has no area: where it ends is nothing that is read. *)
 let unused =
   [
-    ("line", "x1 y1 x2 y2"); ("a", "href target rel download hreflang ping referrerpolicy type");
-    ("svg", "x y version baseProfile zoomAndPan contentScriptType contentStyleType timelineBegin playbackorder \
+    ("a", "href target rel download hreflang ping referrerpolicy type");
+    ("svg", "version baseProfile zoomAndPan contentScriptType contentStyleType timelineBegin playbackorder \
              snapshotTime xmlns");
   ]
 
@@ -98,7 +99,7 @@ let of_all =
   words
     "id class lang tabindex role autofocus pathLength requiredFeatures externalResourcesRequired nonce slot part \
      about content datatype property rel resource rev typeof focusable"
-let prefixes = [ "data-"; "aria-"; "on"; "xmlns"; "xml:" ]
+let prefixes = [ "data-"; "aria-"; "on"; "xmlns"; "xml:"; "xlink:" ]
 
 let attribute element name =
   let has table = List.mem name (words (Option.value (List.assoc_opt element table) ~default:"")) in

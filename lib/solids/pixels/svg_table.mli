@@ -10,6 +10,8 @@ type t =
 type element =
   | Group  (** paints what is in it *)
   | Shape  (** has an outline *)
+  | Use  (** paints what it refers to *)
+  | Viewport  (** a drawing within the drawing *)
   | Silent  (** paints nothing by itself, with all that is in it *)
   | Refused of string  (** what can be done about it *)
 
