@@ -47,11 +47,20 @@ let noticed =
 (* These matter beside others alone. *)
 let beside = [ "stroke-width"; "stroke-opacity"; "color"; "transform-origin"; "transform-box" ]
 
+(* By the specifications these may change what is painted, each of itself or with another one: none may be still. *)
+let seen =
+  String.split_on_char ' '
+    "display visibility opacity fill fill-opacity fill-rule stroke stroke-width stroke-opacity color transform style \
+     clip-path mask filter clip marker-start marker-mid marker-end vector-effect systemLanguage requiredExtensions \
+     requiredFonts requiredFormats d width height rx ry cx cy r points"
+
 let check_attribute element name =
   let value = Option.value (List.assoc_opt name noticed) ~default:"nonsense" in
   let found = picture (square ^ drawn element (Printf.sprintf "%s='%s'" name value)) in
   let plain = picture (square ^ drawn element "") in
   let what = element ^ " " ^ name in
+  let still = match Svg_table.attribute element name with Still -> true | Read | Unread _ -> false in
+  Alcotest.(check bool) (what ^ " is seen, and not still") false (still && List.mem name seen);
   match Svg_table.attribute element name with
   | Still -> Alcotest.(check bool) (what ^ " changes nothing") true (same plain found)
   | Unread _ -> Alcotest.(check bool) (what ^ " is refused") true (same (Error "SC0341") found)
