@@ -47,12 +47,12 @@ let noticed =
 (* These matter beside others alone. *)
 let beside = [ "stroke-width"; "stroke-opacity"; "color"; "transform-origin"; "transform-box" ]
 
-(* By the specifications these may change what is painted, each of itself or with another one: none may be still. *)
+(* By the specifications these may change what is painted, of themselves or with others: none may be still. *)
 let seen =
   String.split_on_char ' '
-    "display visibility opacity fill fill-opacity fill-rule stroke stroke-width stroke-opacity color transform style \
-     clip-path mask filter clip marker-start marker-mid marker-end vector-effect systemLanguage requiredExtensions \
-     requiredFonts requiredFormats d width height rx ry cx cy r points"
+    "display visibility opacity fill fill-opacity fill-rule stroke stroke-width stroke-opacity color \
+     transform style clip-path mask filter clip marker-start marker-mid marker-end vector-effect \
+     systemLanguage requiredExtensions requiredFonts requiredFormats d width height rx ry cx cy r points"
 
 let check_attribute element name =
   let value = Option.value (List.assoc_opt name noticed) ~default:"nonsense" in
