@@ -130,8 +130,8 @@ let unreadable = node "NurbsSet" []
 let moving =
   String.split_on_char ' '
     "children visible translation rotation scale center scaleOrientation choice whichChoice level shape geometry \
-     coord coordIndex index ccw stripCount fanCount xDimension zDimension xSpacing zSpacing height size radius bottom \
-     side top bottomRadius point"
+     coord coordIndex index ccw stripCount fanCount xDimension zDimension xSpacing zSpacing height size radius \
+     bottom side top bottomRadius point"
 
 let check_field row (f, nodes) =
   let what = row.kind ^ "." ^ f in
