@@ -126,6 +126,13 @@ let refused what code at (path, text) =
 (* Nodes that are read show what is in them; the fields are filled with what a reader cannot but notice. *)
 let unreadable = node "NurbsSet" []
 
+(* By the specifications these say what is shown, and where. *)
+let moving =
+  String.split_on_char ' '
+    "children visible translation rotation scale center scaleOrientation choice whichChoice level shape geometry \
+     coord coordIndex index ccw stripCount fanCount xDimension zDimension xSpacing zSpacing height size radius \
+     bottom side top bottomRadius point"
+
 let check_field row (f, nodes) =
   let what = row.kind ^ "." ^ f in
   let value = if nodes then N [ unreadable ] else W "\"odd\"" in
@@ -136,6 +143,8 @@ let check_field row (f, nodes) =
     match Scene_table.find row.kind with
     | Read { read; still; _ } ->
       Alcotest.(check bool) (what ^ " is in one list") true (List.mem f read <> List.mem f still);
+      let moves = List.mem f moving && not (row.kind = "LOD" && f = "center") in
+      Alcotest.(check bool) (what ^ " is read if it moves points") moves (List.mem f read);
       List.mem f read
     | Still | Unread _ -> false
   in
