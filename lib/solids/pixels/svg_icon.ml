@@ -13,7 +13,7 @@ exception Refused of Diag.t
 
 let max_corners = 1_000_000
 let max_drawn = 100_000
-let max_area = 1 lsl 31
+let max_area = 1 lsl 29
 
 (* {1 The picture} *)
 
