@@ -10,7 +10,7 @@ let lines =
 
 let picture body =
   let text = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 40 30'>" ^ body ^ "</svg>" in
-  match Icon.read ~resolution:20 ~path:"icon" text with
+  match Icon.read ~resolution:80 ~path:"icon" text with
   | Ok r -> Ok (Array.to_list r.colours, Bytes.to_string r.alphas)
   | Error d -> Error (d.Diag.code :> string)
 
@@ -23,7 +23,7 @@ let outlines =
   [
     ("path", "d='M20 0h9v9h-9z'"); ("rect", "x='20' width='9' height='9'"); ("circle", "cx='25' cy='5' r='5'");
     ("ellipse", "cx='25' cy='5' rx='5' ry='4'"); ("polygon", "points='20,0 29,0 29,9 20,9'");
-    ("polyline", "points='20,0 29,0 29,9 20,9'"); ("line", "x1='20' x2='29'");
+    ("polyline", "points='20,0 29,0 29,9 20,9'"); ("line", "x1='20' x2='29' y1='5' y2='5' stroke-width='6'");
   ]
 
 let drawn element more =
@@ -35,6 +35,9 @@ let drawn element more =
     let rec pairs = function a :: v :: rest -> (String.trim a, v) :: pairs rest | _ -> [] in
     let kept = List.filter (fun (a, _) -> a <> name ^ "=") (pairs parts) in
     Printf.sprintf "<%s %s %s/>" element (String.concat " " (List.map (fun (a, v) -> a ^ "'" ^ v ^ "'") kept)) more
+  | None when element = "use" ->
+    let target = if String.length more > 4 && String.sub more 0 4 = "href" then "" else "href='#r'" in
+    Printf.sprintf "<defs><rect id='r' x='20' width='9' height='9'/></defs><use %s %s/>" target more
   | None -> Printf.sprintf "<%s %s>%s</%s>" element more inside element
 
 (* A value that a reader cannot but notice; of others, nonsense. *)
@@ -44,8 +47,13 @@ let noticed =
     ("stroke", "red"); ("transform", "scale(9)"); ("style", "display:none"); ("fill-rule", "nonsense");
   ]
 
-(* These matter beside others alone. *)
-let beside = [ "stroke-width"; "stroke-opacity"; "color"; "transform-origin"; "transform-box" ]
+(* These matter beside others alone; so do the width and height of a use, for what has a viewport. *)
+let beside =
+  [
+    "stroke-width"; "stroke-opacity"; "stroke-dasharray"; "stroke-dashoffset"; "stroke-linecap"; "stroke-linejoin";
+    "stroke-miterlimit"; "color"; "transform-origin"; "transform-box"; "overflow"; "paint-order";
+    "preserveAspectRatio"; "vector-effect";
+  ]
 
 (* By the specifications these may change what is painted, of themselves or with others: none may be still. *)
 let seen =
@@ -64,6 +72,7 @@ let check_attribute element name =
   match Svg_table.attribute element name with
   | Still -> Alcotest.(check bool) (what ^ " changes nothing") true (same plain found)
   | Unread _ -> Alcotest.(check bool) (what ^ " is refused") true (same (Error "SC0341") found)
+  | Read when element = "use" && List.mem name [ "width"; "height" ] -> ()
   | Read when List.mem name beside || (element = "line" && name <> "stroke" && Result.is_ok found) -> ()
   | Read -> Alcotest.(check bool) (what ^ " is read") false (same plain found)
 
@@ -73,8 +82,9 @@ let check line () =
     let alone = picture square in
     let found = picture (square ^ "<" ^ element ^ "/>") in
     (match (mark, Svg_table.element element) with
-     | "group", Group | "shape", Shape | "silent", Silent ->
+     | "group", Group | "shape", Shape | "viewport", Viewport | "silent", Silent ->
        Alcotest.(check bool) (element ^ " paints nothing") true (same alone found)
+     | "use", Use -> Alcotest.(check bool) "a use of nothing" true (same alone found || Result.is_error found)
      | "refused", Refused _ -> Alcotest.(check bool) (element ^ " is refused") true (same (Error "SC0341") found)
      | _ -> Alcotest.failf "%s is not in the list `%s`" element mark);
     List.iter (check_attribute element) attributes
