@@ -623,7 +623,7 @@ runs have nothing free, and other tools get the tie as one action.
   $ scc check free.sc --check race | grep race
   race: least 7/12, greatest 2/3
   $ scc estimate tied.sc --check race --runs 300
-  race: estimated: 0.6, from 0.524333 to 0.672423 with confidence 99/100, 300 runs
+  race: estimated: 0.616667, from 0.541272 to 0.688275 with confidence 99/100, 300 runs
   $ scc estimate free.sc --check race --runs 300 | head -2
   race: estimated: from 0.484029 to 0.716585 with confidence 99/100, 300 runs
     26 of 300 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest

@@ -61,7 +61,8 @@ class Long(unittest.TestCase):
 
     def test_in_a_model(self):
         """The cutting is a step of reading the model, which has some seconds left to end by itself."""
-        text = 'compound C = decompose "terrain.off" mass 1\nprocess p = C [nil]\ncheck still : always vx(p) = 0\n'
+        self.file("large.off", terrain(3 * SIDE))
+        text = 'compound C = decompose "large.off" mass 1\nprocess p = C [nil]\ncheck still : always vx(p) = 0\n'
         model = self.file("model.sc", text)
         running = subprocess.Popen([terminal_test.SCC, "check", model], stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, text=True)
