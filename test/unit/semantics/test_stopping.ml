@@ -99,6 +99,24 @@ let crowds =
     Gen.(pair random (list_size (pure 40) nat))
     (fun (w, choices) -> follow (network w) choices)
 
+(* Walkers that bind, in a room as wide as their kicks: some hit a wall and one to bind to at one instant. *)
+let in_corners =
+  let open Gen in
+  let* places = map (List.sort_uniq Stdlib.compare) (list_size (2 -- 4) (triple (0 -- 1) (0 -- 1) (pure 0))) in
+  let+ blocked = oneofl [ Model.Stop; Wait ] and+ laws = list_size (1 -- 2) (oneofl [ 2; 4 ]) and+ tall = bool in
+  let crowd : Test_crowd.crowd =
+    {
+      places; pitch = 3; around = Room; slack = 1; laws; sticky = true; steady = true; together = false;
+      any_time = false; half = false;
+    }
+  in
+  { crowd; blocked; askew = true; by_contact = false; own = false; tall; absorbs = false; drawn = false }
+
+let corners =
+  QCheck2.Test.make ~name:"walkers that bind in corners" ~count:60 ~print
+    Gen.(pair in_corners (list_size (pure 30) nat))
+    (fun (w, choices) -> follow (network w) choices)
+
 (* {1 Growth}
 
    n² cubes on a floor, half a side apart, that wait: words allocated for one draw, of all that a kick needs. *)
@@ -132,6 +150,6 @@ let growth () =
 let suite =
   ( "walkers that stop",
     [
-      ("as the transition relation", Scc_test_support.Property.cases [ crowds ]);
+      ("as the transition relation", Scc_test_support.Property.cases [ crowds; corners ]);
       ("known", [ Alcotest.test_case "growth: a draw costs as much in a crowd of 900 as of 100" `Quick growth ]);
     ] )
