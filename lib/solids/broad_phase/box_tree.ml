@@ -20,6 +20,7 @@ type t = {
   mutable free : int;  (** the first free node, or -1; the parent of a free node is the next one *)
   mutable used : int;  (** a bit for each head with a root *)
   mutable parent_of : int array;  (** the parent of each leaf, or -1 *)
+  mutable last : int array;  (** of each key: the head under which it was last, and a node near by, or -1 twice *)
 }
 
 let bug where what = Scc_base.Bug.fail where what
@@ -49,16 +50,21 @@ let set_child t i side c =
 
 let side_of t i c = if child t i 0 = c then 0 else 1
 
+(* Of a node that is free. *)
+let free_height = -1
+
 (* Chains the nodes from [first] to the end as free ones. *)
 let chain t first =
   let n = Array.length t.nodes / size in
   for i = first to n - 1 do
+    set_height t i free_height;
     set_parent t i (if i = n - 1 then -1 else i + 1)
   done;
   t.free <- first
 
 let create () =
-  let t = { nodes = Array.make (size * initial_nodes) Float.nan; free = -1; used = 0; parent_of = [||] } in
+  let nodes = Array.make (size * initial_nodes) Float.nan in
+  let t = { nodes; free = -1; used = 0; parent_of = [||]; last = [||] } in
   chain t (scratch + 1);
   t
 
@@ -78,6 +84,7 @@ let allocate t =
   i
 
 let release t i =
+  set_height t i free_height;
   set_parent t i t.free;
   t.free <- i
 
@@ -200,9 +207,31 @@ let mem t key = key < Array.length t.parent_of && t.parent_of.(key) >= 0
 
 let make_room t key =
   let n = Array.length t.parent_of in
-  if key >= n then t.parent_of <- extended t.parent_of (Int.max (key + 1) (2 * n)) (-1)
+  if key >= n then begin
+    let length = Int.max (key + 1) (2 * n) in
+    t.parent_of <- extended t.parent_of length (-1);
+    t.last <- extended t.last (2 * length) (-1)
+  end
 
 let is_used t head = t.used land (1 lsl head) <> 0
+
+let contains (b : float array) at own =
+  b.(at) <= b.(own) && b.(own + 3) <= b.(at + 3)
+  && b.(at + 1) <= b.(own + 1) && b.(own + 4) <= b.(at + 4)
+  && b.(at + 2) <= b.(own + 2) && b.(own + 5) <= b.(at + 5)
+
+(* Upwards from a node to one that contains the new box, or to a root: its parent and side. *)
+let rec place_above t i k =
+  let p = parent t i in
+  let side = side_of t p i in
+  if is_head p || contains t.nodes (bounds p side) (bounds scratch 0) then k p side else place_above t p k
+
+(* A box that is put back is as a rule near to where it was: its place is looked for from there. The node near by
+   may have become another one since. *)
+let start t key head k =
+  let near = t.last.((2 * key) + 1) in
+  if t.last.(2 * key) = head && near >= 0 && height_of t near > free_height then place_above t near k
+  else k head 0
 
 let insert t key box =
   if key < 0 || mem t key then bug __POS__ "a box is inserted twice";
@@ -213,29 +242,35 @@ let insert t key box =
     t.nodes.(new_box + c + 3) <- Float_box.high box c
   done;
   let head = class_of_box box in
+  let beside i side =
+    let joint = allocate t in
+    put t joint 0 (child t i side) ~from:(bounds i side);
+    put t joint 1 leaf ~from:new_box;
+    set_child t i side joint;
+    ignore (fit t joint);
+    refit t i
+  in
   if not (is_used t head) then begin
     put t head 0 leaf ~from:new_box;
     t.used <- t.used lor (1 lsl head)
   end
-  else
-    find_place t head 0 (fun i side ->
-        let joint = allocate t in
-        put t joint 0 (child t i side) ~from:(bounds i side);
-        put t joint 1 leaf ~from:new_box;
-        set_child t i side joint;
-        ignore (fit t joint);
-        refit t i)
+  else start t key head (fun i side -> find_place t i side beside);
+  t.last.(2 * key) <- head
 
 let remove t key =
   if not (mem t key) then bug __POS__ "a box that is not there is removed";
   let p = t.parent_of.(key) in
   t.parent_of.(key) <- -1;
   let side = side_of t p (-1 - key) in
-  if is_head p then t.used <- t.used land lnot (1 lsl p)
+  if is_head p then begin
+    t.used <- t.used land lnot (1 lsl p);
+    t.last.((2 * key) + 1) <- -1
+  end
   else begin
     let above = parent t p in
     put t above (side_of t above p) (child t p (1 - side)) ~from:(bounds p (1 - side));
     release t p;
+    t.last.((2 * key) + 1) <- (if is_head above then -1 else above);
     refit t above
   end
 
