@@ -6,7 +6,8 @@
  * What there is to draw is laid out when it changes; from then on, only what moves is placed anew.
  *
  * @typedef {{ leaf: number, parts: ReturnType<typeof Shapes.part>[], matrix: Float64Array, size: number, moves: boolean,
- *   body: Moving, place: DataPlace, drawn: { kind: Kind, k: number }[] }} Shown  A leaf as it is drawn.
+ *   body: Moving, place: DataPlace, drawn: { kind: Kind, k: number }[], layer: number }} Shown  A leaf as it is drawn;
+ *   layer: that of its glass, or -1 if it is opaque.
  */
 class Bodies {
   /** @param {PageData} data @param {any} scene of three.js */
@@ -19,6 +20,8 @@ class Bodies {
     this.models = [];
     /** @type {number[]} */
     this.sizes = [];
+    /** The sizes of fixed bodies, which are of glass, in increasing order: larger ones are drawn later. */
+    this.glass = /** @type {number[]} */ ([]);
     /** @type {[number, number, number][]} */
     this.centres = [];
     /** @type {ReturnType<typeof Colors.ofLeaves>} */
@@ -87,6 +90,7 @@ class Bodies {
     this.leaves = leaves;
     this.models = leaves.map((leaf) => leaf.parts.map((p) => Shapes.part(this.data, p)));
     this.sizes = this.models.map((parts) => Math.max(...parts.map((p) => p.radius)));
+    this.glass = [...new Set(this.sizes.filter((_, i) => leaves[i].fixed))].sort((a, b) => a - b);
     this.centres = this.models.map((parts) => Shapes.middle(parts.flatMap((p) => p.points)));
     this.families = Colors.ofLeaves(this.data, leaves);
     this.tints = this.families.map((f) => [...f.color, 0]);
@@ -140,14 +144,21 @@ class Bodies {
     return made;
   }
 
+  /**
+   * Larger glass is drawn later: the near wall of a room veils a smaller fixed body inside, and does not hide it.
+   * @param {number} leaf
+   */
+  #layer(leaf) { return this.leaves[leaf].fixed ? this.glass.indexOf(this.sizes[leaf]) : -1; }
+
   /** @param {number} leaf @returns {Kind} */
   #body(leaf) {
     const known = this.whole[leaf];
     if (known) return known;
     const { fixed, absorbs } = this.leaves[leaf];
     const kind = this.#kind(`body ${this.shapes[leaf]}`, () => {
+      const layer = this.#layer(leaf);
       const made = new Kind(Shapes.body(this.models[leaf], this.sizes[leaf] / 4), {
-        ...(fixed ? { opacity: 0.3, lineOpacity: 0.45 } : { shadow: true, lineOpacity: 0.85 }), stripes: absorbs, line: 1.3,
+        ...(fixed ? { opacity: 0.3, lineOpacity: 0.45, layer } : { shadow: true, lineOpacity: 0.85 }), stripes: absorbs, line: 1.3,
       });
       made.ink.value.setRGB(...this.colors.line);
       return made;
@@ -240,6 +251,7 @@ class Bodies {
         const leaf = place.leaf;
         const shown = (this.shown[n] = {
           leaf, parts: this.models[leaf], size: this.sizes[leaf], moves, body, place, drawn: [],
+          layer: this.#layer(leaf),
           matrix: this.shown[n] ? this.shown[n].matrix : new Float64Array(12),
         });
         n++;

@@ -82,10 +82,13 @@ class Kind {
     shadow: { value: 0.1 },
   };
 
+  /** After all layers of glass. */
+  static last = 1e6;
+
   /**
    * @typedef {{ opacity?: number, stripes?: boolean, flat?: boolean, line?: number, lineOpacity?: number, own?: boolean,
-   *   ghost?: number, shadow?: boolean, pull?: number, order?: number, other?: number[] }} KindStyle
-   *   opacity below 1: as of glass, of which the nearest surface alone is seen; stripes: of the colour `other`; flat: without
+   *   ghost?: number, shadow?: boolean, pull?: number, order?: number, other?: number[], layer?: number }} KindStyle
+   *   opacity below 1: as of glass, of which the nearest surface alone is seen, and through it glass of lower layers; stripes: of the colour `other`; flat: without
    *   shades; line: width in pixels; own: lines of the colour that is pushed; ghost: how much is seen of lines and faces
    *   through what is in front of them.
    * @param {{ faces?: { positions: number[], normals: number[], patterns: number[] }, lines?: number[] }} shape
@@ -130,12 +133,13 @@ class Kind {
         ...more,
       });
     if (glass) {
-      this.#add(geometry, new THREE.Mesh(geometry, material({ colorWrite: false, transparent: true }, {})), order + 3);
-      this.#add(geometry, new THREE.Mesh(geometry, material({ transparent: true, depthWrite: false }, {})), order + 4);
+      const first = order + 3 + 3 * (style.layer ?? 0);
+      this.#add(geometry, new THREE.Mesh(geometry, material({ colorWrite: false, transparent: true }, {})), first);
+      this.#add(geometry, new THREE.Mesh(geometry, material({ transparent: true, depthWrite: false }, {})), first + 1);
     } else this.#add(geometry, new THREE.Mesh(geometry, material({}, {})), order);
     if (style.ghost)
       this.#add(geometry, new THREE.Mesh(geometry, material(
-        { transparent: true, depthTest: false, depthWrite: false }, { opacity: { value: style.ghost } })), order + 8);
+        { transparent: true, depthTest: false, depthWrite: false }, { opacity: { value: style.ghost } })), Kind.last + order);
     if (style.shadow) {
       // Each place of the floor is darkened once.
       const shadow = new THREE.ShaderMaterial({
@@ -162,12 +166,12 @@ class Kind {
       pull: 4e-5 * (1 + (style.pull || 0)),
     });
     line.uniforms.color = this.ink;
-    this.#add(geometry, new THREE.Mesh(geometry, line), style.opacity ? order + 4 : order);
+    this.#add(geometry, new THREE.Mesh(geometry, line), style.opacity ? order + 4 + 3 * (style.layer ?? 0) : order);
     if (!style.ghost) return;
     const ghost = Kind.line({ width: style.line ?? 1.25, own: style.own, opacity: style.ghost });
     ghost.uniforms.color = this.ink;
     ghost.depthTest = false;
-    this.#add(geometry, new THREE.Mesh(geometry, ghost), order + 8);
+    this.#add(geometry, new THREE.Mesh(geometry, ghost), Kind.last + order);
   }
 
   /**

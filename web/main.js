@@ -25,6 +25,7 @@ const Main = (() => {
       link: () => Links.text(),
       work: () => (scene ? scene.work : null),
       look: () => (scene ? scene.look() : null),
+      sight: (/** @type {number[]} */ point) => (scene ? scene.sight(point) : null),
       open: (/** @type {number} */ index) => player.open(player.runs[index]),
       go: (/** @type {number} */ legs, /** @type {string | undefined} */ time) =>
         player.go(legs, time === undefined ? undefined : Rational.of(time)),

@@ -67,6 +67,7 @@ const Pick = (() => {
   }
 
   /**
+   * What a ray hits first; through glass, what is behind it.
    * @param {Shown[]} all @param {number[]} origin @param {number[]} way of the ray, relative to the target
    */
   function first(all, origin, way) {
@@ -81,7 +82,9 @@ const Pick = (() => {
       const from = toBody(m, [origin[0] - m[0], origin[1] - m[1], origin[2] - m[2]]), along = toBody(m, way);
       for (const [index, part] of shown.parts.entries()) {
         const hit = enter(part, from, along);
-        if (hit && hit.t > 0 && (!best || hit.t < best.t)) best = { shown, part: index, face: hit.face, t: hit.t };
+        if (!hit || !(hit.t > 0)) continue;
+        const nearer = !best || (shown.layer - best.shown.layer || hit.t - best.t) < 0;
+        if (nearer) best = { shown, part: index, face: hit.face, t: hit.t };
       }
     }
     return best;

@@ -274,6 +274,21 @@ class Scene {
     return { up, floor: Rational.text(this.floorAt), from: direction };
   }
 
+  /**
+   * What is at a point of space, for tests: the colour of its pixel, and the body that is picked there.
+   * @param {number[]} point
+   */
+  sight(point) {
+    const width = this.box.clientWidth, height = this.box.clientHeight;
+    this.draw();
+    const at = this.orbit.at.map(Rational.toNumber);
+    const { x, y } = this.projector(width, height)(point.map((c, i) => c - at[i]));
+    const gl = this.renderer.getContext(), color = new Uint8Array(4), scale = this.canvas.width / width;
+    gl.readPixels(Math.round(x * scale), Math.round((height - y) * scale), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, color);
+    const found = this.pick(x, y);
+    return { color: [...color], name: found && this.bodies.leaves[found.leaf].name };
+  }
+
   /** @param {{ [key: string]: any }} camera */
   setCamera(camera) {
     if (Scene.why) return;

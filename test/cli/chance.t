@@ -582,17 +582,17 @@ The probability within each time, up to the bound: a table, JSON and a picture.
   $ grep -c '<svg' curve.svg
   1
   $ scc check $M/ruin.sc --curve ends
-  error[SC0208]: --curve: `ends' does not ask for a probability within a time, as `P = ? [ eventually f within t ]' does
-  [3]
+  command line: error[SC0208]: --curve: `ends' does not ask for a probability within a time, as `P = ? [ eventually f within t ]' does
+  [64]
   $ scc check $M/ruin.sc --curve-plot curve.svg
-  error[SC0208]: --curve-plot: of which check? Give `--curve NAME` as well
-  [3]
+  command line: error[SC0208]: --curve-plot: of which check? Give `--curve NAME` as well
+  [64]
   $ scc check $M/ruin.sc --curve by_five
-  error[SC0208]: --curve: the model has no check `by_five'
-  [3]
+  command line: error[SC0201]: the model has no check `by_five`
+  [64]
   $ scc check $M/ruin.sc --check ends --curve by_four
-  error[SC0208]: --curve: `by_four' is not among the checks of --check: add `--check by_four'
-  [3]
+  command line: error[SC0208]: --curve: `by_four' is not among the checks of --check: add `--check by_four'
+  [64]
 
 Collisions that chance puts in order (rule Ties): one number, also without reductions and from a kept exploration. Random
 runs have nothing free, and other tools get the tie as one action.

@@ -265,3 +265,18 @@ Where walkers bounce nothing draws which does so first. No interval is given if 
   
   share: estimated: 0.1, from 0.022217 to 0.25805 with confidence 99/100, 50 runs
   [1]
+
+Without an end time a run is left after 10 000 transitions. The draws of one instant are one of them, be it of 50 walkers:
+
+  $ cat > many.sc <<'END'
+  > import <solids>
+  > for i in 1..50 { process w[i] = solids.Cube(1) mass 1 at translate (2*i, 0, 0) [nil] }
+  > motion w = choose { (0,0,1), (0,0,2) }
+  > check far : P = ? [ eventually z(w[1]) > 400 ]
+  > END
+  $ scc estimate many.sc --runs 5
+  far: estimated: 1, from 0.346572 to 1 with confidence 99/100, 5 runs
+  $ scc estimate many.sc --runs 5 --steps 100
+  far: undecided: not known, 5 runs
+    5 of 5 runs were left before it was known: --steps
+  [2]

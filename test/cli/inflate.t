@@ -87,7 +87,7 @@ A drawing in SVG, on whose pieces one may insist; what is wrong is told where it
      |
    1 | <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 10">
      | ^
-    hint: --piece 1 takes the largest one; pixels that only touch at a corner do not hang together
+    hint: --piece 1 takes the largest one, --pieces apart all of them, and --pieces plate puts them on a plate; pixels that only touch at a corner do not hang together
   [3]
   $ scc inflate two.svg --resolution 20 --piece 3
   two.svg:1:1: error[SC0344]: there is no such piece: the drawing has 2 (1: 52 pixels from column 4, row 2 on, 2: 16 pixels from column 13, row 3 on)
@@ -100,13 +100,19 @@ A drawing in SVG, on whose pieces one may insist; what is wrong is told where it
   inflated: highest 3.332 pixels (diffused, radius 2)
     no height is farther than 0.001303 pixels from that of the exact solution
   solid: 48 vertices, 92 faces
-  $ sed 's/<rect /<rect stroke="red" /' two.svg > stroke.svg
-  $ scc inflate stroke.svg
-  stroke.svg:3:57: error[SC0341]: this is not read: strokes (turn them into paths, or set stroke to none)
+  $ sed 's/<rect /<rect stroke="red" stroke-width="2" fill="none" /' two.svg > stroke.svg
+  $ scc inflate stroke.svg --resolution 20 --piece 2
+  stroke.svg: 20 x 10 pixels, of which the shape has 32, with 1 hole
+  inflated: highest 3.77 pixels (diffused, radius 1.418)
+    no height is farther than 0.001635 pixels from that of the exact solution
+  solid: 96 vertices, 192 faces
+  $ sed 's/<rect .*/<text>A<\/text>/' two.svg > text.svg
+  $ scc inflate text.svg
+  text.svg:3:16: error[SC0341]: this is not read: the element "text": turn the text into paths (in Inkscape: Path, Object to Path)
      |
-   3 |   <rect stroke="red" x="12" y="2" width="4" height="4"/>
-     |                                                         ^
-    hint: filled paths, rectangles, circles, ellipses and polygons are read, in groups, with transforms
+   3 |   <text>A</text>
+     |                ^
+    hint: shapes with fills and strokes are read, in groups and where they are used, with transforms and clip paths
   [3]
   $ sed 's/"4"/"four"/' two.svg > four.svg
   $ scc inflate four.svg
@@ -115,6 +121,81 @@ A drawing in SVG, on whose pieces one may insist; what is wrong is told where it
    2 |   <circle cx="5" cy="5" r="four"/>
      |                                   ^
   [3]
+
+All pieces: as several surfaces, each in a file of its own, on a plate, or each as a template.
+
+  $ scc inflate two.svg --resolution 20 --pieces apart --faces all -o all.off
+  two.svg: 20 x 10 pixels, of which the shape has 68
+  inflated: highest 5.395 pixels (diffused, radius 3.609)
+    no height is farther than 0.001823 pixels from that of the exact solution
+  pieces: 2
+  solid: 184 vertices, 360 faces
+  $ scc inflate two.svg --resolution 20 --pieces each -o each.obj | tail -2
+  solid: 104 vertices, 200 faces
+    simplified: heights change by at most 0.7188 pixels, the outline by at most 0
+  $ grep -c '^f' each-1.obj each-2.obj
+  each-1.obj:152
+  each-2.obj:48
+  $ scc inflate two.svg --resolution 20 --pieces plate=1/2 --faces all -o plate.off
+  two.svg: 20 x 10 pixels, of which the shape has 68
+  inflated: highest 5.895 pixels (diffused, radius 3.609)
+    no height is farther than 0.001823 pixels from that of the exact solution
+  solid: 518 vertices, 1032 faces
+  $ scc decompose plate.off | head -1
+  plate.off: 310 plane faces, 144 reflex edges, volume 38485/64
+  $ scc inflate two.svg --resolution 20 --pieces apart --faces 60 -o both.sc | grep solid
+  solid: 34 vertices, 60 faces
+  $ grep -E '^(shape|compound)' both.sc
+  shape Both_1 {
+  shape Both_2 {
+  $ scc inflate two.svg --pieces each --faces 12
+  two.svg:1:1: error[SC0345]: the drawing cannot be had with so few faces
+     |
+   1 | <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 10">
+     | ^
+    hint: allow more, at least --faces 16, or all of them: --faces all
+  [3]
+  $ scc inflate two.svg --pieces plate=70000
+  two.svg:1:1: error[SC0345]: with these strengths it would be higher than 65536 pixels
+     |
+   1 | <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 10">
+     | ^
+    hint: choose smaller strengths, and --scale to make all of it larger
+  [3]
+  $ scc inflate two.svg --pieces each --piece 1
+  scc: --piece takes one piece, and --pieces all of them: give one of the two
+  Usage: scc inflate [OPTION]… ICON
+  Try 'scc inflate --help' or 'scc --help' for more information.
+  [64]
+  $ scc inflate two.svg --pieces some
+  scc: option '--pieces': `some' is none of one, apart, each, plate and
+       plate=HEIGHT
+  Usage: scc inflate [OPTION]… ICON
+  Try 'scc inflate --help' or 'scc --help' for more information.
+  [64]
+
+An icon as sets have them: a style sheet, strokes with round caps, a part that is used twice, a clip.
+
+  $ cat > icon.svg <<'END'
+  > <svg xmlns="http://www.w3.org/2000/svg" width="24" height="24" viewBox="0 0 24 24">
+  >   <style>.pen { fill: none; stroke: currentColor; stroke-width: 2; stroke-linecap: round }</style>
+  >   <defs>
+  >     <path id="wing" d="M12 12c3-6 8-6 8-1s-5 5-8 1"/>
+  >     <clipPath id="above"><path d="M0 0h24v18H0z"/></clipPath>
+  >   </defs>
+  >   <g class="pen" clip-path="url(#above)">
+  >     <use href="#wing"/>
+  >     <use href="#wing" transform="matrix(-1 0 0 1 24 0)"/>
+  >     <line x1="12" y1="12" x2="12" y2="23"/>
+  >   </g>
+  > </svg>
+  > END
+  $ scc inflate icon.svg --resolution 48
+  icon.svg: 48 x 48 pixels, of which the shape has 402, with 2 holes
+  inflated: highest 7.574 pixels (diffused, radius 3.609)
+    no height is farther than 0.001951 pixels from that of the exact solution
+  solid: 97 vertices, 198 faces
+    simplified: heights change by at most 2.664 pixels, the outline by at most 0.7109
 
 What cannot be inflated.
 

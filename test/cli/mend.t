@@ -24,6 +24,50 @@ one of them turned over:
   vertices: 8, edges: 12, faces: 6
   names of faces: f0, f2, f4, f6, f8, f10
   names of vertices: v0, v1, v2, v5, v6, v7, v8, v11
+
+A cube whose faces are there twice, and one whose faces are there from both sides:
+
+  $ python3 > twice.off << 'END'
+  > corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+  > faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+  > print("OFF", 8, 12, 0)
+  > for c in corners: print(*c)
+  > for f in faces + faces: print(4, *f)
+  > END
+  $ scc shape twice.off | grep mend
+  to mend it: scc shape --weld
+  $ scc shape --weld twice.off | head -3
+  welded: 8 vertices became 8; 6 faces that were there twice went
+  twice.off
+  vertices: 8, edges: 12, faces: 6
+  $ awk 'NR > 15 { print $1, $5, $4, $3, $2; next } { print }' twice.off > sides.off
+  $ scc shape sides.off | grep mend
+  to mend it: scc shape --weld
+  $ scc shape --weld sides.off | head -3
+  welded: 8 vertices became 8; 6 faces that were there twice went
+  sides.off
+  vertices: 8, edges: 12, faces: 6
+
+A model mends a mesh by the same words, in the order in which the options work:
+
+  $ cat > mended.sc << 'END'
+  > shape Cube = mesh "soup.obj" grid 1/100 weld orient merge
+  > compound Drawn = decompose "soup.obj" grid 1/100 weld orient merge mass 1
+  > process p = Cube mass 1 [nil]
+  > END
+  $ scc check mended.sc 2> /dev/null | head -1
+  semantics 3
+  $ scc fmt mended.sc | head -2
+  shape Cube = mesh "soup.obj" grid 1/100 weld orient merge
+  compound Drawn = decompose "soup.obj" grid 1/100 weld orient merge mass 1
+  $ scc translate --to xml mended.sc | grep '<mesh' | head -1
+      <mesh file="soup.obj" grid="1/100" weld="true" orient="true" merge="true"/>
+  $ sed 's/weld orient/orient weld/' mended.sc > order.sc; scc check order.sc 2>&1 | head -1
+  order.sc:1:48: error[SC0110]: `weld` does not fit here: expected `merge`, `snap` and a distance, `scaled`, an attribute, or the next declaration
+  $ sed 's/ merge//' mended.sc > merge.sc; scc check merge.sc 2>&1 | grep -E 'error|hint' | head -2
+  merge.sc:1:19: error[SC0308]: faces f0 and f1 are coplanar neighbours
+    hint: write `merge` after the file: neighbours in one plane become one face
+
   $ head -7 cube.stl
   solid scc
     facet normal 0 0 -1

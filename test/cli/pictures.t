@@ -29,6 +29,18 @@ What is left out takes its marks along: here a family, of which the bonds are.
   $ grep -c 'fab' few.svg crosslink.svg
   few.svg:0
   crosslink.svg:2
+Near walls of a room are of glass, from any side, while something is inside:
+
+  $ scc view ../../specs/models/crowds/pore.sc -D n=2 --svg 0 -o room.svg 2> /dev/null; grep -c 'opacity="0.22"' room.svg
+  3
+  $ scc view ../../specs/models/crowds/pore.sc -D n=2 --svg 0 --from 0,0,-1 -o room.svg 2> /dev/null
+  $ grep -c 'opacity="0.22"' room.svg
+  1
+  $ scc view ../../specs/models/crowds/pore.sc -D n=2 --svg 0 --without p -o room.svg 2> /dev/null
+  $ grep -c 'opacity="0.22"' room.svg
+  0
+  [1]
+
   $ scc view ../../specs/models/bone.sc --svg 9 --without cell.south
   command line: error[SC0201]: no body, part or family of bodies is called `cell.south`
     hint: parts of compounds are named with their body, as in --without room.south

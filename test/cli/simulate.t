@@ -32,20 +32,14 @@ The same bytes, however many processes work at it, and each run is the same amon
 
   $ sim() { scc simulate $M/brownian.sc --seed=-3 --observe 'x(ligand)' --observe 'bound(ligand, pocket)' --every 1 --until 12 "$@"; }
   $ sim --runs 40 > one.csv
-  scc: kick 1
   $ for j in 2 3 7; do sim --runs 40 --jobs $j | cmp - one.csv; done
-  scc: kick 1
-  scc: kick 1
-  scc: kick 1
   $ sim --runs 10 | cmp - one.csv
-  scc: kick 1
   cmp: EOF on - after byte 1764, line 131
   [1]
 
 All together.
 
   $ sim --runs 200 --jobs 2 --summary --quantiles 0,0.5,1 | sed -n '1p;$p' | cut -d, -f 1-9
-  scc: kick 1
   time,observable,count,mean,variance,deviation,least,quantile 0,quantile 1/2
   12,"bound(ligand, pocket)",200,1/200,1/200,0.070711,0,0
   $ sim --runs 200 --summary --format jsonl | sed -n '2p'
@@ -54,11 +48,8 @@ All together.
 With a chart.
 
   $ sim --runs 30 --plot chart.svg > runs.csv
-  scc: kick 1
   $ sim --runs 30 | cmp - runs.csv
-  scc: kick 1
   $ sim --runs 30 --jobs 2 --summary --plot again.svg > summary.csv
-  scc: kick 1
   $ cmp chart.svg again.svg
   $ grep '<text' chart.svg | sed 's/.*">//; s/<.*//' | head -4
   brownian
@@ -94,12 +85,10 @@ An interrupted one goes on where it ended; a line that was not finished is made 
 What is told of all runs counts those that were there, and leaves their file alone.
 
   $ sim --runs 40 --summary --decimals 3 --plot once.svg > once.csv
-  scc: kick 1
   $ sim --runs 40 --format jsonl --summary --decimals 3 > once.jsonl
   $ cp less.jsonl kept.jsonl
   $ sim --runs 40 --format jsonl --summary --decimals 3 --plot twice.svg --resume less.jsonl | cmp - once.jsonl
   $ sim --runs 40 --summary --decimals 3 --resume less.jsonl | cmp - once.csv
-  scc: kick 1
   $ cmp once.svg twice.svg
   $ cmp less.jsonl kept.jsonl
   $ sim --runs 40 --format jsonl --plot twice.svg --resume less.jsonl
@@ -118,11 +107,7 @@ Parts, one after the other, are the whole.
   $ parts 7 sim --runs 40 --jobs 2 --format jsonl | cmp - all.jsonl
   $ parts 50 sim --runs 40 --format jsonl | cmp - all.jsonl
   $ sim --runs 40 | cksum > all.cksum
-  scc: kick 1
   $ parts 3 sim --runs 40 | cksum | cmp - all.cksum
-  scc: kick 1
-  scc: kick 1
-  scc: kick 1
   $ sim --runs 40 --format jsonl --part 1/1000000000000000 | cmp - all.jsonl
   cmp: EOF on - after byte 371, line 1
   [1]

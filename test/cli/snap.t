@@ -22,7 +22,7 @@ Solids whose decimals are rounded: a triangular prism, turned.
   names of vertices: v0, v1, v2, v3, v4, v5
   convex closed polyhedron: no
     error[SC0305]: face f2 is not planar: v5 is off its plane
-      hint: if its decimals are rounded: `snap 1e-5` after a mesh, or scc shape --snap 1e-5, finds an exact solid
+      hint: if its decimals are rounded and the solid is convex: `snap 1e-5` after a mesh, or scc shape --snap 1e-5, finds an exact one; of other solids, export the faces as triangles
     error[SC0305]: face f3 is not planar: v5 is off its plane
   $ scc shape --snap 1e-3 prism.off -o prism.sc | head -5
   snapped within 0.001: 6 vertices moved, v4 the farthest, by 0.000417; coordinates of at most 72 bits
@@ -144,12 +144,12 @@ In a model.
      |
    2 | shape P = mesh "prism.off" scaled (2, 1, 1)
      |                ^^^^^^^^^^^
-    hint: if its decimals are rounded: `snap 1e-5` after a mesh, or scc shape --snap 1e-5, finds an exact solid
+    hint: if its decimals are rounded and the solid is convex: `snap 1e-5` after a mesh, or scc shape --snap 1e-5, finds an exact one; of other solids, export the faces as triangles
   unsnapped.sc:2:16: error[SC0305]: face f3 is not planar: v5 is off its plane
      |
    2 | shape P = mesh "prism.off" scaled (2, 1, 1)
      |                ^^^^^^^^^^^
-    hint: if its decimals are rounded: `snap 1e-5` after a mesh, or scc shape --snap 1e-5, finds an exact solid
+    hint: if its decimals are rounded and the solid is convex: `snap 1e-5` after a mesh, or scc shape --snap 1e-5, finds an exact one; of other solids, export the faces as triangles
   [3]
   $ sed 's|1/1000$|1/1000000|' model.sc > near.sc
   $ scc check near.sc
@@ -177,7 +177,7 @@ In a model.
   [3]
   $ sed 's/snap fine scaled/snip fine scaled/' model.sc > snip.sc
   $ scc check snip.sc
-  snip.sc:2:28: error[SC0110]: `snip` does not fit here: expected `snap` and a distance, `scaled`, an attribute, or the next declaration
+  snip.sc:2:28: error[SC0110]: `snip` does not fit here: expected `grid`, `weld`, `orient`, `merge`, `snap` (in this order), `scaled`, an attribute, or the next declaration
      |
    2 | shape P = mesh "prism.off" snip fine scaled (2, 1, 1)
      |                            ^^^^

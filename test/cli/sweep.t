@@ -107,7 +107,12 @@ Of bodies that diffuse the table has the kick. A chosen one that changes is a wa
   $ scc sweep drift.sc -D d=1/2,1 --format jsonl 2>/dev/null | tail -1 | cut -d '[' -f 1-3
   {"point":1,"parameters":{"d":"1/1"},"refused":null,"lattices":[{"bodies":["p"],"kick":"2/1","chosen":true}],"checks":
   $ scc simulate drift.sc --runs 1 --observe 'x(p)' --every 1 --until 1
+  run,time,x(p),ended
+  0,0,0,
+  0,1,1,
+  $ scc simulate drift.sc --runs 1 --observe 'x(p)' --every 1 --until 1 --progress
   scc: kick 1, kick chosen as the least power of two whose square is no less than 1
+  progress: 1 of 1 runs
   run,time,x(p),ended
   0,0,0,
   0,1,1,

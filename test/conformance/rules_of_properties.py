@@ -291,6 +291,19 @@ def joined_draws():
     return r
 
 
+def isometry():
+    r = Rule('Isometry')
+    row = ('timestep 2 steady\nblocked wait\nfixed west = Cube at translate (-4,0,0)\nfixed east = Cube at translate (4,0,0)\n'
+           'process w = Cube mass 1 at translate (-2,0,0) [nil]\nmotion w = choose { (1,0,0), (-1,0,0)%s }\n')
+    even, uneven = row % '', row % ' weight 3'
+    r.measured('With 1/2 it stays at the wall.', even, 'P = ? [ eventually x(w) = 0 within 4 ]', least='3/4', greatest='3/4')
+    r.measured('Each end is as far from the middle: two steps.', even, 'E = ? [ time U x(w) = 0 ]', least='4', greatest='4')
+    r.measured('The other end is none of both: six steps.', even, 'E = ? [ time U x(w) = 2 ]', least='12', greatest='12')
+    r.measured('To the left is not to the right: four steps.', uneven, 'E = ? [ time U x(w) = 0 ]', least='8', greatest='8')
+    r.measured('20 steps.', uneven, 'E = ? [ time U x(w) = 2 ]', least='40', greatest='40')
+    return r
+
+
 def slice_():
     r = Rule('Slice')
     far = cubes() + ''.join('process f%d = Cube mass 1 velocity (1,0,0) at translate (%d,1000,0) [nil]\n' % (i, 5 * i)
@@ -362,5 +375,5 @@ def drift():
 
 def suites():
     return [f() for f in (graph, state, jump, quiescent, instants, verdict, zeno, run, dead_end, event, leads_to, next_, until, intervals,
-                          truncated, symmetry, translation, order, joined_draws, slice_, absolute_time, settling,
+                          truncated, symmetry, translation, order, joined_draws, isometry, slice_, absolute_time, settling,
                           drift)]

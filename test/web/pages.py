@@ -295,6 +295,18 @@ def upright(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
+def glass(b, scc):
+    """What is fixed in a room is seen and picked through its near wall, and so is what moves."""
+    b.open(scc.view('specs/models/crowds/pore.sc', '-D', 'n=4', '--graph', '4', '--seconds', '5'))
+    if b.find('grid').get_attribute('aria-pressed') == 'true':
+        b.find('grid').click()
+    wall, post, moving = b.js('return [[5, 1.3, 0.5], [0, 1.3, 0.5], [-4, -1, 0.5]].map((at) => scc.sight(at))')
+    same('bodies are picked through glass', [s['name'] for s in (wall, post, moving)], ['room', 'upper', 'p[3]'])
+    opacities = [s['color'][3] for s in (wall, post, moving)]
+    check('glass behind glass is seen, and what is opaque', opacities[0] + 20 < opacities[1] < opacities[2] == 255, opacities)
+    same('the console is told nothing', b.complaints(), [])
+
+
 HOSTILE = ['</script><script>window.pwned = 1</script><img src=x onerror="window.pwned = 1">',
            'א' * 40 + '\u202e reversed \u2066 \u0000 &lt;b&gt;', 'long' * 2500]
 
@@ -447,4 +459,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, reasons, starts, onwards, by_keys, links, plots, upright, hostile, far_away, motion, no_states_beyond, large]
+PARTS = [by_mouse, reasons, starts, onwards, by_keys, links, plots, upright, glass, hostile, far_away, motion, no_states_beyond, large]

@@ -3,9 +3,15 @@ open Scc_exact
 open Scc_calculus
 open Scc_property
 
-type t = { symmetry : Symmetry.t; translation : bool; drift : Drift.t option; forgets : bool }
+type t = {
+  symmetry : Symmetry.t;
+  translation : bool;
+  drift : Drift.t option;
+  forgets : bool;
+  isometries : Isometry.t list;
+}
 
-let none = { symmetry = Symmetry.none; translation = false; drift = None; forgets = false }
+let none = { symmetry = Symmetry.none; translation = false; drift = None; forgets = false; isometries = [] }
 
 let translatable (m : Model.t) (s : State.t) formulas =
   let stays (p : State.process) = Option.is_none (State.mass m p) in
@@ -20,13 +26,18 @@ type within = {
   catalogue : Catalogue.t;
   is_held : int -> bool;  (** {!Drift.is_held}, of the number of a process *)
   names : names Recent.t;
+  images : image Recent.t array;  (** for each isometry *)
 }
 
 (* A process of one leaf, the leaf that it is renamed to, and its number then. *)
 and names = { number : int; leaf : int; renamed : int }
 
+(* A process, and its image. *)
+and image = { original : int; there : int }
+
 let place_of_name number leaf = (31 * number) + leaf
 let no_names = { number = Catalogue.nobody; leaf = 0; renamed = Catalogue.nobody }
+let no_image = { original = Catalogue.nobody; there = Catalogue.nobody }
 let memory = 1 lsl 14
 
 let within quotient catalogue =
@@ -36,15 +47,21 @@ let within quotient catalogue =
     | Some d -> Catalogue.remembered catalogue false (Drift.is_held d)
   in
   let names = Recent.create ~number:(fun n -> place_of_name n.number n.leaf) ~none:no_names ~most:memory in
-  { quotient; catalogue; is_held; names }
+  let images _ = Recent.create ~number:(fun i -> i.original) ~none:no_image ~most:memory in
+  { quotient; catalogue; is_held; names; images = Array.of_list (List.map images quotient.isometries) }
 
-let renames w = not (Symmetry.is_none w.quotient.symmetry)
+let renames w = not (Symmetry.is_none w.quotient.symmetry && w.quotient.isometries = [])
 let process w number = (Catalogue.body w.catalogue number).process
 
 let iter_present w f (tuple : int array) =
   for i = 0 to Array.length (Catalogue.model w.catalogue).leaves - 1 do
     let number = Array.unsafe_get tuple i in
     if number <> Catalogue.nobody then f number
+  done
+
+let iter_present_slots w f (tuple : int array) =
+  for i = 0 to Array.length (Catalogue.model w.catalogue).leaves - 1 do
+    if tuple.(i) <> Catalogue.nobody then f i tuple.(i)
   done
 
 let fold_present w f acc (tuple : int array) =
@@ -90,6 +107,48 @@ let sorted w tuple =
       in
       iter_present w put tuple;
       copy
+
+(** {2 Isometries} *)
+
+let image_of w images g number =
+  let known = Recent.get images number in
+  if known.original = number then known.there
+  else begin
+    let image = Isometry.image g (Catalogue.model w.catalogue) (process w number) in
+    let found = { original = number; there = Catalogue.process w.catalogue image } in
+    Recent.keep images found;
+    found.there
+  end
+
+(* By the places in the order of slots, and then by velocities, so that the order does not depend on numbers. *)
+let compare_tuples w a b =
+  let places (p : State.process) = p.leaves.(0).position and velocity (p : State.process) = p.velocity in
+  let drawn (p : State.process) =
+    match p.draw with Some (Drawn v) -> v | Some Waits | None -> Vec.zero
+  in
+  let rec by value i =
+    if i = Array.length (Catalogue.model w.catalogue).leaves then 0
+    else if a.(i) = b.(i) then by value (i + 1)
+    else if a.(i) = Catalogue.nobody then 1
+    else if b.(i) = Catalogue.nobody then -1
+    else
+      match Vec.compare (value (process w a.(i))) (value (process w b.(i))) with
+      | 0 -> by value (i + 1)
+      | order -> order
+  in
+  match by places 0 with 0 -> (match by velocity 0 with 0 -> by drawn 0 | order -> order) | order -> order
+
+(* The first of the images in order. *)
+let turned w tuple =
+  let first = ref (sorted w tuple) in
+  let look i g =
+    let copy = Array.copy tuple in
+    iter_present_slots w (fun slot number -> copy.(slot) <- image_of w w.images.(i) g number) tuple;
+    let image = sorted w copy in
+    if compare_tuples w image !first < 0 then first := image
+  in
+  List.iteri look w.quotient.isometries;
+  !first
 
 (* The first leaf comes to the origin. *)
 let centred w tuple =
@@ -158,7 +217,7 @@ let representative w tuple =
   let tuple = forgotten w tuple in
   match Option.bind w.quotient.drift (fun d -> apart w d tuple) with
   | Some placed -> sorted w placed
-  | None -> centred w (sorted w tuple)
+  | None -> centred w (turned w tuple)
 
 let same_but_for_places w one two =
   match w.quotient.drift with
@@ -175,4 +234,8 @@ let keeps w tuple quantity =
 
 let is_none w =
   let q = w.quotient in
-  Symmetry.is_none q.symmetry && (not q.translation) && Option.is_none q.drift && not q.forgets
+  Symmetry.is_none q.symmetry
+  && (not q.translation)
+  && Option.is_none q.drift
+  && (not q.forgets)
+  && q.isometries = []

@@ -10,6 +10,9 @@ type t = {
   forgets : bool;
   (** states in which several processes wait to draw, and that differ only in velocities that these lose by it: a
       process whose laws do not depend on its velocity has none (rule JoinedDraws) *)
+  isometries : Isometry.t list;
+  (** states of which one is the image of the other under a turn or a mirror image of space (rule Isometry); there
+      are none with [translation] or [drift] *)
 }
 
 val none : t

@@ -1,9 +1,9 @@
 open Scc_calculus
 open Scc_property
 
-type kind = Symmetry | Translation | Order | Jump | Slice | Drift | Time | Draws
+type kind = Symmetry | Translation | Order | Jump | Slice | Drift | Time | Draws | Isometry
 
-let all = [ Symmetry; Translation; Order; Jump; Slice; Drift; Time; Draws ]
+let all = [ Symmetry; Translation; Order; Jump; Slice; Drift; Time; Draws; Isometry ]
 
 let name = function
   | Symmetry -> "symmetry"
@@ -14,6 +14,7 @@ let name = function
   | Time -> "time"
   | Drift -> "drift"
   | Draws -> "draws"
+  | Isometry -> "isometry"
 
 let of_name text = List.find_opt (fun k -> String.equal (name k) text) all
 let equal a b = String.equal (name a) (name b)
@@ -34,13 +35,27 @@ let symmetry model state ~checks ~searched ~evaluated =
   let evaluated = List.filter (fun f -> not (List.memq f numbers)) evaluated in
   Symmetry.find model ~initial:state ~searched:(searched @ List.concat_map predicates numbers) ~evaluated
 
+(* Shown runs need no names of places, and states between draws are seen by none of these checks. *)
+let isometries kinds model state checks =
+  if used kinds Isometry && joins kinds model checks && List.for_all Between_draws.is_number checks then
+    let predicates = List.concat_map (fun (c : Property.check) -> Formula.predicates c.formula) checks in
+    let number (c : Property.check) =
+      match c.asked with
+      | Expected (_, Value_at (n, _), _) -> Some n
+      | Expected (_, (Time_until _ | Events_until _), _) | Whether | How_likely _ -> None
+    in
+    Isometry.find model ~initial:state ~predicates ~numbers:(List.filter_map number checks)
+  else []
+
 let quotient kinds model state ~checks ~searched ~evaluated : Quotient.t =
+  let translation = used kinds Translation && Quotient.translatable model state (searched @ evaluated) in
+  let drift = if used kinds Drift then Drift.make model state checks else None in
   {
     forgets = forgets kinds model checks;
     symmetry =
       (if used kinds Symmetry then symmetry model state ~checks ~searched ~evaluated else Symmetry.none);
-    translation = used kinds Translation && Quotient.translatable model state (searched @ evaluated);
-    drift = (if used kinds Drift then Drift.make model state checks else None);
+    translation; drift;
+    isometries = (if translation || Option.is_some drift then [] else isometries kinds model state checks);
   }
 
 let sees_far kinds model state checks = used kinds Drift && Drift.sees_far model state checks

@@ -1,6 +1,6 @@
 (** Reductions of the state space, each of which can be switched off. Each keeps the verdicts of a fragment of the
     properties, and is used for this fragment alone (rules Symmetry, Translation, Order, Jump, Slice, AbsoluteTime,
-    Drift, JoinedDraws). *)
+    Drift, JoinedDraws, Isometry). *)
 
 open Scc_calculus
 open Scc_property
@@ -14,6 +14,7 @@ type kind =
   | Drift  (** states that differ in the distances between bodies that never meet again are one: {!module-Drift} *)
   | Time  (** absolute times that no formula or law tells apart are one: {!Scc_property.Time_seen} *)
   | Draws  (** the draws of one instant are one transition: {!Joint_draws} *)
+  | Isometry  (** states that are images under turns and mirror images of the scene are one: {!module-Isometry} *)
 
 val equal : kind -> kind -> bool
 (** [equal a b] is true if [a] and [b] are the same kind. *)
@@ -23,7 +24,7 @@ val all : kind list
 
 val name : kind -> string
 (** The name of a kind as in options: ["symmetry"], ["translation"], ["order"], ["jump"], ["slice"], ["drift"],
-    ["time"] or ["draws"]. *)
+    ["time"], ["draws"] or ["isometry"]. *)
 
 val of_name : string -> kind option
 (** The kind with this name; [None] if there is none. *)

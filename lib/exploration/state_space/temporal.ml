@@ -101,6 +101,7 @@ let explain t i =
   | Some e -> e
   | None -> Scc_base.Bug.fail __POS__ "an undecided formula is explained"
 
+let is_chain t = Timed_graph.is_chain (Scc_ctl.Eval.graph t.eval)
 let probability t i side = Scc_ctl.Eval.probability t.eval ~decide:false side t.asked.formulas.(i) origin
 
 let curve t i side = Scc_ctl.Eval.curve t.eval side t.asked.formulas.(i) origin.node

@@ -24,6 +24,10 @@ val done_with : t -> int -> unit
 (** Declares that the formula with this index, and all before it, are not used any more. The memory for their
     values is released. *)
 
+val is_chain : t -> bool
+(** [is_chain t] is true if no state of the graph leaves a choice ({!Scc_ctl.Timed_graph.is_chain}): then least and
+    greatest probabilities and means are equal. *)
+
 val probability : t -> int -> Property.side -> Scc_ctl.Eval.measured
 (** [probability t i side] is the least or greatest probability of the runs from the initial state that satisfy the
     operator F, G or U at the top of formula [i]. *)

@@ -2,6 +2,7 @@ open Scc_exact
 
 type t = {
   view : View.t;
+  glass : int -> bool;
   boxes : Cells.box array;
   cells : Cells.t;
   nearest : float array;  (** no point of the face is nearer *)
@@ -21,13 +22,14 @@ let depths (f : View.face) =
   ( Array.fold_left (fun m (_, high) -> Float.max m high) neg_infinity all,
     Array.fold_left (fun m (low, _) -> Float.min m low) infinity all )
 
-let make (view : View.t) =
+let make ?(glass = fun _ -> false) (view : View.t) =
   let boxes = Array.map (fun (f : View.face) -> Cells.around f.polygon) view.faces in
   let range = Array.map depths view.faces in
   let number = Hashtbl.create 64 in
   Array.iteri (fun i (f : View.face) -> Hashtbl.replace number (f.body, f.face) i) view.faces;
   {
     view;
+    glass;
     boxes;
     cells = Cells.make boxes;
     nearest = Array.map fst range;
@@ -37,6 +39,11 @@ let make (view : View.t) =
   }
 
 let none = function [] -> true | _ :: _ -> false
+let is_glass t body = t.glass body
+let of_glass t j = t.glass t.view.faces.(j).body
+
+(* Whether face [j] may hide something of face [i]: glass hides only glass. *)
+let may_hide t i j = j <> i && t.nearest.(j) >= t.farthest.(i) && (of_glass t i || not (of_glass t j))
 
 (* {1 Faces} *)
 
@@ -63,8 +70,7 @@ let less ~line ~first (g : View.face) box p =
 
 (* The faces that may be in front of face [i], those first that are likely to hide much. *)
 let candidates t i =
-  let may j = j <> i && t.nearest.(j) >= t.farthest.(i) in
-  let found = List.filter may (Cells.near t.cells t.boxes.(i)) in
+  let found = List.filter (may_hide t i) (Cells.near t.cells t.boxes.(i)) in
   let order a b =
     Float.compare t.nearest.(b) t.nearest.(a) <?> fun () -> Int.compare a b
   in
@@ -89,6 +95,16 @@ let pieces t i =
     let pieces = find_pieces t i in
     t.seen.(i) <- Some pieces;
     pieces
+
+let hiders t i =
+  let whole = piece t.view.faces.(i).polygon in
+  let hides j =
+    let g = t.view.faces.(j) in
+    match less ~line:(View.nearer g t.view.faces.(i)) ~first:(j < i) g t.boxes.(j) whole with
+    | [ rest ] -> rest != whole
+    | _ -> true
+  in
+  List.filter hides (candidates t i)
 
 let all_pieces t = Array.init (Array.length t.view.faces) (pieces t)
 
@@ -139,12 +155,11 @@ let beside t (e : View.edge) ~left (f : View.face) : range list =
   let p, q = e.ends in
   let along = Convex.through p q in
   let i = Hashtbl.find t.number (f.body, f.face) in
-  let may j = j <> i && t.nearest.(j) >= t.farthest.(i) in
   let rec from ranges = function
     | [] -> ranges
     | _ when none ranges -> []
     | j :: others ->
-      let hidden = if may j then hidden_by t ~along ~left e.ends i j else None in
+      let hidden = if may_hide t i j then hidden_by t ~along ~left e.ends i j else None in
       from (match hidden with None -> ranges | Some r -> without ranges r) others
   in
   from [ (Rat.zero, Rat.one) ] (Cells.near t.cells (Cells.around [| p; q |]))
@@ -170,6 +185,8 @@ let segments t (e : View.edge) =
   let ranges = join (side ~left:true e.left) (side ~left:false e.right) in
   List.map (fun (a, b) -> (along e.ends a, along e.ends b)) ranges
 
+let opaque_near t box = List.filter (fun j -> not (of_glass t j)) (Cells.near t.cells box)
+
 let uncovered t (p, near) (q, near') =
   let hides ranges j =
     let g = t.view.faces.(j) in
@@ -180,15 +197,14 @@ let uncovered t (p, near) (q, near') =
     | None -> ranges
     | Some r -> without ranges r
   in
-  let some = Cells.near t.cells (Cells.around [| p; q |]) in
-  let ranges = List.fold_left hides [ (Rat.zero, Rat.one) ] some in
+  let ranges = List.fold_left hides [ (Rat.zero, Rat.one) ] (opaque_near t (Cells.around [| p; q |])) in
   List.map (fun (a, b) -> (along (p, q) a, along (p, q) b)) ranges
 
 (* {1 Points} *)
 
 let over t p =
   let covers j = Convex.inside t.view.faces.(j).polygon p in
-  List.filter covers (Cells.near t.cells (Cells.around [| p |]))
+  List.filter covers (opaque_near t (Cells.around [| p |]))
 
 let shows t p ~depth = List.for_all (fun j -> View.before t.view.faces.(j) p depth <= 0) (over t p)
 

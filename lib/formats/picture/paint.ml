@@ -105,7 +105,12 @@ let face t base i =
     (* The stroke of its own colour closes the seam to its neighbours. *)
     Svg.tag "path" [ ("d", region t pieces); ("fill", fill); ("stroke", fill) ] []
 
+(* How much of glass is seen: its faces, and its edges. *)
+let face_of_glass = ("opacity", "0.22")
+let edge_of_glass = ("opacity", "0.55")
+
 let solid t base body =
+  let glass more = if Hidden.is_glass t.hidden body then [ more ] else [] in
   let view = Hidden.view t.hidden in
   let faces = List.concat_map (face t base) t.faces.(body) in
   let outer, inner =
@@ -118,9 +123,9 @@ let solid t base body =
     | [] -> []
     | segments ->
       let stroke = [ ("stroke", Palette.hex (ink base)); ("stroke-width", pixels width) ] in
-      Svg.tag "path" ([ ("d", lines t segments); ("fill", "none") ] @ stroke) []
+      Svg.tag "path" ([ ("d", lines t segments); ("fill", "none") ] @ stroke @ glass edge_of_glass) []
   in
   let edges = stroked (0.8 *. t.stroke) inner @ stroked (1.3 *. t.stroke) outer in
   (if none faces then []
-   else Svg.tag "g" [ ("stroke-width", pixels (0.5 *. t.stroke)) ] faces)
+   else Svg.tag "g" ([ ("stroke-width", pixels (0.5 *. t.stroke)) ] @ glass face_of_glass) faces)
   @ edges

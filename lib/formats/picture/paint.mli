@@ -22,7 +22,7 @@ val place : t -> Vec.t -> Rat.t * Rat.t
 (** The place of a point of space on the paper. *)
 
 val shows : t -> Vec.t -> bool
-(** [shows t p] is true if nothing is in front of the point [p] of space. *)
+(** [shows t p] is true if nothing, except glass, is in front of the point [p] of space. *)
 
 val shade : t -> Palette.rgb -> View.face -> Palette.rgb
 (** The colour of a face, from the colour of its solid: lighter if it faces up and to the left. *)
@@ -37,7 +37,8 @@ val ink : Palette.rgb -> Palette.rgb
 (** The colour of the edges of solids of this colour. *)
 
 val solid : t -> Palette.rgb -> int -> string list
-(** The visible part of a solid in a colour: its faces, and its edges over them. Nothing if it is hidden. *)
+(** The visible part of a solid in a colour: its faces, and its edges over them. Nothing if it is hidden. What
+    is behind glass shines through. *)
 
 val pixels : float -> string
 (** A number of an attribute, with at most two decimals. *)

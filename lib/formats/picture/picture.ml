@@ -146,6 +146,24 @@ let key families bodies ~hatch ~open_ ~bonds : Key.entry list =
   @ (if open_ then [ { Key.sample = Hatch hatch; text = "open" } ] else [])
   @ if bonds then [ { Key.sample = Glyph bond_glyph; text = "bond" } ] else []
 
+(* {1 Glass} *)
+
+(* What is fixed, absorbs nothing and does nothing is a wall only; of other bodies something is to be seen. *)
+let glass (m : Model.t) camera solids hidden bodies =
+  let body b : Glass.body =
+    let plain = b.of_model.fixed && not b.of_model.absorbs in
+    let idle () = none (Behaviours.offers m.definitions b.leaf.behaviour) in
+    { solids = drawn_solids b; wall = b.of_model.fixed; content = not (plain && idle ()) }
+  in
+  Glass.find camera solids hidden (Array.of_list (List.map body bodies))
+
+(* The view without what glass would hide, if something is of glass. *)
+let seen m camera ~origin solids bodies =
+  let view = View.make camera ~origin solids in
+  let opaque = Hidden.make view in
+  let glass = glass m camera solids opaque bodies in
+  if List.exists (fun b -> List.exists glass (drawn_solids b)) bodies then Hidden.make ~glass view else opaque
+
 (* {1 All of it} *)
 
 let told options bodies =
@@ -160,19 +178,21 @@ let drawn (m : Model.t) state options all =
   let camera = Camera.make ~up:options.up options.from in
   let whole (v : Vec.t) = Ivec.make (Rat.floor v.x) (Rat.floor v.y) (Rat.floor v.z) in
   let origin = match solids with [] -> Ivec.zero | p :: _ -> whole p.at in
-  let view = View.make camera ~origin (Array.of_list (List.map View.of_placed solids)) in
-  let points = List.concat_map Array.to_list (Array.to_list view.points) in
+  let hidden = seen m camera ~origin (Array.of_list (List.map View.of_placed solids)) bodies in
+  let points = List.concat_map Array.to_list (Array.to_list (Hidden.view hidden).points) in
   let top = Sheet.top ~title:options.title in
   let points = if none points then [ Convex.point Z.zero Z.zero Z.one ] else points in
   let canvas = Canvas.make camera ~width:options.width ~margin:Sheet.margin ~top points in
-  let paint = Paint.make camera ~origin canvas (Hidden.make view) in
+  let paint = Paint.make camera ~origin canvas hidden in
   let families = Families.of_model m in
   let colour = colour families in
-  let body b =
-    match List.concat_map (Paint.solid paint (colour b)) (drawn_solids b) with
+  let body ~glass b =
+    let some = List.filter (fun s -> Bool.equal glass (Hidden.is_glass hidden s)) (drawn_solids b) in
+    match List.concat_map (Paint.solid paint (colour b)) some with
     | [] -> []
     | painted -> Svg.tag "g" [] (Svg.title b.of_model.name @ painted)
   in
+  let painted = List.concat_map (body ~glass:false) bodies @ List.concat_map (body ~glass:true) bodies in
   let opened = if options.marks then List.concat_map (open_features m paint colour) bodies else [] in
   let bonded = if options.marks then List.concat_map (bond m paint all) (State.bonds state) else [] in
   let names = if options.names then Marks.names ~width:canvas.width (List.map (name paint) bodies) else [] in
@@ -192,6 +212,6 @@ let drawn (m : Model.t) state options all =
       notes = [];
     }
   in
-  Sheet.svg sheet (List.concat_map body bodies @ opened @ bonded @ names)
+  Sheet.svg sheet (painted @ opened @ bonded @ names)
 
 let svg m state options = drawn m state options (bodies ~without:options.without m state)

@@ -1,6 +1,7 @@
 (** Drawings of states for papers, in SVG. What is in front hides what is behind, decided exactly ({!Hidden}).
     There is no perspective, so equal lengths in one direction are equal everywhere. Bodies of one family (shape
-    or compound of the model) have one colour; fixed ones are grey. The same state gives the same bytes. *)
+    or compound of the model) have one colour; fixed ones are grey, and of glass where they would hide a body
+    entirely ({!Glass}). The same state gives the same bytes. *)
 
 open Scc_exact
 open Scc_calculus

@@ -12,7 +12,8 @@ let at ?(faces = []) ?(edges = []) ?(vertices = []) () = (faces, edges, vertices
 
 let of_fault : Polyhedron_fault.t -> _ = function
   | No_faces | Inward -> at ()
-  | Flat f | Short_face f | Turned_face (f, _) | Self_crossing f | Bad_vertex_index (f, _) -> at ~faces:[ f ] ()
+  | Flat f | Short_face f | Turned_face (f, _) | Self_crossing (f, _) | Bad_vertex_index (f, _) ->
+    at ~faces:[ f ] ()
   | Open_edge (_, v, w) -> at ~edges:[ (v, w) ] ()
   | Repeated_edge (f, g, v, w) -> at ~faces:[ f; g ] ~edges:[ (v, w) ] ()
   | Same_position (v, w) -> at ~vertices:[ v; w ] ()

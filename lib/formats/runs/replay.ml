@@ -54,6 +54,7 @@ type verdict = Take of int * guide | Wait of Rat.t * Schedule.choice * guide | L
 type place = {
   time : Rat.t;
   taken : int;  (** transitions so far *)
+  counted : int;  (** of them, for [limits.steps] *)
   still : int;  (** of them, since time last passed, without draws, of which each instant has a few *)
   guide : guide;
 }
@@ -222,13 +223,14 @@ let beyond (limits : limits) place d =
   | _ -> None
 
 let out_of_steps (limits : limits) place =
-  match limits.steps with Some n -> place.taken >= n | None -> false
+  match limits.steps with Some n -> place.counted >= n | None -> false
 
-let advance place guide (taken : Run.alternative) =
+let advance place guide (taken : Run.alternative) ~counts =
   let d = duration taken.label in
   {
     time = Rat.add place.time d;
     taken = place.taken + 1;
+    counted = (if counts then place.counted + 1 else place.counted);
     still =
       (if Rat.sign d > 0 then 0 else if Transition.is_drawn taken.label then place.still else place.still + 1);
     guide;
@@ -259,20 +261,22 @@ let break_off run emit place ~within_step =
 
 let draws_on run (taken : Run.alternative) = Transition.is_drawn taken.label && Run.draws_on run
 
-let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy limits ~interrupted emit =
-  (* A step may take long, as its numbers do. *)
+(* A step may take long, as its numbers do. *)
+let attempted (attempt : Scc_graph_search.Limits.attempt) within_step f =
+  within_step := true;
+  let result = attempt.run Exploring f in
+  within_step := Result.is_error result;
+  Result.map_error (fun stop -> Interrupted stop) result
+
+let run ?(passing = not_asked) ?(attempt = unbounded) ?(joint = false) semantics declared policy limits
+    ~interrupted emit =
   let within_step = ref false in
-  let step f =
-    within_step := true;
-    let result = attempt.run Exploring f in
-    within_step := Result.is_error result;
-    Result.map_error (fun stop -> Interrupted stop) result
-  in
+  let step f = attempted attempt within_step f in
   let model = Semantics.model semantics and guide, offset = start_of policy in
   let* started = step (fun () -> Run.start semantics declared) in
   let* run = Result.map_error (fun fault -> Fault { fault; steps = 0; time = Rat.zero }) started in
   let state () = Run.state run and changes () = Run.changes run and part = Run.part run in
-  let reached = ref { time = Rat.zero; taken = 0; still = 0; guide } in
+  let reached = ref { time = Rat.zero; taken = 0; counted = 0; still = 0; guide } in
   let rec from place =
     if interrupted () then Error (Interrupted Scc_graph_search.Limits.Interrupted)
     else
@@ -307,10 +311,11 @@ let run ?(passing = not_asked) ?(attempt = unbounded) semantics declared policy 
     | Some _ -> finish run limits emit place ahead
     | None -> go ()
   and go_on place guide index among ~free taken =
-    let next = advance place guide taken in
-    reached := next;
+    let draws_on = draws_on run taken in
+    let next = advance place guide taken ~counts:(not (joint && draws_on)) in
     let { taken = number; time; _ } = next in
-    emit (Step { number; index; among; free; time; taken; changes; state; part; draws_on = draws_on run taken });
+    reached := next;
+    emit (Step { number; index; among; free; time; taken; changes; state; part; draws_on });
     from next
   in
   emit (Start (state ()));

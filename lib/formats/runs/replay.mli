@@ -79,6 +79,7 @@ type failure =
 val run :
   ?passing:(start:Rat.t -> lasts:Rat.t -> (unit -> State.t) -> unit) ->
   ?attempt:Scc_graph_search.Limits.attempt ->
+  ?joint:bool ->
   Semantics.t ->
   State.t ->
   policy ->
@@ -91,5 +92,6 @@ val run :
     passing of time, the run ends with an [Instant] at the limit.
 
     [passing] is called before each stretch of time passes, with its start, its duration and the state there,
-    which may only be computed then. A step that [attempt] gives up is an interruption. A dead end is an end,
+    which may only be computed then. With [joint] (false by default) [limits.steps] counts the draws of one
+    instant as one transition. A step that [attempt] gives up is an interruption. A dead end is an end,
     and no failure. *)

@@ -238,9 +238,9 @@ let splits_now t s =
 
 let splits t = List.map (fun (_, s) -> splits_now t s) (Firsts.bindings t.splitting)
 
-let collisions t outcomes =
-  Colliding.find t.colliding (fun p q -> outcomes (present t p) (present t q));
-  (Colliding.count t.colliding, Colliding.nth t.colliding)
+let find t found = Colliding.find t.colliding (fun p q -> found (present t p) (present t q))
+let collisions t = (Colliding.count t.colliding, Colliding.nth t.colliding)
+let stopping t = List.map (fun first -> present t (body t first)) (Colliding.stopping t.colliding)
 
 let involved t = List.map (present t) (Colliding.bodies t.colliding)
 

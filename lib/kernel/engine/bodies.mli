@@ -25,7 +25,7 @@ val set_step : t -> State.step option -> unit
 (** Changes the present movement step of the network. *)
 
 val come_up : t -> unit
-(** Handles everything that the agenda has for this instant. It is to be called before {!splits}, {!collisions} and
+(** Handles everything that the agenda has for this instant. It is to be called before {!splits}, {!find} and
     {!next_time}. *)
 
 val next_time : t -> Rat.t option
@@ -41,11 +41,16 @@ val splits : t -> (Transition.outcome list * Transition.outcome list) list
 (** The urgent and the weak outcomes of single processes ({!Network.urgent}, {!Network.weak}), for all processes
     that have any, in order. *)
 
-val collisions :
-  t -> (State.process -> State.process -> Transition.outcome list) -> int * (int -> Transition.outcome)
-(** [collisions t outcomes] is the number of collisions that are possible now, and each by its number from 0 on, in
-    the order of pairs. [outcomes p q] is those of two processes. It is called once for each pair that meets, and
-    again after a change of one of the two. *)
+val find : t -> (State.process -> State.process -> Transition.outcome Colliding.found) -> unit
+(** [find t found] finds what may come of the pairs that meet now. [found p q] is this for two processes. It is
+    called once for each pair that meets, and again after a change of one of the two. *)
+
+val collisions : t -> int * (int -> Transition.outcome)
+(** The number of collisions that are possible now, and each by its number from 0 on, in the order of pairs, as
+    {!find} found them last. *)
+
+val stopping : t -> State.process list
+(** The walkers that are to stop now, in order, as {!find} found them last (rule Blocked). *)
 
 val involved : t -> State.process list
 (** All processes that touch and approach another one, in order, and perhaps others. *)

@@ -10,11 +10,15 @@ module Pairs = Map.Make (struct
       if order <> 0 then order else Int.compare b d
   end)
 
+type 'outcome found = { outcomes : 'outcome list; busy : bool; stops : int list }
+
 type ('body, 'outcome) pair = {
   one : 'body;
   two : 'body;
-  mutable ages : int * int;  (** when the outcomes were found *)
+  mutable ages : int * int;  (** when the following were found *)
   mutable outcomes : 'outcome array;
+  mutable busy : bool;
+  mutable stops : int list;
 }
 
 type ('body, 'outcome) t = {
@@ -24,6 +28,8 @@ type ('body, 'outcome) t = {
   partners : First_set.t array;  (** the first leaves of those in whose pairs a body is the second *)
   counts : Fenwick.t;  (** of outcomes, by the first leaf of the first *)
   mutable unasked : ('body, 'outcome) pair Pairs.t;  (** those whose outcomes are to be found *)
+  busy : int array;  (** by first leaf: in how many busy pairs a body is *)
+  mutable stopping : ('body, 'outcome) pair Pairs.t;  (** those that stop bodies *)
 }
 
 let create leaves ~first ~age =
@@ -33,6 +39,8 @@ let create leaves ~first ~age =
     partners = Array.make leaves First_set.empty;
     counts = Fenwick.create leaves;
     unasked = Pairs.empty;
+    busy = Array.make leaves 0;
+    stopping = Pairs.empty;
   }
 
 let key t p = (t.first p.one, t.first p.two)
@@ -50,7 +58,7 @@ let pairs_of t leaf = Seq.append (as_first t leaf) (as_second t leaf)
 let ask t p = t.unasked <- Pairs.add (key t p) p t.unasked
 
 let meet t one two =
-  let p = { one; two; ages = (-1, -1); outcomes = [||] } in
+  let p = { one; two; ages = (-1, -1); outcomes = [||]; busy = false; stops = [] } in
   let ((_, second) as key) = key t p in
   if not (Pairs.mem key t.pairs) then begin
     t.pairs <- Pairs.add key p t.pairs;
@@ -58,9 +66,24 @@ let meet t one two =
     ask t p
   end
 
+(* What has been found of a pair takes the place of what had been. *)
+let note t p ({ outcomes; busy; stops } : _ found) =
+  let ((one, two) as key) = key t p in
+  let outcomes = Array.of_list outcomes in
+  if Array.length outcomes <> Array.length p.outcomes then
+    Fenwick.add t.counts one (Array.length outcomes - Array.length p.outcomes);
+  let more = Bool.to_int busy - Bool.to_int p.busy in
+  t.busy.(one) <- t.busy.(one) + more;
+  t.busy.(two) <- t.busy.(two) + more;
+  if stops <> [] then t.stopping <- Pairs.add key p t.stopping
+  else if p.stops <> [] then t.stopping <- Pairs.remove key t.stopping;
+  p.outcomes <- outcomes;
+  p.busy <- busy;
+  p.stops <- stops
+
 let forget t p =
   let ((one, two) as key) = key t p in
-  Fenwick.add t.counts one (-Array.length p.outcomes);
+  note t p { outcomes = []; busy = false; stops = [] };
   t.partners.(two) <- First_set.remove one t.partners.(two);
   t.pairs <- Pairs.remove key t.pairs;
   t.unasked <- Pairs.remove key t.unasked
@@ -70,13 +93,11 @@ let part t leaf = List.iter (forget t) (List.of_seq (pairs_of t leaf))
 let changed t leaf = Seq.iter (ask t) (pairs_of t leaf)
 
 let find t outcomes =
-  let find (first, _) p =
+  let find _ p =
     let one, two = (t.age p.one, t.age p.two) in
     let known = match p.ages with a, b -> a = one && b = two in
     if not known then begin
-      let found = Array.of_list (outcomes p.one p.two) in
-      Fenwick.add t.counts first (Array.length found - Array.length p.outcomes);
-      p.outcomes <- found;
+      note t p (outcomes p.one p.two);
       p.ages <- (one, two)
     end
   in
@@ -95,6 +116,10 @@ let nth t k =
       if k < n then p.outcomes.(k) else from (k - n) rest
   in
   from k (as_first t leaf)
+
+let stopping t =
+  let add _ p firsts = List.filter (fun first -> t.busy.(first) = 0) p.stops @ firsts in
+  List.sort_uniq Int.compare (Pairs.fold add t.stopping [])
 
 let bodies t =
   let add body all = Firsts.add (t.first body) body all in

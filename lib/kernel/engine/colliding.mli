@@ -19,8 +19,15 @@ val changed : ('body, 'outcome) t -> int -> unit
 (** [changed t first] marks all pairs of the body with this first leaf, which may have changed on its course, for
     the next {!find}. *)
 
-val find : ('body, 'outcome) t -> ('body -> 'body -> 'outcome list) -> unit
-(** [find t outcomes] computes the outcomes of the pairs that are new, and of the marked pairs in which the age
+(** What may come of a pair. *)
+type 'outcome found = {
+  outcomes : 'outcome list;
+  busy : bool;  (** one of the outcomes comes before anything stops its bodies *)
+  stops : int list;  (** the first leaves of those of the two bodies that are to stop *)
+}
+
+val find : ('body, 'outcome) t -> ('body -> 'body -> 'outcome found) -> unit
+(** [find t found] computes what may come of the pairs that are new, and of the marked pairs in which the age
     of a body differs. *)
 
 val count : ('body, 'outcome) t -> int
@@ -28,6 +35,10 @@ val count : ('body, 'outcome) t -> int
 
 val nth : ('body, 'outcome) t -> int -> 'outcome
 (** The outcome with a number, from 0 to {!count} - 1. Any other number is a bug. *)
+
+val stopping : ('body, 'outcome) t -> int list
+(** The first leaves of the bodies that are to stop by some pair and are in no busy pair, in order, as {!find}
+    found them last. It takes O(n log n) steps for the n pairs that stop bodies. *)
 
 val bodies : ('body, 'outcome) t -> 'body list
 (** All bodies that are in pairs, in the order of their first leaves. It takes O(n log n) steps for n pairs. *)

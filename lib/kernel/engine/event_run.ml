@@ -54,14 +54,27 @@ let doubt_all t outcomes =
 
 (* {1 Now} *)
 
+let together t processes = doubt_all t (Network.together t.semantics processes)
+
+(* A pair of which nothing comes may stop walkers; a bond or an absorption comes first. *)
+let found t p q =
+  let outcomes = together t [| p; q |] in
+  let comes_first (o : Transition.outcome) =
+    match o.label with Bounce _ -> false | _ -> true
+  in
+  let stopping = if outcomes = [] then Blocked.stopping t.semantics [| p; q |] else [] in
+  let first (p : State.process) = p.leaves.(0).leaf in
+  { Colliding.outcomes; busy = List.exists comes_first outcomes; stops = List.map first stopping }
+
 (* How many collisions may happen now, and each by its number. Where they are resolved together, all who may
    collide are looked at together (reading I-32). *)
 let collisions_now t =
-  let together processes = doubt_all t (Network.together t.semantics processes) in
   match (model t).collisions with
-  | In_turn | Drawn -> Bodies.collisions t.bodies (fun p q -> together [| p; q |])
+  | In_turn | Drawn ->
+    Bodies.find t.bodies (found t);
+    Bodies.collisions t.bodies
   | Together ->
-    let collisions = Array.of_list (together (Array.of_list (Bodies.involved t.bodies))) in
+    let collisions = Array.of_list (together t (Array.of_list (Bodies.involved t.bodies))) in
     (Array.length collisions, Array.get collisions)
 
 (* How far time passes where nothing is urgent. *)
@@ -150,11 +163,27 @@ let label t i =
 
    What is due after each transition, as {!Steer.settle} has it. *)
 
-let begin_steps t asked =
-  let begun = Steer.begin_steps (model t) asked in
+(* Walkers stop where they run into something, until none does ({!Blocked.stopped}). *)
+let rec stop t =
+  if Model.stops_walkers (model t) then begin
+    Bodies.come_up t.bodies;
+    Bodies.find t.bodies (found t);
+    let stopping = Bodies.stopping t.bodies in
+    if stopping <> [] then begin
+      Bodies.turn t.bodies (List.map (State.with_velocity Vec.zero) stopping);
+      stop t
+    end
+  end
+
+(* A kick may be blocked by whoever is in its way. *)
+let begin_steps t (asked : State.t) =
+  let unsteered = match (model t).blocked with Wait -> Bodies.unsteered t.bodies | Bounce | Stop -> [] in
+  let processes = List.rev_append unsteered (Array.to_list asked.processes) in
+  let begun = Steer.kicked t.semantics (State.make ~processes ~step:asked.step ~time:asked.time) in
   Bodies.set_step t.bodies begun.step;
   Bodies.turn t.bodies (Array.to_list begun.processes);
-  if Array.length begun.processes > 0 then Steer.rules else []
+  stop t;
+  if Array.length asked.processes > 0 then Steer.rules else []
 
 let steer t =
   let { State.step; time; _ } = Bodies.frame t.bodies in
@@ -164,6 +193,7 @@ let steer t =
   if Option.is_some t.draws then [] else begin_steps t asked
 
 let settle t =
+  stop t;
   match Bodies.step t.bodies with
   | Some { phase = Due; _ } ->
     Bodies.come_up t.bodies;
@@ -253,7 +283,7 @@ let changes t = Bodies.changes t.bodies
 (* Bodies that come to touch and do not collide are on no agenda (reading I-33). *)
 let can_run (m : Model.t) =
   let has_values (l : Model.leaf) = l.fixed || Law.never_fails l.law in
-  (not (Model.of_each m || Model.has_turns m || m.lots || Model.binds_on_contact m || Model.stops_walkers m))
+  (not (Model.of_each m || Model.has_turns m || m.lots || Model.binds_on_contact m))
   && Array.for_all has_values m.leaves
 
 (* From any state: also while bodies draw. *)

@@ -105,13 +105,16 @@ let meeting boxes =
 let same_boxes a b = Array.length a = Array.length b && Array.for_all2 ( == ) a b
 let of_two_processes (parts : Part.t array) (i, j) = parts.(i).process <> parts.(j).process
 
+let of_processes (parts : Part.t array) pairs =
+  List.filter (of_two_processes parts) pairs |> List.map (fun (i, j) -> (parts.(i), parts.(j)))
+
 let within memory margin (parts : Part.t array) =
   let boxes = boxes_of memory margin parts in
   if not (same_boxes boxes memory.boxes) then begin
     memory.boxes <- boxes;
     memory.pairs <- meeting boxes
   end;
-  List.filter (of_two_processes parts) memory.pairs |> List.map (fun (i, j) -> (parts.(i), parts.(j)))
+  of_processes parts memory.pairs
 
 (* {1 Sweeps} *)
 
@@ -136,6 +139,8 @@ let meeting_within boxes (parts : Part.t array) span =
   let until = Next_float.succ (Float_box.up span) in
   let sweep i = Float_box.swept (Part.velocity parts.(i)) ~until boxes.(i) in
   meeting (Long_array.init (Array.length parts) sweep)
+
+let along memory span parts = of_processes parts (meeting_within (boxes_of memory Rat.zero parts) parts span)
 
 (* Sizes and speeds only say how far to look, which floats are good enough for. *)
 
@@ -212,4 +217,4 @@ let earliest memory ~margin ~limit time (parts : Part.t array) =
 
 let boxes () =
   let memory = { seen = [||]; turned = Hashtbl.create 16; boxes = [||]; pairs = [] } in
-  { Kinematics.within = within memory; earliest = earliest memory }
+  { Kinematics.within = within memory; along = along memory; earliest = earliest memory }

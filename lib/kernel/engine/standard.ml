@@ -18,6 +18,9 @@ let of_model model =
   let geometry = Geometry.exact ~obstacle:(Obstacle_cache.find memory) in
   let geometry =
     match model.Model.rigid with
+    | None when Model.stops_walkers model ->
+      let known = Path_cache.create () in
+      { geometry with paths = Path_cache.find known geometry.paths }
     | None -> geometry
     | Some _ ->
       let casts = Cast_cache.create () in

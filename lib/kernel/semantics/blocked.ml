@@ -9,13 +9,17 @@ let at_rest which = State.mapi (fun i p -> if Ids.mem i which then State.with_ve
 (* {1 Where walkers stop} *)
 
 (* A bond, or an absorption, comes before what else the same walker runs into. *)
-let rec until_none (c : Semantics.t) (s : State.t) =
-  let meetings = Collisions.meetings c s.processes in
-  let busy = List.filter (fun m -> Collisions.candidates c s.processes m <> []) meetings in
+let to_stop (c : Semantics.t) processes =
+  let meetings = Collisions.meetings c processes in
+  let busy = List.filter (fun m -> Collisions.candidates c processes m <> []) meetings in
   let busy = Ids.of_list (List.concat_map (fun (m : Kinematics.meeting) -> [ m.first; m.second ]) busy) in
-  let stops = Ids.of_list (List.concat_map (Collisions.blocked c s.processes) meetings) in
-  let stops = Ids.diff stops busy in
+  Ids.diff (Ids.of_list (List.concat_map (Collisions.blocked c processes) meetings)) busy
+
+let rec until_none (c : Semantics.t) (s : State.t) =
+  let stops = to_stop c s.processes in
   if Ids.is_empty stops then s else until_none c (at_rest stops s)
+
+let stopping c processes = List.map (fun i -> processes.(i)) (Ids.elements (to_stop c processes))
 
 let stopped (c : Semantics.t) s = if Model.stops_walkers c.setting.model then until_none c s else s
 
@@ -24,13 +28,7 @@ let stopped (c : Semantics.t) s = if Model.stops_walkers c.setting.model then un
 (* Two processes one of which at least has been kicked, with all of their parts that may come near each other. *)
 type two = { first : int; second : int; parts : (Part.t * Part.t) list }
 
-let speed (p : State.process) =
-  let { Vec.x; y; z } = p.velocity in
-  Rat.add (Rat.abs x) (Rat.add (Rat.abs y) (Rat.abs z))
-
 let near_each_other (c : Semantics.t) ~kicked (s : State.t) =
-  let fastest = Array.fold_left (fun most p -> Rat.max most (speed p)) Rat.zero s.processes in
-  let margin = Rat.mul (Rat.of_int 2) (Rat.mul c.setting.model.timestep fastest) in
   let concerning ((a : Part.t), (b : Part.t)) =
     if kicked a.process || kicked b.process then Some ((), (a, b)) else None
   in
@@ -39,12 +37,16 @@ let near_each_other (c : Semantics.t) ~kicked (s : State.t) =
     let (a : Part.t), (b : Part.t) = List.hd parts in
     { first = a.process; second = b.process; parts }
   in
-  c.setting.neighbours.within margin (Collisions.parts c s.processes)
+  c.setting.neighbours.along c.setting.model.timestep (Collisions.parts c s.processes)
   |> List.filter_map concerning |> Collisions.by_processes |> List.map two
 
+let paths (c : Semantics.t) ((a : Part.t), (b : Part.t)) =
+  let { Kinematics.model; geometry; _ } = c.setting in
+  geometry.paths a.placed b.placed ~span:model.timestep (Part.velocity a) (Part.velocity b)
+
 let first_collision (c : Semantics.t) two =
-  let time ((a : Part.t), (b : Part.t)) =
-    match c.setting.geometry.first_time_of_contact a.placed b.placed (Part.relative_velocity a b) with
+  let time pair =
+    match (paths c pair).contact with
     | Never -> None
     | At t -> Some t
     | Inside -> Scc_base.Bug.fail __POS__ "two bodies interpenetrate"
@@ -53,6 +55,8 @@ let first_collision (c : Semantics.t) two =
 
 (* By the behaviours that the two have now. *)
 let binds_at c t p q =
+  Collisions.may_react c p q
+  &&
   let model = Semantics.model c in
   let then_ = [| Turn.pass model t p; Turn.pass model t q |] in
   List.exists (fun m -> Collisions.candidates c then_ m <> []) (Collisions.meetings c then_)
@@ -63,10 +67,7 @@ let run_into_each_other (c : Semantics.t) (s : State.t) two =
   | Some t when before_the_next_draw t -> not (binds_at c t s.processes.(two.first) s.processes.(two.second))
   | Some _ | None -> false
 
-let sweeps_meet (c : Semantics.t) two =
-  let path (a : Part.t) = Vec.scale c.setting.model.timestep (Part.velocity a) in
-  let meet (a, (b : Part.t)) = c.setting.geometry.sweeps_meet a.Part.placed b.placed (path a) (path b) in
-  List.exists meet two.parts
+let sweeps_meet c two = List.exists (fun pair -> Lazy.force (paths c pair).sweeps_meet) two.parts
 
 type together = { blocks : bool; sweeps : bool; undisturbed : bool }
 
@@ -112,7 +113,7 @@ let rec spread ~beside blocked = function
   | [] -> blocked
   | i :: rest when Ids.mem i blocked -> spread ~beside blocked rest
   | i :: rest ->
-    let more = List.filter (fun j -> not (Ids.mem j blocked)) (beside i) in
+    let more = beside i (fun j -> not (Ids.mem j blocked)) in
     spread ~beside (Ids.add i blocked) (List.rev_append more rest)
 
 let blocked (c : Semantics.t) ~kicked (s : State.t) =
@@ -121,9 +122,9 @@ let blocked (c : Semantics.t) ~kicked (s : State.t) =
   let join near two = near |> add two.first (two.second, two) |> add two.second (two.first, two) in
   let of_kicks = List.filter (fun two -> kicked two.first && kicked two.second) pairs in
   let near = List.fold_left join By_process.empty of_kicks in
-  let beside i =
+  let beside i which =
     Option.value (By_process.find_opt i near) ~default:[]
-    |> List.filter_map (fun (j, two) -> if sweeps_meet c two then Some j else None)
+    |> List.filter_map (fun (j, two) -> if which j && sweeps_meet c two then Some j else None)
   in
   List.filter (run_into_each_other c s) pairs
   |> List.concat_map (fun two -> List.filter kicked [ two.first; two.second ])

@@ -7,6 +7,11 @@ val stopped : Semantics.t -> State.t -> State.t
 (** [stopped c s] is [s] in which those walkers stand still that run into something, until none does; in models
     whose walkers bounce, [s] itself. A walker that may bind or be absorbed at once is left as it is. *)
 
+val stopping : Semantics.t -> State.process array -> State.process list
+(** [stopping c processes] is those of [processes] that {!stopped} gives the velocity 0 first, all at once, in
+    order, if there are no others. Whether a walker stops depends on pairs alone. It stops if it is to stop by its
+    meeting with one other process, and no meeting of it has a candidate. *)
+
 val waiting : Semantics.t -> kicked:(int -> bool) -> State.t -> State.t
 (** [waiting c ~kicked s] is [s] in which those processes stand still whose kicks are blocked; in models whose
     walkers take all kicks, [s] itself. [s] has the velocities that all have drawn. [kicked] is true for the

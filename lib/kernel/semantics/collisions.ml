@@ -120,6 +120,10 @@ let absorb (c : Semantics.t) (p : State.process) (q : State.process) =
 
 (* {1 Candidates} *)
 
+let may_react (c : Semantics.t) (p : State.process) (q : State.process) =
+  let fit (one : State.leaf) (two : State.leaf) = compatible c p one.leaf q two.leaf <> [] in
+  absorb c p q <> [] || Array.exists (fun one -> Array.exists (fit one) q.leaves) p.leaves
+
 let candidates c (processes : State.process array) (m : meeting) =
   let p = processes.(m.first) and q = processes.(m.second) in
   (if m.collide then absorb c p q else []) @ List.concat_map (bind c p q) m.touching

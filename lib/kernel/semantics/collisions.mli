@@ -38,6 +38,9 @@ val bonds : Semantics.t -> Part.t * Part.t -> candidate list
     channels. The features of a bond are a pair in which the two parts touch and which the channels share. Of these
     pairs, only those of the highest dimension bind. *)
 
+val may_react : Semantics.t -> State.process -> State.process -> bool
+(** [may_react c p q] is true if a meeting of [p] and [q] might have {!candidates}, wherever they touch. *)
+
 val candidates : Semantics.t -> State.process array -> Kinematics.meeting -> Transition.outcome list
 (** What may come of a meeting by rules Bind and Absorb. *)
 

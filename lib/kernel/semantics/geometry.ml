@@ -2,6 +2,8 @@ open Scc_exact
 open Scc_geometry
 open Scc_rigid
 
+type paths = { contact : Obstacle.cast; sweeps_meet : bool Lazy.t }
+
 type t = {
   relation : Placed.t -> Placed.t -> Obstacle.relation;
   approaching : Placed.t -> Placed.t -> Vec.t -> bool;
@@ -9,7 +11,7 @@ type t = {
   meeting : Placed.t -> Placed.t -> Vec.t -> (Rat.t option * Rat.t option) option;
   touching : Placed.t -> Placed.t -> Contact.pair list;
   directions : (Placed.t * Placed.t) list -> Vec.t -> Vec.t list;
-  sweeps_meet : Placed.t -> Placed.t -> Vec.t -> Vec.t -> bool;
+  paths : Placed.t -> Placed.t -> span:Rat.t -> Vec.t -> Vec.t -> paths;
   first_meeting : Vec.t list -> Vec.t list -> Vec.t -> Rat.t option;
   first_penetration : Motion.t -> Motion.t -> span:Rat.t -> grid:int -> phase:Rat.t -> Cast.outcome;
   near : resolution:Rat.t -> Placed.t -> Placed.t -> Near_contact.t option;
@@ -32,7 +34,14 @@ let exact ~obstacle:remembered =
       (fun pairs w ->
          let touching (a, b) = { Response.obstacle = obstacle a b; offset = offset a b } in
          Response.directions (List.map touching pairs) w);
-    sweeps_meet = (fun a b v u -> Swept.meet (obstacle a b) (offset a b) v u);
+    paths =
+      (fun a b ~span v u ->
+         let obstacle = obstacle a b and offset = offset a b in
+         let path = Vec.scale span in
+         {
+           contact = Obstacle.first_time_of_contact obstacle offset (Vec.sub u v);
+           sweeps_meet = lazy (Swept.meet obstacle offset (path v) (path u));
+         });
     first_meeting = Feature_cast.first_meeting;
     first_penetration =
       (fun a b ~span ~grid ~phase ->

@@ -9,6 +9,10 @@ open Scc_exact
 open Scc_geometry
 open Scc_rigid
 
+(** Two bodies on straight paths: when they come into contact, if they keep to their velocities for ever, and
+    whether the interiors of the spaces meet that they sweep in a span. *)
+type paths = { contact : Obstacle.cast; sweeps_meet : bool Lazy.t }
+
 type t = {
   relation : Placed.t -> Placed.t -> Obstacle.relation;  (** rule Contact *)
   approaching : Placed.t -> Placed.t -> Vec.t -> bool;  (** rule Approach, for two bodies that touch *)
@@ -20,9 +24,8 @@ type t = {
   directions : (Placed.t * Placed.t) list -> Vec.t -> Vec.t list;
   (** rule Response: the directions, from the first body to the second, that span the cone of a collision in
       translation; given all touching pairs of parts of the two bodies, and the relative velocity before it *)
-  sweeps_meet : Placed.t -> Placed.t -> Vec.t -> Vec.t -> bool;
-  (** rule Blocked: whether the interiors of the spaces meet that two bodies in translation sweep, the first one by
-      the first displacement from here, the second one by the second *)
+  paths : Placed.t -> Placed.t -> span:Rat.t -> Vec.t -> Vec.t -> paths;
+  (** rule Blocked: how two bodies in translation are to each other that have these two velocities for the span *)
   first_meeting : Vec.t list -> Vec.t list -> Vec.t -> Rat.t option;
   (** the least time t >= 0 at which two features meet, each given by its corners; the second one moves with the
       velocity *)

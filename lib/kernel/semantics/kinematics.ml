@@ -4,6 +4,7 @@ open Scc_calculus
 
 type neighbours = {
   within : Rat.t -> Part.t array -> (Part.t * Part.t) list;
+  along : Rat.t -> Part.t array -> (Part.t * Part.t) list;
   earliest :
     margin:Rat.t -> limit:Rat.t option ->
     (before:Rat.t option -> Part.t -> Part.t -> Rat.t option) -> Part.t array -> Rat.t option;
@@ -20,6 +21,7 @@ let everyone =
   in
   {
     within = (fun _ parts -> pairs parts);
+    along = (fun _ parts -> pairs parts);
     earliest =
       (fun ~margin:_ ~limit time parts ->
          match (List.fold_left (earlier time) None (pairs parts), limit) with

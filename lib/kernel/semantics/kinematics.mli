@@ -12,6 +12,9 @@ type neighbours = {
   within : Rat.t -> Part.t array -> (Part.t * Part.t) list;
   (** [within margin parts] is all pairs of parts of two processes that are at most [margin] apart now, and perhaps
       others; sorted by their indices in the array, the lesser of a pair first *)
+  along : Rat.t -> Part.t array -> (Part.t * Part.t) list;
+  (** [along span parts] is all pairs of parts of two processes such that the spaces touch that they sweep in the
+      next [span], and perhaps others; in the same order. The processes do not turn. *)
   earliest :
     margin:Rat.t -> limit:Rat.t option ->
     (before:Rat.t option -> Part.t -> Part.t -> Rat.t option) -> Part.t array -> Rat.t option;

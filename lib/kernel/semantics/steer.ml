@@ -143,7 +143,7 @@ let kicked (c : Semantics.t) (s : State.t) =
     let p = s.processes.(i) in
     Option.is_some p.draw && Process.draws m p
   in
-  Blocked.stopped c (Blocked.waiting c ~kicked:has_drawn (begin_steps m s))
+  Blocked.waiting c ~kicked:has_drawn (begin_steps m s)
 
 type outcome = { state : State.t; rules : Rule.t list; rounded : State.t option }
 
@@ -164,7 +164,7 @@ let settle (c : Semantics.t) (s : State.t) =
   else
     let used = if over && Array.exists (steers m) s.processes then rules else [] in
     (* If walkers bounce, each process begins by its own draw alone: Joint_draws.velocities rests on it. *)
-    let steered = if over then kicked c s else s in
+    let steered = if over then Blocked.stopped c (kicked c s) else s in
     let state, rounded = K.begin_turns c.setting ~parts ~colliding (K.at_contact c.setting ~colliding steered) in
     Ok { state; rules = (if Option.is_some rounded then used @ [ Rule.Round ] else used); rounded }
 

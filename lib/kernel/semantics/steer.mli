@@ -29,9 +29,11 @@ val ask : Semantics.t -> which:(int -> bool) -> State.t -> (State.t, Transition.
     Each of these waits to draw, or has the velocity that its laws give. It is the part of {!settle} that evaluates
     laws. *)
 
-val begin_steps : Model.t -> State.t -> State.t
-(** [begin_steps m s] is [s] after all velocities that {!ask} or draws gave have taken effect: the next movement
-    step begins. No process of [s] waits to draw. It is the part of {!settle} that begins steps. *)
+val kicked : Semantics.t -> State.t -> State.t
+(** [kicked c s] is [s] after all velocities that {!ask} or draws gave have taken effect, but for the kicks that
+    are blocked ({!Blocked.waiting}): the next movement step begins. No process of [s] waits to draw. It is the
+    part of {!settle} that begins steps, before walkers stop. With {!Model.Wait}, it depends also on processes
+    that are not steered. *)
 
 val next_to_draw : Semantics.t -> State.t -> State.process option
 (** The process that draws next: the first of {!drawers}, in linear time; [None] if no process waits to draw. *)

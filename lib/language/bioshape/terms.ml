@@ -127,7 +127,10 @@ let face_set c =
 
 let mesh c =
   let file = Content.required c "file" Content.line in
-  loc c (Mesh (file, Content.optional c "snap" Content.expression))
+  let length key = Content.optional c key Content.expression in
+  let done_ key = Option.value (Content.optional c key Content.flag) ~default:false in
+  let grid = length "grid" and weld = done_ "weld" and orient = done_ "orient" and merge = done_ "merge" in
+  loc c (Mesh (file, { grid; weld; orient; merge; snap = length "snap" }))
 
 let solids =
   [

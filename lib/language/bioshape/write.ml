@@ -100,7 +100,11 @@ let solid s =
     match s.it with
     | Scaled (s, v) -> go (empty ~at:(start v.at) "scaled" [ ("by", Text.expr v) ] :: acc) s
     | Template r -> empty ~at "template" [ ("name", Text.reference r) ] :: acc
-    | Mesh (file, snap) -> empty ~at "mesh" (("file", file.it) :: optional "snap" Text.expr snap) :: acc
+    | Mesh (file, m) ->
+      let word key there = if there then [ (key, "true") ] else [] in
+      let words = word "weld" m.weld @ word "orient" m.orient @ word "merge" m.merge in
+      let lengths key = optional key Text.expr in
+      empty ~at "mesh" (("file", file.it) :: lengths "grid" m.grid @ words @ lengths "snap" m.snap) :: acc
     | Faces (vs, fs) -> long ~at "indexedFaceSet" [] (List.append (List.map vertex vs) (List.map face fs)) :: acc
     | Hull vs -> long ~at "hull" [] (List.map vertex vs) :: acc
   in

@@ -25,7 +25,9 @@ let rec solid t c (s : Ast.solid) =
   | Scaled (s, v) ->
     solid t c s;
     expr t c v
-  | Mesh (_, snap) -> Option.iter (expr t c) snap
+  | Mesh (_, m) ->
+    Option.iter (expr t c) m.grid;
+    Option.iter (expr t c) m.snap
   | Hull points -> List.iter (vertex t c) points
   | Faces (vertices, faces) ->
     List.iter (vertex t c) vertices;

@@ -32,6 +32,12 @@ let rec places (s : Ast.solid) =
   | Mesh (path, _) -> Templates.places_of path.at [] []
   | Template _ | Hull _ -> Templates.places_of s.at [] []
 
+let rec mending (s : Ast.solid) =
+  match s.it with
+  | Mesh (_, m) -> Some m
+  | Scaled (inner, _) -> mending inner
+  | Template _ | Faces _ | Hull _ -> None
+
 let report (c : Context.t) solid (set : Polyhedron.ifs) fault =
   let places = places solid in
   let whole = Templates.face_span places max_int in
@@ -46,7 +52,7 @@ let report (c : Context.t) solid (set : Polyhedron.ifs) fault =
     Report.error c.report code at ?notes "%s" text
   in
   match (fault : Decomposed.fault) with
-  | Unsound (Structure faults) -> List.iter (Templates.report_fault c places set) faults
+  | Unsound (Structure faults) -> List.iter (Templates.report_fault c ?mending:(mending solid) places set) faults
   | Unsound (Cut (f, g, _)) ->
     told (Templates.face_span places f) ~notes:(also f g)
   | Pieces (Apart (f, g) | Island (f, g)) ->

@@ -45,7 +45,10 @@ let behaviours_of table (bodies : Bodies.t) keep =
 
 (* Which names are used depends on the formulas, too. *)
 let warn_unused (c : Context.t) (program : Program.t) =
-  let warn what name at = Report.warning c.report Code.unused at "the %s `%s` is not used" what name in
+  let warn what name at =
+    if not (Empty.mentions program.empty (Family.bare name)) then
+      Report.warning c.report Code.unused at "the %s `%s` is not used" what name
+  in
   Hashtbl.iter
     (fun name (t : Context.template) -> if t.own && not t.used then warn "template" name t.span)
     c.templates;
@@ -144,6 +147,7 @@ let read c (program : Program.t) ~whole =
   let initial = Array.of_list (behaviours_of table bodies included) in
   let joints = Joints.read c program bodies composition in
   List.iter (fun (j : Joints.t) -> Behaviours.use_channel table j.name) joints;
+  List.iter (Behaviours.use_channel table) (Empty.channels program.empty);
   Behaviours.settle table;
   let formulas = Formulas.create c bodies composition table in
   let own = checks_of c formulas program.checks in

@@ -96,8 +96,7 @@ let behaviour_children (b : Ast.behaviour) =
 let solid_children (s : Ast.solid) =
   match s.it with
   | Template t -> reference t
-  | Mesh (_, None) -> []
-  | Mesh (_, Some e) -> [ Expr e ]
+  | Mesh (_, m) -> List.map (fun e -> Expr e) (Option.to_list m.grid @ Option.to_list m.snap)
   | Scaled (s, v) -> Solid s :: vector v
   | Faces (vertices, _) | Hull vertices -> List.concat_map (fun (_, v) -> vector v) vertices
 

@@ -21,6 +21,16 @@ val number_bits : int
 val exists_in : (Ast.expr -> bool) -> Ast.expr -> bool
 (** [exists_in p e] is true if [e], or an expression inside it, satisfies [p]. *)
 
+(** A part of a syntax tree. *)
+type node =
+  | Expr of Ast.expr
+  | Solid of Ast.solid
+  | Behaviour of Ast.behaviour
+  | Item of Ast.item
+
+val children : node -> node list
+(** The parts directly below a part, in any order. *)
+
 val check_depth : Report.t -> Ast.model -> unit
 (** Reports declarations that nest too deeply. All other passes recurse on the syntax tree, so they need this
     check first. *)

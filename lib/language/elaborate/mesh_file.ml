@@ -8,12 +8,17 @@ let file report read_file (path : string Ast.loc) =
     Report.error report Code.cannot_read path.at "cannot read the mesh `%s`: %s" path.it why;
     None
   | Ok text -> (
-      match Scc_mesh.Mesh.read ~path:path.it text with
-      | Ok set -> Some set
-      | Error d ->
+      let add (d : Diag.t) =
         let notes = if Span.is_none d.span then [] else [ (path.at, "the mesh is used here") ] in
         let span = if Span.is_none d.span then path.at else d.span in
-        Report.add report { d with span; notes = d.notes @ notes };
+        Report.add report { d with span; notes = d.notes @ notes }
+      in
+      match Scc_mesh.Mesh.read ~files:read_file ~path:path.it text with
+      | Ok (set, warnings) ->
+        List.iter add warnings;
+        Some set
+      | Error d ->
+        add d;
         None)
 
 let snapped report (path : string Ast.loc) set tolerance =
@@ -24,13 +29,25 @@ let snapped report (path : string Ast.loc) set tolerance =
     Report.error report Code.cannot_snap path.at ?hint "the mesh `%s` cannot be snapped: %s" path.it why;
     None
 
-let read report env ~read_file (path : string Ast.loc) snap =
+let mended report (path : string Ast.loc) set mending =
+  match Scc_concave.Mended.apply mending set with
+  | Ok (set, _) -> Some set
+  | Error why ->
+    Report.error report Code.overused_edge path.at "the faces of the mesh `%s` cannot be oriented: %s" path.it why;
+    None
+
+let read report env ~read_file (path : string Ast.loc) (m : Ast.mending) =
   let path = { path with it = Env.beside env path.it } in
   let set = file report read_file path in
-  match snap with
-  | None -> set
-  | Some e ->
-    let tolerance = Constant.positive report env "distance to snap" e in
-    let*? set = set in
-    let*? tolerance = tolerance in
-    snapped report path set tolerance
+  let length what = function
+    | None -> Some None
+    | Some e -> Option.map Option.some (Constant.positive report env what e)
+  in
+  let grid = length "distance of the grid" m.grid and tolerance = length "distance to snap" m.snap in
+  let*? set = set in
+  let*? grid = grid in
+  let*? tolerance = tolerance in
+  let*? set = mended report path set { grid; weld = m.weld; orient = m.orient; merge = m.merge } in
+  match tolerance with
+  | None -> Some set
+  | Some tolerance -> snapped report path set tolerance

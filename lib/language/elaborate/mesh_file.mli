@@ -8,7 +8,7 @@ val read :
   Env.t ->
   read_file:(string -> (string, string) result) ->
   string Ast.loc ->
-  Ast.expr option ->
+  Ast.mending ->
   Polyhedron.ifs option
-(** Reads the faces of a file, snapped within the distance if one is given. Nothing else is checked. Faults are
-    reported: SC0101, the codes of {!Scc_mesh.Mesh.read}, SC0322. *)
+(** Reads the faces of a file, mended as is asked for: on a grid, welded, oriented, merged, snapped. Nothing
+    else is checked. Faults are reported: SC0101, the codes of {!Scc_mesh.Mesh.read}, SC0303, SC0322. *)

@@ -36,6 +36,7 @@ type t = {
   splits : Model.splits;
   settings : Settings.t;
   families : Repeated.t;
+  empty : Empty.t;
   bodies : body list;
   bonds : (Env.t * Ast.bond) list;
   behaviours : (string, behaviour) Hashtbl.t;
@@ -68,13 +69,13 @@ type gathered = {
   mutable all_checks : check list;
   mutable all_values : (string * string * Env.binding) list;
   modules : Modules.t;
+  reached : (int, unit) Hashtbl.t;  (* where loops begin that have made a declaration *)
   mutable expanded : int;
   mutable overflow : bool;
 }
 
 (* Where an item stands: the values of the loops about it, the innermost first, and what names their variables
-   and lets
-   have. *)
+   and lets have. *)
 type place = { env : Env.t; loops : Z.t list; names : string list }
 
 let at_top env = { env; loops = []; names = [] }
@@ -235,8 +236,7 @@ let rec item g place (i : Ast.item) =
   | _ when not (Env.is_own place.env || Modules.may_hold i) ->
     Report.error g.c.report Code.wrong_kind i.at "this declaration cannot be imported"
       ~hint:"a module declares parameters, lets, shapes, compounds and behaviours; bodies, laws, checks \
-             and settings are the \
-             model's";
+             and settings are the model's";
     place
   | Import import when not (in_loop place) -> { place with env = imported g place import }
   | _ when in_loop place && not (allowed_in_loop i) ->
@@ -299,7 +299,9 @@ and simple g place (i : Ast.item) =
 (* The ranges of one [for] nest, the first outermost. *)
 and loop g place at ranges items =
   match ranges with
-  | [] -> ignore (List.fold_left (item g) place items)
+  | [] ->
+    Hashtbl.replace g.reached at.Span.start ();
+    ignore (List.fold_left (item g) place items)
   | first :: rest -> (
       match range g place first with
       | None -> ()
@@ -351,6 +353,7 @@ let gather c overrides narrowed =
     all_checks = [];
     all_values = [];
     modules = Modules.create ();
+    reached = Hashtbl.create 16;
     expanded = 0;
     overflow = false;
   }
@@ -369,6 +372,7 @@ let program g model ~last =
     splits = value g.split ~default:(Model.Every timestep);
     settings = g.settings;
     families = Repeated.of_model model;
+    empty = Empty.make model ~reached:(Hashtbl.mem g.reached);
     bodies = List.rev g.all_bodies;
     bonds = List.rev g.all_bonds;
     behaviours = g.behaviour_table;

@@ -47,6 +47,7 @@ type t = {
   splits : Model.splits;
   settings : Settings.t;  (** of rigid motion *)
   families : Repeated.t;
+  empty : Empty.t;
   bodies : body list;
   bonds : (Env.t * Ast.bond) list;
   behaviours : (string, behaviour) Hashtbl.t;

@@ -14,7 +14,8 @@ type feature = Vertex of int | Face of int
 
 let features : Polyhedron_fault.t -> feature option * feature option = function
   | No_faces | Inward -> (None, None)
-  | Flat i | Bad_vertex_index (i, _) | Short_face i | Open_edge (i, _, _) | Turned_face (i, _) | Self_crossing i ->
+  | Flat i | Bad_vertex_index (i, _) | Short_face i | Open_edge (i, _, _) | Turned_face (i, _)
+  | Self_crossing (i, _) ->
     (Some (Face i), None)
   | Repeated_edge (i, j, _, _) | Coplanar_neighbours (i, j) | Separate_solids (i, j) ->
     (Some (Face i), Some (Face j))
@@ -23,7 +24,18 @@ let features : Polyhedron_fault.t -> feature option * feature option = function
   | Off_plane (i, k) | Degenerate_face (i, k) | In_plane (i, k) -> (Some (Face i), Some (Vertex k))
   | Not_convex (i, k) -> (Some (Vertex k), Some (Face i))
 
-let report_fault (c : Context.t) places (ifs : Polyhedron.ifs) fault =
+(* In a file nobody writes faces by hand: the words that mend a mesh, if they are not there yet. *)
+let word_that_mends (m : Ast.mending) : Polyhedron_fault.t -> string option = function
+  | Coplanar_neighbours _ when not m.merge ->
+    Some "write `merge` after the file: neighbours in one plane become one face"
+  | (Same_position _ | Unused_vertex _) when not m.weld ->
+    Some "write `weld` after the file: equal points become one vertex"
+  | (Turned_face _ | Inward) when not m.orient ->
+    Some "write `orient` after the file: faces are turned over so that all look outwards"
+  | Not_convex _ -> Some "a compound = decompose \"file\" cuts a solid that is not convex into convex parts"
+  | _ -> None
+
+let report_fault (c : Context.t) ?mending places (ifs : Polyhedron.ifs) fault =
   let vertex i = fst ifs.ifs_vertices.(i) and face i = fst ifs.ifs_faces.(i) in
   let located = function
     | Vertex i when i < Array.length places.vertices -> Some places.vertices.(i)
@@ -41,14 +53,18 @@ let report_fault (c : Context.t) places (ifs : Polyhedron.ifs) fault =
     | None -> []
     | Some f -> Option.to_list (Option.map (fun at -> (at, named f)) (located f))
   in
-  Report.error c.report (Polyhedron_fault.code fault) span ~notes
-    ?hint:(Polyhedron_fault.hint ~vertex ~face fault)
+  let hint =
+    match Option.bind mending (fun m -> word_that_mends m fault) with
+    | Some _ as word -> word
+    | None -> Polyhedron_fault.hint ~vertex ~face fault
+  in
+  Report.error c.report (Polyhedron_fault.code fault) span ~notes ?hint
     "%s"
     (Polyhedron_fault.message ~vertex ~face fault)
 
 let face_span places i = if i < Array.length places.faces then places.faces.(i) else places.whole
 
-let accept (c : Context.t) places ~label ifs =
+let accept (c : Context.t) ?mending places ~label ifs =
   if Polyhedron.too_fine ifs then begin
     Report.error c.report Code.number_too_large places.whole
       "the common denominator of the coordinates is too large"
@@ -61,7 +77,7 @@ let accept (c : Context.t) places ~label ifs =
       let id = c.fresh () in
       Some { Shape.id; root = id; label; polyhedron }
     | Error faults ->
-      List.iter (report_fault c places ifs) faults;
+      List.iter (report_fault c ?mending places ifs) faults;
       None
 
 (* Vertices and faces share one space of names, as features do. *)
@@ -198,9 +214,9 @@ let listed (c : Context.t) env ~label at vertices faces =
   let*? set = listed_set c env vertices faces in
   accept c (places_of at vertices faces) ~label set
 
-let mesh (c : Context.t) env ~label (path : string Ast.loc) snap =
-  let*? ifs = Mesh_file.read c.report env ~read_file:c.read_file path snap in
-  accept c { whole = path.at; vertices = [||]; faces = [||] } ~label ifs
+let mesh (c : Context.t) env ~label (path : string Ast.loc) mending =
+  let*? ifs = Mesh_file.read c.report env ~read_file:c.read_file path mending in
+  accept c ~mending { whole = path.at; vertices = [||]; faces = [||] } ~label ifs
 
 let rec basic (c : Context.t) env ~label (s : Ast.solid) =
   match s.it with

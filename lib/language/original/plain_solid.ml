@@ -76,7 +76,7 @@ let curved s at (c : Setting.curved) =
   match c with
   | Sphere (c, r) ->
     let q = Setting.radius c (length r) in
-    { (scaled at (Vec.make q q q) (flat at (Curved.ball c.corners))) with round = Ball }
+    { (scaled at (Vec.make q q q) (flat at (Scc_mesh.Curved.ball c.corners))) with round = Ball }
   | Cylinder (c, r, h) ->
     let ifs = Named_solids.prism c.corners (Setting.radius c (length r)) (length h) in
     { (flat at ifs) with round = About_axis }

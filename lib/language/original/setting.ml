@@ -1,5 +1,6 @@
 open Scc_base
 open Scc_exact
+open Scc_mesh
 open Scc_syntax
 
 (* Each found when it is needed, and once. *)

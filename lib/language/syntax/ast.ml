@@ -83,12 +83,21 @@ and feature_kind =
 (** [T], [m.T(a, b)], [K[i, j]]: something that a module declares, with what it is applied to. *)
 type reference = { qualifier : name option; target : name; indices : expr list; arguments : expr list }
 
+(** What is done to a mesh, in this order: the options of [scc shape]. *)
+type mending = {
+  grid : expr option;  (** coordinates become multiples of it *)
+  weld : bool;
+  orient : bool;
+  merge : bool;
+  snap : expr option;  (** how far its vertices may be moved *)
+}
+
 type solid = solid_kind loc
 
 and solid_kind =
   | Template of reference
   | Scaled of solid * vector
-  | Mesh of string loc * expr option  (** the file's path as written; how far its vertices may be moved *)
+  | Mesh of string loc * mending  (** the file's path as written *)
   | Faces of (name * vector) list * (name * name list) list  (** vertices, faces *)
   | Hull of (name * vector) list
 

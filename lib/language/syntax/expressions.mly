@@ -42,6 +42,10 @@
 | BONDS { at $loc "bonds" }
 | BLOCKED { at $loc "blocked" }
 | SNAP { at $loc "snap" }
+| GRID { at $loc "grid" }
+| WELD { at $loc "weld" }
+| ORIENT { at $loc "orient" }
+| MERGE { at $loc "merge" }
 | DECOMPOSE { at $loc "decompose" }
 | RESOLUTION { at $loc "resolution" }
 | ROUND { at $loc "round" }

@@ -27,16 +27,16 @@
       ("dynamics", DYNAMICS); ("else", ELSE);
       ("eps", EPS); ("event", EVENT); ("eventually", EVENTUALLY); ("exists", EXISTS); ("faces", FACES);
       ("false", FALSE);
-      ("fixed", FIXED); ("for", FOR); ("forall", FORALL); ("glue", GLUE); ("hull", HULL); ("if", IF); ("import", IMPORT); ("in", IN);
+      ("fixed", FIXED); ("for", FOR); ("forall", FORALL); ("glue", GLUE); ("grid", GRID); ("hull", HULL); ("if", IF); ("import", IMPORT); ("in", IN);
       ("inertial", INERTIAL); ("leads_to", LEADS_TO); ("let", LET); ("local", LOCAL); ("mass", MASS); ("matrix", MATRIX);
-      ("mesh", MESH);
+      ("merge", MERGE); ("mesh", MESH);
       ("mod", MOD); ("model", MODEL); ("motion", MOTION); ("network", NETWORK); ("nil", NIL); ("not", NOT);
-      ("omega", OMEGA); ("on", ON); ("only", ONLY); ("or", OR); ("param", PARAM); ("part", PART);
+      ("omega", OMEGA); ("on", ON); ("only", ONLY); ("or", OR); ("orient", ORIENT); ("param", PARAM); ("part", PART);
       ("possibly", POSSIBLY); ("process", PROCESS); ("push", PUSH); ("quaternion", QUATERNION);
       ("resolution", RESOLUTION); ("rho", RHO); ("rotate", ROTATE); ("round", ROUND); ("scale", SCALE); ("scaled", SCALED); ("shape", SHAPE);
       ("snap", SNAP); ("spin", SPIN);
       ("split_step", SPLIT_STEP); ("steady", STEADY); ("then", THEN); ("timestep", TIMESTEP); ("translate", TRANSLATE);
-      ("true", TRUE); ("velocity", VELOCITY); ("vertices", VERTICES); ("weight", WEIGHT); ("where", WHERE);
+      ("true", TRUE); ("velocity", VELOCITY); ("vertices", VERTICES); ("weight", WEIGHT); ("weld", WELD); ("where", WHERE);
       ("within", WITHIN);
     ]
 
@@ -103,7 +103,8 @@
   let barred text =
     match word (strip_bars text) with
     | NAME n -> Token (BARRED n)
-    | BOND | MASS | EVENT | DYNAMICS | COLLISIONS | BINDING | BONDS | BLOCKED | RESOLUTION | ROUND | SNAP | DECOMPOSE
+    | BOND | MASS | EVENT | DYNAMICS | COLLISIONS | BINDING | BONDS | BLOCKED | RESOLUTION | ROUND | SNAP | GRID | WELD | ORIENT | MERGE
+    | DECOMPOSE
     | LETTER _ | MOD | HULL | AS | WHERE | U | A | E | AF | AG | AX | EF | EG | EX -> Token (BARRED (strip_bars text))
     | _ ->
       fault Code.lexical

@@ -122,10 +122,14 @@ behaviour_term:
 solid:
 | t = reference { at $loc (Template t) }
 | HULL LBRACE points = many(vertex) RBRACE { at $loc (Hull points) }
-| MESH file = STRING d = snap? { at $loc (Mesh (at $loc(file) file, d)) }
+| MESH file = STRING m = mending { at $loc (Mesh (at $loc(file) file, m)) }
 | s = solid SCALED v = vector { at $loc (Scaled (s, v)) }
 
+grid: GRID e = arithmetic { e }
 snap: SNAP e = arithmetic { e }
+mending:
+| grid = grid? weld = boption(WELD) orient = boption(ORIENT) merge = boption(MERGE) snap = snap?
+    { { grid; weld; orient; merge; snap } }
 
 vertex: n = name v = closed_vector { (n, v) }
 face: n = name LBRACKET vs = comma_list(name) RBRACKET { (n, vs) }
@@ -134,7 +138,7 @@ template:
 | VERTICES vs = many(vertex) FACES fs = many(face) { Faces (vs, fs) }
 
 decomposed:
-| file = STRING d = snap? { at $loc (Mesh (at $loc(file) file, d)) }
+| file = STRING m = mending { at $loc (Mesh (at $loc(file) file, m)) }
 | LBRACE t = template RBRACE { at $loc t }
 | s = decomposed SCALED v = vector { at $loc (Scaled (s, v)) }
 

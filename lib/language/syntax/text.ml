@@ -346,11 +346,16 @@ let face (n : name) vs =
 
 let vertex ((n : name), v) = n.it ^ " " ^ closed_vector v
 
+let mending m =
+  let length word = Option.fold ~none:"" ~some:(fun e -> word ^ arithmetic e) in
+  let word there word = if there then word else "" in
+  length " grid " m.grid ^ word m.weld " weld" ^ word m.orient " orient" ^ word m.merge " merge"
+  ^ length " snap " m.snap
+
 let rec solid s =
   match s.it with
   | Template t -> reference t
-  | Mesh (file, snap) ->
-    "mesh " ^ quoted file.it ^ Option.fold ~none:"" ~some:(fun e -> " snap " ^ arithmetic e) snap
+  | Mesh (file, m) -> "mesh " ^ quoted file.it ^ mending m
   | Scaled (s, v) -> solid s ^ " scaled " ^ vector v
   | Faces (vs, fs) ->
     Printf.sprintf "{ vertices %s faces %s }" (String.concat " " (List.map vertex vs))
@@ -359,7 +364,7 @@ let rec solid s =
 
 let rec decomposed s =
   match s.it with
-  | Mesh (file, snap) -> quoted file.it ^ Option.fold ~none:"" ~some:(fun e -> " snap " ^ arithmetic e) snap
+  | Mesh (file, m) -> quoted file.it ^ mending m
   | Scaled (s, v) -> decomposed s ^ " scaled " ^ vector v
   | Template _ | Faces _ | Hull _ -> solid s
 

@@ -37,6 +37,17 @@ let edge_choices g s =
     let others = List.filter (fun (k, _) -> Option.is_none chances.(k)) numbered in
     List.filter_map drawn numbered :: List.map (fun (k, t) -> alone k t) others
 
+let is_chain g =
+  let is_drawn chances = Array.for_all Option.is_some chances in
+  let choices s =
+    let timed = match g.flow s with No_flow -> 0 | Forever -> 1 | Lasts (_, targets) -> Array.length targets in
+    match g.drawn s with
+    | Some chances when is_drawn chances -> timed + 1
+    | Some _ | None -> timed + Array.length (g.edges s)
+  in
+  let rec from s = s >= g.size || (((not (g.known s)) || choices s <= 1) && from (s + 1)) in
+  from 0
+
 let target g s = function Edge k -> (edges g s).(k) | Flow k -> (targets (flow g s)).(k)
 
 let duration g s = function

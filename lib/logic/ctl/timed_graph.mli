@@ -46,6 +46,10 @@ val edge_choices : t -> int -> (int * int * Rat.t) list list
     indices, targets and probabilities. All edges that are drawn are the first choice, and each other edge is one
     of its own. *)
 
+val is_chain : t -> bool
+(** [is_chain g] is true if no known node leaves a choice: chance decides between all its edges, or it has one way
+    to go on at most. All schedulers of [g] are one then, and least and greatest values are equal. *)
+
 val target : t -> int -> move -> int
 (** [target g s move] is the node that the move from node [s] leads to. *)
 

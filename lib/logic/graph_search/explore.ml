@@ -186,7 +186,7 @@ module Make (L : Lts.S) = struct
 
   let all_or_some g ~some ~all =
     match some with
-    | Some steps when List.for_all (is_new g) steps -> Ok { steps; reduced = true }
+    | Some steps when List.exists (is_ahead g) steps -> Ok { steps; reduced = true }
     | Some _ | None -> Result.map (fun steps -> { steps; reduced = false }) (all ())
 
   let successors g tuple =

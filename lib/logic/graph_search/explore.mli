@@ -92,8 +92,8 @@ module Make (L : Lts.S) : sig
 
   val successors : t -> int array -> (steps, L.fault) result
   (** [successors g tuple] is the result that [expand] of an expander must find. It is the reduced transitions of
-      the tuple ({!Lts.S.reduced}) if all of them lead to states that are not known, and otherwise all transitions.
-  *)
+      the tuple ({!Lts.S.reduced}) if one of them leads to another state that is not expanded yet, but will be, and
+      otherwise all transitions. *)
 
   val all_or_some :
     t -> some:Lts.step list option -> all:(unit -> (Lts.step list, L.fault) result) -> (steps, L.fault) result

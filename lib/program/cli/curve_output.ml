@@ -12,7 +12,7 @@ let end_of (check : Property.check) =
   | _ -> None
 
 let refused (l : Loaded.t) ~declared ~drawn name =
-  let refuse option message = Error [ Diag.error Code.bad_value Span.none "%s: %s" option message ] in
+  let refuse option message = Error [ Diag.error Code.bad_value Span.command_line "%s: %s" option message ] in
   let fail = refuse "--curve" in
   match name with
   | None when drawn -> refuse "--curve-plot" "of which check? Give `--curve NAME` as well"
@@ -22,7 +22,7 @@ let refused (l : Loaded.t) ~declared ~drawn name =
       match List.find_opt is_named l.checks with
       | None when List.exists is_named declared ->
         fail (Printf.sprintf "`%s' is not among the checks of --check: add `--check %s'" name name)
-      | None -> fail (Printf.sprintf "the model has no check `%s'" name)
+      | None -> Error [ Input.no_check Code.unknown_name Span.command_line name l.checks ]
       | Some check when Option.is_none (end_of check) ->
         fail
           (Printf.sprintf

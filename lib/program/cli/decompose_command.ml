@@ -14,7 +14,7 @@ let structure (set : Polyhedron.ifs) faults =
   let last = List.length faults - 1 in
   let one i fault =
     let hint =
-      match (Mend_options.helping [ fault ], Mend_options.helping faults) with
+      match (Mend_options.helping set [ fault ], Mend_options.helping set faults) with
       | _, (_ :: _ as tries) when i = last -> Some ("to mend it, add " ^ String.concat " " tries)
       | [], _ -> Polyhedron_fault.hint ~vertex ~face fault
       | _ -> None
@@ -108,7 +108,8 @@ let stopped ~seconds (stop : Scc_graph_search.Limits.stop) =
 (* The mesh, what was done to it, and its parts. *)
 let work console ~mend ~names ~union path =
   let* source = Input.warned console path in
-  let* set = Result.listed (Scc_mesh.Mesh.read ~path (Source.text source)) in
+  let* set, warnings = Result.listed (Scc_mesh.Mesh.read ~files:Input.beside ~path (Source.text source)) in
+  Console.report console warnings;
   let* set, mended = Mend_options.apply mend set in
   let set, mended =
     match Bent.triangulated set with

@@ -250,8 +250,8 @@ let free =
 
 let steps =
   Options.maybe Options.transitions [ "steps" ] ~docv:"N"
-    "Leaves a run after $(docv) transitions. The default is 10000 if neither the formulas nor $(b,--until) end \
-     the run at a time, and none otherwise."
+    "Leaves a run after $(docv) transitions; the draws of one instant count as one. The default is 10000 if \
+     neither the formulas nor $(b,--until) end the run at a time, and none otherwise."
 
 let until =
   Options.maybe (Options.positive "model time") [ "until" ] ~docv:"TIME"

@@ -4,7 +4,13 @@ open Scc_verdicts
 open Scc_inflate
 open Cmdliner
 
-type options = { path : string; resolution : int option; output : string option; inflate : Inflated.options }
+type options = {
+  path : string;
+  resolution : int option;
+  output : string option;
+  each : bool;  (** one file for each piece *)
+  inflate : Inflated.options;
+}
 
 (* {1 Report} *)
 
@@ -25,6 +31,7 @@ let text o (t : Inflated.t) =
     (profile_name o.inflate.profile)
     (Decimal.significant ~digits:4 t.relief.radius);
   Printf.bprintf b "  no height is farther than %s pixels from that of the exact solution\n" (short gaps.solution);
+  if List.compare_length_with t.solids 1 > 0 then Printf.bprintf b "pieces: %d\n" (List.length t.solids);
   Printf.bprintf b "solid: %s, %s\n"
     (Printf.sprintf "%d vertices" (Array.length t.solid.mesh.ifs_vertices))
     (Plural.count (Array.length t.solid.mesh.ifs_faces) "face" "faces");
@@ -61,6 +68,8 @@ let format : (answer, unit) Scc_json.Json_format.t =
            field "height" Shared.from_one (fun t -> (shape t).picture.height);
            field "pixels" Shared.from_one (fun t -> (shape t).size) ~about:"How many the shape has.";
            field "holes" natural (fun (t : Inflated.t) -> t.solid.holes);
+           field "pieces" Shared.from_one (fun (t : Inflated.t) -> List.length t.solids)
+             ~about:"How many closed surfaces the solid has.";
          ];
        option [ field "profile" (word profile_name [ Diffused; Round ]) (fun o -> o.inflate.profile) ];
        solid
@@ -85,6 +94,29 @@ let format : (answer, unit) Scc_json.Json_format.t =
 
 (* {1 Work} *)
 
+(* The name of the file of a piece: bean-2.obj. *)
+let numbered path k =
+  let ending = Filename.extension path in
+  Printf.sprintf "%s-%d%s" (Filename.remove_extension path) (k + 1) ending
+
+let write_solids o write (found : Inflated.t) =
+  let hint = ".off, .obj and .sc keep fractions" in
+  let mesh (s : Solid_of.t) = s.mesh in
+  let numbered path =
+    let one k s =
+      let path = numbered path k in
+      ((path, write path), mesh s)
+    in
+    List.mapi one found.solids
+  in
+  let several = List.compare_length_with found.solids 1 > 0 in
+  match o.output with
+  | None -> Ok ()
+  | Some path when o.each -> Written_solid.drawn ~hint (numbered path)
+  | Some path when several && Filename.check_suffix (String.lowercase_ascii path) ".sc" ->
+    Written_solid.templates ~hint path (numbered path)
+  | Some path -> Written_solid.drawn ~hint [ ((path, write path), mesh found.solid) ]
+
 let inflate console o write =
   let* source = Result.listed (Input.read o.path) in
   if Scc_pixels.Icon.is_text (Source.text source) then Console.add_source console source;
@@ -98,8 +130,7 @@ let inflate console o write =
     let* () =
       match write with
       | None -> Ok ()
-      | Some (path, text) ->
-        Written_solid.drawn (path, text) ~hint:".off, .obj and .sc keep fractions" found.solid.mesh
+      | Some find -> write_solids o find found
     in
     Console.progress_done console;
     let json () = Scc_json.Json_format.write format (o, found, Exit_code.Holds) in
@@ -113,7 +144,8 @@ let run color json o =
   | None -> go None
   | Some path ->
     let find path = Scc_mesh.Written.to_file ~path in
-    Guard.by_ending path ~endings:Scc_mesh.Written.endings ~what:"shapes" find (fun output -> go (Some output))
+    let write path = Option.get (find path) in
+    Guard.by_ending path ~endings:Scc_mesh.Written.endings ~what:"shapes" find (fun _ -> go (Some write))
 
 (* {1 The command line} *)
 
@@ -180,18 +212,22 @@ let faces =
   let doc =
     Printf.sprintf
       "Simplifies the solid to at most $(docv) triangles, from %d to %d; $(b,all) keeps all triangles of the \
-       pixels. The report has the distance of the simplified surface from these."
+       pixels. Without this option, a drawing that cannot be had with so few gets more. The report has the \
+       distance of the simplified surface from these."
       least most
   in
   let parse = function
-    | "all" -> Ok None
+    | "all" -> Ok `All
     | s -> (
         match int_of_string_opt s with
-        | Some n when n >= least && n <= most -> Ok (Some n)
+        | Some n when n >= least && n <= most -> Ok (`Most n)
         | _ -> Error (`Msg (Printf.sprintf "`%s' is neither a number from %d to %d nor `all'" s least most)))
   in
-  let print ppf = function None -> Format.pp_print_string ppf "all" | Some n -> Format.pp_print_int ppf n in
-  Arg.(value & opt (conv ~docv:"N" (parse, print)) (Some default) & info [ "faces" ] ~docv:"N" ~doc)
+  let print ppf = function
+    | `All -> Format.pp_print_string ppf "all"
+    | `Most n | `About n -> Format.pp_print_int ppf n
+  in
+  Arg.(value & opt (conv ~docv:"N" (parse, print)) (`About default) & info [ "faces" ] ~docv:"N" ~doc)
 
 let scale =
   Options.default (Options.positive "length") Rat.one [ "scale" ] ~docv:"LENGTH"
@@ -205,6 +241,44 @@ let background =
 let piece =
   Options.maybe (Options.integer ~least:1 "number of a piece") [ "piece" ] ~docv:"N"
     "Takes this piece of a drawing in several pieces: 1 is the largest. Pixels are connected by their edges."
+
+(* What becomes of several pieces, and if each has a file of its own. *)
+let pieces =
+  let doc =
+    "What becomes of a drawing in several pieces. $(b,one): they are refused, unless $(b,--piece) takes one of \
+     them. $(b,apart): all of them, in one file: several closed surfaces, or in .sc a template for each. \
+     $(b,each): the same, with a file for each piece, as bean-1.obj, bean-2.obj, the largest first. $(b,plate): \
+     all of them on a plate that holds them together, as one solid. It reaches two pixels beyond them. Its height \
+     over the middle plane is a pixel, or as $(b,plate=)$(i,HEIGHT) says, in pixels."
+  in
+  let plate q = Ok (Inflated.Plate q, false) in
+  let parse s =
+    match String.index_opt s '=' with
+    | Some i when String.sub s 0 i = "plate" ->
+      let height = String.sub s (i + 1) (String.length s - i - 1) in
+      Result.bind (Arg.conv_parser (Options.positive "height") height) plate
+    | _ -> (
+        match s with
+        | "one" -> Ok (Inflated.Only None, false)
+        | "apart" -> Ok (Apart, false)
+        | "each" -> Ok (Apart, true)
+        | "plate" -> plate Rat.one
+        | _ -> Error (`Msg (Printf.sprintf "`%s' is none of one, apart, each, plate and plate=HEIGHT" s)))
+  in
+  let print ppf = function
+    | Inflated.Only _, _ -> Format.pp_print_string ppf "one"
+    | Apart, each -> Format.pp_print_string ppf (if each then "each" else "apart")
+    | Plate q, _ -> Format.fprintf ppf "plate=%s" (Rat.to_string q)
+  in
+  let pieces = Arg.conv ~docv:"PIECES" (parse, print) in
+  let given = Arg.(value & opt pieces (Inflated.Only None, false) & info [ "pieces" ] ~docv:"PIECES" ~doc) in
+  let chosen piece ((pieces, _) as given) =
+    match (piece, pieces) with
+    | None, _ -> Ok given
+    | Some _, Inflated.Only _ -> Ok (Only piece, false)
+    | Some _, _ -> Error "--piece takes one piece, and --pieces all of them: give one of the two"
+  in
+  Term.(term_result' ~usage:true (const chosen $ piece $ given))
 
 let resolution =
   let doc =
@@ -227,12 +301,12 @@ let icon =
     "The drawing: PNG, Netpbm (PBM, PGM, PPM) or SVG; $(b,-) reads it from standard input."
 
 let options =
-  let make path resolution output background piece (strength, colours) shaded profile faces scale =
-    let inflate = { Inflated.background; piece; strength; colours; shaded; profile; faces; scale } in
-    { path; resolution; output; inflate }
+  let make path resolution output background (pieces, each) (strength, colours) shaded profile faces scale =
+    let inflate = { Inflated.background; pieces; strength; colours; shaded; profile; faces; scale } in
+    { path; resolution; output; each; inflate }
   in
   Term.(
-    const make $ icon $ resolution $ output $ background $ piece $ strengths $ shaded $ profile $ faces $ scale)
+    const make $ icon $ resolution $ output $ background $ pieces $ strengths $ shaded $ profile $ faces $ scale)
 
 let command =
   let exits =

@@ -71,6 +71,8 @@ let given console ~name text =
   Console.report console (Direction.warnings source);
   source
 
+let beside path = bytes path
+
 let mesh_reader console model name =
   let file =
     if Filename.is_relative name then Filename.concat (Filename.dirname model) name else name

@@ -13,6 +13,9 @@ val standard_input : string
 val cannot_read : string -> string -> Diag.t
 (** [cannot_read name reason] is the error SC0101. *)
 
+val beside : Scc_mesh.Beside.reader
+(** Reads a file that a mesh file of the command line names. *)
+
 val mesh_reader : Console.t -> string -> Scc_loading.Loaded.reader
 (** [mesh_reader c model path] reads a mesh that a model names, relative to the folder of the model. *)
 

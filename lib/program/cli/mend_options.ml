@@ -1,11 +1,10 @@
 open Scc_base
 open Scc_exact
 open Scc_geometry
-open Scc_mesh
 open Scc_concave
 open Cmdliner
 
-type t = { grid : Rat.t option; weld : bool; orient : bool; merge : bool }
+type t = Mended.t
 
 let grid =
   let doc =
@@ -22,7 +21,8 @@ let grid =
 let weld =
   Options.flag [ "weld" ]
     "Makes equal points one vertex, as many programs give every face corners of its own, and removes faces that \
-     then have fewer than three corners."
+     then have fewer than three corners, and faces that are there twice. If each face is there from both sides, \
+     the first of both stays."
 
 let orient =
   Options.flag [ "orient" ]
@@ -37,50 +37,33 @@ let merge =
      template has maximal faces."
 
 let term =
-  let make grid weld orient merge = { grid; weld; orient; merge } in
+  let make grid weld orient merge = { Mended.grid; weld; orient; merge } in
   Term.(const make $ grid $ weld $ orient $ merge)
-
-(* Boxes do not tell which piece is a hollow of another one. *)
-let in_each_other set line =
-  match Shells.oriented set with
-  | set, [] -> (set, line)
-  | set, turned ->
-    let names = List.map (fun f -> fst set.Polyhedron.ifs_faces.(f)) turned in
-    let over = "; then turned over, by what is within what: the pieces of " in
-    (set, line ^ over ^ String.concat ", " names)
 
 type told = (string * string) list
 
 let apply o set =
-  let step wanted by f (set, told) =
-    if wanted then
-      let set, line = f set in
-      (set, (by, line) :: told)
-    else (set, told)
-  in
-  let start = match o.grid with Some d -> step true "grid" (Mend.on_grid d) (set, []) | None -> (set, []) in
-  let set, told = step o.weld "weld" Mend.weld start in
-  let oriented =
-    if not o.orient then Ok (set, told)
-    else
-      match Mend.orient set with
-      | Ok (set, line) ->
-        let set, line = in_each_other set line in
-        Ok (set, ("orient", line) :: told)
-      | Error why -> Error [ Diag.error Code.overused_edge Span.none "the faces cannot be oriented: %s" why ]
-  in
-  Result.map
-    (fun done_ ->
-       let set, told = step o.merge "merge" Mend.merge done_ in
-       (set, List.rev told))
-    oriented
+  Result.map_error
+    (fun why -> [ Diag.error Code.overused_edge Span.none "the faces cannot be oriented: %s" why ])
+    (Mended.apply o set)
 
 (* In the order in which they help. *)
-let helping faults =
+let helping (set : Polyhedron.ifs) faults =
   let some test = List.exists test faults in
+  let twice =
+    lazy
+      (let corners (_, c) = List.sort Int.compare (Array.to_list c) in
+       let sorted = List.sort (List.compare Int.compare) (List.map corners (Array.to_list set.ifs_faces)) in
+       let rec equal = function a :: (b :: _ as rest) -> List.equal Int.equal a b || equal rest | _ -> false in
+       equal sorted)
+  in
+  let doubled = function
+    | Polyhedron_fault.Repeated_edge _ | Flat _ | Separate_solids _ -> Lazy.force twice
+    | _ -> false
+  in
   let tries =
     [
-      (some (function Polyhedron_fault.Same_position _ | Unused_vertex _ -> true | _ -> false), "--weld");
+      (some (function Polyhedron_fault.Same_position _ | Unused_vertex _ -> true | f -> doubled f), "--weld");
       (some (function Polyhedron_fault.Turned_face _ | Inward -> true | _ -> false), "--orient");
       (some (function Polyhedron_fault.Coplanar_neighbours _ -> true | _ -> false), "--merge");
     ]

@@ -15,7 +15,7 @@ type told = (string * string) list
 val apply : t -> Polyhedron.ifs -> (Polyhedron.ifs * told, Diag.t list) result
 (** Applies the options, in this order. A surface of one side is SC0303. *)
 
-val helping : Polyhedron_fault.t list -> string list
+val helping : Polyhedron.ifs -> Polyhedron_fault.t list -> string list
 (** The options that may remove some of the faults, such as [["--weld"; "--orient"]]. *)
 
 val text : told -> string

@@ -74,12 +74,6 @@ let for_name ~docv value print =
   in
   Arg.conv ~docv (parse, fun ppf (name, v) -> Format.fprintf ppf "%s=%s" name (print v))
 
-let override = for_name ~docv:"NAME=VALUE" (Arg.conv_parser rational) Rat.to_string
-
-let overrides =
-  repeated override [ "D"; "define" ] ~docv:"NAME=VALUE"
-    "Gives the parameter $(i,NAME) of the model the value $(i,VALUE), a rational. Repeatable."
-
 (* {1 Ranges} *)
 
 type given = Value of Rat.t | Within of Ranges.bound * Ranges.bound
@@ -116,17 +110,27 @@ let several s =
           written [%s,%s]"
          s (String.trim low) (String.trim high))
 
-let parse_given s =
+let is_bracketed s =
   let n = String.length s in
-  let bracketed = n > 2 && (s.[0] = '[' || s.[0] = '(') && (s.[n - 1] = ']' || s.[n - 1] = ')') in
-  if bracketed then
-    match cut (String.sub s 1 (n - 2)) "," with
-    | Some (low, high) -> between s.[0] low high s.[n - 1]
+  n > 2 && (s.[0] = '[' || s.[0] = '(') && (s.[n - 1] = ']' || s.[n - 1] = ')')
+
+let parse_value s =
+  if is_bracketed s then
+    Error (`Msg (Printf.sprintf "`%s' is a range, as scc check takes them, and no value such as 3 or 1/4" s))
+  else match several s with Some why -> Error (`Msg why) | None -> Arg.conv_parser rational s
+
+let override = for_name ~docv:"NAME=VALUE" parse_value Rat.to_string
+
+let overrides =
+  repeated override [ "D"; "define" ] ~docv:"NAME=VALUE"
+    "Gives the parameter $(i,NAME) of the model the value $(i,VALUE), a rational. Repeatable."
+
+let parse_given s =
+  if is_bracketed s then
+    match cut (String.sub s 1 (String.length s - 2)) "," with
+    | Some (low, high) -> between s.[0] low high s.[String.length s - 1]
     | None -> no_range s
-  else
-    match several s with
-    | Some why -> Error (`Msg why)
-    | None -> Result.map (fun q -> Value q) (Arg.conv_parser rational s)
+  else Result.map (fun q -> Value q) (parse_value s)
 
 let given_to_string = function
   | Value q -> Rat.to_string q

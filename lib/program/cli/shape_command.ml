@@ -20,7 +20,9 @@ let template console ~overrides path name =
 
 let mesh console path =
   let* source = Input.warned console path in
-  Result.listed (Scc_mesh.Mesh.read ~path (Source.text source))
+  let* set, warnings = Result.listed (Scc_mesh.Mesh.read ~files:Input.beside ~path (Source.text source)) in
+  Console.report console warnings;
+  Ok set
 
 let templates_of console path =
   let* source = Input.warned console path in
@@ -138,7 +140,7 @@ let advice (r : Solid_report.t) =
   match r.verdict with
   | Accepted _ -> ""
   | Rejected faults ->
-    let tries = Mend_options.helping faults in
+    let tries = Mend_options.helping r.set faults in
     let bent = function Polyhedron_fault.Not_convex _ | Degenerate_face _ -> true | _ -> false in
     let concave = List.exists bent faults in
     (if tries = [] then "" else Printf.sprintf "to mend it: scc shape %s\n" (String.concat " " tries))

@@ -110,13 +110,13 @@ let before o report =
     let* runs = if in_all o then read 0 [] (List.tl (String.split_on_char '\n' text)) else Ok [] in
     Ok (n, text, runs)
 
-let simulate console o ~interrupted =
+let simulate console o ~says_more ~interrupted =
   let* model = Input.model console ~overrides:o.given ~narrowed:[] o.path in
   let* () = Ordinary.at_point ~otherwise:"`scc trace --start simple` chooses them" model in
   Console.report console model.warnings;
   let* loaded, observables = Observed.all console model o.observed in
   let plan = plan o loaded observables in
-  if o.form = Csv then
+  if o.form = Csv && says_more then
     Option.iter (fun line -> Console.note console ("scc: " ^ line)) (Scc_elaborate.Lattices.line model.lattices);
   let report = report o model observables plan.times in
   let* there, before, earlier = before o report in
@@ -160,7 +160,7 @@ let run color progress o =
   let console = Console.make ?progress ~color ~json:false () in
   let interrupted = Watch.interrupted (Watch.start ()) in
   Scc_base.Memory.spare_runs ();
-  Guard.run console (fun () -> simulate console o ~interrupted)
+  Guard.run console (fun () -> simulate console o ~says_more:(Option.is_some progress) ~interrupted)
 
 (* {1 The command line} *)
 

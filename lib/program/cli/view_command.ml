@@ -107,8 +107,8 @@ let graph =
 let svg =
   Options.maybe (Options.not_negative "model time") [ "svg" ] ~docv:"TIME"
     "Writes a picture of the state at the model time $(docv) instead of a page, as SVG, with exact hidden \
-     surfaces. The run is that of $(b,--schedule) or $(b,--trace), that which shows the verdict of $(b,--check), \
-     or that of the first choices."
+     surfaces. Walls that hide a body entirely are drawn as glass. The run is that of $(b,--schedule) or \
+     $(b,--trace), that which shows the verdict of $(b,--check), or that of the first choices."
 
 let names =
   Options.flag [ "names" ] "With $(b,--svg): writes the names of bodies into the picture."

@@ -13,17 +13,32 @@ let text (path, write) set =
   else if ends_in ".sc" path then Ok (Scc_mesh.Written.drawn ~path set)
   else write set
 
-let put ((path, _) as output) ~hint set =
-  match text output set with
-  | Ok text -> Result.listed (Whole_file.with_file path (fun put -> put text))
-  | Error vertex ->
-    Error
-      [
-        Diag.error Code.cannot_write (Span.of_file path) ~hint
-          "the coordinates of %s are no decimals, and files of this format have no fractions" vertex;
-      ]
+let texts ~hint outputs =
+  let one (((path, _) as output), set) =
+    match text output set with
+    | Ok text -> Ok (path, text)
+    | Error vertex ->
+      Error
+        [
+          Diag.error Code.cannot_write (Span.of_file path) ~hint
+            "the coordinates of %s are no decimals, and files of this format have no fractions" vertex;
+        ]
+  in
+  Result.all one outputs
 
-let drawn output ~hint set = put output ~hint set
+let write files =
+  Result.listed (Whole_file.write (List.map (fun (path, text) -> (path, fun put -> put text)) files))
+
+let put ~hint outputs =
+  let* files = texts ~hint outputs in
+  write files
+
+let drawn = put
+
+let templates ~hint path outputs =
+  let* files = texts ~hint outputs in
+  write [ (path, String.concat "\n" (List.map snd files)) ]
+
 let hint = "with --round they are rounded to 64-bit numbers; .off and .obj keep fractions"
 
 (* What is written is then not quite what is reported on, and that is told. *)
@@ -44,7 +59,7 @@ let rounded console ~round path set =
 
 let convex console ~round ((path, _) as output) set =
   let* set = rounded console ~round path set in
-  put output ~hint set
+  put ~hint [ (output, set) ]
 
 let concave console ~round ((path, _) as output) set =
   if Result.is_error (Decomposed.surface set) then Ok ()
@@ -52,7 +67,7 @@ let concave console ~round ((path, _) as output) set =
     (* The corners of a convex face make triangles in their order, and those of others do not. *)
     let set = if ends_in ".stl" path then Triangles.make set else set in
     let* set = rounded console ~round path set in
-    let* () = put output ~hint set in
+    let* () = put ~hint [ (output, set) ] in
     let what =
       if Result.is_error (Decomposed.surface set) then "and rounded no solid that can be cut"
       else if ends_in ".sc" path then "but a solid: a compound, which is cut where it is used"

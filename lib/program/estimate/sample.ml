@@ -61,7 +61,7 @@ let run plan ~seed ~interrupted number =
   in
   let limit = limit plan and stopped_by_choice = ref None and steps = ref 0 and bound = ref Time in
   let note (event : Replay.event) =
-    (match event with Step _ -> incr steps | Start _ | Instant _ | End _ -> ());
+    (match event with Step { draws_on; _ } -> if not draws_on then incr steps | Start _ | Instant _ | End _ -> ());
     match event with
     | Start state -> Chain.start chain (Option.fold ~none:state ~some:(State.with_leaves state) seen)
     | Step { draws_on = true; _ } when joined -> ()
@@ -91,7 +91,7 @@ let run plan ~seed ~interrupted number =
   let limits = { Replay.steps = limit; time = until plan; instant = Replay.default_instant } in
   let policy = Replay.Random (Simulation.seed_of seed number) and left () = !over || interrupted () in
   let go_on () =
-    match Replay.run plan.semantics plan.declared policy limits ~interrupted:left note with
+    match Replay.run ~joint:true plan.semantics plan.declared policy limits ~interrupted:left note with
     | Ok _ | Error (Fault _) -> ()
     | Error (Interrupted _ | Refused _) -> if not !over then bound := Interruption
   in

@@ -16,13 +16,14 @@ type plan = {
   paths : Path.t list;
   free : free;
   steps : int option;
-  (** transitions at most; [None]: 10 000 if no run ends at a time, else without a bound *)
+  (** transitions at most, of which the draws of one instant are one; [None]: 10 000 if no run ends at a time, else
+      without a bound *)
   until : Rat.t option;  (** model time at most; the horizon of all questions ends a run as well *)
 }
 
 (** The bound that ended a run. *)
 type bound =
-  | Steps  (** so many transitions, [plan.steps] *)
+  | Steps  (** so many transitions, as [plan.steps] counts them *)
   | Time  (** [plan.until] *)
   | Instant  (** so many transitions without time passing *)
   | Interruption

@@ -28,7 +28,8 @@ type t = {
 }
 
 let reductions =
-  List.filter (fun k -> not (Reduction.equal k Order || Reduction.equal k Draws)) Reduction.all
+  let is k = not (List.exists (Reduction.equal k) [ Order; Draws; Isometry ]) in
+  List.filter is Reduction.all
 
 let options reductions : Setup.t = { Setup.default with reductions }
 let semantics q = q.exploration.semantics

@@ -25,8 +25,8 @@ type progress =
 val make : ?progress:(progress -> unit) -> ?names:bool -> Polyhedron.ifs -> (Parts.t, fault) result
 (** The solid in convex parts: those of {!Scc_polygon.Prism} for a prism over a polygon, and of
     {!Scc_decompose.Decompose} for any other solid. With [names], the default, they are cut further so that
-    names of the solid's faces are exact ({!Parts.make}). A convex solid is one part. The function [progress] is
-    called again and again, and may raise. *)
+    names of the solid's faces are exact ({!Parts.make}). A convex solid is one part. The function
+    [progress] is called again and again, and may raise. *)
 
 val united : ?progress:(progress -> unit) -> Polyhedron.ifs -> (Parts.t, fault) result
 (** The union of solids that overlap or touch ({!United}) in convex parts, which need not be connected. Faces are

@@ -36,12 +36,12 @@ let positions (set : Polyhedron.ifs) =
 let flatness set f (_, corners) =
   let n = Drawn.normal set corners in
   let off v = Rat.sign (Vec.dot n (Vec.sub (place set v) (place set corners.(0)))) <> 0 in
-  if Vec.is_zero n then Some (Polyhedron_fault.Self_crossing f)
+  if Vec.is_zero n then Some (Polyhedron_fault.Self_crossing (f, None))
   else
     match List.find_opt off (Array.to_list corners) with
     | Some v -> Some (Polyhedron_fault.Off_plane (f, v))
     | None -> if Option.is_none (Drawn.convex_pieces set corners n)
-      then Some (Polyhedron_fault.Self_crossing f) else None
+      then Some (Polyhedron_fault.Self_crossing (f, None)) else None
 
 (* {1 Two faces} *)
 

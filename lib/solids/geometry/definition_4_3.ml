@@ -50,7 +50,7 @@ let polygon_fault points (f, corners) =
     | Error (Off_plane (i :: _)) -> Some (Off_plane (f, corners.(i)))
     | Error (Off_plane []) -> Scc_base.Bug.fail __POS__ "no corner is to blame"
     | Error (Not_left i) -> Some (Degenerate_face (f, corners.(i)))
-    | Error Crossing -> Some (Self_crossing f)
+    | Error Crossing -> Some (Self_crossing (f, None))
 
 (* {1 Condition 5} *)
 

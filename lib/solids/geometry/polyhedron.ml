@@ -65,13 +65,33 @@ let face_faults points faces =
     | Ok _ -> (blamed, others)
     | Error (Off_plane places) -> ((f, places) :: blamed, others)
     | Error (Not_left i) -> (blamed, Polyhedron_fault.Degenerate_face (f, corners.(i)) :: others)
-    | Error Crossing -> (blamed, Polyhedron_fault.Self_crossing f :: others)
+    | Error Crossing -> (blamed, Polyhedron_fault.Self_crossing (f, None) :: others)
   in
   let found = ref ([], []) in
   Array.iteri (fun f corners -> found := sort !found f corners) faces;
   let blamed, others = !found in
   let off_plane = off_plane_faults (Array.length points) faces (List.rev blamed) in
   List.rev_append (List.rev off_plane) (List.rev others)
+
+(* Faults at faces and edges. Where only the order of the corners of a face is wrong, that is said once, with the
+   right order, and the edges are those of the right order. *)
+let surface_faults points faces =
+  let open Polyhedron_fault in
+  let at_faces = face_faults points faces in
+  let out_of_order = function Degenerate_face (f, _) | Self_crossing (f, None) -> Some f | _ -> None in
+  let repaired = Reorder.repair points faces (List.filter_map out_of_order at_faces) in
+  let is_repaired f = repaired.(f) != faces.(f) in
+  let surface = Surface.make (Array.length points) repaired in
+  let turned, at_edges =
+    List.partition_map
+      (function Turned_face (f, corners) when is_repaired f -> Left (f, corners) | fault -> Right fault)
+      (Surface.edge_faults surface)
+  in
+  let right f = Option.value ~default:repaired.(f) (List.assoc_opt f turned) in
+  let cure fault =
+    match out_of_order fault with Some f when is_repaired f -> Self_crossing (f, Some (right f)) | _ -> fault
+  in
+  (List.rev_append (List.rev_map cure at_faces) at_edges, surface)
 
 let faults points faces =
   if Array.length faces = 0 then [ Polyhedron_fault.No_faces ]
@@ -81,11 +101,9 @@ let faults points faces =
     | [] -> (
         let at_vertices, welded = position_faults points faces in
         let faces = Array.map (Array.map (fun v -> welded.(v))) faces in
-        let at_faces = face_faults points faces in
-        let surface = Surface.make (Array.length points) faces in
-        match List.rev_append (List.rev at_faces) (Surface.edge_faults surface) with
-        | [] -> List.rev_append (List.rev (Convexity.faults points faces surface)) at_vertices
-        | found -> List.rev_append (List.rev at_vertices) found)
+        match surface_faults points faces with
+        | [], surface -> List.rev_append (List.rev (Convexity.faults points faces surface)) at_vertices
+        | found, _ -> List.rev_append (List.rev at_vertices) found)
 
 (* Everything is over one denominator from here on (Ivec.of_vecs). *)
 let max_bits = 1 lsl 30

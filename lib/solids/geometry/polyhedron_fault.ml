@@ -10,7 +10,7 @@ type t =
   | Unused_vertex of int
   | Off_plane of int * int
   | Degenerate_face of int * int
-  | Self_crossing of int
+  | Self_crossing of int * int array option
   | Not_convex of int * int
   | Coplanar_neighbours of int * int
   | In_plane of int * int
@@ -71,7 +71,7 @@ let message ~vertex ~face =
   | Off_plane (f, v) -> say "face %s is not planar: %s is off its plane" (face f) (vertex v)
   | Degenerate_face (f, v) ->
     say "face %s is not a strictly convex polygon: it does not turn left at %s" (face f) (vertex v)
-  | Self_crossing f ->
+  | Self_crossing (f, _) ->
     say "face %s is not a simple polygon: it crosses itself or winds more than once" (face f)
   | Not_convex (f, v) ->
     say "the solid is not convex: vertex %s is in front of the plane of face %s" (vertex v) (face f)
@@ -86,18 +86,25 @@ let message ~vertex ~face =
 (* More of them would hide what is said. *)
 let most_corners = 12
 
+let with_corners ~vertex advice corners =
+  if Array.length corners > most_corners then advice
+  else Printf.sprintf "%s: [%s]" advice (String.concat "," (List.map vertex (Array.to_list corners)))
+
 let hint ~vertex ~face = function
   | No_faces -> Some "of points alone scc shape --hull makes a solid, their convex hull"
   | Coplanar_neighbours (f, g) -> Some (Printf.sprintf "merge %s and %s into one face" (face f) (face g))
   | Inward -> Some "reverse the order of the corners of every face"
   | Turned_face (f, corners) ->
-    let reverse = Printf.sprintf "reverse the order of the corners of %s" (face f) in
-    if Array.length corners > most_corners then Some reverse
-    else Some (Printf.sprintf "%s: [%s]" reverse (String.concat "," (List.map vertex (Array.to_list corners))))
+    Some (with_corners ~vertex (Printf.sprintf "reverse the order of the corners of %s" (face f)) corners)
+  | Self_crossing (f, Some corners) ->
+    let advice = Printf.sprintf "list the corners of %s in the order along its border" (face f) in
+    Some (with_corners ~vertex advice corners)
   | Same_position (v, w) ->
     Some (Printf.sprintf "use %s in place of %s in every face" (vertex v) (vertex w))
   | Unused_vertex v -> Some (Printf.sprintf "remove %s" (vertex v))
   | Off_plane _ ->
-    Some "if its decimals are rounded: `snap 1e-5` after a mesh, or scc shape --snap 1e-5, finds an exact solid"
+    Some
+      "if its decimals are rounded and the solid is convex: `snap 1e-5` after a mesh, or scc shape --snap 1e-5, \
+       finds an exact one; of other solids, export the faces as triangles"
   | Separate_solids _ -> Some "make a template of each, and glue them in a compound"
   | _ -> None

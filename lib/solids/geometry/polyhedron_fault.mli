@@ -13,7 +13,9 @@ type t =
   | Unused_vertex of int  (** E3 *)
   | Off_plane of int * int  (** E4: face, vertex off the plane of its other corners *)
   | Degenerate_face of int * int  (** E4: face, vertex at which it does not turn left strictly *)
-  | Self_crossing of int  (** E4: a face whose sides cross or that winds more than once *)
+  | Self_crossing of int * int array option
+  (** E4: a face whose sides cross or that winds more than once; its corners in the right order, where only the
+      order is wrong *)
   | Not_convex of int * int  (** E5: face, vertex strictly in front of it *)
   | Coplanar_neighbours of int * int  (** E5: two faces of one plane that share an edge *)
   | In_plane of int * int  (** E5: face, vertex of other faces only in its plane *)

@@ -2,18 +2,20 @@ open Scc_base
 open Scc_exact
 open Scc_pixels
 
+type pieces = Only of int option | Apart | Plate of Rat.t
+
 type options = {
   background : int option;
-  piece : int option;
+  pieces : pieces;
   strength : Rat.t;
   colours : (int * Rat.t) list;
   shaded : bool;
   profile : Relief.profile;
-  faces : int option;
+  faces : [ `About of int | `Most of int | `All ];
   scale : Rat.t;
 }
 
-type t = { relief : Relief.t; solid : Solid_of.t }
+type t = { relief : Relief.t; solid : Solid_of.t; solids : Solid_of.t list }
 
 let start path = Span.of_file path
 let refuse ~path ?hint code format =
@@ -36,9 +38,16 @@ let pieces_text pieces =
   in
   some one numbered
 
+(* The shape, and its pieces if they are wanted. *)
 let silhouette ~path o (picture : Raster.t) =
-  match Silhouette.find ?background:o.background ?piece:o.piece picture with
-  | Ok shape -> Ok shape
+  let found =
+    match o.pieces with
+    | Only piece ->
+      Result.map (fun shape -> (shape, [ shape ])) (Silhouette.find ?background:o.background ?piece picture)
+    | Apart | Plate _ -> Silhouette.find_all ?background:o.background picture
+  in
+  match found with
+  | Ok found -> Ok found
   | Error Empty ->
     refuse ~path Code.no_silhouette
       ~hint:
@@ -48,7 +57,8 @@ let silhouette ~path o (picture : Raster.t) =
   | Error (Several pieces) ->
     refuse ~path Code.several_pieces
       ~hint:
-        "--piece 1 takes the largest one; pixels that only touch at a corner do not hang together"
+        "--piece 1 takes the largest one, --pieces apart all of them, and --pieces plate puts them on a plate; \
+         pixels that only touch at a corner do not hang together"
       "the drawing is in %d pieces (%s)" (List.length pieces) (pieces_text pieces)
   | Error (No_such_piece pieces) ->
     refuse ~path Code.several_pieces "there is no such piece: the drawing has %d (%s)" (List.length pieces)
@@ -88,17 +98,79 @@ let strengths ~path o shape =
 
 (* {1 All of it} *)
 
+(* Solids of reliefs with so many faces together, the smallest relief first. Each has a share of what is left by
+   how many faces it has without simplification, or more where it needs more. The error is how many all may
+   need. *)
+let share ~progress ~scale ~most reliefs =
+  let fewest = 8 in
+  let rec go left weights solids = function
+    | [] -> Ok solids
+    | (everything, relief) :: rest -> (
+        let others = List.length rest * fewest in
+        let share = max fewest (left * everything / max 1 weights) in
+        let made faces =
+          if left - others < fewest then Error fewest
+          else Solid_of.make ~progress ~faces:(Some (min faces (left - others))) ~scale relief
+        in
+        let found =
+          match made share with
+          | Error needed when needed <= left - others -> made needed
+          | found -> found
+        in
+        match found with
+        | Ok solid ->
+          let used = Array.length solid.mesh.ifs_faces in
+          go (left - used) (weights - everything) (solid :: solids) rest
+        | Error needed -> Error (most - left + needed + others))
+  in
+  let weighted = List.map (fun r -> (Solid_of.everything r, r)) reliefs in
+  let sorted = List.stable_sort (fun (m, _) (n, _) -> Int.compare m n) weighted in
+  go most (List.fold_left (fun n (m, _) -> n + m) 0 sorted) [] sorted
+
+let solids ~progress o reliefs =
+  let scale = o.scale in
+  let one faces relief = Solid_of.make ~progress ~faces ~scale relief in
+  let at_most n =
+    match reliefs with
+    | [ relief ] -> Result.map (fun solid -> [ solid ]) (one (Some n) relief)
+    | _ -> share ~progress ~scale ~most:n reliefs
+  in
+  let rec about n =
+    match at_most n with Error needed -> about (max needed (2 * n)) | found -> found
+  in
+  match o.faces with
+  | `All -> Result.all (one None) reliefs
+  | `Most n -> at_most n
+  | `About n -> about n
+
+(* What is connected, each by itself; [None] if it is too high. *)
+let reliefs o (relief : Relief.t) pieces =
+  match o.pieces with
+  | Only _ -> Some [ relief ]
+  | Apart -> Some (List.map (Relief.part relief) pieces)
+  | Plate height ->
+    let plate = Z.max Z.one (Rat.floor (Rat.mul height (Rat.of_int Relief.quanta))) in
+    if Z.gt (Z.add plate (Z.of_int relief.highest)) (Z.of_int (Relief.most * Relief.quanta)) then None
+    else Some [ Relief.on_plate relief ~margin:2 ~plate:(Z.to_int plate) ]
+
 let make ~progress ~path o picture =
-  let* shape = silhouette ~path o picture in
+  let* shape, pieces = silhouette ~path o picture in
   let* strength, greatest = strengths ~path o shape in
   let diffusion = Diffusion.solve ~progress:(progress "inflating") shape ~strength ~greatest in
-  match Relief.make o.profile shape diffusion ~greatest with
+  let found =
+    let*? relief = Relief.make o.profile shape diffusion ~greatest in
+    Option.map (fun all -> (relief, all)) (reliefs o relief pieces)
+  in
+  match found with
   | None ->
     refuse ~path Code.cannot_inflate ~hint:"choose smaller strengths, and --scale to make all of it larger"
       "with these strengths it would be higher than %d pixels" Relief.most
-  | Some relief -> (
-      match Solid_of.make ~progress:(progress "simplifying") ~faces:o.faces ~scale:o.scale relief with
-      | Ok solid -> Ok { relief; solid }
+  | Some (relief, all) -> (
+      let highest = List.fold_left (fun h (r : Relief.t) -> Int.max h r.highest) 0 all in
+      let relief = { relief with highest } in
+      match solids ~progress:(progress "simplifying") o all with
+      | Ok [ solid ] -> Ok { relief; solid; solids = [ solid ] }
+      | Ok solids -> Ok { relief; solid = Solid_of.together solids; solids }
       | Error needed ->
         refuse ~path Code.cannot_inflate
           ~hint:(Printf.sprintf "allow more, at least --faces %d, or all of them: --faces all" needed)

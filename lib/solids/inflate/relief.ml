@@ -70,3 +70,17 @@ let make profile shape (found : Diffusion.t) ~greatest =
   Array.iteri one found.values;
   if Z.gt !highest limit then None
   else Some { shape; heights; radius; highest = Z.to_int !highest; off = Rat.div !off (Rat.of_int quanta) }
+
+(* The heights of the pixels of another shape of the same picture, by those here. *)
+let moved r (shape : Silhouette.t) height =
+  let place i =
+    let x = (i mod shape.width) + shape.left - r.shape.Silhouette.left in
+    let y = (i / shape.width) + shape.top - r.shape.top in
+    if Silhouette.is_inside r.shape x y then r.heights.((y * r.shape.width) + x) else 0
+  in
+  let inside i = Bytes.get shape.inside i <> '\000' in
+  let heights = Array.init (Bytes.length shape.inside) (fun i -> if inside i then height (place i) else 0) in
+  { r with shape; heights; highest = Array.fold_left Int.max 0 heights }
+
+let part r shape = moved r shape Fun.id
+let on_plate r ~margin ~plate = moved r (Silhouette.surrounded r.shape ~margin) (( + ) plate)

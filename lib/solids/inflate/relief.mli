@@ -30,3 +30,10 @@ val most : int
 val make : profile -> Silhouette.t -> Diffusion.t -> greatest:Rat.t -> t option
 (** [make profile shape v ~greatest] are the heights for the fixed point [v], where [greatest] is the greatest
     strength. [None] if one is greater than {!most}. *)
+
+val part : t -> Silhouette.t -> t
+(** [part r piece] are the heights of a piece of the shape. *)
+
+val on_plate : t -> margin:int -> plate:int -> t
+(** [on_plate r ~margin ~plate] are the heights on a plate under the shape ({!Silhouette.surrounded}), whose own
+    height is [plate] quanta, more than 0. *)

@@ -59,9 +59,10 @@ let label (p : Raster.t) belongs =
   done;
   (labels, List.stable_sort (fun (_, a) (_, b) -> compare b.pixels a.pixels) (List.rev !pieces))
 
-let cut (p : Raster.t) labels (number : int) size =
+(* The pixels whose labels are chosen. *)
+let cut (p : Raster.t) labels chosen size =
   let left = ref p.width and right = ref (-1) and top = ref p.height and bottom = ref (-1) in
-  let each f = Array.iteri (fun i l -> if l = number then f (i mod p.width) (i / p.width)) labels in
+  let each f = Array.iteri (fun i l -> if chosen l then f (i mod p.width) (i / p.width)) labels in
   each (fun x y ->
       left := min !left x;
       right := max !right x;
@@ -75,14 +76,32 @@ let cut (p : Raster.t) labels (number : int) size =
 let find ?background ?piece (p : Raster.t) =
   let labels, pieces = label p (belongs ?background p) in
   let told () = List.map snd pieces in
+  let one (number : int) = cut p labels (( = ) number) in
   match (pieces, piece) with
   | [], _ -> Error Empty
-  | [ (number, only) ], None -> Ok (cut p labels number only.pixels)
+  | [ (number, only) ], None -> Ok (one number only.pixels)
   | _, None -> Error (Several (told ()))
   | _, Some k -> (
       match List.nth_opt pieces (k - 1) with
-      | Some (number, piece) -> Ok (cut p labels number piece.pixels)
+      | Some (number, piece) -> Ok (one number piece.pixels)
       | None -> Error (No_such_piece (told ())))
+
+let find_all ?background (p : Raster.t) =
+  match label p (belongs ?background p) with
+  | _, [] -> Error Empty
+  | labels, pieces ->
+    let all = List.fold_left (fun n (_, piece) -> n + piece.pixels) 0 pieces in
+    let one ((number : int), piece) = cut p labels (( = ) number) piece.pixels in
+    Ok (cut p labels (fun l -> l > 0) all, List.map one pieces)
+
+let surrounded s ~margin =
+  let width = s.width + (2 * margin) and height = s.height + (2 * margin) in
+  let inside = Bytes.make (width * height) '\000' in
+  for y = 1 to height - 2 do
+    Bytes.fill inside ((y * width) + 1) (width - 2) '\001'
+  done;
+  let size = (width - 2) * (height - 2) in
+  { s with width; height; inside; size; left = s.left - margin; top = s.top - margin }
 
 let is_inside s x y =
   x >= 0 && y >= 0 && x < s.width && y < s.height && Bytes.get s.inside ((y * s.width) + x) <> '\000'

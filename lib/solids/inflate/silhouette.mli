@@ -29,6 +29,14 @@ val find : ?background:int -> ?piece:int -> Raster.t -> (t, fault) result
     only touch at a corner are not connected. If there are several pieces, [piece] chooses one, from 1, by
     size. *)
 
+val find_all : ?background:int -> Raster.t -> (t * t list, fault) result
+(** [find_all picture] is the shape of all pieces together, which need not be connected, and the pieces, the
+    largest first. Pixels belong to it as in {!find}. *)
+
+val surrounded : t -> margin:int -> t
+(** [surrounded t ~margin] is the shape of all pixels of the rectangle of [t] and of a frame of [margin] more
+    pixels around it, but for the border that no shape has. Its pixels may be outside of the picture. *)
+
 val is_inside : t -> int -> int -> bool
 (** [is_inside t x y] is true if the pixel at column x and row y is in the shape. Places beyond the rectangle
     are not. *)

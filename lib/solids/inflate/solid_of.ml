@@ -103,3 +103,25 @@ let make ~progress ~faces ~scale r =
   match faces with
   | Some n when n < everything r -> simplified ~progress r ~scale ~faces:n loops
   | Some _ | None -> Ok (whole r ~scale ~holes:(List.length loops - 1))
+
+let together solids =
+  let start = ref 0 in
+  let one t =
+    let from = !start in
+    start := from + Array.length t.mesh.Polyhedron.ifs_vertices;
+    Array.map (fun (_, face) -> Array.map (( + ) from) face) t.mesh.ifs_faces
+  in
+  let faces = Array.concat (List.map one solids) in
+  let vertices = Array.concat (List.map (fun t -> t.mesh.Polyhedron.ifs_vertices) solids) in
+  let named letter = Array.mapi (fun k x -> (Printf.sprintf "%c%d" letter k, x)) in
+  let greatest f = List.fold_left (fun q t -> Rat.max q (f t.gaps)) Rat.zero solids in
+  {
+    mesh = { ifs_vertices = named 'v' (Array.map snd vertices); ifs_faces = named 'f' faces };
+    holes = List.fold_left (fun n t -> n + t.holes) 0 solids;
+    gaps =
+      {
+        solution = greatest (fun g -> g.solution);
+        surface = greatest (fun g -> g.surface);
+        outline = greatest (fun g -> g.outline);
+      };
+  }

@@ -29,3 +29,7 @@ val make :
 (** [make ~progress ~faces ~scale r] is the solid with at most [faces] faces, or without simplification if that
     is [None]. Lengths of the mesh are multiplied by [scale] > 0; those of {!type-gaps} are not. The error is the
     number of faces that would be needed. *)
+
+val together : t list -> t
+(** [together solids] are solids that do not meet, as one of several closed surfaces, with the sum of the holes
+    and the greatest of each of the errors. *)

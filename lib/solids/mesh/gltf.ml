@@ -90,9 +90,11 @@ let each_triangle mode corners put =
     done
 
 let primitive file at p =
+  let* () = Gltf_table.check ~kind:"primitive" p in
   let* () = Gltf_data.spend file.data p 1 in
   let* mode = J.index_or triangles "mode" p in
   let* attributes = J.needed "attributes" p in
+  let* () = Gltf_table.check ~kind:"attributes" attributes in
   if mode <> points && (mode < triangles || mode > fan) then
     J.fail p "the mesh is made of lines (mode %d), and a solid is made of triangles" mode
   else
@@ -120,6 +122,7 @@ let primitive file at p =
 let all f list = Result.map ignore (Result.all f (Array.to_list list))
 
 let mesh file at m =
+  let* () = Gltf_table.check ~kind:"mesh" m in
   let* weights = J.items "weights" m in
   let* () =
     let rest w = Result.map (fun w -> Rat.sign w = 0) (J.number w) in
@@ -137,6 +140,7 @@ let rec node file depth at name =
   else if depth > max_depth then J.fail n "nodes are inside of each other more than %d deep" max_depth
   else (
     file.seen.(i) <- true;
+    let* () = Gltf_table.check ~kind:"node" n in
     let* own = place n in
     let at = Affine.compose at own in
     if Affine.too_long at then J.fail n "the numbers of the places of nodes inside of each other get too long"
@@ -172,37 +176,60 @@ let scene root file =
     | None -> Ok (if Array.length scenes > 0 then Some scenes.(0) else None)
   in
   match chosen with
-  | Some s -> Result.bind (J.items "nodes" s) (all (node file 0 Affine.identity))
+  | Some s ->
+    let* () = Gltf_table.check ~kind:"scene" s in
+    Result.bind (J.items "nodes" s) (all (node file 0 Affine.identity))
   | None when Array.length file.nodes > 0 ->
     let* first = roots file.nodes in
     Result.map ignore (Result.all (fun i -> node file 0 Affine.identity (J.of_index root i)) first)
   | None -> all (mesh file Affine.identity) file.meshes
 
-(* Extensions that a file cannot be read without, and that leave positions as they are. *)
-let harmless name =
-  let begins p = String.length name >= String.length p && String.equal (String.sub name 0 (String.length p)) p in
-  List.exists begins [ "KHR_materials_"; "KHR_texture_"; "KHR_lights_"; "EXT_texture_"; "MSFT_texture_" ]
-
+(* The extensions that are named, if none is needed that is not read. *)
 let check_head root =
   let* version = Result.bind (Result.bind (J.needed "asset" root) (J.needed "version")) J.text in
   if not (String.length version >= 2 && String.equal (String.sub version 0 2) "2.") then
     J.fail root "only version 2 of glTF is read, not %s" (quote version)
   else
+    let* () = Gltf_table.check ~kind:"glTF" root in
     let* needed = J.items "extensionsRequired" root in
     let one e =
       let* name = J.text e in
-      if harmless name then Ok () else J.fail e "the extension %s is not read" (quote name)
+      if Gltf_table.required name then Ok () else J.fail e "the extension %s is not read" (quote name)
     in
-    all one needed
+    let* () = all one needed in
+    let* used = J.items "extensionsUsed" root in
+    Result.all J.text (Array.to_list used @ Array.to_list needed)
 
-let read ~path text =
+(* Animations of cameras and materials are extensions, and have no target among these. *)
+let moving ~path root =
+  let* animations = J.items "animations" root in
+  let moves channel =
+    match Option.bind (J.member "target" channel) (J.member "path") with
+    | None -> Ok false
+    | Some p -> Result.map (fun p -> List.mem p [ "translation"; "rotation"; "scale"; "weights" ]) (J.text p)
+  in
+  let any animation =
+    let* channels = J.items "channels" animation in
+    Result.map (List.exists Fun.id) (Result.all moves (Array.to_list channels))
+  in
+  let* found = Result.all any (Array.to_list animations) in
+  let warning =
+    Scc_base.Diag.warning Scc_base.Code.mesh_left_out (Scc_base.Span.of_file path)
+      ~hint:"nothing has to be done if this is what is meant"
+      "the file has animations, and is read as it is without them"
+  in
+  Ok (if List.mem true found then [ warning ] else [])
+
+let read ~files ~path text =
   let* json, binary = parts ~path text in
   let* root = J.parse ~path json in
-  let* () = check_head root in
+  let* extensions = check_head root in
   let budget = ref (100_000 + (2 * String.length text)) in
-  let* data = Gltf_data.make ~path ~binary ~budget root in
+  let quantized = List.mem Gltf_table.quantization extensions in
+  let* data = Gltf_data.make ~files ~path ~binary ~budget ~quantized root in
   let* meshes = J.items "meshes" root in
   let* nodes = J.items "nodes" root in
   let file = { data; meshes; nodes; seen = Array.make (Array.length nodes) false; soup = Soup.create () } in
   let* () = scene root file in
-  Ok (Soup.solid file.soup)
+  let* warnings = moving ~path root in
+  Ok (Soup.solid file.soup, warnings)

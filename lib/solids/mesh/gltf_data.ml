@@ -4,11 +4,11 @@ open Text
 module J = Gltf_json
 
 type t = {
-  path : string;
   buffers : (string, Diag.t) result Lazy.t array;  (* those of pictures alone may be in other files *)
   views : J.t array;
   accessors : J.t array;
   budget : int ref;
+  quantized : bool;
 }
 
 let spend t at n =
@@ -18,11 +18,37 @@ let spend t at n =
     t.budget := !(t.budget) - n;
     Ok ())
 
-let outside buffer uri =
-  J.fail buffer "the data are in another file, %s: make a GLB file of it, or put them inside as base64" (quote uri)
+(* Characters written as [%20]; [None] for a percent sign that is none of these. *)
+let unescaped uri =
+  let n = String.length uri in
+  let b = Buffer.create n in
+  let rec go i =
+    if i >= n then Some (Buffer.contents b)
+    else if uri.[i] <> '%' then begin
+      Buffer.add_char b uri.[i];
+      go (i + 1)
+    end
+    else
+      match if i + 2 < n then int_of_string_opt ("0x" ^ String.sub uri (i + 1) 2) else None with
+      | Some code ->
+        Buffer.add_char b (Char.chr code);
+        go (i + 3)
+      | None -> None
+  in
+  go 0
+
+(* What another file has is room for vertices too. *)
+let outside ~files ~path ~budget buffer uri =
+  match Option.map (Beside.find files ~path) (unescaped uri) with
+  | Some (Ok data) ->
+    budget := !budget + (2 * String.length data);
+    Ok data
+  | Some (Error why) ->
+    J.fail buffer "the data are in another file, %s, which cannot be read: %s" (quote uri) why
+  | None -> J.fail buffer "the name of the file with the data, %s, is no address" (quote uri)
 
 (* The data of a URI [data:…;base64,…]. *)
-let inline buffer uri =
+let named ~files ~path ~budget buffer uri =
   let n = String.length uri in
   match String.index_opt uri ',' with
   | Some comma when n >= 5 && String.equal (String.sub uri 0 5) "data:" ->
@@ -32,26 +58,27 @@ let inline buffer uri =
       match Base64.decode ~pad:false (String.sub uri (comma + 1) (n - comma - 1)) with
       | Ok data -> Ok data
       | Error (`Msg _) -> J.fail buffer "the data are not valid base64")
-  | Some _ | None -> outside buffer uri
+  | Some _ | None -> outside ~files ~path ~budget buffer uri
 
-let buffer ~binary i b =
+let buffer ~named ~binary i b =
+  let* () = Gltf_table.check ~kind:"buffer" b in
   let* length = Result.bind (J.needed "byteLength" b) J.index in
   let* data =
     match (J.member "uri" b, binary) with
     | None, Some data when i = 0 -> Ok data
     | None, _ -> J.fail b "the buffer has no data"
-    | Some uri, _ -> Result.bind (J.text uri) (inline b)
+    | Some uri, _ -> Result.bind (J.text uri) (named b)
   in
   if length > String.length data then
     J.fail b "the buffer promises %d bytes, but there are %d" length (String.length data)
   else Ok (String.sub data 0 length)
 
-let make ~path ~binary ~budget root =
+let make ~files ~path ~binary ~budget ~quantized root =
   let* buffers = J.items "buffers" root in
   let* views = J.items "bufferViews" root in
   let* accessors = J.items "accessors" root in
-  let buffers = Array.mapi (fun i b -> lazy (buffer ~binary i b)) buffers in
-  Ok { path; buffers; views; accessors; budget }
+  let buffers = Array.mapi (fun i b -> lazy (buffer ~named:(named ~files ~path ~budget) ~binary i b)) buffers in
+  Ok { buffers; views; accessors; budget; quantized }
 
 (* {1 Views} *)
 
@@ -59,6 +86,7 @@ type view = { data : string; start : int; length : int; stride : int option; at 
 
 let view t name =
   let* v, _ = J.nth t.views ~what:"buffer view" name in
+  let* () = Gltf_table.check ~kind:"bufferView" v in
   let* named = J.needed "buffer" v in
   let* data, _ = J.nth t.buffers ~what:"buffer" named in
   let* data = Lazy.force data in
@@ -99,24 +127,46 @@ let whole t holder ~offset ~count ~below =
      | Some i -> J.fail holder "there is an index %d, but only %d vertices" i below
      | None -> Ok found)
 
-let point t v place i =
-  let real k =
-    match Bytes_of.real ~path:t.path ~big_endian:false v.data (place i + (4 * k)) 4 with
+(* How a coordinate is read, and how wide it is. Integers that are normalized are parts of the greatest one, and
+   the least one counts as the one after it. *)
+let coordinate t holder =
+  let* component = Result.bind (J.needed "componentType" holder) J.index in
+  let* normalized = J.truth "normalized" holder in
+  let whole width read most =
+    let value data place =
+      let n = read ~big_endian:false data place width in
+      if normalized then Rat.make (Z.of_int (max n (-most))) (Z.of_int most) else Rat.of_int n
+    in
+    if t.quantized then Ok (width, fun data place -> Ok (value data place))
+    else
+      J.fail holder "positions of type %d need the extension KHR_mesh_quantization, which is not named" component
+  in
+  match component with
+  | 5126 -> Ok (4, fun data place -> Bytes_of.real ~path:"" ~big_endian:false data place 4)
+  | 5120 -> whole 1 Bytes_of.signed 127
+  | 5121 -> whole 1 Bytes_of.unsigned 255
+  | 5122 -> whole 2 Bytes_of.signed 32767
+  | 5123 -> whole 2 Bytes_of.unsigned 65535
+  | other -> J.fail holder "positions are 32-bit floats (type 5126), not of type %d" other
+
+let points t holder ~coordinate:(width, read) ~offset ~count =
+  let* name = J.needed "bufferView" holder in
+  let* v = view t name in
+  let* place = places v ~offset ~count ~width:(3 * width) in
+  let real i k =
+    match read v.data (place i + (width * k)) with
     | Ok x -> Ok x
     | Error _ -> J.fail v.at "a coordinate must be a finite number, but one of element %d is not" i
   in
-  let* x = real 0 in
-  let* y = real 1 in
-  let* z = real 2 in
-  Ok (Vec.make x y z)
+  let point i =
+    let* x = real i 0 in
+    let* y = real i 1 in
+    let* z = real i 2 in
+    Ok (Vec.make x y z)
+  in
+  Result.map Array.of_list (Result.all point (List.init count Fun.id))
 
-let points t holder ~offset ~count =
-  let* name = J.needed "bufferView" holder in
-  let* v = view t name in
-  let* place = places v ~offset ~count ~width:12 in
-  Result.map Array.of_list (Result.all (point t v place) (List.init count Fun.id))
-
-let with_sparse t accessor ~count all =
+let with_sparse t accessor ~coordinate ~count all =
   match J.member "sparse" accessor with
   | None -> Ok all
   | Some sparse ->
@@ -127,12 +177,13 @@ let with_sparse t accessor ~count all =
     let* at = whole t at ~offset ~count:few ~below:count in
     let* values = J.needed "values" sparse in
     let* offset = J.index_or 0 "byteOffset" values in
-    let* values = points t values ~offset ~count:few in
+    let* values = points t values ~coordinate ~offset ~count:few in
     Array.iteri (fun k i -> all.(i) <- values.(k)) at;
     Ok all
 
 let accessor t name ~kind =
   let* a, _ = J.nth t.accessors ~what:"accessor" name in
+  let* () = Gltf_table.check ~kind:"accessor" a in
   let* count = Result.bind (J.needed "count" a) J.index in
   let* () = spend t a count in
   let* written = Result.bind (J.needed "type" a) J.text in
@@ -142,15 +193,13 @@ let accessor t name ~kind =
 
 let positions t name =
   let* a, count, offset = accessor t name ~kind:"VEC3" in
-  let* component = Result.bind (J.needed "componentType" a) J.index in
-  if component <> 5126 then J.fail a "positions are 32-bit floats (type 5126), not of type %d" component
-  else
-    let* all =
-      match J.member "bufferView" a with
-      | Some _ -> points t a ~offset ~count
-      | None -> Ok (Array.make count Vec.zero)
-    in
-    with_sparse t a ~count all
+  let* coordinate = coordinate t a in
+  let* all =
+    match J.member "bufferView" a with
+    | Some _ -> points t a ~coordinate ~offset ~count
+    | None -> Ok (Array.make count Vec.zero)
+  in
+  with_sparse t a ~coordinate ~count all
 
 let indices t name ~below =
   let* a, count, offset = accessor t name ~kind:"SCALAR" in

@@ -75,6 +75,14 @@ let numbers n v =
   if Array.length list <> n then fail v "expected %d numbers, not %d" n (Array.length list)
   else Result.map Array.of_list (Result.all number (Array.to_list list))
 
+let truth name v =
+  match member name v with
+  | None -> Ok false
+  | Some { value = `Bool b; _ } -> Ok b
+  | Some other -> fail other "expected true or false"
+
+let keys v = match v.value with `Assoc members -> List.map fst members | _ -> []
+
 let index v =
   match v.value with
   | `Intlit text -> (

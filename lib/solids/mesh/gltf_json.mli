@@ -22,6 +22,13 @@ val items : string -> t -> (t array, Diag.t) result
 (** [items name v] are the elements of the array that is a member of [v]; none if the member is absent. A
     member that is no array is a fault. *)
 
+val truth : string -> t -> (bool, Diag.t) result
+(** [truth name v] is the truth value that is a member of [v], or false if the member is absent; a fault for any
+    other value. *)
+
+val keys : t -> string list
+(** The names of the members of an object; none for other values. *)
+
 val nth : 'a array -> what:string -> t -> ('a * int, Diag.t) result
 (** [nth list ~what v] is the element of [list] whose index is the value [v], and the index. An index beyond
     the list is a fault, which [what] names. *)

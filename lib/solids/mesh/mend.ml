@@ -37,6 +37,41 @@ let distinct (corners : int array) =
   let keep i = corners.(i) <> corners.((i + 1) mod n) in
   Array.of_list (List.filter_map (fun i -> if keep i then Some corners.(i) else None) (List.init n Fun.id))
 
+(* The corners from the least one on. *)
+let from_least (c : int array) =
+  let n = Array.length c in
+  let least = ref 0 in
+  Array.iteri (fun i v -> if v < c.(!least) then least := i) c;
+  Array.to_list (Array.init n (fun i -> c.((!least + i) mod n)))
+
+let reversed corners =
+  let n = Array.length corners in
+  Array.init n (fun i -> corners.(n - 1 - i))
+
+(* Each face once. If each is there from both sides, only the first of both stays. *)
+let single faces =
+  let seen = Hashtbl.create 64 in
+  let fresh (_, c) =
+    let key = from_least c in
+    if Hashtbl.mem seen key then false
+    else begin
+      Hashtbl.add seen key ();
+      true
+    end
+  in
+  let once = List.filter fresh faces in
+  let other c = from_least (reversed c) in
+  if once = [] || List.exists (fun (_, c) -> not (Hashtbl.mem seen (other c))) once then once
+  else begin
+    Hashtbl.reset seen;
+    let first (_, c) =
+      let stays = not (Hashtbl.mem seen (other c)) in
+      if stays then Hashtbl.add seen (from_least c) ();
+      stays
+    in
+    List.filter first once
+  end
+
 let weld (set : Polyhedron.ifs) =
   let n = Array.length set.ifs_vertices in
   let first = Points.create n in
@@ -50,7 +85,8 @@ let weld (set : Polyhedron.ifs) =
   let into = Array.mapi find set.ifs_vertices in
   let face (name, corners) = (name, distinct (Array.map (fun v -> into.(v)) corners)) in
   let mapped = Array.to_list (Array.map face set.ifs_faces) in
-  let kept = Array.of_list (List.filter (fun (_, c) -> Array.length c >= 3) mapped) in
+  let proper = List.filter (fun (_, c) -> Array.length c >= 3) mapped in
+  let kept = Array.of_list (single proper) in
   let cloud = Array.length set.ifs_faces = 0 in
   let used = Array.init n (fun i -> cloud && into.(i) = i) in
   Array.iter (fun (_, c) -> Array.iter (fun v -> used.(v) <- true) c) kept;
@@ -68,18 +104,16 @@ let weld (set : Polyhedron.ifs) =
       ifs_faces = Array.map (fun (name, c) -> (name, Array.map (fun v -> number.(v)) c)) kept;
     }
   in
-  let gone = Array.length set.ifs_faces - Array.length kept in
+  let gone = Array.length set.ifs_faces - List.length proper in
+  let doubled = List.length proper - Array.length kept in
+  let went n what = if n = 0 then "" else Printf.sprintf "; %s %s went" (faces n) what in
   let told =
-    Printf.sprintf "welded: %s became %d%s" (vertices n) !next
-      (if gone = 0 then "" else Printf.sprintf "; %s without an area went" (faces gone))
+    Printf.sprintf "welded: %s became %d%s%s" (vertices n) !next (went gone "without an area")
+      (went doubled "that were there twice")
   in
   (set', told)
 
 (* {1 Orient} *)
-
-let reversed corners =
-  let n = Array.length corners in
-  Array.init n (fun i -> corners.(n - 1 - i))
 
 (* The faces at each edge, with whether they run along it from the lesser vertex to the greater. *)
 let edges_of (set : Polyhedron.ifs) =

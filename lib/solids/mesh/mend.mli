@@ -11,7 +11,8 @@ val on_grid : Rat.t -> Polyhedron.ifs -> Polyhedron.ifs * string
 
 val weld : Polyhedron.ifs -> Polyhedron.ifs * string
 (** Vertices at one point become one, which has the name of the first. Corners that repeat their neighbour are
-    dropped, and so are faces with fewer than three corners left. Vertices that no face uses are dropped, but
+    dropped, and so are faces with fewer than three corners left, and faces that are there twice. If each face is
+    there from both sides, the first of both stays. Vertices that no face uses are dropped, but
     not in a cloud, which has no faces. *)
 
 val orient : Polyhedron.ifs -> (Polyhedron.ifs * string, string) result

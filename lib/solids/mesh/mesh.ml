@@ -1,20 +1,26 @@
 open Scc_base
 open Scc_geometry
 
+(* The readers of files that name no others. *)
+let alone read ~files:_ ~path text = read ~path text
+
+(* And that never read what is only near, and leave nothing out. *)
+let exact read = alone (fun ~path text -> Result.map (fun set -> (set, [])) (read ~path text))
+
 let readers =
   [
-    ("off", "OFF", Off.read);
-    ("obj", "OBJ", Obj.read);
-    ("stl", "STL", Stl.read);
-    ("ply", "PLY", Ply.read);
-    ("wrl", "VRML", Vrml.read);
-    ("vrml", "VRML", Vrml.read);
-    ("x3dv", "X3D (classic)", Vrml.read);
-    ("x3d", "X3D", X3d.read);
+    ("off", "OFF", exact Off.read);
+    ("obj", "OBJ", exact Obj.read);
+    ("stl", "STL", alone Stl.read);
+    ("ply", "PLY", exact Ply.read);
+    ("wrl", "VRML", alone Vrml.read);
+    ("vrml", "VRML", alone Vrml.read);
+    ("x3dv", "X3D (classic)", alone Vrml.read);
+    ("x3d", "X3D", alone X3d.read);
     ("glb", "glTF", Gltf.read);
     ("gltf", "glTF", Gltf.read);
-    ("3mf", "3MF", Threemf.read);
-    ("xyz", "XYZ", Xyz.read);
+    ("3mf", "3MF", alone Threemf.read);
+    ("xyz", "XYZ", exact Xyz.read);
   ]
 
 let formats = List.map (fun (ending, name, _) -> ("." ^ ending, name)) readers
@@ -24,31 +30,34 @@ let by_name path =
   let ends (ending, _, _) = Filename.check_suffix base ("." ^ ending) in
   Option.map (fun (_, _, read) -> read) (List.find_opt ends readers)
 
+let of_format format =
+  Option.map (fun (_, _, read) -> read) (List.find_opt (fun (_, name, _) -> String.equal name format) readers)
+
 let by_text text =
   let text = String.trim (String.sub text 0 (min 80 (String.length text))) in
   let begins prefix =
     let n = String.length prefix in
     String.length text >= n && String.equal (String.sub text 0 n) prefix
   in
-  if List.exists begins [ "OFF"; "COFF"; "NOFF"; "STOFF"; "CNOFF" ] then Some Off.read
-  else if begins "glTF" || begins "{" then Some Gltf.read
-  else if begins "PK\003\004" then Some Threemf.read
-  else if begins "solid" then Some Stl.read
-  else if begins "ply" then Some Ply.read
-  else if begins "#VRML" || begins "#X3D" then Some Vrml.read
-  else if begins "<?xml" || begins "<X3D" then Some X3d.read
+  if List.exists begins [ "OFF"; "COFF"; "NOFF"; "STOFF"; "CNOFF" ] then of_format "OFF"
+  else if begins "glTF" || begins "{" then of_format "glTF"
+  else if begins "PK\003\004" then of_format "3MF"
+  else if begins "solid" then of_format "STL"
+  else if begins "ply" then of_format "PLY"
+  else if begins "#VRML" || begins "#X3D" then of_format "VRML"
+  else if begins "<?xml" || begins "<X3D" then of_format "X3D"
   else None
 
-let check_denominator ~path ifs =
-  if Polyhedron.too_fine ifs then
+let check_denominator ~path (set, warnings) =
+  if Polyhedron.too_fine set then
     Error
       (Diag.error Code.number_too_large
          (Span.of_file path)
          "the common denominator of the coordinates is too large"
          ~hint:"use decimals, or fractions with few different denominators")
-  else Ok ifs
+  else Ok (set, warnings)
 
-let read ~path text =
+let read ~files ~path text =
   let text = Source.blank_mark text in
   let reader =
     match by_name path with
@@ -56,7 +65,7 @@ let read ~path text =
     | None -> by_text text
   in
   match reader with
-  | Some read -> Result.bind (read ~path text) (check_denominator ~path)
+  | Some read -> Result.bind (read ~files ~path text) (check_denominator ~path)
   | None ->
     let known = String.concat ", " (List.map fst formats) in
     Error

@@ -9,6 +9,17 @@ let is_keyword w =
   | "OFF" | "COFF" | "NOFF" | "CNOFF" | "STOFF" | "STCOFF" | "STNOFF" | "STCNOFF" -> true
   | _ -> false
 
+(* Some programs write the first count at once after the keyword. *)
+let unglued = function
+  | ({ text; start } as w) :: rest -> (
+      let digit i = text.[i] >= '0' && text.[i] <= '9' in
+      match List.find_opt digit (List.init (min 8 (String.length text)) Fun.id) with
+      | Some i when i > 0 && is_keyword (String.sub text 0 i) ->
+        let count = { text = String.sub text i (String.length text - i); start = start + i } in
+        { w with text = String.sub text 0 i } :: count :: rest
+      | Some _ | None -> w :: rest)
+  | [] -> []
+
 let counts ~path = function
   | v :: f :: rest ->
     let* vertices = integer ~path ~what:"the number of vertices" v in
@@ -29,7 +40,7 @@ let counts ~path = function
   | [] -> Bug.fail __POS__ "a line without words"
 
 let header ~path text =
-  match next_line text 0 with
+  match Option.map (fun (words, next) -> (unglued words, next)) (next_line text 0) with
   | None -> error_at ~path 0 "the file is empty: expected `OFF`"
   | Some ({ text = "4OFF" | "nOFF" | "4nOFF"; _ } :: _, _) ->
     Error

@@ -71,7 +71,7 @@ let ascii ~path text soup =
 
 (* {1 Binary: 80 bytes of comment, the number of triangles, 50 bytes for each} *)
 
-let binary ~path text count soup =
+let binary ~path text count ~next soup =
   let point offset =
     let real k = Bytes_of.real ~path ~big_endian:false text (offset + (4 * k)) 4 in
     let* x = real 0 in
@@ -79,22 +79,52 @@ let binary ~path text count soup =
     let* z = real 2 in
     Ok (Vec.make x y z)
   in
-  let triangle k =
-    let offset = 84 + (50 * k) in
+  let triangle offset =
     let* a = point (offset + 12) in
     let* b = point (offset + 24) in
     let* c = point (offset + 36) in
     add soup a b c;
     Ok ()
   in
-  let rec go k =
+  let rec go k offset =
     if k = count then Ok ()
     else
-      match triangle k with
-      | Ok () -> go (k + 1)
+      match triangle offset with
+      | Ok () -> go (k + 1) (next offset)
       | Error _ as e -> e
   in
-  go 0
+  go 0 84
+
+(* Where the triangles end, if each is followed by as many bytes as its last number says: by what some programs
+   write about it. *)
+let end_with_data text count =
+  let n = String.length text in
+  let rec go k offset =
+    if k = count then Some offset
+    else if offset + 50 > n then None
+    else go (k + 1) (offset + 50 + Bytes_of.unsigned ~big_endian:false text (offset + 48) 2)
+  in
+  go 0 84
+
+let trailing ~path ~stop n =
+  let span = Span.make ~file:path ~start:stop ~stop in
+  Diag.warning Code.mesh_left_out span "%s after the last triangle that the header promises are left out"
+    (Plural.count (n - stop) "byte" "bytes")
+
+let read_binary ~path text count soup =
+  let n = String.length text in
+  let plain = 84 + (50 * count) in
+  if n = plain then Result.map (fun () -> []) (binary ~path text count ~next:(fun o -> o + 50) soup)
+  else
+    match end_with_data text count with
+    | Some stop when stop = n && count > 0 ->
+      let next o = o + 50 + Bytes_of.unsigned ~big_endian:false text (o + 48) 2 in
+      Result.map (fun () -> []) (binary ~path text count ~next soup)
+    | _ when n > plain && count > 0 ->
+      let* () = binary ~path text count ~next:(fun o -> o + 50) soup in
+      Ok [ trailing ~path ~stop:plain n ]
+    | _ ->
+      error_at ~path 0 "the header promises %d triangles, which take %d bytes, but the file has %d" count plain n
 
 let read ~path text =
   let n = String.length text in
@@ -107,12 +137,11 @@ let read ~path text =
     | Some ([], _) | None -> false
   in
   let is_text = not (String.contains text '\000') in
-  let* () =
-    if n >= 84 && n = 84 + (50 * promised) then binary ~path text promised soup
-    else if is_text && (starts_solid || String.equal (String.trim text) "") then ascii ~path text soup
+  let* warnings =
+    if n >= 84 && n = 84 + (50 * promised) then read_binary ~path text promised soup
+    else if is_text && (starts_solid || String.equal (String.trim text) "") then
+      Result.map (fun () -> []) (ascii ~path text soup)
     else if n < 84 then error_at ~path 0 "expected `solid`, or the 84 bytes of a binary header"
-    else
-      error_at ~path 0 "the header promises %d triangles, which take %d bytes, but the file has %d" promised
-        (84 + (50 * promised)) n
+    else read_binary ~path text promised soup
   in
-  Ok (Soup.solid soup)
+  Ok (Soup.solid soup, warnings)

@@ -5,5 +5,6 @@
 open Scc_base
 open Scc_geometry
 
-val read : path:string -> string -> (Polyhedron.ifs, Diag.t) result
-(** [read ~path text] is the set of faces of a file. Errors (SC0320) are located in the file. *)
+val read : path:string -> string -> (Polyhedron.ifs * Diag.t list, Diag.t) result
+(** [read ~path text] is the set of faces of a file. Bytes after the last triangle are a warning (SC0324), unless
+    they are the data that triangles announce in their last number. Errors (SC0320) are located in the file. *)

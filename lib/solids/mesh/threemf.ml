@@ -1,35 +1,61 @@
 open Scc_exact
 module X = Xml_part
-
-let core = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
-
-(* These leave triangles as they are; a part of a model that is elsewhere is told by its path. *)
-let harmless =
-  [
-    core; "http://schemas.microsoft.com/3dmanufacturing/material/2015/02";
-    "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
-    "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07";
-  ]
+module T = Threemf_table
 
 (* {1 What a model says} *)
 
 type mesh = { points : Vec.t array; triangles : (int * int * int) array }
-type used = { id : string; place : Affine.t }
-type body = Mesh of mesh | Components of used list | Nothing
-type thing = { support : bool; other : bool; body : body }
 
-type model = {
-  x : X.t;
+type body = Mesh of mesh | Components of used list | Nothing
+and thing = { support : bool; other : bool; body : body }
+and used = { id : string; thing : thing; place : Affine.t }
+
+(* The parts that have been read, each with its objects; [None] while it is read. *)
+type package = {
   path : string;
-  things : (string, thing) Hashtbl.t;
+  archive : Archive.t;
+  parts : (string, (string, thing) Hashtbl.t option) Hashtbl.t;
   soup : Soup.t;
   mutable budget : int;
+  mutable depth : int;  (* of parts that are read because of others *)
+  mutable unit_ : string option;  (* of the first part *)
+  mutable left_out : Scc_base.Diag.t option;
 }
 
-let is ((namespace, local), _) name = String.equal namespace core && String.equal local name
+type model = { x : X.t; path : string; package : package; things : (string, thing) Hashtbl.t }
 
-(* The elements of a name, and what else there is not. *)
-let each x name f = X.children x (fun tag -> if is tag name then f tag else X.skip x)
+let leave_out m what =
+  if Option.is_none m.package.left_out then
+    m.package.left_out <-
+      Some
+        (Scc_base.Diag.warning Scc_base.Code.mesh_left_out (Scc_base.Span.of_file m.path)
+           ~hint:"nothing has to be done if it makes no shapes" "%s is left out: it is not known here" what)
+
+let refuse m what = X.fail m.x "%s are not read: export the model as triangles alone" what
+
+let check_attributes m ((_, element), attributes) =
+  let one (name, _) =
+    match T.attribute element name with
+    | Read | Still -> ()
+    | Left_out -> leave_out m (Printf.sprintf "the attribute %s of `%s`" (Text.quote (snd name)) element)
+    | Unread what -> refuse m what
+  in
+  List.iter one attributes
+
+(* Calls for each element that is read, inside of one of this name. *)
+let each m within f =
+  X.children m.x (fun ((name, _) as tag) ->
+      match T.element ~within name with
+      | Read ->
+        check_attributes m tag;
+        f (snd name) tag
+      | Still -> X.skip m.x
+      | Left_out ->
+        leave_out m (Printf.sprintf "the element %s in `%s`" (Text.quote (snd name)) within);
+        X.skip m.x
+      | Unread what -> refuse m what)
+
+let none m within = each m within (fun _ _ -> X.skip m.x)
 
 let ok x = function
   | Ok value -> value
@@ -45,9 +71,9 @@ let vertices m =
     let y = coordinate "y" in
     let z = coordinate "z" in
     found := Vec.make x y z :: !found;
-    X.skip m.x
+    none m "vertex"
   in
-  each m.x "vertex" one;
+  each m "vertices" (fun _ -> one);
   Array.of_list (List.rev !found)
 
 let triangles m ~count =
@@ -58,17 +84,16 @@ let triangles m ~count =
     let b = corner "v2" in
     let c = corner "v3" in
     found := (a, b, c) :: !found;
-    X.skip m.x
+    none m "triangle"
   in
-  each m.x "triangle" one;
+  each m "triangles" (fun _ -> one);
   Array.of_list (List.rev !found)
 
 let mesh m =
   let points = ref [||] and faces = ref [||] in
-  X.children m.x (fun tag ->
-      if is tag "vertices" then points := vertices m
-      else if is tag "triangles" then faces := triangles m ~count:(Array.length !points)
-      else X.skip m.x);
+  each m "mesh" (fun name _ ->
+      if String.equal name "vertices" then points := vertices m
+      else faces := triangles m ~count:(Array.length !points));
   Mesh { points = !points; triangles = !faces }
 
 (* Row vectors: (x, y, z, 1) times the matrix, row by row without its last column. *)
@@ -84,47 +109,104 @@ let transform m tag =
         { Affine.linear = Mat.make (row 0) (row 1) (row 2); translation = Vec.make n.(9) n.(10) n.(11) }
       | words -> X.fail m.x "a transform has 12 numbers, not %d" (Array.length words))
 
-(* An item or a component. *)
-let used m tag =
-  let elsewhere ((namespace, local), _) = namespace <> "" && String.equal local "path" in
-  if List.exists elsewhere (snd tag) then X.fail m.x "objects in other parts of the package are not read";
-  let id = X.needed m.x tag "objectid" in
-  if not (Hashtbl.mem m.things id) then X.fail m.x "there is no object %s before this" (Text.quote id);
-  let place = transform m tag in
-  X.skip m.x;
-  { id; place }
+(* {1 Objects, in this part and in others} *)
 
-let components m =
+let max_depth = 1000
+let max_parts = 32
+
+let rec things_of package x name =
+  let key = String.lowercase_ascii name in
+  match Hashtbl.find_opt package.parts key with
+  | Some (Some things) -> things
+  | Some None -> X.fail x "the part %s is used inside of itself" (Text.quote name)
+  | None -> (
+      if package.depth >= max_parts then X.fail x "parts name each other more than %d deep" max_parts;
+      match ok x (Archive.find package.archive name) with
+      | None -> X.fail x "the part %s of the package is missing" (Text.quote name)
+      | Some text ->
+        Hashtbl.replace package.parts key None;
+        package.depth <- package.depth + 1;
+        package.budget <- package.budget + String.length text;
+        let m = X.read ~path:package.path ~part:(Text.quote name) text (model package ~built:(fun _ -> X.skip)) in
+        package.depth <- package.depth - 1;
+        Hashtbl.replace package.parts key (Some m.things);
+        m.things)
+
+(* An item or a component. *)
+and used m tag =
+  let id = X.needed m.x tag "objectid" in
+  let things =
+    match List.assoc_opt (T.production, "path") (snd tag) with
+    | None -> m.things
+    | Some name when String.length name > 0 && name.[0] = '/' ->
+      things_of m.package m.x (String.sub name 1 (String.length name - 1))
+    | Some name -> X.fail m.x "the path of a part begins with a slash, and not as %s" (Text.quote name)
+  in
+  let place = transform m tag in
+  match Hashtbl.find_opt things id with
+  | None -> X.fail m.x "there is no object %s before this" (Text.quote id)
+  | Some thing -> { id; thing; place }
+
+and components m =
   let found = ref [] in
-  each m.x "component" (fun tag -> found := used m tag :: !found);
+  each m "components" (fun _ tag ->
+      found := used m tag :: !found;
+      none m "component");
   Components (List.rev !found)
 
-let thing m tag =
+and thing m tag =
   let id = X.needed m.x tag "id" in
   if Hashtbl.mem m.things id then X.fail m.x "the object %s is there twice" (Text.quote id);
   let kind = Option.value (X.attribute tag "type") ~default:"model" in
   let body = ref Nothing in
-  X.children m.x (fun tag ->
-      if is tag "mesh" then body := mesh m else if is tag "components" then body := components m else X.skip m.x);
+  each m "object" (fun name _ ->
+      (match !body with
+       | Nothing -> ()
+       | Mesh _ | Components _ -> X.fail m.x "the object %s has two shapes" (Text.quote id));
+      body := if String.equal name "mesh" then mesh m else components m);
   let support = String.equal kind "support" || String.equal kind "solidsupport" in
   Hashtbl.add m.things id { support; other = String.equal kind "other"; body = !body }
+
+and check_required x ((_, attributes) as tag) =
+  let one prefix =
+    match List.assoc_opt (Xmlm.ns_xmlns, prefix) attributes with
+    | Some uri when T.required uri -> ()
+    | Some uri -> X.fail x "the extension %s is not read" (Text.quote uri)
+    | None -> X.fail x "the extension %s is not read" (Text.quote prefix)
+  in
+  let words = String.split_on_char ' ' (Option.value (X.attribute tag "requiredextensions") ~default:"") in
+  List.iter one (List.filter (fun w -> w <> "") words)
+
+(* One part; [built] reads its list of what is to be built. *)
+and model package ~built x (((namespace, name), _) as tag) =
+  if not (String.equal namespace T.core && String.equal name "model") then
+    X.fail x "the element `model` of the core specification is expected";
+  check_required x tag;
+  let m = { x; path = package.path; package; things = Hashtbl.create 16 } in
+  check_attributes m tag;
+  let own = Option.value (X.attribute tag "unit") ~default:"millimeter" in
+  (match package.unit_ with
+   | None -> package.unit_ <- Some own
+   | Some other when String.equal own other -> ()
+   | Some other ->
+     X.fail x "this part is in the unit %s, and the first part in %s" (Text.quote own) (Text.quote other));
+  each m "model" (fun name _ ->
+      if String.equal name "resources" then each m "resources" (fun _ -> thing m) else built m x);
+  m
 
 (* {1 What is built} *)
 
 let spend m n =
-  if n > m.budget then
+  if n > m.package.budget then
     X.fail m.x "with this the file would have many times the triangles that its size has room for";
-  m.budget <- m.budget - n
-
-let max_depth = 1000
+  m.package.budget <- m.package.budget - n
 
 (* Each refers to things before it alone, so that this ends. *)
-let rec build m depth at { id; place } =
+let rec build m depth at { id; thing; place } =
   spend m 1;
   if depth > max_depth then X.fail m.x "components are inside of each other more than %d deep" max_depth;
   let at = Affine.compose at place in
   if Affine.too_long at then X.fail m.x "the numbers of components inside of each other get too long";
-  let thing = Hashtbl.find m.things id in
   if thing.other then X.fail m.x "the object %s is of the type `other`, and is not to be built" (Text.quote id);
   if not thing.support then
     match thing.body with
@@ -132,38 +214,29 @@ let rec build m depth at { id; place } =
     | Components list -> List.iter (build m (depth + 1) at) list
     | Mesh mesh ->
       spend m (Array.length mesh.points + Array.length mesh.triangles);
-      let numbers = Array.map (fun v -> Soup.number m.soup (Affine.apply at v)) mesh.points in
+      let soup = m.package.soup in
+      let numbers = Array.map (fun v -> Soup.number soup (Affine.apply at v)) mesh.points in
       let mirrored = Affine.mirrors at in
       let add (a, b, c) =
         let a = numbers.(a) and b = numbers.(b) and c = numbers.(c) in
-        if mirrored then Soup.add m.soup a c b else Soup.add m.soup a b c
+        if mirrored then Soup.add soup a c b else Soup.add soup a b c
       in
       Array.iter add mesh.triangles
 
-let check_required x ((_, attributes) as tag) =
-  let one prefix =
-    match List.assoc_opt (Xmlm.ns_xmlns, prefix) attributes with
-    | Some uri when List.mem uri harmless -> ()
-    | Some uri -> X.fail x "the extension %s is not read" (Text.quote uri)
-    | None -> X.fail x "the extension %s is not read" (Text.quote prefix)
-  in
-  let words = String.split_on_char ' ' (Option.value (X.attribute tag "requiredextensions") ~default:"") in
-  List.iter one (List.filter (fun w -> w <> "") words)
+let build_items items m _ =
+  each m "build" (fun _ tag ->
+      incr items;
+      (match X.attribute tag "printable" with
+       | Some "0" | Some "false" -> X.fail m.x "an item that is not to be printed: remove it, or make it printable"
+       | Some _ | None -> ());
+      build m 0 Affine.identity (used m tag);
+      none m "item")
 
-let model ~path ~size x tag =
-  if not (is tag "model") then X.fail x "the element `model` of the core specification is expected";
-  check_required x tag;
-  let m = { x; path; things = Hashtbl.create 16; soup = Soup.create (); budget = 100_000 + size } in
+let root package x tag =
   let items = ref 0 in
-  X.children x (fun tag ->
-      if is tag "resources" then each x "object" (thing m)
-      else if is tag "build" then
-        each x "item" (fun tag ->
-            incr items;
-            build m 0 Affine.identity (used m tag))
-      else X.skip x);
+  ignore (model package ~built:(build_items items) x tag);
   if !items = 0 then X.fail x "nothing is to be built: there is no item";
-  Soup.solid m.soup
+  Soup.solid package.soup
 
 (* {1 The package} *)
 
@@ -194,4 +267,16 @@ let read ~path text =
         | exception X.Refused d -> Error d)
   in
   let* name = part "_rels/.rels" (fun _ -> first_part) in
-  part name (fun size -> model ~path ~size)
+  let package =
+    {
+      path; archive; parts = Hashtbl.create 16; soup = Soup.create (); budget = 100_000; depth = 0; unit_ = None;
+      left_out = None;
+    }
+  in
+  Hashtbl.replace package.parts (String.lowercase_ascii name) None;
+  let first size =
+    package.budget <- package.budget + size;
+    root package
+  in
+  let* set = part name first in
+  Ok (set, Option.to_list package.left_out)

@@ -1,7 +1,7 @@
 open Scc_base
 open Text
 
-(* Tokens: braces and brackets by themselves; comments and strings left out. *)
+(* Tokens: braces and brackets by themselves, strings with the quote before them; comments left out. *)
 let tokens text =
   let n = String.length text in
   let is_blank c = c = ' ' || c = '\t' || c = '\n' || c = '\r' || c = ',' || c = '\x0c' in
@@ -24,7 +24,9 @@ let tokens text =
     else
       match text.[i] with
       | '#' -> scan acc (to_line_end i)
-      | '"' -> scan acc (after_quote (i + 1))
+      | '"' ->
+        let stop = after_quote (i + 1) in
+        scan ({ text = String.sub text i (min n stop - i); start = i } :: acc) stop
       | c when is_blank c -> scan acc (i + 1)
       | c when is_bracket c -> scan ({ text = String.make 1 c; start = i } :: acc) (i + 1)
       | _ ->
@@ -33,91 +35,165 @@ let tokens text =
   in
   scan [] 0
 
-(* The words up to the closing bracket. *)
-let rec bracketed ~path at acc = function
-  | { text = "]"; _ } :: rest -> Ok (List.rev acc, rest)
-  | { text = "{" | "}" | "["; _ } as w :: _ ->
-    error ~path w "expected a number or `]`, found %s" (quote w.text)
-  | w :: rest -> bracketed ~path at (w :: acc) rest
-  | [] -> error ~path at "a `[` without its `]`"
+(* Nodes are built from the tokens that are left. *)
+type reader = { path : string; mutable left : word list; names : Scene.names; mutable routes : Scene.route list }
 
-(* [nodes] are the names of the open nodes, the innermost first; [sets] in reverse order. *)
-type state = {
-  nodes : string list;
-  sets : Face_sets.t list;
-  def : string option;  (* of the node that comes next *)
-  shape : string option;  (* what the present shape is called *)
-}
+(* {1 Words} *)
 
-let in_node state name =
-  match state.nodes with
-  | n :: _ -> String.equal n name
-  | [] -> false
+let is_bracket w = match w.text with "{" | "}" | "[" | "]" -> true | _ -> false
 
-let in_face_set state = List.exists (String.equal "IndexedFaceSet") state.nodes
+(* A number, a string or a truth value, and no name. *)
+let is_plain w =
+  match w.text.[0] with
+  | '0' .. '9' | '+' | '-' | '.' | '"' -> true
+  | _ -> String.equal w.text "TRUE" || String.equal w.text "FALSE"
 
-let update state f =
-  match state.sets with
-  | set :: rest -> { state with sets = f set :: rest }
-  | [] -> state
+let is_name w = not (is_plain w || is_bracket w)
 
-let open_node state (w : word) =
-  let def = state.def in
-  let state = { state with nodes = w.text :: state.nodes; def = None } in
-  match w.text with
-  | "IndexedFaceSet" ->
-    let name = if Option.is_some def then def else state.shape in
-    { state with sets = { points = []; index = []; ccw = true; name } :: state.sets }
-  | "Shape" -> { state with shape = def }
-  | _ -> state
+let rec plain r found =
+  match r.left with
+  | w :: rest when is_plain w ->
+    r.left <- rest;
+    plain r (w :: found)
+  | _ -> List.rev found
 
-let rec take n acc = function
-  | w :: rest when n > 0 -> take (n - 1) (w :: acc) rest
-  | rest -> (List.rev acc, rest)
-
-(* A field of a Transform, which must be the identity. *)
-let transform_field ~path (w : word) rest =
-  let length =
-    match w.text with
-    | "rotation" | "scaleOrientation" -> 4
-    | _ -> 3
+(* A bracket, with all that is in it. *)
+let skip_brackets r =
+  let rec go at depth =
+    match r.left with
+    | [] -> Scene.bad ~path:r.path at "a `%s` without its end" at.text
+    | w :: rest ->
+      r.left <- rest;
+      let depth = match w.text with "{" | "[" -> depth + 1 | "}" | "]" -> depth - 1 | _ -> depth in
+      if depth > 0 then go at depth
   in
-  let values, rest = take length [] rest in
-  let* moves = Face_sets.moves ~path w.text values in
-  if moves then error ~path w "`%s` of a Transform is not supported: apply it to the points first" w.text
-  else Ok rest
+  match r.left with
+  | ({ text = "[" | "{"; _ } as at) :: _ -> go at 0
+  | w :: _ -> Scene.bad ~path:r.path w "expected a bracket, found %s" (quote w.text)
+  | [] -> Scene.ok (error_at ~path:r.path 0 "the file ends where a bracket is expected")
 
-let rec scan ~path state tokens =
-  let in_node = in_node state in
-  let go_on rest change =
-    let* value, rest = rest in
-    scan ~path (change value) rest
+(* {1 Statements that are no nodes} *)
+
+let route r (at : word) (target : word) =
+  match String.split_on_char '.' target.text with
+  | [ node; field ] -> r.routes <- { Scene.at; node; field } :: r.routes
+  | _ -> Scene.bad ~path:r.path target "expected a node and its field, found %s" (quote target.text)
+
+(* [false] if there is none. *)
+let statement r =
+  let after rest f =
+    r.left <- rest;
+    f ();
+    true
   in
-  match tokens with
-  | [] -> Ok (List.rev state.sets)
-  | ({ text = "translation" | "rotation" | "scale" | "center"; _ } as w) :: rest when in_node "Transform" ->
-    let* rest = transform_field ~path w rest in
-    scan ~path state rest
-  | { text = "DEF"; _ } :: name :: rest -> scan ~path { state with def = Some name.text } rest
-  | ({ text = "USE" | "PROTO" | "EXTERNPROTO" | "Inline"; _ } as w) :: _ ->
-    error ~path w "`%s` is not supported" w.text
-  | ({ text = "}"; _ } as w) :: rest -> (
-      match state.nodes with
-      | _ :: nodes -> scan ~path { state with nodes } rest
-      | [] -> error ~path w "a `}` without its `{`")
-  | { text = "point"; _ } :: ({ text = "["; _ } as at) :: rest
-    when in_node "Coordinate" && in_face_set state ->
-    go_on (bracketed ~path at [] rest) (fun points ->
-        update state (fun set -> { set with points }))
-  | { text = "coordIndex"; _ } :: ({ text = "["; _ } as at) :: rest when in_node "IndexedFaceSet" ->
-    go_on (bracketed ~path at [] rest) (fun index ->
-        update state (fun set -> { set with index }))
-  | { text = "ccw"; _ } :: { text = ("TRUE" | "FALSE") as value; _ } :: rest when in_node "IndexedFaceSet" ->
-    let ccw = String.equal value "TRUE" in
-    scan ~path (update state (fun set -> { set with ccw })) rest
-  | w :: { text = "{"; _ } :: rest -> scan ~path (open_node state w) rest
-  | ({ text = "{"; _ } as w) :: rest -> scan ~path (open_node state { w with text = "" }) rest
-  | _ :: rest -> scan ~path state rest
+  match r.left with
+  | ({ text = "ROUTE"; _ } as at) :: _ :: { text = "TO"; _ } :: target :: rest ->
+    after rest (fun () -> route r at target)
+  | { text = "PROTO"; _ } :: _ :: rest ->
+    after rest (fun () ->
+        skip_brackets r;
+        skip_brackets r)
+  | { text = "EXTERNPROTO"; _ } :: _ :: rest ->
+    after rest (fun () ->
+        skip_brackets r;
+        match r.left with { text = "["; _ } :: _ -> skip_brackets r | _ -> ignore (plain r []))
+  | { text = "PROFILE" | "COMPONENT"; _ } :: _ :: rest | { text = "META"; _ } :: rest ->
+    after rest (fun () -> ignore (plain r []))
+  | ({ text = "UNIT"; _ } as at) :: { text = category; _ } :: _ :: factor :: rest ->
+    after rest (fun () -> Scene_unit.check ~path:r.path at ~category ~factor)
+  | { text = "EXPORT"; _ } :: _ :: { text = "AS"; _ } :: _ :: rest | { text = "EXPORT"; _ } :: _ :: rest ->
+    after rest ignore
+  | _ -> false
+
+(* {1 Nodes} *)
+
+let starts_node r =
+  match r.left with
+  | { text = "DEF" | "USE"; _ } :: w :: _ -> is_name w
+  | kind :: { text = "{"; _ } :: _ -> is_name kind
+  | _ -> false
+
+let rec node r depth =
+  if depth > Scene.max_depth then
+    Scene.bad ~path:r.path (List.hd r.left) "nodes are inside of each other more than %d deep" Scene.max_depth;
+  match r.left with
+  | { text = "USE"; _ } :: name :: rest ->
+    r.left <- rest;
+    Scene.used ~path:r.path r.names name
+  | { text = "DEF"; _ } :: name :: kind :: ({ text = "{"; _ } as at) :: rest when is_name kind ->
+    r.left <- rest;
+    body r depth at kind (Some name.text)
+  | kind :: ({ text = "{"; _ } as at) :: rest when is_name kind ->
+    r.left <- rest;
+    body r depth at kind None
+  | w :: _ -> Scene.bad ~path:r.path w "expected a node, found %s" (quote w.text)
+  | [] -> Scene.ok (error_at ~path:r.path 0 "the file ends where a node is expected")
+
+and body r depth at kind name =
+  Scene.opening r.names name;
+  let rec go fields =
+    if statement r then go fields
+    else
+      match r.left with
+      | { text = "}"; _ } :: rest ->
+        r.left <- rest;
+        List.rev fields
+      | w :: rest when is_name w ->
+        r.left <- rest;
+        go ((w, value r depth) :: fields)
+      | w :: _ -> Scene.bad ~path:r.path w "expected a field of %s or `}`, found %s" kind.text (quote w.text)
+      | [] -> Scene.bad ~path:r.path at "a `{` without its `}`"
+  in
+  let node = { Scene.kind; name; fields = go [] } in
+  Scene.closing r.names node;
+  node
+
+and value r depth =
+  match r.left with
+  | ({ text = "["; _ } as at) :: rest ->
+    r.left <- rest;
+    list r depth at
+  | { text = "NULL"; _ } :: rest ->
+    r.left <- rest;
+    Scene.Nodes []
+  | _ when starts_node r -> Nodes [ node r (depth + 1) ]
+  | _ -> Words (plain r [])
+
+and list r depth at =
+  let rec nodes found =
+    if statement r then nodes found
+    else
+      match r.left with
+      | { text = "]"; _ } :: rest ->
+        r.left <- rest;
+        List.rev found
+      | [] -> Scene.bad ~path:r.path at "a `[` without its `]`"
+      | _ -> nodes (node r (depth + 1) :: found)
+  in
+  if starts_node r then Scene.Nodes (nodes [])
+  else
+    let words = plain r [] in
+    match r.left with
+    | { text = "]"; _ } :: rest ->
+      r.left <- rest;
+      Words words
+    | w :: _ -> Scene.bad ~path:r.path w "expected a number or `]`, found %s" (quote w.text)
+    | [] -> Scene.bad ~path:r.path at "a `[` without its `]`"
+
+let scene ~path text =
+  let r = { path; left = tokens text; names = Scene.names (); routes = [] } in
+  let rec go found =
+    if statement r then go found
+    else
+      match r.left with
+      | [] -> List.rev found
+      | { text = "IMPORT"; _ } as w :: _ ->
+        Scene.unread ~path w ~hint:(Scene_table.cure w.text) "`IMPORT` is not read"
+      | { text = "}" | "]"; _ } as w :: _ -> Scene.bad ~path w "a `%s` without its start" w.text
+      | _ -> go (node r 0 :: found)
+  in
+  let nodes = go [] in
+  { Scene.nodes; routes = List.rev r.routes; names = Scene.known r.names }
 
 let is_vrml_1 text =
   let mark = "#VRML V1" in
@@ -130,6 +206,4 @@ let read ~path text =
       (Diag.error Code.mesh_format
          (Span.of_file path)
          "VRML 1 files are not supported" ~hint:"convert the file to VRML 2 (VRML97), X3D, PLY or OFF")
-  else
-    let* sets = scan ~path { nodes = []; sets = []; def = None; shape = None } (tokens text) in
-    Face_sets.to_ifs ~path sets
+  else Scene_solid.read ~path ~size:(String.length text) (fun () -> scene ~path text)

@@ -1,190 +1,142 @@
-open Scc_data
 open Text
+open Xml_tags
 
-type tag = { name : word; attributes : (string * (int * int)) list  (* the places of the values *) }
+(* An element that is open: what has been found in it, in reverse order, each with the field that it is for. *)
+type element = {
+  tag : tag;
+  container : bool;  (* of nodes, and no node itself *)
+  name : string option;
+  mutable inside : (word * Scene.node) list;
+}
 
-let is_space c = c = ' ' || c = '\t' || c = '\n' || c = '\r'
-let is_name c = not (is_space c || c = '>' || c = '/' || c = '=' || c = '<')
+type reader = {
+  path : string;
+  text : string;
+  names : Scene.names;
+  mutable routes : Scene.route list;
+  mutable opened : element list;  (* the innermost first; the last one is the file *)
+  mutable depth : int;
+}
 
-let rec skip text test i = if i < String.length text && test text.[i] then skip text test (i + 1) else i
+let attribute tag key = List.find_opt (fun a -> String.equal a.key.text key) tag.attributes
 
-let find text part from =
-  let n = String.length part in
-  let rec go i =
-    if i + n > String.length text then None
-    else if String.equal (String.sub text i n) part then Some i
-    else go (i + 1)
+let value r tag key =
+  Option.map (fun a -> Scene.ok (Xml_tags.value ~path:r.path r.text a)) (attribute tag key)
+
+let needed r tag key =
+  match value r tag key with
+  | Some value -> value
+  | None -> Scene.bad ~path:r.path tag.name "`%s` of %s is missing" key tag.name.text
+
+(* {1 Elements that are no nodes} *)
+
+let containers = [ "X3D"; "Scene"; "head" ]
+
+(* The prototypes are not expanded: their instances are refused. *)
+let passed_over = [ "ProtoDeclare"; "ExternProtoDeclare"; "component"; "meta"; "EXPORT" ]
+
+let route r tag =
+  ignore (needed r tag "fromNode");
+  r.routes <- { Scene.at = tag.name; node = needed r tag "toNode"; field = needed r tag "toField" } :: r.routes
+
+let unit_of r tag =
+  let text = needed r tag "conversionFactor" in
+  let start = match attribute tag "conversionFactor" with Some a -> fst a.value | None -> tag.name.start in
+  Scene_unit.check ~path:r.path tag.name ~category:(needed r tag "category") ~factor:{ text; start }
+
+(* {1 Nodes} *)
+
+(* These belong to the element, and are no fields. *)
+let of_element = [ "DEF"; "USE"; "containerField"; "class"; "id"; "style" ]
+
+let fields r tag =
+  let own = List.filter (fun a -> not (List.mem a.key.text of_element)) tag.attributes in
+  let words a =
+    match Scene_table.find tag.name.text with
+    | Read _ -> Scene.ok (Xml_tags.words ~path:r.path r.text a)
+    | Still | Unread _ -> []
   in
-  go from
+  List.map (fun a -> (a.key, Scene.Words (words a))) own
 
-(* The attributes from [i] to the end of the tag, and the position after it. *)
-let rec attributes ~path name text acc i =
-  let i = skip text is_space i in
-  if i >= String.length text then error ~path name "the tag %s does not end" (quote name.text)
-  else if text.[i] = '>' then Ok (acc, i + 1)
-  else if not (is_name text.[i]) then attributes ~path name text acc (i + 1)
+let put r element (role : string) node =
+  let field = { element.tag.name with text = role } in
+  match r.opened with
+  | around :: _ -> around.inside <- (field, node) :: around.inside
+  | [] -> Scc_base.Bug.fail __POS__ "an element outside of the file"
+
+let finish r element =
+  if element.container then
+    match r.opened with
+    | around :: _ -> around.inside <- element.inside @ around.inside
+    | [] -> Scc_base.Bug.fail __POS__ "an element outside of the file"
   else
-    let stop = skip text is_name i in
-    let equals = skip text is_space stop in
-    let quote_at = skip text is_space (equals + 1) in
-    let quoted =
-      equals < String.length text && text.[equals] = '=' && quote_at < String.length text
-      && (text.[quote_at] = '"' || text.[quote_at] = '\'')
+    let tag = element.tag in
+    let role =
+      match value r tag "containerField" with Some role -> role | None -> Scene_table.usual tag.name.text
     in
-    match if quoted then String.index_from_opt text (quote_at + 1) text.[quote_at] else None with
-    | Some close ->
-      let attribute = (String.sub text i (stop - i), (quote_at + 1, close)) in
-      attributes ~path name text (attribute :: acc) (close + 1)
-    | None -> error_at ~path i "expected an attribute with a quoted value"
+    match attribute tag "USE" with
+    | Some a -> (
+        let name = { text = Scene.ok (Xml_tags.value ~path:r.path r.text a); start = fst a.value } in
+        let node = Scene.used ~path:r.path r.names name in
+        match (fields r tag, List.rev element.inside) with
+        | [], [] -> put r element role node
+        | (w, _) :: _, _ | [], (w, _) :: _ ->
+          Scene.bad ~path:r.path w "a node that is used again, by `USE`, has no fields of its own")
+    | None ->
+      let nodes = List.rev_map (fun (field, node) -> (field, Scene.Nodes [ node ])) element.inside in
+      let node = { Scene.kind = tag.name; name = element.name; fields = fields r tag @ nodes } in
+      Scene.closing r.names node;
+      put r element role node
 
-(* Tags in order, closing ones with a leading slash in their names; comments and declarations left out. *)
-let tags ~path text =
-  let rec go acc i =
-    match String.index_from_opt text i '<' with
-    | None -> Ok (List.rev acc)
-    | Some i -> (
-        let after what close =
-          match find text close (i + 1) with
-          | Some j -> go acc (j + String.length close)
-          | None -> error_at ~path i "%s does not end" what
-        in
-        let starts part =
-          i + String.length part <= String.length text
-          && String.equal (String.sub text i (String.length part)) part
-        in
-        if starts "<!--" then after "a comment" "-->"
-        else if starts "<![CDATA[" then after "a CDATA section" "]]>"
-        else if starts "<!" then after "a declaration" ">"
-        else if starts "<?" then after "an instruction" "?>"
-        else
-          let start = if starts "</" then i + 2 else i + 1 in
-          let stop = skip text is_name start in
-          let name = { text = String.sub text (i + 1) (stop - i - 1); start = i + 1 } in
-          match attributes ~path name text [] stop with
-          | Ok (attributes, next) -> go ({ name; attributes } :: acc) (min next (String.length text))
-          | Error _ as e -> e)
+let close r (tag : tag) =
+  match r.opened with
+  | element :: (_ :: _ as around) when String.equal tag.name.text ("/" ^ element.tag.name.text) ->
+    r.opened <- around;
+    r.depth <- r.depth - 1;
+    finish r element
+  | _ -> Scene.bad ~path:r.path tag.name "the tag %s ends no element that is open" (quote tag.name.text)
+
+let start r (tag : tag) =
+  let container = List.mem tag.name.text containers in
+  let name = if container || Option.is_some (attribute tag "USE") then None else value r tag "DEF" in
+  if r.depth >= Scene.max_depth then
+    Scene.bad ~path:r.path tag.name "nodes are inside of each other more than %d deep" Scene.max_depth;
+  Scene.opening r.names name;
+  let element = { tag; container; name; inside = [] } in
+  if tag.closed then finish r element
+  else (
+    r.opened <- element :: r.opened;
+    r.depth <- r.depth + 1)
+
+(* The tags after the end of an element that is passed over. *)
+let after r (tag : tag) rest =
+  let is name (t : tag) = String.equal t.name.text name in
+  let rec go depth = function
+    | [] -> Scene.bad ~path:r.path tag.name "the element %s does not end" tag.name.text
+    | t :: rest when is ("/" ^ tag.name.text) t -> if depth = 0 then rest else go (depth - 1) rest
+    | (t : tag) :: rest -> go (if is tag.name.text t && not t.closed then depth + 1 else depth) rest
   in
-  go [] 0
+  if tag.closed then rest else go 0 rest
 
-(* What a reference stands for, by what is between `&` and `;`: a character by its number, or an entity that XML
-   itself defines. *)
-let meaning name =
-  let number digits =
-    match int_of_string_opt digits with
-    | Some n when n > 0 && Uchar.is_valid n ->
-      let b = Buffer.create 4 in
-      Buffer.add_utf_8_uchar b (Uchar.of_int n);
-      Some (Buffer.contents b)
-    | Some _ | None -> None
+let scene ~path text =
+  let file = { name = { text = ""; start = 0 }; attributes = []; closed = false } in
+  let root = { tag = file; container = true; name = None; inside = [] } in
+  let r = { path; text; names = Scene.names (); routes = []; opened = [ root ]; depth = 0 } in
+  let rec go = function
+    | [] -> ()
+    | (tag : tag) :: rest -> (
+        match tag.name.text with
+        | "ROUTE" -> route r tag; go (after r tag rest)
+        | "unit" -> unit_of r tag; go (after r tag rest)
+        | name when List.mem name passed_over -> go (after r tag rest)
+        | name when String.length name > 0 && name.[0] = '/' -> close r tag; go rest
+        | _ -> start r tag; go rest)
   in
-  let after n = String.sub name n (String.length name - n) in
-  let begins s = String.length name > String.length s && String.equal (String.sub name 0 (String.length s)) s in
-  let all test digits = String.length digits <= 8 && String.for_all test digits in
-  let decimal = function '0' .. '9' -> true | _ -> false in
-  let hexadecimal = function '0' .. '9' | 'a' .. 'f' | 'A' .. 'F' -> true | _ -> false in
-  match name with
-  | "lt" -> Some "<"
-  | "gt" -> Some ">"
-  | "amp" -> Some "&"
-  | "quot" -> Some "\""
-  | "apos" -> Some "'"
-  | _ when begins "#x" && all hexadecimal (after 2) -> number ("0x" ^ after 2)
-  | _ when begins "#" && all decimal (after 1) -> number (after 1)
-  | _ -> None
+  go (Scene.ok (Xml_tags.tags ~path text));
+  match r.opened with
+  | [ root ] ->
+    { Scene.nodes = List.rev_map snd root.inside; routes = List.rev r.routes; names = Scene.known r.names }
+  | element :: _ -> Scene.bad ~path element.tag.name "the element %s does not end" (quote element.tag.name.text)
+  | [] -> Scc_base.Bug.fail __POS__ "the file is closed"
 
-(* From one place of the file to another, with what references stand for; and the place of each byte. *)
-let decoded ~path text start stop =
-  let b = Buffer.create (stop - start) and places = Growable.create () in
-  let add at s =
-    String.iter
-      (fun c ->
-         Buffer.add_char b c;
-         Growable.push places at)
-      s
-  in
-  let rec go i =
-    if i >= stop then Ok (Buffer.contents b, Growable.get places)
-    else if text.[i] <> '&' then begin
-      add i (String.make 1 text.[i]);
-      go (i + 1)
-    end
-    else
-      let close = match String.index_from_opt text i ';' with Some j when j < stop -> j | _ -> i in
-      let name = String.sub text (i + 1) (max 0 (close - i - 1)) in
-      match meaning name with
-      | Some s ->
-        add i s;
-        go (close + 1)
-      | None ->
-        let word = String.sub text i (max 1 (close - i + 1)) in
-        error ~path { text = word; start = i }
-          "%s is no reference that XML knows: &amp; &lt; &gt; &quot; &apos;, or a character's number as in &#45;"
-          (quote word)
-  in
-  go start
-
-let value ~path text tag key =
-  match List.assoc_opt key tag.attributes with
-  | None -> Ok None
-  | Some (start, stop) ->
-    let* value, _ = decoded ~path text start stop in
-    Ok (Some value)
-
-let words_of ~path text tag key =
-  match List.assoc_opt key tag.attributes with
-  | None -> Ok []
-  | Some (start, stop) when not (String.contains (String.sub text start (stop - start)) '&') ->
-    Ok (Face_sets.words text start stop)
-  | Some (start, stop) ->
-    let* value, place = decoded ~path text start stop in
-    Ok (List.map (fun w -> { w with start = place w.start }) (Face_sets.words value 0 (String.length value)))
-
-let fields = [ "translation"; "rotation"; "scale"; "center" ]
-
-let check ~path text tag =
-  let has key = List.mem_assoc key tag.attributes in
-  match tag.name.text with
-  | "Transform" ->
-    let moves key =
-      let* words = words_of ~path text tag key in
-      Face_sets.moves ~path key words
-    in
-    let* moving = Result.all moves (List.filter has fields) in
-    if List.exists Fun.id moving then
-      error ~path tag.name "a Transform that moves points is not supported: apply it to the points first"
-    else Ok ()
-  | "ProtoInstance" | "Inline" -> error ~path tag.name "`%s` is not supported" tag.name.text
-  | ("IndexedFaceSet" | "Coordinate") when has "USE" -> error ~path tag.name "`USE` is not supported"
-  | _ -> Ok ()
-
-(* [shape]: what the present shape is called; [inside]: of a face set. *)
-type state = { shape : string option; inside : bool; sets : Face_sets.t list }
-
-let add ~path text state tag =
-  match (tag.name.text, state.sets) with
-  | "Shape", _ ->
-    let* shape = value ~path text tag "DEF" in
-    Ok { state with shape }
-  | "IndexedFaceSet", sets ->
-    let* told = value ~path text tag "ccw" in
-    let ccw =
-      match told with
-      | Some ("false" | "FALSE") -> false
-      | Some _ | None -> true
-    in
-    let* index = words_of ~path text tag "coordIndex" in
-    let* own = value ~path text tag "DEF" in
-    let name = if Option.is_some own then own else state.shape in
-    Ok { state with inside = true; sets = { Face_sets.points = []; index; ccw; name } :: sets }
-  | "/IndexedFaceSet", _ -> Ok { state with inside = false }
-  | "Coordinate", set :: rest when state.inside ->
-    let* points = words_of ~path text tag "point" in
-    Ok { state with sets = { set with Face_sets.points } :: rest }
-  | _ -> Ok state
-
-let read ~path text =
-  let* tags = tags ~path text in
-  let* _ = Result.all (check ~path text) tags in
-  let step acc tag = Result.bind acc (fun acc -> add ~path text acc tag) in
-  let* state = List.fold_left step (Ok { shape = None; inside = false; sets = [] }) tags in
-  Face_sets.to_ifs ~path (List.rev state.sets)
+let read ~path text = Scene_solid.read ~path ~size:(String.length text) (fun () -> scene ~path text)

@@ -13,6 +13,9 @@ val identity : t
 val apply : t -> point -> point
 (** [apply m p] is the image of the point [p]. *)
 
+val is_identity : t -> bool
+(** [is_identity m] is true if [m] leaves each point where it is. *)
+
 val compose : t -> t -> t
 (** [compose m n] is the map that applies [n], then [m]. *)
 
@@ -23,8 +26,7 @@ val translation : Rat.t -> Rat.t -> t
 (** [translation x y] adds [x] and [y] to the coordinates. *)
 
 val cos_sin : Rat.t -> point
-(** The cosine and the sine of an angle in degrees, each within 2{^-50}, and exact for multiples of 90
-    degrees. *)
+(** The cosine and the sine of an angle in degrees, as {!Angle.cos_sin} gives them. *)
 
 val rotation : Rat.t -> t
 (** The rotation by an angle in degrees, with the numbers of {!cos_sin}. It takes the x axis towards the y

@@ -2,8 +2,6 @@ open Scc_base
 open Scc_exact
 open Svg_number
 
-let space = "http://www.w3.org/2000/svg"
-
 (* An XML file, with white space before it or not. *)
 let is text =
   let blank c = List.mem c [ ' '; '\t'; '\n'; '\r' ] in
@@ -11,154 +9,298 @@ let is text =
   let i = first (Source.after_mark text) in
   i < String.length text && text.[i] = '<'
 
-let max_corners = 1_000_000
-let max_depth = 200
-
 exception Refused of Diag.t
 
-(* {1 Elements} *)
-
-let attribute attributes (name : string) = List.assoc_opt name attributes
-
-let value attributes name =
-  match attribute attributes name with None -> Rat.zero | Some text -> length text
-
-let not_negative what q = if Rat.sign q < 0 then raise (Bad (what ^ " is negative")) else q
-
-let polygons pen name attributes =
-  let value = value attributes in
-  let size name = not_negative name (value name) in
-  match name with
-  | "path" -> Svg_path.path pen (Option.value (attribute attributes "d") ~default:"")
-  | "polygon" | "polyline" ->
-    let rec pairs found = function
-      | x :: y :: rest -> pairs ((x, y) :: found) rest
-      | [ _ ] -> raise (Bad "points with an odd number of coordinates")
-      | [] -> List.rev found
-    in
-    Svg_path.points pen (pairs [] (all (Option.value (attribute attributes "points") ~default:"")))
-  | "circle" ->
-    let r = size "r" in
-    if Rat.sign r = 0 then [] else Svg_path.ellipse pen (value "cx", value "cy") r r
-  | "ellipse" ->
-    let rx = size "rx" and ry = size "ry" in
-    if Rat.sign rx = 0 || Rat.sign ry = 0 then [] else Svg_path.ellipse pen (value "cx", value "cy") rx ry
-  | "rect" ->
-    let w = size "width" and h = size "height" in
-    let radii =
-      match (attribute attributes "rx", attribute attributes "ry") with
-      | None, None -> (Rat.zero, Rat.zero)
-      | Some _, None -> (size "rx", size "rx")
-      | None, Some _ -> (size "ry", size "ry")
-      | Some _, Some _ -> (size "rx", size "ry")
-    in
-    if Rat.sign w = 0 || Rat.sign h = 0 then [] else Svg_path.rectangle pen (value "x", value "y") (w, h) radii
-  | _ -> []
+let max_corners = 1_000_000
+let max_drawn = 100_000
+let max_area = 1 lsl 31
 
 (* {1 The picture} *)
 
-(* Its size in pixels, and the map to them. *)
-let frame ~resolution ~path attributes =
-  let given name = Option.map length (attribute attributes name) in
-  let x, y, w, h =
-    match Option.map all (attribute attributes "viewBox") with
-    | Some [ x; y; w; h ] -> (x, y, w, h)
-    | Some _ -> raise (Bad "a viewBox without four numbers")
+(* Its size in pixels, the map to them, and the viewport in units of the drawing. *)
+let frame ~resolution ~path root =
+  let given name = Option.map length (Svg_tree.attribute root name) in
+  let box =
+    match Option.map Aspect.box (Svg_tree.attribute root "viewBox") with
+    | Some box -> box
     | None -> (
         match (given "width", given "height") with
-        | Some w, Some h -> (Rat.zero, Rat.zero, w, h)
+        | Some width, Some height -> { Aspect.x = Rat.zero; y = Rat.zero; width; height }
         | _ -> raise (Bad "a drawing without a viewBox has to have a width and a height"))
   in
-  if Rat.sign w <= 0 || Rat.sign h <= 0 then raise (Bad "the drawing has no size");
-  let scale = Rat.div (Rat.of_int resolution) (Rat.max w h) in
+  if Rat.sign box.width <= 0 || Rat.sign box.height <= 0 then raise (Bad "the drawing has no size");
+  let scale = Rat.div (Rat.of_int resolution) (Rat.max box.width box.height) in
   let pixels q = max 1 (Z.to_int (Z.neg (Rat.floor (Rat.neg (Rat.mul scale q))))) in
-  let width = pixels w and height = pixels h in
+  let width = pixels box.width and height = pixels box.height in
   match Picture_fault.check_size ~path ~width ~height with
   | Error d -> raise (Refused d)
   | Ok () ->
-    let to_pixels = Plane_map.(compose (scaling scale scale) (translation (Rat.neg x) (Rat.neg y))) in
-    (Raster.create ~width ~height, to_pixels)
+    let to_pixels = Plane_map.(compose (scaling scale scale) (translation (Rat.neg box.x) (Rat.neg box.y))) in
+    (Raster.create ~width ~height, to_pixels, { Svg_shape.width = box.width; height = box.height })
 
-(* What is around an element: its style, and its map to pixels. *)
-type around = { style : Svg_style.t; map : Plane_map.t }
+type scene = {
+  tree : Svg_tree.t;
+  raster : Raster.t;
+  corners : Svg_polygon.budget;
+  mutable drawn : int;  (** how many elements *)
+  mutable area : int;  (** how many pixels were looked at *)
+  mutable at : int * int;  (** the place of the element that is being drawn *)
+}
 
+(* What is around an element: its style, its map to pixels, where is painted at all, its viewport, how deep it is,
+   and what is being used here. *)
+type around = {
+  style : Svg_style.t;
+  map : Plane_map.t;
+  clip : Bytes.t option;
+  view : Svg_shape.view;
+  depth : int;
+  used : Svg_tree.node list;
+}
 
-let paint raster ~budget here name attributes =
-  let s = here.style in
+let look scene n =
+  scene.area <- scene.area + n;
+  if scene.area > max_area then raise (Bad "more is painted than is read of one drawing")
+
+let inside scene rule polygons f =
+  let { Raster.width; height; _ } = scene.raster in
+  look scene (Fill.cost ~width ~height polygons);
+  Fill.inside ~width ~height rule polygons f
+
+let count scene =
+  scene.drawn <- scene.drawn + 1;
+  if scene.drawn > max_drawn then raise (Bad (Printf.sprintf "more than %d elements are drawn" max_drawn))
+
+let enter scene around (node : Svg_tree.node) =
+  scene.at <- node.at;
+  count scene;
+  if around.depth >= Svg_tree.max_depth then raise (Bad "elements nested too deep");
+  let properties = Svg_tree.declared scene.tree node in
+  let style = Svg_style.of_properties around.style properties in
+  let own = Svg_transform.of_properties ~size:(around.view.width, around.view.height) properties in
+  { around with style; map = Plane_map.compose around.map own; depth = around.depth + 1 }
+
+(* {1 References} *)
+
+let referred scene text =
+  if text = "" then None
+  else if text.[0] <> '#' then raise (Unread (Printf.sprintf "the reference %S to another file" text))
+  else
+    match Hashtbl.find_opt scene.tree.ids (String.sub text 1 (String.length text - 1)) with
+    | Some node -> Some node
+    | None -> raise (Bad (Printf.sprintf "the reference %S to no element" text))
+
+(* What an element with a reference is around, which may not lead back to itself. *)
+let using here (node : Svg_tree.node) =
+  if List.memq node here.used then raise (Bad "an element that uses itself");
+  { here with used = node :: here.used }
+
+let number node read view name ~default =
+  match Svg_tree.attribute node name with None | Some "auto" -> default | Some text -> read view text
+
+(* What a use draws, and around it the place where. *)
+let used scene here node =
+  let target = referred scene (String.trim (Option.value (Svg_tree.href node) ~default:"")) in
+  let at read name = number node read here.view name ~default:Rat.zero in
+  let x = at Svg_shape.across "x" in
+  let y = at Svg_shape.down "y" in
+  let place target = ({ (using here target) with map = Plane_map.(compose here.map (translation x y)) }, target) in
+  Option.map place target
+
+(* {1 Clips} *)
+
+let within clip k = match clip with None -> true | Some mask -> Bytes.get mask k <> '\000'
+
+let mask scene =
+  let n = Bytes.length scene.raster.alphas in
+  look scene n;
+  Bytes.make n '\000'
+
+let add scene found clip rule polygons =
+  inside scene rule polygons (fun k -> if within clip k then Bytes.set found k '\001')
+
+(* The style that a clip path inherits, where it stands. *)
+let rec style_above scene (node : Svg_tree.node) =
+  match node.parent with
+  | None -> Svg_style.initial
+  | Some parent ->
+    count scene;
+    let style = Svg_style.of_properties (style_above scene parent) (Svg_tree.declared scene.tree parent) in
+    { style with displayed = true }
+
+let rec clipped scene here =
+  match here.style.own.clip with
+  | None -> here
+  | Some id -> (
+      match Hashtbl.find_opt scene.tree.ids id with
+      | Some ({ name = "clipPath"; _ } as node) -> { here with clip = Some (clip_path scene here node) }
+      | _ -> raise (Bad (Printf.sprintf "the reference \"#%s\" to no clip path" id)))
+
+and clip_path scene here node =
+  let at = scene.at in
+  let inner = enter scene { (using here node) with style = style_above scene node } node in
+  (match Svg_tree.attribute node "clipPathUnits" with
+   | None | Some "userSpaceOnUse" -> ()
+   | Some _ -> raise (Unread "clip paths in units of what they clip"));
+  let inner = clipped scene inner in
+  let found = mask scene in
+  List.iter (clip_piece scene inner found) node.children;
+  scene.at <- at;
+  found
+
+and clip_piece scene around found (node : Svg_tree.node) =
+  let here () = clipped scene (enter scene around node) in
+  if Svg_table.element node.name = Shape then begin
+    let here = here () in
+    if here.style.displayed && here.style.shown then
+      Svg_polygon.filled ~budget:scene.corners here.map (Svg_shape.outline here.view node)
+      |> add scene found here.clip here.style.clip_rule
+  end
+  else if node.name = "use" then
+    match used scene (here ()) node with
+    | None -> ()
+    | Some (here, target) when Svg_table.element target.name = Shape -> clip_piece scene here found target
+    | Some _ -> raise (Unread "a use of what is no shape in a clip path")
+  else raise (Unread (Printf.sprintf "the element %S in a clip path" node.name))
+
+(* {1 Elements} *)
+
+let paint scene here node =
+  let s = here.style and budget = scene.corners in
+  let { Raster.colours; alphas; _ } = scene.raster in
+  let outline = Svg_shape.outline here.view node in
+  let gradient id =
+    match Hashtbl.find_opt scene.tree.ids id with
+    | Some { name = "linearGradient" | "radialGradient"; _ } -> true
+    | Some { name = "pattern"; _ } -> raise (Unread "patterns")
+    | _ -> false
+  in
+  let put colour rule polygons =
+    inside scene rule polygons (fun k ->
+        if within here.clip k then begin
+          colours.(k) <- colour;
+          Bytes.set_uint8 alphas k 255
+        end)
+  in
+  let fill () =
+    if node.name <> "line" then
+      Option.iter
+        (fun colour -> put colour s.rule (Svg_polygon.filled ~budget here.map outline))
+        (Svg_style.painted s s.fill s.fill_opacity ~has:gradient)
+  in
+  let stroke () =
+    match Svg_style.painted s s.stroke s.stroke_opacity ~has:gradient with
+    | None -> ()
+    | Some colour ->
+      let put pen = put colour Fill.Nonzero (Svg_stroke.triangles ~budget here.map pen outline) in
+      let pen = Svg_style.stroke s ~length:(Svg_shape.along here.view) in
+      if pen <> None && s.dashes <> [] && Svg_tree.attribute node "pathLength" <> None then
+        raise (Unread "pathLength with dashes");
+      Option.iter put pen
+  in
   if s.displayed && s.shown then begin
-    if s.stroked then raise (Unread "strokes (turn them into paths, or set stroke to none)");
-    match s.fill with
-    | Some colour when Rat.compare s.opacity Rat.half >= 0 ->
-      Fill.polygons raster s.rule ~colour (polygons (Svg_path.pen ~budget here.map) name attributes)
-    | _ -> ()
+    if s.markers then raise (Unread "markers");
+    if s.stroke_first then begin stroke (); fill () end else begin fill (); stroke () end
   end
 
-let enter around attributes =
-  let style = Svg_style.of_element around.style attributes in
-  let map =
-    match attribute attributes "transform" with
-    | None -> around.map
-    | Some text -> Plane_map.compose around.map (Svg_style.transform text)
-  in
-  { style; map }
-
-let groups = [ "g"; "a" ]
-let shapes = [ "path"; "rect"; "circle"; "ellipse"; "polygon"; "polyline" ]
-
-(* Elements that paint nothing by themselves, with all that is in them. *)
-let silent =
-  [
-    "title"; "desc"; "metadata"; "defs"; "line"; "clipPath"; "mask"; "linearGradient"; "radialGradient"; "filter";
-    "symbol"; "marker"; "pattern"; "script";
-  ]
-
-(* The rest of an element whose start was read is passed over. *)
-let pass_over input =
-  let rec go depth =
-    if depth > 0 then
-      match Xmlm.input input with
-      | `El_start _ -> go (depth + 1)
-      | `El_end -> go (depth - 1)
-      | `Data _ | `Dtd _ -> go depth
-  in
-  go 1
-
-let draw ~resolution ~path input =
-  let plain attributes =
-    List.filter_map (fun ((ns, name), v) -> if ns = "" then Some (name, v) else None) attributes
-  in
-  let rec root () =
-    match Xmlm.input input with
-    | `Dtd (Some text) when String.contains text '[' ->
-      raise (Unread "document types with declarations of their own")
-    | `Dtd _ -> root ()
-    | `El_start ((ns, "svg"), attributes) when ns = space || ns = "" -> plain attributes
-    | _ -> raise (Unread "XML whose root is no svg element")
-  in
-  let attributes = root () in
-  let raster, map = frame ~resolution ~path attributes in
-  let budget = ref max_corners in
-  let rec content stack =
-    if List.compare_length_with stack max_depth > 0 then raise (Bad "elements nested too deep");
-    match (Xmlm.input input, stack) with
-    | `El_end, [ _ ] -> ()
-    | `El_end, _ :: outer -> content outer
-    | `El_start ((ns, _), _), _ when ns <> space && ns <> "" -> pass_over input; content stack
-    | `El_start ((_, name), attributes), around :: _ ->
-      let attributes = plain attributes in
-      if List.mem name silent then begin pass_over input; content stack end
-      else if List.mem name groups then content (enter around attributes :: stack)
-      else if List.mem name shapes then begin
-        paint raster ~budget (enter around attributes) name attributes;
-        pass_over input;
-        content stack
+(* Inside of a viewport at a rectangle, if something can be seen of it. *)
+let viewport scene here node (inside : Aspect.box) =
+  if Rat.sign inside.width < 0 || Rat.sign inside.height < 0 then raise (Bad "a viewport with a negative side");
+  let box = Option.map Aspect.box (Svg_tree.attribute node "viewBox") in
+  let empty (b : Aspect.box) = Rat.sign b.width = 0 || Rat.sign b.height = 0 in
+  if empty inside || (match box with Some b -> empty b | None -> false) then None
+  else begin
+    let clip =
+      if not here.style.own.clipped then here.clip
+      else begin
+        let found = mask scene in
+        Svg_path.rectangle (inside.x, inside.y) (inside.width, inside.height) (Rat.zero, Rat.zero)
+        |> Svg_polygon.filled ~budget:scene.corners here.map
+        |> add scene found here.clip Fill.Nonzero;
+        Some found
       end
-      else raise (Unread (Printf.sprintf "the element %S" name))
-    | (`Data _ | `Dtd _), _ -> content stack
-    | _, [] -> ()
+    in
+    let map, width, height =
+      match box with
+      | None -> (Plane_map.translation inside.x inside.y, inside.width, inside.height)
+      | Some b -> (Aspect.fit (Svg_tree.attribute node "preserveAspectRatio") ~inside b, b.width, b.height)
+    in
+    Some { here with clip; map = Plane_map.compose here.map map; view = { width; height } }
+  end
+
+let refuse name cure = raise (Unread (Printf.sprintf "the element %S: %s" name cure))
+
+(* What is in a shape is to change nothing of it. *)
+let check_content scene (node : Svg_tree.node) =
+  let refused (inner : Svg_tree.node) =
+    scene.at <- inner.at;
+    let cure =
+      match Svg_table.element inner.name with
+      | Refused cure -> cure
+      | Group | Shape | Use | Viewport | Silent -> "it does not belong into a shape"
+    in
+    refuse inner.name cure
   in
-  content [ { style = Svg_style.of_element Svg_style.initial attributes; map } ];
-  raster
+  List.iter refused node.children
+
+let rec element scene around (node : Svg_tree.node) =
+  match Svg_table.element node.name with
+  | Silent -> ()
+  | Group -> children scene (clipped scene (enter scene around node)) node
+  | Shape ->
+    paint scene (clipped scene (enter scene around node)) node;
+    check_content scene node
+  | Viewport -> shown_at scene around node ~size:node
+  | Use -> (
+      let here = clipped scene (enter scene around node) in
+      match used scene here node with
+      | None -> ()
+      | Some (here, ({ name = "symbol" | "svg"; _ } as target)) -> shown_at scene here target ~size:node
+      | Some (here, target) -> element scene here target)
+  | Refused cure ->
+    scene.at <- node.at;
+    refuse node.name cure
+
+and children scene here (node : Svg_tree.node) = if here.style.displayed then List.iter (element scene here)
+      node.children
+
+(* A drawing within the drawing; [size] is the element whose width and height count most. *)
+and shown_at scene around node ~size =
+  let here = clipped scene (enter scene around node) in
+  let at read name ~default = number node read around.view name ~default in
+  let side read name whole = number size read around.view name ~default:(at read name ~default:whole) in
+  let x = at Svg_shape.across "x" ~default:Rat.zero in
+  let y = at Svg_shape.down "y" ~default:Rat.zero in
+  let width = side Svg_shape.across "width" around.view.width in
+  let height = side Svg_shape.down "height" around.view.height in
+  Option.iter (fun here -> children scene here node) (viewport scene here node { x; y; width; height })
+
+(* How the view box is fitted into the drawing changes its shape only if it is stretched or cut. *)
+let check_ratio root =
+  match Svg_tree.attribute root "preserveAspectRatio" with
+  | None -> ()
+  | Some text ->
+    let words = String.split_on_char ' ' (String.trim text) in
+    if List.mem "none" words || List.mem "slice" words then
+      raise (Unread (Printf.sprintf "preserveAspectRatio %S of the whole drawing" text))
+
+let draw ~resolution ~path tree =
+  let root = tree.Svg_tree.root in
+  let raster, map, view =
+    Svg_tree.at root (fun () ->
+        check_ratio root;
+        frame ~resolution ~path root)
+  in
+  let scene = { tree; raster; corners = ref max_corners; drawn = 0; area = 0; at = root.at } in
+  let around = { style = Svg_style.initial; map = Plane_map.identity; clip = None; view; depth = 0; used = [] } in
+  match
+    let here = enter scene around root in
+    if not (Plane_map.is_identity here.map) then
+      raise (Unread "a transform of the whole drawing: put a `g` into it");
+    children scene (clipped scene { here with map }) root
+  with
+  | () -> raster
+  | exception ((Bad _ | Unread _) as fault) -> raise (Svg_tree.Fault (scene.at, fault))
 
 (* {1 Faults} *)
 
@@ -178,17 +320,17 @@ let offset text (line, column) =
   if n = 0 then 0 else along (start 0 line) column
 
 let read ~resolution ~path text =
-  let input = Xmlm.make_input (`String (0, text)) in
   let fault code ?hint at message =
     let at = offset text at in
     Error (Diag.error ?hint code (Span.make ~file:path ~start:at ~stop:at) "%s" message)
   in
-  match draw ~resolution ~path input with
+  match draw ~resolution ~path (Svg_tree.read text) with
   | raster -> Ok raster
   | exception Refused d -> Error d
   | exception Xmlm.Error (at, error) ->
     fault Code.bad_picture at ("the XML is not well formed: " ^ Xmlm.error_message error)
-  | exception Bad what -> fault Code.bad_picture (Xmlm.pos input) ("a fault in the drawing: " ^ what)
-  | exception Unread what ->
-    fault Code.picture_format (Xmlm.pos input) ("this is not read: " ^ what)
-      ~hint:"filled paths, rectangles, circles, ellipses and polygons are read, in groups, with transforms"
+  | exception Svg_tree.Fault (at, Unread what) ->
+    fault Code.picture_format at ("this is not read: " ^ what)
+      ~hint:"shapes with fills and strokes are read, in groups and where they are used, with transforms and clip \
+             paths"
+  | exception Svg_tree.Fault (at, Bad what) -> fault Code.bad_picture at ("a fault in the drawing: " ^ what)

@@ -1,7 +1,8 @@
-(** Drawings in SVG: the filled areas of paths, rectangles, circles, ellipses and polygons, in groups, with
-    transforms, one over the other. A pixel is painted if its centre is inside. That is decided exactly, for
-    outlines whose curves are within 1/64 of a pixel ({!Svg_path}). Visible features that are not supported are
-    refused: strokes, text, gradients, style sheets, clips, references, declarations of a document type. *)
+(** Drawings in SVG: the filled areas and the strokes of shapes, in groups and where they are used, with
+    transforms, style sheets and clip paths, one over the other. A pixel is painted if its centre is inside.
+    That is decided exactly, for outlines whose curves are within 1/64 of a pixel ({!Svg_polygon},
+    {!Svg_stroke}). Visible features that are not supported are refused: text, pictures, patterns, masks,
+    filters, markers, declarations of a document type. *)
 
 open Scc_base
 

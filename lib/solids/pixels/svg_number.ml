@@ -88,15 +88,16 @@ let all text =
   in
   go 0 []
 
-let length text =
+let length ?whole text =
   let c = { text; at = 0 } in
   let q = number c in
   let times n d = Rat.mul q (Rat.make (Z.of_int n) (Z.of_int d)) in
-  match String.trim (String.sub text c.at (String.length text - c.at)) with
-  | "" | "px" -> q
-  | "pt" -> times 4 3
-  | "pc" -> times 16 1
-  | "mm" -> times 480 127
-  | "cm" -> times 4800 127
-  | "in" -> times 96 1
-  | unit -> raise (Unread (Printf.sprintf "lengths in %S" unit))
+  match (String.lowercase_ascii (String.trim (String.sub text c.at (String.length text - c.at))), whole) with
+  | ("" | "px"), _ -> q
+  | "%", Some whole -> Rat.mul whole (Rat.div q (Rat.of_int 100))
+  | "pt", _ -> times 4 3
+  | "pc", _ -> times 16 1
+  | "mm", _ -> times 480 127
+  | "cm", _ -> times 4800 127
+  | "in", _ -> times 96 1
+  | unit, _ -> raise (Unread (Printf.sprintf "lengths in %S" unit))

@@ -10,6 +10,9 @@ exception Unread of string
 
 type cursor = { text : string; mutable at : int }
 
+val is_blank : char -> bool
+(** [is_blank c] is true for the blanks of XML and CSS. *)
+
 val ended : cursor -> bool
 (** [ended c] skips blanks and commas, and is true if nothing follows. *)
 
@@ -23,5 +26,5 @@ val flag : cursor -> bool
 val all : string -> Rat.t list
 (** All numbers of a text, at most a million. *)
 
-val length : string -> Rat.t
-(** A number with a unit, in pixels: an inch has 96 pixels. *)
+val length : ?whole:Rat.t -> string -> Rat.t
+(** A number with a unit, in pixels: an inch has 96 pixels. Percentages are of [whole], if that is given. *)

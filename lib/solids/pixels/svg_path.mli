@@ -1,32 +1,17 @@
-(** Lines of drawings as polygons, in units of 1/1024 of a pixel. Curves become chains of segments within 1/64
-    of a pixel of them, with corners rounded to the unit. *)
+(** The lines of shapes: of path data, and of the basic shapes as paths. Reading raises {!Svg_number.Bad}. *)
 
 open Scc_exact
 
-type polygon = (int * int) list
+val path : string -> Svg_segment.outline
+(** [path data] is the outline of the data of a path, which are read each time that it is used. *)
 
-val unit : int
-(** The number of units in a pixel: 1024. *)
+val points : closed:bool -> Plane_map.point list -> Svg_segment.outline
+(** [points ~closed corners] is the line along these corners, and back to the first one if [closed]; nothing if
+    there are no corners. *)
 
-type pen
-(** Draws polygons under a map from the units of the drawing to pixels. *)
+val ellipse : Plane_map.point -> Rat.t -> Rat.t -> Svg_segment.outline
+(** [ellipse centre rx ry] is the ellipse with this centre and these radii. *)
 
-val pen : budget:int ref -> Plane_map.t -> pen
-(** [pen ~budget m] is a new pen, whose map to pixels is [m]. The budget is the number of corners that all pens
-    together may still draw. Drawing raises {!Svg_number.Bad} if there are more, or if a point is farther than
-    2{^14} pixels from the picture. *)
-
-val path : pen -> string -> polygon list
-(** [path pen data] draws the data of a path, and returns all polygons of the pen so far. *)
-
-val points : pen -> Plane_map.point list -> polygon list
-(** [points pen corners] draws a polygon with these corners, and returns all polygons of the pen so far; none
-    if there are no corners. *)
-
-val ellipse : pen -> Plane_map.point -> Rat.t -> Rat.t -> polygon list
-(** [ellipse pen centre rx ry] draws the ellipse with this centre and these radii, and returns all polygons of
-    the pen so far. *)
-
-val rectangle : pen -> Plane_map.point -> Rat.t * Rat.t -> Rat.t * Rat.t -> polygon list
-(** [rectangle pen corner (width, height) (rx, ry)] draws the rectangle from its least corner on, with corners
-    rounded by these radii. It returns all polygons of the pen so far. *)
+val rectangle : Plane_map.point -> Rat.t * Rat.t -> Rat.t * Rat.t -> Svg_segment.outline
+(** [rectangle corner (width, height) (rx, ry)] is the rectangle from its least corner on, with corners rounded
+    by these radii. *)

@@ -1,46 +1,59 @@
 open Scc_exact
 open Svg_number
 
-type t = { fill : int option; rule : Fill.rule; shown : bool; displayed : bool; opacity : Rat.t; stroked : bool }
+type t = {
+  fill : Css_colour.paint;
+  fill_opacity : Rat.t;
+  rule : Fill.rule;
+  clip_rule : Fill.rule;
+  colour : Css_colour.colour;
+  stroke : Css_colour.paint;
+  stroke_opacity : Rat.t;
+  width : string;
+  cap : Svg_stroke.cap;
+  join : [ `Miter | `Round | `Bevel ];
+  limit : Rat.t;
+  dashes : string list;
+  offset : string;
+  stroke_first : bool;
+  markers : bool;
+  shown : bool;
+  displayed : bool;
+  opacity : Rat.t;
+  own : own;
+}
+
+and own = { clip : string option; clipped : bool; fixed_width : bool }
+
+let black = { Css_colour.rgb = 0; alpha = Rat.one }
 
 let initial =
-  { fill = Some 0; rule = Nonzero; shown = true; displayed = true; opacity = Rat.one; stroked = false }
+  {
+    fill = Colour black;
+    fill_opacity = Rat.one;
+    rule = Nonzero;
+    clip_rule = Nonzero;
+    colour = black;
+    stroke = Nothing;
+    stroke_opacity = Rat.one;
+    width = "1";
+    cap = Butt;
+    join = `Miter;
+    limit = Rat.of_int 4;
+    dashes = [];
+    offset = "0";
+    stroke_first = false;
+    markers = false;
+    shown = true;
+    displayed = true;
+    opacity = Rat.one;
+    own = { clip = None; clipped = true; fixed_width = false };
+  }
 
-let named =
-  [
-    ("black", 0x000000); ("silver", 0xc0c0c0); ("gray", 0x808080); ("grey", 0x808080); ("white", 0xffffff);
-    ("maroon", 0x800000); ("red", 0xff0000); ("purple", 0x800080); ("fuchsia", 0xff00ff); ("magenta", 0xff00ff);
-    ("green", 0x008000); ("lime", 0x00ff00); ("olive", 0x808000); ("yellow", 0xffff00); ("navy", 0x000080);
-    ("blue", 0x0000ff); ("teal", 0x008080); ("aqua", 0x00ffff); ("cyan", 0x00ffff); ("orange", 0xffa500);
-    ("currentcolor", 0x000000);
-  ]
-
+let bad format = Printf.ksprintf (fun m -> raise (Bad m)) format
 let unread format = Printf.ksprintf (fun m -> raise (Unread m)) format
 
-let hexadecimal text =
-  match int_of_string_opt ("0x" ^ text) with
-  | Some n when not (String.contains text '_') -> n
-  | _ -> raise (Bad (Printf.sprintf "the colour \"#%s\"" text))
-
-let colour text =
-  let text = String.lowercase_ascii (String.trim text) in
-  let n = String.length text in
-  if text = "none" || text = "transparent" then None
-  else if n = 7 && text.[0] = '#' then Some (hexadecimal (String.sub text 1 6))
-  else if n = 4 && text.[0] = '#' then begin
-    let c = hexadecimal (String.sub text 1 3) in
-    Some ((17 * (c lsr 8) lsl 16) lor (17 * ((c lsr 4) land 15) lsl 8) lor (17 * (c land 15)))
-  end
-  else if n > 5 && String.sub text 0 4 = "rgb(" && text.[n - 1] = ')' && not (String.contains text '%') then
-    match all (String.sub text 4 (n - 5)) with
-    | [ r; g; b ] ->
-      let level q = max 0 (min 255 (Z.to_int (Rat.round_to q ~quantum:Rat.one).num)) in
-      Some ((level r lsl 16) lor (level g lsl 8) lor level b)
-    | _ -> raise (Bad (Printf.sprintf "the colour %S" text))
-  else
-    match List.assoc_opt text named with
-    | Some c -> Some c
-    | None -> unread "the paint %S (colours are #rrggbb, rgb(r, g, b) or one of the sixteen names)" text
+(* {1 Values} *)
 
 (* A share, as a number or in percent. *)
 let share text =
@@ -49,68 +62,154 @@ let share text =
   let q = if String.contains text '%' then Rat.div q (Rat.of_int 100) else q in
   Rat.max Rat.zero (Rat.min Rat.one q)
 
-let property style (name, value) =
-  let value = String.trim value in
-  match (name, value) with
-  | _, "inherit" -> style
-  | "fill", _ -> { style with fill = colour value }
-  | "fill-rule", "nonzero" -> { style with rule = Fill.Nonzero }
-  | "fill-rule", "evenodd" -> { style with rule = Fill.Even_odd }
-  | "fill-rule", _ -> raise (Bad (Printf.sprintf "the fill-rule %S" value))
-  | "visibility", _ -> { style with shown = value = "visible" }
-  | "display", _ -> { style with displayed = style.displayed && value <> "none" }
-  | ("opacity" | "fill-opacity"), _ -> { style with opacity = Rat.mul style.opacity (share value) }
-  | "stroke", _ -> { style with stroked = not (List.mem value [ "none"; "transparent" ]) }
-  | ("clip-path" | "mask" | "filter"), v when v <> "none" -> unread "%s" name
+let plain name text =
+  match all text with [ q ] -> q | _ -> bad "the %s %S" name text
+
+let one_of name value choices =
+  match List.assoc_opt value choices with Some choice -> choice | None -> bad "the %s %S" name value
+
+let rule name value = one_of name value [ ("nonzero", Fill.Nonzero); ("evenodd", Fill.Even_odd) ]
+
+(* Attributes have so many numbers in real drawings, that a longer list is a fault. *)
+let max_dashes = 1_000
+
+let dashes value =
+  if value = "none" then []
+  else begin
+    let blank c = if is_blank c || c = ',' then ' ' else c in
+    let words = List.filter (( <> ) "") (String.split_on_char ' ' (String.map blank value)) in
+    if List.compare_length_with words max_dashes > 0 then bad "a stroke-dasharray of more than %d numbers"
+        max_dashes;
+    words
+  end
+
+let join value =
+  match value with
+  | "miter-clip" | "arcs" -> unread "the stroke-linejoin %S" value
+  | _ -> one_of "stroke-linejoin" value [ ("miter", `Miter); ("round", `Round); ("bevel", `Bevel) ]
+
+let limit value =
+  let q = plain "stroke-miterlimit" value in
+  if Rat.compare q Rat.one < 0 then bad "a stroke-miterlimit below 1";
+  q
+
+let clip value =
+  if value = "none" then None
+  else match Css_colour.reference value with Some id -> Some id | None -> unread "the clip-path %S" value
+
+(* {1 Properties} *)
+
+(* The value of an inherited property, by what has it. *)
+let inherited name ~from style =
+  match name with
+  | "fill" -> Some { style with fill = from.fill }
+  | "fill-opacity" -> Some { style with fill_opacity = from.fill_opacity }
+  | "fill-rule" -> Some { style with rule = from.rule }
+  | "clip-rule" -> Some { style with clip_rule = from.clip_rule }
+  | "color" -> Some { style with colour = from.colour }
+  | "stroke" -> Some { style with stroke = from.stroke }
+  | "stroke-opacity" -> Some { style with stroke_opacity = from.stroke_opacity }
+  | "stroke-width" -> Some { style with width = from.width }
+  | "stroke-linecap" -> Some { style with cap = from.cap }
+  | "stroke-linejoin" -> Some { style with join = from.join }
+  | "stroke-miterlimit" -> Some { style with limit = from.limit }
+  | "stroke-dasharray" -> Some { style with dashes = from.dashes }
+  | "stroke-dashoffset" -> Some { style with offset = from.offset }
+  | "paint-order" -> Some { style with stroke_first = from.stroke_first }
+  | "marker" | "marker-start" | "marker-mid" | "marker-end" -> Some { style with markers = from.markers }
+  | "visibility" -> Some { style with shown = from.shown }
+  | _ -> None
+
+let colour style value =
+  match Css_colour.paint value with
+  | Colour colour -> { style with colour }
+  | Nothing -> { style with colour = { black with alpha = Rat.zero } }
+  | Current -> style
+  | Server _ -> bad "the color %S" value
+
+let order style value =
+  let words = String.split_on_char ' ' value in
+  let first = List.find_opt (fun w -> w = "fill" || w = "stroke") words in
+  { style with stroke_first = first = Some "stroke" }
+
+let given style name value =
+  match name with
+  | "fill" -> { style with fill = Css_colour.paint value }
+  | "fill-opacity" -> { style with fill_opacity = share value }
+  | "fill-rule" -> { style with rule = rule name value }
+  | "clip-rule" -> { style with clip_rule = rule name value }
+  | "color" -> colour style value
+  | "stroke" -> { style with stroke = Css_colour.paint value }
+  | "stroke-opacity" -> { style with stroke_opacity = share value }
+  | "stroke-width" -> { style with width = value }
+  | "stroke-linecap" ->
+    { style with cap = one_of name value [ ("butt", Svg_stroke.Butt); ("round", Round_cap); ("square", Square) ] }
+  | "stroke-linejoin" -> { style with join = join value }
+  | "stroke-miterlimit" -> { style with limit = limit value }
+  | "stroke-dasharray" -> { style with dashes = dashes value }
+  | "stroke-dashoffset" -> { style with offset = value }
+  | "paint-order" -> order style value
+  | "marker" | "marker-start" | "marker-mid" | "marker-end" -> { style with markers = value <> "none" }
+  | "visibility" -> { style with shown = value = "visible" }
+  | "display" -> { style with displayed = style.displayed && value <> "none" }
+  | "opacity" -> { style with opacity = Rat.mul style.opacity (share value) }
+  | "clip-path" -> { style with own = { style.own with clip = clip value } }
+  | "overflow" -> { style with own = { style.own with clipped = value <> "visible" && value <> "auto" } }
+  | "vector-effect" -> { style with own = { style.own with fixed_width = value <> "none" } }
+  | ("mask" | "filter") when value <> "none" -> unread "%s" name
   | _ -> style
 
-let declarations text =
-  List.filter_map
-    (fun part ->
-       match String.index_opt part ':' with
-       | Some i -> Some (String.trim (String.sub part 0 i), String.sub part (i + 1) (String.length part - i - 1))
-       | None -> None)
-    (String.split_on_char ';' text)
+let own_properties =
+  [ "display"; "opacity"; "clip-path"; "overflow"; "vector-effect"; "mask"; "filter" ]
 
-(* What style says comes after, and so counts. *)
-let of_element around attributes =
-  let style = List.fold_left property around attributes in
-  match List.assoc_opt "style" attributes with
-  | None -> style
-  | Some text -> List.fold_left property style (declarations text)
+let property ~around style (name, value) =
+  match String.lowercase_ascii value with
+  | ("inherit" | "unset" | "initial") as word when not (List.mem name own_properties) ->
+    Option.value ~default:style
+      (inherited name ~from:(if word = "initial" then initial else around) style)
+  | "initial" | "unset" -> style
+  | "inherit" | "revert" | "revert-layer" -> unread "the value %S of %s" value name
+  | _ -> given style name value
 
-(* {1 Transforms} *)
+(* Of each property the last value. *)
+let last properties =
+  let table = Hashtbl.create 16 in
+  List.iteri (fun i (name, _) -> Hashtbl.replace table (name : string) i) properties;
+  List.filteri (fun i (name, _) -> Hashtbl.find table name = i) properties
 
-let one_transform name values =
-  let zero = Rat.zero in
-  match (name, values) with
-  | "matrix", [ a; b; c; d; e; f ] -> { Plane_map.a; b; c; d; e; f }
-  | "translate", [ x; y ] -> Plane_map.translation x y
-  | "translate", [ x ] -> Plane_map.translation x zero
-  | "scale", [ x; y ] -> Plane_map.scaling x y
-  | "scale", [ x ] -> Plane_map.scaling x x
-  | "rotate", [ a ] -> Plane_map.rotation a
-  | "rotate", [ a; x; y ] ->
-    Plane_map.(compose (translation x y) (compose (rotation a) (translation (Rat.neg x) (Rat.neg y))))
-  | ("skewX" | "skewY"), [ a ] -> (
-      match Plane_map.skewing (if name = "skewX" then `X else `Y) a with
-      | Some m -> m
-      | None -> raise (Bad "a skew by a right angle"))
-  | _ -> raise (Bad (Printf.sprintf "the transform %S with %d numbers" name (List.length values)))
+let of_properties around properties =
+  List.fold_left (property ~around) { around with own = initial.own } (last properties)
 
-let transform text =
-  let c = { text; at = 0 } in
-  let rec go map =
-    if ended c then map
-    else
-      match String.index_from_opt text c.at '(' with
-      | None -> raise (Bad (Printf.sprintf "the transform %S" text))
-      | Some i -> (
-          match String.index_from_opt text i ')' with
-          | None -> raise (Bad (Printf.sprintf "the transform %S" text))
-          | Some j ->
-            let name = String.trim (String.sub text c.at (i - c.at)) in
-            c.at <- j + 1;
-            go (Plane_map.compose map (one_transform name (all (String.sub text (i + 1) (j - i - 1))))))
+(* {1 Painting} *)
+
+let painted style paint opacity ~has =
+  let seen alpha = Rat.compare (Rat.mul style.opacity (Rat.mul opacity alpha)) Rat.half >= 0 in
+  let rec of_paint = function
+    | Css_colour.Nothing -> None
+    | Current -> of_paint (Colour style.colour)
+    | Colour { rgb; alpha } -> if seen alpha then Some rgb else None
+    | Server (id, _) when has id -> if seen Rat.one then Some 0 else None
+    | Server (_, Some instead) -> of_paint instead
+    | Server (id, None) -> bad "the reference \"#%s\" to no gradient" id
   in
-  go Plane_map.identity
+  of_paint paint
+
+let stroke style ~length =
+  let width = length style.width in
+  if Rat.sign width < 0 then bad "a stroke-width below 0";
+  if Rat.sign width = 0 then None
+  else begin
+    let lengths = List.map length style.dashes in
+    if List.exists (fun q -> Rat.sign q < 0) lengths then bad "a stroke-dasharray with a length below 0";
+    let solid = List.for_all (fun q -> Rat.sign q = 0) lengths in
+    let doubled = if List.length lengths land 1 = 1 then lengths @ lengths else lengths in
+    if style.own.fixed_width then unread "the vector-effect of strokes";
+    Some
+      {
+        Svg_stroke.half = Rat.mul Rat.half width;
+        cap = style.cap;
+        join = (match style.join with `Miter -> Miter style.limit | `Round -> Round | `Bevel -> Bevel);
+        dashes = (if solid then [] else doubled);
+        offset = length style.offset;
+      }
+  end

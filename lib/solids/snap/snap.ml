@@ -14,8 +14,8 @@ type refusal =
 
 let of_structure : Polyhedron_fault.t -> bool = function
   | No_faces | Bad_vertex_index _ | Short_face _ | Open_edge _ | Repeated_edge _ | Turned_face _ | Same_position _
-  | Unused_vertex _ | Separate_solids _ | Flat _ -> true
-  | Off_plane _ | Degenerate_face _ | Self_crossing _ | Not_convex _ | Coplanar_neighbours _ | In_plane _
+  | Unused_vertex _ | Separate_solids _ | Flat _ | Self_crossing (_, Some _) -> true
+  | Off_plane _ | Degenerate_face _ | Self_crossing (_, None) | Not_convex _ | Coplanar_neighbours _ | In_plane _
   | Inward -> false
 
 (* The surface of a convex polyhedron is a sphere, and three faces or more meet at each corner. *)

@@ -135,11 +135,11 @@ let expand e ~events (source : node) =
     Zone_steps.all ?visible:e.visible e.context ~events source.zone
   in
   source.cells <- cells;
-  let known = size e.graph in
   let add = List.iter (fun (step, target) -> add_edge e source step target) in
   add steps;
-  (* So that nothing is put off for ever, round and round. *)
-  if List.exists (fun (edge : edge) -> edge.target < known) source.edges then add postponed;
+  (* What is postponed happens after one of these steps, whichever state of the zone takes it. *)
+  let is_ahead (edge : edge) = edge.target <> source.number && not (node e.graph edge.target).expanded in
+  if not (List.for_all is_ahead source.edges) then add postponed;
   source.edges <- List.rev source.edges;
   source.expanded <- true;
   e.visitor.expanded source

@@ -18,10 +18,18 @@ let reasons (r : Unsettled.t) values doubts =
     | Ok doubts -> Unsettled.doubts r doubts
     | Error why -> why
 
+(* Where nothing is left to choose, what is found for one side is so for the other. *)
+let of_sides temporal sides find =
+  match sides with
+  | first :: (_ :: _ as others) when Temporal.is_chain temporal ->
+    let found = find first in
+    (first, found) :: List.map (fun s -> (s, found)) others
+  | _ -> List.map (fun s -> (s, find s)) sides
+
 (* All sides at each moment, without those at which nothing changes. *)
 let points temporal i sides : Verdict.point list =
-  let curve s = Option.map (fun c -> (s, c)) (Temporal.curve temporal i s) in
-  match List.filter_map curve sides with
+  let of_side (s, curve) = Option.map (fun c -> (s, c)) curve in
+  match List.filter_map of_side (of_sides temporal sides (Temporal.curve temporal i)) with
   | (_, first) :: _ as curves ->
     let columns = List.map (fun (s, curve) -> Array.of_list (List.map (fun (_, m) -> (s, m)) curve)) curves in
     let point k (moment, _) : Verdict.point = { moment; answer = List.map (fun column -> column.(k)) columns } in
@@ -33,7 +41,7 @@ let points temporal i sides : Verdict.point list =
   | [] -> []
 
 let probability (r : Unsettled.t) temporal i sides ~curve =
-  match Unsettled.evaluated r (fun () -> List.map (fun s -> (s, Temporal.probability temporal i s)) sides) with
+  match Unsettled.evaluated r (fun () -> of_sides temporal sides (Temporal.probability temporal i)) with
   | Error why -> Verdict.Undecided why
   | Ok values ->
     let reasons = reasons r values (fun () -> Temporal.possible_doubts temporal i) in
@@ -50,7 +58,7 @@ let compared bound m ~reasons : Verdict.t =
   | _ -> Undecided (told "mean" m :: reasons ())
 
 let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
-  let find side = (side, Temporal.mean temporal i side mean) in
+  let find side = Temporal.mean temporal i side mean in
   let undefined = function _, Scc_ctl.Expectation.Unknown { reason; _ } -> reason | _, Known _ -> None in
   let unexplored = function _, Scc_ctl.Expectation.Unknown { unexplored; _ } -> unexplored | _, Known _ -> [] in
   let known = function side, Scc_ctl.Expectation.Known m -> Some (side, m) | _, Unknown _ -> None in
@@ -67,6 +75,6 @@ let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
     | [], ([ (_, m) ] as values), Some bound -> compared bound m ~reasons:(fun () -> of_values values)
     | [], values, _ -> Measured { values; reasons = of_values values; witness = None; curve = [] }
   in
-  match Unsettled.evaluated r (fun () -> List.map find sides) with
+  match Unsettled.evaluated r (fun () -> of_sides temporal sides find) with
   | Error why -> Undecided why
   | Ok found -> of_found found

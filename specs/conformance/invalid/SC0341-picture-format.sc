@@ -1,1 +1,1 @@
-// a drawing with a stroke
+// a drawing with text

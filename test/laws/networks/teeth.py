@@ -116,7 +116,10 @@ MISTAKES = {
     "who turns does not meet those at the same velocity": ("part.ml", "|| turns a || turns b)", "|| turns a)"),
     # Walkers that do not bounce.
     "walkers stop but once": ("blocked.ml", "else until_none c (at_rest stops s)", "else (ignore until_none; at_rest stops s)"),
-    "a walker that may bind stops": ("blocked.ml", "Ids.diff stops busy", "(ignore busy; stops)"),
+    "a walker that may bind stops": (
+        "blocked.ml", "Ids.diff (Ids.of_list (List.concat_map (Collisions.blocked c processes) meetings)) busy",
+        "(ignore busy; Ids.of_list (List.concat_map (Collisions.blocked c processes) meetings))",
+    ),
     "a kick up to a wall is blocked": (
         "blocked.ml", "before_the_next_draw t = Rat.compare t c.setting.model.timestep < 0",
         "before_the_next_draw t = Rat.compare t c.setting.model.timestep <= 0",
@@ -130,13 +133,13 @@ MISTAKES = {
         "match List.filter kicked [ two.first; two.second ] with [ i ] -> [ i ] | _ -> []",
     ),
     "a blocked kick blocks no other": (
-        "blocked.ml", "|> spread ~beside Ids.empty", "|> spread ~beside:(fun _ -> ignore beside; []) Ids.empty",
+        "blocked.ml", "|> spread ~beside Ids.empty", "|> spread ~beside:(fun _ _ -> ignore beside; []) Ids.empty",
     ),
     "a path is as long as a velocity": (
-        "blocked.ml", "Vec.scale c.setting.model.timestep (Part.velocity a)", "(ignore c; Part.velocity a)",
+        "blocked.ml", "~span:model.timestep", "~span:(ignore model; Rat.one)",
     ),
-    "kicks end within a fixed distance": (
-        "blocked.ml", "Rat.mul (Rat.of_int 2) (Rat.mul c.setting.model.timestep fastest)", "(ignore fastest; Rat.zero)",
+    "who is beside a walker alone blocks its kick": (
+        "blocked.ml", "c.setting.neighbours.along c.setting.model.timestep", "c.setting.neighbours.along Rat.zero",
     ),
     "the last collision of a path counts": (
         "blocked.ml", "Option.merge Rat.min first (time pair)", "Option.merge Rat.max first (time pair)",

@@ -82,7 +82,7 @@ let exit_of (s : Naive.solid) origin towards =
 
 type answer = Nothing | Face of int * int | Unclear
 
-let frontmost solids origin towards =
+let frontmost ?(among = fun _ -> true) solids origin towards =
   let better answer (i, s) =
     match exit_of s origin towards with
     | None -> answer
@@ -93,21 +93,21 @@ let frontmost solids origin towards =
         | Some (best, _) when Rat.equal best t -> Some (t, Unclear)
         | _ -> Some (t, here))
   in
-  let numbered = List.mapi (fun i s -> (i, s)) solids in
+  let numbered = List.filter (fun (i, _) -> among i) (List.mapi (fun i s -> (i, s)) solids) in
   match List.fold_left better None numbered with None -> Nothing | Some (_, answer) -> answer
 
 (* {1 The picture} *)
 
 type seen = { scene : scene; camera : Camera.t; origin : Ivec.t; hidden : Hidden.t; pieces : Convex.t list array }
 
-let see s =
+let see ?glass s =
   let camera = Camera.make s.from in
   let origin, d = Ivec.of_vec s.far in
   let origin = if Z.equal d Z.one then origin else Ivec.zero in
   let solid id ((b : body), at) =
     View.of_placed { solid = solid ~id b; turned = Quaternion.identity; at = Vec.add s.far at }
   in
-  let hidden = Hidden.make (View.make camera ~origin (Array.of_list (List.mapi solid s.bodies))) in
+  let hidden = Hidden.make ?glass (View.make camera ~origin (Array.of_list (List.mapi solid s.bodies))) in
   { scene = s; camera; origin; hidden; pieces = Hidden.all_pieces hidden }
 
 (* The point of space at a point of the picture. *)
@@ -118,8 +118,8 @@ let in_space v x y =
   in
   Vec.add (Ivec.to_vec v.origin) (Vec.add (along v.camera.right x) (along v.camera.up y))
 
-let hit v x y =
-  frontmost (List.map (stands v.scene) v.scene.bodies) (in_space v x y) (Ivec.to_vec v.camera.near)
+let hit ?among v x y =
+  frontmost ?among (List.map (stands v.scene) v.scene.bodies) (in_space v x y) (Ivec.to_vec v.camera.near)
 
 let name v i =
   let f = (Hidden.view v.hidden).faces.(i) in
@@ -159,6 +159,27 @@ let anywhere = Gen.list_size (Gen.return 25) Gen.(pair (1 -- 9972) (1 -- 9972))
 let at_random (s, numbers) =
   let v = see s in
   List.for_all (right v) (somewhere v numbers)
+
+(* With every second solid of glass, a ray that passes through glass hits what is drawn of the others, and glass is
+   drawn where a ray hits it first. *)
+let through_glass (s, numbers) =
+  let glass i = i mod 2 = 0 in
+  let v = see ~glass s in
+  let agrees answer some ~front p =
+    match (answer, some) with
+    | Unclear, _ -> true
+    | Nothing, drawn -> drawn = []
+    | Face (b, f), drawn ->
+      List.exists (fun i -> name v i = (b, f)) drawn
+      && (List.compare_length_with drawn 1 > 0 || (not front) || Hidden.front v.hidden p = Some (List.hd drawn))
+  in
+  let at (x, y) =
+    let through, others = List.partition (fun i -> glass (fst (name v i))) (drawn v x y) in
+    let first = match hit v x y with Face (b, _) when not (glass b) -> Nothing | answer -> answer in
+    agrees (hit ~among:(fun i -> not (glass i)) v x y) others ~front:true (homogeneous x y)
+    && agrees first through ~front:false (homogeneous x y)
+  in
+  List.for_all at (somewhere v numbers)
 
 (* The middle of each piece is a point of it, and so what is hit there is known beforehand. *)
 let in_the_middle (s, _) =
@@ -298,6 +319,7 @@ let law ~count name gen holds =
 let on kind gen =
   [
     law ~count:60 (kind ^ ": a ray tells what is drawn") gen at_random;
+    law ~count:60 (kind ^ ": a ray goes through glass") gen through_glass;
     law ~count:40 (kind ^ ": each piece shows what a ray tells in its middle") gen in_the_middle;
     law ~count:20 (kind ^ ": pieces are disjoint") gen disjoint;
     law ~count:15 (kind ^ ": borders enclose the pieces") gen bordered;

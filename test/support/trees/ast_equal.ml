@@ -85,7 +85,10 @@ let rec solid (a : solid) (b : solid) =
   match (a.it, b.it) with
   | Template m, Template n -> reference m n
   | Scaled (s, v), Scaled (t, w) -> solid s t && vector v w
-  | Mesh (f, d), Mesh (g, e) -> loc String.equal f g && Option.equal expr d e
+  | Mesh (f, m), Mesh (g, n) ->
+    let words m = [ m.weld; m.orient; m.merge ] in
+    loc String.equal f g && Option.equal expr m.grid n.grid && Option.equal expr m.snap n.snap
+    && List.equal Bool.equal (words m) (words n)
   | Faces (vs, fs), Faces (ws, gs) -> list (pair name vector) vs ws && list (pair name (list name)) fs gs
   | Hull vs, Hull ws -> list (pair name vector) vs ws
   | (Template _ | Scaled _ | Mesh _ | Faces _ | Hull _), _ -> false

@@ -63,7 +63,7 @@ let random =
 let expressions =
   [
     "value"; "by"; "from"; "to"; "above"; "below"; "if"; "x"; "point"; "time"; "push"; "weight"; "velocity";
-    "snap";
+    "snap"; "grid";
   ]
 
 let with_expressions (text, those) =

@@ -166,7 +166,9 @@ let read path =
   let file = open_in_bin path in
   let text = really_input_string file (in_channel_length file) in
   close_in file;
-  match Scc_mesh.Mesh.read ~path text with Ok set -> set | Error _ -> failwith (path ^ ": not read")
+  match Scc_mesh.Mesh.read ~files:Scc_mesh.Beside.none ~path text with
+  | Ok (set, _) -> set
+  | Error _ -> failwith (path ^ ": not read")
 
 let check count path =
   let set = read path in

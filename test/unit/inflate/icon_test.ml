@@ -243,6 +243,28 @@ let shapes () =
     "<g fill='#f80'><rect width='1' height='1'/><rect x='1' width='1' height='1' fill='rgb(1,2,3)'/>\
      <rect x='2' width='1' height='1' style='fill: navy; stroke: none'/></g><rect x='3' width='1' height='1'/>"
   in
+  let second = "<rect width='10' height='10'/><rect x='20' width='10' height='10' style='fill:none'/>" in
+  let moved = union (box 0. 0. 10. 10.) (box 10. 0. 20. 10.) in
+  let twice name by =
+    area name ("<rect width='10' height='10'/><rect width='10' height='10' " ^ by ^ "/>") moved
+  in
+  area "another" second (box 0. 0. 10. 10.);
+  twice "CSS: a translation" "style='transform:translate(10px,0)'";
+  twice "CSS: in capitals, and over the attribute" "transform='scale(2)' style='TRANSFORM:TranslateX(10PX)'";
+  twice "CSS: important" "style='transform:translateX(10px)!important;transform:none'";
+  twice "CSS: a comment" "style='/* transform:none; */transform:/**/translate(10px)'";
+  twice "CSS: half a turn about a point" "style='transform:rotate(.5turn);transform-origin:10px 5px'";
+  twice "CSS: half a turn about a share" "style='transform:rotate(200grad);transform-origin:25% 5px'";
+  twice "an origin as an attribute" "transform='rotate(180)' transform-origin='10 5'";
+  twice "CSS: a mirror about words" "style='transform:translateX(-20px) scaleX(-1);transform-origin:top center'";
+  area "CSS: names and words in capitals"
+    "<rect width='40' height='30' style='FILL:NONE'/><rect width='9' height='9'/>"
+    (box 0. 0. 9. 9.);
+  area "the colour that is current" "<g color='none'><rect width='40' height='30' fill='currentColor'/></g>\
+                                     <rect width='9' height='9'/>" (box 0. 0. 9. 9.);
+  area "a stroke of no width" "<rect width='9' height='9' stroke='red' stroke-width='0'/>" (box 0. 0. 9. 9.);
+  area "opacities within each other" "<g fill-opacity='.4'><rect width='9' height='9' fill-opacity='.6'/></g>"
+    (box 0. 0. 9. 9.);
   let colours = ok ~resolution:4 "colours" (svg ~box:"0 0 4 1" squares) in
   Alcotest.(check (list int)) "colours" [ 0xff8800; 0x010203; 0x000080; 0 ] (Array.to_list colours.colours)
 
@@ -271,10 +293,19 @@ let refused () =
     (png ~extra:(chunk "PLTE" "abc") ~width:1 ~height:1 ~kind:3 ~depth:8 ~interlaced:false (fun _ _ _ -> 1));
   is "SC0340" "no SVG" "<svg xmlns='http://www.w3.org/2000/svg'";
   is "SC0341" "another root" "<html/>";
-  is "SC0341" "a stroke" (svg "<rect stroke='red' width='9' height='9'/>");
+  is "SC0340" "a path that begins with a line" (svg "<path d='L6 0V6H0z'/>");
+  is "SC0340" "a path that begins with a number" (svg "<path d='6 0V6H0z'/>");
+  is "SC0340" "a length without a unit in CSS" (svg "<rect style='transform:translate(2,0)' width='9'/>");
+  is "SC0341" "a turn in space" (svg "<rect style='transform:rotateX(9deg)' width='9' height='9'/>");
+  is "SC0341" "a transform of a box"
+    (svg "<rect style='transform:rotate(9deg);transform-box:fill-box' width='9'/>");
+  is "SC0341" "a width as a property" (svg "<rect style='width:9px' height='9'/>");
+  is "SC0341" "an arrow head" (svg "<path marker-end='url(#a)' d='M0 0H9V9z'/>");
+  is "SC0341" "something that moves" (svg "<rect width='9' height='9'><animate attributeName='x' to='9'/></rect>");
+  is "SC0341" "an attribute that is not known" (svg "<rect width='9' heigth='9'/>");
+  is "SC0341" "a drawing that is stretched"
+    "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 4 4' preserveAspectRatio='none'/>";
   is "SC0341" "text" (svg "<text>x</text>");
-  is "SC0341" "a gradient" (svg "<rect fill='url(#a)' width='9' height='9'/>");
-  is "SC0341" "a style sheet" (svg "<style>rect{fill:none}</style>");
   is "SC0341" "a document type of its own" ("<!DOCTYPE svg [<!ENTITY a 'aaaa'>]>" ^ svg "");
   is "SC0340" "an entity" (svg "<title>&a;</title>");
   is "SC0340" "a path" (svg "<path d='M0 0 L1'/>");
@@ -322,9 +353,16 @@ let pngs =
 let texts =
   [
     "P2 # c\n2 2\n255\n0 1 2 3"; "P6\n2 1\n255\nabcdef"; "P1 2 2 1 0 0 1";
+    svg "<rect style='Transform:rotate(.1turn) skew(3deg);transform-origin:5% top' width='9' height='9'/>";
     svg
       "<g transform='rotate(30 1 2) skewX(5)'>\
        <path style='fill:#123' d='M1 2l3,4-5.6.7e1zC1 2 3 4 5 6s7 8 9 9a1 2 30 1 0 4 4T3 3'/></g>";
+    svg
+      "<style>g > .a, #b{stroke:hsl(1 2% 3%);stroke-width:2;stroke-linejoin:round}</style>\
+       <clipPath id='c'><rect width='9' height='9'/></clipPath>\
+       <g clip-path='url(#c)'><path id='b' stroke-dasharray='3 1 2' d='M1 2l3,4-5.6Q3 4 5 6A9 3 4 0 1 2 2'/></g>\
+       <use href='#b' x='2'/>\
+       <svg viewBox='0 0 2 2' preserveAspectRatio='xMinYMax slice'><circle class='a' r='1'/></svg>";
     svg "<rect x='1' y='2mm' width='3' height='4' rx='1'/><ellipse cx='5' cy='5' rx='3' ry='2' opacity='50%'/>";
   ]
 

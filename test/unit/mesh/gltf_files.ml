@@ -12,10 +12,10 @@ let gltf_data =
   Buffer.contents b
 
 let gltf_json ?(data = gltf_data) ?(uri = true) ?(head = "") ?(node = "") ?(sparse = "") ?(count = 12)
-    ?(mode = "") ?(root = 0) () =
+    ?(mode = "") ?(root = 0) ?(more = "") () =
   let uri =
     if uri then Printf.sprintf ",\"uri\":\"data:application/octet-stream;base64,%s\"" (Base64.encode_string data)
-    else ""
+    else more
   in
   Printf.sprintf
     "{\"asset\":{\"version\":\"2.0\"}%s,\"scenes\":[{\"nodes\":[%d]}],\"nodes\":[{\"mesh\":0%s}],\
@@ -110,6 +110,9 @@ let bad =
      gltf_json ~head:",\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]" (), "1:1 SC0320");
     ("glTF, infinity", "t.gltf",
      gltf_json ~data:("\x00\x00\x80\x7f" ^ String.sub gltf_data 4 152) (), "1:1 SC0320");
+    ("glTF, a property that is not known", "t.gltf", gltf_json ~node:",\"scal\":[2,2,2]" (), "1:1 SC0320");
+    ("glTF, instances", "t.gltf", gltf_json ~node:",\"extensions\":{\"EXT_mesh_gpu_instancing\":{}}" (),
+     "1:1 SC0320");
     ("glTF, data elsewhere", "t.gltf",
      "{\"asset\":{\"version\":\"2.0\"},\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\
       \"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\",\"count\":1}],\

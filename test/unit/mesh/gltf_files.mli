@@ -6,6 +6,23 @@ val corners : int list list
 val float32 : (Buffer.t -> int32 -> unit) -> Buffer.t -> float -> unit
 (** By a function of [Buffer] that adds four bytes. *)
 
+val gltf_data : string
+(** The data of the solid. *)
+
+val gltf_json :
+  ?data:string ->
+  ?uri:bool ->
+  ?head:string ->
+  ?node:string ->
+  ?sparse:string ->
+  ?count:int ->
+  ?mode:string ->
+  ?root:int ->
+  ?more:string ->
+  unit ->
+  string
+(** The solid as glTF, with what is to be added to the file, to its node, and so on. *)
+
 val files : (string * string * string) list
 (** Name of the test, path, and text; vertices are numbered as they are met. *)
 

@@ -2,7 +2,7 @@
 open Scc_base
 open Scc_mesh
 
-let read path text = Mesh.read ~path text
+let read path text = Result.map fst (Mesh.read ~files:Beside.none ~path text)
 
 let names_of path text =
   match read path text with

@@ -112,6 +112,23 @@ let turned_back =
 let mirrored =
   package (model ~build:"<item objectid='1' transform='-1 0 0 0 1 0 0 0 1 0 0 0'/>" [ thing "1" mesh ])
 
+let production = "xmlns:p='http://schemas.microsoft.com/3dmanufacturing/production/2015/06' requiredextensions='p'"
+
+(* The solid is in a part of its own. *)
+let elsewhere ?things ?(build = "<item objectid='2'/>") ?(part_unit = "inch") path =
+  let there = Printf.sprintf "p:path='%s'" path in
+  let things = Option.value things ~default:[ thing "2" (components [ component ~more:there "1" ]) ] in
+  let other =
+    Printf.sprintf
+      "<model unit='%s' xmlns='http://schemas.microsoft.com/3dmanufacturing/core/2015/02'><resources>%s\
+       </resources><build/></model>"
+      part_unit (thing "1" mesh)
+  in
+  zip
+    [
+      first rels; part "3D/3dmodel.model" (model ~head:production ~build things); part "3D/Objects/a.model" other;
+    ]
+
 let files =
   [
     ("3MF", "t.3mf", whole); ("3MF told by its text", "t", whole);
@@ -128,6 +145,14 @@ let files =
           ~head:
             "xmlns:c='http://schemas.microsoft.com/3dmanufacturing/material/2015/02' requiredextensions=' c '"
           [ thing "1" mesh ]));
+    ("3MF, parts of other programs", "t.3mf",
+     package
+       (model
+          ~head:"xmlns:p='http://schemas.microsoft.com/3dmanufacturing/production/2015/06' requiredextensions='p'"
+          [ thing "1" mesh ]));
+    ("3MF, an object in another part", "t.3mf", elsewhere "/3D/Objects/a.model");
+    ("3MF, an item in another part", "t.3mf",
+     elsewhere ~things:[] ~build:"<item p:path='/3D/Objects/a.model' objectid='1' p:UUID='u'/>" "");
   ]
 
 (* Models, to be packed when they are damaged. *)
@@ -195,6 +220,17 @@ let bad =
     fault "an object of the wrong kind" (package (model [ thing ~kind:"other" "1" mesh ]));
     fault "a part of a model elsewhere"
       (package (model ~build:"<item objectid='1' m:path='/3D/b.model'/>" [ thing "1" mesh ]));
+    fault "a part that is not there" (elsewhere "/3D/Objects/b.model");
+    fault "a part that names itself" (elsewhere "/3D/3dmodel.model");
+    fault "a part by a short path" (elsewhere "3D/Objects/a.model");
+    fault "a part in another unit" (elsewhere ~part_unit:"meter" "/3D/Objects/a.model");
+    fault "beams"
+      (of_mesh ("<mesh>" ^ vertices ^ triangles
+                ^ "<b:beamlattice xmlns:b='http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02'/>"
+                ^ "</mesh>"));
+    fault "an item that is not printed"
+      (package (model ~build:"<item objectid='1' printable='0'/>" [ thing "1" mesh ]));
+    fault "two shapes" (of_mesh (mesh ^ mesh));
     fault "a doubling of components" doubling; fault "growing numbers" growing;
     fault "eleven numbers" (package (model [ thing "1" mesh; thing "2" (components [ moved "1 2" "1" ]) ]));
     fault "no number"

@@ -1,5 +1,8 @@
 (** The tetrahedron of the tests as 3MF, whole and with faults. *)
 
+val whole : string
+(** The solid, with an element of an extension that is not known. *)
+
 val files : (string * string * string) list
 (** Name, path and text. *)
 

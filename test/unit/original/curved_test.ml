@@ -2,7 +2,7 @@
 
 open Scc_exact
 open Scc_geometry
-open Scc_original
+open Scc_mesh
 
 let frac a b = Rat.make (Z.of_int a) (Z.of_int b)
 
@@ -92,7 +92,7 @@ let solid name text =
                     mass 1 [Open]"
       name text
   in
-  match Original.read (Scc_base.Source.make ~name:"model.osc" text) with
+  match Scc_original.Original.read (Scc_base.Source.make ~name:"model.osc" text) with
   | Ok (model, _) -> model
   | Error ds -> Alcotest.fail (String.concat "; " (List.map (fun (d : Scc_base.Diag.t) -> d.message) ds))
 

@@ -99,10 +99,41 @@ let letter_l () =
   let _, areas = drawn (Vec.of_ints 0 (-1) 0) wrong in
   Alcotest.(check string) "what is left of a face with wrong numbers" "2" (Rat.to_string (sum areas))
 
+(* Six walls around a cube, in halves, and which of them are of glass from the right, above and the front. [at] is
+   where the cube is along the first axis. The seventh solid is the cube, and an eighth one stands before it. *)
+let glass ?(walls = fun _ -> true) ?(content = true) ?(more = []) at =
+  let w = [ (-12, -10); (10, 12) ] and whole = (-12, 12) and inner = (-10, 10) in
+  let each f = List.map f w in
+  let room =
+    each (fun z -> box whole whole z) @ each (fun y -> box whole y inner) @ each (fun x -> box x inner inner)
+  in
+  let cube = box (at, at + 4) (-10, -6) (-2, 2) in
+  let solids = Array.of_list (List.filteri (fun i _ -> walls i) room @ (cube :: more)) in
+  let camera = Camera.make (Vec.of_ints 11 10 20) in
+  let hidden = Hidden.make (View.make camera ~origin:Ivec.zero solids) in
+  let count = Array.length solids - 1 - List.length more in
+  let body solids wall : Glass.body = { solids; wall; content = content && not wall } in
+  let others = List.mapi (fun i _ -> body [ count + 1 + i ] true) more in
+  let bodies = Array.of_list (body (List.init count Fun.id) true :: body [ count ] false :: others) in
+  let found = Glass.find camera solids hidden bodies in
+  List.filter found (List.init (Array.length solids) Fun.id)
+
+let rooms () =
+  let check = Alcotest.(check (list int)) in
+  check "the near walls" [ 1; 3; 5 ] (glass (-2));
+  check "the same, wherever the cube is" [ 1; 3; 5 ] (glass (-10));
+  check "the same from the other end" [ 1; 3; 5 ] (glass 6);
+  check "nothing inside" [] (glass ~content:false (-2));
+  check "a floor hides nothing" [] (glass ~walls:(fun i -> i = 2) (-2));
+  check "no wall before it" [] (glass ~walls:(fun i -> i <> 1 && i <> 3 && i <> 5) (-2));
+  check "what stands beside it is opaque" [ 1; 3; 5 ] (glass ~more:[ box (4, 8) (-10, -6) (-2, 2) ] (-10));
+  check "what stands before it is of glass" [ 1; 3; 5; 7 ] (glass ~more:[ box (-2, 6) (-10, -2) (4, 8) ] (-4))
+
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "picture"
     [
       ("hidden", [ case "three bars" three_bars; case "a stack" stack; case "resting" resting ]);
+      ("glass", [ case "rooms" rooms ]);
       ("any faces", [ case "the letter L" letter_l ]);
     ]

@@ -28,7 +28,8 @@ let cube =
 
 let print_fault f =
   let name i = string_of_int i in
-  Polyhedron_fault.(kind f ^ ": " ^ message ~vertex:name ~face:name f)
+  let cure = Option.value ~default:"" (Polyhedron_fault.hint ~vertex:name ~face:name f) in
+  Polyhedron_fault.(kind f ^ ": " ^ message ~vertex:name ~face:name f ^ cure)
 
 let faults_of vertices faces =
   match Polyhedron.of_ifs (set vertices faces) with
@@ -134,6 +135,19 @@ let test_faults () =
   expect "the cube" v sides [];
   expect "inside out" v (Array.map turn sides) [ Inward ];
   expect "one face turned" v (replace sides 2 (turn sides.(2))) [ Turned_face (2, from_last (snd sides.(2))) ];
+  let crossed = replace sides 1 ("top", [| 4; 6; 5; 7 |]) in
+  let top = Polyhedron_fault.Self_crossing (1, Some [| 4; 5; 6; 7 |]) in
+  expect "one face out of order" v crossed [ top ];
+  expect "all inside out, and one out of order" v
+    (Array.map turn crossed)
+    [ Self_crossing (1, Some [| 7; 6; 5; 4 |]) ];
+  expect "two faces out of order" v
+    (replace crossed 2 ("left", [| 0; 4; 3; 7 |]))
+    [ top; Self_crossing (2, Some [| 0; 4; 7; 3 |]) ];
+  expect "one face out of order, and no floor" v
+    (Array.of_list (List.tl (Array.to_list crossed)))
+    [ Self_crossing (0, Some [| 4; 5; 6; 7 |]); Open_edge (1, 3, 0); Open_edge (2, 1, 2); Open_edge (3, 0, 1);
+      Open_edge (4, 2, 3) ];
   expect "one face turned, and no lid" v
     (Array.of_list (List.filter (fun (n, _) -> n <> "top") (Array.to_list (replace sides 2 (turn sides.(2))))))
     [ Turned_face (1, from_last (snd sides.(2))); Open_edge (1, 7, 4); Open_edge (2, 6, 5); Open_edge (3, 5, 4);

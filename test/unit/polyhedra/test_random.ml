@@ -213,6 +213,40 @@ let turned_face =
         2 * List.length faults <= Array.length s.faces
       | Ok _ -> false)
 
+(* The corners of the largest face in another order, which is neither way round. *)
+let out_of_order =
+  let largest s =
+    let better f g = if Array.length s.faces.(g) > Array.length s.faces.(f) then g else f in
+    List.fold_left better 0 (indices s.faces)
+  in
+  let rotations a = List.map (fun k -> Array.mapi (fun i _ -> a.((i + k) mod Array.length a)) a) (indices a) in
+  let shuffle s seed =
+    let f = largest s in
+    let order v w = Int.compare (Hashtbl.hash (seed, v)) (Hashtbl.hash (seed, w)) in
+    let corners = Array.of_list (List.sort order (Array.to_list s.faces.(f))) in
+    (s, f, corners)
+  in
+  let print (s, f, corners) =
+    Printf.sprintf "%s\nface %d as %s" (print s) f
+      (String.concat " " (List.map string_of_int (Array.to_list corners)))
+  in
+  let reverse a = Array.of_list (List.rev (Array.to_list a)) in
+  QCheck2.Test.make ~name:"a face with its corners out of order is one fault, which gives the order"
+    ~count:1000 ~print
+    (G.map2 shuffle some_hull G.nat)
+    (fun (s, f, corners) ->
+       let ways = rotations s.faces.(f) in
+       let right = List.find (fun a -> a.(0) = corners.(0)) ways in
+       let faces = Array.mapi (fun i face -> if i = f then corners else face) s.faces in
+       List.mem corners ways
+       || List.mem (reverse corners) ways
+       ||
+       match Polyhedron.of_ifs (to_ifs { s with faces }) with
+       | Error [ (Self_crossing (g, Some order) as fault) ] ->
+         g = f && order = right
+         && (Polyhedron_fault.hint ~vertex:string_of_int ~face:string_of_int fault <> None)
+       | Error _ | Ok _ -> false)
+
 let affine =
   let gen = G.triple some_hull (G.map3 Mat.make point point point) point in
   QCheck2.Test.make ~name:"affine images of positive determinant, and no reflections" ~count:500
@@ -236,9 +270,9 @@ let witnesses =
       match Polyhedron.of_ifs (to_ifs s) with
       | Ok _ -> true
       | Error faults ->
-        (* Faults of an inside-out or welded set are told of the set as mended. *)
+        (* Faults of an inside-out or welded set, or of a face out of order, are those of the set as mended. *)
         let mended = function
-          | Polyhedron_fault.Inward | Same_position _ -> true
+          | Polyhedron_fault.Inward | Same_position _ | Self_crossing (_, Some _) -> true
           | _ -> false
         in
         faults <> [] && (List.exists mended faults || List.for_all holds faults))
@@ -249,7 +283,8 @@ let suite =
      ( "Def-4.3",
        Scc_test_support.Property.cases
          [
-           hulls_accepted; implies_paper; inside_out; two_hulls; without_a_face; turned_face; affine; witnesses;
+           hulls_accepted; implies_paper; inside_out; two_hulls; without_a_face; turned_face; out_of_order; affine;
+           witnesses;
            as_written "changed hulls: E0 to E5 as written" changed_hull;
            as_written "noise: E0 to E5 as written" noise;
          ] );

@@ -58,8 +58,9 @@ let check_readable entry ifs =
 
 let check entry () =
   let name = file entry in
-  match (Scc_mesh.Mesh.read ~path:name (read_file name), J.member "unreadable" entry) with
-  | Ok ifs, `Null -> check_readable entry ifs
+  let found = Scc_mesh.Mesh.read ~files:Scc_mesh.Beside.none ~path:name (read_file name) in
+  match (found, J.member "unreadable" entry) with
+  | Ok (ifs, _), `Null -> check_readable entry ifs
   | Error d, `String code -> Alcotest.(check string) "code" code d.Scc_base.Diag.code
   | Ok _, _ -> Alcotest.fail "read, though it should be refused"
   | Error d, _ -> Alcotest.fail d.Scc_base.Diag.message

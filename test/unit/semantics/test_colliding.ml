@@ -35,6 +35,18 @@ let outcomes p q =
   let count = (p.first + q.first + p.age + q.age) mod 4 in
   List.init count (fun k -> (p.first, q.first, p.age, q.age, k))
 
+(* Some pairs stop one or both of their bodies, and others keep theirs from stopping. *)
+let of_pair p q =
+  let n = (p.first + (2 * q.first) + p.age + q.age) mod 7 in
+  let stops = match n with 0 | 1 -> [ p.first ] | 2 -> [ p.first; q.first ] | 3 -> [ q.first ] | _ -> [] in
+  { Colliding.outcomes = outcomes p q; busy = n = 4; stops }
+
+let stopping bodies pairs =
+  let all = List.map (fun (a, b) -> (a, b, of_pair bodies.(a) bodies.(b))) pairs in
+  let is_busy first = List.exists (fun (a, b, found) -> found.Colliding.busy && (a = first || b = first)) all in
+  let stops = List.concat_map (fun (_, _, found) -> found.Colliding.stops) all in
+  List.sort_uniq compare (List.filter (fun first -> not (is_busy first)) stops)
+
 let as_a_list =
   QCheck2.Test.make ~count:1000 ~name:"pairs and what comes of them"
     ~print:QCheck2.Print.(list print)
@@ -62,13 +74,15 @@ let as_a_list =
          | Find ->
            Colliding.find colliding (fun p q ->
                incr found;
-               outcomes p q);
+               of_pair p q);
            let expected = List.concat_map (fun (a, b) -> outcomes bodies.(a) bodies.(b)) pairs in
            let told = List.init (Colliding.count colliding) (Colliding.nth colliding) in
            let involved = List.sort_uniq compare (List.concat_map (fun (a, b) -> [ a; b ]) pairs) in
            if told <> expected then QCheck2.Test.fail_report "other outcomes";
            if List.map (fun b -> b.first) (Colliding.bodies colliding) <> involved then
              QCheck2.Test.fail_report "other bodies";
+           if Colliding.stopping colliding <> stopping bodies pairs then
+             QCheck2.Test.fail_report "others that stop";
            pairs
        in
        let pairs = List.fold_left take [] (steps @ [ Find ]) in

@@ -13,7 +13,25 @@ let kick (x, y, z) = { Law.velocity = (half x, half y, half z); weight = half 2 
 (* In halves of a unit: beside one place, to the next one, past it, askew, or nowhere. *)
 let lengths = [ (1, 0, 0); (-4, 0, 0); (0, 3, 0); (0, -8, 0); (2, 2, 0); (-2, 0, -2); (0, 0, 0) ]
 
-type walkers = { crowd : Test_crowd.crowd; blocked : Model.blocked; askew : bool; by_contact : bool; own : bool }
+type walkers = {
+  crowd : Test_crowd.crowd;
+  blocked : Model.blocked;
+  askew : bool;
+  by_contact : bool;
+  own : bool;
+  tall : bool;  (** some are two cubes high *)
+  absorbs : bool;  (** the walls take away whatever hits them *)
+  drawn : bool;  (** chance decides between collisions *)
+}
+
+(* A cube that has nobody above, and is not below the ceiling. *)
+let has_room w (x, y, z) =
+  let places = w.crowd.places in
+  List.exists (fun (_, _, z') -> z' > z) places && not (List.mem (x, y, z + 1) places)
+
+let raised (l : Model.leaf) =
+  let part = l.parts.(0) in
+  { l with parts = [| part; { part with name = l.name ^ ".up"; offset = Vec.of_ints 0 0 2 } |] }
 
 let network w =
   let m, declared = Test_crowd.network w.crowd in
@@ -22,20 +40,29 @@ let network w =
     | Choose _ when w.askew && i mod 2 = 0 -> { l with law = Choose (List.map kick lengths) }
     | _ -> l
   in
+  let shape i (l : Model.leaf) =
+    if l.fixed then { l with absorbs = w.absorbs }
+    else if w.tall && has_room w (List.nth w.crowd.places i) then raised l
+    else l
+  in
   let steps : Model.steps = if w.own then Own else m.steps in
   let binding : Model.binding = if w.by_contact then On_contact else m.binding in
-  ({ m with leaves = Array.mapi law m.leaves; blocked = w.blocked; steps; binding }, declared)
+  let collisions : Model.collisions = if w.drawn && not w.crowd.together then Drawn else m.collisions in
+  let leaves = Array.mapi shape (Array.mapi law m.leaves) in
+  ({ m with leaves; blocked = w.blocked; steps; binding; collisions }, declared)
 
 let random =
   let open Gen in
   let* crowd = Test_crowd.random_crowd and* blocked = oneofl [ Model.Stop; Wait; Wait ] and* askew = bool in
-  let+ by_contact = frequencyl [ (3, false); (1, true) ] and+ own = frequencyl [ (3, false); (1, true) ] in
+  let+ by_contact = frequencyl [ (5, false); (1, true) ] and+ own = frequencyl [ (5, false); (1, true) ]
+  and+ tall = bool and+ absorbs = frequencyl [ (5, false); (1, true) ] and+ drawn = bool in
   let places = List.filteri (fun i _ -> i < 7) crowd.places in
-  { crowd = { crowd with places }; blocked; askew; by_contact; own }
+  { crowd = { crowd with places }; blocked; askew; by_contact; own; tall; absorbs; drawn }
 
 let print (w, choices) =
   let how = match w.blocked with Bounce -> "bounce" | Stop -> "stop" | Wait -> "wait" in
-  Printf.sprintf "%s askew %b by contact %b own steps %b: %s" how w.askew w.by_contact w.own
+  Printf.sprintf "%s askew %b by contact %b own steps %b tall %b absorbs %b drawn %b: %s" how w.askew w.by_contact
+    w.own w.tall w.absorbs w.drawn
     (Test_crowd.print (w.crowd, choices))
 
 let texts m = List.map (Transition.label_to_string m)
@@ -83,7 +110,8 @@ let words n =
       any_time = false; half = false;
     }
   in
-  let m, declared = network { crowd; blocked = Wait; askew = false; by_contact = false; own = false } in
+  let m, declared = network { crowd; blocked = Wait; askew = false; by_contact = false; own = false;
+                              tall = false; absorbs = false; drawn = false } in
   match Run.start (Standard.of_model m) declared with
   | Error _ -> Alcotest.fail "laws that are constant"
   | Ok run ->

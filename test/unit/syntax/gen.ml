@@ -190,14 +190,17 @@ let behaviour =
 
 let file = located (oneofl [ "a.off"; "a \"b\".obj"; "c:\\x\\y.stl"; "\xC3\xA9.ply"; "" ])
 
+let mending =
+  let* grid = option expr and* snap = option expr in
+  map3 (fun weld orient merge -> { grid; weld; orient; merge; snap }) bool bool bool
+
 let solid =
   sized_size (int_range 0 2) (fix (fun self n ->
       located
         (if n = 0 then
            oneof
              [
-               map (fun t -> Template t) (reference ~indices:false); map2 (fun f d -> Mesh (f, d)) file
-                 (option expr);
+               map (fun t -> Template t) (reference ~indices:false); map2 (fun f m -> Mesh (f, m)) file mending;
                map (fun vs -> Hull vs) (few (pair name vector));
              ]
          else map2 (fun s v -> Scaled (s, v)) (self (n - 1)) vector)))
@@ -206,7 +209,7 @@ let decomposed =
   let faces = map2 (fun vs fs -> Faces (vs, fs)) (few (pair name vector)) (few (pair name (some name))) in
   sized_size (int_range 0 2) (fix (fun self n ->
       located
-        (if n = 0 then oneof [ map2 (fun f d -> Mesh (f, d)) file (option expr); faces ]
+        (if n = 0 then oneof [ map2 (fun f m -> Mesh (f, m)) file mending; faces ]
          else map2 (fun s v -> Scaled (s, v)) (self (n - 1)) vector)))
 
 let quadruple = map (fun (a, b, c, d) -> (a, b, c, d)) (quad expr expr expr expr)

@@ -15,6 +15,7 @@ let within = { Setup.default with bounds }
 let neighbours honest : Kinematics.neighbours =
   {
     within = (fun d parts -> if honest parts then everyone.within d parts else []);
+    along = (fun d parts -> if honest parts then everyone.along d parts else []);
     earliest =
       (fun ~margin ~limit time parts ->
          if honest parts then everyone.earliest ~margin ~limit time parts else None);

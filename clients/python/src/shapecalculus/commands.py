@@ -83,8 +83,8 @@ def check(
       each with inequalities between its numbers. - is standard output.
     ``jobs``: The number of processes that explore. By default as many as there are cores, once that pays; with
       1 only this process. The report is the same for any number, to the byte.
-    ``no_reduce``: Switches reductions off: symmetry, translation, order, jump, slice, drift, time, draws, or
-      all; separated by commas. No reduction changes a verdict; see REDUCTIONS.
+    ``no_reduce``: Switches reductions off: symmetry, translation, order, jump, slice, drift, time, draws,
+      isometry, or all; separated by commas. No reduction changes a verdict; see REDUCTIONS.
     ``prove``: Searches for an invariant: a set of states that no run leaves. It may prove that something never
       happens where exploring does not end. The search is brief at first, and longer where a bound ended the
       exploration, all within the bounds. See PROOFS.
@@ -183,8 +183,8 @@ def estimate(
     ``seed``: An integer. Run k has the seed that is the output number k, from 0 on, of SplitMix64 from this
       integer, and makes its choices by it as scc trace --choose random: does. The runs are the same for any
       --jobs and on every machine.
-    ``steps``: Leaves a run after N transitions. The default is 10000 if neither the formulas nor --until end
-      the run at a time, and none otherwise.
+    ``steps``: Leaves a run after N transitions; the draws of one instant count as one. The default is 10000 if
+      neither the formulas nor --until end the run at a time, and none otherwise.
     ``store``: Stores the runs in the folder DIR, which is created if necessary, while they are made. The same
       command resumes, and so does one with another --runs, --most, --confidence, --width, --seconds or --jobs.
       See STORES.
@@ -485,8 +485,8 @@ def view(
       times. Numbers in the checks are always plotted.
     ``schedule``: Shows the run of the schedule FILE, as scc check --witness writes it; then nothing is checked.
     ``svg``: Writes a picture of the state at the model time TIME instead of a page, as SVG, with exact hidden
-      surfaces. The run is that of --schedule or --trace, that which shows the verdict of --check, or that of
-      the first choices.
+      surfaces. Walls that hide a body entirely are drawn as glass. The run is that of --schedule or --trace,
+      that which shows the verdict of --check, or that of the first choices.
     ``trace``: Shows the run of a trace, as scc trace writes it; then nothing is checked.
     ``up``: With --svg: the direction that is upwards in the picture, by default the y axis, or another axis if
       the view is along it.

@@ -1,0 +1,11 @@
+(** Changes to a mesh on request, before it is examined or cut ({!Scc_mesh.Mend}). *)
+
+open Scc_exact
+open Scc_geometry
+
+(** What is to be done, in this order. *)
+type t = { grid : Rat.t option; weld : bool; orient : bool; merge : bool }
+
+val apply : t -> Polyhedron.ifs -> (Polyhedron.ifs * (string * string) list, string) result
+(** [apply t set] is the changed set, with the name of each change and a sentence on its effect. [Error] says why
+    the faces cannot be oriented (SC0303). *)

@@ -1,0 +1,15 @@
+type reader = string -> (string, string) result
+
+let none _ = Error "no files are read beside it"
+
+let stays name =
+  let parts = String.split_on_char '/' name in
+  let odd c = c = ':' || c = '\\' || c < ' ' in
+  let fine part = part <> "" && part <> ".." && not (String.exists odd part) in
+  List.for_all fine parts
+
+let find read ~path name =
+  if not (stays name) then Error "only files beside it are read, by a name without `..`, drive or address"
+  else
+    let folder = Filename.dirname path in
+    read (if String.equal folder Filename.current_dir_name then name else Filename.concat folder name)

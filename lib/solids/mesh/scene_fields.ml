@@ -1,0 +1,55 @@
+open Scene
+
+let is_still node = match Scene_table.find node.kind.text with Still -> true | Read _ | Unread _ -> false
+
+let check ~path node ~read ~still =
+  let one ((w : Text.word), value) =
+    let harmless = match value with Nodes nodes -> List.for_all is_still nodes | Words _ -> false in
+    if not (List.mem w.text read || List.mem w.text still || harmless) then
+      unread ~path w
+        ~hint:"remove it if it changes nothing, or export the scene in another format, such as PLY or OFF"
+        "%s has no field %s that is known here" node.kind.text (Text.quote w.text)
+  in
+  List.iter one node.fields
+
+let given node name = List.filter (fun ((w : Text.word), _) -> String.equal w.text name) node.fields
+
+let words ~path node name =
+  match given node name with
+  | [] -> None
+  | [ (_, Words words) ] -> Some words
+  | [ (w, Nodes _) ] -> bad ~path w "`%s` has to be numbers or words, and not nodes" name
+  | _ :: (w, _) :: _ -> bad ~path w "`%s` is there twice" name
+
+let nodes ~path node name =
+  let one = function
+    | _, Nodes nodes -> List.filter (fun node -> not (is_still node)) nodes
+    | _, Words [] -> []
+    | _, Words (w :: _) -> bad ~path w "expected a node, found %s" (Text.quote w.text)
+  in
+  List.concat_map one (given node name)
+
+let place node name = match given node name with (w, _) :: _ -> w | [] -> node.kind
+
+let numbers ~path node name ~count =
+  let take words =
+    if List.compare_length_with words count <> 0 then
+      bad ~path (place node name) "`%s` has to have %s" name (Scc_base.Plural.count count "number" "numbers");
+    Array.of_list (List.map (fun w -> ok (Text.coordinate ~path w)) words)
+  in
+  Option.map take (words ~path node name)
+
+let number ~path node name ~default =
+  match numbers ~path node name ~count:1 with Some n -> n.(0) | None -> default
+
+let integer ~path node name ~default =
+  match words ~path node name with
+  | None -> default
+  | Some [ w ] -> ok (Text.integer ~path ~what:"an integer" w)
+  | Some _ -> bad ~path (place node name) "`%s` has to have 1 number" name
+
+let truth ~path node name =
+  match words ~path node name with
+  | None | Some [ { text = "TRUE" | "true"; _ } ] -> true
+  | Some [ { text = "FALSE" | "false"; _ } ] -> false
+  | Some _ -> bad ~path (place node name) "`%s` has to be TRUE or FALSE" name

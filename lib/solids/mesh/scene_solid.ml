@@ -1,0 +1,223 @@
+open Scc_base
+open Scc_exact
+open Scene
+module F = Scene_fields
+
+(* {1 Where something is} *)
+
+(* One transform: by how much its rotation may be off, the greatest factor of its scales, and bounds of the lengths
+   of its centre and translation. *)
+type level = { off : Rat.t; factor : Rat.t; centre : Rat.t; shift : Rat.t }
+
+(* [levels]: the innermost first. *)
+type place = { map : Affine.t; levels : level list }
+
+(* At least the length of a vector. *)
+let size (v : Vec.t) = Rat.add (Rat.abs v.x) (Rat.add (Rat.abs v.y) (Rat.abs v.z))
+
+(* How far what is off by [distance], of points no farther than [radius] from the origin, is off at the end. A
+   transform stretches what is off before it by its factor at most. It turns a vector from its centre, which has
+   been stretched, so that this is off by [off] times its length more. *)
+let off_by levels ~radius distance =
+  let step (radius, distance) l =
+    let arm = Rat.mul l.factor (Rat.add radius l.centre) in
+    let further = Rat.add (Rat.mul l.factor distance) (Rat.mul l.off arm) in
+    (Rat.add arm (Rat.add l.centre l.shift), further)
+  in
+  snd (List.fold_left step (radius, distance) levels)
+
+let turn ~path node name =
+  match F.numbers ~path node name ~count:4 with
+  | None -> (Mat.identity, Rat.zero)
+  | Some n -> (
+      match Turn.rotation (Vec.make n.(0) n.(1) n.(2)) n.(3) with
+      | Some found -> found
+      | None -> bad ~path node.kind "`%s` turns about an axis of length 0, or by an angle beyond 10^6" name)
+
+let transform ~path node =
+  let vector name default =
+    match F.numbers ~path node name ~count:3 with
+    | Some n -> Vec.make n.(0) n.(1) n.(2)
+    | None -> Vec.make default default default
+  in
+  let shift = vector "translation" Rat.zero and centre = vector "center" Rat.zero in
+  let scale = vector "scale" Rat.one in
+  let rotation, off = turn ~path node "rotation" in
+  let stretched, off' = turn ~path node "scaleOrientation" in
+  let linear = Mat.mul rotation (Mat.mul stretched (Mat.mul (Mat.diagonal scale) (Mat.transpose stretched))) in
+  if Rat.sign (Mat.det linear) = 0 then bad ~path node.kind "a scale of 0 makes everything flat";
+  let translation = Vec.add shift (Vec.sub centre (Mat.apply linear centre)) in
+  let factor = Rat.max (Rat.abs scale.x) (Rat.max (Rat.abs scale.y) (Rat.abs scale.z)) in
+  (* The orientation of the scales is turned there and back. Without different scales that changes nothing. *)
+  let even = Rat.equal scale.x scale.y && Rat.equal scale.y scale.z in
+  let off = if even then off else Rat.add off (Rat.mul (Rat.of_int 2) off') in
+  ({ Affine.linear; translation }, { off; factor; centre = size centre; shift = size shift })
+
+(* {1 What is shown} *)
+
+type t = {
+  path : string;
+  mutable budget : int;
+  mutable count : int;
+  mutable points : Vec.t list;
+  mutable faces : (string option * int array) list;
+  mutable near : (Rat.t * Text.word) option;  (* the greatest distance, and whose it is *)
+  mutable hidden : Text.word option;  (* a node that shows nothing of what is in it *)
+}
+
+let spend t node n =
+  if n > t.budget then
+    bad ~path:t.path node.kind "with this the scene would have many times the nodes that its size has room for";
+  t.budget <- t.budget - n
+
+let geometry t place ~name node =
+  let shape = Scene_shapes.make ~path:t.path node in
+  spend t node shape.cost;
+  let first = t.count and mirrored = Affine.mirrors place.map in
+  let corners f =
+    let n = Array.length f in
+    Array.init n (fun i -> first + f.(if mirrored then n - 1 - i else i))
+  in
+  let name = if Option.is_some node.name then node.name else name in
+  let off =
+    if Rat.sign shape.distance = 0 && List.for_all (fun l -> Rat.sign l.off = 0) place.levels then Rat.zero
+    else
+      let radius = Array.fold_left (fun r v -> Rat.max r (size v)) Rat.zero shape.points in
+      off_by place.levels ~radius shape.distance
+  in
+  let greatest = match t.near with Some (d, _) -> d | None -> Rat.zero in
+  if Rat.compare off greatest > 0 then t.near <- Some (off, node.kind);
+  t.count <- first + Array.length shape.points;
+  t.points <- Array.fold_left (fun all v -> Affine.apply place.map v :: all) t.points shape.points;
+  t.faces <- List.fold_left (fun all f -> (name, corners f) :: all) t.faces shape.faces
+
+let truth_of_all t node name =
+  match F.words ~path:t.path node name with
+  | Some [ _ ] when not (String.equal node.kind.text "CADLayer") -> F.truth ~path:t.path node name
+  | None -> true
+  | Some words ->
+    let hides (w : Text.word) = not (List.mem w.text [ "TRUE"; "true" ]) in
+    Option.iter
+      (fun w ->
+         unread ~path:t.path w ~hint:"remove what is not to be seen"
+           "a layer that hides some of its parts is not read")
+      (List.find_opt hides words);
+    true
+
+(* What is inside of a group, in the fields of these names. *)
+let inside t names node = List.concat_map (F.nodes ~path:t.path node) names
+
+let chosen t node =
+  let choices = inside t [ "choice"; "children" ] node in
+  let given ((w : Text.word), value) =
+    match value with Nodes l when List.mem w.text [ "choice"; "children" ] -> l | Nodes _ | Words _ -> []
+  in
+  let all = List.concat_map given node.fields in
+  let which = F.integer ~path:t.path node "whichChoice" ~default:(-1) in
+  match List.nth_opt all which with
+  | Some choice when List.memq choice choices -> [ choice ]
+  | Some _ | None -> []
+  | exception Invalid_argument _ -> []
+
+let rec show t depth place ~name node =
+  spend t node 1;
+  if depth > max_depth then
+    bad ~path:t.path node.kind "nodes are inside of each other more than %d deep" max_depth;
+  match Scene_table.find node.kind.text with
+  | Still -> ()
+  | Unread hint -> unread ~path:t.path node.kind ~hint "the node %s is not read" (Text.quote node.kind.text)
+  | Read { role; read; still } ->
+    F.check ~path:t.path node ~read ~still;
+    let within = show t (depth + 1) in
+    if not (truth_of_all t node "visible") then t.hidden <- Some node.kind
+    else (
+      match role with
+      | Group -> List.iter (within place ~name:None) (inside t [ "shape"; "children" ] node)
+      | Transform ->
+        let own, level = transform ~path:t.path node in
+        let map = Affine.compose place.map own in
+        if Affine.too_long map then
+          bad ~path:t.path node.kind "the numbers of transforms inside of each other get too long";
+        let place = { map; levels = level :: place.levels } in
+        List.iter (within place ~name:None) (inside t [ "children" ] node)
+      | Switch ->
+        let shown = chosen t node in
+        if shown = [] then t.hidden <- Some node.kind;
+        List.iter (within place ~name:None) shown
+      | Levels -> (
+          match inside t [ "level"; "children" ] node with
+          | first :: _ -> within place ~name:None first
+          | [] -> ())
+      | Shape -> shape within t place node
+      | Geometry -> geometry t place ~name node
+      | Points -> bad ~path:t.path node.kind "points stand in the `coord` of a shape, and not here")
+
+and shape within t place node =
+  match inside t [ "geometry" ] node with
+  | [] -> ()
+  | [ geometry ] -> (
+      match Scene_table.find geometry.kind.text with
+      | Read { role = Geometry; _ } | Unread _ | Still -> within place ~name:node.name geometry
+      | Read _ -> bad ~path:t.path geometry.kind "a %s is no geometry of a Shape" geometry.kind.text)
+  | _ :: other :: _ -> bad ~path:t.path other.kind "a Shape has one geometry, and this is another"
+
+(* {1 Warnings} *)
+
+let at ~path (w : Text.word) = Span.make ~file:path ~start:w.start ~stop:(w.start + String.length w.text)
+
+let nearly t =
+  let one (distance, w) =
+    Diag.warning Code.mesh_nearly (at ~path:t.path w)
+      ~hint:"rotations become exact ones near by, and curved shapes inscribed polyhedra within 1/100 of the radius"
+      "what is read is up to %s from what the file describes, here the most"
+      (Decimal.significant_above ~digits:3 distance)
+  in
+  Option.to_list (Option.map one t.near)
+
+(* The field that an event sets. *)
+let set name =
+  match name with
+  | "addChildren" | "removeChildren" -> "children"
+  | _ when String.length name > 4 && String.equal (String.sub name 0 4) "set_" ->
+    String.sub name 4 (String.length name - 4)
+  | _ -> name
+
+let moving ~path (file : file) =
+  let moves route =
+    match Hashtbl.find_opt file.names route.node with
+    | None -> false
+    | Some node -> (
+        match Scene_table.find node.kind.text with
+        | Read { read; _ } -> List.mem (set route.field) read
+        | Still | Unread _ -> false)
+  in
+  match List.find_opt moves file.routes with
+  | None -> []
+  | Some route ->
+    [
+      Diag.warning Code.mesh_left_out (at ~path route.at)
+        ~hint:"nothing has to be done if the start is what is meant"
+        "the scene changes while time passes, and is read as it is at its start";
+    ]
+
+let nothing t =
+  match t.hidden with
+  | Some w ->
+    bad ~path:t.path w "the scene shows no faces: this %s shows nothing of what is in it" w.text
+  | None -> ok (Text.error_at ~path:t.path 0 "the scene shows no faces")
+
+let read ~path ~size scene =
+  let work () =
+    let file = scene () in
+    let t =
+      {
+        path; budget = 100_000 + (4 * size); count = 0; points = []; faces = []; near = None; hidden = None;
+      }
+    in
+    List.iter (show t 0 { map = Affine.identity; levels = [] } ~name:None) file.nodes;
+    if t.points = [] then nothing t;
+    (Text.labelled t.points t.faces, nearly t @ moving ~path file)
+  in
+  match work () with
+  | result -> Ok result
+  | exception Refused d -> Error d

@@ -1,0 +1,23 @@
+(** What is read of 3MF: elements and attributes of the core specification and of its extensions. *)
+
+type t =
+  | Read
+  | Still  (** changes no triangle *)
+  | Left_out  (** of an extension that is not known here, and that the file does not require *)
+  | Unread of string  (** of an extension that makes shapes; its name *)
+
+val core : string
+(** The namespace of the core specification. *)
+
+val production : string
+(** The namespace of the production extension: objects in other parts of the package. *)
+
+val element : within:string -> Xmlm.name -> t
+(** [element ~within name] is how an element is treated inside of the element [within] of the core
+    specification. *)
+
+val attribute : string -> Xmlm.name -> t
+(** [attribute element name] is how an attribute of an element of the core specification is treated. *)
+
+val required : string -> bool
+(** [required namespace] is true if a file that requires this extension can be read. *)

@@ -1,0 +1,155 @@
+open Scc_exact
+open Svg_number
+
+type colour = { rgb : int; alpha : Rat.t }
+type paint = Nothing | Current | Colour of colour | Server of string * paint option
+
+let bad text = raise (Bad (Printf.sprintf "the colour %S" text))
+
+let unread text =
+  raise (Unread (Printf.sprintf "the paint %S (colours are names of CSS, #rrggbb, rgb() and hsl())" text))
+
+let ratio a b = Rat.make (Z.of_int a) (Z.of_int b)
+let between low high q = Rat.max low (Rat.min high q)
+let share q = between Rat.zero Rat.one q
+
+(* Of the levels from 0 to 255. *)
+let together levels =
+  let byte q = Z.to_int (Rat.round_to (between Rat.zero (Rat.of_int 255) q) ~quantum:Rat.one).num in
+  List.fold_left (fun rgb q -> (rgb lsl 8) lor byte q) 0 levels
+
+let hexadecimal text =
+  let digit c =
+    match c with
+    | '0' .. '9' -> Char.code c - Char.code '0'
+    | 'a' .. 'f' -> Char.code c - Char.code 'a' + 10
+    | _ -> bad text
+  in
+  let n = String.length text - 1 in
+  let digits = List.init n (fun i -> digit text.[i + 1]) in
+  let rec pairs = function a :: b :: rest -> ((16 * a) + b) :: pairs rest | _ -> [] in
+  let bytes =
+    match n with
+    | 3 | 4 -> List.map (fun d -> 17 * d) digits
+    | 6 | 8 -> pairs digits
+    | _ -> bad text
+  in
+  match bytes with
+  | [ r; g; b ] -> { rgb = (r lsl 16) lor (g lsl 8) lor b; alpha = Rat.one }
+  | [ r; g; b; a ] -> { rgb = (r lsl 16) lor (g lsl 8) lor b; alpha = ratio a 255 }
+  | _ -> bad text
+
+(* {1 Functions} *)
+
+(* Numbers with their units, between blanks, commas and a slash. *)
+let arguments text inner =
+  let c = { text = inner; at = 0 } in
+  let rec unit at =
+    if at < String.length inner && (match inner.[at] with 'a' .. 'z' | '%' -> true | _ -> false) then unit (at + 1)
+    else at
+  in
+  let rec go found =
+    if ended c then List.rev found
+    else if inner.[c.at] = '/' then begin
+      c.at <- c.at + 1;
+      go found
+    end
+    else begin
+      let q = number c in
+      let stop = unit c.at in
+      let u = String.sub inner c.at (stop - c.at) in
+      c.at <- stop;
+      if List.compare_length_with found 4 >= 0 then bad text;
+      go ((q, u) :: found)
+    end
+  in
+  go []
+
+(* The level from 0 to [whole] of a number, or of a percentage. *)
+let level text whole (q, unit) =
+  match unit with
+  | "" -> q
+  | "%" -> Rat.mul whole (Rat.div q (Rat.of_int 100))
+  | _ -> bad text
+
+let alpha text = function [] -> Rat.one | [ a ] -> share (level text Rat.one a) | _ -> bad text
+
+let degrees text (q, unit) =
+  match unit with
+  | "" | "deg" -> q
+  | "grad" -> Rat.mul q (ratio 9 10)
+  | "turn" -> Rat.mul q (Rat.of_int 360)
+  (* 180 over pi, for a colour that is rounded to bytes. *)
+  | "rad" -> Rat.mul q (ratio 57_295_779_513 1_000_000_000)
+  | _ -> bad text
+
+(* The formula of CSS Color 4: each level is l - s min(l, 1 - l) max(-1, min(k - 3, 9 - k, 1)). *)
+let of_hsl h s l =
+  let a = Rat.mul s (Rat.min l (Rat.sub Rat.one l)) in
+  let level n =
+    let k = Rat.modulo (Rat.add (Rat.of_int n) (Rat.div h (Rat.of_int 30))) (Rat.of_int 12) in
+    let up = Rat.min (Rat.sub k (Rat.of_int 3)) (Rat.sub (Rat.of_int 9) k) in
+    Rat.mul (Rat.of_int 255) (Rat.sub l (Rat.mul a (Rat.max (Rat.of_int (-1)) (Rat.min up Rat.one))))
+  in
+  together [ level 0; level 8; level 4 ]
+
+let applied text name inner =
+  match (name, arguments text inner) with
+  | ("rgb" | "rgba"), r :: g :: b :: rest ->
+    let level = level text (Rat.of_int 255) in
+    { rgb = together (List.map level [ r; g; b ]); alpha = alpha text rest }
+  | ("hsl" | "hsla"), h :: s :: l :: rest ->
+    (* A plain number is a percentage here. *)
+    let part (q, unit) = if unit = "" || unit = "%" then share (Rat.div q (Rat.of_int 100)) else bad text in
+    { rgb = of_hsl (degrees text h) (part s) (part l); alpha = alpha text rest }
+  | ("rgb" | "rgba" | "hsl" | "hsla"), _ -> bad text
+  | _ -> unread text
+
+let plain text =
+  let n = String.length text in
+  match List.assoc_opt text Colour_names.all with
+  | Some rgb -> { rgb; alpha = Rat.one }
+  | None when text = "transparent" -> { rgb = 0; alpha = Rat.zero }
+  | None when n > 0 && text.[0] = '#' -> hexadecimal text
+  | None -> (
+      match String.index_opt text '(' with
+      | Some i when text.[n - 1] = ')' ->
+        applied text (String.trim (String.sub text 0 i)) (String.sub text (i + 1) (n - i - 2))
+      | Some _ -> bad text
+      | None -> unread text)
+
+let colour text =
+  let text = String.lowercase_ascii (String.trim text) in
+  if text = "currentcolor" then None else Some (plain text)
+
+(* {1 Paints} *)
+
+let unquoted text =
+  let text = String.trim text in
+  let n = String.length text in
+  if n >= 2 && (text.[0] = '"' || text.[0] = '\'') && text.[n - 1] = text.[0] then String.sub text 1 (n - 2)
+  else text
+
+(* The id of url(#id) at the start of a text, and what comes after it. *)
+let server text =
+  let text = String.trim text in
+  let n = String.length text in
+  match String.index_opt text ')' with
+  | Some stop when n > 4 && String.lowercase_ascii (String.sub text 0 4) = "url(" ->
+    let target = unquoted (String.sub text 4 (stop - 4)) in
+    if target = "" || target.[0] <> '#' then raise (Unread (Printf.sprintf "the reference %S to another file"
+                                                              target));
+    Some (String.sub target 1 (String.length target - 1), String.trim (String.sub text (stop + 1) (n - stop - 1)))
+  | _ -> None
+
+let reference text = match server text with Some (id, "") -> Some id | Some _ | None -> None
+
+let simple text =
+  if String.lowercase_ascii (String.trim text) = "none" then Nothing
+  else match colour text with None -> Current | Some c -> Colour c
+
+let paint text =
+  match server text with
+  | Some (id, "") -> Server (id, None)
+  | Some (id, rest) -> Server (id, Some (simple rest))
+  | None -> simple text

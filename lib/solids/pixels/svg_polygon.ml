@@ -1,0 +1,98 @@
+open Scc_exact
+open Svg_curve
+
+type polygon = (int * int) list
+type budget = int ref
+
+let unit = 1024
+let farthest = (1 lsl 14) * unit
+let bad what = raise (Svg_number.Bad what)
+
+let spend budget n =
+  budget := !budget - n;
+  if !budget < 0 then bad "more corners than are read of one drawing"
+
+let corner (x, y) =
+  let grid q =
+    let z = (Rat.round_to (Rat.mul q (Rat.of_int unit)) ~quantum:Rat.one).num in
+    if Z.gt (Z.abs z) (Z.of_int farthest) then bad "something is drawn too far outside of the picture"
+    else Z.to_int z
+  in
+  let x = grid x in
+  (x, grid y)
+
+(* The polygon that is being drawn has its corners in reverse. [here] and [start] are in the drawing's units. *)
+type pen = {
+  map : Plane_map.t;
+  budget : budget;
+  mutable here : Plane_map.point;
+  mutable start : Plane_map.point;
+  mutable corners : (int * int) list;
+  mutable polygons : polygon list;
+}
+
+let draw p place =
+  spend p.budget 1;
+  p.corners <- corner place :: p.corners
+
+let close p =
+  if p.corners <> [] then p.polygons <- p.corners :: p.polygons;
+  p.corners <- []
+
+let begun p = if p.corners = [] then draw p (Plane_map.apply p.map p.here)
+
+let line p place =
+  begun p;
+  draw p (Plane_map.apply p.map place);
+  p.here <- place
+
+(* Control points are taken to a fine grid, so that numbers stay short. *)
+let fine (x, y) =
+  let quantum = Rat.make Z.one (Z.of_int (1 lsl 20)) in
+  (Rat.round_to x ~quantum, Rat.round_to y ~quantum)
+
+(* Half of 1/64 pixel is left for rounding. *)
+let share = 128
+
+let curve p controls =
+  begun p;
+  let points = List.map (fun q -> fine (Plane_map.apply p.map q)) (p.here :: controls) in
+  let n = pieces ~share points in
+  for i = 1 to n do
+    draw p (bezier (Rat.make (Z.of_int i) (Z.of_int n)) points)
+  done;
+  p.here <- List.nth controls (List.length controls - 1)
+
+let arc p (arc : Svg_segment.arc) =
+  match circular p.here arc with
+  | None -> if not (same p.here arc.stop) then line p arc.stop
+  | Some { map; start; stop; forward } ->
+    let map = Plane_map.compose p.map map in
+    let rec go k u v =
+      if k = 0 then draw p (Plane_map.apply map v)
+      else begin
+        let m = middle ~forward u v in
+        go (k - 1) u m;
+        go (k - 1) m v
+      end
+    in
+    begun p;
+    go (halvings ~share map) start stop;
+    p.here <- arc.stop
+
+let filled ~budget map outline =
+  let origin = (Rat.zero, Rat.zero) in
+  let p = { map; budget; here = origin; start = origin; corners = []; polygons = [] } in
+  outline (function
+      | Svg_segment.Move place ->
+        close p;
+        p.here <- place;
+        p.start <- place
+      | Line place -> line p place
+      | Curve controls -> curve p controls
+      | Arc a -> arc p a
+      | Close ->
+        close p;
+        p.here <- p.start);
+  close p;
+  p.polygons

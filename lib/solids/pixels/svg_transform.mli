@@ -1,0 +1,10 @@
+(** Transforms of SVG elements, as an attribute and as a property of CSS. *)
+
+open Scc_exact
+
+val of_properties : size:Rat.t * Rat.t -> (string * string) list -> Plane_map.t
+(** [of_properties ~size properties] is the map of an element with these properties
+    ({!Svg_declarations.of_element}), its origin ([transform-origin]) included. [size] is that of the view box, to
+    which shares and words of the origin refer. Raises {!Svg_number.Bad} for a transform that is none, such as a
+    length without a unit in CSS, which browsers ignore. Raises {!Svg_number.Unread} for shares and for transforms
+    in space. *)

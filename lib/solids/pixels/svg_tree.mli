@@ -1,0 +1,36 @@
+(** The elements of an SVG document as a tree. *)
+
+type node = {
+  name : string;
+  attributes : (string * string) list;  (** those without a namespace, and [href] of XLink as ["xlink:href"] *)
+  at : int * int;  (** line and column of the end of its start tag, from 1 *)
+  parent : node option;
+  mutable children : node list;  (** elements of SVG, in their order *)
+  mutable text : string list;  (** of a [style] element, in pieces, the last one first *)
+}
+
+type t = { root : node; ids : (string, node) Hashtbl.t;  (** the first element with each id *) sheet : Css.t }
+
+exception Fault of (int * int) * exn
+(** A fault {!Svg_number.Bad} or {!Svg_number.Unread} at a place. *)
+
+val at : node -> (unit -> 'a) -> 'a
+(** [at node f] is [f ()]. A fault that [f] raises becomes a {!Fault} at the place of the element. *)
+
+val max_depth : int
+(** How deep elements may be nested: 200. *)
+
+val read : string -> t
+(** The tree of a document. Elements of other namespaces, and elements with what they hold that are never drawn
+    ([title], [desc], [metadata], [script]), are left out. Raises {!Fault}, and [Xmlm.Error] for XML that is not
+    well formed. *)
+
+val attribute : node -> string -> string option
+(** [attribute node name] is the value of an attribute. *)
+
+val href : node -> string option
+(** The reference of an element: [href], or else [xlink:href]. *)
+
+val declared : t -> node -> (string * string) list
+(** The properties of an element that are read ({!Svg_declarations.of_element}), from its attributes, the style
+    sheets and its style; later ones count more. Raises {!Svg_number.Bad} and {!Svg_number.Unread}. *)
