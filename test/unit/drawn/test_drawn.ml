@@ -151,8 +151,8 @@ let union_has_the_cells boxes =
   let covered = List.filter (fun cell -> List.exists (within cell) boxes) cells in
   List.for_all right cells && Rat.equal (rat (List.length covered)) (Drawn.volume t.drawn.set)
 
-(* Hulls of few points, which cross each other at any angle. A point inside of a hull is in a part, a point inside of a
-   part is in a hull, and no point is inside of two parts. *)
+(* Hulls of few points, which cross each other at any angle. A point inside of a hull is in a part, a point inside
+   of a part is in a hull, and no point is inside of two parts. *)
 let random_hulls =
   let open QCheck2.Gen in
   let point =
