@@ -3,12 +3,12 @@ open Scc_exact
 open Scc_geometry
 
 type site = { part : int; face : int }
-type side = { site : site; normal : Ivec.t; corners : Vec.t array }
+type side = { site : site; normal : Ivec.t; corners : Vec.t array; box : Float_box.t }
 
 let side (p : Polyhedron.t) part face =
   let corners = Array.map (fun v -> snd p.vertices.(v)) (snd p.faces.(face)) in
   let n = Vec.cross (Vec.sub corners.(1) corners.(0)) (Vec.sub corners.(2) corners.(0)) in
-  { site = { part; face }; normal = Ivec.primitive (fst (Ivec.of_vec n)); corners }
+  { site = { part; face }; normal = Ivec.primitive (fst (Ivec.of_vec n)); corners; box = Boxed.of_points corners }
 
 let plane n x = (Ivec.to_string n, Rat.to_string (Vec.dot (Ivec.to_vec n) x))
 
@@ -23,6 +23,7 @@ let forest parts =
     let back = Ivec.neg s.normal in
     let meet other =
       if Union_find.find joined s.site.part <> Union_find.find joined other.site.part
+      && Float_box.meet other.box s.box
       && Shown.share (Ivec.to_vec back) other.corners s.corners
       && Union_find.union joined s.site.part other.site.part
       then joints := (s.site, other.site) :: !joints

@@ -17,6 +17,7 @@ type t = {
   cost : int array;
   first : int array;
   before : int array;  (* the chord before the last one of the chain; -1 for none *)
+  live : (int * int) list array;  (* for each b those of [into] with a chain from the i at hand, in that order *)
 }
 
 let never = max_int / 4
@@ -56,19 +57,18 @@ let iter_from f list i =
 (* The best chain from i that ends with the chord (a, b), i < a. *)
 let extend t i b (a, chord) =
   t.cost.(chord) <- never;
-  if orient t a b i >= 0 && not (Grid.same t.g t.at.(b) t.at.(i)) then
-    iter_from
-      (fun (p, last) ->
-         if t.cost.(last) < never then begin
-           let cost = t.cost.(last) + t.least.(chord) and first = t.first.(last) in
-           let better = cost < t.cost.(chord) || (cost = t.cost.(chord) && first > t.first.(chord)) in
-           if better && turns t p a b && orient t i first b >= 0 then begin
-             t.cost.(chord) <- cost;
-             t.first.(chord) <- first;
-             t.before.(chord) <- last
-           end
-         end)
-      t.into.(a) i
+  let after (p, last) =
+    let cost = t.cost.(last) + t.least.(chord) and first = t.first.(last) in
+    let better = cost < t.cost.(chord) || (cost = t.cost.(chord) && first > t.first.(chord)) in
+    if better && turns t p a b && orient t i first b >= 0 then begin
+      t.cost.(chord) <- cost;
+      t.first.(chord) <- first;
+      t.before.(chord) <- last
+    end
+  in
+  match t.live.(a) with
+  | [] -> ()
+  | live -> if orient t a b i >= 0 && not (Grid.same t.g t.at.(b) t.at.(i)) then List.iter after live
 
 (* The last chord of the best piece at the chord (i, b), and what it costs. *)
 let close t i b =
@@ -93,7 +93,10 @@ let chains t i ~upto =
            t.first.(chord) <- b;
            t.before.(chord) <- -1
          end)
-      t.into.(b) i
+      t.into.(b) i;
+    let live = ref [] in
+    iter_from (fun (a, chord) -> if t.cost.(chord) < never then live := (a, chord) :: !live) t.into.(b) i;
+    t.live.(b) <- List.rev !live
   done;
   !closing
 
@@ -112,7 +115,8 @@ let pieces (c : Cycle.t) =
   Array.iteri (fun b list -> Array.iter (fun (a, chord) -> ends.(chord) <- (a, b)) list) into;
   let zeros () = Array.make count 0 in
   let t =
-    { g = c.grid; at = c.at; into; least = zeros (); cost = zeros (); first = zeros (); before = zeros () }
+    { g = c.grid; at = c.at; into; least = zeros (); cost = zeros (); first = zeros (); before = zeros ();
+      live = Array.make n [] }
   in
   for i = n - 1 downto 0 do
     ignore (chains t i ~upto:(n - 1))

@@ -151,6 +151,54 @@ let union_has_the_cells boxes =
   let covered = List.filter (fun cell -> List.exists (within cell) boxes) cells in
   List.for_all right cells && Rat.equal (rat (List.length covered)) (Drawn.volume t.drawn.set)
 
+(* Hulls of few points, which cross each other at any angle. A point inside of a hull is in a part, a point inside
+   of a part is in a hull, and no point is inside of two parts. *)
+let random_hulls =
+  let open QCheck2.Gen in
+  let point =
+    let+ x = int_range 0 5 and+ y = int_range 0 5 and+ z = int_range 0 5 in
+    (x, y, z)
+  in
+  list_size (int_range 1 3) (list_size (int_range 4 6) point)
+
+let flat points =
+  let first = vec (List.hd points) in
+  let ways = List.map (fun x -> Vec.sub (vec x) first) points in
+  let spans u v = List.exists (fun w -> Rat.sign (Vec.dot (Vec.cross u v) w) <> 0) ways in
+  not (List.exists (fun u -> List.exists (spans u) ways) ways)
+
+let together (bodies : Polyhedron.t list) : Polyhedron.ifs =
+  let add (corners, faces) (p : Polyhedron.t) =
+    let base = List.length corners in
+    let moved = List.map (fun (_, f) -> Array.map (fun v -> base + v) f) (Array.to_list p.faces) in
+    (corners @ List.map snd (Array.to_list p.vertices), faces @ moved)
+  in
+  let corners, faces = List.fold_left add ([], []) bodies in
+  let named prefix list = Array.of_list (List.mapi (fun k x -> (Printf.sprintf "%s%d" prefix k, x)) list) in
+  { ifs_vertices = named "v" corners; ifs_faces = named "f" faces }
+
+let union_has_the_points hulls =
+  let solid points = if flat points then None else Some (Refined.solid (List.map vec points)) in
+  let bodies = List.filter_map solid hulls in
+  let highest x (p : Polyhedron.t) =
+    List.fold_left (fun most f -> Int.max most (sign_on p f x)) (-1) (List.init (Array.length p.faces) Fun.id)
+  in
+  let right parts k =
+    let middle v = Rat.add (rat v) (Rat.make Z.one (Z.of_int 3)) in
+    let z = Rat.add (middle (k / 25)) (Rat.make Z.one (Z.of_int 7)) in
+    let x = Vec.make (middle (k mod 5)) (middle (k / 5 mod 5)) z in
+    let of_bodies = List.map (highest x) bodies and of_parts = List.map (highest x) parts in
+    let inside = List.mem (-1) and outside = List.for_all (fun s -> s > 0) in
+    not (inside of_bodies && outside of_parts)
+    && not (inside of_parts && outside of_bodies)
+    && List.length (List.filter (fun s -> s < 0) of_parts) <= 1
+  in
+  bodies = []
+  ||
+  match Decomposed.united (together bodies) with
+  | Error _ -> QCheck2.Test.fail_report "refused"
+  | Ok t -> List.for_all (right (List.map snd (Array.to_list t.parts))) (List.init 125 Fun.id)
+
 let property name holds =
   QCheck2.Test.make ~count:60 ~name
     ~print:QCheck2.Print.(list (triple int int int))
@@ -254,6 +302,9 @@ let () =
             QCheck2.Test.make ~count:40 ~name:"a union of boxes has their cells"
               ~print:QCheck2.Print.(list (pair (triple int int int) (triple int int int)))
               random_boxes union_has_the_cells;
+            QCheck2.Test.make ~count:40 ~name:"a union of hulls has their points"
+              ~print:QCheck2.Print.(list (list (triple int int int)))
+              random_hulls union_has_the_points;
             QCheck2.Test.make ~count:60 ~name:"prisms keep the volume"
               ~print:QCheck2.Print.(list (triple int int int))
               flat_cells
