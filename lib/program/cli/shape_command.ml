@@ -143,7 +143,9 @@ let advice (r : Solid_report.t) =
     let tries = Mend_options.helping r.set faults in
     let bent = function Polyhedron_fault.Not_convex _ | Degenerate_face _ -> true | _ -> false in
     let concave = List.exists bent faults in
-    (if tries = [] then "" else Printf.sprintf "to mend it: scc shape %s\n" (String.concat " " tries))
+    let shared = Option.fold ~none:"" ~some:(fun line -> line ^ "\n") (Shared_face.advice r.set) in
+    shared
+    ^ (if tries = [] then "" else Printf.sprintf "to mend it: scc shape %s\n" (String.concat " " tries))
     ^ if concave then "for convex parts of it: scc decompose; for its hull: scc shape --hull\n" else ""
 
 let report console argument code ~mended ~gone ?snapped ?outer r write =
