@@ -455,3 +455,11 @@ A drawing is no mesh:
      | ^
     hint: scc inflate makes a solid of a drawing
   [3]
+
+A limit of time ends the work, and there is no report then:
+
+  $ awk 'BEGIN { print "OFF"; print "3000 0 0"; srand(1); for (i = 0; i < 3000; i++) { x = rand() - 0.5;
+  >   y = rand() - 0.5; printf "%.4f %.4f %.4f\n", x, y, x * x + y * y } }' > bowl.off
+  $ scc shape --hull --faces 20 --seconds 0.05 bowl.off
+  scc: the limit of 0.05 seconds has passed: nothing was written
+  [4]
