@@ -189,7 +189,8 @@ let work console ~overrides o argument =
     match o.faces with
     | None -> Ok None
     | Some most ->
-      Console.progress console ("simplifying a hull of " ^ Plural.count (Array.length set.ifs_faces) "face" "faces");
+      let faces = Plural.count (Array.length set.ifs_faces) "face" "faces" in
+      Console.progress console ("simplifying a hull of " ^ faces);
       Result.map Option.some (around set most)
   in
   let set = match outer with Some o -> o.solid | None -> set in
