@@ -394,3 +394,72 @@ What is advised works, of every model:
   $ scc shape empty.sc
   command line: error[SC0210]: empty.sc is a model (it has no templates), and a single shape is needed here
   [64]
+
+Two boxes side by side share a face; together they are one solid for
+decompose with --union:
+
+  $ cat > two.off <<'EOT'
+  > OFF
+  > 12 12 0
+  > 0 0 0
+  > 1 0 0
+  > 2 0 0
+  > 0 1 0
+  > 1 1 0
+  > 2 1 0
+  > 0 0 1
+  > 1 0 1
+  > 2 0 1
+  > 0 1 1
+  > 1 1 1
+  > 2 1 1
+  > 4 0 3 4 1
+  > 4 6 7 10 9
+  > 4 0 1 7 6
+  > 4 3 9 10 4
+  > 4 0 6 9 3
+  > 4 1 4 10 7
+  > 4 1 4 5 2
+  > 4 7 8 11 10
+  > 4 1 2 8 7
+  > 4 4 10 11 5
+  > 4 1 7 10 4
+  > 4 2 5 11 8
+  > EOT
+  $ scc shape two.off | grep 'share a face'
+  two solids share a face: f5 and f10 have the same corners, in the two directions; for both together: scc decompose --union
+  $ scc decompose --union two.off
+  two.off: 6 plane faces, 0 reflex edges, volume 2
+  1 convex part, 0 joints
+    p1: 8 corners, 6 faces, volume 2
+
+A drawing is no mesh:
+
+  $ echo '<svg xmlns="http://www.w3.org/2000/svg"/>' > x.svg
+  $ cp x.svg drawing
+  $ printf '\211PNG\r\n' > x.png
+  $ for file in x.svg drawing x.png; do scc shape $file; done
+  x.svg:1:1: error[SC0321]: this is a drawing, and a mesh is needed here
+     |
+   1 | <svg xmlns="http://www.w3.org/2000/svg"/>
+     | ^
+    hint: scc inflate makes a solid of a drawing
+  drawing:1:1: error[SC0321]: this is a drawing, and a mesh is needed here
+     |
+   1 | <svg xmlns="http://www.w3.org/2000/svg"/>
+     | ^
+    hint: scc inflate makes a solid of a drawing
+  x.png:1:1: error[SC0321]: this is a drawing, and a mesh is needed here
+     |
+   1 | <0x89>PNG
+     | ^
+    hint: scc inflate makes a solid of a drawing
+  [3]
+
+A limit of time ends the work, and there is no report then:
+
+  $ awk 'BEGIN { print "OFF"; print "3000 0 0"; srand(1); for (i = 0; i < 3000; i++) { x = rand() - 0.5;
+  >   y = rand() - 0.5; printf "%.4f %.4f %.4f\n", x, y, x * x + y * y } }' > bowl.off
+  $ scc shape --hull --faces 20 --seconds 0.05 bowl.off
+  scc: the limit of 0.05 seconds has passed: nothing was written
+  [4]

@@ -96,15 +96,6 @@ let show console =
       Console.progress console (line progress)
     end
 
-let stopped ~seconds (stop : Scc_graph_search.Limits.stop) =
-  let why =
-    match (stop, seconds) with
-    | Interrupted, _ | Seconds, None -> "interrupted"
-    | Seconds, Some s -> Printf.sprintf "the limit of %g seconds has passed" s
-    | Memory, _ -> "the limit of memory was met"
-  in
-  why ^ ": nothing was written"
-
 (* The mesh, what was done to it, and its parts. *)
 let work console ~mend ~names ~union path =
   let* source = Input.warned console path in
@@ -138,15 +129,8 @@ let report console ~mended ~mass output path (t : Parts.t) =
   Ok Exit_code.Holds
 
 let decompose console ~mend ~names ~union ~seconds ~mass output path =
-  let watch = Watch.start ?seconds () in
-  let done_ = (Watch.attempt watch).run Exploring (fun () -> work console ~mend ~names ~union path) in
-  Watch.finish watch;
-  match done_ with
-  | Error stop -> Ok (Guard.stopped console (stopped ~seconds stop))
-  | Ok (Error _ as faults) -> faults
-  | Ok (Ok (t, mended)) ->
-    Console.progress_done console;
-    report console ~mended ~mass output path t
+  let work () = work console ~mend ~names ~union path in
+  Time_limit.within console ~seconds work (fun (t, mended) -> report console ~mended ~mass output path t)
 
 let run color json mend names union seconds mass output path =
   let console = Console.make ~color ~json () in
@@ -181,10 +165,6 @@ let union =
     "Cuts the union of what the faces surround: solids of one file may overlap, share faces, or touch in edges \
      and corners, and need not be connected. Faces get new names."
 
-let seconds =
-  Options.maybe Check_options.seconds_conv [ "seconds" ] ~docv:"S"
-    "Gives up after $(docv) seconds of the clock. No default."
-
 let command =
   let exits =
     Exits.man () ~never:[ Violated; Undecided ]
@@ -197,5 +177,5 @@ let command =
   Cmd.v
     (Cmd.info "decompose" ~doc:"cut a solid that is not convex into convex parts" ~man:Manual.decompose ~exits)
     Term.(
-      const run $ Options.color $ Options.json $ Mend_options.term $ names $ union $ seconds $ mass $ output
-      $ mesh)
+      const run $ Options.color $ Options.json $ Mend_options.term $ names $ union $ Time_limit.seconds $ mass
+      $ output $ mesh)

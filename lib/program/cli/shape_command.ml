@@ -143,7 +143,9 @@ let advice (r : Solid_report.t) =
     let tries = Mend_options.helping r.set faults in
     let bent = function Polyhedron_fault.Not_convex _ | Degenerate_face _ -> true | _ -> false in
     let concave = List.exists bent faults in
-    (if tries = [] then "" else Printf.sprintf "to mend it: scc shape %s\n" (String.concat " " tries))
+    let shared = Option.fold ~none:"" ~some:(fun line -> line ^ "\n") (Shared_face.advice r.set) in
+    shared
+    ^ (if tries = [] then "" else Printf.sprintf "to mend it: scc shape %s\n" (String.concat " " tries))
     ^ if concave then "for convex parts of it: scc decompose; for its hull: scc shape --hull\n" else ""
 
 let report console argument code ~mended ~gone ?snapped ?outer r write =
@@ -177,7 +179,8 @@ let show o ~name report =
     let page = Scc_view.Solid_page.write ~name report in
     Result.listed (Whole_file.with_file path page)
 
-let shape console ~overrides o output argument =
+(* The solid that is meant, and all that is to be said of it. *)
+let work console ~overrides o argument =
   let* set = set console ~overrides argument in
   let* () = too_fine set in
   let* set, mended = Mend_options.apply o.mend set in
@@ -185,7 +188,10 @@ let shape console ~overrides o output argument =
   let* outer =
     match o.faces with
     | None -> Ok None
-    | Some most -> Result.map Option.some (around set most)
+    | Some most ->
+      let faces = Plural.count (Array.length set.ifs_faces) "face" "faces" in
+      Console.progress console ("simplifying a hull of " ^ faces);
+      Result.map Option.some (around set most)
   in
   let set = match outer with Some o -> o.solid | None -> set in
   let* snapped =
@@ -196,11 +202,13 @@ let shape console ~overrides o output argument =
   let corners = Array.length set.ifs_vertices in
   let set = match snapped with Some (_, s) -> s.set | None -> set in
   let gone = corners - Array.length set.ifs_vertices in
-  let r = Solid_report.make set in
+  Ok (mended, outer, snapped, gone, Solid_report.make set)
+
+let conclude console o output argument (mended, outer, snapped, gone, (r : Solid_report.t)) =
   let code = if Solid_report.accepted r then Exit_code.Holds else Exit_code.Invalid in
   (* One output that cannot be written keeps the others from nothing. *)
   let write () =
-    let shape = write console ~round:o.round output code set in
+    let shape = write console ~round:o.round output code r.set in
     let written = [ draw o ~name:argument r; show o ~name:argument r; shape ] in
     match List.concat_map (function Ok () -> [] | Error d -> d) written with
     | [] -> Ok ()
@@ -209,9 +217,13 @@ let shape console ~overrides o output argument =
   let* () = report console argument code ~mended ~gone ?snapped ?outer r write in
   Ok code
 
-let run color json overrides o argument =
+let shape console ~overrides ~seconds o output argument =
+  let work () = work console ~overrides o argument in
+  Time_limit.within console ~seconds work (conclude console o output argument)
+
+let run color json overrides o seconds argument =
   let console = Console.make ~color ~json () in
-  let go output = Guard.run console (fun () -> shape console ~overrides o output argument) in
+  let go output = Guard.run console (fun () -> shape console ~overrides ~seconds o output argument) in
   match o.output with
   | _ when (match o.snap with Some t -> Rat.sign t <= 0 | None -> false) ->
     Guard.usage "the distance of --snap is to be greater than 0"
@@ -315,8 +327,13 @@ let options =
 let command =
   let exits =
     Exits.man () ~never:[ Violated; Undecided ]
-      ~told:[ (Holds, "if the shape is accepted."); (Invalid, "if it is not, or cannot be read.") ]
+      ~told:
+        [
+          (Holds, "if the shape is accepted."); (Invalid, "if it is not, or cannot be read.");
+          (Stopped, "if it was interrupted, or had not ended after the seconds of --seconds.");
+        ]
   in
   Cmd.v
     (Cmd.info "shape" ~doc:"report on a polyhedron" ~man:Manual.shape ~exits)
-    Term.(const run $ Options.color $ Options.json $ Options.overrides $ options $ argument)
+    Term.(
+      const run $ Options.color $ Options.json $ Options.overrides $ options $ Time_limit.seconds $ argument)

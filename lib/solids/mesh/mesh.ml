@@ -48,6 +48,21 @@ let by_text text =
   else if begins "<?xml" || begins "<X3D" then of_format "X3D"
   else None
 
+(* By the ending of the name, or by its first bytes. *)
+let is_drawing ~path text =
+  let ends ending = Filename.check_suffix (String.lowercase_ascii path) ending in
+  let begins prefix = String.starts_with ~prefix text in
+  List.exists ends [ ".svg"; ".png" ] || List.exists begins [ "<svg"; "\137PNG" ]
+
+let unknown ~path text =
+  let say ~hint fault = Error (Diag.error Code.mesh_format (Span.of_file path) ~hint "%s" fault) in
+  if is_drawing ~path text then
+    say "this is a drawing, and a mesh is needed here" ~hint:"scc inflate makes a solid of a drawing"
+  else
+    let known = String.concat ", " (List.map fst formats) in
+    say "the format of this mesh file is not known"
+      ~hint:("the formats are told by the ending of the name: " ^ known)
+
 let check_denominator ~path (set, warnings) =
   if Polyhedron.too_fine set then
     Error
@@ -61,15 +76,9 @@ let read ~files ~path text =
   let text = Source.blank_mark text in
   let reader =
     match by_name path with
-    | Some _ as found -> found
-    | None -> by_text text
+    | None when not (is_drawing ~path text) -> by_text text
+    | found -> found
   in
   match reader with
   | Some read -> Result.bind (read ~files ~path text) (check_denominator ~path)
-  | None ->
-    let known = String.concat ", " (List.map fst formats) in
-    Error
-      (Diag.error Code.mesh_format
-         (Span.of_file path)
-         "the format of this mesh file is not known"
-         ~hint:("the formats are told by the ending of the name: " ^ known))
+  | None -> unknown ~path text
