@@ -2,9 +2,6 @@
 
 open Scc_geometry
 
-val find : Polyhedron.ifs -> (string * string) option
-(** The names of two faces with the same corners, in the two directions: the solids on both sides share that face.
-    Corners are the same if their positions are. *)
-
 val advice : Polyhedron.ifs -> string option
-(** A line that names the two faces and says what takes such solids, if there are two. *)
+(** A line that names two faces with the same corners in the two directions, which the solids on both sides share,
+    and says what takes such solids; [None] if there are none. Corners are the same if their positions are. *)
