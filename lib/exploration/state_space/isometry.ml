@@ -191,7 +191,8 @@ let quantity g (q : Property.quantity) : Property.num =
   match q with
   | Position (axis, leaf) ->
     let r = row g.map axis in
-    Add (signed r (Quantity (Position (r.from, g.origin.(leaf)))), Const (Vec.component axis g.shift))
+    let moved = Vec.add g.shift g.own.(leaf) in
+    Add (signed r (Quantity (Position (r.from, g.origin.(leaf)))), Const (Vec.component axis moved))
   | Velocity (axis, leaf) ->
     let r = row g.map axis in
     signed r (Quantity (Velocity (r.from, g.origin.(leaf))))
