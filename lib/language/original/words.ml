@@ -170,12 +170,20 @@ let bond s i =
         Some (stop + 1)
       | None -> None)
 
+(* These words are names, or begin an atom of formulas, elsewhere. *)
+let declares s i =
+  match (token s i, token s (i + 1)) with
+  | BOND, LT -> Option.is_some (after_name s (i + 2))
+  | BEHAVIOUR, LPAREN -> false
+  | BEHAVIOUR, _ -> true
+  | _ -> false
+
 (* What `<` begins: in a chain, outside of the behaviours, a basic shape or a bond; elsewhere a channel, unless
    what stands before it makes it a comparison. *)
 let angle s i =
   let outside = s.chain && s.square = 0 in
   match before s i with
-  | BOND -> bond s i
+  | BOND when declares s (i - 1) -> bond s i
   | EQ | COLON | GT | LPAREN when outside -> tuple s i
   | COLON -> tuple s i
   | IMPORT -> None
@@ -215,14 +223,6 @@ let glue s i =
     common s (i + 1) stop TILDE;
     Some stop
   | Some _ | None -> None
-
-(* These words are names, or begin an atom of formulas, elsewhere. *)
-let declares s i =
-  match (token s i, token s (i + 1)) with
-  | BOND, LT -> true
-  | BEHAVIOUR, LPAREN -> false
-  | BEHAVIOUR, _ -> true
-  | _ -> false
 
 (* [region R on S =], [curved inscribed]. *)
 let declaration s i =
