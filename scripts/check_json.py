@@ -417,6 +417,8 @@ def check_shapes(scc):
                 name = "diagnostics" if '"scc-diagnostics"' in text else title
                 document = check(name, text, f"{command} {mesh} {' '.join(options)}")
                 told = [m["by"] for m in (document or {}).get("mended", [])]
+                if command == "decompose" and told[-1:] == ["triangles"]:
+                    told.pop()  # faces that are not flat are cut without being asked for
                 wanted = [] if name == "diagnostics" else [o[2:] for o in options if o.startswith("--")]
                 count(told == wanted, f"{command} {mesh}", f"{told} is told to be mended")
     text = text_of(run(scc, "decompose", "specs/models/parts/clamp.obj", "--seconds", "1e-9", "--json"))

@@ -338,7 +338,7 @@ class Interruptions(Commands):
 
     def test_results(self):
         checked = self.interrupted(check, LONG, states=10**8, jobs=1)
-        self.assertTrue(checked.interrupted)
+        self.assertTrue(checked.interrupted, (checked.code, checked.stopped_by, checked.messages))
         self.assertEqual([b.limit for b in checked.stopped_by], ["interrupted"])
         self.assertEqual(checked["never"].bounds[0].limit, "interrupted")
         result = self.interrupted(simulate, LONG, runs=10**7, observe="x(p)", every=100, until=100)
