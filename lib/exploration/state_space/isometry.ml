@@ -191,8 +191,7 @@ let quantity g (q : Property.quantity) : Property.num =
   match q with
   | Position (axis, leaf) ->
     let r = row g.map axis in
-    let moved = Vec.add g.shift g.own.(leaf) in
-    Add (signed r (Quantity (Position (r.from, g.origin.(leaf)))), Const (Vec.component axis moved))
+    Add (signed r (Quantity (Position (r.from, g.origin.(leaf)))), Const (Vec.component axis g.shift))
   | Velocity (axis, leaf) ->
     let r = row g.map axis in
     signed r (Quantity (Velocity (r.from, g.origin.(leaf))))
