@@ -37,21 +37,27 @@ let what_moved context from state =
   match moved from state with Some by -> Some (Witness.Together by) | None -> apart context from state
 
 (* A round on the graph may lead to another state than it began in, one that the same state of the graph stands
-   for: it is made again until a state recurs, where it was or somewhere else. That is when names that bodies
-   took of each other are back: after the order of a permutation, which is 5460 at most for 32 bodies that are
-   alike. *)
+   for: it is made again until a state recurs, where it was or somewhere else. Where only names change, that is when
+   names that bodies took of each other are back: after the order of a permutation, which is 5460 at most for 32
+   bodies that are alike. Where several ways from a state are images of each other, rounds may never lead back to the
+   first state, but to one that was met since. So the state after every 2^k rounds is compared as well (Brent). *)
 let most_rounds = 100_000
 
 let follow_lasso context graph steps cycle =
   let stem = List.filteri (fun i _ -> i < cycle) steps and round = drop cycle steps in
   let entry = Followed.along context graph (Followed.start context) stem in
-  let rec again n from =
+  let rec again n ~(met : Followed.t) from =
     let next = Followed.along context graph from round in
-    match what_moved context entry.last next.last with
-    | Some moved -> (next, moved, List.length entry.steps)
-    | None -> if n >= most_rounds then Bug.fail __POS__ "a round that never comes back" else again (n + 1) next
+    let back_to (earlier : Followed.t) =
+      let back moved = (next, moved, List.length earlier.steps) in
+      Option.map back (what_moved context earlier.last next.last)
+    in
+    match List.find_map back_to [ entry; met ] with
+    | Some found -> found
+    | None when n >= most_rounds -> Bug.fail __POS__ "a round that never comes back"
+    | None -> again (n + 1) ~met:(if n land (n - 1) = 0 then next else met) next
   in
-  again 1 entry
+  again 1 ~met:entry entry
 
 (* A weak split that is enabled somewhere on a cycle and never made on it. *)
 let puts_off semantics (cycle : Witness.step list) ~from =
