@@ -84,7 +84,8 @@ let agrees kinds ~jump ~together text =
     let count (o : Verdict.outcome) = if Option.is_some (definite o.verdict) then incr decided in
     List.iter count full.outcomes;
     let comparable = comparable full.stats && comparable reduced.stats in
-    if List.exists2 conflict full.outcomes reduced.outcomes then QCheck2.Test.fail_report "verdicts differ"
+    if Check.faults reduced <> [] then QCheck2.Test.fail_report "a run is lost"
+    else if List.exists2 conflict full.outcomes reduced.outcomes then QCheck2.Test.fail_report "verdicts differ"
     else if jump && not (List.for_all (replays e initial) reduced.outcomes) then
       QCheck2.Test.fail_report "a witness does not replay"
     else if not (List.for_all (shows e) reduced.outcomes) then
