@@ -190,8 +190,7 @@ let quantity g (q : Property.quantity) : Property.num =
   let signed r n : Property.num = if r.flipped then Neg n else n in
   match q with
   | Position (axis, leaf) ->
-    (* Of the centroid, whose image is that of the image, wherever the reference point comes to: [own] is no part of
-       it. *)
+    (* It is the place of the centroid, which comes to that of the image, wherever the reference point does. *)
     let r = row g.map axis in
     Add (signed r (Quantity (Position (r.from, g.origin.(leaf)))), Const (Vec.component axis g.shift))
   | Velocity (axis, leaf) ->

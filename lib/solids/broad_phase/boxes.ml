@@ -1,6 +1,7 @@
 open Scc_geometry
 
-(* Sort and sweep along the axis along which the middles of boxes are spread most. Any axis gives the same pairs. *)
+(* Sort and sweep along the axis along which the middles of boxes are spread most. Any axis gives the same
+   pairs. *)
 
 let compare_pair (i, j) (k, l) =
   let c = Int.compare i k in

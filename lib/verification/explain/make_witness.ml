@@ -36,11 +36,12 @@ let apart context (from : State.t) (state : State.t) =
 let what_moved context from state =
   match moved from state with Some by -> Some (Witness.Together by) | None -> apart context from state
 
-(* A round on the graph may lead to another state than it began in, one that the same state of the graph stands
-   for: it is made again until a state recurs, where it was or somewhere else. Where only names change, that is when
-   names that bodies took of each other are back: after the order of a permutation, which is 5460 at most for 32
-   bodies that are alike. Where several ways from a state are images of each other, rounds may never lead back to the
-   first state, but to one that was met since. So the state after every 2^k rounds is compared as well (Brent). *)
+(* A round on the graph may lead to another state than it began in, one that the same state of the graph
+   stands for: it is made again until a state recurs, where it was or somewhere else. Where only names
+   change, that is when names that bodies took of each other are back: after the order of a permutation,
+   which is 5460 at most for 32 bodies that are alike. Where several ways from a state are images of each
+   other, rounds may never lead back to the first state, but to one that was met since. So the state after
+   every 2^k rounds is compared as well (Brent). *)
 let most_rounds = 100_000
 
 let follow_lasso context graph steps cycle =

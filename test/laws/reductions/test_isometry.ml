@@ -300,8 +300,8 @@ let of_numbers () =
     let found = Isometry.find e.model ~initial ~predicates:[] ~numbers:(numbers e.checks) in
     Alcotest.(check int) "isometries" 1 (List.length found)
 
-(* Walkers between walls, which bounce for ever within an instant. Two of their bounces are images of each other, so
-   that a round of states does not lead back to where it began. *)
+(* Walkers between walls, which bounce for ever within an instant. Two of their bounces are images of each other,
+   so that a round of states does not lead back to where it began. *)
 let rounds () =
   let text =
     "import <solids>\ntimestep 1 local\nblocked bounce\nshape Cube = box(1, 1, 1)\n\
