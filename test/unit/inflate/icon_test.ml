@@ -170,28 +170,13 @@ let netpbm () =
 
 (* {1 SVG} *)
 
-let svg ?(box = "0 0 40 30") body =
-  Printf.sprintf "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"%s\">%s</svg>" box body
-
-let inside (r : Raster.t) x y = Bytes.get_uint8 r.alphas ((y * r.width) + x) <> 0
-
-(* [value x y], less than 0 inside, has at most the slope 1: centres nearer than 1/32 pixel to the line may be on
-   either side. Four pixels are one unit. *)
-let area name body value =
-  let r = ok ~resolution:160 name (svg body) in
-  Alcotest.(check (pair int int)) name (160, 120) (r.width, r.height);
-  for y = 0 to 119 do
-    for x = 0 to 159 do
-      let v = 4. *. value ((float_of_int x +. 0.5) /. 4.) ((float_of_int y +. 0.5) /. 4.) in
-      if Float.abs v > 1. /. 32. && inside r x y <> (v < 0.) then Alcotest.failf "%s: pixel %d, %d" name x y
-    done
-  done
-
-let circle x0 y0 r x y = Float.hypot (x -. x0) (y -. y0) -. r
-let box x0 y0 x1 y1 x y = Float.max (Float.max (x0 -. x) (x -. x1)) (Float.max (y0 -. y) (y -. y1))
-let union f g x y = Float.min (f x y) (g x y)
-let both f g x y = Float.max (f x y) (g x y)
-let without f g x y = Float.max (f x y) (-.g x y)
+let svg = Areas.svg
+let area = Areas.area
+let circle = Areas.circle
+let box = Areas.box
+let union = Areas.union
+let both = Areas.both
+let without = Areas.without
 
 let shapes () =
   let disc = circle 20. 15. 10. in
