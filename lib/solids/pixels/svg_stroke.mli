@@ -17,7 +17,7 @@ type t = {
 val triangles :
   budget:Svg_polygon.budget -> Plane_map.t -> t -> Svg_segment.outline -> Svg_polygon.polygon list
 (** [triangles ~budget m stroke outline] are triangles whose union is the stroke of the lines. All of them run
-    the same way round, so that {!Fill.polygons} by the rule [Nonzero] paints the union. [m] is the map from the
+    the same way round, so that {!Fill.inside} by the rule [Nonzero] gives the union. [m] is the map from the
     units of the drawing to pixels, after the stroke. Boundaries are within 1/64 of a pixel of the exact ones.
     Straight lines have the exact stroke, but for square roots (of forty bits) and corners rounded to 1/1024 of
     a pixel; lengths of dashes on curves are those of chords. With dashes, a line without a length has no
