@@ -15,37 +15,37 @@ The models of crowds (guide, Crowds): exact numbers for two bodies, intervals fo
   informed_at_40: about 0.842708
   all_by_100: about 0.994390
   $ for m in $M/crowds/*.sc; do scc estimate $m --runs 20; done
-  active_at_40: estimated: 0.35, from 0.009513 to 1.46214 with confidence 99/100, 20 runs
+  active_at_40: estimated: 0.35, from 0.058407 to 1.185176 with confidence 99/100, 20 runs
   
   first_by_40: estimated: 0.15, from 0.017642 to 0.449466 with confidence 99/100, 20 runs
-  bridges_at_60: estimated: 1.1, from 0.13539 to 2.97788 with confidence 99/100, 20 runs
+  bridges_at_60: estimated: 1.1, from 0.440662 to 2.333689 with confidence 99/100, 20 runs
   
   one_by_30: estimated: 0.45, from 0.180648 to 0.742775 with confidence 99/100, 20 runs
-  shells_at_100: estimated: 0.45, from 0.012684 to 1.94952 with confidence 99/100, 20 runs
+  shells_at_100: estimated: 0.45, from 0.087093 to 1.564357 with confidence 99/100, 20 runs
   
   one_by_50: estimated: 0, from 0 to 0.23273 with confidence 99/100, 20 runs
-  pairs_at_40: estimated: 0.6, from 0.00092 to 4.25538 with confidence 99/100, 20 runs
+  pairs_at_40: estimated: 0.6, from 0.151206 to 3.466596 with confidence 99/100, 20 runs
   
   one_by_10: estimated: 0.25, from 0.058333 to 0.559761 with confidence 99/100, 20 runs
-  product: estimated: 0.65, from 0.015855 to 2.4369 with confidence 99/100, 20 runs
+  product: estimated: 0.65, from 0.16243 to 2.014003 with confidence 99/100, 20 runs
   
   first: estimated: 0.2, from 0.035756 to 0.506609 with confidence 99/100, 20 runs
-  grown: estimated: 3.25, from 0.210137 to 9.241727 with confidence 99/100, 20 runs
+  grown: estimated: 3.25, from 2.116923 to 7.448121 with confidence 99/100, 20 runs
   
   two: estimated: 0.35, from 0.113879 to 0.656569 with confidence 99/100, 20 runs
   first_at_9: estimated: 0.35, from 0.113879 to 0.656569 with confidence 99/100, 20 runs
   
-  moved_at_20: estimated: 4.75, from 1.56854 to 8.08542 with confidence 99/100, 20 runs
+  moved_at_20: estimated: 4.75, from 3.271262 to 6.385974 with confidence 99/100, 20 runs
   by_40: estimated: 0.3, from 0.08455 to 0.609608 with confidence 99/100, 20 runs
   
   seen_at_40: estimated: 0.3, from 0.08455 to 0.609608 with confidence 99/100, 20 runs
-  bound_at_50: estimated: 0.6, from 0 to 5.33265 with confidence 99/100, 20 runs
+  bound_at_50: estimated: 0.6, from 0.131809 to 4.979315 with confidence 99/100, 20 runs
   
   any_by_20: estimated: 0.05, from 0.00025 to 0.317142 with confidence 99/100, 20 runs
-  through_at_100: estimated: 0.85, from 0.00092 to 4.25538 with confidence 99/100, 20 runs
+  through_at_100: estimated: 0.85, from 0.288255 to 3.64423 with confidence 99/100, 20 runs
   
   first_by_50: estimated: 0.45, from 0.180648 to 0.742775 with confidence 99/100, 20 runs
-  informed_at_40: estimated: 8.25, from 5.170158 to 8.999172 with confidence 99/100, 20 runs
+  informed_at_40: estimated: 8.25, from 5.599253 to 8.920525 with confidence 99/100, 20 runs
   
   all_by_100: estimated: 1, from 0.76727 to 1 with confidence 99/100, 20 runs
 

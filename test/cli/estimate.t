@@ -6,28 +6,27 @@ Probabilities and means from many runs.
   
   by_four: estimated: 0.614, from 0.55603 to 0.669758 with confidence 99/100, 500 runs
 
-A mean has an interval where its number is in a range. Of others nothing is known, however little the sample varies.
+A mean has an interval where its number is in a range, and one end where that has one end. Of others nothing is known,
+however little the sample varies.
 
   $ scc estimate $M/crosslink.sc --check at_6 --free evenly --runs 500
   at_6: estimated: 0.058, from 0.03439 to 0.090387 with confidence 99/100, 500 runs
     choices that nothing draws were taken evenly
   $ scc estimate $M/association.sc --check mean_at_3 --runs 500
-  mean_at_3: estimated: from 0.709743 to 2.166591 with confidence 99/100, 500 runs
+  mean_at_3: estimated: from 0.726419 to 2.155386 with confidence 99/100, 500 runs
     183 of 500 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   [2]
   $ scc estimate $M/association.sc --property 'E >= 1/2 [ bonds() at 3 ]' --property 'E > 2 [ count(i in 1..n: bound(m[i], s[i])) at 3 ]'
-  property1: undecided whether it is >= 1/2: from 0.445495 to 3.44747 with confidence 99/100, 128 runs
-    47 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
+  property1: estimated to hold: from 0.596771 to 3.397017 with confidence 99/100, 128 runs
   
-  property2: undecided whether it is > 2: from 0.542022 to 2.379321 with confidence 99/100, 128 runs
+  property2: undecided whether it is > 2: from 0.596771 to 2.339053 with confidence 99/100, 128 runs
     47 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   [2]
   $ scc estimate $M/ruin.sc --check drift --check how_long --runs 500 --seed 7
-  how_long: sampled: the mean of these runs alone is 5.372, with the standard deviation 4.048506, 500 runs
-    no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+  how_long: estimated: 5.372, at least 4.709917 with confidence 99/100, 500 runs
+    no greatest value of this number is known, and so no upper end: a value too rare to be among the runs may raise the mean by any amount
   
-  drift: sampled: the mean of these runs alone is -0.254, with the standard deviation 1.08436, 500 runs
-    no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+  drift: estimated: -0.254, from -0.444034 to -0.055967 with confidence 99/100, 500 runs
   [2]
   $ cat > rare.sc <<'END'
   > // The mean is 1 (1000 with 1/1000): a sample without the rare draw has variance 0.
@@ -40,19 +39,41 @@ A mean has an interval where its number is in a range. Of others nothing is know
   > check never : E <= 1/100000 [ if x(p) > 0 then 1 else 0 at 1 ]
   > END
   $ scc estimate rare.sc
-  mean: sampled: the mean of these runs alone is 0, with the standard deviation 0, 128 runs
-    no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+  mean: estimated: 0.9, from -0.096175 to 2.708808 with confidence 99/100, 10000 runs
+    more than 10000 runs are needed: --most
   
-  below: undecided whether it is <= 1/2: the mean of these runs alone is 0, with the standard deviation 0, 128 runs
-    no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+  below: undecided whether it is <= 1/2: 0.9, from -0.096175 to 2.708808 with confidence 99/100, 10000 runs
+    more than 10000 runs are needed: --most
   
   often: estimated to hold: 0, from 0 to 0.04573 with confidence 99/100, 128 runs
   
   never: estimated to be violated: 0.001524, from 0.000119 to 0.006186 with confidence 99/100, 3280 runs
   [1]
   $ scc estimate rare.sc --check below --runs 1
+  below: undecided whether it is <= 1/2: 0, from -998.763141 to 998.763141 with confidence 99/100, 1 runs
+    more runs would tell more
+  [2]
+
+Under a law that depends on places no speed is known, and so no range: nothing is said, though the sample has no variance.
+
+  $ sed 's/(1000, 0, 0)/(1000 + x, 0, 0)/' rare.sc > far.sc
+  $ scc estimate far.sc --check mean --check below
+  mean: sampled: the mean of these runs alone is 0, with the standard deviation 0, 128 runs
+    no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+  
+  below: undecided whether it is <= 1/2: the mean of these runs alone is 0, with the standard deviation 0, 128 runs
+    no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+  [2]
+  $ scc estimate far.sc --check below --runs 1
   below: undecided whether it is <= 1/2: the mean of these runs alone is 0, 1 runs
     no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+  [2]
+  $ scc estimate far.sc --property 'E <= 1/2 [ max(-1000, min(x(p), 1000)) at 1 ]' --property 'E >= 1 [ speed2(p) at 1/2 ]'
+  property1: undecided whether it is <= 1/2: 0.9, from -0.096175 to 2.708808 with confidence 99/100, 10000 runs
+    more than 10000 runs are needed: --most
+  
+  property2: undecided whether it is >= 1: 0, at least 0 with confidence 99/100, 128 runs
+    no greatest value of this number is known, and so no upper end: a value too rare to be among the runs may raise the mean by any amount
   [2]
 
 The same, however many processes work at it; the exact numbers are 171/211 and 373/625, about 0.810427 and 0.5968.
@@ -60,7 +81,7 @@ The same, however many processes work at it; the exact numbers are 171/211 and 3
   $ scc estimate $M/ruin.sc --check how_often --check by_four --json > one.json
   $ for j in 2 5; do scc estimate $M/ruin.sc --check how_often --check by_four --json --jobs $j | cmp - one.json; done
   $ scc estimate $M/ruin.sc --check how_often --check by_four
-  how_often: estimated: 0.80813, from 0.785406 to 0.829526 with confidence 99/100, 4920 runs
+  how_often: estimated: 0.80813, from 0.785406 to 0.828771 with confidence 99/100, 4920 runs
   
   by_four: estimated: 0.594851, from 0.572041 to 0.617383 with confidence 99/100, 7380 runs
 
@@ -71,8 +92,9 @@ Comparisons end as soon as they are decided.
   
   property2: estimated to be violated: 0.75, from 0.629163 to 0.848442 with confidence 99/100, 128 runs
   
-  property3: undecided whether it is <= 20: the mean of these runs alone is 5.4375, with the standard deviation 4.513758, 128 runs
-    no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+  property3: undecided whether it is <= 20: 5.2183, at least 5.060784 with confidence 99/100, 10000 runs
+    no greatest value of this number is known, and so no upper end: a value too rare to be among the runs may raise the mean by any amount
+    more than 10000 runs are needed: --most
   [1]
   $ scc estimate $M/ruin.sc --check surely --most 200
   surely: undecided whether it is >= 1: 1, from 0.95427 to 1 with confidence 99/100, 128 runs
@@ -99,7 +121,7 @@ What nobody draws is left open, or taken evenly, and then it is said.
   property2: estimated to be violated: 0, from 0 to 0.026144 with confidence 99/100, 200 runs
     choices that nothing draws were taken evenly
   
-  property3: estimated: 0.105, from 0.025689 to 0.272412 with confidence 99/100, 200 runs
+  property3: estimated: 0.105, from 0.04095 to 0.226771 with confidence 99/100, 200 runs
     choices that nothing draws were taken evenly
   [1]
 
@@ -250,8 +272,8 @@ Where walkers bounce nothing draws which does so first. No interval is given if 
         "value": {"kind": "probability", "low": "5137/31250", "high": "255387/500000"},
         "verdict": "undecided",
         "value": {"kind": "probability", "low": "5137/31250", "high": "255387/500000"},
-        "verdict": "sampled",
-        "value": {"kind": "sample", "mean": "-21/25", "deviation": "358224801705/274877906944"},
+        "verdict": "estimated",
+          "kind": "mean",
         "verdict": "estimated",
         "value": {"kind": "mean", "mean": "11/50", "low": "45929/500000", "high": "40321/100000"},
   $ sed -i 's/^import/blocked wait\nimport/' crowd.sc
@@ -260,8 +282,7 @@ Where walkers bounce nothing draws which does so first. No interval is given if 
   
   half: estimated to be violated: 0.1, from 0.022217 to 0.25805 with confidence 99/100, 50 runs
   
-  mean: sampled: the mean of these runs alone is -1.6, with the standard deviation 1.073807, 50 runs
-    no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+  mean: estimated: -1.6, from -3.375847 to -0.054731 with confidence 99/100, 50 runs
   
   share: estimated: 0.1, from 0.022217 to 0.25805 with confidence 99/100, 50 runs
   [1]

@@ -102,3 +102,24 @@ let may_release (m : Model.t) (p : State.process) =
     Behaviour.some_prefix m.definitions ~behind:(fun _ -> true) releases l.behaviour.term
   in
   Array.length p.leaves > 1 && Array.exists may p.leaves
+
+(* Where walkers stop and nothing else moves, all velocities are mixtures of the first ones, of kicks and of 0. *)
+let of_walkers (m : Model.t) (s : State.t) =
+  let kick speed2 (l : Model.leaf) =
+    Option.map2 Rat.max speed2 (if l.fixed then Some Rat.zero else Option.map (fun g -> g.speed2) (given l))
+  in
+  let first = List.map (fun (p : State.process) -> Vec.norm2 p.velocity) (Array.to_list s.processes) in
+  let all_draw = Array.for_all (fun (l : Model.leaf) -> l.fixed || Law.draws l.law) m.leaves in
+  if all_draw then Array.fold_left kick (Some (snd (Rat.span Rat.zero first))) m.leaves else None
+
+let speeds (m : Model.t) (s : State.t) ~horizon =
+  let of_all speed2 = Array.map (fun (l : Model.leaf) -> if l.fixed then Rat.zero else speed2 l) m.leaves in
+  if Model.has_turns m || Parameters.may_push m s || not (allows m) then None
+  else if Model.stops_walkers m then Option.map (fun speed2 -> of_all (fun _ -> speed2)) (of_walkers m s)
+  else if m.lots || Model.binds_on_contact m then None
+  else
+    match Array.to_list (Array.map (of_process m) s.processes) with
+    | [] -> None
+    | first :: rest ->
+      let all = energy m ~horizon:(Some horizon) ~collide:true (List.fold_left add first rest) in
+      Option.map (fun all -> of_all (fun l -> Rat.div all l.mass)) all

@@ -49,3 +49,7 @@ val may_draw : t -> bool
 val may_release : Model.t -> State.process -> bool
 (** [may_release m p] is true if [p] has at least two leaves, and a release of a bond is written in a behaviour
     of them, or in what it may become. *)
+
+val speeds : Model.t -> State.t -> horizon:Rat.t -> Rat.t array option
+(** [speeds m s ~horizon] is, for each leaf, an upper bound on the square of its speed in all runs from [s] up to
+    the horizon (law {e Ranges} of the rule book). [None] if no bounds are known. *)

@@ -42,7 +42,7 @@ let refused (c : Property.check) why =
 (* Everything that can be estimated, if nothing is named; what is named has to be. *)
 let paths (l : Loaded.t) asked ~by_name =
   let one (found, left) (c : Property.check) =
-    match Path.of_check (Scc_semantics.Semantics.model l.semantics) c with
+    match Path.of_check ~from:l.declared (Scc_semantics.Semantics.model l.semantics) c with
     | Ok path -> Ok (path :: found, left)
     | Error why -> if by_name then Error (refused c why) else Ok (found, (c, why) :: left)
   in

@@ -10,7 +10,7 @@ let of_size (t : Verdict.truncation) =
 
 let tells (path : Path.t) =
   match (path.question, Path.test path) with
-  | Amounts (_, range), _ -> Option.is_some range
+  | Amounts (_, range), _ -> Option.is_some (Range.both range)
   | Does, None -> true
   | Does, Some (_, test) -> Rat.sign test.than > 0 && Rat.compare test.than Rat.one < 0
 

@@ -47,7 +47,14 @@ let line (a : answer) ~confidence =
   | Probability (low, high) ->
     Printf.sprintf "%sfrom %s to %s %s, %s" (share a.tally) (down low) (up high) sure runs
   | Mean { mean; low; high } ->
-    Printf.sprintf "%sfrom %s to %s %s, %s" (mean_text mean) (down low) (up high) sure runs
+    let ends =
+      match (low, high) with
+      | Some low, Some high -> Printf.sprintf "from %s to %s" (down low) (up high)
+      | Some low, None -> "at least " ^ down low
+      | None, Some high -> "at most " ^ up high
+      | None, None -> "anything"
+    in
+    Printf.sprintf "%s%s %s, %s" (mean_text mean) ends sure runs
   | Sample { mean; deviation } ->
     let spread =
       match deviation with
@@ -69,11 +76,16 @@ let value =
       variant "probability" (function Probability (low, high) -> Some (low, high) | _ -> None) bounds Fun.id;
       variant "mean"
         (function Mean { mean; low; high } -> Some (mean, (low, high)) | _ -> None)
-        (all [ field "mean" (nullable number) fst; within snd bounds ])
+        (all
+           [
+             field "mean" (nullable number) fst;
+             field "low" (nullable number) (fun (_, (low, _)) -> low);
+             field "high" (nullable number) (fun (_, (_, high)) -> high);
+           ])
         Fun.id
         ~about:
           "Of a number that is always in a range which is known. The mean over the runs is null if not all have \
-           come to a number.";
+           come to a number. An end is null if the range has no such end.";
       variant "sample"
         (function Sample { mean; deviation } -> Some (mean, deviation) | _ -> None)
         (all [ field "mean" number fst; field "deviation" (nullable number) snd ])
@@ -125,7 +137,7 @@ let format =
   let sequential (a : aim) = match a.size with Exactly _ -> false | At_most _ -> true in
   let free (a : aim) = match a.free with Apart -> "apart" | Evenly -> "evenly" in
   fields
-    (Shared.head "scc-estimate" 2
+    (Shared.head "scc-estimate" 3
      @ [
        Shared.semantics ();
        within (fun (t, _) -> t.origin) Origin_json.fields;

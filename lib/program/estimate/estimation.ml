@@ -7,7 +7,7 @@ type aim = { confidence : Rat.t; width : Rat.t; size : size; free : Sample.free 
 
 type value =
   | Probability of Rat.t * Rat.t
-  | Mean of { mean : Rat.t option; low : Rat.t; high : Rat.t }
+  | Mean of { mean : Rat.t option; low : Rat.t option; high : Rat.t option }
   | Sample of { mean : Rat.t; deviation : Rat.t option }
   | Infinite
   | Unknown
@@ -27,6 +27,8 @@ type question = {
   asked : Path.t;
   mutable tally : Tally.t;
   mutable left_out : int;  (** runs that were interrupted, and are not in the tally *)
+  mutable low : Rat.t option;  (** the greatest lower end of the looks so far *)
+  mutable high : Rat.t option;  (** the least upper end *)
   mutable answer : answer option;  (** when it is settled *)
 }
 
@@ -35,7 +37,9 @@ type t = { aim : aim; questions : question list; mutable looks : int; mutable ru
 let first_size = 128
 
 let start aim paths =
-  let question path = { asked = path; tally = Tally.empty; left_out = 0; answer = None } in
+  let question asked =
+    { asked; tally = Tally.empty; left_out = 0; low = None; high = None; answer = None }
+  in
   { aim; questions = List.map question paths; looks = 0; runs = 0; chosen = false }
 
 let settled t = List.for_all (fun q -> Option.is_some q.answer) t.questions
@@ -51,7 +55,7 @@ let next t =
    run that was interrupted is left out. *)
 let add_outcome q (o : Sample.outcome) =
   match (q.asked.question, o) with
-  | Amounts (_, None), Too_long Interruption -> q.left_out <- q.left_out + 1
+  | Amounts (_, range), Too_long Interruption when Range.is_unknown range -> q.left_out <- q.left_out + 1
   | (Amounts _ | Does), _ -> q.tally <- Tally.add q.tally o
 
 let add t (r : Sample.run) =
@@ -61,72 +65,113 @@ let add t (r : Sample.run) =
 
 (* {1 One look} *)
 
-let miss t =
-  let all = Rat.sub Rat.one t.aim.confidence in
+let miss t = Rat.sub Rat.one t.aim.confidence
+
+(* The share of this look. *)
+let share t =
   match t.aim.size with
-  | Exactly _ -> all
-  | At_most _ -> Rat.div all (Rat.of_int (t.looks * (t.looks + 1)))
+  | Exactly _ -> miss t
+  | At_most _ -> Rat.div (miss t) (Rat.of_int (t.looks * (t.looks + 1)))
 
 (* No run tells anything, and there is nothing to count. *)
 let all_open (tally : Tally.t) = Tally.open_ended tally = tally.runs
 
-let value q miss =
+let range q : Range.t =
   match q.asked.question with
-  | Does when all_open q.tally -> Unknown
-  | Amounts (_, Some range) when all_open q.tally && not (Rat.equal range.low range.high) -> Unknown
+  | Amounts (_, range) -> range
+  | Does -> { low = Some Rat.zero; high = Some Rat.one; ends_only = true }
+
+let is_constant (range : Range.t) =
+  match Range.both range with Some (low, high) -> Rat.equal low high | None -> false
+
+(* All looks are right with the confidence, so that the answer is what they have in common. If they have nothing in
+   common one of them is wrong, and there is no better answer than the last. *)
+let in_common q (low, high) =
+  let low' = Option.merge Rat.max q.low low and high' = Option.merge Rat.min q.high high in
+  match (low', high') with
+  | Some l, Some h when Rat.compare l h > 0 -> (low, high)
+  | _ ->
+    q.low <- low';
+    q.high <- high';
+    (low', high')
+
+let value t q =
+  let look = share t and open_ended = Tally.open_ended q.tally in
+  match q.asked.question with
+  | (Does | Amounts _) when all_open q.tally && not (is_constant (range q)) -> Unknown
   | Does ->
-    let low, high = Tally.likelihood q.tally ~miss in
+    let low, high = Tally.likelihood q.tally ~miss:look in
+    let known = function Some x, Some y -> (x, y) | _ -> (low, high) in
+    let low, high = known (in_common q (Some low, Some high)) in
     Probability (low, high)
   | Amounts _ when q.tally.never > 0 -> Infinite
   | Amounts _ when q.tally.no_value > 0 -> Unknown
-  | Amounts (_, Some range) ->
-    let low, high = Tally.mean q.tally range ~miss in
-    let mean = if Tally.open_ended q.tally > 0 then None else Option.map fst (Tally.spread q.tally) in
+  | Amounts (_, range) when not (Range.is_unknown range) ->
+    let low, high = in_common q (Tally.mean q.tally range ~look ~miss:(miss t)) in
+    let mean = if open_ended > 0 then None else Option.map fst (Tally.spread q.tally) in
     Mean { mean; low; high }
-  | Amounts (_, None) when Tally.open_ended q.tally > 0 -> Unknown
-  | Amounts (_, None) -> (
+  | Amounts _ when open_ended > 0 -> Unknown
+  | Amounts _ -> (
       match Tally.spread q.tally with
       | Some (mean, deviation) -> Sample { mean; deviation }
       | None -> Unknown)
 
-let range q =
-  match q.asked.question with
-  | Amounts (_, range) -> range
-  | Does -> Some { low = Rat.zero; high = Rat.one; ends_only = true }
-
 (* What is known of what the test is about. Where choices have been taken evenly the least is not more than what
-   was found, and the greatest not less. *)
-let known t q (side : Property.side) value : Answer.t option =
+   was found, and the greatest not less. Without an end, the number may be on either side of the bound. *)
+let known t q (side : Property.side) (test : Answer.bound) value : Answer.t option =
+  let within low high : Answer.t option =
+    let beyond other step = Rat.add (Option.fold ~none:test.than ~some:(fun x -> other x test.than) step) in
+    let low' = Option.value low ~default:(beyond Rat.min high (Rat.of_int (-1))) in
+    let high' = Option.value high ~default:(beyond Rat.max low Rat.one) in
+    Some (Within (low', high'))
+  in
+  let sided low high =
+    match (t.chosen, side) with
+    | true, Least -> within (range q).low high
+    | true, Greatest -> within low (range q).high
+    | false, _ -> within low high
+  in
   match value with
-  | Probability (low, high) | Mean { low; high; _ } -> (
-      match (t.chosen, side, range q) with
-      | true, Least, Some range -> Some (Within (range.low, high))
-      | true, Greatest, Some range -> Some (Within (low, range.high))
-      | _, _, _ -> Some (Within (low, high)))
+  | Probability (low, high) -> sided (Some low) (Some high)
+  | Mean { low; high; _ } -> sided low high
   | Infinite when (not t.chosen) || side = Greatest -> Some Infinite
   | Infinite | Sample _ | Unknown -> None
+
+(* How far the ends of the interval are apart; with one end, twice its distance from the mean of the runs. *)
+let extent q value =
+  let around (range : Range.t) x =
+    let opens = Rat.of_int (Tally.open_ended q.tally) in
+    let sum = Rat.add q.tally.sum (Rat.mul opens (Option.get (Option.merge Rat.min range.low range.high))) in
+    let mean = Rat.div sum (Rat.of_int q.tally.runs) in
+    Rat.mul (Rat.of_int 2) (Rat.abs (Rat.sub mean x))
+  in
+  match value with
+  | Probability (low, high) | Mean { low = Some low; high = Some high; _ } -> Some (Rat.sub high low)
+  | Mean { low = Some x; high = None; _ } | Mean { low = None; high = Some x; _ } -> Some (around (range q) x)
+  | Mean { low = None; high = None; _ } | Sample _ | Infinite | Unknown -> None
 
 (* How wide the interval may be. *)
 let allowed t value =
   match value with
-  | Mean { mean; low; high } ->
-    let about = match mean with Some mean -> Rat.abs mean | None -> Rat.max (Rat.abs low) (Rat.abs high) in
-    Rat.mul t.aim.width about
+  | Mean { mean = Some about; _ } -> Rat.mul t.aim.width (Rat.abs about)
+  | Mean { mean = None; low; high } ->
+    let size = Option.fold ~none:Rat.zero ~some:Rat.abs in
+    Rat.mul t.aim.width (Rat.max (size low) (size high))
   | Probability _ | Sample _ | Infinite | Unknown -> t.aim.width
 
-let is_narrow t value =
-  match value with
-  | Probability (low, high) | Mean { low; high; _ } -> Rat.compare (Rat.sub high low) (allowed t value) <= 0
-  | Infinite -> true
-  | Sample _ | Unknown -> false
+let is_narrow t q value =
+  match (value, extent q value) with
+  | Infinite, _ -> true
+  | _, Some extent -> Rat.compare extent (allowed t value) <= 0
+  | _, None -> false
 
 (* However many runs there are, they do not tell it: no range is known, or what stays open is already too much. *)
-let is_hopeless t q ~miss value =
+let is_hopeless t q value =
   let n = q.tally.runs and k = Tally.open_ended q.tally in
-  match (value, range q) with
-  | (Probability _ | Mean _), Some range when k > 0 ->
-    let share = Clopper_pearson.lower ~n ~k ~miss:(Rat.mul Rat.half miss) in
-    Rat.compare (Rat.mul share (Rat.sub range.high range.low)) (allowed t value) > 0
+  match (value, Range.both (range q)) with
+  | (Probability _ | Mean _), Some (low, high) when k > 0 ->
+    let share = Clopper_pearson.lower ~n ~k ~miss:(Rat.mul Rat.half (share t)) in
+    Rat.compare (Rat.mul share (Rat.sub high low)) (allowed t value) > 0
   | (Probability _ | Mean _), _ -> false
   | Infinite, _ -> k > 0
   | (Sample _ | Unknown), _ -> true
@@ -161,6 +206,21 @@ let open_reasons { tally; left_out; _ } =
        | Some why -> [ Printf.sprintf "%s do not tell: %s" (of_runs tally tally.no_value) why ]);
     ]
 
+(* The end that is missing, whatever the number of runs. *)
+let one_sided value =
+  let no end_ moves =
+    [
+      Printf.sprintf
+        "no %s value of this number is known, and so no %s end: a value too rare to be among the runs may %s the \
+         mean by any amount"
+        (fst end_) (snd end_) moves;
+    ]
+  in
+  match value with
+  | Mean { high = None; _ } -> no ("greatest", "upper") "raise"
+  | Mean { low = None; _ } -> no ("least", "lower") "lower"
+  | Mean _ | Probability _ | Sample _ | Infinite | Unknown -> []
+
 let asked_for t value =
   match (value, t.aim.size) with
   | Sample _, _ ->
@@ -174,9 +234,9 @@ let asked_for t value =
 let answer t q value verdict ~reasons =
   { path = q.asked; verdict; value; tally = q.tally; chosen = t.chosen; reasons }
 
-let look t q ~miss ~last =
-  let value = value q miss in
-  let narrow = is_narrow t value and hopeless = is_hopeless t q ~miss value in
+let look t q ~last =
+  let value = value t q in
+  let narrow = is_narrow t q value and hopeless = is_hopeless t q value in
   let wide () =
     let still_open = open_reasons q in
     match value with
@@ -194,22 +254,23 @@ let look t q ~miss ~last =
       | Sample _ -> settle Sampled ~reasons:(wide ())
       | Unknown -> settle Undecided ~reasons:(wide ())
       | Probability _ | Mean _ | Infinite ->
-        settle Estimated ~reasons:(if fixed && not hopeless then open_reasons q else wide ()))
+        let reasons = if fixed && not hopeless then open_reasons q else wide () in
+        settle Estimated ~reasons:(one_sided value @ reasons))
   | Some (side, test) -> (
-      match Option.bind (known t q side value) (fun known -> Answer.holds known test) with
+      match Option.bind (known t q side test value) (fun known -> Answer.holds known test) with
       | Some holds -> settle (if holds then Holds else Violated) ~reasons:[]
       | None ->
         let even =
           if t.chosen then [ "choices that nothing draws were taken evenly, which the bound is not about" ] else []
         in
-        if narrow then settle Undecided ~reasons:(even @ [ "the bound is within the interval" ])
-        else if hopeless || last then settle Undecided ~reasons:(even @ wide ()))
+        let within = match one_sided value with [] -> [ "the bound is within the interval" ] | some -> some in
+        if narrow then settle Undecided ~reasons:(even @ within)
+        else if hopeless || last then settle Undecided ~reasons:(even @ one_sided value @ wide ()))
 
 let judge t ~last =
   t.looks <- t.looks + 1;
   let full = match next t with Some n -> t.runs >= n | None -> true in
   let at_end = last || match t.aim.size with Exactly _ -> true | At_most n -> full && t.runs >= n in
-  let miss = miss t in
-  List.iter (fun q -> if Option.is_none q.answer then look t q ~miss ~last:at_end) t.questions
+  List.iter (fun q -> if Option.is_none q.answer then look t q ~last:at_end) t.questions
 
 let answers t = List.filter_map (fun q -> q.answer) t.questions

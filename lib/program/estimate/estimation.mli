@@ -18,8 +18,9 @@ type aim = {
 (** The result for a number. *)
 type value =
   | Probability of Rat.t * Rat.t
-  | Mean of { mean : Rat.t option; low : Rat.t; high : Rat.t }
-  (** for a number with a known range; [mean] is that over the runs, if each has a number *)
+  | Mean of { mean : Rat.t option; low : Rat.t option; high : Rat.t option }
+  (** for a number whose range has an end; [mean] is that over the runs, if each has a number. There is a bound for
+      each end of the range. *)
   | Sample of { mean : Rat.t; deviation : Rat.t option }
   (** for a number without a known range: statistics of the runs, from which nothing follows *)
   | Infinite  (** some runs never reach the event on which the number depends *)
@@ -60,8 +61,9 @@ val judge : t -> last:bool -> unit
 (** Settles the properties that the runs so far decide. [last] is true if there will be no more runs.
 
     For each question, the answers of all looks together are wrong with at most the probability that the
-    confidence leaves. Look j, from 1 on, has the share 1/(j (j + 1)) of it; the sum of all shares is 1. With
-    {!Exactly} there is one look, which has all of it. *)
+    confidence leaves. For probabilities, look j, from 1 on, has the share 1/(j (j + 1)) of it; the sum of all
+    shares is 1. With {!Exactly} there is one look, which has all of it. The bounds of means hold at all looks by
+    themselves ({!Tally.mean}). So each answer is what its look and all earlier ones have in common. *)
 
 val answers : t -> answer list
 (** The answers of the properties that are settled. *)

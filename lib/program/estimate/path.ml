@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_property
 
-type question = Does | Amounts of Property.mean * Range.t option
+type question = Does | Amounts of Property.mean * Range.t
 
 type t = {
   check : Property.check;
@@ -29,12 +29,12 @@ let is_likelihood : Property.temporal -> bool = function
 
 let nested = "what is in its brackets is about other runs: single ones do not tell"
 
-(* How long something takes, and how often it happens, has no bound that is known. *)
-let range model : Property.mean -> Range.t option = function
-  | Value_at (n, time) -> Range.of_number model ~time n
-  | Time_until _ | Events_until _ -> None
+(* How long something takes, and how often it happens, has no upper bound that is known. *)
+let range model ~from : Property.mean -> Range.t = function
+  | Value_at (n, time) -> Range.of_number model ~from ~time n
+  | Time_until _ | Events_until _ -> Range.never_negative
 
-let of_check model (check : Property.check) =
+let of_check ?from model (check : Property.check) =
   let made question =
     match of_run check.formula with
     | Some (formula, horizon) -> Ok { check; question; formula; horizon }
@@ -44,7 +44,7 @@ let of_check model (check : Property.check) =
   | How_likely _ -> made Does
   | Whether when is_likelihood check.formula -> made Does
   | Whether -> Error "no probability or mean is asked for: `scc check` decides it"
-  | Expected (_, mean, _) -> made (Amounts (mean, range model mean))
+  | Expected (_, mean, _) -> made (Amounts (mean, range model ~from mean))
 
 let atoms path =
   let of_number n = Formula.atoms (State (Compare (Eq, n, Const Rat.zero))) in

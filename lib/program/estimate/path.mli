@@ -7,8 +7,7 @@ open Scc_property
 (** The kind of answer of a run. *)
 type question =
   | Does  (** true if the run satisfies the formula *)
-  | Amounts of Property.mean * Range.t option
-  (** the number of the run, and its range if that is known beforehand *)
+  | Amounts of Property.mean * Range.t  (** the number of the run, and the range that it always is in *)
 
 (** A property with its question. *)
 type t = {
@@ -25,6 +24,7 @@ val seen : t list -> int list option
 val test : t -> (Property.side * Scc_chance.Answer.bound) option
 (** What it is compared with; [None]: a number is asked for. *)
 
-val of_check : Model.t -> Property.check -> (t, string) result
-(** The question of a check of the form [P ... \[f U g\]] or [E ...] whose operands are state formulas. The
-    error is the reason why single runs cannot answer any other check. *)
+val of_check : ?from:State.t -> Model.t -> Property.check -> (t, string) result
+(** The question of a check of the form [P ... \[f U g\]] or [E ...] whose operands are state formulas. [from] is
+    the state in which runs begin: more ranges are known with it. The error is the reason why single runs cannot
+    answer any other check. *)

@@ -1,5 +1,6 @@
 open Scc_base
 open Scc_exact
+module Values = Map.Make (Rat)
 
 type t = {
   runs : int;
@@ -15,12 +16,13 @@ type t = {
   numbers : int;
   sum : Rat.t;
   squares : Rat.t;
+  values : int Values.t;
 }
 
 let empty =
   {
     runs = 0; yes = 0; no = 0; free = 0; bounces = 0; too_long = 0; bounds = []; never = 0; no_value = 0;
-    why = None; numbers = 0; sum = Rat.zero; squares = Rat.zero;
+    why = None; numbers = 0; sum = Rat.zero; squares = Rat.zero; values = Values.empty;
   }
 
 let add t (o : Sample.outcome) =
@@ -36,7 +38,8 @@ let add t (o : Sample.outcome) =
   | Never -> { t with never = t.never + 1 }
   | No_value why -> { t with no_value = t.no_value + 1; why = (if t.why = None then Some why else t.why) }
   | Number x ->
-    { t with numbers = t.numbers + 1; sum = Rat.add t.sum x; squares = Rat.add t.squares (Rat.mul x x) }
+    let values = Values.update x (fun n -> Some (Option.value n ~default:0 + 1)) t.values in
+    { t with numbers = t.numbers + 1; sum = Rat.add t.sum x; squares = Rat.add t.squares (Rat.mul x x); values }
 
 let open_ended t = t.free + t.too_long + t.no_value
 
@@ -45,24 +48,30 @@ let likelihood t ~miss =
   ( Clopper_pearson.lower ~n:t.runs ~k:t.yes ~miss,
     Clopper_pearson.upper ~n:t.runs ~k:(t.yes + open_ended t) ~miss )
 
-(* More than e. *)
-let e_above = Rat.make (Z.of_int 271_829) (Z.of_int 100_000)
+let of_share t ~low ~high ~miss =
+  let least = Rat.div (Rat.sub t.sum (Rat.mul (Rat.of_int t.numbers) low)) (Rat.sub high low) in
+  let yes = Z.to_int (Rat.floor least) and at share = Rat.add low (Rat.mul share (Rat.sub high low)) in
+  let low, high = likelihood { t with yes } ~miss in
+  (at low, at high)
 
-let mean t (range : Range.t) ~miss =
-  let width = Rat.sub range.high range.low in
-  if Rat.sign width = 0 then (range.low, range.low)
-  else begin
-    let miss = Rat.div miss (if range.ends_only then Rat.of_int 2 else Rat.mul (Rat.of_int 2) e_above) in
-    let least = Rat.div (Rat.sub t.sum (Rat.mul (Rat.of_int t.numbers) range.low)) width in
-    let most = Rat.add least (Rat.of_int (open_ended t)) in
-    if Rat.sign least < 0 || Rat.compare most (Rat.of_int t.runs) > 0 then
-      Bug.fail __POS__ "a number beyond its range";
-    (* Whole numbers, of which the bound is proved: fewer below, more above. *)
-    let below = Z.to_int (Rat.floor least) and above = Z.to_int (Z.neg (Rat.floor (Rat.neg most))) in
-    let at share = Rat.add range.low (Rat.mul share width) in
-    ( at (Clopper_pearson.lower ~n:t.runs ~k:below ~miss),
-      at (Clopper_pearson.upper ~n:t.runs ~k:above ~miss) )
-  end
+let mean t (range : Range.t) ~look ~miss =
+  let beyond x = Bug.fail __POS__ ("beyond its range: " ^ Rat.to_string x) in
+  let bound distance =
+    let value (x, n) =
+      let d = distance x in
+      if Rat.sign d < 0 then beyond x else if Rat.sign d = 0 then None else Some (d, n)
+    in
+    let values = List.filter_map value (Values.bindings t.values) in
+    Betting.lower values ~runs:t.runs ~miss:(Rat.mul Rat.half miss)
+  in
+  match Range.both range with
+  | Some (low, high) when Rat.equal low high -> (Some low, Some low)
+  | Some (low, high) when range.ends_only ->
+    let low, high = of_share t ~low ~high ~miss:look in
+    (Some low, Some high)
+  | Some _ | None ->
+    ( Option.map (fun low -> Rat.add low (bound (fun x -> Rat.sub x low))) range.low,
+      Option.map (fun high -> Rat.sub high (bound (fun x -> Rat.sub high x))) range.high )
 
 let spread t =
   if t.numbers = 0 then None

@@ -1,6 +1,7 @@
 (** The outcomes of many runs for one question. *)
 
 open Scc_exact
+module Values : Map.S with type key = Rat.t
 
 (** Numbers of runs by outcome, and sums of numbers. *)
 type t = {
@@ -17,6 +18,7 @@ type t = {
   numbers : int;
   sum : Rat.t;  (** of the numbers *)
   squares : Rat.t;
+  values : int Values.t;  (** the numbers of runs, each once, with the number of runs that have it *)
 }
 
 val empty : t
@@ -33,13 +35,14 @@ val likelihood : t -> miss:Rat.t -> Rat.t * Rat.t
     probability with at most the probability [miss], less than 1. Open runs count as no at its lower end, and as
     yes at its upper end. *)
 
-val mean : t -> Range.t -> miss:Rat.t -> Rat.t * Rat.t
-(** An interval that contains the mean of numbers that are always in the range; it misses the mean with at most
-    the probability [miss]. Each run has a number or is open. An open run counts as the low end of the range at
-    the lower end of the interval, and as the high end at the upper one.
+val mean : t -> Range.t -> look:Rat.t -> miss:Rat.t -> Rat.t option * Rat.t option
+(** Bounds of the mean of numbers that are always in the range: a lower one if the range has a low end, and an
+    upper one if it has a high end. Each run has a number or is open. An open run counts as the low end of the
+    range for the lower bound, and as the high end for the upper one.
 
-    Inside a range, the tails of sums are at most e times those of the binomial distribution with the same mean.
-    This is Theorem 1.2 of Bentkus, On Hoeffding's inequalities, 2004. *)
+    Let the bounds be computed after each run of a sample that grows without end. Then with at most the probability
+    [miss] the mean is ever beyond one of them (law {e Betting}). For a number that is one of two the bounds are
+    those of {!likelihood}: these miss the mean with at most the probability [look]. *)
 
 val spread : t -> (Rat.t * Rat.t option) option
 (** The mean of the numbers, if there are any, and their standard deviation, if there are two or more. The

@@ -340,7 +340,7 @@ let open_runs () =
   let cut = Sample.Too_long Interruption in
   check "P = ? [ eventually x(a) >= 1 ]" [ Truth true; Truth false; cut ]
     (3, "1 of 3 runs were left before it was known: the command was stopped");
-  check "E = ? [ time U x(a) >= 1 ]" [ cut; cut ] (0, "2 more runs are left out, which were interrupted")
+  check "E = ? [ x(a) at 1 ]" [ cut; cut ] (0, "2 more runs are left out, which were interrupted")
 
 let () =
   let case name f = Alcotest.test_case name `Quick f in
