@@ -5,7 +5,7 @@ open Scc_semantics
 open Instant
 open Scc_state_sets
 
-type due = Contact of int | Expiry of int * Linear.t | Split_instant of int
+type due = Contact of int | Expiry of int * Linear.t | Split_instant of int | Step_end | Lots
 
 (* {1 What comes first} *)
 
@@ -21,7 +21,29 @@ let same_due a b =
   match (a, b) with
   | Contact i, Contact j | Split_instant i, Split_instant j -> Int.equal i j
   | Expiry (i, t), Expiry (j, u) -> Int.equal i j && Linear.equal t u
-  | (Contact _ | Expiry _ | Split_instant _), _ -> false
+  | Step_end, Step_end | Lots, Lots -> true
+  | (Contact _ | Expiry _ | Split_instant _ | Step_end | Lots), _ -> false
+
+(* Clocks of the network end a passing of time where they matter, or where something else is ahead. *)
+let by_clock ~matters left due cells =
+  let add (cell : due First.cell) =
+    if matters || Option.is_some cell.time then First.at left due [ cell ] else [ cell ]
+  in
+  List.concat_map add cells
+
+let by_clocks m (z : Zone.t) cells =
+  let processes = z.skeleton.processes in
+  let until form length = Linear.sub (Linear.constant (Zone.dimension z) length) form in
+  let to_step left = by_clock ~matters:(Array.exists (Steer.steers m) processes) left Step_end in
+  let to_lots since cells =
+    match m.splits with
+    | Every step ->
+      let matters = Array.exists (fun p -> Option.is_some (Scc_semantics.Lots.wait m p)) processes in
+      by_clock ~matters (until since step) Lots cells
+    | Any_time -> cells
+  in
+  Option.fold ~none:cells ~some:(fun left -> to_step left cells) z.step
+  |> fun cells -> Option.fold ~none:cells ~some:(fun since -> to_lots since cells) z.grid
 
 let cells c z region =
   let m = Semantics.model c.semantics in
@@ -37,7 +59,7 @@ let cells c z region =
     let on cells comes = First.on comes (Contact i) cells in
     (i + 1, if moves then List.fold_left on cells (contact c (a, b) :: meetings c (a, b)) else cells)
   in
-  List.fold_left meet (0, by_themselves) (pairs m z) |> snd |> First.merged same_due
+  List.fold_left meet (0, by_themselves) (pairs m z) |> snd |> by_clocks m z |> First.merged same_due
 
 (* {1 Passing} *)
 
@@ -79,7 +101,7 @@ let expire c (z : Zone.t) (leaf, durations) =
 (* By leaves, each with the durations that are over. *)
 let expiries due =
   let add found = function
-    | Contact _ | Split_instant _ -> found
+    | Contact _ | Split_instant _ | Step_end | Lots -> found
     | Expiry (leaf, d) ->
       let others = Option.value (List.assoc_opt leaf found) ~default:[] in
       (leaf, d :: others) :: List.remove_assoc leaf found
@@ -104,16 +126,32 @@ let rec settled c (z : Zone.t) =
     let still = List.filter some (List.map at (Constraint.negation over)) in
     List.concat_map (settled c) (expire c (at over) (leaf, [ d ]) :: still)
 
+let step_over (s : State.t) =
+  let over (step : State.step) = { step with phase = State.Due } in
+  State.at ~step:(Option.map over s.step) ~time:s.time s
+
+let is_lots = function Lots -> true | Contact _ | Expiry _ | Split_instant _ | Step_end -> false
+
+let lots_pending (m : Model.t) (z : Zone.t) =
+  match m.splits with
+  | Every step -> { z with skeleton = State.mapi (fun _ p -> Scc_semantics.Lots.pass m step p) z.skeleton }
+  | Any_time -> z
+
 let until c (z : Zone.t) (cell : due First.cell) =
   let time = match cell.time with Some t -> t | None -> Scc_base.Bug.fail __POS__ "nothing comes" in
-  let z = Zone_time.after (Semantics.model c.semantics) { z with set = cell.region } time in
+  let m = Semantics.model c.semantics in
+  let z = Zone_time.after m { z with set = cell.region } time in
   let zero = Linear.constant (Zone.dimension z) Rat.zero in
   let tick (z : Zone.t) = function
     | Split_instant first -> { z with clocks = set z.clocks first zero }
+    | Step_end -> { z with skeleton = step_over z.skeleton; step = Some zero }
+    | Lots -> { z with grid = Some zero }
     | Contact _ | Expiry _ -> z
   in
   let z = List.fold_left tick z cell.due in
-  settled c (List.fold_left (expire c) z (expiries cell.due))
+  (* Which bonds are drawn for depends on the behaviours as they are then. *)
+  let drawn (z : Zone.t) = if List.exists is_lots cell.due then lots_pending m z else z in
+  List.map drawn (settled c (List.fold_left (expire c) z (expiries cell.due)))
 
 (* The states until the cell's time, over one variable more: how much time has passed, which begins as it says. *)
 let until_then (c : Instant.context) (z : Zone.t) (cell : due First.cell) ~begins =
