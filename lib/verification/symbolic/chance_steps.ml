@@ -41,6 +41,13 @@ let is_due (s : State.t) =
   | Some { phase = Due; _ } -> not (is_drawing s || Lots.pending s)
   | Some { phase = Moving | Steered; _ } | None -> false
 
+(* A region by what the laws of some processes give. *)
+let by_laws c (z : Zone.t) asked region =
+  let cut regions p =
+    if asked p then List.concat_map (fun r -> Law_cells.cells c z r p) regions else regions
+  in
+  Array.fold_left cut [ region ] z.skeleton.processes
+
 let settled c (z : Zone.t) =
   let of_cell region =
     let s = sample c z region in
@@ -49,11 +56,7 @@ let settled c (z : Zone.t) =
   let of_region region =
     let s = sample c z region in
     if Collisions.collides s.semantics s.state then [ { z with set = region } ]
-    else
-      let cut regions p =
-        if Steer.steers (model c) p then List.concat_map (fun r -> Law_cells.cells c z r p) regions else regions
-      in
-      List.concat_map of_cell (Array.fold_left cut [ region ] z.skeleton.processes)
+    else List.concat_map of_cell (by_laws c z (Steer.steers (model c)) region)
   in
   if is_due z.skeleton then List.concat_map of_region (Instant.cells c z) else [ z ]
 
@@ -63,14 +66,14 @@ type t = Drawn of (Rat.t * Zone.t list) list | Chosen of Zone.t list list
 
 let pending (z : Zone.t) = Array.exists waits z.skeleton.processes || Lots.pending z.skeleton
 
-let draws c (z : Zone.t) =
-  let s = sample c z z.set in
+let draws c (z : Zone.t) region =
+  let s = sample c z region in
   match Steer.next_to_draw s.semantics s.state with
   | None -> Scc_base.Bug.fail __POS__ "nobody draws"
   | Some p ->
     let of_draw (velocity, chance) =
       let t = sure s (Network.drawn s.semantics s.state ~before:(fun _ -> None) p (velocity, chance)) in
-      (chance, [ converted c { z with arrived = [] } z.set t.target ])
+      (chance, [ converted c { z with arrived = [] } region t.target ])
     in
     Drawn (List.map of_draw (sure s (Steer.chances s.semantics s.state p)))
 
@@ -89,4 +92,6 @@ let lots c ~events (z : Zone.t) region =
 
 let all c ~events (z : Zone.t) =
   if Lots.pending z.skeleton then List.map (fun region -> (region, lots c ~events z region)) (Instant.cells c z)
-  else [ (z.set, draws c z) ]
+  else
+    (* Zones that differ in what they draw may have become one. *)
+    List.map (fun region -> (region, draws c z region)) (by_laws c z waits z.set)

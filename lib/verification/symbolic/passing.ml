@@ -24,26 +24,26 @@ let same_due a b =
   | Step_end, Step_end | Lots, Lots -> true
   | (Contact _ | Expiry _ | Split_instant _ | Step_end | Lots), _ -> false
 
-(* Clocks of the network end a passing of time where they matter, or where something else is ahead. *)
-let by_clock ~matters left due cells =
+(* The clocks of the network run over at once, each at its end, where one of them matters or something else is
+   ahead. *)
+let by_clocks (m : Model.t) (z : Zone.t) cells =
+  let processes = z.skeleton.processes in
+  let steered = Array.exists (Steer.steers m) processes in
+  let drawn = Array.exists (fun p -> Option.is_some (Scc_semantics.Lots.wait m p)) processes in
+  let to_lots since =
+    match m.splits with
+    | Every step -> [ (Linear.sub (Linear.constant (Zone.dimension z) step) since, Lots) ]
+    | Any_time -> []
+  in
+  let clocks =
+    Option.fold ~none:[] ~some:(fun left -> [ (left, Step_end) ]) z.step @ Option.fold ~none:[] ~some:to_lots z.grid
+  in
   let add (cell : due First.cell) =
-    if matters || Option.is_some cell.time then First.at left due [ cell ] else [ cell ]
+    if steered || drawn || Option.is_some cell.time then
+      List.fold_left (fun cells (left, due) -> First.at left due cells) [ cell ] clocks
+    else [ cell ]
   in
   List.concat_map add cells
-
-let by_clocks m (z : Zone.t) cells =
-  let processes = z.skeleton.processes in
-  let until form length = Linear.sub (Linear.constant (Zone.dimension z) length) form in
-  let to_step left = by_clock ~matters:(Array.exists (Steer.steers m) processes) left Step_end in
-  let to_lots since cells =
-    match m.splits with
-    | Every step ->
-      let matters = Array.exists (fun p -> Option.is_some (Scc_semantics.Lots.wait m p)) processes in
-      by_clock ~matters (until since step) Lots cells
-    | Any_time -> cells
-  in
-  Option.fold ~none:cells ~some:(fun left -> to_step left cells) z.step
-  |> fun cells -> Option.fold ~none:cells ~some:(fun since -> to_lots since cells) z.grid
 
 let cells c z region =
   let m = Semantics.model c.semantics in
