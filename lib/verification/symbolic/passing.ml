@@ -24,26 +24,21 @@ let same_due a b =
   | Step_end, Step_end | Lots, Lots -> true
   | (Contact _ | Expiry _ | Split_instant _ | Step_end | Lots), _ -> false
 
-(* The clocks of the network run over at once, each at its end, where one of them matters or something else is
-   ahead. *)
-let by_clocks (m : Model.t) (z : Zone.t) cells =
-  let processes = z.skeleton.processes in
-  let steered = Array.exists (Steer.steers m) processes in
-  let drawn = Array.exists (fun p -> Option.is_some (Scc_semantics.Lots.wait m p)) processes in
+(* The clocks of the network: the time left to the end of each. *)
+let clocks (m : Model.t) (z : Zone.t) =
   let to_lots since =
     match m.splits with
     | Every step -> [ (Linear.sub (Linear.constant (Zone.dimension z) step) since, Lots) ]
     | Any_time -> []
   in
-  let clocks =
-    Option.fold ~none:[] ~some:(fun left -> [ (left, Step_end) ]) z.step @ Option.fold ~none:[] ~some:to_lots z.grid
-  in
-  let add (cell : due First.cell) =
-    if steered || drawn || Option.is_some cell.time then
-      List.fold_left (fun cells (left, due) -> First.at left due cells) [ cell ] clocks
-    else [ cell ]
-  in
-  List.concat_map add cells
+  Option.fold ~none:[] ~some:(fun left -> [ (left, Step_end) ]) z.step @ Option.fold ~none:[] ~some:to_lots z.grid
+
+(* They matter where somebody is steered, or a bond is drawn for. *)
+let clocks_matter (m : Model.t) (z : Zone.t) =
+  let waits p = Steer.steers m p || Option.is_some (Scc_semantics.Lots.wait m p) in
+  Array.exists waits z.skeleton.processes
+
+let by_clocks clocks cells = List.fold_left (fun cells (left, due) -> First.at left due cells) cells clocks
 
 let cells c z region =
   let m = Semantics.model c.semantics in
@@ -52,14 +47,21 @@ let cells c z region =
     List.fold_left expire cells (List.sort_uniq Linear.compare (Zone_time.lengths m l))
   in
   let tick cells (first, left) = First.at left (Split_instant first) cells in
-  let expired = List.fold_left of_leaf (First.start region) (State.leaves z.skeleton) in
+  let clocks = clocks m z in
+  let matter = clocks <> [] && clocks_matter m z in
+  let start = by_clocks (if matter then clocks else []) (First.start region) in
+  let expired = List.fold_left of_leaf start (State.leaves z.skeleton) in
   let by_themselves = List.fold_left tick expired (Zone_time.to_split_instants m z) in
   let meet (i, cells) (a, b) =
     let moves = not (Vec.is_zero (relative_velocity a b)) in
     let on cells comes = First.on comes (Contact i) cells in
     (i + 1, if moves then List.fold_left on cells (contact c (a, b) :: meetings c (a, b)) else cells)
   in
-  List.fold_left meet (0, by_themselves) (pairs m z) |> snd |> by_clocks m z |> First.merged same_due
+  (* Other clocks stop time only where something else is ahead. *)
+  let beside (cell : due First.cell) =
+    if matter || cell.time = None then [ cell ] else by_clocks clocks [ cell ]
+  in
+  List.fold_left meet (0, by_themselves) (pairs m z) |> snd |> List.concat_map beside |> First.merged same_due
 
 (* {1 Passing} *)
 
