@@ -168,6 +168,23 @@ let measured =
       field "high" (nullable Shared.rational) high;
     ]
 
+(* A number that depends on the start. *)
+let by_start =
+  let side : Scc_property.Property.side -> string = function Least -> "least" | Greatest -> "greatest" in
+  fields
+    [
+      field "over" (word side [ Least; Greatest ]) fst;
+      within snd Where_json.chances_fields;
+    ]
+
+let starts j =
+  let of_side (side, chances) =
+    (side, { Where_json.chances; with_parts = Option.is_some j.holds_where })
+  in
+  match j.outcome.verdict with
+  | Measured { starts = _ :: _ as starts; _ } -> Some (List.map of_side starts)
+  | Measured _ | Holds _ | Violated _ | Undecided _ -> None
+
 let curve_point =
   let moment (p : Verdict.point) = p.moment in
   fields
@@ -252,7 +269,12 @@ let property_members =
     maybe "by_invariant" (constant (`Bool true)) (fun j ->
         if Verdict.by_invariant j.outcome then Some () else None)
       ~about:"It rests on an invariant (rule Invariants).";
-    maybe "where" Where_json.format (fun j -> j.holds_where)
+    maybe "starts" (list ~least:1 ~most:2 by_start) starts
+      ~about:
+        "Of a probability that is asked for all starts: how it depends on them. The scheduler sees the start. Then \
+         low and high of `values` bound it for all of them.";
+    maybe "where" Where_json.format (fun j ->
+        match j.outcome.verdict with Measured _ -> None | Holds _ | Violated _ | Undecided _ -> j.holds_where)
       ~about:"With --where: for which values of the parameters it holds.";
   ]
 

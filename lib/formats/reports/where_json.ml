@@ -108,3 +108,38 @@ let format =
     "For which values of the parameters that have ranges something holds: the pieces, which are disjoint."
 
 let where = write format
+
+(* {1 Probabilities as functions of parameters} *)
+
+let ends =
+  all
+    [
+      field "low" Shared.rational (fun (v : Piecewise.value) -> v.least);
+      field "high" Shared.rational (fun (v : Piecewise.value) -> v.most);
+    ]
+
+let part =
+  fields
+    [
+      within (fun (_, (p : Chances.part)) -> p.value) ends;
+      within (fun (ranges, (p : Chances.part)) -> (ranges, p.set, Where.measure p.set)) set_fields;
+    ]
+  |> named "part"
+    "A probability, where low and high are one, or proved bounds of it; and the values of the parameters for which \
+     it is so, as disjoint polyhedra with their volume."
+
+type chances = { chances : Chances.t; with_parts : bool }
+
+let chances_fields =
+  let parts c =
+    if c.with_parts then Some (List.map (fun p -> (c.chances.Chances.ranges, p)) c.chances.parts) else None
+  in
+  all
+    [
+      within (fun c -> Chances.extremes c.chances) ends;
+      field "mean" (nullable (obj ends)) (fun c -> Chances.mean c.chances)
+        ~about:
+          "Over parameters that are independent and uniform in their ranges; null where a volume is not computed.";
+      maybe "parts" (list ~least:1 part) parts
+        ~about:"With --where: each value with the parameters that have it. The parts make up the whole range.";
+    ]

@@ -17,3 +17,9 @@ val form_format : ((int -> string) * Linear.t, unit) Json_format.t
 
 val where : Where.t -> Json.t
 (** The whole member in {!format}. *)
+
+(** A probability as a function of the parameters, with its parts or without. *)
+type chances = { chances : Chances.t; with_parts : bool }
+
+val chances_fields : (chances, unit) Json_format.members
+(** Its extremes, its mean, and its parts. *)

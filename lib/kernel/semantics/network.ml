@@ -143,7 +143,7 @@ let quiescent c (s : State.t) =
   && (not (Collisions.collides c s))
   && Option.is_none (Time.delay c s)
 
-let initial (c : Semantics.t) (declared : State.t) =
+let started (c : Semantics.t) (declared : State.t) =
   let (module K) = c.kinematics in
   let m = c.setting.model in
   let step =
@@ -152,5 +152,6 @@ let initial (c : Semantics.t) (declared : State.t) =
   let time = if m.keeps_time then Some Scc_exact.Rat.zero else None in
   let start p = Lots.start m @@ Process.restart_step m (K.start c.setting (Process.restart_clock m p)) in
   let processes = List.map start (Array.to_list declared.processes) in
-  let* settled = Steer.settle c (State.make ~processes ~step ~time) in
-  Ok settled.state
+  State.make ~processes ~step ~time
+
+let initial c declared = Result.map (fun (o : Steer.outcome) -> o.state) (Steer.settle c (started c declared))

@@ -6,6 +6,10 @@ val initial : Semantics.t -> State.t -> (State.t, Transition.fault) result
 (** [initial c declared] is the initial state: split clocks set, laws evaluated for the first time where there are
     laws, first turns begun. *)
 
+val started : Semantics.t -> State.t -> State.t
+(** [started c declared] is the initial state before laws are evaluated for the first time: {!initial} is what
+    {!Steer.settle} makes of it. *)
+
 val successors : Semantics.t -> State.t -> (Transition.t list, Transition.fault) result
 (** Every transition of a state, in a fixed order. While lots are pending, these are the outcomes of the next lot
     (rule Lot). Else, while a process waits to draw, they are the draws of the next process (rule Draw). Else

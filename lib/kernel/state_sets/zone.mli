@@ -16,13 +16,15 @@ open Scc_calculus
 type t = {
   skeleton : State.t;
   (** The part that is the same in all states. Places of leaves are zero there, behaviours are as they were
-      when they were last set, and split clocks are [Some 0]. *)
+      when they were last set, split clocks are [Some 0], and times of the movement step and of lots are 0. *)
   halted : bool;
   (** time has stopped here for a weak split, the only possible event; other events come later *)
   arrived : int list;  (** the numbers of the events that have just led here, increasing *)
   set : Polyhedron.t;  (** of the values of the variables; not empty *)
   parameters : Linear.t array;
   time : Linear.t option;  (** model time since the start, if it is a coordinate *)
+  step : Linear.t option;  (** the time left in the movement step of the network, if it has one (rule Steer) *)
+  grid : Linear.t option;  (** the time since the last split instant of the network, if it has lots (rule Lot) *)
   ages : Linear.t array;
   (** by leaf: the time that the behaviour has aged since it was set; 0 if it does not age *)
   clocks : Linear.t array;  (** by leaf: the split clock of the process whose first leaf it is; 0 elsewhere *)
@@ -31,7 +33,7 @@ type t = {
 }
 
 val skeleton : State.t -> State.t
-(** [skeleton s] is [s] with the places of leaves zero and the split clocks [Some 0]. *)
+(** [skeleton s] is [s] as the skeleton of a zone: with all of its numbers zero that are coordinates. *)
 
 val declared : Model.t -> Uncertain.t -> State.t -> keeps_time:bool -> t
 (** [declared m u s ~keeps_time] are the declared states for all values of the parameters, where [s] is that for
@@ -41,7 +43,8 @@ val dimension : t -> int
 (** The number of variables. *)
 
 val coordinates : t -> Linear.t array
-(** The coordinates in order: parameters, time if it is kept, ages, clocks, then x, y and z of each place. *)
+(** The coordinates in order: parameters, those of time, step and grid that there are, ages, clocks, then x, y and z
+    of each place. *)
 
 val place : t -> int -> Model.part -> Place.t
 (** [place z leaf part] is the place of the reference point of a part of the leaf. *)

@@ -51,4 +51,9 @@ let after m (z : Zone.t) time =
     if Option.is_some (Process.running_clock m p) then clocks.(first) <- Linear.add clocks.(first) time
   in
   Array.iter of_process z.skeleton.processes;
-  { z with arrived = []; halted = false; time = Option.map (Linear.add time) z.time; ages; clocks; places }
+  let moving (s : State.step) = { s with phase = State.Moving } in
+  let skeleton = State.at ~step:(Option.map moving z.skeleton.step) ~time:z.skeleton.time z.skeleton in
+  let later = Option.map (Linear.add time) in
+  let step = Option.map (fun left -> Linear.sub left time) z.step in
+  { z with
+    skeleton; arrived = []; halted = false; time = later z.time; step; grid = later z.grid; ages; clocks; places }

@@ -33,4 +33,5 @@ val splits_at_any_time : Model.t -> Zone.t -> bool
 
 val after : Model.t -> Zone.t -> Linear.t -> Zone.t
 (** [after m z time] are the states of [z] when this time has passed, without an event on the way. Delays and split
-    clocks that are over then have their whole length: no delay has expired, and no clock begins anew. *)
+    clocks that are over then have their whole length: no delay has expired, and no clock begins anew.
+    Likewise the movement step is not over, and no split instant of the network has come. *)

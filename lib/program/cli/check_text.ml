@@ -137,6 +137,19 @@ let counted (check : Scc_property.Property.check) (w : Witness.t) =
   if Rat.equal chance Rat.one then counts
   else Printf.sprintf "%s, of probability %s" counts (Likelihoods.number chance)
 
+(* For which values it holds; or, of a probability, what it is for which. *)
+let where_lines (v : Verdict.t) w =
+  match v with
+  | Measured { starts = (_, first) :: rest; _ }
+    when List.for_all (fun (_, c) -> Scc_regions.Chances.equal first c) rest ->
+    Scc_regions.Words.chances_lines first
+  | Measured { starts = _ :: _ as starts; _ } ->
+    let of_side (side, c) =
+      (Likelihoods.side side ^ " probability") :: List.map (fun l -> "  " ^ l) (Scc_regions.Words.chances_lines c)
+    in
+    List.concat_map of_side starts
+  | Holds _ | Violated _ | Measured _ | Undecided _ -> Scc_regions.Words.lines w
+
 let property console ~full ?where c ({ check; verdict = v; lost; left_out; _ } as o : Verdict.outcome) =
   let verdict = Console.styled console (style v) (Verdict.outcome_to_string o) in
   let head = Printf.sprintf "%s: %s\n  %s\n" (Console.styled console Strong check.name) verdict check.text in
@@ -182,7 +195,7 @@ let property console ~full ?where c ({ check; verdict = v; lost; left_out; _ } a
     |> Option.fold ~none:[] ~some:(fun text -> [ Printf.sprintf "  likely cure: %s\n" text ])
   in
   let show (what, lines) = Printf.sprintf "  %s\n" what :: indented 4 lines in
-  let where = match where with None -> [] | Some w -> indented 2 (Scc_regions.Words.lines w) in
+  let where = match where with None -> [] | Some w -> indented 2 (where_lines v w) in
   String.concat "" ((head :: none) @ cure @ where @ List.concat_map show run)
 
 let zeno ~full c w =

@@ -150,7 +150,7 @@ let explore console o format =
   let* () =
     match format with
     | Aut | Tra | Drn -> Result.map ignore (Ordinary.refuse loaded)
-    | Dot | Json -> Verdicts.refused loaded ~prove:false
+    | Dot | Json -> Verdicts.graph_refused loaded
   in
   Console.report console loaded.warnings;
   (if Verdicts.over_zones loaded then over_zones else ordinarily) console o watch loaded format

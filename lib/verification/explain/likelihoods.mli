@@ -14,6 +14,9 @@ val measured : Eval.measured -> string
 val known : Scc_property.Property.side -> Eval.measured -> string
 (** A measured probability as ["the least probability is 1/3"]. *)
 
+val side : Scc_property.Property.side -> string
+(** ["least"] or ["greatest"]. *)
+
 val is_exact : Eval.measured -> bool
 (** [is_exact m] is true if one value is known exactly, or if the value is known to be infinite. *)
 

@@ -102,6 +102,38 @@ let listed ranges u =
 
 let told ranges name u = (name ^ " where") :: listed ranges u
 
+(* {1 Functions} *)
+
+let value (v : Piecewise.value) =
+  if Rat.equal v.least v.most then Rat.to_string v.least
+  else Printf.sprintf "from %s to %s, not known better" (Rat.to_string v.least) (Rat.to_string v.most)
+
+let mean c =
+  match Chances.mean c with
+  | None -> "mean not computed"
+  | Some v when Rat.equal v.least v.most -> "mean " ^ number v.least
+  | Some v -> Printf.sprintf "mean at least %s, and at most %s" (number v.least) (number v.most)
+
+let chances (c : Chances.t) =
+  let { Piecewise.least; most } = Chances.extremes c in
+  let whole = Ranges.to_string c.ranges in
+  let for_ = if whole = "" then "" else ", for " ^ whole in
+  match c.parts with
+  | [ _ ] when Rat.equal least most -> number least ^ for_
+  | [ { value = v; _ } ] -> value v ^ for_
+  | _ -> Printf.sprintf "%s to %s%s; %s" (Rat.to_string least) (Rat.to_string most) for_ (mean c)
+
+let chances_lines (c : Chances.t) =
+  let n = Array.length c.ranges in
+  let of_part (part : Chances.part) =
+    let line p =
+      let extent = if Polyhedron.affine_dimension p < n then " (" ^ without_extent n ^ ")" else "" in
+      Printf.sprintf "%s%s: %s" (piece c.ranges p) extent (value part.value)
+    in
+    List.map line (Union.pieces part.set)
+  in
+  List.concat_map of_part c.parts @ [ mean c ]
+
 let sets (w : Where.t) =
   let none u = Union.is_empty u and count u = List.length (Union.pieces u) in
   let told = told w.ranges in

@@ -7,10 +7,10 @@ open Scc_state_sets
 
 type t = { label : Transition.label; target : Zone.t }
 
-let target c ~events (z : Zone.t) region (state : State.t) (o : Transition.outcome) =
+let of_outcome c ~events (z : Zone.t) region (state : State.t) ~step (o : Transition.outcome) =
   let n = Zone.dimension z in
   let zero = Linear.constant n Rat.zero in
-  let skeleton = Zone.skeleton (State.exchange ~gone:o.gone ~come:o.come state) in
+  let skeleton = Zone.skeleton (State.at ~step ~time:None (State.exchange ~gone:o.gone ~come:o.come state)) in
   (* the ends of bonds that are made or released are who goes on *)
   let ends = List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds o.label) in
   let first (p : State.process) = p.leaves.(0).leaf in
@@ -39,11 +39,13 @@ let all (c : Instant.context) ~events z region =
     | None -> Scc_base.Bug.fail __POS__ "an empty region"
   in
   let state = Zone.at z point in
-  let happen = List.concat_map (target c ~events z region state) in
+  let step = state.step in
+  let happen ?(step = step) = List.concat_map (of_outcome c ~events z region state ~step) in
   let semantics = Instant.semantics_at c z point in
   let of_each kind = List.concat_map (kind semantics) (Array.to_list state.processes) in
   let weak = happen (of_each Network.weak) in
   if z.Zone.halted then { Network.urgent = []; weak; collisions = [] }
   else
-    let collisions = happen (Network.together semantics state.processes) in
+    let step = Network.after_collision (Semantics.model c.semantics) step in
+    let collisions = happen ~step (Network.together semantics state.processes) in
     { urgent = happen (of_each Network.urgent); weak; collisions }

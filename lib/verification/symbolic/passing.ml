@@ -5,7 +5,7 @@ open Scc_semantics
 open Instant
 open Scc_state_sets
 
-type due = Contact of int | Expiry of int * Linear.t | Split_instant of int
+type due = Contact of int | Expiry of int * Linear.t | Split_instant of int | Step_end | Lots
 
 (* {1 What comes first} *)
 
@@ -21,7 +21,24 @@ let same_due a b =
   match (a, b) with
   | Contact i, Contact j | Split_instant i, Split_instant j -> Int.equal i j
   | Expiry (i, t), Expiry (j, u) -> Int.equal i j && Linear.equal t u
-  | (Contact _ | Expiry _ | Split_instant _), _ -> false
+  | Step_end, Step_end | Lots, Lots -> true
+  | (Contact _ | Expiry _ | Split_instant _ | Step_end | Lots), _ -> false
+
+(* The clocks of the network: the time left to the end of each. *)
+let clocks (m : Model.t) (z : Zone.t) =
+  let to_lots since =
+    match m.splits with
+    | Every step -> [ (Linear.sub (Linear.constant (Zone.dimension z) step) since, Lots) ]
+    | Any_time -> []
+  in
+  Option.fold ~none:[] ~some:(fun left -> [ (left, Step_end) ]) z.step @ Option.fold ~none:[] ~some:to_lots z.grid
+
+(* They matter where somebody is steered, or a bond is drawn for. *)
+let clocks_matter (m : Model.t) (z : Zone.t) =
+  let waits p = Steer.steers m p || Option.is_some (Scc_semantics.Lots.wait m p) in
+  Array.exists waits z.skeleton.processes
+
+let by_clocks clocks cells = List.fold_left (fun cells (left, due) -> First.at left due cells) cells clocks
 
 let cells c z region =
   let m = Semantics.model c.semantics in
@@ -30,14 +47,21 @@ let cells c z region =
     List.fold_left expire cells (List.sort_uniq Linear.compare (Zone_time.lengths m l))
   in
   let tick cells (first, left) = First.at left (Split_instant first) cells in
-  let expired = List.fold_left of_leaf (First.start region) (State.leaves z.skeleton) in
+  let clocks = clocks m z in
+  let matter = clocks <> [] && clocks_matter m z in
+  let start = by_clocks (if matter then clocks else []) (First.start region) in
+  let expired = List.fold_left of_leaf start (State.leaves z.skeleton) in
   let by_themselves = List.fold_left tick expired (Zone_time.to_split_instants m z) in
   let meet (i, cells) (a, b) =
     let moves = not (Vec.is_zero (relative_velocity a b)) in
     let on cells comes = First.on comes (Contact i) cells in
     (i + 1, if moves then List.fold_left on cells (contact c (a, b) :: meetings c (a, b)) else cells)
   in
-  List.fold_left meet (0, by_themselves) (pairs m z) |> snd |> First.merged same_due
+  (* Other clocks stop time only where something else is ahead. *)
+  let beside (cell : due First.cell) =
+    if matter || cell.time = None then [ cell ] else by_clocks clocks [ cell ]
+  in
+  List.fold_left meet (0, by_themselves) (pairs m z) |> snd |> List.concat_map beside |> First.merged same_due
 
 (* {1 Passing} *)
 
@@ -79,7 +103,7 @@ let expire c (z : Zone.t) (leaf, durations) =
 (* By leaves, each with the durations that are over. *)
 let expiries due =
   let add found = function
-    | Contact _ | Split_instant _ -> found
+    | Contact _ | Split_instant _ | Step_end | Lots -> found
     | Expiry (leaf, d) ->
       let others = Option.value (List.assoc_opt leaf found) ~default:[] in
       (leaf, d :: others) :: List.remove_assoc leaf found
@@ -104,16 +128,32 @@ let rec settled c (z : Zone.t) =
     let still = List.filter some (List.map at (Constraint.negation over)) in
     List.concat_map (settled c) (expire c (at over) (leaf, [ d ]) :: still)
 
+let step_over (s : State.t) =
+  let over (step : State.step) = { step with phase = State.Due } in
+  State.at ~step:(Option.map over s.step) ~time:s.time s
+
+let is_lots = function Lots -> true | Contact _ | Expiry _ | Split_instant _ | Step_end -> false
+
+let lots_pending (m : Model.t) (z : Zone.t) =
+  match m.splits with
+  | Every step -> { z with skeleton = State.mapi (fun _ p -> Scc_semantics.Lots.pass m step p) z.skeleton }
+  | Any_time -> z
+
 let until c (z : Zone.t) (cell : due First.cell) =
   let time = match cell.time with Some t -> t | None -> Scc_base.Bug.fail __POS__ "nothing comes" in
-  let z = Zone_time.after (Semantics.model c.semantics) { z with set = cell.region } time in
+  let m = Semantics.model c.semantics in
+  let z = Zone_time.after m { z with set = cell.region } time in
   let zero = Linear.constant (Zone.dimension z) Rat.zero in
   let tick (z : Zone.t) = function
     | Split_instant first -> { z with clocks = set z.clocks first zero }
+    | Step_end -> { z with skeleton = step_over z.skeleton; step = Some zero }
+    | Lots -> { z with grid = Some zero }
     | Contact _ | Expiry _ -> z
   in
   let z = List.fold_left tick z cell.due in
-  settled c (List.fold_left (expire c) z (expiries cell.due))
+  (* Which bonds are drawn for depends on the behaviours as they are then. *)
+  let drawn (z : Zone.t) = if List.exists is_lots cell.due then lots_pending m z else z in
+  List.map drawn (settled c (List.fold_left (expire c) z (expiries cell.due)))
 
 (* The states until the cell's time, over one variable more: how much time has passed, which begins as it says. *)
 let until_then (c : Instant.context) (z : Zone.t) (cell : due First.cell) ~begins =

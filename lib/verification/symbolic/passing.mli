@@ -11,6 +11,8 @@ type due =
   | Expiry of int * Linear.t
   (** the eps of a leaf whose duration is this form over the parameters (rule TimeBehaviour) *)
   | Split_instant of int  (** the next one of the process whose first leaf it is (reading I-9) *)
+  | Step_end  (** the end of the movement step of the network (rule Steer) *)
+  | Lots  (** the next split instant of the network (rule Lot) *)
 
 val cells : Instant.context -> Zone.t -> Polyhedron.t -> due First.cell list
 (** [cells c z region] divides a region without urgent events by the events that come first. *)

@@ -121,6 +121,8 @@ let of_coordinates z ~set ~basis given =
   in
   let parameters = Array.map take z.parameters in
   let time = Option.map take z.time in
+  let step = Option.map take z.step in
+  let grid = Option.map take z.grid in
   let ages = Array.map take z.ages in
   let clocks = Array.map take z.clocks in
   let place (x, y, z) =
@@ -128,7 +130,7 @@ let of_coordinates z ~set ~basis given =
     let y = take y in
     (x, y, take z)
   in
-  { z with set; basis; parameters; time; ages; clocks; places = Array.map place z.places }
+  { z with set; basis; parameters; time; step; grid; ages; clocks; places = Array.map place z.places }
 
 let canonical z =
   let n = dimension z in
@@ -170,7 +172,7 @@ let same_forms a b =
   Polyhedron.dimension a.set = Polyhedron.dimension b.set
   && Array.for_all2 Int.equal a.basis b.basis
   && same a.parameters b.parameters
-  && Option.equal Linear.equal a.time b.time
+  && List.for_all2 (Option.equal Linear.equal) [ a.time; a.step; a.grid ] [ b.time; b.step; b.grid ]
   && same a.ages b.ages && same a.clocks b.clocks
   && Array.for_all2 same_place a.places b.places
 

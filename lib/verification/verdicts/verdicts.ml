@@ -31,9 +31,13 @@ let with_invariants options (l : Loaded.t) ~initial checks =
 let ordinarily (options : Setup.t) (l : Loaded.t) ~initial checks =
   (if options.prove then with_invariants options l else Check.run options l.semantics) ~initial checks
 
+let unless_refused (l : Loaded.t) use =
+  match Option.map (Zone_check.refused l.model) use with None | Some [] -> Ok () | Some why -> Error why
+
 let refused (l : Loaded.t) ~prove =
-  let because = if over_zones l then Some Zone_check.Zones else if prove then Some Invariants else None in
-  match Option.map (Zone_check.refused l.model) because with None | Some [] -> Ok () | Some why -> Error why
+  unless_refused l (if over_zones l then Some Zone_check.Zones else if prove then Some Invariants else None)
+
+let graph_refused (l : Loaded.t) = unless_refused l (if over_zones l then Some Zone_check.Graph else None)
 
 let report (options : Setup.t) (l : Loaded.t) ~initial ~exactly ~premises checks =
   let of_all () =

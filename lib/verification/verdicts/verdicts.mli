@@ -15,7 +15,11 @@ val uncertain : Loaded.t -> Uncertain.t
 
 val refused : Loaded.t -> prove:bool -> (unit, Diag.t list) result
 (** SC0901 if the model is explored over zones, or for an invariant with [prove], and its numbers would not be
-    affine. *)
+    affine, or chance decides what is not followed. *)
+
+val graph_refused : Loaded.t -> (unit, Diag.t list) result
+(** SC0901 if the model is explored over zones, and the graph of its zones cannot be written: numbers would not be
+    affine, or laws of motion or lots come in. *)
 
 val report :
   Setup.t -> Loaded.t -> initial:State.t -> exactly:bool -> premises:Property.check list ->

@@ -47,7 +47,7 @@ let probability (r : Unsettled.t) temporal i sides ~curve =
     let reasons = reasons r values (fun () -> Temporal.possible_doubts temporal i) in
     (match Unsettled.evaluated r (fun () -> if curve then points temporal i sides else []) with
      | Error why -> Undecided why
-     | Ok curve -> Measured { values; reasons; witness = witness r temporal i; curve })
+     | Ok curve -> Measured { values; reasons; witness = witness r temporal i; curve; starts = [] })
 
 (* As far as what is known above and below tells. *)
 let compared bound m ~reasons : Verdict.t =
@@ -73,7 +73,7 @@ let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
     match (unknown, List.filter_map known found, test) with
     | (_ :: _ as reasons), _, _ -> Undecided reasons
     | [], ([ (_, m) ] as values), Some bound -> compared bound m ~reasons:(fun () -> of_values values)
-    | [], values, _ -> Measured { values; reasons = of_values values; witness = None; curve = [] }
+    | [], values, _ -> Measured { values; reasons = of_values values; witness = None; curve = []; starts = [] }
   in
   match Unsettled.evaluated r (fun () -> of_sides temporal sides find) with
   | Error why -> Undecided why

@@ -33,7 +33,8 @@ type t =
   | Holds of { bounds : truncation list; witness : Witness.t option }
   | Violated of { witness : Witness.t option }
   | Measured of { values : (Scc_property.Property.side * Scc_ctl.Eval.measured) list; reasons : reason list;
-                  witness : Witness.t option; curve : point list }
+                  witness : Witness.t option; curve : point list;
+                  starts : (Scc_property.Property.side * Scc_regions.Chances.t) list }
   | Undecided of reason list
 
 type over = { instants : bool; ranges : Ranges.t; example : (string * Rat.t) list; everywhere : bool;
@@ -197,14 +198,23 @@ let over_to_string { instants; ranges; _ } =
 let values_to_string values =
   String.concat ", " (List.map (fun (name, v) -> Printf.sprintf "%s = %s" name (Rat.to_string v)) values)
 
+(* A number that depends on the start is told by its extremes and its mean. *)
+let number values = function
+  | [] -> Likelihoods.values values
+  | (_, first) :: rest when List.for_all (fun (_, c) -> Scc_regions.Chances.equal first c) rest ->
+    Scc_regions.Words.chances first
+  | starts ->
+    let told (s, c) = Likelihoods.side s ^ " " ^ Scc_regions.Words.chances c in
+    String.concat "; " (List.map told starts)
+
 let to_string = function
   | Holds { bounds = []; _ } -> "holds (exhaustive)"
   | Holds { bounds; _ } ->
     "holds up to the bound: " ^ String.concat ", " (List.map truncation_to_string bounds)
   | Violated _ -> "violated"
-  | Measured { values; reasons = []; _ } -> Likelihoods.values values
-  | Measured { values; reasons; _ } ->
-    Printf.sprintf "%s, as far as is known: %s" (Likelihoods.values values)
+  | Measured ({ reasons = []; _ } as m) -> number m.values m.starts
+  | Measured ({ reasons; _ } as m) ->
+    Printf.sprintf "%s, as far as is known: %s" (number m.values m.starts)
       (String.concat "; " (List.map reason_to_string reasons))
   | Undecided reasons -> "undecided: " ^ String.concat "; " (List.map reason_to_string reasons)
 

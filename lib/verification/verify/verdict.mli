@@ -50,6 +50,8 @@ type t =
       reasons : reason list;  (** the reasons why they are not known better; empty: nothing was left out *)
       witness : Witness.t option;  (** of the last of them, a run that counts *)
       curve : point list;  (** how it depends on the end of the bound of time, where that was asked for *)
+      starts : (Scc_property.Property.side * Scc_regions.Chances.t) list;
+      (** of explorations over zones: how it depends on the start. [values] are then bounds for all starts. *)
     }  (** the answer to a question for numbers *)
   | Undecided of reason list  (** not empty *)
 

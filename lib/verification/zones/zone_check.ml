@@ -12,21 +12,25 @@ open Zone_explored
 
 let is_for = Left_open.leaves_open
 
-type use = Zones | Invariants
+type use = Zones | Graph | Invariants
 
 let refused (m : Model.t) use =
   let what, fixed =
     match use with
-    | Zones ->
+    | Zones | Graph ->
       ("what is not known of this model does not stay linear", "give every parameter a value, and a `split_step`")
     | Invariants -> ("no invariant of this model can be looked for", "its checks can be explored, without --prove")
   in
   let because text hint = [ Diag.error Code.not_yet Span.none "%s: %s" what text ~hint ] in
   if Option.is_some m.rigid then because "its bodies turn" fixed
-  else if m.steered then because "a law of motion steers its bodies" fixed
-  else if m.lots then because "splits of it are left to chance" "give every parameter a value"
   else if Option.is_some m.round_velocity then because "its velocities are rounded" fixed
-  else []
+  else
+    match (use, Zone_chance.refused m) with
+    | Zones, Some reason -> because reason "give every parameter a value"
+    | Zones, None -> []
+    | (Graph | Invariants), _ when m.steered -> because "a law of motion steers its bodies" fixed
+    | (Graph | Invariants), _ when m.lots -> because "splits of it are left to chance" "give every parameter a value"
+    | (Graph | Invariants), _ -> []
 
 type fault = { at : (string * Rat.t) list; reason : Start.reason }
 
@@ -235,7 +239,7 @@ let report options semantics u ~declared ~initial explored : Check.report =
     numbers = (fun () -> []);
   }
 
-let run (options : Setup.t) semantics u ~declared ~exactly ~premises checks =
+let without_chance (options : Setup.t) semantics u ~declared ~exactly ~premises checks =
   let context = Instant.context semantics in
   let initial = By_invariant.initial semantics declared in
   (* All are explored before an invariant is searched for, so that no search takes the time of another check. *)
@@ -247,3 +251,69 @@ let run (options : Setup.t) semantics u ~declared ~exactly ~premises checks =
   | Error { Start.at; reason } -> Error { at; reason }
   | Ok explored ->
     Ok (report options semantics u ~declared ~initial (List.map (fun proved -> proved ()) explored))
+
+(* {1 Chance} *)
+
+(* Verdicts of checks that need probabilities, each explored by itself. *)
+let by_chance options semantics u ~declared checks =
+  let context = Instant.context semantics in
+  let one (check : Property.check) =
+    let found (r : Zone_chance.result) =
+      let example =
+        match (r.verdict, Union.point r.where.fails) with
+        | Violated _, Some values -> Zone_single.named (Semantics.model semantics) values
+        | _ -> []
+      in
+      let everywhere = Union.covers r.where.fails (Ranges.box r.where.ranges) in
+      let scale = Left_open.make semantics ~declared ~example ~everywhere ~by_invariant:false in
+      let outcome =
+        { Verdict.check; verdict = r.verdict; scale; rests = []; converges = None; lost = []; left_out = None }
+      in
+      (outcome, r)
+    in
+    Result.map found (Zone_chance.check options semantics context u ~declared check)
+  in
+  Result.all one checks
+
+(* Nothing is told of premises here. *)
+let untold (check : Property.check) : Verdict.outcome =
+  let scale = { Verdict.resolution = None; split_step = None; over = None } in
+  { check; verdict = Undecided []; scale; rests = []; converges = None; lost = []; left_out = None }
+
+let nothing : Check.report =
+  {
+    outcomes = []; stats = { Stats.none with complete = true }; uneventful = false; slices = []; zeno = None;
+    lost = []; left_out = None; stores = []; where = []; invariants = []; numbers = (fun () -> []);
+  }
+
+(* The elements of two lists in the order of a third one, whose elements tell which list the next one is from. *)
+let rec interleaved from_first firsts seconds = function
+  | [] -> []
+  | x :: rest -> (
+      match (from_first x, firsts, seconds) with
+      | true, y :: firsts, _ -> y :: interleaved from_first firsts seconds rest
+      | false, _, y :: seconds -> y :: interleaved from_first firsts seconds rest
+      | true, [], _ | false, _, [] -> Bug.fail __POS__ "a check without a verdict")
+
+let run options semantics u ~declared ~exactly ~premises checks =
+  let serves = Zone_chance.serves (Semantics.model semantics) in
+  let drawn, others = List.partition serves checks in
+  let is_drawn (p : Property.check) = List.exists (fun (c : Property.check) -> String.equal c.name p.name) drawn in
+  let of_drawn, of_others = List.partition is_drawn premises in
+  let* (report : Check.report) =
+    if drawn <> [] && others = [] then Ok nothing
+    else without_chance options semantics u ~declared ~exactly ~premises:of_others others
+  in
+  match by_chance options semantics u ~declared drawn with
+  | Error { Start.at; reason } -> Error { at; reason }
+  | Ok found ->
+    let n = List.length others in
+    let of_checks = List.filteri (fun i _ -> i < n) report.outcomes in
+    let of_premises = List.filteri (fun i _ -> i >= n) report.outcomes in
+    let outcomes =
+      interleaved serves (List.map fst found) of_checks checks
+      @ interleaved is_drawn (List.map untold of_drawn) of_premises premises
+    in
+    let where = interleaved serves (List.map (fun (_, (r : Zone_chance.result)) -> r.where) found) report.where checks in
+    let all = List.map (fun (_, (r : Zone_chance.result)) -> r.stats) found in
+    Ok { report with outcomes; where; stats = List.fold_left Stats.add report.stats all }

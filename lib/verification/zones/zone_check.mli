@@ -12,7 +12,10 @@ val is_for : Model.t -> declared:State.t -> bool
     time. *)
 
 (** The use of a model that needs affine numbers. *)
-type use = Zones  (** the model leaves numbers open *) | Invariants  (** a proof is requested *)
+type use =
+  | Zones  (** the model leaves numbers open, and its checks are asked *)
+  | Graph  (** the model leaves numbers open, and the graph of its zones is asked *)
+  | Invariants  (** a proof is requested *)
 
 val refused : Model.t -> use -> Scc_base.Diag.t list
 (** The reasons (SC0901) why numbers of such a model are not affine in its variables; none if they are. Reasons

@@ -1,0 +1,293 @@
+open Scc_base
+open Scc_exact
+open Scc_polyhedra
+open Scc_chance
+open Scc_calculus
+open Scc_state_sets
+open Scc_semantics
+open Scc_property
+open Scc_symbolic
+open Scc_regions
+open Scc_verify
+
+let serves m (check : Property.check) =
+  Model.decides_by_chance m || m.steered
+  || Formula.asks_probability check.formula
+  || match check.asked with Whether -> false | How_likely _ | Expected _ -> true
+
+let refused (m : Model.t) =
+  if Model.of_each m then Some "processes have movement steps of their own (`timestep ... local`)"
+  else if Model.stops_walkers m then Some "walkers stop where they are blocked (`blocked`)"
+  else if Model.draws_ties m then Some "chance decides which of several events comes first"
+  else if m.lots && m.splits = Any_time then Some "splits at any time are left to chance"
+  else None
+
+(* {1 Questions} *)
+
+(* A boolean combination of operators of time, each of state predicates, and of state predicates now. *)
+type question =
+  | Now of Property.prop
+  | Not of question
+  | All of question list
+  | Some_of of question list
+  | Operator of operator
+
+and operator = {
+  quantifier : Property.path_quantifier;
+  until : Chance_graph.question;
+  negated : bool;  (** it is asked how likely the until is not *)
+}
+
+exception Not_asked of string
+
+let state f =
+  match Formula.state_formula f with
+  | Some p -> p
+  | None -> raise (Not_asked "over starts, operators of time do not stand within others")
+
+let until bound claim goal : Chance_graph.question = { claim; goal; bound }
+
+let rec question (f : Property.temporal) =
+  match f with
+  | State p -> Now p
+  | Temporal_not f -> Not (question f)
+  | Temporal_and all -> All (List.map question all)
+  | Temporal_or all -> Some_of (List.map question all)
+  | Finally (quantifier, bound, g) ->
+    Operator { quantifier; until = until bound (Bool true) (state g); negated = false }
+  | Until (quantifier, bound, f, g) ->
+    Operator { quantifier; until = until bound (state f) (state g); negated = false }
+  | Globally (quantifier, bound, f) ->
+    Operator { quantifier; until = until bound (Bool true) (Formula.negate (state f)); negated = true }
+  | Next _ -> raise (Not_asked "over starts, X has no probability")
+
+(* A comparison of the predicate [quiescent] needs what comes next. *)
+let rec predicates = function
+  | Now p -> [ p ]
+  | Not q -> predicates q
+  | All all | Some_of all -> List.concat_map predicates all
+  | Operator { until; _ } -> [ until.claim; until.goal ]
+
+let asked f =
+  let q = question f in
+  if List.exists Search_sets.asks_for_rest (predicates q) then
+    raise (Not_asked "over starts, `quiescent` is not known in an operator with a probability");
+  q
+
+(* {1 Explorations} *)
+
+(* The work on a check, and what is kept of its explorations. *)
+type work = {
+  options : Setup.t;
+  context : Instant.context;
+  zones : keeps_time:bool -> (Zone.t list, Start.fault) Stdlib.result;
+  ranges : Ranges.t;
+  space : Piecewise.space;
+  mutable explored : Chance_graph.t list;
+  mutable stop : Scc_graph_search.Limits.stop option;
+}
+
+exception Ill_formed of Start.fault
+
+let default_zones = 50_000
+
+let limits w : Chance_graph.limits =
+  let { Setup.bounds; surroundings; _ } = w.options in
+  let depth = match (Zone_bounds.depth bounds).limit with Depth d -> d | _ -> Zone_bounds.default_depth in
+  let progress ~zones ~waiting ~depth =
+    surroundings.progress { states = zones; transitions = 0; waiting; depth; model_time = Rat.zero }
+  in
+  let stop () =
+    w.stop <- surroundings.stop ();
+    Option.is_some w.stop
+  in
+  let zones = Option.value (Bounds.value bounds.states) ~default:default_zones in
+  { horizon = Bounds.value bounds.time; depth; zones; stop; progress }
+
+let explore w (until : Chance_graph.question) =
+  let m = Semantics.model w.context.semantics in
+  let timed = Rat.sign until.bound.low > 0 || Option.is_some until.bound.high in
+  let bounded = Option.is_some (Bounds.value w.options.bounds.time) in
+  let named = [ Property.State until.claim; State until.goal ] in
+  let keeps_time = timed || bounded || m.keeps_time || List.exists Formula.mentions_time named in
+  match w.zones ~keeps_time with
+  | Error fault -> raise (Ill_formed fault)
+  | Ok zones ->
+    let graph = Chance_graph.explore w.context until (limits w) zones in
+    w.explored <- graph :: w.explored;
+    graph
+
+let box w = Ranges.box w.ranges
+
+(* {1 Values} *)
+
+let flipped : [ `Least | `Greatest ] -> [ `Least | `Greatest ] = function `Least -> `Greatest | `Greatest -> `Least
+
+(* The values of an operator, of which it is asked how it is at least or at most. *)
+let pieces w graph { negated; _ } ~chance side =
+  let choice = if negated then flipped side else side in
+  let mode = { Chance_graph.choice; chance = (if chance then `Mean else (choice :> [ `Mean | `Least | `Greatest ])) } in
+  let f = Chance_graph.solve graph mode w.space in
+  let known = function
+    | p, Some (v : Piecewise.value) ->
+      if negated then (p, { Piecewise.least = Rat.sub Rat.one v.most; most = Rat.sub Rat.one v.least }) else (p, v)
+    | _, None -> Bug.fail __POS__ "a start without a value"
+  in
+  List.map known (Piecewise.pieces (box w) f)
+
+let side : Property.side -> [ `Least | `Greatest ] = function Least -> `Least | Greatest -> `Greatest
+
+type sets = { holds : Union.t; fails : Union.t }
+
+let by_test w pieces test =
+  let n = Array.length w.ranges in
+  let truth (_, (v : Piecewise.value)) =
+    match (Answer.holds (Exact v.least) test, Answer.holds (Exact v.most) test) with
+    | Some a, Some b when Bool.equal a b -> Some a
+    | _ -> None
+  in
+  let those wanted =
+    let is piece = Option.equal Bool.equal (truth piece) (Some wanted) in
+    Union.of_polyhedra n (List.map fst (List.filter is pieces))
+  in
+  { holds = those true; fails = those false }
+
+let surely : Answer.bound = { relation = At_least_so; than = Rat.one }
+
+let of_operator w o =
+  let pieces = pieces w (explore w o.until) o in
+  match o.quantifier with
+  | All -> by_test w (pieces ~chance:false `Least) surely
+  | Exists -> by_test w (pieces ~chance:false `Greatest) surely
+  | Chance { side = s; test } -> by_test w (pieces ~chance:true (side s)) test
+
+(* At the start. *)
+let now w p =
+  let formula = Property.State p in
+  let events = Array.of_list (Formula.events formula) in
+  let truth = Atoms.truth (Atoms.context w.context ~events) p in
+  match w.zones ~keeps_time:true with
+  | Error fault -> raise (Ill_formed fault)
+  | Ok zones ->
+    let look zone = truth { Atoms.zone; passing = false; quiescent = [] } in
+    let all = List.concat_map look zones in
+    let those wanted =
+      let is (p, truth) = if Scc_ctl.Truth.equal truth wanted then Some p else None in
+      Union.of_polyhedra (Array.length w.ranges) (List.filter_map is all)
+    in
+    { holds = those True; fails = those False }
+
+let rec sets w = function
+  | Now p -> now w p
+  | Operator o -> of_operator w o
+  | Not q ->
+    let { holds; fails } = sets w q in
+    { holds = fails; fails = holds }
+  | All all ->
+    let both a b = { holds = Union.inter a.holds b.holds; fails = Union.union a.fails b.fails } in
+    List.fold_left both { holds = Union.of_polyhedron (box w); fails = Union.empty (Array.length w.ranges) }
+      (List.map (sets w) all)
+  | Some_of all -> sets w (Not (All (List.map (fun q -> Not q) all)))
+
+(* {1 Verdicts} *)
+
+(* Why something is open: bounds that were met, and predicates. *)
+let reasons w =
+  let { Setup.bounds; _ } = w.options in
+  let of_graph graph =
+    let met = Chance_graph.met graph in
+    let default : Verdict.truncation = { limit = States default_zones; origin = By_default } in
+    let states = if Option.is_some (Bounds.value bounds.states) then Zone_bounds.states bounds else default in
+    let late = Option.map (fun t -> { Verdict.limit = Time t; origin = By_user }) (Bounds.value bounds.time) in
+    let stopped = Option.map (Bounds.stopped bounds) w.stop in
+    let when_ is bound = if is then Option.to_list bound else [] in
+    List.concat
+      [
+        when_ met.too_late late; when_ met.too_deep (Some (Zone_bounds.depth bounds));
+        when_ met.too_many (Some states); when_ met.stopped stopped;
+      ]
+  in
+  let bounds = Verdict.distinct (List.concat_map of_graph w.explored) in
+  let texts = List.sort_uniq String.compare (List.concat_map Chance_graph.reasons w.explored) in
+  (bounds, List.map (fun t -> Verdict.Truncated t) bounds @ List.map (fun r -> Verdict.Undefined r) texts)
+
+let stats w ~faults : Stats.t =
+  let sum f = List.fold_left (fun n g -> n + f g) 0 w.explored in
+  let stopped_by, reasons = reasons w in
+  {
+    Stats.none with
+    states = sum Chance_graph.size;
+    transitions = sum Chance_graph.transitions;
+    depth = List.fold_left (fun d g -> Int.max d (Chance_graph.depth g)) 0 w.explored;
+    complete = reasons = [] && faults = [];
+    split_step = (match (Semantics.model w.context.semantics).splits with Every s -> Some s | Any_time -> None);
+    stopped_by;
+    faults;
+  }
+
+let unknown ranges = Where.make ranges ~holds:(Union.empty (Array.length ranges)) ~fails:(Union.empty (Array.length ranges))
+
+let measured w sides o =
+  let graph = explore w o.until in
+  let of_side s = Chances.make w.ranges (pieces w graph o ~chance:true (side s)) in
+  let starts =
+    match sides with
+    | first :: (_ :: _ as others) when Chance_graph.is_chain graph ->
+      let found = of_side first in
+      (first, found) :: List.map (fun s -> (s, found)) others
+    | _ -> List.map (fun s -> (s, of_side s)) sides
+  in
+  let value (s, chances) =
+    let { Piecewise.least; most } = Chances.extremes chances in
+    (s, { Scc_ctl.Eval.least = Exact least; most = Exact most })
+  in
+  let is_open (_, (c : Chances.t)) = List.exists (fun (p : Chances.part) -> not (Rat.equal p.value.least p.value.most)) c.parts in
+  let reasons = if List.exists is_open starts then snd (reasons w) else [] in
+  Verdict.Measured { values = List.map value starts; reasons; witness = None; curve = []; starts }
+
+let decided w q =
+  let { holds; fails } = sets w q in
+  let where = Where.make w.ranges ~holds ~fails in
+  let verdict : Verdict.t =
+    if not (Union.is_empty where.fails) then Violated { witness = None }
+    else if Union.is_empty where.unknown then Holds { bounds = []; witness = None }
+    else Undecided (snd (reasons w))
+  in
+  (verdict, where)
+
+let answer w (check : Property.check) =
+  match check.asked with
+  | Expected _ -> raise (Not_asked "a mean over the runs is not computed over starts")
+  | Whether -> decided w (asked check.formula)
+  | How_likely sides -> (
+      match asked check.formula with
+      | Operator o -> (measured w sides o, unknown w.ranges)
+      | Now _ | Not _ | All _ | Some_of _ -> Bug.fail __POS__ "a probability of no operator")
+
+type result = { verdict : Verdict.t; where : Where.t; stats : Stats.t }
+
+(* A fault of a law, with values for which it has one. *)
+let diagnostic (m : Model.t) fault at =
+  let d = Transition.diagnostic m fault in
+  let named = List.mapi (fun i v -> (m.ranges.(i).Ranges.name, v)) (Array.to_list at) in
+  if named = [] then d else { d with message = Printf.sprintf "%s, for %s" d.message (Verdict.values_to_string named) }
+
+let check (options : Setup.t) semantics context u ~declared (check : Property.check) =
+  let m = Semantics.model semantics in
+  let initial = Network.started semantics declared in
+  let zones ~keeps_time = Start.zones context u ~initial ~keeps_time in
+  let space = Piecewise.space (Ranges.box m.ranges) in
+  let w = { options; context; zones; ranges = m.ranges; space; explored = []; stop = None } in
+  let without reason faults = Ok { verdict = Undecided [ reason ]; where = unknown m.ranges; stats = stats w ~faults } in
+  let faulty fault at =
+    let d = diagnostic m fault at in
+    without (Verdict.Fault d.message) [ d ]
+  in
+  match options.surroundings.attempt.run Exploring (fun () -> answer w check) with
+  | Ok (verdict, where) -> Ok { verdict; where; stats = stats w ~faults:[] }
+  | Error stop -> without (Truncated (Bounds.stopped options.bounds stop)) []
+  | exception Ill_formed fault -> Error fault
+  | exception Not_asked reason -> without (Undefined reason) []
+  | exception Instant.Not_affine reason -> without (Fault (reason ^ " is not known well enough")) []
+  | exception Law_cells.Bad_law { leaf; fault; at } -> faulty (Bad_law { leaf; fault }) at
+  | exception Chance_steps.Bad { fault; at } -> faulty fault at

@@ -1,0 +1,26 @@
+(** Probabilities over all starts, and all instants of splits, that a model leaves open (rules Zones and
+    Probability). *)
+
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+open Scc_symbolic
+open Scc_regions
+open Scc_verify
+
+val serves : Model.t -> Property.check -> bool
+(** [serves m check] is true if the check needs probabilities, or chance decides something in [m]. *)
+
+val refused : Model.t -> string option
+(** What chance decides in such a model that is not followed over zones, in words. *)
+
+type result = {
+  verdict : Verdict.t;
+  where : Where.t;  (** the values for which the check holds; all are unknown if it asks for a number *)
+  stats : Stats.t;
+}
+
+val check :
+  Setup.t -> Semantics.t -> Instant.context -> Uncertain.t -> declared:State.t -> Property.check ->
+  (result, Start.fault) Stdlib.result
+(** [check options semantics c u ~declared check] explores one check by itself. *)

@@ -1,0 +1,253 @@
+(* Probabilities over all starts are those of the ordinary exploration, at each start: random models with one or two
+   walkers, walls, receptors, bonds that break by chance, and free choices; each at random starts, on borders of
+   pieces too.
+
+     test_chance [MODELS [SEED]] *)
+
+open Scc_exact
+open Scc_polyhedra
+open Scc_verify
+open Scc_zones
+module Loaded = Scc_loading.Loaded
+
+let argument i default = if Array.length Sys.argv > i then int_of_string Sys.argv.(i) else default
+let seed = argument 2 1
+let pick random list = List.nth list (Random.State.int random (List.length list))
+let chance random percent = Random.State.int random 100 < percent
+
+(* {1 Random models} *)
+
+let number random list = pick random list
+
+let velocity random ~plane =
+  let one () = number random [ "0"; "1"; "-1"; "1"; "-1"; "1/2"; "2" ] in
+  Printf.sprintf "(%s, %s, 0)" (one ()) (if plane then one () else "0")
+
+let condition random ~plane =
+  let variable = if plane then pick random [ "x"; "y" ] else "x" in
+  Printf.sprintf "%s %s %s" variable (pick random [ "<"; "<="; ">"; ">=" ]) (number random [ "0"; "1/2"; "1"; "-1" ])
+
+let law random ~plane =
+  let kick () =
+    let weight = string_of_int (1 + Random.State.int random 3) in
+    let weight =
+      if chance random 15 then Printf.sprintf "(if %s then %s else 1)" (condition random ~plane) weight else weight
+    in
+    let v = velocity random ~plane in
+    let v =
+      if chance random 15 then
+        Printf.sprintf "(if %s then 1 else -1, 0, 0)" (condition random ~plane)
+      else v
+    in
+    Printf.sprintf "%s weight %s" v weight
+  in
+  if chance random 15 then velocity random ~plane
+  else
+    Printf.sprintf "choose { %s }" (String.concat ", " (List.init (2 + Random.State.int random 2) (fun _ -> kick ())))
+
+let shape =
+  {|shape Cube {
+  vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+           e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]  right [b,c,g,f]  front [a,b,f,e]  back [d,h,g,c]
+}
+|}
+
+let formula random ~two ~plane =
+  let state () =
+    pick random
+      ([ "x(w) >= 1"; "x(w) > 1/2"; "bound(w, s)"; "event bounce(w)"; "event bind"; "vx(w) > 0"; "not bound(w, s)";
+         "x(w) <= 0"; "behaviour(s) = Site"; "energy > 1"; "event bounce(w, east)" ]
+       @ (if two then [ "x(v) > x(w)"; "event bounce(v, w)" ] else [])
+       @ if plane then [ "y(w) > 1"; "y(w) <= x(w)" ] else [])
+  in
+  let bound () = number random [ "1"; "3/2"; "2"; "2"; "5/2"; "3" ] in
+  match Random.State.int random 7 with
+  | 0 -> Printf.sprintf "P = ? [ always %s within %s ]" (state ()) (bound ())
+  | 1 -> Printf.sprintf "P = ? [ (%s) U[<= %s] (%s) ]" (state ()) (bound ()) (state ())
+  | 2 -> Printf.sprintf "P = ? [ true U[%s, %s] (%s) ]" (number random [ "1/2"; "1" ]) (bound ()) (state ())
+  | 3 -> Printf.sprintf "Pmin = ? [ eventually %s within %s ]" (state ()) (bound ())
+  | 4 -> Printf.sprintf "P >= %s [ eventually %s within %s ]" (number random [ "1/2"; "1/3"; "1"; "2/9" ]) (state ()) (bound ())
+  | _ -> Printf.sprintf "P = ? [ eventually %s within %s ]" (state ()) (bound ())
+
+let model random =
+  let two = chance random 30 and plane = chance random 25 in
+  let buffer = Buffer.create 1000 in
+  let add format = Printf.bprintf buffer format in
+  add "model m\ntimestep 1%s\n" (if chance random 30 then " steady" else "");
+  let bonds = chance random 30 in
+  if bonds then add "split_step 1\n";
+  add "param start in %s\n" (pick random [ "[0, 2]"; "(-1, 2]"; "[1/2, 5/2)"; "[-1, 1]" ]);
+  if plane then add "param height in %s\n" (pick random [ "[0, 2]"; "[-1, 1/2)" ]);
+  add "%s" shape;
+  let weak = if bonds then pick random [ "omega(b, {left}) chance 1/3. "; "omega(b, {left}) rate 1. "; "omega(b, {left}). " ] else "" in
+  add "behaviour Site on Cube = <b, {left}>. %snil\n" weak;
+  add "behaviour Ligand on Cube = %s<~b, {%s}>. %snil\n"
+    (if chance random 20 then "eps(3/4). " else "")
+    (pick random [ "right"; "only right" ])
+    (if bonds then "omega(b, {right}). " else "");
+  let inert = pick random [ "nil"; "Ligand"; "Ligand" ] in
+  add "process w = Cube mass 1 at translate (start, %s, 0) [%s]\n" (if plane then "height" else "0") inert;
+  if two then add "process v = Cube mass %s at translate (%s, 0, %s) velocity (%s, 0, 0) [nil]\n"
+      (pick random [ "1"; "2" ]) (pick random [ "-7/2"; "-4" ]) (pick random [ "0"; "0"; "1" ]) (pick random [ "1"; "0" ]);
+  add "fixed s = Cube at translate (%s, %s, 0) [Site]\n" (pick random [ "5"; "11/2" ]) (pick random [ "0"; "1" ]);
+  add "fixed east = Cube scaled (1, 9, 9)%s at translate (%s, 0, 0)\n"
+    (if chance random 20 then " absorb" else "")
+    (pick random [ "15/2"; "8" ]);
+  add "fixed west = Cube scaled (1, 9, 9) at translate (%s, 0, 0)\n" (if two then "-7" else pick random [ "-3"; "-4"; "-7/2" ]);
+  add "motion w = %s\n" (law random ~plane);
+  if two && chance random 50 then add "motion v = %s\n" (law random ~plane:false);
+  add "check c : %s\n" (formula random ~two ~plane);
+  Buffer.contents buffer
+
+(* {1 Both ways} *)
+
+let load ?(overrides = []) text =
+  let read_file _ = Error "no file" in
+  Loaded.load ~read_file ~overrides (Scc_base.Source.make ~name:"m.sc" text)
+
+let bounds = { Bounds.default with states = Given 4_000; depth = Given 60 }
+let options = { Setup.default with bounds }
+
+type answer = Values of (Rat.t * Rat.t) list | Truth of bool option | Nothing
+
+let outcome (r : Check.report) = List.hd r.outcomes
+
+(* What the ordinary exploration says of one start. *)
+let single text overrides =
+  match load ~overrides text with
+  | Error _ -> Nothing
+  | Ok l -> (
+      match Loaded.initial l with
+      | Error _ -> Nothing
+      | Ok initial -> (
+          match (outcome (Check.run options l.semantics ~initial l.checks)).verdict with
+          | Holds { bounds = []; _ } -> Truth (Some true)
+          | Violated _ -> Truth (Some false)
+          | Measured { values; _ } ->
+            let ends (_, (m : Scc_ctl.Eval.measured)) =
+              (Option.get (Scc_chance.Answer.lower m.least), Option.get (Scc_chance.Answer.upper m.most))
+            in
+            Values (List.map ends values)
+          | Holds _ | Undecided _ -> Nothing))
+
+let at point (_, (c : Scc_regions.Chances.t)) =
+  let part = List.find (fun (p : Scc_regions.Chances.part) -> Union.mem p.set point) c.parts in
+  (part.value.least, part.value.most)
+
+let over_starts (report : Check.report) point =
+  match (outcome report).verdict with
+  | Measured { starts; _ } -> Values (List.map (at point) starts)
+  | Holds _ | Violated _ | Undecided _ ->
+    let w = List.hd report.where in
+    if Union.mem w.holds point then Truth (Some true)
+    else if Union.mem w.fails point then Truth (Some false)
+    else Truth None
+
+let told = function
+  | Values list ->
+    String.concat "; " (List.map (fun (a, b) -> Rat.to_string a ^ " .. " ^ Rat.to_string b) list)
+  | Truth (Some b) -> string_of_bool b
+  | Truth None -> "not known"
+  | Nothing -> "nothing"
+
+(* Each knows the value, or bounds of it: they must be of one value. Exact values of one start are those of all. *)
+let agree one all =
+  match (one, all) with
+  | Values one, Values all ->
+    List.for_all2
+      (fun (a, b) (c, d) -> Rat.compare a d <= 0 && Rat.compare c b <= 0)
+      one all
+  | Truth (Some a), Truth (Some b) -> Bool.equal a b
+  | Truth _, Truth None | Truth None, Truth _ | Nothing, _ -> true
+  | _ -> false
+
+let exact = function
+  | Values list -> List.for_all (fun (a, b) -> Rat.equal a b) list
+  | Truth b -> Option.is_some b
+  | Nothing -> false
+
+(* Starts: random ones, and one in each piece. *)
+let points random (l : Loaded.t) (report : Check.report) =
+  let ranges = l.model.ranges in
+  let random_point () =
+    let coordinate _ = Rat.make (Z.of_int (Random.State.int random 49 - 16)) (Z.of_int (pick random [ 1; 2; 4; 8; 16 ])) in
+    Array.init (Array.length ranges) coordinate
+  in
+  let in_range point =
+    let ok = ref true in
+    Array.iteri (fun i x -> if not (Scc_calculus.Ranges.mem ranges.(i) x) then ok := false) point;
+    !ok
+  in
+  let of_set u =
+    List.concat_map
+      (fun p -> List.filter_map Fun.id [ Polyhedron.interior_point p; Polyhedron.corner p ])
+      (Union.pieces u)
+  in
+  let sets =
+    match (outcome report).verdict with
+    | Measured { starts; _ } ->
+      List.concat_map (fun (_, (c : Scc_regions.Chances.t)) -> List.map (fun (p : Scc_regions.Chances.part) -> p.set) c.parts) starts
+    | Holds _ | Violated _ | Undecided _ ->
+      let w = List.hd report.where in
+      [ w.holds; w.fails ]
+  in
+  List.filter in_range (List.init 12 (fun _ -> random_point ()) @ List.concat_map of_set sets)
+
+type count = {
+  mutable models : int;
+  mutable starts : int;
+  mutable exactly : int;
+  mutable pieces : int;
+  mutable kinds : (string * int) list;
+}
+
+let count = { models = 0; starts = 0; exactly = 0; pieces = 0; kinds = [] }
+
+let bump kind =
+  let n = Option.value (List.assoc_opt kind count.kinds) ~default:0 in
+  count.kinds <- (kind, n + 1) :: List.remove_assoc kind count.kinds
+
+let try_model number =
+  let random = Random.State.make [| seed; number |] in
+  let text = model random in
+  match load text with
+  | Error faults ->
+    if Sys.getenv_opt "SHOW" <> None then
+      List.iter (fun (d : Scc_base.Diag.t) -> print_endline (d.message ^ "\n" ^ text)) faults;
+    bump "refused"
+  | Ok l -> (
+      let { Loaded.semantics; declared; checks; _ } = l in
+      match Zone_check.run options semantics (Option.get l.uncertain) ~declared ~exactly:true ~premises:[] checks with
+      | Error _ -> bump "ill-formed"
+      | Ok report ->
+        count.models <- count.models + 1;
+        bump (match (outcome report).verdict with
+            | Measured { reasons = []; starts; _ } ->
+              count.pieces <-
+                count.pieces
+                + List.fold_left (fun n (_, (c : Scc_regions.Chances.t)) -> n + List.length c.parts) 0 starts;
+              "measured"
+            | Measured _ -> "measured in part"
+            | Holds _ | Violated _ -> "decided"
+            | Undecided (r :: _) -> Verdict.reason_to_string r
+            | Undecided [] -> "undecided");
+        let try_point point =
+          let overrides = List.mapi (fun i x -> (l.model.ranges.(i).Scc_calculus.Ranges.name, x)) (Array.to_list point) in
+          let one = single text overrides and all = over_starts report point in
+          count.starts <- count.starts + 1;
+          if exact one && exact all then count.exactly <- count.exactly + 1;
+          if not (agree one all) then
+            Alcotest.failf "model %d of seed %d, %s: of one start %s, over all %s\n%s" number seed
+              (Verdict.values_to_string overrides) (told one) (told all) text
+        in
+        List.iter try_point (points random l report))
+
+let () =
+  let models = argument 1 60 in
+  for i = 1 to models do
+    try_model i
+  done;
+  Printf.printf "%d models at %d starts, at %d both exact; %d values\n" count.models count.starts count.exactly count.pieces;
+  List.iter (fun (kind, n) -> Printf.printf "  %4d %s\n" n kind) (List.sort compare count.kinds);
+  if count.exactly * 2 < count.starts then Alcotest.fail "too little is known"
