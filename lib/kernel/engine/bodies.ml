@@ -13,6 +13,9 @@ type body = {
   flight : Flights.flight;
 }
 
+(* Sweeps that end at one time, since most do with the same step: so the agenda has one event for them. *)
+type ends = No_more | End of { flight : Flights.flight; sweep : int; rest : ends }
+
 (* Events to come. Those whose numbers are out of date are dropped when their time comes. *)
 type event =
   | Contact of {
@@ -22,7 +25,7 @@ type event =
       sweep_one : int;
       sweep_two : int;
     }
-  | Sweep_end of { time : Rat.t; flight : Flights.flight; sweep : int }
+  | Sweep_ends of { time : Rat.t; mutable ends : ends }
   | Horizon of { time : Rat.t; body : body; age : int }  (** an eps expires *)
   | Split_instant of { time : Rat.t; body : body; age : int }
 
@@ -41,6 +44,7 @@ type t = {
   semantics : Semantics.t;
   flights : Flights.t;
   agenda : event Heap.t;
+  mutable last_end : event option;  (** the ends of sweeps that have been added to last *)
   bodies : body option array;  (** by first leaf *)
   homes : int array;  (** by leaf: the first leaf of the process that had it last *)
   mutable frame : State.t;  (** the movement step and the absolute time now, without processes *)
@@ -75,13 +79,22 @@ let work t = Flights.work t.flights
 
 (* {1 The agenda} *)
 
+(* Those that are over come no more. *)
+let rec still = function
+  | End { flight; sweep; rest } when flight.sweep <> sweep -> still rest
+  | (End _ | No_more) as ends -> ends
+
+let are_there = function End _ -> true | No_more -> false
+
 let valid = function
   | Contact c -> c.one.sweep = c.sweep_one && c.two.sweep = c.sweep_two
-  | Sweep_end s -> s.flight.sweep = s.sweep
+  | Sweep_ends s ->
+    s.ends <- still s.ends;
+    are_there s.ends
   | Horizon { body; age; _ } | Split_instant { body; age; _ } -> body.age = age
 
 let time_of = function
-  | Contact { time; _ } | Sweep_end { time; _ } | Horizon { time; _ } | Split_instant { time; _ } -> time
+  | Contact { time; _ } | Sweep_ends { time; _ } | Horizon { time; _ } | Split_instant { time; _ } -> time
 
 let by_time d e = Rat.compare (time_of d) (time_of e)
 let least_room = 1024
@@ -93,12 +106,22 @@ let add t event =
   end;
   Heap.add t.agenda event
 
+(* An event without ends may have left the agenda. *)
+let add_end t time (flight : Flights.flight) =
+  let is_first rest = End { flight; sweep = flight.sweep; rest } in
+  match t.last_end with
+  | Some (Sweep_ends s) when s.time == time && are_there s.ends -> s.ends <- is_first s.ends
+  | Some _ | None ->
+    let event = Sweep_ends { time; ends = is_first No_more } in
+    t.last_end <- Some event;
+    add t event
+
 let watch t : Flights.watch =
   {
     contact =
       (fun time one two ->
          add t (Contact { time; one; two; sweep_one = one.sweep; sweep_two = two.sweep }));
-    sweep_end = (fun time flight -> add t (Sweep_end { time; flight; sweep = flight.sweep }));
+    sweep_end = add_end t;
   }
 
 (* When the velocity of a body is likely to change: at the end of the step, if it draws. *)
@@ -116,6 +139,18 @@ let renew t f =
   Colliding.part t.colliding f.Flights.first;
   let turns = turns t ~is_steered:(body t f.Flights.first).is_steered in
   Flights.renew t.flights ~now:t.now ~turns f (watch t)
+
+(* What ends at this time again is a new event. *)
+let renew_all t ends =
+  t.last_end <- None;
+  let rec all ends =
+    match still ends with
+    | No_more -> ()
+    | End { flight; rest; _ } ->
+      renew t flight;
+      all rest
+  in
+  all ends
 
 (* {1 Processes that come, age and go} *)
 
@@ -181,7 +216,7 @@ let present t b = Turn.pass (model t) t.now (aged t b)
 let happen t event =
   match event with
   | Contact c -> Colliding.meet t.colliding (body t c.one.first) (body t c.two.first)
-  | Sweep_end s -> renew t s.flight
+  | Sweep_ends s -> renew_all t s.ends
   | Horizon { body; _ } ->
     body.process <- aged t body;
     schedule t body
@@ -220,9 +255,9 @@ let rec next_time t =
     end
     else begin
       match event with
-      | Sweep_end s ->
+      | Sweep_ends s ->
         Heap.drop_first t.agenda;
-        renew t s.flight;
+        renew_all t s.ends;
         next_time t
       | Contact _ | Horizon _ | Split_instant _ -> Some (time_of event)
     end
@@ -285,10 +320,19 @@ let change t (o : Transition.outcome) =
 
 (* All change at once: nobody is met on a course that is over. *)
 let turn t processes =
-  let goes_on (p : State.process) = Vec.equal p.velocity (velocity t p.leaves.(0).leaf) in
-  let turned = List.filter (fun p -> not (goes_on p)) processes in
-  List.iter (fun (p : State.process) -> leave t p.leaves.(0).leaf) turned;
-  List.iter (enter t) turned
+  let turned (p : State.process) =
+    let b = body t p.leaves.(0).leaf in
+    if Vec.equal p.velocity b.process.velocity then None
+    else begin
+      Colliding.part t.colliding b.flight.first;
+      b.process <- line t p;
+      Some b
+    end
+  in
+  let turned = List.filter_map turned processes in
+  let turns (f : Flights.flight) = turns t ~is_steered:(body t f.first).is_steered in
+  Flights.turn t.flights ~now:t.now ~turns (List.map (fun b -> (b.flight, b.process)) turned) (watch t);
+  List.iter (schedule t) turned
 
 (* Nothing collides when time passes. *)
 let pass t d =
@@ -325,6 +369,7 @@ let start semantics ~step (s : State.t) =
       semantics;
       flights = Flights.create semantics;
       agenda = Heap.create ~near:(fun e -> Rat.to_float (time_of e)) ~compare:by_time;
+      last_end = None;
       bodies = Array.make leaves None;
       homes = Array.init leaves Fun.id;
       frame = State.make ~processes:[] ~step ~time:s.time;

@@ -7,7 +7,7 @@ open Scc_semantics
 
 type flight = {
   first : int;
-  velocity : Vec.t;
+  mutable velocity : Vec.t;
   parts : int array;
   mutable sweep : int;
   mutable rounds : int;
@@ -139,36 +139,41 @@ let cast t ~now f i g j watch =
       if Rat.compare time now >= 0 && Rat.to_float time <= until then watch.contact time f g
   end
 
+(* Of two processes, whoever has been swept later looks for the other. *)
 let look t ~now f watch =
   let from = Float_box.down now in
   let look_from i =
     let consider j =
-      t.neighbours <- t.neighbours + 1;
-      if Moving_boxes.may_meet t.boxes i j ~from then begin
-        let g = t.owner.(j) in
-        if f.first < g.first then cast t ~now f i g j watch
-        else if g.first < f.first then cast t ~now g j f i watch
+      let g = t.owner.(j) in
+      if g.sweep <= f.sweep then begin
+        t.neighbours <- t.neighbours + 1;
+        if Moving_boxes.may_meet t.boxes i j ~from then
+          if f.first < g.first then cast t ~now f i g j watch
+          else if g.first < f.first then cast t ~now g j f i watch
       end
     in
-    Box_tree.iter_meeting t.tree (Moving_boxes.swept t.boxes i ~from) consider
+    Box_tree.iter_meeting_own t.tree i consider
   in
   Array.iter look_from f.parts
 
 (* If two processes collide at a time during the present sweeps of both, then at that time both are inside of what
    they sweep, and touch: whoever was swept last has found the other in the tree. *)
-let sweep t ~now ~turns f watch =
+let begin_sweep t ~now ~turns f put watch =
   t.sweeps <- t.sweeps + 1;
   f.sweep <- t.sweeps;
   let from = Float_box.down now in
   let until = end_of_sweep t ~now ~from ~turns f in
   let bound = match until with None -> infinity | Some time -> Float_box.up time in
-  let insert i =
+  let put_part i =
     Moving_boxes.set_until t.boxes i bound;
-    Box_tree.insert t.tree i (Moving_boxes.swept t.boxes i ~from)
+    put t.tree i (Moving_boxes.swept t.boxes i ~from)
   in
-  Array.iter insert f.parts;
-  look t ~now f watch;
+  Array.iter put_part f.parts;
   Option.iter (fun time -> watch.sweep_end time f) until
+
+let sweep t ~now ~turns f put watch =
+  begin_sweep t ~now ~turns f put watch;
+  look t ~now f watch
 
 let parts_of t (p : State.process) =
   let of_leaf (l : State.leaf) =
@@ -200,16 +205,23 @@ let launch t ~now ~turns (line : State.process) watch =
     }
   in
   place_parts t f line;
-  sweep t ~now ~turns f watch;
+  sweep t ~now ~turns f Box_tree.insert watch;
   f
 
-let clear t f = Array.iter (Box_tree.remove t.tree) f.parts
-
 let renew t ~now ~turns f watch =
-  clear t f;
   f.rounds <- f.rounds + 1;
-  sweep t ~now ~turns f watch
+  sweep t ~now ~turns f Box_tree.move watch
+
+let turn t ~now ~turns flights watch =
+  let begin_again (f, (line : State.process)) =
+    f.velocity <- line.velocity;
+    f.rounds <- 0;
+    place_parts t f line;
+    begin_sweep t ~now ~turns:(turns f) f Box_tree.move watch
+  in
+  List.iter begin_again flights;
+  List.iter (fun (f, _) -> look t ~now f watch) flights
 
 let drop t f =
-  clear t f;
+  Array.iter (Box_tree.remove t.tree) f.parts;
   f.sweep <- -1

@@ -16,7 +16,7 @@ type t
 (** One process on its way. *)
 type flight = private {
   first : int;  (** its first leaf *)
-  velocity : Vec.t;
+  mutable velocity : Vec.t;
   parts : int array;
   mutable sweep : int;  (** the number of its present sweep; -1 once it has been dropped *)
   mutable rounds : int;  (** the number of sweeps before this one *)
@@ -41,6 +41,11 @@ val launch : t -> now:Rat.t -> turns:Rat.t option -> State.process -> watch -> f
 val renew : t -> now:Rat.t -> turns:Rat.t option -> flight -> watch -> unit
 (** [renew t ~now ~turns f watch] sweeps [f] once more, from [now] on and over time farther than before, and calls
     [watch] as {!launch} does. *)
+
+val turn :
+  t -> now:Rat.t -> turns:(flight -> Rat.t option) -> (flight * State.process) list -> watch -> unit
+(** [turn t ~now ~turns flights watch] gives each flight the line beside it, which is of the same leaves. It is as if
+    all were dropped, and launched anew in this order. *)
 
 val drop : t -> flight -> unit
 (** [drop t f] removes [f] from the tree, and ends its sweep. *)

@@ -233,14 +233,17 @@ let start t key head k =
   if t.last.(2 * key) = head && near >= 0 && height_of t near > free_height then place_above t near k
   else k head 0
 
+let set_bounds t at box =
+  for c = 0 to 2 do
+    t.nodes.(at + c) <- Float_box.low box c;
+    t.nodes.(at + c + 3) <- Float_box.high box c
+  done
+
 let insert t key box =
   if key < 0 || mem t key then bug __POS__ "a box is inserted twice";
   make_room t key;
   let new_box = bounds scratch 0 and leaf = -1 - key in
-  for c = 0 to 2 do
-    t.nodes.(new_box + c) <- Float_box.low box c;
-    t.nodes.(new_box + c + 3) <- Float_box.high box c
-  done;
+  set_bounds t new_box box;
   let head = class_of_box box in
   let beside i side =
     let joint = allocate t in
@@ -274,25 +277,55 @@ let remove t key =
     refit t above
   end
 
-let iter_meeting t box f =
-  let b = t.nodes in
-  let x0 = Float_box.low box 0 and y0 = Float_box.low box 1 and z0 = Float_box.low box 2 in
-  let x1 = Float_box.high box 0 and y1 = Float_box.high box 1 and z1 = Float_box.high box 2 in
-  let rec visit i =
-    for side = 0 to 1 do
-      let at = bounds i side in
-      if
-        b.(at) <= x1 && x0 <= b.(at + 3)
-        && b.(at + 1) <= y1 && y0 <= b.(at + 4)
-        && b.(at + 2) <= z1 && z0 <= b.(at + 5)
-      then
-        let c = child t i side in
-        if c < 0 then f (-1 - c) else visit c
-    done
+(* A box that stays within the node two above it keeps its place: nodes that become smaller are refitted. *)
+let move t key box =
+  if not (mem t key) then bug __POS__ "a box that is not there is moved";
+  let p = t.parent_of.(key) in
+  let stays () =
+    (not (is_head p))
+    && class_of_box box = t.last.(2 * key)
+    &&
+    let above = parent t p in
+    let node = if is_head above || is_head (parent t above) then p else above in
+    let over = parent t node in
+    set_bounds t (bounds scratch 0) box;
+    contains t.nodes (bounds over (side_of t over node)) (bounds scratch 0)
   in
-  for head = 0 to classes - 1 do
-    if is_used t head then visit head
+  if stays () then begin
+    Array.blit t.nodes (bounds scratch 0) t.nodes (bounds p (side_of t p (-1 - key))) 6;
+    refit t p
+  end
+  else begin
+    remove t key;
+    insert t key box
+  end
+
+(* The boxes that meet the one whose bounds are at [own] in [box]. *)
+let rec visit t (b : float array) (box : float array) own f i =
+  for side = 0 to 1 do
+    let at = bounds i side in
+    if
+      b.(at) <= box.(own + 3) && box.(own) <= b.(at + 3)
+      && b.(at + 1) <= box.(own + 4) && box.(own + 1) <= b.(at + 4)
+      && b.(at + 2) <= box.(own + 5) && box.(own + 2) <= b.(at + 5)
+    then
+      let c = child t i side in
+      if c < 0 then f (-1 - c) else visit t b box own f c
   done
+
+let iter_around t box own f =
+  for head = 0 to classes - 1 do
+    if is_used t head then visit t t.nodes box own f head
+  done
+
+let iter_meeting t box f =
+  let bounds c = if c < 3 then Float_box.low box c else Float_box.high box (c - 3) in
+  iter_around t (Array.init 6 bounds) 0 f
+
+let iter_meeting_own t key f =
+  if not (mem t key) then bug __POS__ "neighbours of a box that is not there";
+  let p = t.parent_of.(key) in
+  iter_around t t.nodes (bounds p (side_of t p (-1 - key))) f
 
 let is_sound t =
   let rec sound i =

@@ -16,12 +16,20 @@ val insert : t -> int -> Float_box.t -> unit
 val remove : t -> int -> unit
 (** [remove t key] removes the box of a key that is in [t] (a bug otherwise). *)
 
+val move : t -> int -> Float_box.t -> unit
+(** [move t key box] is [remove t key] and then [insert t key box]. It is quicker where the new box is near to the
+    old one. *)
+
 val mem : t -> int -> bool
 (** [mem t key] is true if the set has a box under this key >= 0. *)
 
 val iter_meeting : t -> Float_box.t -> (int -> unit) -> unit
 (** [iter_meeting t box f] calls [f] for the key of each box that [Float_box.meet]s [box], once each. The
     order depends on earlier insertions and removals. [f] must not change the tree. *)
+
+val iter_meeting_own : t -> int -> (int -> unit) -> unit
+(** [iter_meeting_own t key f] is [iter_meeting t box f] for the box of a key that is in [t] (a bug otherwise). It
+    calls [f] for [key], too. *)
 
 val height : t -> int
 (** The greatest number of nodes between a root and a leaf; for tests. *)
