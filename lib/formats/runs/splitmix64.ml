@@ -19,7 +19,7 @@ let rec below n g =
 
 (* An integer from 0 to n - 1, each equally likely: the highest bits, as many as n - 1 has, of as few outputs as
    needed, one after the other. It is drawn again until it is less than n. *)
-let rec below_integer n g =
+let rec below_long n g =
   let rec outputs bits raw g =
     if bits = 0 then (raw, g)
     else
@@ -31,7 +31,17 @@ let rec below_integer n g =
   let count = (width + 63) / 64 in
   let raw, g = outputs count Z.zero g in
   let r = Z.shift_right raw ((64 * count) - width) in
-  if Z.lt r n then (r, g) else below_integer n g
+  if Z.lt r n then (r, g) else below_long n g
+
+(* The same, of one output. *)
+let rec below_short n ~width g =
+  let raw, g = next g in
+  let r = Int64.to_int (Int64.shift_right_logical raw (64 - width)) in
+  if r < n then (Z.of_int r, g) else below_short n ~width g
+
+let below_integer n g =
+  let width = Z.numbits (Z.pred n) in
+  if Z.fits_int n && width > 0 then below_short (Z.to_int n) ~width g else below_long n g
 
 let by_chance chances g =
   let open Scc_exact in

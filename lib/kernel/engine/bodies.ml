@@ -297,11 +297,11 @@ let unsteered t = all t (fun b -> not b.is_steered)
 
 (* {1 Steps} *)
 
-let same_course (p : State.process) (q : State.process) =
+let same_leaves (p : State.process) (q : State.process) =
   let same_leaf (l : State.leaf) (k : State.leaf) = l.leaf = k.leaf in
-  Vec.equal p.velocity q.velocity
-  && Array.length p.leaves = Array.length q.leaves
-  && Array.for_all2 same_leaf p.leaves q.leaves
+  Array.length p.leaves = Array.length q.leaves && Array.for_all2 same_leaf p.leaves q.leaves
+
+let same_course (p : State.process) (q : State.process) = Vec.equal p.velocity q.velocity && same_leaves p q
 
 (* Who goes on as before needs no new flight: a wall has as many neighbours as it is long. What may happen to it is
    found anew only if it is not as it was. *)
@@ -313,26 +313,29 @@ let go_on t (p : State.process) =
     schedule t b
   end
 
-let change t (o : Transition.outcome) =
-  let goes_on p = List.exists (same_course p) o.gone and stays q = List.exists (same_course q) o.come in
-  List.iter (fun (p : State.process) -> if not (stays p) then leave t p.leaves.(0).leaf) o.gone;
-  List.iter (fun p -> if goes_on p then go_on t p else enter t p) o.come
-
 (* All change at once: nobody is met on a course that is over. *)
-let turn t processes =
+let turn_all t processes =
   let turned (p : State.process) =
     let b = body t p.leaves.(0).leaf in
-    if Vec.equal p.velocity b.process.velocity then None
-    else begin
-      Colliding.part t.colliding b.flight.first;
-      b.process <- line t p;
-      Some b
-    end
+    Colliding.part t.colliding b.flight.first;
+    b.process <- line t p;
+    b
   in
-  let turned = List.filter_map turned processes in
+  let turned = List.map turned processes in
   let turns (f : Flights.flight) = turns t ~is_steered:(body t f.first).is_steered in
   Flights.turn t.flights ~now:t.now ~turns (List.map (fun b -> (b.flight, b.process)) turned) (watch t);
   List.iter (schedule t) turned
+
+let turn t processes =
+  let goes_on (p : State.process) = Vec.equal p.velocity (velocity t p.leaves.(0).leaf) in
+  turn_all t (List.filter (fun p -> not (goes_on p)) processes)
+
+let change t (o : Transition.outcome) =
+  let was_there p = List.exists (same_leaves p) o.gone and stays q = List.exists (same_leaves q) o.come in
+  let goes_on p = List.exists (same_course p) o.gone in
+  List.iter (fun (p : State.process) -> if not (stays p) then leave t p.leaves.(0).leaf) o.gone;
+  turn_all t (List.filter (fun p -> was_there p && not (goes_on p)) o.come);
+  List.iter (fun p -> if goes_on p then go_on t p else if not (was_there p) then enter t p) o.come
 
 (* Nothing collides when time passes. *)
 let pass t d =

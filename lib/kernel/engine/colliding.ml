@@ -26,6 +26,7 @@ type ('body, 'outcome) t = {
   age : 'body -> int;
   mutable pairs : ('body, 'outcome) pair Pairs.t;  (** by first leaves *)
   partners : First_set.t array;  (** the first leaves of those in whose pairs a body is the second *)
+  involved : int array;  (** in how many pairs a body is, by first leaf *)
   counts : Fenwick.t;  (** of outcomes, by the first leaf of the first *)
   mutable unasked : ('body, 'outcome) pair Pairs.t;  (** those whose outcomes are to be found *)
   busy : int array;  (** by first leaf: in how many busy pairs a body is *)
@@ -37,6 +38,7 @@ let create leaves ~first ~age =
     first; age;
     pairs = Pairs.empty;
     partners = Array.make leaves First_set.empty;
+    involved = Array.make leaves 0;
     counts = Fenwick.create leaves;
     unasked = Pairs.empty;
     busy = Array.make leaves 0;
@@ -53,7 +55,13 @@ let rec with_first leaf pairs () =
 
 let as_first t leaf = with_first leaf (Pairs.to_seq_from (leaf, 0) t.pairs)
 let as_second t leaf = Seq.map (fun one -> Pairs.find (one, leaf) t.pairs) (First_set.to_seq t.partners.(leaf))
-let pairs_of t leaf = Seq.append (as_first t leaf) (as_second t leaf)
+
+let pairs_of t leaf =
+  if t.involved.(leaf) = 0 then Seq.empty else Seq.append (as_first t leaf) (as_second t leaf)
+
+let involve t (one, two) more =
+  t.involved.(one) <- t.involved.(one) + more;
+  t.involved.(two) <- t.involved.(two) + more
 
 let ask t p = t.unasked <- Pairs.add (key t p) p t.unasked
 
@@ -62,6 +70,7 @@ let meet t one two =
   let ((_, second) as key) = key t p in
   if not (Pairs.mem key t.pairs) then begin
     t.pairs <- Pairs.add key p t.pairs;
+    involve t key 1;
     t.partners.(second) <- First_set.add (fst key) t.partners.(second);
     ask t p
   end
@@ -86,6 +95,7 @@ let forget t p =
   note t p { outcomes = []; busy = false; stops = [] };
   t.partners.(two) <- First_set.remove one t.partners.(two);
   t.pairs <- Pairs.remove key t.pairs;
+  involve t key (-1);
   t.unasked <- Pairs.remove key t.unasked
 
 (* They are listed before the first one goes. *)

@@ -44,8 +44,8 @@ val renew : t -> now:Rat.t -> turns:Rat.t option -> flight -> watch -> unit
 
 val turn :
   t -> now:Rat.t -> turns:(flight -> Rat.t option) -> (flight * State.process) list -> watch -> unit
-(** [turn t ~now ~turns flights watch] gives each flight the line beside it, which is of the same leaves. It is as if
-    all were dropped, and launched anew in this order. *)
+(** [turn t ~now ~turns flights watch] gives each flight the line beside it, which is of the same leaves. It is as
+    if all were dropped, and launched anew in this order. *)
 
 val drop : t -> flight -> unit
 (** [drop t f] removes [f] from the tree, and ends its sweep. *)

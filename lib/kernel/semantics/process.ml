@@ -86,7 +86,10 @@ let at_split_instant (p : State.process) =
   | None -> false
 
 (* By their places alone: neither names nor shifts nor the order of declaration change anything. *)
-let placed m (p : State.process) = (List.sort (State.compare_places m) (Array.to_list p.leaves), p)
+let placed m (p : State.process) =
+  match p.leaves with
+  | [| l |] -> ([ l ], p)
+  | many -> (List.sort (State.compare_places m) (Array.to_list many), p)
 
 let compare_placed m (a, _) (b, _) = List.compare (State.compare_places m) a b
 let by_place m processes = List.map snd (List.stable_sort (compare_placed m) (List.map (placed m) processes))

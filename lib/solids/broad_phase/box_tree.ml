@@ -18,6 +18,7 @@ let slack = 4
 type t = {
   mutable nodes : float array;
   mutable free : int;  (** the first free node, or -1; the parent of a free node is the next one *)
+  mutable moves : int;
   mutable used : int;  (** a bit for each head with a root *)
   mutable parent_of : int array;  (** the parent of each leaf, or -1 *)
   mutable last : int array;  (** of each key: the head under which it was last, and a node near by, or -1 twice *)
@@ -64,7 +65,7 @@ let chain t first =
 
 let create () =
   let nodes = Array.make (size * initial_nodes) Float.nan in
-  let t = { nodes; free = -1; used = 0; parent_of = [||]; last = [||] } in
+  let t = { nodes; free = -1; moves = 0; used = 0; parent_of = [||]; last = [||] } in
   chain t (scratch + 1);
   t
 
@@ -277,22 +278,28 @@ let remove t key =
     refit t above
   end
 
-(* A box that stays within the node two above it keeps its place: nodes that become smaller are refitted. *)
+let meets (b : float array) i j =
+  b.(i) <= b.(j + 3) && b.(j) <= b.(i + 3)
+  && b.(i + 1) <= b.(j + 4) && b.(j + 1) <= b.(i + 4)
+  && b.(i + 2) <= b.(j + 5) && b.(j + 2) <= b.(i + 5)
+
+(* How often a place is looked for anew, so that the tree goes on to fit: once in so many moves. *)
+let moves_between = 8
+
+(* A box that meets the one that it was keeps its place, and the nodes above it are refitted. *)
 let move t key box =
   if not (mem t key) then bug __POS__ "a box that is not there is moved";
   let p = t.parent_of.(key) in
-  let stays () =
-    (not (is_head p))
+  let own = bounds p (side_of t p (-1 - key)) and place = bounds scratch 0 in
+  set_bounds t place box;
+  t.moves <- t.moves + 1;
+  if
+    t.moves mod moves_between <> 0
+    && (not (is_head p))
     && class_of_box box = t.last.(2 * key)
-    &&
-    let above = parent t p in
-    let node = if is_head above || is_head (parent t above) then p else above in
-    let over = parent t node in
-    set_bounds t (bounds scratch 0) box;
-    contains t.nodes (bounds over (side_of t over node)) (bounds scratch 0)
-  in
-  if stays () then begin
-    Array.blit t.nodes (bounds scratch 0) t.nodes (bounds p (side_of t p (-1 - key))) 6;
+    && meets t.nodes own place
+  then begin
+    Array.blit t.nodes place t.nodes own 6;
     refit t p
   end
   else begin
@@ -314,9 +321,13 @@ let rec visit t (b : float array) (box : float array) own f i =
   done
 
 let iter_around t box own f =
-  for head = 0 to classes - 1 do
-    if is_used t head then visit t t.nodes box own f head
-  done
+  let rec from used head =
+    if used <> 0 then begin
+      if used land 1 <> 0 then visit t t.nodes box own f head;
+      from (used lsr 1) (head + 1)
+    end
+  in
+  from t.used 0
 
 let iter_meeting t box f =
   let bounds c = if c < 3 then Float_box.low box c else Float_box.high box (c - 3) in

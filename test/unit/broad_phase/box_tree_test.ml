@@ -4,7 +4,11 @@ open Scc_geometry
 open Scc_broad_phase
 module Gen = QCheck2.Gen
 
-type change = Insert of Float_box.t | Remove of int  (** of those there, by number *) | Ask of Float_box.t
+type change =
+  | Insert of Float_box.t
+  | Remove of int  (** of those there, by number *)
+  | Move of int * Float_box.t
+  | Ask of Float_box.t
 
 let box low high = Float_box.make ~low ~high
 
@@ -32,13 +36,17 @@ let change =
   frequency
     [
       (5, map (fun b -> Insert b) random_box); (3, map (fun i -> Remove i) nat);
+      (6, map2 (fun i b -> Move (i, b)) nat random_box);
       (2, map (fun b -> Ask b) random_box);
     ]
 
-let found tree b =
+let keys iter =
   let keys = ref [] in
-  Box_tree.iter_meeting tree b (fun k -> keys := k :: !keys);
+  iter (fun k -> keys := k :: !keys);
   List.sort Int.compare !keys
+
+let found tree b = keys (Box_tree.iter_meeting tree b)
+let found_by tree key = keys (Box_tree.iter_meeting_own tree key)
 
 let expected there b =
   List.filter (fun (_, c) -> Float_box.meet b c) there |> List.map fst |> List.sort Int.compare
@@ -58,11 +66,16 @@ let play changes =
       let key = free_key there in
       Box_tree.insert tree key b;
       (key, b) :: there
-    | Remove _ when there = [] -> there
+    | (Remove _ | Move _) when there = [] -> there
     | Remove i ->
       let key, _ = List.nth there (i mod List.length there) in
       Box_tree.remove tree key;
       List.remove_assoc key there
+    | Move (i, b) ->
+      let key, _ = List.nth there (i mod List.length there) in
+      Box_tree.move tree key b;
+      if found_by tree key <> found tree b then QCheck2.Test.fail_report "a box has other neighbours by its key";
+      (key, b) :: List.remove_assoc key there
     | Ask b ->
       if found tree b <> expected there b then QCheck2.Test.fail_report "another answer than a list gives";
       there
