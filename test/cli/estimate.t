@@ -301,3 +301,20 @@ Without an end time a run is left after 10 000 transitions. The draws of one ins
   far: undecided: not known, 5 runs
     5 of 5 runs were left before it was known: --steps
   [2]
+
+A check that is decided by a model time has runs of its own, which no other check and no number of transitions ends:
+
+  $ cat > two.sc <<'END'
+  > timestep 1/1000 steady
+  > import <solids>
+  > process w = solids.Cube(1) mass 1 [nil]
+  > motion w = choose { (0,0,1), (0,0,2) }
+  > check late : P = ? [ eventually z(w) > 1000 ]
+  > check soon : P = ? [ always z(w) < 12 within 6 ]
+  > END
+  $ scc estimate two.sc --runs 2
+  late: undecided: not known, 2 runs
+    2 of 2 runs were left before it was known: --steps
+  
+  soon: estimated: 1, from 0.07071 to 1 with confidence 99/100, 2 runs
+  [2]

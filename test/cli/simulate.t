@@ -201,3 +201,14 @@ What is whole stays when the disk is full. (Here no file may be larger than 8 Ki
   $ ls early.csv
   ls: cannot access 'early.csv': No such file or directory
   [2]
+
+The draws and lots of one instant are one of the transitions of --steps: here a draw of all, and the time.
+
+  $ scc simulate $M/crowds/dimers.sc -D n=4 --runs 1 --observe 'bonds(d)' --every 1 --until 3 --steps 5
+  run,time,bonds(d),ended
+  0,0,0,"ended by `--steps 5`, at time 2"
+  0,1,0,"ended by `--steps 5`, at time 2"
+  0,2,0,"ended by `--steps 5`, at time 2"
+  0,3,,"ended by `--steps 5`, at time 2"
+  scc: 1 run did not come to the last time; what was not observed is empty; without `--steps` a run goes on to that time, if it can
+  [2]

@@ -149,6 +149,7 @@ A schedule that does not fit is refused at the step where it fails.
 A run that never leaves an instant is stopped.
 
   $ scc trace ../../specs/models/slot.sc | tail -n 1
+  scc: the run is left after 1000 transitions, each draw is one; `--time` or `--steps` makes it longer
   {"type":"end","steps":1000,"time":"0/1","ending":"open"}
   $ scc trace ../../specs/models/slot.sc --steps 20000 -o zeno.jsonl
   scc: stopped after 10000 transitions without time passing (Zeno behaviour)

@@ -57,7 +57,7 @@ type event =
       (** [Run.changes] since its last call. To follow a run by its changes, call it after each step. *)
       state : unit -> State.t;  (** after it *)
       part : int list -> State.t;  (** of this state, the processes that have some of these leaves *)
-      draws_on : bool;  (** it is a draw, and not the last one of its instant *)
+      draws_on : bool;  (** it is a draw or a lot, and another one follows at this instant *)
     }
   | Instant of { offset : Rat.t; time : Rat.t; state : State.t }
   (** the run ends within a passing of time, [offset] after the last transition *)
@@ -92,6 +92,6 @@ val run :
     passing of time, the run ends with an [Instant] at the limit.
 
     [passing] is called before each stretch of time passes, with its start, its duration and the state there,
-    which may only be computed then. With [joint] (false by default) [limits.steps] counts the draws of one
-    instant as one transition. A step that [attempt] gives up is an interruption. A dead end is an end,
+    which may only be computed then. With [joint] (false by default) [limits.steps] counts the draws and lots of
+    one instant as one transition. A step that [attempt] gives up is an interruption. A dead end is an end,
     and no failure. *)

@@ -8,7 +8,10 @@ type body = {
   mutable process : State.process;
   mutable since : Rat.t;
   mutable age : int;  (** changes with [since]; -1 once the process has gone *)
+  mutable seen : int;  (** changes whenever the process does, but for its place *)
   mutable waits : bool;  (** an eps of it runs down *)
+  mutable shown : (Rat.t * State.process * State.process) option;
+  (** a time at which the process has been asked for, [process] then, and what it was *)
   is_steered : bool;  (** a law moves it *)
   flight : Flights.flight;
 }
@@ -26,7 +29,7 @@ type event =
       sweep_two : int;
     }
   | Sweep_ends of { time : Rat.t; mutable ends : ends }
-  | Horizon of { time : Rat.t; body : body; age : int }  (** an eps expires *)
+  | Horizon of { time : Rat.t; body : body; age : int }  (** an eps expires, or lots are to be drawn *)
   | Split_instant of { time : Rat.t; body : body; age : int }
 
 (* What one process may do now: found when it is asked for. *)
@@ -36,6 +39,7 @@ type splits = {
 }
 
 module Firsts = Map.Make (Int)
+module First_set = Set.Make (Int)
 
 (* Of a first leaf to which something has happened: whether it was that of a process before. *)
 type touch = Untouched | Was_there | Was_not_there
@@ -54,6 +58,7 @@ type t = {
   mutable ages : int;
   colliding : (body, Transition.outcome) Colliding.t;  (** now, and since they met *)
   mutable splitting : splits Firsts.t;  (** those at a split instant now, or with a strong split *)
+  mutable pending : First_set.t;  (** those at which lots are pending, once they have come up *)
   mutable room : int;  (** how many events to keep before those out of date are dropped *)
   mutable asked : Rat.t;  (** when {!changes} were asked for last *)
   mutable touched : int list;  (** since then: the first leaves of those to whom something has happened *)
@@ -167,18 +172,29 @@ let touch t first =
     t.touch.(first) <- (if Option.is_some t.bodies.(first) then Was_there else Was_not_there);
     t.touched <- first :: t.touched
 
-(* For a process that is as it was just now. *)
-let schedule t b =
+let note_pending t b =
+  let change = if Lots.is_pending b.process then First_set.add else First_set.remove in
+  t.pending <- change b.flight.first t.pending
+
+(* What comes of the pairs of a process that has changed is to be found anew. *)
+let see_anew t b =
   touch t b.flight.first;
   t.ages <- t.ages + 1;
+  b.seen <- t.ages;
+  Colliding.changed t.colliding b.flight.first;
+  if (model t).lots then note_pending t b
+
+(* For a process that is as it was just now. *)
+let schedule t b =
+  see_anew t b;
   let age = t.ages in
   b.since <- t.now;
   b.age <- age;
   cannot_split t b.flight.first;
-  Colliding.changed t.colliding b.flight.first;
   let p = b.process in
-  let horizon = Time.horizon (model t) p in
-  b.waits <- Option.is_some horizon;
+  let expires = Time.horizon (model t) p in
+  b.waits <- Option.is_some expires;
+  let horizon = Option.merge Rat.min expires (Lots.wait (model t) p) in
   Option.iter (fun h -> add t (Horizon { time = Rat.add t.now h; body = b; age })) horizon;
   Option.iter
     (fun d -> add t (Split_instant { time = Rat.add t.now d; body = b; age }))
@@ -189,7 +205,9 @@ let enter t (p : State.process) =
   let line = line t p in
   let is_steered = Process.steers (model t) p in
   let flight = Flights.launch t.flights ~now:t.now ~turns:(turns t ~is_steered) line (watch t) in
-  let b = { process = line; since = t.now; age = -1; waits = false; is_steered; flight } in
+  let b =
+    { process = line; since = t.now; age = -1; seen = -1; waits = false; shown = None; is_steered; flight }
+  in
   if b.is_steered then t.steered <- t.steered + 1;
   touch t flight.first;
   t.bodies.(flight.first) <- Some b;
@@ -206,10 +224,19 @@ let leave t first =
   Flights.drop t.flights b.flight;
   b.age <- -1;
   cannot_split t first;
+  t.pending <- First_set.remove first t.pending;
   t.bodies.(first) <- None
 
 let aged t b = Time.age_process (model t) (Rat.sub t.now b.since) b.process
-let present t b = Turn.pass (model t) t.now (aged t b)
+
+(* Whole states share the processes of one instant. *)
+let present t b =
+  match b.shown with
+  | Some (now, process, p) when now == t.now && process == b.process -> p
+  | Some _ | None ->
+    let p = Turn.pass (model t) t.now (aged t b) in
+    b.shown <- Some (t.now, b.process, p);
+    p
 
 (* {1 Now} *)
 
@@ -292,6 +319,13 @@ let with_leaves t leaves =
   let firsts = List.sort_uniq Int.compare (List.filter_map home leaves) in
   List.map (fun first -> present t (body t first)) firsts
 
+let pending t = List.map (fun first -> present t (body t first)) (First_set.elements t.pending)
+
+let decide t (p : State.process) =
+  let b = body t p.leaves.(0).leaf in
+  b.process <- State.with_lots p.lots b.process;
+  see_anew t b
+
 let steered t = all t (fun b -> b.is_steered)
 let unsteered t = all t (fun b -> not b.is_steered)
 
@@ -330,9 +364,15 @@ let turn t processes =
   let goes_on (p : State.process) = Vec.equal p.velocity (velocity t p.leaves.(0).leaf) in
   turn_all t (List.filter (fun p -> not (goes_on p)) processes)
 
+(* One transition may release bonds of many processes (rule Lot). *)
+let among same processes =
+  let add all (p : State.process) = Firsts.add p.leaves.(0).leaf p all in
+  let by_first = List.fold_left add Firsts.empty processes in
+  fun (p : State.process) -> Option.fold ~none:false ~some:(same p) (Firsts.find_opt p.leaves.(0).leaf by_first)
+
 let change t (o : Transition.outcome) =
-  let was_there p = List.exists (same_leaves p) o.gone and stays q = List.exists (same_leaves q) o.come in
-  let goes_on p = List.exists (same_course p) o.gone in
+  let was_there = among same_leaves o.gone and stays = among same_leaves o.come in
+  let goes_on = among same_course o.gone in
   List.iter (fun (p : State.process) -> if not (stays p) then leave t p.leaves.(0).leaf) o.gone;
   turn_all t (List.filter (fun p -> was_there p && not (goes_on p)) o.come);
   List.iter (fun p -> if goes_on p then go_on t p else if not (was_there p) then enter t p) o.come
@@ -380,8 +420,9 @@ let start semantics ~step (s : State.t) =
       turns = end_of Rat.zero step;
       now = Rat.zero;
       ages = 0;
-      colliding = Colliding.create leaves ~first:(fun b -> b.flight.first) ~age:(fun b -> b.age);
+      colliding = Colliding.create leaves ~first:(fun b -> b.flight.first) ~age:(fun b -> b.seen);
       splitting = Firsts.empty;
+      pending = First_set.empty;
       room = least_room;
       asked = Rat.zero;
       touched = [];

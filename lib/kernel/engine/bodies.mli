@@ -55,6 +55,9 @@ val stopping : t -> State.process list
 val involved : t -> State.process list
 (** All processes that touch and approach another one, in order, and perhaps others. *)
 
+val pending : t -> State.process list
+(** All processes at which lots are pending now (rule Lot), in order. *)
+
 (** {1 Processes} *)
 
 val steered : t -> State.process list
@@ -75,6 +78,9 @@ val velocity : t -> int -> Vec.t
 
 val change : t -> Transition.outcome -> unit
 (** Replaces the processes that are gone in an outcome by those that come. *)
+
+val decide : t -> State.process -> unit
+(** [decide t p] gives a process the lots of [p], which differs from it in these alone. *)
 
 val turn : t -> State.process list -> unit
 (** [turn t processes] gives each of [processes] its velocity. They are otherwise as they are in [t] now. *)

@@ -24,6 +24,7 @@ type t = {
   semantics : Semantics.t;
   bodies : Bodies.t;
   mutable draws : Draws.t option;  (** of the steered bodies, while one of them waits to draw *)
+  mutable lots : Lot_queue.t option;  (** while lots are pending *)
   mutable doubtful : bool;  (** laws of a process that is there, or may come to be, may have no value *)
   mutable choices : choices option;
 }
@@ -85,8 +86,20 @@ let delay t =
   | None, Some step when Bodies.any_steered t.bodies -> Some step.remaining
   | _, _ -> next
 
+(* Where chances sum to more than 1, the rules alone say what is reported. *)
+let of_lots t lots =
+  let outcomes =
+    match Splits.lots t.semantics (Lot_queue.due lots) with
+    | Ok outcomes -> outcomes
+    | Error _ ->
+      t.doubtful <- true;
+      []
+  in
+  let none _ = Scc_base.Bug.fail __POS__ "a collision while lots are pending" in
+  { urgent = Array.of_list outcomes; weak = [||]; collisions = 0; collision = none; passes = None }
+
 (* Whoever collides or splits now is involved, and rules look at nobody else. *)
-let look t =
+let look_around t =
   Bodies.come_up t.bodies;
   let splits = Bodies.splits t.bodies in
   let all kind = Array.of_list (List.concat_map kind splits) in
@@ -94,6 +107,8 @@ let look t =
   let urgent = all fst in
   let passes = if Array.length urgent > 0 || collisions > 0 then None else delay t in
   { urgent; weak = all snd; collisions; collision; passes }
+
+let look t = match t.lots with Some lots -> of_lots t lots | None -> look_around t
 
 let choices t =
   match t.choices with
@@ -135,7 +150,7 @@ let event t i =
     else Collides (c.collision (i - urgent - weak))
 
 let tie t =
-  if Option.is_some t.draws || not (Model.draws_ties (model t)) then None
+  if Option.is_some t.draws || Option.is_some t.lots || not (Model.draws_ties (model t)) then None
   else
     let c = choices t in
     let urgent = Array.length c.urgent and weak = Array.length c.weak in
@@ -192,13 +207,27 @@ let steer t =
   t.draws <- Draws.waiting t.semantics asked;
   if Option.is_some t.draws then [] else begin_steps t asked
 
-let settle t =
-  stop t;
+let begin_lots t =
+  t.lots <-
+    (match Bodies.pending t.bodies with
+     | [] -> None
+     | _ :: _ as processes -> Some (Lot_queue.make (model t) processes))
+
+let evaluate_laws t =
   match Bodies.step t.bodies with
   | Some { phase = Due; _ } ->
     Bodies.come_up t.bodies;
     if fst (collisions_now t) > 0 then [] else steer t
   | Some { phase = Moving | Steered; _ } | None -> []
+
+(* Laws wait until no lots are pending. *)
+let settle t =
+  stop t;
+  if (model t).lots then begin
+    Bodies.come_up t.bodies;
+    begin_lots t
+  end;
+  if Option.is_some t.lots then [] else evaluate_laws t
 
 let taken label rules = { label; rules; rounded = None }
 
@@ -216,6 +245,13 @@ let draw t draws i =
 
 let passed t d = taken (Transition.Time d) (Network.time_rules t.semantics @ settle t)
 let happened t (o : Transition.outcome) = taken o.label (Transition.rules o @ settle t)
+
+(* Decisions change nothing but lots, so that no walker stops. *)
+let decided t lots (o : Transition.outcome) =
+  let p = List.hd o.come in
+  Bodies.decide t.bodies p;
+  Lot_queue.decide lots p;
+  if Lot_queue.is_over lots then happened t o else taken o.label (Transition.rules o)
 
 (* How long time may pass, at most; [Some None] for ever. *)
 let room t =
@@ -242,21 +278,22 @@ let wait t d =
 let take t i =
   let taken = choice t i in
   t.choices <- None;
-  match (taken, t.draws) with
-  | Drawn i, Some draws -> draw t draws i
-  | Drawn _, None -> Scc_base.Bug.fail __POS__ "a draw of nobody"
-  | Happens o, _ ->
+  match (taken, t.draws, t.lots) with
+  | Drawn i, Some draws, _ -> draw t draws i
+  | Drawn _, None, _ -> Scc_base.Bug.fail __POS__ "a draw of nobody"
+  | Happens ({ label = Lot _; _ } as o), _, Some lots -> decided t lots o
+  | Happens o, _, _ ->
     Bodies.change t.bodies o;
     happened t o
-  | Collides o, _ ->
+  | Collides o, _, _ ->
     Bodies.change t.bodies o;
     Bodies.set_step t.bodies (Network.after_collision (model t) (Bodies.step t.bodies));
     happened t o
-  | Passes d, _ ->
+  | Passes d, _, _ ->
     Bodies.pass t.bodies d;
     passed t d
 
-let draws_on t = Option.is_some t.draws
+let draws_on t = Option.is_some t.draws || Option.fold ~none:false ~some:Lot_queue.draws t.lots
 
 let state t =
   let { State.step; time; _ } = Bodies.frame t.bodies in
@@ -283,7 +320,7 @@ let changes t = Bodies.changes t.bodies
 (* Bodies that come to touch and do not collide are on no agenda (reading I-33). *)
 let can_run (m : Model.t) =
   let has_values (l : Model.leaf) = l.fixed || Law.never_fails l.law in
-  (not (Model.of_each m || Model.has_turns m || m.lots || Model.binds_on_contact m))
+  (not (Model.of_each m || Model.has_turns m || Model.binds_on_contact m))
   && Array.for_all has_values m.leaves
 
 (* From any state: also while bodies draw. *)
@@ -298,7 +335,8 @@ let start semantics (s : State.t) =
   if not (can_run m) then Scc_base.Bug.fail __POS__ "a model whose runs go step by step";
   let steps = Model.of_all m in
   let bodies = Bodies.start semantics ~step:(if steps then s.step else None) s in
-  let t = { semantics; bodies; draws = None; doubtful = false; choices = None } in
+  let t = { semantics; bodies; draws = None; lots = None; doubtful = false; choices = None } in
   Array.iter (doubt t) s.processes;
   if steps then resume_draws t s;
+  begin_lots t;
   t

@@ -10,9 +10,9 @@ open Scc_semantics
 type t
 
 val can_run : Model.t -> bool
-(** [can_run m] is true if [m] has neither turns nor lots, its processes bind only if they collide (reading
-    I-33), and its walkers bounce. If [m] has laws of motion, each of them never fails ([Law.never_fails]), and
-    processes have no movement steps of their own. *)
+(** [can_run m] is true if [m] has no turns, and its processes bind only if they collide (reading I-33). If [m] has
+    laws of motion, each of them never fails ([Law.never_fails]), and processes have no movement steps of their
+    own. *)
 
 val start : Semantics.t -> State.t -> t
 (** A run from any state of a model that {!can_run}. Any other model is a bug. *)
@@ -21,8 +21,9 @@ val semantics : t -> Semantics.t
 (** The semantics of a run, without caches of processes. *)
 
 val may_fail : t -> bool
-(** [may_fail t] is true if laws of a process that is there, or that the next transition may make, have no value:
-    [Law.Too_many]. Then the rules have to decide what happens next, from {!state} on. *)
+(** [may_fail t] is true in two cases. Laws of a process that is there, or that the next transition may make, have
+    no value: [Law.Too_many]. Or the chances of the next lot sum to more than 1. Then the rules have to decide what
+    happens next, from {!state} on. *)
 
 (** A transition that has been taken. *)
 type alternative = {
@@ -54,7 +55,7 @@ val elapsed : t -> Rat.t
 (** The time since the start of the run. *)
 
 val draws_on : t -> bool
-(** [draws_on t] is true if other processes draw at this instant, right after a draw ({!Run.draws_on}). *)
+(** [draws_on t] is true if a velocity or a lot is drawn next ({!Run.draws_on}). *)
 
 val state : t -> State.t
 (** The present state, in full. It takes time proportional to the size of the network. *)

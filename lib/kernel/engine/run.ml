@@ -140,7 +140,11 @@ let draws_on t =
   match t.way with
   | Eventwise run -> Event_run.draws_on run
   | Stepwise { ahead = Some (Ok (Draws _)); _ } -> true
-  | Stepwise { ahead = Some (Ok (Events _) | Error _) | None; _ } -> false
+  | Stepwise s -> (
+      match Lots.due (Semantics.model s.semantics) s.present with
+      | Some (To_draw _ | To_be_first _) -> true
+      | Some (To_choose _ | To_release _) -> false
+      | None -> Option.is_some (Steer.next_to_draw s.semantics s.present))
 
 let part t leaves =
   match t.way with

@@ -2,8 +2,8 @@
 
     A model that {!Event_run.can_run} runs from event to event. The cost of a step depends on the few bodies that
     take part in it, and only {!state} visits all bodies. In other models, all of [Network.successors] is
-    computed for each step. These have laws of motion with variables, steps of single processes, turns or lots,
-    walkers that stop, or bind bodies that do not collide (reading I-33).
+    computed for each step. These have laws of motion with variables, steps of single processes or turns, or bind
+    bodies that do not collide (reading I-33).
 
     Draws are handled one body at a time: the bodies that draw at one instant do so in turn. The draw of the last
     of them computes the next velocities of all. *)
@@ -50,8 +50,8 @@ val elapsed : t -> Scc_exact.Rat.t
 (** The time since the start of the run. *)
 
 val draws_on : t -> bool
-(** [draws_on t] is true if the transition that was just taken is a draw, and not the last one of its instant. Then
-    nothing has changed but what is drawn. *)
+(** [draws_on t] is true if a velocity or a lot is drawn next. If a draw or a lot was just taken, then nothing has
+    changed but what is drawn (rule JoinedDraws). *)
 
 val state : t -> State.t
 (** The present state, in full. It takes time proportional to the size of the network. *)

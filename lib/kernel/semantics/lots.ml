@@ -139,16 +139,21 @@ type due =
   | To_choose of State.process * to_release
   | To_release of (State.process * to_release list) list
 
+let bonds = List.map fst
 let is_undecided = function _, State.Undecided -> true | _, (State.Let_go _ | Next _) -> false
 let is_first = function _, State.Next _ -> true | _, (State.Undecided | Let_go _) -> false
 let some_undecided (p : State.process) =
   match p.lots with Some { pending; _ } -> List.exists is_undecided pending | None -> false
 
+let undecided m p = bonds (List.filter is_undecided (in_order m p))
+
 (* Those of which none has been drawn to be first. *)
-let contested cluster = List.compare_length_with cluster 1 > 0 && not (List.exists is_first cluster)
+let is_contested cluster = List.compare_length_with cluster 1 > 0 && not (List.exists is_first cluster)
 
 let some_contested (p : State.process) =
-  match p.lots with Some { pending; _ } -> List.exists contested (clusters pending) | None -> false
+  match p.lots with Some { pending; _ } -> List.exists is_contested (clusters pending) | None -> false
+
+let contested m p = bonds (List.find is_contested (clusters (in_order m p)))
 
 (* Of each cluster the only one, or the one that is first. *)
 let released_now m p =
@@ -165,7 +170,7 @@ let is_open m p { bond; drawn } =
   let several f = List.compare_length_with (followed m p bond drawn f) 1 > 0 in
   several bond.one || several bond.two
 
-let bonds = List.map fst
+let several_ways m p = List.filter (is_open m p) (released_now m p)
 
 let due m (s : State.t) =
   let waiting = List.filter is_pending (Array.to_list s.processes) in
@@ -175,10 +180,9 @@ let due m (s : State.t) =
   | _, Some p -> Some (To_draw (p, fst (List.find is_undecided (in_order m p))))
   | _, None -> (
       match first some_contested with
-      | Some p -> Some (To_be_first (p, bonds (List.find contested (clusters (in_order m p)))))
+      | Some p -> Some (To_be_first (p, contested m p))
       | None -> (
-          let several p = List.filter (is_open m p) (released_now m p) in
-          let some p = match several p with [] -> false | _ :: _ -> true in
-          match (List.concat_map several waiting, first some) with
-          | _ :: _ :: _, Some p -> Some (To_choose (p, List.hd (several p)))
+          let some p = match several_ways m p with [] -> false | _ :: _ -> true in
+          match (List.concat_map (several_ways m) waiting, first some) with
+          | _ :: _ :: _, Some p -> Some (To_choose (p, List.hd (several_ways m p)))
           | _, _ -> Some (To_release (List.map (fun p -> (p, released_now m p)) waiting))))

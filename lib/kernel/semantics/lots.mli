@@ -60,8 +60,26 @@ type due =
 val due : Model.t -> State.t -> due option
 (** The next action at this instant; [None] if no lots are pending. *)
 
+(** {1 The same of one process} *)
+
 val some_undecided : State.process -> bool
 (** [some_undecided p] is true if the lot of a bond of [p] is still to be drawn. *)
+
+val undecided : Model.t -> State.process -> State.bond list
+(** The bonds of a process whose lots are still to be drawn, in order. *)
+
+val some_contested : State.process -> bool
+(** [some_contested p] is true if {!due} has a bond of [p] to be first, where all lots have been drawn. *)
+
+val contested : Model.t -> State.process -> State.bond list
+(** The first set of connected bonds of a process of which one is to be first; it is a bug if there is none
+    ({!some_contested}). *)
+
+val released_now : Model.t -> State.process -> to_release list
+(** The bonds of a process that are released next, in order, once none of its lots is undecided or contested. *)
+
+val several_ways : Model.t -> State.process -> to_release list
+(** Those of {!released_now} that may be released in several ways. *)
 
 val clusters : (State.bond * State.lot) list -> (State.bond * State.lot) list list
 (** The connected sets of bonds under shared leaves. Each set keeps the given order, and the sets are in the

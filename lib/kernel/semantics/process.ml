@@ -105,4 +105,5 @@ let first_by_place m processes = first (compare_placed m) m processes
 let compare_moving m ((_, p) as one) ((_, q) as two) =
   match Scc_exact.Vec.compare p.State.velocity q.State.velocity with 0 -> compare_placed m one two | c -> c
 
+let by_velocity m processes = List.map snd (List.stable_sort (compare_moving m) (List.map (placed m) processes))
 let first_by_velocity m processes = first (compare_moving m) m processes

@@ -90,6 +90,8 @@ val by_place : Model.t -> State.process list -> State.process list
 val first_by_place : Model.t -> State.process list -> State.process option
 (** The first process in the order of {!by_place}, in linear time; [None] for the empty list. *)
 
+val by_velocity : Model.t -> State.process list -> State.process list
+(** The processes sorted by their velocities, and by their places ({!by_place}) where these are equal. *)
+
 val first_by_velocity : Model.t -> State.process list -> State.process option
-(** The first process in the order of their velocities, and of {!by_place} for equal ones (rule Lot), in linear
-    time; [None] for the empty list. *)
+(** The first process in the order of {!by_velocity} (rule Lot), in linear time; [None] for the empty list. *)

@@ -20,6 +20,7 @@ type t = {
   sampled : (string * Rat.t) list;
   policy : Replay.policy;
   limits : Replay.limits;
+  is_cut : bool;
 }
 
 let model console o ~(given : Options.definitions) path =
@@ -64,7 +65,9 @@ let prepare console o ~given path =
   let* model, schedule = model console o ~given path in
   let* loaded, sampled = at_start o model in
   Console.report console loaded.warnings;
-  Ok { loaded; sampled; policy = policy o schedule; limits = limits o schedule }
+  let limits = limits o schedule in
+  let is_cut = Option.is_none o.steps && Option.is_some limits.steps in
+  Ok { loaded; sampled; policy = policy o schedule; limits; is_cut }
 
 let each (l : Loaded.t) policy limits ~interrupted ~start ~leg =
   let before = ref l.declared and time = ref Rat.zero and rest = ref Rat.zero in
@@ -89,7 +92,7 @@ let follow (l : Loaded.t) policy limits ~interrupted =
   let* rest, ending = each l policy limits ~interrupted ~start ~leg in
   Ok (Course.make l.semantics ~initial:!initial (List.rev !steps) ~rest, ending)
 
-let finish console (l : Loaded.t) (result : (Replay.ending, Replay.failure) result) =
+let finish console ?(is_cut = false) (l : Loaded.t) (result : (Replay.ending, Replay.failure) result) =
   let report d = Console.report console [ d ] in
   match result with
   | Ok Zeno ->
@@ -97,6 +100,12 @@ let finish console (l : Loaded.t) (result : (Replay.ending, Replay.failure) resu
       (Printf.sprintf "scc: stopped after %d transitions without time passing (Zeno behaviour)"
          Replay.default_instant);
     Exit_code.Stopped
+  | Ok Open when is_cut ->
+    Console.note console
+      (Printf.sprintf
+         "scc: the run is left after %d transitions, each draw is one; `--time` or `--steps` makes it longer"
+         Replay.default_steps);
+    Exit_code.Holds
   | Ok (Open | Quiescent | Broken_off) -> Exit_code.Holds
   | Error (Interrupted stop) ->
     Console.note console ("scc: " ^ Watch.reason stop);
@@ -159,8 +168,8 @@ let start ~sampled =
 let steps =
   let doc =
     Printf.sprintf
-      "Ends the run after $(docv) transitions. The default is %d when neither a schedule nor $(b,--time) \
-       ends it." Replay.default_steps
+      "Ends the run after $(docv) transitions; each draw and each lot is one. The default is %d when neither a \
+       schedule nor $(b,--time) ends it." Replay.default_steps
   in
   Arg.(value & opt (some Options.transitions) None & info [ "steps" ] ~docv:"N" ~doc)
 

@@ -22,6 +22,7 @@ type t = {
   sampled : (string * Rat.t) list;  (** the values that the start was chosen to have *)
   policy : Replay.policy;
   limits : Replay.limits;  (** a schedule is followed to its end unless a limit is given *)
+  is_cut : bool;  (** it ends after {!Scc_runs.Replay.default_steps}, as no limit is given *)
 }
 
 val prepare : Console.t -> options -> given:Options.definitions -> string -> (t, Diag.t list) result
@@ -47,5 +48,6 @@ val follow :
   (Course.t * Replay.ending, Replay.failure) result
 (** Makes the whole run and keeps all its states. *)
 
-val finish : Console.t -> Loaded.t -> (Replay.ending, Replay.failure) result -> Exit_code.t
-(** Reports how a run ended, unless it ended regularly. *)
+val finish : Console.t -> ?is_cut:bool -> Loaded.t -> (Replay.ending, Replay.failure) result -> Exit_code.t
+(** Reports how a run ended, unless it ended regularly. If [is_cut] is true, a note names the options that make a
+    run longer in which more can happen. *)

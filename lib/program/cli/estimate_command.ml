@@ -73,15 +73,25 @@ type ending = Whole | Interrupted | Lost of { why : string; fault : bool }
 (* Seconds in which runs that are under way are to say what they have come to. *)
 let patience = 5.
 
+let answered estimation ~count =
+  match List.length (Estimation.answers estimation) with
+  | 0 -> ""
+  | known -> Printf.sprintf ", %d of %d answered" known count
+
 let sample console o runs (plan : Sample.plan) estimation ~stopped =
   let work = Sample.run plan ~seed:o.seed ~interrupted:Scc_system.Interruption.heard in
   let whole (r : Sample.run) = not r.interrupted in
+  let stop () =
+    Estimation.judge estimation ~last:true;
+    Interrupted
+  in
   let rec go first =
     match Estimation.next estimation with
     | None -> Whole
     | Some count -> (
         let each k outcome =
-          Console.progress console (Printf.sprintf "%d runs" (k + 1));
+          let answered = answered estimation ~count:(List.length plan.paths) in
+          Console.progress console (Printf.sprintf "%d runs%s" (k + 1) answered);
           Estimation.add estimation outcome
         in
         let made =
@@ -91,16 +101,32 @@ let sample console o runs (plan : Sample.plan) estimation ~stopped =
         | Ok () ->
           Estimation.judge estimation ~last:false;
           go count
-        | Error Pool.Interrupted ->
-          Estimation.judge estimation ~last:true;
-          Interrupted
+        | Error Pool.Interrupted -> stop ()
         | Error (Lost { task; how; fault }) ->
           Estimation.judge estimation ~last:true;
           Lost { why = Kept_runs.lost ~what:"run" ~task ~how; fault })
   in
-  let ending = go 0 in
+  let ending = if stopped () then stop () else go 0 in
   Console.progress_done console;
   ending
+
+(* Runs of questions that no time decides may be long. The others have runs of their own, which come first: then
+   their answers are known, whatever becomes of the long runs. Stored runs are those of all questions. *)
+let in_turn o paths =
+  match List.partition (fun (p : Path.t) -> Option.is_some p.horizon) paths with
+  | (_ :: _ as timed), (_ :: _ as others) when Option.is_none o.store -> [ timed; others ]
+  | _ -> [ paths ]
+
+let sample_all console o runs (plan : Sample.plan) aim ~stopped =
+  let one (answers, ending) paths =
+    let estimation = Estimation.start aim paths in
+    let stopped () = ending <> Whole || stopped () in
+    let next = sample console o runs { plan with paths } estimation ~stopped in
+    (answers @ Estimation.answers estimation, if ending = Whole then next else ending)
+  in
+  let answers, ending = List.fold_left one ([], Whole) (in_turn o plan.paths) in
+  let of_path p = List.find_opt (fun (a : Estimation.answer) -> a.path == p) answers in
+  (List.filter_map of_path plan.paths, ending)
 
 (* A run depends on these and its number alone: how many there are, and what is made of them, may change. *)
 let identity o (l : Loaded.t) (paths : Path.t list) =
@@ -179,10 +205,8 @@ let estimate console o watch =
     }
   in
   let* runs = Kept_runs.openly console ~folder:o.store ~identity:(identity o model paths) "the runs" in
-  let estimation = Estimation.start aim paths in
   let stopped () = Option.is_some (Watch.stop watch ()) in
-  let ending = sample console o runs plan estimation ~stopped in
-  let answers = Estimation.answers estimation in
+  let answers, ending = sample_all console o runs plan aim ~stopped in
   let unkept = Kept_runs.close runs in
   let exit = Exit_code.worst (exit_code answers ending :: Kept.code unkept) in
   let report =
@@ -250,8 +274,8 @@ let free =
 
 let steps =
   Options.maybe Options.transitions [ "steps" ] ~docv:"N"
-    "Leaves a run after $(docv) transitions; the draws of one instant count as one. The default is 10000 if \
-     neither the formulas nor $(b,--until) end the run at a time, and none otherwise."
+    "Leaves a run after $(docv) transitions; the draws and lots of one instant count as one. The default is \
+     10000 if neither the formulas nor $(b,--until) end the run at a time, and none otherwise."
 
 let until =
   Options.maybe (Options.positive "model time") [ "until" ] ~docv:"TIME"

@@ -112,14 +112,14 @@ let follow o (l : Loaded.t) policy limits =
     | Some w -> Ok (Film.Changes w, ending)
     | None -> Bug.fail __POS__ "a run without a start"
 
-let table console o (l : Loaded.t) observables policy limits =
+let table console o (chosen : Chosen_run.t) (l : Loaded.t) observables =
   let lines = ref None in
   let start s = lines := Some (Table.start l.semantics observables s) in
   let leg g = Option.iter (fun t -> Table.leg t g) !lines in
-  match (Chosen_run.each l policy limits ~interrupted:never ~start ~leg, !lines) with
+  match (Chosen_run.each l chosen.policy chosen.limits ~interrupted:never ~start ~leg, !lines) with
   | Ok (rest, ending), Some t ->
     let* () = alone console o (Table.finish t ~rest) in
-    Ok (Chosen_run.finish console l (Ok ending))
+    Ok (Chosen_run.finish console ~is_cut:chosen.is_cut l (Ok ending))
   | Error failure, _ -> Ok (Chosen_run.finish console l (Error failure))
   | Ok _, None -> Bug.fail __POS__ "a run without a start"
 
@@ -133,14 +133,14 @@ let film console o (chosen : Chosen_run.t) loaded observables =
       | result -> result
       | exception Floats.Too_great -> Error [ too_great o ]
     in
-    Ok (Chosen_run.finish console loaded (Ok ending))
+    Ok (Chosen_run.finish console ~is_cut:chosen.is_cut loaded (Ok ending))
 
 let export console o =
   let* chosen = Chosen_run.prepare console o.choices ~given:o.given o.path in
   if chosen.sampled <> [] then Console.note console ("scc: for " ^ Sample.to_string chosen.sampled);
   let* loaded, observables = Observed.all console chosen.loaded o.observed in
   match (o.format, o.every) with
-  | Csv, None -> table console o loaded observables chosen.policy chosen.limits
+  | Csv, None -> table console o chosen loaded observables
   | _ -> film console o chosen loaded observables
 
 let run color o =

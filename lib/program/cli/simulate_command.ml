@@ -69,26 +69,27 @@ let identity o (l : Loaded.t) =
       ("--observe", String.concat "; " o.observed);
       ("--every", Rat.to_string o.every);
       ("--until", Rat.to_string o.until);
-      ("--steps", Option.fold ~none:"default" ~some:string_of_int o.steps);
+      ("--steps, by instants", Option.fold ~none:"default" ~some:string_of_int o.steps);
       ("--seed", Int64.to_string o.seed);
     ]
   in
   let { Origin.digest; parameters; _ } = l.origin in
   Kept.identity ~digest ~parameters options
 
-let early console n =
+let early console ~steps n =
+  let cure = if Option.is_some steps then "; without `--steps` a run goes on to that time, if it can" else "" in
   if n > 0 then
     Console.note console
-      (Printf.sprintf "scc: %s did not come to the last time; what was not observed is empty"
-         (Scc_base.Plural.count n "run" "runs"))
+      (Printf.sprintf "scc: %s did not come to the last time; what was not observed is empty%s"
+         (Scc_base.Plural.count n "run" "runs") cure)
 
-let conclude console ~runs ~finished ~partly ~ended_early result =
+let conclude console ~steps ~runs ~finished ~partly ~ended_early result =
   match if partly > 0 then Error Pool.Interrupted else result with
   | Ok () ->
-    early console ended_early;
+    early console ~steps ended_early;
     Ok (if ended_early > 0 then Exit_code.Undecided else Exit_code.Holds)
   | Error stop ->
-    (match (stop : Pool.stop) with Interrupted -> early console ended_early | Lost _ -> ());
+    (match (stop : Pool.stop) with Interrupted -> early console ~steps ended_early | Lost _ -> ());
     Ok (Kept_runs.stopped console ~what:"run" ~partly ~written:finished ~count:runs stop)
 
 let in_all o = o.summary || Option.is_some o.plot
@@ -153,7 +154,7 @@ let simulate console o ~says_more ~interrupted =
   | Ok result ->
     let* () = Result.listed (Option.fold ~none:(Ok ()) ~some:draw o.plot) in
     let runs = last - from and finished = !written and partly = !partly and ended_early = !ended_early in
-    let* code = conclude console ~runs ~finished ~partly ~ended_early result in
+    let* code = conclude console ~steps:o.steps ~runs ~finished ~partly ~ended_early result in
     Ok (Kept_runs.finish console kept code)
 
 let run color progress o =
@@ -184,7 +185,8 @@ let until =
   Arg.(required & opt (some (Options.not_negative "model time")) None & info [ "until" ] ~docv:"TIME" ~doc)
 
 let steps =
-  Options.maybe Options.transitions [ "steps" ] ~docv:"N" "Ends a run after $(docv) transitions."
+  Options.maybe Options.transitions [ "steps" ] ~docv:"N"
+    "Ends a run after $(docv) transitions; the draws and lots of one instant count as one."
 
 let summary =
   Options.flag [ "summary" ]

@@ -44,7 +44,7 @@ let run color o =
       let* chosen = Chosen_run.prepare console o.choices ~given:o.given o.path in
       let write = write_run o chosen watch in
       match Console.with_output console ~path:o.output write with
-      | Ok result -> Ok (Chosen_run.finish console chosen.loaded result)
+      | Ok result -> Ok (Chosen_run.finish console ~is_cut:chosen.is_cut chosen.loaded result)
       | Error d -> Error [ d ])
 
 (* The command line. *)

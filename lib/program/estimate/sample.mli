@@ -16,8 +16,8 @@ type plan = {
   paths : Path.t list;
   free : free;
   steps : int option;
-  (** transitions at most, of which the draws of one instant are one; [None]: 10 000 if no run ends at a time, else
-      without a bound *)
+  (** transitions at most, of which the draws and lots of one instant are one; [None]: 10 000 if no run ends at a
+      time, else without a bound *)
   until : Rat.t option;  (** model time at most; the horizon of all questions ends a run as well *)
 }
 

@@ -62,10 +62,10 @@ let look_at_end plan values next time state =
     incr next
   end
 
-let why_over plan ~steps ~time (ending : Replay.ending) =
+let why_over plan ~counted ~steps ~time (ending : Replay.ending) =
   let at = "at time " ^ Rat.to_string time in
   match ending with
-  | Open when plan.steps = Some steps -> Printf.sprintf "ended after %d transitions, %s" steps at
+  | Open when plan.steps = Some counted -> Printf.sprintf "ended by `--steps %d`, %s" counted at
   | Open | Quiescent -> "over " ^ at
   | Broken_off -> Printf.sprintf "interrupted after %d transitions, %s" steps at
   | Zeno -> Printf.sprintf "goes on for ever within one instant, %s" at
@@ -76,13 +76,16 @@ let run plan ~seed ~interrupted number =
   let none = Array.make (List.length plan.observables) None in
   let values = Array.make (Array.length plan.times) none and next = ref 0 in
   let until = plan.times.(Array.length plan.times - 1) in
-  let ended = ref None and cut = ref false and taken = ref 0 and now = ref Rat.zero in
+  let ended = ref None and cut = ref false and taken = ref 0 and counted = ref 0 and now = ref Rat.zero in
   let is_done () = !next >= Array.length plan.times in
-  let finish ~steps ~time ending = if not (is_done ()) then ended := Some (why_over plan ~steps ~time ending) in
+  let finish ~steps ~time ending =
+    if not (is_done ()) then ended := Some (why_over plan ~counted:!counted ~steps ~time ending)
+  in
   let note : Replay.event -> unit = function
     | Start _ -> ()
     | Step s ->
       taken := s.number;
+      if not s.draws_on then incr counted;
       now := s.time
     | Instant i -> look_at_end plan values next i.time (fun () -> i.state)
     | End { steps; time; ending; last; _ } ->
@@ -95,7 +98,7 @@ let run plan ~seed ~interrupted number =
   let limits = { Replay.steps = plan.steps; time = Some until; instant = Replay.default_instant } in
   let passing ~start ~lasts state = look plan values next ~start ~lasts state in
   let policy = Replay.Random (seed_of seed number) in
-  (match Replay.run ~passing plan.semantics plan.declared policy limits ~interrupted note with
+  (match Replay.run ~passing ~joint:true plan.semantics plan.declared policy limits ~interrupted note with
    | Ok _ -> ()
    | Error (Fault g) ->
      let message = (Transition.diagnostic (Semantics.model plan.semantics) g.fault).message in

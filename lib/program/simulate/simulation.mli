@@ -11,7 +11,7 @@ type plan = {
   declared : State.t;
   observables : Table.observable list;
   times : Rat.t array;  (** increasing, from 0 on; the run ends at the last *)
-  steps : int option;  (** at most so many transitions *)
+  steps : int option;  (** at most so many transitions, of which the draws and lots of one instant are one *)
 }
 
 val times : every:Rat.t -> until:Rat.t -> Rat.t array

@@ -53,10 +53,11 @@ let network w =
 
 let random =
   let open Gen in
-  let* crowd = Test_crowd.random_crowd and* blocked = oneofl [ Model.Stop; Wait; Wait ] and* askew = bool in
+  let* crowd = frequency [ (2, Test_crowd.random_crowd); (1, Test_crowd.random_rows) ] in
+  let* blocked = oneofl [ Model.Stop; Wait; Wait ] and* askew = bool in
   let+ by_contact = frequencyl [ (5, false); (1, true) ] and+ own = frequencyl [ (5, false); (1, true) ]
   and+ tall = bool and+ absorbs = frequencyl [ (5, false); (1, true) ] and+ drawn = bool in
-  let places = List.filteri (fun i _ -> i < 7) crowd.places in
+  let places = if crowd.rows = [] then List.filteri (fun i _ -> i < 7) crowd.places else crowd.places in
   { crowd = { crowd with places }; blocked; askew; by_contact; own; tall; absorbs; drawn }
 
 let print (w, choices) =
@@ -66,6 +67,17 @@ let print (w, choices) =
     (Test_crowd.print (w.crowd, choices))
 
 let texts m = List.map (Transition.label_to_string m)
+
+(* Chance decides what is drawn next, and between urgent transitions in a model that draws ties. *)
+let agree_on_chance step run transitions (labels : Run.labels) =
+  let is_drawn (t : Transition.t) = Transition.is_drawn t.label in
+  let drawn = List.exists is_drawn transitions in
+  let by_chance = List.map (fun (t : Transition.t) -> Option.is_some t.chance) transitions in
+  let others = List.filter (fun i -> not (List.nth by_chance i)) (List.init (List.length transitions) Fun.id) in
+  let expected = if (not drawn) && List.mem true by_chance then Some others else None in
+  let found = Option.map (fun (t : Ties.tie) -> t.others) labels.tie in
+  if found <> expected then Test_crowd.differ step "what is tied" [ "one" ] [ "another" ];
+  if Run.draws_on run <> drawn then Test_crowd.differ step "whether chance is next" [ "one" ] [ "another" ]
 
 let follow (m, declared) choices =
   let plain = Semantics.make m in
@@ -80,6 +92,7 @@ let follow (m, declared) choices =
           let found = texts m (Run.list labels) in
           if not (List.equal String.equal expected found) then
             Test_crowd.differ step "what is possible" expected found;
+          agree_on_chance step run transitions labels;
           let i = choice mod List.length transitions in
           let t = List.nth transitions i in
           let taken = Run.take run i in
@@ -88,6 +101,8 @@ let follow (m, declared) choices =
           if not (String.equal expected found) then Test_crowd.differ step "what is taken" [ expected ] [ found ];
           let run = if step mod 13 = 12 then Run.resume (Standard.of_model m) t.target else run in
           go run (step + 1) t.target rest
+        | Error (Bad_chance f), Error (Bad_chance g) ->
+          f = g || Test_crowd.differ step "a fault" [ "one" ] [ "another" ]
         | Error _, _ | _, Error _ -> failwith "a fault of constant laws")
   in
   match (Network.initial plain declared, Run.start (Standard.of_model m) declared) with
@@ -107,7 +122,7 @@ let in_corners =
   let crowd : Test_crowd.crowd =
     {
       places; pitch = 3; around = Room; slack = 1; laws; sticky = true; steady = true; together = false;
-      any_time = false; half = false;
+      any_time = false; half = false; lots = []; split_step = (1, 1); rows = [];
     }
   in
   { crowd; blocked; askew = true; by_contact = false; own = false; tall; absorbs = false; drawn = false }
@@ -125,7 +140,7 @@ let words n =
   let crowd : Test_crowd.crowd =
     {
       places; pitch = 3; around = Room; slack = 1; laws = [ 4 ]; sticky = false; steady = true; together = false;
-      any_time = false; half = false;
+      any_time = false; half = false; lots = []; split_step = (1, 1); rows = [];
     }
   in
   let m, declared = network { crowd; blocked = Wait; askew = false; by_contact = false; own = false;

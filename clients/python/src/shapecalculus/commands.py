@@ -183,8 +183,8 @@ def estimate(
     ``seed``: An integer. Run k has the seed that is the output number k, from 0 on, of SplitMix64 from this
       integer, and makes its choices by it as scc trace --choose random: does. The runs are the same for any
       --jobs and on every machine.
-    ``steps``: Leaves a run after N transitions; the draws of one instant count as one. The default is 10000 if
-      neither the formulas nor --until end the run at a time, and none otherwise.
+    ``steps``: Leaves a run after N transitions; the draws and lots of one instant count as one. The default is
+      10000 if neither the formulas nor --until end the run at a time, and none otherwise.
     ``store``: Stores the runs in the folder DIR, which is created if necessary, while they are made. The same
       command resumes, and so does one with another --runs, --most, --confidence, --width, --seconds or --jobs.
       See STORES.
@@ -263,7 +263,7 @@ def simulate(
     ``seed``: An integer. Run k has the seed that is the output number k, from 0 on, of SplitMix64 from this
       integer, and makes its choices by it as scc trace --choose random: does. The runs are the same for any
       --jobs and on every machine.
-    ``steps``: Ends a run after N transitions.
+    ``steps``: Ends a run after N transitions; the draws and lots of one instant count as one.
     ``store``: Stores the runs in the folder DIR, which is created if necessary, while they are made. The same
       command resumes, and so does one with another --runs or --jobs, or with another output of the same runs
       (--format, --summary, --plot). See STORES.
@@ -410,7 +410,8 @@ def trace(
     ``states``: Which states to print: all, the one after each transition, or ends, only the first and the last
       one (a line state before the end). With ends a long run of many bodies has one line for each transition.
       Such a trace is its own schedule, too.
-    ``steps``: Ends the run after N transitions. The default is 1000 when neither a schedule nor --time ends it.
+    ``steps``: Ends the run after N transitions; each draw and each lot is one. The default is 1000 when neither
+      a schedule nor --time ends it.
     ``time``: Ends the run at the model time T, between events if necessary.
 
     ``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``:
