@@ -16,11 +16,11 @@ let exact axis (p : Homogeneous.t) (q : Homogeneous.t) (r : Homogeneous.t) =
   let u = seen p and v = seen q and w = seen r in
   Z.sign (Z.add (Z.mul p.w (minor v w)) (Z.sub (Z.mul r.w (minor u v)) (Z.mul q.w (minor u w))))
 
-(* Let u be 2^-53, and m and n the greatest magnitudes of both coordinates, which have relative errors of 3 u. Terms
-   of order u^2 are left out. A difference is off by at most 6 u m, and its rounding by 2 u m. A product is off by
-   2 * 2 * 8 u m n, and its rounding by 4 u m n. The difference of two is off by twice that, and its rounding by
-   8 u m n: 80 u m n in all. Where that is tiny, a product may have underflowed; where a number is a NaN, no
-   comparison holds. *)
+(* Let u be 2^-53, and m and n the greatest magnitudes of both coordinates, which have relative errors of 3 u.
+   Terms of order u^2 are left out. A difference is off by at most 6 u m, and its rounding by 2 u m. A product is
+   off by 2 * 2 * 8 u m n, and its rounding by 4 u m n. The difference of two is off by twice that, and its
+   rounding by 8 u m n: 80 u m n in all. Where that is tiny, a product may have underflowed; where a number is a
+   NaN, no comparison holds. *)
 let turn axis (p : Homogeneous.t) (q : Homogeneous.t) (r : Homogeneous.t) =
   let x (p : Homogeneous.t) = match axis with X -> p.near.ny | Y -> p.near.nz | Z -> p.near.nx in
   let y (p : Homogeneous.t) = match axis with X -> p.near.nz | Y -> p.near.nx | Z -> p.near.ny in

@@ -114,8 +114,8 @@ let candidates notches some =
   let polygons = List.concat_map (fun { sides = k, l; _ } -> [ k; l ]) some in
   List.concat_map through some @ List.map (fun k -> Of_polygon k) (List.sort_uniq Int.compare polygons)
 
-(* So that the work at one cell is near linear, and that at all cells as well: from 8 000 edges on, less is spent on
-   a cell. *)
+(* So that the work at one cell is near linear, and that at all cells as well: from 8 000 edges on, less is
+   spent on a cell. *)
 let most_tried ~all n = Int.max 24 (200_000 / Int.max 1 (all / 4_000) / n)
 
 let plane ~all planes notches =
