@@ -37,7 +37,7 @@ let joint =
 
 let format =
   let set t = t.parts.drawn.set in
-  let joints t = List.map (fun j -> (t.parts, j)) (Joints.forest (Array.map snd t.parts.parts)) in
+  let joints t = List.map (fun j -> (t.parts, j)) t.parts.joints in
   fields
     (Shared.head "scc-decomposition" 1
      @ [

@@ -54,9 +54,8 @@ let text ~name ~mended (t : Parts.t) =
     (Plural.count (Array.length drawn.regions) "plane face" "plane faces")
     (Plural.count (Drawn.reflex_edges drawn) "reflex edge" "reflex edges")
     (short ~most:64 (Drawn.volume drawn.set));
-  let joints = Joints.forest (Array.map snd t.parts) in
   Printf.bprintf b "%s, %s\n" (Plural.count (Array.length t.parts) "convex part" "convex parts")
-    (Plural.count (List.length joints) "joint" "joints");
+    (Plural.count (List.length t.joints) "joint" "joints");
   let part k (name, (p : Polyhedron.t)) =
     if k < most_listed then
       Printf.bprintf b "  %s: %d corners, %d faces, volume %s\n" name (Array.length p.vertices)

@@ -29,12 +29,7 @@ let surface set =
       | None, Some drawn -> Ok drawn
       | None, None -> Scc_base.Bug.fail __POS__ "sound faces that are no polygons")
 
-let connected list =
-  let parts = Array.of_list list in
-  List.length (Joints.forest parts) = Array.length parts - 1
-
-let volume list =
-  List.fold_left (fun sum p -> Rat.add sum (Mass_properties.of_polyhedron p).volume) Rat.zero list
+let connected (t : Parts.t) = List.length t.joints = Array.length t.parts - 1
 
 (* {1 Parts} *)
 
@@ -61,9 +56,9 @@ let cells progress (drawn : Drawn.t) =
   | list when List.length list > limit -> Error Too_many
   | list ->
     let count = List.length list in
-    let make k corners =
+    let make k cell =
       progress (Making (k + 1, count));
-      Refined.solid corners
+      Refined.of_cell cell
     in
     Ok (List.mapi make list)
 
@@ -78,7 +73,7 @@ let parts ?(progress = ignore) set =
     if Drawn.reflex_edges drawn = 0 then Ok [ convex set ]
     else match prism set with Some list -> Ok list | None -> cells progress drawn
   in
-  if Rat.equal (volume list) (Drawn.volume set) && connected list then Ok (list, drawn)
+  if Volumes.equal set list then Ok (list, drawn)
   else Scc_base.Bug.fail __POS__ "parts that are not the solid"
 
 let united ?(progress = ignore) set =
@@ -94,7 +89,7 @@ let united ?(progress = ignore) set =
   | None -> Error (Unsound (Option.value (Sound.faults set) ~default:(Sound.Structure [ Inward ])))
   | Some (list, surface) -> (
       match Drawn.make surface with
-      | Some drawn when Rat.equal (volume list) (Drawn.volume surface) ->
+      | Some drawn when Volumes.equal surface list ->
         let tick ~left = progress (Naming left) in
         Option.to_result ~none:Too_many (Parts.make ~tick ~names:false ~limit drawn list)
       | _ -> Scc_base.Bug.fail __POS__ "parts of a union that their surface does not bound")
@@ -102,4 +97,5 @@ let united ?(progress = ignore) set =
 let make ?(progress = ignore) ?names set =
   let* list, drawn = parts ~progress set in
   let tick ~left = progress (Naming left) in
-  Option.to_result ~none:Too_many (Parts.make ~tick ?names ~limit drawn list)
+  let* t = Option.to_result ~none:Too_many (Parts.make ~tick ?names ~limit drawn list) in
+  if connected t then Ok t else Scc_base.Bug.fail __POS__ "parts that are not joined"

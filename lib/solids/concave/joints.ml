@@ -1,34 +1,40 @@
 open Scc_data
-open Scc_exact
 open Scc_geometry
+open Scc_decompose
 
 type site = { part : int; face : int }
-type side = { site : site; normal : Ivec.t; corners : Vec.t array; box : Float_box.t }
+type side = { site : site; plane : Plane.t; corners : Homogeneous.t array; box : Float_box.t }
 
-let side (p : Polyhedron.t) part face =
-  let corners = Array.map (fun v -> snd p.vertices.(v)) (snd p.faces.(face)) in
-  let n = Vec.cross (Vec.sub corners.(1) corners.(0)) (Vec.sub corners.(2) corners.(0)) in
-  { site = { part; face }; normal = Ivec.primitive (fst (Ivec.of_vec n)); corners; box = Boxed.of_points corners }
+module Planes = Hashtbl.Make (Plane)
 
-let plane n x = (Ivec.to_string n, Rat.to_string (Vec.dot (Ivec.to_vec n) x))
+let sides part (p : Polyhedron.t) =
+  let places = Array.map (fun (_, x) -> Homogeneous.of_vec x) p.vertices in
+  let side face (_, corners) =
+    let box = Boxed.of_points (Array.map (fun v -> snd p.vertices.(v)) corners) in
+    let corners = Array.map (fun v -> places.(v)) corners in
+    { site = { part; face }; plane = Planar.of_face corners; corners; box }
+  in
+  Array.to_list (Array.mapi side p.faces)
+
+let reversed corners =
+  let n = Array.length corners in
+  Array.init n (fun k -> corners.(n - 1 - k))
 
 let forest parts =
-  let sides k (p : Polyhedron.t) = List.init (Array.length p.faces) (side p k) in
-  let all = List.concat (Array.to_list (Array.mapi sides parts)) in
-  let at = Hashtbl.create 256 in
-  List.iter (fun s -> Hashtbl.add at (plane s.normal s.corners.(0)) s) all;
+  let all = List.concat (List.mapi sides (Array.to_list parts)) in
+  let at = Planes.create 256 in
+  List.iter (fun s -> Planes.add at s.plane s) all;
   let joined = Union_find.create (Array.length parts) in
   let joints = ref [] in
   let join s =
-    let back = Ivec.neg s.normal in
     let meet other =
       if Union_find.find joined s.site.part <> Union_find.find joined other.site.part
       && Float_box.meet other.box s.box
-      && Shown.share (Ivec.to_vec back) other.corners s.corners
+      && Planar.share s.plane s.corners (reversed other.corners)
       && Union_find.union joined s.site.part other.site.part
       then joints := (s.site, other.site) :: !joints
     in
-    List.iter meet (List.rev (Hashtbl.find_all at (plane back s.corners.(0))))
+    List.iter meet (List.rev (Planes.find_all at (Plane.opposite s.plane)))
   in
   List.iter join all;
   List.rev !joints

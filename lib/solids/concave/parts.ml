@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_exact
 open Scc_geometry
 
@@ -6,6 +5,7 @@ type t = {
   drawn : Drawn.t;
   parts : (string * Polyhedron.t) array;
   shows : (Drawn.feature, (int * Feature.t) list) Hashtbl.t;
+  joints : (Joints.site * Joints.site) list;
 }
 
 module Points = Hashtbl.Make (Vec)
@@ -45,14 +45,10 @@ let given_names (d : Drawn.t) =
   (vertex, face)
 
 let renamed (vertex, face) (p : Polyhedron.t) features =
-  let { Polyhedron.ifs_vertices; ifs_faces } = Polyhedron.to_ifs p in
-  let shows = Array.make (Array.length ifs_faces) None in
+  let shows = Array.make (Array.length p.faces) None in
   List.iter (function Feature.Face f, list -> shows.(f) <- Some list | _ -> ()) features;
-  let name_face f (_, corners) = (face shows.(f), corners) in
-  let ifs_vertices = Array.map (fun (_, x) -> (vertex x, x)) ifs_vertices in
-  match Polyhedron.of_ifs { ifs_vertices; ifs_faces = Array.mapi name_face ifs_faces } with
-  | Ok p -> p
-  | Error _ -> Bug.fail __POS__ "a polyhedron that is none under other names"
+  let vertices = Array.map (fun (_, x) -> vertex x) p.vertices in
+  Polyhedron.renamed ~vertices ~faces:(Array.map face shows) p
 
 let make ?(tick = fun ~left:_ -> ()) ?(names = true) ~limit (d : Drawn.t) pieces =
   let shown = Shown.make d in
@@ -70,7 +66,8 @@ let make ?(tick = fun ~left:_ -> ()) ?(names = true) ~limit (d : Drawn.t) pieces
       List.iter put features;
       (Printf.sprintf "p%d" (k + 1), renamed naming p features)
     in
-    Some { drawn = d; parts = Array.of_list (List.mapi enter list); shows }
+    let parts = Array.of_list (List.mapi enter list) in
+    Some { drawn = d; parts; shows; joints = Joints.forest (Array.map snd parts) }
 
 (* {1 Places} *)
 

@@ -8,12 +8,14 @@ type t = private {
   (** [p1], [p2], …; a face that shows a region has its name, and a corner at a vertex of the set that of the
       vertex *)
   shows : (Drawn.feature, (int * Feature.t) list) Hashtbl.t;
+  joints : (Joints.site * Joints.site) list;  (** of all parts ({!Joints.forest}) *)
 }
 
 val make : ?tick:(left:int -> unit) -> ?names:bool -> limit:int -> Drawn.t -> Polyhedron.t list -> t option
 (** [make ~limit drawn parts] are the convex parts [parts] of the solid, cut further as {!Refined.parts} does,
-    with names. With [~names:false] they stay as they are, and a face that shows several regions has the name of
-    the first one. [tick] gets the number of parts left. [None] if there would be more than [limit] parts. *)
+    with names. With [~names:false] they stay as they are, a face that shows several regions has the name of the
+    first one, and [shows] has faces alone. [tick] gets the number of parts left. [None] if there would be more
+    than [limit] parts. *)
 
 val inside : t -> Drawn.feature -> (int * Feature.t) list
 (** The features of parts that show the relative interior of a feature: a region without its borders and

@@ -12,6 +12,19 @@ let solid points =
       | Ok polyhedron -> polyhedron
       | Error _ -> Bug.fail __POS__ "a hull that is no polyhedron")
 
+module Places = Hashtbl.Make (Scc_decompose.Homogeneous)
+
+let of_cell (cell : Scc_decompose.Cell.t) =
+  let with_place p = (Scc_decompose.Homogeneous.to_vec p, p) in
+  let by_place (x, _) (y, _) = Vec.compare x y in
+  let points = List.sort by_place (List.map with_place (Scc_decompose.Cell.corners cell)) in
+  let numbers = Places.create 32 in
+  List.iteri (fun i (_, p) -> Places.add numbers p i) points;
+  let face (f : Scc_decompose.Cell.facet) = ("", Array.map (Places.find numbers) f.corners) in
+  let ifs_vertices = Array.of_list (List.mapi (fun i (x, _) -> (Printf.sprintf "v%d" i, x)) points) in
+  let ifs_faces = Array.of_list (List.map face cell) in
+  Polyhedron.of_convex (Scc_mesh.Hull_of.in_order { ifs_vertices; ifs_faces })
+
 let corners (p : Polyhedron.t) = Array.to_list (Array.map snd p.vertices)
 
 let feature_corners (p : Polyhedron.t) : Feature.t -> Vec.t list = function
@@ -75,7 +88,7 @@ let parts ~tick ~names shown (d : Drawn.t) ~limit list =
     | [] -> Some (List.rev done_)
     | p :: rest -> (
         tick ~left;
-        let features = Shown.features shown p in
+        let features = if names then Shown.features shown p else Shown.faces shown p in
         match if names then List.find_map (dividing d p) features else None with
         | None -> refine ((p, features) :: done_) count (left - 1) rest
         | Some region ->

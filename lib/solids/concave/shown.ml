@@ -3,34 +3,34 @@ open Scc_geometry
 open Scc_decompose
 
 module Points = Hashtbl.Make (Vec)
+module Planes = Hashtbl.Make (Plane)
 
 type t = {
   drawn : Drawn.t;
   planes : Plane.t array;  (* of regions *)
-  by_plane : (string, int) Hashtbl.t;  (* the regions of each plane *)
+  by_plane : int Planes.t;  (* the regions of each plane *)
   by_sides : (int * int, int) Hashtbl.t;  (* the borders between two regions *)
   corner_at : int Points.t;
-  pieces : (Float_box.t * Vec.t array) list array;  (* of regions *)
+  pieces : (Float_box.t * Vec.t array * Homogeneous.t array) list array;  (* of regions *)
   boxes : Scc_broad_phase.Box_tree.t;  (* of regions *)
 }
 
-let plane n level = Ivec.to_string n ^ " " ^ Rat.to_string level
-
 let make (d : Drawn.t) =
-  let by_plane = Hashtbl.create 64 and by_sides = Hashtbl.create 64 and corner_at = Points.create 64 in
-  Array.iteri (fun r (region : Drawn.region) ->
-      Hashtbl.add by_plane (plane region.normal region.level) r) d.regions;
+  let by_plane = Planes.create 64 and by_sides = Hashtbl.create 64 and corner_at = Points.create 64 in
   Array.iteri
     (fun b (border : Drawn.border) ->
        match border.between with [ r; s ] -> Hashtbl.add by_sides (r, s) b | _ -> ())
     d.borders;
   Array.iteri (fun v corner -> if corner then Points.replace corner_at (snd d.set.ifs_vertices.(v)) v) d.corners;
   let plane (region : Drawn.region) = Plane.make region.normal (Homogeneous.of_vec (List.hd region.pieces).(0)) in
-  let pieces_of (region : Drawn.region) = List.map (fun p -> (Boxed.of_points p, p)) region.pieces in
+  let planes = Array.map plane d.regions in
+  Array.iteri (fun r plane -> Planes.add by_plane plane r) planes;
+  let piece p = (Boxed.of_points p, p, Array.map Homogeneous.of_vec p) in
+  let pieces_of (region : Drawn.region) = List.map piece region.pieces in
   let pieces = Array.map pieces_of d.regions and boxes = Scc_broad_phase.Box_tree.create () in
-  let whole pieces = Float_box.hull (Array.of_list (List.map fst pieces)) in
+  let whole pieces = Float_box.hull (Array.of_list (List.map (fun (box, _, _) -> box) pieces)) in
   Array.iteri (fun r list -> Scc_broad_phase.Box_tree.insert boxes r (whole list)) pieces;
-  { drawn = d; planes = Array.map plane d.regions; by_plane; by_sides; corner_at; pieces; boxes }
+  { drawn = d; planes; by_plane; by_sides; corner_at; pieces; boxes }
 
 (* The regions in whose planes all points are, and whose boxes meet the box around them. *)
 let regions_at t box points =
@@ -40,32 +40,11 @@ let regions_at t box points =
   List.sort Int.compare !found
 
 (* The pieces of a region whose boxes meet a box. *)
-let pieces_near t box r =
-  List.filter_map (fun (own, piece) -> if Float_box.meet box own then Some piece else None) t.pieces.(r)
-
-(* {1 In a plane with the normal n} *)
+let pieces_near t box r = List.filter (fun (own, _, _) -> Float_box.meet box own) t.pieces.(r)
 
 let cyclic points =
   let n = Array.length points in
   List.init n (fun k -> (points.(k), points.((k + 1) mod n)))
-
-(* Positive on the left of the way from c to d. *)
-let side n (c, d) x = Rat.sign (Vec.dot (Vec.cross n (Vec.sub d c)) (Vec.sub x c))
-
-(* Of two convex polygons that have no inner point in common an edge of one has the other one on its right. *)
-let apart n one other =
-  let separates edge = Array.for_all (fun x -> side n edge x <= 0) other in
-  List.exists separates (cyclic one)
-
-let overlap t box polygon r =
-  let n = Ivec.to_vec t.drawn.regions.(r).normal in
-  List.exists (fun piece -> not (apart n piece polygon || apart n polygon piece)) (pieces_near t box r)
-
-let share n one other =
-  let turned = Array.of_list (List.rev (Array.to_list other)) in
-  not (apart n one turned || apart n turned one)
-
-let holds n piece x = List.for_all (fun edge -> side n edge x >= 0) (cyclic piece)
 
 (* {1 Along a segment from a to b: parts of it as intervals from 0 to 1} *)
 
@@ -104,13 +83,13 @@ let length intervals =
 
 (* {1 Features of parts} *)
 
-let of_face t (p : Polyhedron.t) f =
-  let corners = Array.map (fun v -> snd p.vertices.(v)) (snd p.faces.(f)) in
-  let normal = Vec.cross (Vec.sub corners.(1) corners.(0)) (Vec.sub corners.(2) corners.(0)) in
-  let n = Ivec.primitive (fst (Ivec.of_vec normal)) in
-  let level = Vec.dot (Ivec.to_vec n) corners.(0) in
-  Hashtbl.find_all t.by_plane (plane n level)
-  |> List.filter (overlap t (Boxed.of_points corners) corners)
+let of_face t (p : Polyhedron.t) places corners =
+  let box = Boxed.of_points (Array.map (fun v -> snd p.vertices.(v)) corners) in
+  let polygon = Array.map (fun v -> places.(v)) corners in
+  let plane = Planar.of_face polygon in
+  let overlap r = List.exists (fun (_, _, piece) -> Planar.share plane piece polygon) (pieces_near t box r) in
+  Planes.find_all t.by_plane plane
+  |> List.filter overlap
   |> List.sort Int.compare
   |> List.map (fun r -> Drawn.Region r)
 
@@ -130,7 +109,7 @@ let of_edge t (a, b) =
   in
   let inside r =
     let n = Ivec.to_vec t.drawn.regions.(r).normal in
-    let all = List.filter_map (fun piece -> clip n piece (a, b)) (pieces_near t box r) in
+    let all = List.filter_map (fun (_, piece, _) -> clip n piece (a, b)) (pieces_near t box r) in
     let beside = List.filter (fun (k, _) -> List.mem r t.drawn.borders.(k).between) borders in
     Rat.compare (length all) (length (List.concat_map snd beside)) > 0
   in
@@ -153,17 +132,22 @@ let of_vertex t x =
       match List.filter on (List.sort_uniq Int.compare (borders_of t regions)) with
       | _ :: _ as borders -> List.map (fun k -> Drawn.Border k) borders
       | [] ->
-        let inside r =
-          let n = Ivec.to_vec t.drawn.regions.(r).normal in
-          List.exists (fun piece -> holds n piece x) (pieces_near t box r)
-        in
+        let place = Homogeneous.of_vec x in
+        let holds r (_, _, piece) = Planar.holds t.planes.(r) piece place in
+        let inside r = List.exists (holds r) (pieces_near t box r) in
         List.map (fun r -> Drawn.Region r) (List.filter inside regions))
+
+let shown list = List.filter (fun (_, shows) -> shows <> []) list
+
+let faces t (p : Polyhedron.t) =
+  let places = Array.map (fun (_, x) -> Homogeneous.of_vec x) p.vertices in
+  let face f (_, corners) = (Feature.Face f, of_face t p places corners) in
+  shown (Array.to_list (Array.mapi face p.faces))
 
 let features t (p : Polyhedron.t) =
   let at v = snd p.vertices.(v) in
-  let faces = List.init (Array.length p.faces) (fun f -> (Feature.Face f, of_face t p f)) in
   let edges =
     List.mapi (fun e (u, v) -> (Feature.Edge e, of_edge t (at u, at v))) (Array.to_list p.edges)
   in
   let vertices = List.init (Array.length p.vertices) (fun v -> (Feature.Vertex v, of_vertex t (at v))) in
-  List.filter (fun (_, shows) -> shows <> []) (faces @ edges @ vertices)
+  faces t p @ shown (edges @ vertices)

@@ -1,6 +1,5 @@
 (** The faces, edges and corners of a drawn solid that the features of its convex parts show. *)
 
-open Scc_exact
 open Scc_geometry
 
 type t
@@ -14,6 +13,5 @@ val features : t -> Polyhedron.t -> (Feature.t * Drawn.feature list) list
     region. An edge or a corner inside a region shows that region. Features that other parts hide completely
     are not listed. *)
 
-val share : Vec.t -> Vec.t array -> Vec.t array -> bool
-(** [share n p q] is true if two convex polygons of a plane with the normal [n] have an area in common. The
-    first is counter-clockwise about [n], the second clockwise. *)
+val faces : t -> Polyhedron.t -> (Feature.t * Drawn.feature list) list
+(** The faces of the part among {!features}. *)

@@ -42,9 +42,29 @@ let pieces (set : Polyhedron.ifs) (_, face) =
   let flat v = Rat.sign (Vec.dot n (Vec.sub (place set v) (place set face.(0)))) = 0 in
   if Vec.is_zero n || not (Array.for_all flat face) then None else Drawn.convex_pieces set face n
 
-let middle cell =
-  let corners = List.map Homogeneous.to_vec (Cell.corners cell) in
+let mean corners =
   Vec.scale (Rat.div Rat.one (Rat.of_int (List.length corners))) (List.fold_left Vec.add Vec.zero corners)
+
+(* Near the mean of the corners, with short numbers; [None] if there are no floats near it. *)
+let near_mean corners =
+  let over f = List.fold_left (fun sum (p : Homogeneous.t) -> sum +. f p.near) 0. corners in
+  let count = float_of_int (List.length corners) in
+  let x = over (fun near -> near.nx) /. count and y = over (fun near -> near.ny) /. count in
+  let z = over (fun near -> near.nz) /. count in
+  if Float.is_finite x && Float.is_finite y && Float.is_finite z then
+    Some (Vec.make (Q.of_float x) (Q.of_float y) (Q.of_float z))
+  else None
+
+let within (cell : Cell.t) x =
+  let place = Homogeneous.of_vec x in
+  List.for_all (fun (f : Cell.facet) -> Plane.side f.plane place < 0) cell
+
+(* An inner point. *)
+let middle cell =
+  let corners = Cell.corners cell in
+  match near_mean corners with
+  | Some x when within cell x -> x
+  | _ -> mean (List.map Homogeneous.to_vec corners)
 
 (* {1 The surface of parts} *)
 
@@ -104,9 +124,21 @@ let conforming polygons =
 
 let solids ~tick polygons =
   let with_normal p = (Drawn.area_vector (Array.get p) (Array.length p), p) in
-  let signed = List.map with_normal polygons in
-  let inside cell = Within.winding signed (middle cell) > 0 in
-  List.map Refined.solid (Decompose.surrounded ~tick ~inside polygons)
+  let signed = Array.of_list (List.map with_normal polygons) in
+  let tree = Scc_broad_phase.Box_tree.create () in
+  Array.iteri (fun k (_, p) -> Scc_broad_phase.Box_tree.insert tree k (Boxed.of_points p)) signed;
+  (* Only what the box around a ray upwards meets can be over a point. *)
+  let inside cell =
+    let x = middle cell and found = ref [] in
+    let own = Boxed.of_points [| x |] in
+    let side f = Array.init 3 (f own) in
+    let high = side Float_box.high in
+    high.(2) <- infinity;
+    let ray = Float_box.make ~low:(side Float_box.low) ~high in
+    Scc_broad_phase.Box_tree.iter_meeting tree ray (fun k -> found := signed.(k) :: !found);
+    Within.winding !found x > 0
+  in
+  List.map Refined.of_cell (Decompose.surrounded ~tick ~inside polygons)
 
 let parts ~tick set =
   let*? outlines = outlines set in

@@ -38,14 +38,13 @@ let compound ~name ~mass (t : Parts.t) =
     let part, p = t.parts.(s.part) in
     part ^ "." ^ fst p.faces.(s.face)
   in
-  let joints = Joints.forest (Array.map snd t.parts) in
   let glue (one, other) = Printf.bprintf b "  glue %s ~ %s\n" (feature one) (feature other) in
-  let all = groups joints (Array.length t.parts) in
+  let all = groups t.joints (Array.length t.parts) in
   let one k members =
     let own = if List.length all = 1 then name else Printf.sprintf "%s_%d" name (k + 1) in
     Printf.bprintf b "%scompound %s {\n" (if k = 0 then "" else "\n") own;
     List.iter part members;
-    List.iter glue (List.filter (fun ((s : Joints.site), _) -> List.mem s.part members) joints);
+    List.iter glue (List.filter (fun ((s : Joints.site), _) -> List.mem s.part members) t.joints);
     Printf.bprintf b "}\n"
   in
   List.iteri one all;

@@ -13,8 +13,8 @@ let planes_of fragments =
 let separating planes fragments =
   List.find_opt (in_front fragments) (List.map (fun k -> planes.(k)) (planes_of fragments))
 
-let choose planes fragments notches =
-  match Notch.plane planes notches with
+let choose ~all planes fragments notches =
+  match Notch.plane ~all planes notches with
   | Some plane -> Some plane
   | None -> separating planes fragments
 
@@ -53,12 +53,13 @@ let parts ~tick box polygons =
   let fragments = Array.map (fun (plane, polygon) -> { plane = number plane; polygon }) (Array.of_list polygons) in
   let planes = Array.of_list (List.rev !list) in
   let notches = Notch.of_surface planes (Array.map (fun f -> (f.plane, f.polygon)) fragments) in
+  let all = Array.length notches in
   (* Cells that wait, so that nothing depends on how deep the cuts go. *)
   let rec work found = function
     | [] -> List.rev found
     | (cell, fragments, notches) :: waiting -> (
         tick ();
-        match choose planes fragments notches with
+        match choose ~all planes fragments notches with
         | None ->
           let inside = List.fold_left (fun cell k -> clipped cell planes.(k)) cell (planes_of fragments) in
           work (inside :: found) waiting

@@ -22,8 +22,7 @@ let surface polygon =
 
 let merged ~tick cut polygons =
   let box = around polygons in
-  let cells = cut box (List.map surface polygons) in
-  List.map (fun cell -> List.map Homogeneous.to_vec (Cell.corners cell)) (Union.merge ~tick box cells)
+  Union.merge ~tick box (cut box (List.map surface polygons))
 
 let parts ?(tick = ignore) polygons = merged ~tick (Cut.parts ~tick) polygons
 let surrounded ~tick ~inside polygons = merged ~tick (Cut.surrounded ~tick ~inside) polygons

@@ -114,12 +114,15 @@ let candidates notches some =
   let polygons = List.concat_map (fun { sides = k, l; _ } -> [ k; l ]) some in
   List.concat_map through some @ List.map (fun k -> Of_polygon k) (List.sort_uniq Int.compare polygons)
 
-let plane planes notches =
+(* So that the work at one cell is near linear, and that at all cells as well: from 8 000 edges on, less is
+   spent on a cell. *)
+let most_tried ~all n = Int.max 24 (200_000 / Int.max 1 (all / 4_000) / n)
+
+let plane ~all planes notches =
   let n = Array.length notches in
   if n = 0 then None
   else
-    (* So that the work at one cell is near linear. *)
-    let most = Int.max 24 (200_000 / n) in
+    let most = most_tried ~all n in
     let better found candidate =
       match (plane_of planes candidate, found) with
       | None, _ -> found
@@ -128,7 +131,7 @@ let plane planes notches =
         let c = cost notches plane in
         if c < least then Some (c, plane) else found
     in
-    let all = candidates notches (Array.to_list (sample most notches)) in
-    match Array.fold_left better None (sample most (Array.of_list all)) with
+    let list = candidates notches (Array.to_list (sample most notches)) in
+    match Array.fold_left better None (sample most (Array.of_list list)) with
     | Some (_, plane) -> Some plane
     | None -> Some planes.(fst notches.(0).sides)

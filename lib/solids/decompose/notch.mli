@@ -11,10 +11,11 @@ val split : Plane.t -> t array -> t array * t array
 (** [split plane notches] are the pieces behind the plane, and those in front of it. Pieces in the plane are
     dropped. *)
 
-val plane : Plane.t array -> t array -> Plane.t option
-(** [plane planes notches] is a plane through one of the reflex edges, or [None] if there are no edges. It is
-    strictly between the two polygons at the edge, or the plane of one of them with its orientation. A cut
-    along it leaves convex angles at the edge.
+val plane : all:int -> Plane.t array -> t array -> Plane.t option
+(** [plane ~all planes notches] is a plane through one of these reflex edges, or [None] if there are none. The
+    solid has [all] of them: where these are many thousands, fewer planes are tried. It is strictly between the two
+    polygons at the edge, or the plane of one of them with its orientation. A cut along it leaves convex angles at
+    the edge.
 
     The candidates are planes of polygons, and planes through the ends of an edge and a third corner. From that
     corner an edge of the surface leads to the edge, or a reflex edge elsewhere ends at it. So the numbers are

@@ -115,15 +115,20 @@ let too_fine ifs =
   let add_point d (_, (v : Vec.t)) = add (add (add d v.x) v.y) v.z in
   exceeds (Array.fold_left add_point Z.one ifs.ifs_vertices)
 
+let of_convex ifs =
+  let count = Array.length ifs.ifs_vertices and faces = Array.map snd ifs.ifs_faces in
+  let edges = Surface.edges (Surface.make count faces) in
+  { vertices = ifs.ifs_vertices; faces = ifs.ifs_faces; edges; topology = Topology.make count faces edges }
+
 let of_ifs ifs =
   let points, _ = Ivec.of_vecs (Array.map snd ifs.ifs_vertices) in
-  let faces = Array.map snd ifs.ifs_faces in
-  match faults points faces with
-  | [] ->
-    let edges = Surface.edges (Surface.make (Array.length points) faces) in
-    let topology = Topology.make (Array.length points) faces edges in
-    Ok { vertices = ifs.ifs_vertices; faces = ifs.ifs_faces; edges; topology }
+  match faults points (Array.map snd ifs.ifs_faces) with
+  | [] -> Ok (of_convex ifs)
   | _ :: _ as found -> Error found
+
+let renamed ~vertices ~faces p =
+  let name names k (_, x) = (names.(k), x) in
+  { p with vertices = Array.mapi (name vertices) p.vertices; faces = Array.mapi (name faces) p.faces }
 
 let to_ifs p = { ifs_vertices = p.vertices; ifs_faces = p.faces }
 

@@ -23,6 +23,12 @@ val of_ifs : ifs -> (t, Polyhedron_fault.t list) result
 (** [of_ifs set] accepts exactly the convex closed polyhedra: those for which E0 to E5 of the rule book hold.
     Otherwise it returns the faults that a user should see, the most telling first. *)
 
+val of_convex : ifs -> t
+(** [of_convex set] is {!of_ifs} without a check: for sets that are convex closed polyhedra as they were made. *)
+
+val renamed : vertices:string array -> faces:string array -> t -> t
+(** The polyhedron under other names, which are distinct. *)
+
 val to_ifs : t -> ifs
 (** The vertices and faces of a polyhedron as an indexed face set. *)
 

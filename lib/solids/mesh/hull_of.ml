@@ -33,14 +33,14 @@ let in_order (set : Polyhedron.ifs) =
   let faces = Array.map (fun (name, f) -> (name, from_least f)) set.ifs_faces in
   let faces = Array.map (fun (name, f) -> (first_triangle f, (name, f))) faces in
   let faces = List.sort (fun (a, _) (b, _) -> compare_lists a b) (Array.to_list faces) in
-  { set with ifs_faces = Array.of_list (List.map snd faces) }
+  renumbered { set with ifs_faces = Array.of_list (List.map snd faces) }
 
 let hull (set : Polyhedron.ifs) =
   match Hull.triangles (Array.map snd set.ifs_vertices) with
   | None -> None
   | Some triangles ->
     let faces = Array.map (fun f -> ("", f)) (Array.of_list triangles) in
-    Some (renumbered (in_order (Merge_coplanar.merge { set with ifs_faces = faces })))
+    Some (in_order (Merge_coplanar.merge { set with ifs_faces = faces }))
 
 let flattened ~within (hull : Polyhedron.ifs) =
   renumbered (Merge_coplanar.unite hull (Nearly_flat.groups ~within hull))

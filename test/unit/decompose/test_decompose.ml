@@ -42,7 +42,7 @@ let random_star =
   star (fun p -> List.assoc p (List.combine points radii))
 
 let parts star = Scc_decompose.Decompose.parts (List.map (fun (a, b, c) -> [| a; b; c |]) star)
-let solids star = List.map Refined.solid (parts star)
+let solids star = List.map Refined.of_cell (parts star)
 
 (* {1 Laws} *)
 
@@ -55,6 +55,28 @@ let same_volume star = Rat.equal (Rat.mul (Rat.of_int 6) (sum volume (solids sta
 let same_surface star =
   let surface = List.map (fun (a, b, c) -> [| a; b; c |]) star in
   Planes.areas surface = Planes.areas (List.concat_map Planes.faces (solids star))
+
+(* What is taken from the facets of a cell, without a check, is what a hull makes of its corners, and checks. *)
+let same_as_hulls star =
+  let same cell =
+    let points = List.map Scc_decompose.Homogeneous.to_vec (Scc_decompose.Cell.corners cell) in
+    Polyhedron.equal (Refined.of_cell cell) (Refined.solid points)
+  in
+  List.for_all same (parts star)
+
+(* A volume that differs by the least part is told from the right one, also where a prime divides denominators. *)
+let volumes_compared (star, k) =
+  let corners = Array.of_list (List.concat_map (fun (a, b, c) -> [ a; b; c ]) star) in
+  let by = if k mod 2 = 0 then Rat.one else Rat.make Z.one (Z.pred (Z.shift_left Z.one 61)) in
+  let set by : Polyhedron.ifs =
+    {
+      ifs_vertices = Array.map (fun x -> ("", Vec.scale by x)) corners;
+      ifs_faces = Array.of_list (List.mapi (fun k _ -> ("", [| 3 * k; (3 * k) + 1; (3 * k) + 2 |])) star);
+    }
+  in
+  let solids = List.map (Polyhedron.transform (Mat.scale by Mat.identity)) (solids star) in
+  let other = Rat.mul by (Rat.add Rat.one (q 1 (1_000_003 + k))) in
+  Volumes.equal (set by) solids && not (Volumes.equal (set other) solids)
 
 type place = Inside | Outside | Border
 
@@ -147,7 +169,7 @@ let edges_unmatched () =
     if Rat.sign side.(0).z < 0 then [ side ]
     else [ [| side.(0); m; n; side.(3) |]; [| m; side.(1); side.(2); n |] ]
   in
-  let solids = List.map Refined.solid (Scc_decompose.Decompose.parts (hourglass halves)) in
+  let solids = List.map Refined.of_cell (Scc_decompose.Decompose.parts (hourglass halves)) in
   Alcotest.(check string) "volume" "160/3" (Rat.to_string (sum volume solids))
 
 let property name gen holds = QCheck2.Test.make ~count:25 ~name gen holds
@@ -167,6 +189,8 @@ let () =
           [
             property "the volume is that of the solid" random_star same_volume;
             property "so is the area in each plane" random_star same_surface;
+            property "parts are hulls of their corners" random_star same_as_hulls;
+            property "volumes are compared" (QCheck2.Gen.pair random_star QCheck2.Gen.nat) volumes_compared;
             property "each point is in one part, or in none" (QCheck2.Gen.pair random_star random_points)
               same_points;
             property "a ray tells what is within" (QCheck2.Gen.pair random_star near_points) ray_agrees;
