@@ -23,6 +23,8 @@ type options = {
   seed : int64;
   jobs : int;
   store : string option;
+  levels : string option;
+  effort : int;
 }
 
 (* {1 What is asked} *)
@@ -102,6 +104,73 @@ let sample console o runs (plan : Sample.plan) estimation ~stopped =
   Console.progress_done console;
   ending
 
+(* {1 Rare events} *)
+
+let default_repetitions = 100
+let default_steps = 10_000
+
+let level_questions console l text =
+  let* texts = Splitting.levels text in
+  Observed.questions console l texts ~name:(fun i _ -> Printf.sprintf "<level %d>" (i + 1))
+    (fun _ _ question ~refuse ->
+       match question with
+       | State p -> Ok p
+       | Number _ | Temporal _ ->
+         refuse Code.type_mismatch ~hint:"as in `--levels 'x(p) >= 1, 2, 3'`"
+           "a level compares a number with a value")
+
+let splitting_plan console o (loaded : Loaded.t) paths text =
+  let refused_path (path : Path.t) why = Error (refused path.check why) in
+  let* path, (goal, horizon) =
+    match paths with
+    | [ path ] -> (
+        match Splitting.goal path with
+        | Some goal -> Ok (path, goal)
+        | None -> refused_path path "levels are passed on the way to f, in `P = ? [ eventually f ]`")
+    | path :: _ -> refused_path path "levels are those of one property: choose it by `--check` or `--property`"
+    | [] -> Scc_base.Bug.fail __POS__ "no property"
+  in
+  let* loaded, levels = level_questions console loaded text in
+  let plan =
+    {
+      Splitting.semantics = loaded.semantics;
+      declared = loaded.declared;
+      goal;
+      horizon;
+      levels;
+      effort = o.effort;
+      steps = Option.value o.steps ~default:default_steps;
+    }
+  in
+  match Splitting.holds_at_start plan with
+  | Some i when i < List.length levels ->
+    Error
+      [
+        Diag.error Code.type_mismatch Span.command_line "level %d is passed at the start" (i + 1)
+          ~hint:"leave it out: levels are passed later, one after the other";
+      ]
+  | Some _ -> refused_path path "its goal is reached at the start"
+  | None -> Ok (path, plan)
+
+let split console o runs (plan : Splitting.plan) ~stopped =
+  let work = Splitting.repeat plan ~seed:o.seed ~interrupted:Scc_system.Interruption.heard in
+  let whole (r : Splitting.repetition) = not r.interrupted in
+  let made = ref [] in
+  let each k repetition =
+    Console.progress console (Printf.sprintf "%d repetitions" (k + 1));
+    made := repetition :: !made
+  in
+  let count = Option.value o.runs ~default:default_repetitions in
+  let result = Kept_runs.run runs ~patience ~whole ~jobs:o.jobs ~first:0 ~count ~work ~interrupted:stopped ~each in
+  Console.progress_done console;
+  let ending =
+    match result with
+    | Ok () -> Whole
+    | Error Pool.Interrupted -> Interrupted
+    | Error (Lost { task; how; fault }) -> Lost { why = Kept_runs.lost ~what:"repetition" ~task ~how; fault }
+  in
+  (List.rev !made, ending)
+
 (* A run depends on these and its number alone: how many there are, and what is made of them, may change. *)
 let identity o (l : Loaded.t) (paths : Path.t list) =
   let free = match o.free with Sample.Apart -> "apart" | Evenly -> "evenly" in
@@ -114,6 +183,9 @@ let identity o (l : Loaded.t) (paths : Path.t list) =
       ("--until", Option.fold ~none:"default" ~some:Rat.to_string o.until);
       ("--seed", Int64.to_string o.seed);
     ]
+    @ Option.fold ~none:[]
+      ~some:(fun levels -> [ ("--levels", levels); ("--effort", string_of_int o.effort) ])
+      o.levels
   in
   let { Origin.digest; parameters; _ } = l.origin in
   Kept.identity ~digest ~parameters options
@@ -157,6 +229,29 @@ let exit_code (answers : Estimation.answer list) ending : Exit_code.t =
   | Interrupted -> Stopped
   | Lost { fault; _ } -> Kept_runs.loss ~fault
 
+let by_runs console o (loaded : Loaded.t) paths aim ~identity ~stopped =
+  let plan =
+    {
+      Sample.semantics = loaded.semantics;
+      declared = loaded.declared;
+      paths;
+      free = o.free;
+      steps = o.steps;
+      until = o.until;
+    }
+  in
+  let* runs = Kept_runs.openly console ~folder:o.store ~identity "the runs" in
+  let estimation = Estimation.start aim paths in
+  let ending = sample console o runs plan estimation ~stopped in
+  Ok (Estimation.answers estimation, ending, Kept_runs.close runs)
+
+let by_splitting console o loaded paths text ~identity ~stopped =
+  let* path, plan = splitting_plan console o loaded paths text in
+  let* runs = Kept_runs.openly console ~folder:o.store ~identity "the repetitions" in
+  let made, ending = split console o runs plan ~stopped in
+  let summary = Splitting.summary plan made ~confidence:o.confidence in
+  Ok (Option.to_list (Option.map (Estimation.of_splitting path) summary), ending, Kept_runs.close runs)
+
 let estimate console o watch =
   let* model = Input.model console ~overrides:o.given ~narrowed:[] o.path in
   let* () = Ordinary.at_point ~otherwise:"`scc trace --start simple` chooses them" model in
@@ -168,22 +263,13 @@ let estimate console o watch =
   let* paths, left_out = paths model asked ~by_name in
   let size = match o.runs with Some n -> Estimation.Exactly n | None -> At_most o.most in
   let aim = { Estimation.confidence = o.confidence; width = o.width; size; free = o.free } in
-  let plan =
-    {
-      Sample.semantics = loaded.semantics;
-      declared = loaded.declared;
-      paths;
-      free = o.free;
-      steps = o.steps;
-      until = o.until;
-    }
-  in
-  let* runs = Kept_runs.openly console ~folder:o.store ~identity:(identity o model paths) "the runs" in
-  let estimation = Estimation.start aim paths in
   let stopped () = Option.is_some (Watch.stop watch ()) in
-  let ending = sample console o runs plan estimation ~stopped in
-  let answers = Estimation.answers estimation in
-  let unkept = Kept_runs.close runs in
+  let identity = identity o model paths in
+  let* answers, ending, unkept =
+    match o.levels with
+    | Some text -> by_splitting console o loaded paths text ~identity ~stopped
+    | None -> by_runs console o loaded paths aim ~identity ~stopped
+  in
   let exit = Exit_code.worst (exit_code answers ending :: Kept.code unkept) in
   let report =
     {
@@ -264,22 +350,34 @@ let store_option =
        command resumes, and so does one with another $(b,--runs), $(b,--most), $(b,--confidence), $(b,--width), \
        $(b,--seconds) or $(b,--jobs). See STORES."
 
+let levels =
+  Options.maybe Arg.string [ "levels" ] ~docv:"LEVELS"
+    "Estimates a rare event by splitting, at the levels of $(docv): $(b,'x\\(p\\) >= 1, 2, 3') or \
+     $(b,'x\\(p\\) >= 1..9'). See RARE EVENTS."
+
+let effort =
+  Options.default count 100 [ "effort" ] ~docv:"N"
+    "With $(b,--levels), makes $(docv) runs from each level in each repetition."
+
 let options =
-  let make path given checks properties runs most confidence width free steps until seconds seed jobs store =
+  let make path given checks properties runs most confidence width free steps until seconds seed jobs store levels
+      effort =
     if Rat.compare confidence Rat.one >= 0 then Error "a confidence is below 1"
+    else if Option.is_some levels && (Option.is_some until || free = Sample.Evenly) then
+      Error "--levels cannot be combined with --until or --free evenly: write `within` in the property"
     else if Rat.compare width (Rat.make Z.one (Z.of_int 10_000)) < 0 then Error "a width is at least 1/10000"
     else
       Ok
         {
           path; given; checks; properties; runs; most; confidence; width; free; steps; until; seconds; seed; jobs;
-          store;
+          store; levels; effort;
         }
   in
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.overrides $ checks $ properties $ runs $ most $ confidence $ width
        $ free $ steps $ until $ Run_options.seconds $ Run_options.seed $ Run_options.jobs
-       $ store_option))
+       $ store_option $ levels $ effort))
 
 let command =
   let told =
