@@ -131,10 +131,12 @@ let at_random (transitions : Run.labels) g =
   | None -> Splitmix64.below transitions.count g
 
 (* Whether the choice of a transition was free: chance did not decide all. *)
-let is_free (transitions : Run.labels) (taken : Run.alternative) =
+let is_free_label (transitions : Run.labels) label =
   match transitions.tie with
   | Some { others; _ } -> others <> []
-  | None -> transitions.count > 1 && not (Transition.is_drawn taken.label)
+  | None -> transitions.count > 1 && not (Transition.is_drawn label)
+
+let is_free transitions index = is_free_label transitions (transitions.Run.label index)
 
 let decide model (transitions : Run.labels) guide =
   match guide with
@@ -292,7 +294,7 @@ let run ?(passing = not_asked) ?(attempt = unbounded) ?(joint = false) semantics
           within place ahead d (fun () ->
               passes place d;
               let* taken = step (fun () -> Run.take run index) in
-              go_on place guide index transitions.count ~free:(is_free transitions taken) taken)
+              go_on place guide index transitions.count ~free:(is_free_label transitions taken.label) taken)
         | Wait (d, choice, guide) ->
           within place ahead d (fun () ->
               passes place d;
@@ -300,7 +302,7 @@ let run ?(passing = not_asked) ?(attempt = unbounded) ?(joint = false) semantics
               let* waited = step (fun () -> Run.wait run d) in
               match waited with
               | Ok (Some taken) ->
-                let free = is_free transitions taken in
+                let free = is_free_label transitions taken.label in
                 go_on place guide index (Int.max transitions.count (index + 1)) ~free taken
               | Ok None -> Error (misfit model transitions place choice)
               | Error fault -> Error (Fault { fault; steps = place.taken; time = place.time }))

@@ -95,3 +95,12 @@ val run :
     which may only be computed then. With [joint] (false by default) [limits.steps] counts the draws and lots of
     one instant as one transition. A step that [attempt] gives up is an interruption. A dead end is an end,
     and no failure. *)
+
+(** {1 Choices} *)
+
+val at_random : Run.labels -> Splitmix64.t -> int * Splitmix64.t
+(** The number of a transition that {!Random} would take, and the generator after that. There is at least one. *)
+
+val is_free : Run.labels -> int -> bool
+(** [is_free labels i] is true if the transition with the number [i] is one of several choices, and chance does not
+    decide between all of them. *)

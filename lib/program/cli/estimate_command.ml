@@ -23,6 +23,8 @@ type options = {
   seed : int64;
   jobs : int;
   store : string option;
+  levels : string option;
+  effort : int;
 }
 
 (* {1 What is asked} *)
@@ -36,15 +38,12 @@ let properties console l texts =
          refuse Code.type_mismatch ~hint:"as in `P = ? [ eventually f ]`, `E = ? [ x(p) at 10 ]`"
            "this is about states, and asks for no probability and no mean")
 
-let refused (c : Property.check) why =
-  [ Diag.error Code.type_mismatch c.span "`%s` cannot be estimated: %s" c.name why ]
-
 (* Everything that can be estimated, if nothing is named; what is named has to be. *)
 let paths (l : Loaded.t) asked ~by_name =
   let one (found, left) (c : Property.check) =
     match Path.of_check ~from:l.declared (Scc_semantics.Semantics.model l.semantics) c with
     | Ok path -> Ok (path :: found, left)
-    | Error why -> if by_name then Error (refused c why) else Ok (found, (c, why) :: left)
+    | Error why -> if by_name then Error (Levels.refused c why) else Ok (found, (c, why) :: left)
   in
   let* found, left =
     List.fold_left (fun acc c -> let* acc = acc in one acc c) (Ok ([], [])) asked
@@ -128,6 +127,30 @@ let sample_all console o runs (plan : Sample.plan) aim ~stopped =
   let of_path p = List.find_opt (fun (a : Estimation.answer) -> a.path == p) answers in
   (List.filter_map of_path plan.paths, ending)
 
+(* {1 Rare events} *)
+
+let default_repetitions = 100
+let default_steps = 10_000
+
+let split console o runs (plan : Splitting.plan) ~stopped =
+  let work = Splitting.repeat plan ~seed:o.seed ~interrupted:Scc_system.Interruption.heard in
+  let whole (r : Splitting.repetition) = not r.interrupted in
+  let made = ref [] in
+  let each k repetition =
+    Console.progress console (Printf.sprintf "%d repetitions" (k + 1));
+    made := repetition :: !made
+  in
+  let count = Option.value o.runs ~default:default_repetitions in
+  let result = Kept_runs.run runs ~patience ~whole ~jobs:o.jobs ~first:0 ~count ~work ~interrupted:stopped ~each in
+  Console.progress_done console;
+  let ending =
+    match result with
+    | Ok () -> Whole
+    | Error Pool.Interrupted -> Interrupted
+    | Error (Lost { task; how; fault }) -> Lost { why = Kept_runs.lost ~what:"repetition" ~task ~how; fault }
+  in
+  (List.rev !made, ending)
+
 (* A run depends on these and its number alone: how many there are, and what is made of them, may change. *)
 let identity o (l : Loaded.t) (paths : Path.t list) =
   let free = match o.free with Sample.Apart -> "apart" | Evenly -> "evenly" in
@@ -140,6 +163,9 @@ let identity o (l : Loaded.t) (paths : Path.t list) =
       ("--until", Option.fold ~none:"default" ~some:Rat.to_string o.until);
       ("--seed", Int64.to_string o.seed);
     ]
+    @ Option.fold ~none:[]
+      ~some:(fun levels -> [ ("--levels", levels); ("--effort", string_of_int o.effort) ])
+      o.levels
   in
   let { Origin.digest; parameters; _ } = l.origin in
   Kept.identity ~digest ~parameters options
@@ -183,6 +209,29 @@ let exit_code (answers : Estimation.answer list) ending : Exit_code.t =
   | Interrupted -> Stopped
   | Lost { fault; _ } -> Kept_runs.loss ~fault
 
+let by_runs console o (loaded : Loaded.t) paths aim ~identity ~stopped =
+  let plan =
+    {
+      Sample.semantics = loaded.semantics;
+      declared = loaded.declared;
+      paths;
+      free = o.free;
+      steps = o.steps;
+      until = o.until;
+    }
+  in
+  let* runs = Kept_runs.openly console ~folder:o.store ~identity "the runs" in
+  let answers, ending = sample_all console o runs plan aim ~stopped in
+  Ok (answers, ending, Kept_runs.close runs)
+
+let by_splitting console o loaded paths text ~identity ~stopped =
+  let steps = Option.value o.steps ~default:default_steps in
+  let* path, plan = Levels.plan console loaded paths text ~effort:o.effort ~steps in
+  let* runs = Kept_runs.openly console ~folder:o.store ~identity "the repetitions" in
+  let made, ending = split console o runs plan ~stopped in
+  let summary = Splitting.summary plan made ~confidence:o.confidence in
+  Ok (Option.to_list (Option.map (Estimation.of_splitting path) summary), ending, Kept_runs.close runs)
+
 let estimate console o watch =
   let* model = Input.model console ~overrides:o.given ~narrowed:[] o.path in
   let* () = Ordinary.at_point ~otherwise:"`scc trace --start simple` chooses them" model in
@@ -194,20 +243,13 @@ let estimate console o watch =
   let* paths, left_out = paths model asked ~by_name in
   let size = match o.runs with Some n -> Estimation.Exactly n | None -> At_most o.most in
   let aim = { Estimation.confidence = o.confidence; width = o.width; size; free = o.free } in
-  let plan =
-    {
-      Sample.semantics = loaded.semantics;
-      declared = loaded.declared;
-      paths;
-      free = o.free;
-      steps = o.steps;
-      until = o.until;
-    }
-  in
-  let* runs = Kept_runs.openly console ~folder:o.store ~identity:(identity o model paths) "the runs" in
   let stopped () = Option.is_some (Watch.stop watch ()) in
-  let answers, ending = sample_all console o runs plan aim ~stopped in
-  let unkept = Kept_runs.close runs in
+  let identity = identity o model paths in
+  let* answers, ending, unkept =
+    match o.levels with
+    | Some text -> by_splitting console o loaded paths text ~identity ~stopped
+    | None -> by_runs console o loaded paths aim ~identity ~stopped
+  in
   let exit = Exit_code.worst (exit_code answers ending :: Kept.code unkept) in
   let report =
     {
@@ -288,22 +330,34 @@ let store_option =
        command resumes, and so does one with another $(b,--runs), $(b,--most), $(b,--confidence), $(b,--width), \
        $(b,--seconds) or $(b,--jobs). See STORES."
 
+let levels =
+  Options.maybe Arg.string [ "levels" ] ~docv:"LEVELS"
+    "Estimates a rare event by splitting, at the levels of $(docv): $(b,'x\\(p\\) >= 1, 2, 3') or \
+     $(b,'x\\(p\\) >= 1..9'). See RARE EVENTS."
+
+let effort =
+  Options.default count 100 [ "effort" ] ~docv:"N"
+    "With $(b,--levels), makes $(docv) runs from each level in each repetition."
+
 let options =
-  let make path given checks properties runs most confidence width free steps until seconds seed jobs store =
+  let make path given checks properties runs most confidence width free steps until seconds seed jobs store levels
+      effort =
     if Rat.compare confidence Rat.one >= 0 then Error "a confidence is below 1"
+    else if Option.is_some levels && (Option.is_some until || free = Sample.Evenly) then
+      Error "--levels cannot be combined with --until or --free evenly: write `within` in the property"
     else if Rat.compare width (Rat.make Z.one (Z.of_int 10_000)) < 0 then Error "a width is at least 1/10000"
     else
       Ok
         {
           path; given; checks; properties; runs; most; confidence; width; free; steps; until; seconds; seed; jobs;
-          store;
+          store; levels; effort;
         }
   in
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.overrides $ checks $ properties $ runs $ most $ confidence $ width
        $ free $ steps $ until $ Run_options.seconds $ Run_options.seed $ Run_options.jobs
-       $ store_option))
+       $ store_option $ levels $ effort))
 
 let command =
   let told =

@@ -40,10 +40,43 @@ let mean_text = function Some mean -> decimal mean ^ ", " | None -> ""
 let share (t : Tally.t) =
   if t.runs = 0 || Tally.open_ended t > 0 then "" else decimal (Rat.make (Z.of_int t.yes) (Z.of_int t.runs)) ^ ", "
 
+(* Four digits and a power of ten, rounded by [round]. *)
+let scientific round x =
+  let ten k =
+    let power = Rat.make (Z.pow (Z.of_int 10) (Int.abs k)) Z.one in
+    if k >= 0 then power else Rat.div Rat.one power
+  in
+  let rec exponent k = if Rat.compare x (ten k) >= 0 then k else exponent (k - 1) in
+  if Rat.sign x = 0 then "0"
+  else
+    let k = exponent 0 in
+    let digits = round (Rat.mul x (ten (3 - k))) in
+    let number = Decimal.fixed ~places:3 (Rat.make digits (Z.of_int 1000)) in
+    if k = 0 then number else Printf.sprintf "%se%d" number k
+
+let ceiling x = Z.neg (Rat.floor (Rat.neg x))
+
+let splitting (s : Splitting.summary) ~confidence =
+  let of_level (passed, all) = if all = 0 then "-" else decimal (Rat.make (Z.of_int passed) (Z.of_int all)) in
+  let number = scientific Rat.floor and above = scientific ceiling in
+  let likely =
+    if Rat.compare s.likely s.high >= 0 then ""
+    else
+      Printf.sprintf
+        "\n  at most %s if no repetition gives more than %s, twice the greatest that was found: this is not proved"
+        (above s.likely) (above s.assumed)
+  in
+  Printf.sprintf
+    "%s, from %s to %s with confidence %s, %d repetitions%s\n\
+    \  share of runs that passed each level, and came to the goal: %s"
+    (number s.mean) (number s.low) (above s.high) (Rat.to_string confidence) s.repetitions likely
+    (String.concat ", " (List.map of_level s.shares))
+
 let line (a : answer) ~confidence =
   let sure = "with confidence " ^ Rat.to_string confidence in
   let runs = Printf.sprintf "%d runs" a.tally.runs in
   match a.value with
+  | _ when Option.is_some a.splitting -> splitting (Option.get a.splitting) ~confidence
   | Probability (low, high) ->
     Printf.sprintf "%sfrom %s to %s %s, %s" (share a.tally) (down low) (up high) sure runs
   | Mean { mean; low; high } ->
@@ -102,6 +135,22 @@ let verdict = function
   | Violated -> "estimated_violated"
   | Undecided -> "undecided"
 
+let splitting =
+  let number = Shared.rational in
+  let open Splitting in
+  fields
+    [
+      field "mean" number (fun s -> s.mean) ~about:"Of the estimates of the repetitions; each is without bias.";
+      field "assumed" number (fun s -> s.assumed)
+        ~about:"Twice the greatest estimate of a repetition: that none is greater is not proved.";
+      field "likely" number (fun s -> s.likely) ~about:"The upper end under this assumption.";
+      field "left" natural (fun s -> s.left) ~about:"Runs between levels that were left undecided.";
+      field "shares"
+        (list (fields [ field "passed" natural fst; field "runs" natural snd ]))
+        (fun s -> s.shares)
+        ~about:"By level, and last the goal.";
+    ]
+
 let answer =
   let tally f (a : answer) = f a.tally in
   let known a = match a.value with Unknown -> None | _ -> Some a.value in
@@ -114,7 +163,7 @@ let answer =
         (fun (a : answer) -> a.verdict);
       field "value" (nullable value) known;
       field "runs" natural (tally (fun t -> t.runs))
-        ~about:"All of them; each is counted in one of the next seven.";
+        ~about:"All of them; each is counted in one of the next seven. With splitting, the repetitions.";
       field "yes" natural (tally (fun t -> t.yes));
       field "no" natural (tally (fun t -> t.no));
       field "numbers" natural (tally (fun t -> t.numbers)) ~about:"Runs with a number, of which the mean is.";
@@ -128,6 +177,7 @@ let answer =
         ~about:"Choices that nothing draws were taken, and the probability is one of that.";
       field "reasons" Shared.texts (fun a -> a.reasons)
         ~about:"Why it is undecided, or not as narrow as was asked for.";
+      field "splitting" (nullable splitting) (fun a -> a.splitting) ~about:"With --levels, how it was found.";
     ]
 
 let left_out = fields [ field "name" text fst; field "reason" text snd ]

@@ -21,6 +21,7 @@ type answer = {
   tally : Tally.t;
   chosen : bool;
   reasons : string list;
+  splitting : Splitting.summary option;
 }
 
 type question = {
@@ -232,7 +233,7 @@ let asked_for t value =
   | _, At_most _ -> "more runs would tell more"
 
 let answer t q value verdict ~reasons =
-  { path = q.asked; verdict; value; tally = q.tally; chosen = t.chosen; reasons }
+  { path = q.asked; verdict; value; tally = q.tally; chosen = t.chosen; reasons; splitting = None }
 
 let look t q ~last =
   let value = value t q in
@@ -272,5 +273,40 @@ let judge t ~last =
   let full = match next t with Some n -> t.runs >= n | None -> true in
   let at_end = last || match t.aim.size with Exactly _ -> true | At_most n -> full && t.runs >= n in
   List.iter (fun q -> if Option.is_none q.answer then look t q ~last:at_end) t.questions
+
+(* {1 Rare events} *)
+
+let of_splitting path (s : Splitting.summary) =
+  let answer verdict reasons =
+    let tally = { Tally.empty with runs = s.repetitions } in
+    { path; verdict; value = Probability (s.low, s.high); tally; chosen = false; reasons; splitting = Some s }
+  in
+  let left =
+    if s.left = 0 then []
+    else
+      [
+        Printf.sprintf
+          "%d runs between levels were left, by --steps, at a choice that nothing draws, or where it is not known \
+           whether f holds: what comes after is not counted, and there is no upper end"
+          s.left;
+      ]
+  in
+  let last = List.length s.shares in
+  let at_level i (passed, all) =
+    let goal = i + 1 = last in
+    if passed = 0 && all > 0 then
+      [ Printf.sprintf "no run passed %s, of %d that came to the one before"
+          (if goal then "on to the goal" else Printf.sprintf "level %d" (i + 1)) all ]
+    else if passed = all && all > 0 && not goal then
+      [ Printf.sprintf "all runs passed level %d: it can be left out" (i + 1) ]
+    else []
+  in
+  let reasons = left @ List.concat (List.mapi at_level s.shares) in
+  match Path.test path with
+  | None -> answer Estimated reasons
+  | Some (_, test) -> (
+      match Answer.holds (Within (s.low, s.high)) test with
+      | Some holds -> answer (if holds then Holds else Violated) []
+      | None -> answer Undecided (reasons @ [ "the bound is within the interval" ]))
 
 let answers t = List.filter_map (fun q -> q.answer) t.questions

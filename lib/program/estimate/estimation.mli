@@ -42,6 +42,7 @@ type answer = {
   tally : Tally.t;
   chosen : bool;  (** choices that are not drawn have been made, uniformly *)
   reasons : string list;  (** why it is undecided, or wider than required *)
+  splitting : Splitting.summary option;  (** how it was found, if it was by splitting *)
 }
 
 (** An estimation in progress. *)
@@ -67,3 +68,6 @@ val judge : t -> last:bool -> unit
 
 val answers : t -> answer list
 (** The answers of the properties that are settled. *)
+
+val of_splitting : Path.t -> Splitting.summary -> answer
+(** The answer of a splitting. Its tally has the number of repetitions alone. *)

@@ -150,8 +150,10 @@ def estimate(
     check: Optional[Texts] = None,
     confidence: Optional[Number] = None,
     define: Optional[Mapping[str, Setting]] = None,
+    effort: Optional[int] = None,
     free: Optional[str] = None,
     jobs: Optional[int] = None,
+    levels: Optional[Union[Number, Path]] = None,
     most: Optional[int] = None,
     property: Optional[Texts] = None,
     runs: Optional[int] = None,
@@ -170,11 +172,14 @@ def estimate(
     ``confidence``: An interval misses the number, or an answer is wrong, with a probability of at most 1 less
       C, for each property.
     ``define``: Gives the parameter NAME of the model the value VALUE, a rational. Repeatable.
+    ``effort``: With --levels, makes N runs from each level in each repetition.
     ``free``: The treatment of a run where several things are possible and none of them is drawn. With apart the
       run stops there. What is still unknown then counts for no at the lower end of the interval, and for yes at
       the upper end. So the interval contains the least and the greatest probability. With evenly each
       possibility has the same probability; the result is valid only for these choices.
     ``jobs``: How many processes work at the runs.
+    ``levels``: Estimates a rare event by splitting, at the levels of LEVELS: 'x(p) >= 1, 2, 3' or 'x(p) >=
+      1..9'. See RARE EVENTS.
     ``most``: Makes at most N runs.
     ``property``: Estimates PROPERTY, a property that is not in the model: P = ? [ eventually f ]. May be given
       several times.
@@ -201,8 +206,10 @@ def estimate(
         *words.texts("--check", check),
         *words.number("--confidence", confidence),
         *words.define(model, define),
+        *words.integer("--effort", effort),
         *words.text("--free", free),
         *words.integer("--jobs", jobs),
+        *words.other("--levels", levels),
         *words.integer("--most", most),
         *words.texts("--property", property),
         *words.integer("--runs", runs),
