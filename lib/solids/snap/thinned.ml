@@ -82,12 +82,13 @@ let beside t f =
   let of_corner c = Ints.of_list (Growable.get t.corners c).planes in
   Ints.elements (Ints.remove f (Ints.fold (fun c all -> Ints.union (of_corner c) all) t.at.(f) Ints.empty))
 
-(* The faces of the hull of the points [list] from whose front the point [f] is seen, in floats. [None] where this is
-   not certain, as with four points in a plane. Coordinates are integers of at most 41 bits, so that differences are
-   exact. Let m bound those from [f], so that others are at most 2 m, and u be 2^-53. A coordinate of the normal is
-   at most 8 m^2. It is off by 16 m^2 u: two products of at most 4 m^2 and a difference of at most 8 m^2 are rounded.
-   One of the three products with it is at most 16 m^3. It is off by 32 m^3 u and its own rounding, 16 m^3 u. The two
-   sums are rounded by 32 m^3 u and 48 m^3 u. That is 224 m^3 u, and less than 2^-44 m^3 with terms of order u^2. *)
+(* The faces of the hull of the points [list] from whose front the point [f] is seen, in floats. [None] where
+   this is not certain, as with four points in a plane. Coordinates are integers of at most 41 bits, so that
+   differences are exact. Let m bound those from [f], so that others are at most 2 m, and u be 2^-53. A
+   coordinate of the normal is at most 8 m^2. It is off by 16 m^2 u: two products of at most 4 m^2 and a
+   difference of at most 8 m^2 are rounded. One of the three products with it is at most 16 m^3. It is off by
+   32 m^3 u and its own rounding, 16 m^3 u. The two sums are rounded by 32 m^3 u and 48 m^3 u. That is 224 m^3
+   u, and less than 2^-44 m^3 with terms of order u^2. *)
 let seen_from dual list f =
   let points = Array.of_list list in
   let count = Array.length points in
