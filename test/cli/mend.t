@@ -255,3 +255,59 @@ What has no decimals goes into formats with fractions, or is rounded.
   $ python3 pack.py none.3mf '<item objectid="2"/>'
   $ scc shape none.3mf 2>&1 | head -1
   none.3mf:1:1: error[SC0320]: `3D/3dmodel.model`, line 2: there is no object `2` before this
+
+Points that differ in their last digits: a grid is named on which each edge is in two faces.
+
+  $ cat > near.off <<E
+  > OFF
+  > 5 4 0
+  > 0 0 0
+  > 1 0 0
+  > 0 1 0
+  > 0 0 1
+  > 1.0000000001 0 0
+  > 3 0 2 1
+  > 3 0 1 3
+  > 3 0 3 2
+  > 3 4 2 3
+  > E
+  $ scc shape near.off | grep mend
+  to mend it: scc shape --grid 1e-9 --weld
+  $ scc decompose near.off
+  error[SC0302]: the solid is not closed: edge [v2,v1] belongs to one face only, f0
+  error[SC0302]: the solid is not closed: edge [v1,v3] belongs to one face only, f1
+  error[SC0302]: the solid is not closed: edge [v4,v2] belongs to one face only, f3
+  error[SC0302]: the solid is not closed: edge [v3,v4] belongs to one face only, f3
+    hint: to mend it, add --grid 1e-9 --weld
+  [3]
+  $ scc shape --grid 1e-9 --weld near.off | head -4
+  on the grid: 1 vertex moved, v4 the farthest, by 1e-10
+  welded: 5 vertices became 4
+  near.off
+  vertices: 4, edges: 6, faces: 4
+
+A face that is nearly along an axis, and not quite flat, is cut as it is seen along its normal.
+
+  $ cat > bent.off <<E
+  > OFF
+  > 8 6 0
+  > 1 1 -1
+  > 1 -1 -1
+  > -1 -1 -1
+  > -1 1 -1
+  > 1 0.999 1
+  > -1 1 1
+  > -1 -1 1
+  > 0.999 -1.001 1
+  > 4 0 1 2 3
+  > 4 4 5 6 7
+  > 4 0 4 7 1
+  > 4 1 7 6 2
+  > 4 2 6 5 3
+  > 4 4 0 3 5
+  > E
+  $ scc decompose bent.off
+  triangles: 3 faces were not planar, with corners up to 0.0005 off the plane
+  bent.off: 9 plane faces, 0 reflex edges, volume 24000001/3000000
+  1 convex part, 0 joints
+    p1: 8 corners, 9 faces, volume 24000001/3000000

@@ -12,10 +12,11 @@ let structure (set : Polyhedron.ifs) faults =
   let name array i = if i >= 0 && i < Array.length array then fst array.(i) else string_of_int i in
   let vertex = name set.ifs_vertices and face = name set.ifs_faces in
   let last = List.length faults - 1 in
+  let tries = Mend_options.all_helping set faults in
   let one i fault =
     let hint =
-      match (Mend_options.helping set [ fault ], Mend_options.helping set faults) with
-      | _, (_ :: _ as tries) when i = last -> Some ("to mend it, add " ^ String.concat " " tries)
+      match (Mend_options.helping set [ fault ], tries) with
+      | _, _ :: _ when i = last -> Some ("to mend it, add " ^ String.concat " " tries)
       | [], _ -> Polyhedron_fault.hint ~vertex ~face fault
       | _ -> None
     in

@@ -18,5 +18,9 @@ val apply : t -> Polyhedron.ifs -> (Polyhedron.ifs * told, Diag.t list) result
 val helping : Polyhedron.ifs -> Polyhedron_fault.t list -> string list
 (** The options that may remove some of the faults, such as [["--weld"; "--orient"]]. *)
 
+val all_helping : Polyhedron.ifs -> Polyhedron_fault.t list -> string list
+(** [all_helping set faults] are the options of {!helping}, and before them those that close edges of one face:
+    a grid ({!Scc_mesh.Mend.closing_grid}) with [--weld]. Grids are tried for at most 100 000 faces. *)
+
 val text : told -> string
 (** The effects as lines of text. *)

@@ -140,7 +140,7 @@ let advice (r : Solid_report.t) =
   match r.verdict with
   | Accepted _ -> ""
   | Rejected faults ->
-    let tries = Mend_options.helping r.set faults in
+    let tries = Mend_options.all_helping r.set faults in
     let bent = function Polyhedron_fault.Not_convex _ | Degenerate_face _ -> true | _ -> false in
     let concave = List.exists bent faults in
     let shared = Option.fold ~none:"" ~some:(fun line -> line ^ "\n") (Shared_face.advice r.set) in

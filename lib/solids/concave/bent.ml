@@ -5,13 +5,25 @@ open Scc_polygon
 
 let place (set : Polyhedron.ifs) v = snd set.ifs_vertices.(v)
 
-(* Seen along its normal, the outline of the face is that of triangles, which are not flat together. *)
+(* The axes, the one first that is nearest to the normal. Along another one a face that is not quite flat may cross
+   itself. *)
+let axes (n : Vec.t) =
+  let zero = Rat.zero in
+  let all = [ (n.z, { n with x = zero; y = zero }); (n.x, { n with y = zero; z = zero });
+              (n.y, { n with x = zero; z = zero }) ] in
+  let by_size = List.stable_sort (fun (a, _) (b, _) -> Rat.compare (Rat.abs b) (Rat.abs a)) all in
+  List.filter (fun v -> not (Vec.is_zero v)) (List.map snd by_size)
+
+(* Seen along an axis, the outline of the face is that of triangles, which are not flat together. *)
 let ears set face n =
-  let corners = Array.map (fun v -> Grid.seen_along n (place set v)) face in
-  let ring = Array.init (Array.length face) Fun.id in
-  match Polygon.make corners [ ring ] with
-  | Error _ -> None
-  | Ok polygon -> Some (List.map (Array.map (fun k -> face.(k))) (Ears.triangles polygon.grid ring))
+  let along axis =
+    let corners = Array.map (fun v -> Grid.seen_along axis (place set v)) face in
+    let ring = Array.init (Array.length face) Fun.id in
+    match Polygon.make corners [ ring ] with
+    | Error _ -> None
+    | Ok polygon -> Some (List.map (Array.map (fun k -> face.(k))) (Ears.triangles polygon.grid ring))
+  in
+  List.find_map along (axes n)
 
 (* The squared distance of the corner that is farthest from the plane through the first one. *)
 let squared_distance set face n =

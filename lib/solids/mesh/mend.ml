@@ -130,6 +130,27 @@ let edges_of (set : Polyhedron.ifs) =
   Array.iteri (fun f (_, c) -> put f c) set.ifs_faces;
   edges
 
+let is_open set = Hashtbl.fold (fun _ at found -> found || List.compare_length_with at 1 = 0) (edges_of set) false
+
+let closing_grid (set : Polyhedron.ifs) =
+  let welded set = fst (weld set) in
+  let larger m (_, (v : Vec.t)) = List.fold_left (fun m q -> Rat.max m (Rat.abs q)) m [ v.x; v.y; v.z ] in
+  let greatest = Array.fold_left larger Rat.zero set.ifs_vertices in
+  let ten = Rat.of_int 10 in
+  let rec from quantum tries =
+    if tries = 0 then None
+    else
+      let there = welded (fst (on_grid quantum set)) in
+      if Array.length there.ifs_faces > 0 && not (is_open there) then Some quantum
+      else from (Rat.mul quantum ten) (tries - 1)
+  in
+  if Array.length set.ifs_faces = 0 || Rat.sign greatest = 0 || not (is_open (welded set)) then None
+  else
+    let rec power q = if Rat.compare q greatest > 0 then Rat.div q ten else power (Rat.mul q ten) in
+    let rec below q = if Rat.compare q greatest <= 0 then q else below (Rat.div q ten) in
+    let billionth = Rat.make Z.one (Z.of_int 1_000_000_000) in
+    from (Rat.mul billionth (power (below Rat.one))) 6
+
 type piece = { members : int list; closed : bool }
 
 (* Which faces are to be turned, and the pieces; [Error f]: no choice fits at f. *)

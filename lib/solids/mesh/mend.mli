@@ -9,6 +9,11 @@ val on_grid : Rat.t -> Polyhedron.ifs -> Polyhedron.ifs * string
 (** [on_grid d set] rounds every coordinate to the nearest multiple of [d] > 0: points move by at most half of
     it along each axis. The sentence has the number of points moved, and the farthest. *)
 
+val closing_grid : Polyhedron.ifs -> Rat.t option
+(** [closing_grid set] is the least power of ten, from 1e-9 to 1e-4 of the greatest coordinate, after which
+    {!on_grid} and {!weld} leave no edge that is in one face only. [None] if there is none, or if {!weld} alone is
+    enough. *)
+
 val weld : Polyhedron.ifs -> Polyhedron.ifs * string
 (** Vertices at one point become one, which has the name of the first. Corners that repeat their neighbour are
     dropped, and so are faces with fewer than three corners left, and faces that are there twice. If each face is

@@ -60,6 +60,10 @@ let header ~path text =
         let* c = counts ~path words in
         Ok (c, not (String.equal w.text "OFF"), next)
       | [], None -> error ~path w "the file ends before the numbers of vertices, faces and edges")
+  | Some (({ text; _ } :: _) as words, next) when String.for_all (fun c -> c >= '0' && c <= '9') text ->
+    (* the keyword may be missing *)
+    let* c = counts ~path words in
+    Ok (c, false, next)
   | Some (w :: _, _) -> error ~path w "expected `OFF`, found %s" (quote w.text)
 
 (* [total] lines, each through [read]. *)

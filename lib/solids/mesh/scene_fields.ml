@@ -2,13 +2,26 @@ open Scene
 
 let is_still node = match Scene_table.find node.kind.text with Still -> true | Read _ | Unread _ -> false
 
+(* In XML a node that is not read has no usual field: the fault is the node. *)
+let refuse_unread ~path = function
+  | Words _ -> ()
+  | Nodes nodes ->
+    let one (node : node) =
+      match Scene_table.find node.kind.text with
+      | Unread hint -> unread ~path node.kind ~hint "the node %s is not read" (Text.quote node.kind.text)
+      | Read _ | Still -> ()
+    in
+    List.iter one nodes
+
 let check ~path node ~read ~still =
   let one ((w : Text.word), value) =
     let harmless = match value with Nodes nodes -> List.for_all is_still nodes | Words _ -> false in
-    if not (List.mem w.text read || List.mem w.text still || harmless) then
+    if not (List.mem w.text read || List.mem w.text still || harmless) then begin
+      refuse_unread ~path value;
       unread ~path w
         ~hint:"remove it if it changes nothing, or export the scene in another format, such as PLY or OFF"
         "%s has no field %s that is known here" node.kind.text (Text.quote w.text)
+    end
   in
   List.iter one node.fields
 

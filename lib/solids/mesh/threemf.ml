@@ -158,6 +158,7 @@ and thing m tag =
   let id = X.needed m.x tag "id" in
   if Hashtbl.mem m.things id then X.fail m.x "the object %s is there twice" (Text.quote id);
   let kind = Option.value (X.attribute tag "type") ~default:"model" in
+  if not (List.mem kind T.types) then X.fail m.x "%s is no type of an object" (Text.quote kind);
   let body = ref Nothing in
   each m "object" (fun name _ ->
       (match !body with
@@ -185,6 +186,7 @@ and model package ~built x (((namespace, name), _) as tag) =
   let m = { x; path = package.path; package; things = Hashtbl.create 16 } in
   check_attributes m tag;
   let own = Option.value (X.attribute tag "unit") ~default:"millimeter" in
+  if not (List.mem own T.units) then X.fail x "%s is no unit of 3MF" (Text.quote own);
   (match package.unit_ with
    | None -> package.unit_ <- Some own
    | Some other when String.equal own other -> ()

@@ -13,7 +13,8 @@ let still =
     "http://schemas.bambulab.com/package/2021"; Xmlm.ns_xml; Xmlm.ns_xmlns;
   ]
 
-(* Namespaces begin with these, whatever their year is. *)
+(* Slices may be finer than the mesh beside them, which need not say so: a file may have a box for its mesh, and a
+   sphere in its slices. Namespaces begin with these, whatever their year is. *)
 let shapes =
   [
     (microsoft ^ "beamlattice/", "beam lattices"); (microsoft ^ "slice/", "slices");
@@ -53,6 +54,9 @@ let attributes =
     ("triangle", "v1 v2 v3", "p1 p2 p3 pid paint_color paint_supports paint_seam paint_fuzzy_skin face_property");
     ("component", "objectid transform", ""); ("item", "objectid transform printable", "partnumber");
   ]
+
+let units = words "micron millimeter centimeter inch foot meter"
+let types = words "model solidsupport support surface other"
 
 let find table name own =
   match List.find_opt (fun (n, _, _) -> String.equal n name) table with

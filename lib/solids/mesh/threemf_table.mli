@@ -19,5 +19,11 @@ val element : within:string -> Xmlm.name -> t
 val attribute : string -> Xmlm.name -> t
 (** [attribute element name] is how an attribute of an element of the core specification is treated. *)
 
+val units : string list
+(** The units of a model in the core specification. *)
+
+val types : string list
+(** The types of an object in the core specification. *)
+
 val required : string -> bool
 (** [required namespace] is true if a file that requires this extension can be read. *)

@@ -109,6 +109,7 @@ let marked ((name, path, text) as file) =
 
 let files =
   [
+    ("OFF without its keyword", "t.off", String.sub off 4 (String.length off - 4));
     ("OFF", "t.off", off); ("OFF in capitals", "DIR.x/T.OFF", off); ("OFF, CRLF", "t.off", crlf off);
     ("OFF, counts on the first line", "t.off", "OFF 4 4 0" ^ String.sub off 21 (String.length off - 21));
     ("COFF", "t.off",

@@ -359,6 +359,7 @@ let refusals =
                                    <ProtoInstance name='P'/></X3D>", "SC0321 2:2");
     ("an unknown field", "t.wrl", "#VRML V2.0 utf8\nGroup { childs [ ] }", "SC0321 2:9");
     ("an unknown node", "t.wrl", "#VRML V2.0 utf8\nGroop { }", "SC0321 2:1");
+    ("an unread geometry, XML", "t.x3d", "<X3D><Shape><Extrusion/></Shape></X3D>", "SC0321 1:14");
     ("two geometries", "t.x3d", "<X3D><Shape><Box/><Cone/></Shape></X3D>", "SC0320 1:20");
     ("a field twice", "t.x3d", "<X3D><Shape><Box size='1 1 1' size='2 2 2'/></Shape></X3D>", "SC0320 1:31");
     ("a tag of another element", "t.x3d", "<X3D><Group></Groop></X3D>", "SC0320 1:14");

@@ -232,6 +232,8 @@ let bad =
       (package (model ~build:"<item objectid='1' printable='0'/>" [ thing "1" mesh ]));
     fault "two shapes" (of_mesh (mesh ^ mesh));
     fault "a doubling of components" doubling; fault "growing numbers" growing;
+    fault "an unknown type" (package (model [ thing ~kind:"solid" "1" mesh ]));
+    fault "an unknown unit" (elsewhere ~part_unit:"yard" "/3D/Objects/a.model");
     fault "eleven numbers" (package (model [ thing "1" mesh; thing "2" (components [ moved "1 2" "1" ]) ]));
     fault "no number"
       (package (model [ thing "1" mesh; thing "2" (components [ moved "1 0 0 0 1 0 0 0 1 0 0 x" "1" ]) ]));
