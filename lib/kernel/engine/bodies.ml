@@ -16,22 +16,6 @@ type body = {
   flight : Flights.flight;
 }
 
-(* Sweeps that end at one time, since most do with the same step: so the agenda has one event for them. *)
-type ends = No_more | End of { flight : Flights.flight; sweep : int; rest : ends }
-
-(* Events to come. Those whose numbers are out of date are dropped when their time comes. *)
-type event =
-  | Contact of {
-      time : Rat.t;
-      one : Flights.flight;
-      two : Flights.flight;
-      sweep_one : int;
-      sweep_two : int;
-    }
-  | Sweep_ends of { time : Rat.t; mutable ends : ends }
-  | Horizon of { time : Rat.t; body : body; age : int }  (** an eps expires, or lots are to be drawn *)
-  | Split_instant of { time : Rat.t; body : body; age : int }
-
 (* What one process may do now: found when it is asked for. *)
 type splits = {
   body : body;
@@ -47,8 +31,7 @@ type touch = Untouched | Was_there | Was_not_there
 type t = {
   semantics : Semantics.t;
   flights : Flights.t;
-  agenda : event Heap.t;
-  mutable last_end : event option;  (** the ends of sweeps that have been added to last *)
+  agenda : body Agenda.t;
   bodies : body option array;  (** by first leaf *)
   homes : int array;  (** by leaf: the first leaf of the process that had it last *)
   mutable frame : State.t;  (** the movement step and the absolute time now, without processes *)
@@ -59,7 +42,6 @@ type t = {
   colliding : (body, Transition.outcome) Colliding.t;  (** now, and since they met *)
   mutable splitting : splits Firsts.t;  (** those at a split instant now, or with a strong split *)
   mutable pending : First_set.t;  (** those at which lots are pending, once they have come up *)
-  mutable room : int;  (** how many events to keep before those out of date are dropped *)
   mutable asked : Rat.t;  (** when {!changes} were asked for last *)
   mutable touched : int list;  (** since then: the first leaves of those to whom something has happened *)
   touch : touch array;  (** by first leaf *)
@@ -82,53 +64,6 @@ let set_step t step =
 let any_steered t = t.steered > 0
 let work t = Flights.work t.flights
 
-(* {1 The agenda} *)
-
-(* Those that are over come no more. *)
-let rec still = function
-  | End { flight; sweep; rest } when flight.sweep <> sweep -> still rest
-  | (End _ | No_more) as ends -> ends
-
-let are_there = function End _ -> true | No_more -> false
-
-let valid = function
-  | Contact c -> c.one.sweep = c.sweep_one && c.two.sweep = c.sweep_two
-  | Sweep_ends s ->
-    s.ends <- still s.ends;
-    are_there s.ends
-  | Horizon { body; age; _ } | Split_instant { body; age; _ } -> body.age = age
-
-let time_of = function
-  | Contact { time; _ } | Sweep_ends { time; _ } | Horizon { time; _ } | Split_instant { time; _ } -> time
-
-let by_time d e = Rat.compare (time_of d) (time_of e)
-let least_room = 1024
-
-let add t event =
-  if Heap.size t.agenda >= t.room then begin
-    Heap.keep t.agenda valid;
-    t.room <- Int.max least_room (2 * Heap.size t.agenda)
-  end;
-  Heap.add t.agenda event
-
-(* An event without ends may have left the agenda. *)
-let add_end t time (flight : Flights.flight) =
-  let is_first rest = End { flight; sweep = flight.sweep; rest } in
-  match t.last_end with
-  | Some (Sweep_ends s) when s.time == time && are_there s.ends -> s.ends <- is_first s.ends
-  | Some _ | None ->
-    let event = Sweep_ends { time; ends = is_first No_more } in
-    t.last_end <- Some event;
-    add t event
-
-let watch t : Flights.watch =
-  {
-    contact =
-      (fun time one two ->
-         add t (Contact { time; one; two; sweep_one = one.sweep; sweep_two = two.sweep }));
-    sweep_end = add_end t;
-  }
-
 (* When the velocity of a body is likely to change: at the end of the step, if it draws. *)
 let turns t ~is_steered =
   match t.turns with
@@ -143,19 +78,7 @@ let body t first =
 let renew t f =
   Colliding.part t.colliding f.Flights.first;
   let turns = turns t ~is_steered:(body t f.Flights.first).is_steered in
-  Flights.renew t.flights ~now:t.now ~turns f (watch t)
-
-(* What ends at this time again is a new event. *)
-let renew_all t ends =
-  t.last_end <- None;
-  let rec all ends =
-    match still ends with
-    | No_more -> ()
-    | End { flight; rest; _ } ->
-      renew t flight;
-      all rest
-  in
-  all ends
+  Flights.renew t.flights ~now:t.now ~turns f (Agenda.watch t.agenda)
 
 (* {1 Processes that come, age and go} *)
 
@@ -195,16 +118,16 @@ let schedule t b =
   let expires = Time.horizon (model t) p in
   b.waits <- Option.is_some expires;
   let horizon = Option.merge Rat.min expires (Lots.wait (model t) p) in
-  Option.iter (fun h -> add t (Horizon { time = Rat.add t.now h; body = b; age })) horizon;
+  Option.iter (fun h -> Agenda.add t.agenda (Horizon { time = Rat.add t.now h; body = b; age })) horizon;
   Option.iter
-    (fun d -> add t (Split_instant { time = Rat.add t.now d; body = b; age }))
+    (fun d -> Agenda.add t.agenda (Split_instant { time = Rat.add t.now d; body = b; age }))
     (Time.to_split_instant (model t) p);
   if Process.at_split_instant p || Network.urgent t.semantics p <> [] then may_split t b
 
 let enter t (p : State.process) =
   let line = line t p in
   let is_steered = Process.steers (model t) p in
-  let flight = Flights.launch t.flights ~now:t.now ~turns:(turns t ~is_steered) line (watch t) in
+  let flight = Flights.launch t.flights ~now:t.now ~turns:(turns t ~is_steered) line (Agenda.watch t.agenda) in
   let b =
     { process = line; since = t.now; age = -1; seen = -1; waits = false; shown = None; is_steered; flight }
   in
@@ -242,23 +165,23 @@ let present t b =
 
 let happen t event =
   match event with
-  | Contact c -> Colliding.meet t.colliding (body t c.one.first) (body t c.two.first)
-  | Sweep_ends s -> renew_all t s.ends
+  | Agenda.Contact { one; two; _ } -> Colliding.meet t.colliding (body t one.first) (body t two.first)
+  | Sweep_ends { ends; _ } -> Agenda.ended t.agenda ends (renew t)
   | Horizon { body; _ } ->
     body.process <- aged t body;
     schedule t body
   | Split_instant { time; body; age } ->
     may_split t body;
     (match (model t).splits with
-     | Every step -> add t (Split_instant { time = Rat.add time step; body; age })
+     | Every step -> Agenda.add t.agenda (Split_instant { time = Rat.add time step; body; age })
      | Any_time -> ())
 
 (* Everything that the agenda has for this instant. *)
 let rec come_up t =
-  match Heap.first t.agenda with
-  | Some event when not (valid event) || Rat.compare (time_of event) t.now <= 0 ->
-    Heap.drop_first t.agenda;
-    if valid event then happen t event;
+  match Agenda.first t.agenda with
+  | Some event when Rat.compare (Agenda.time event) t.now <= 0 ->
+    Agenda.drop_first t.agenda;
+    happen t event;
     come_up t
   | Some _ | None -> ()
 
@@ -271,23 +194,15 @@ let end_of_step t =
    of sweeps are none: what a process sweeps next still begins now, where all others are, for nothing forces time
    to pass. *)
 let rec next_time t =
-  let is_later event = match end_of_step t with Some e -> Rat.compare (time_of event) e > 0 | None -> false in
-  match Heap.first t.agenda with
+  let is_later time = match end_of_step t with Some e -> Rat.compare time e > 0 | None -> false in
+  match Agenda.first t.agenda with
   | None -> None
-  | Some event when is_later event -> None
-  | Some event ->
-    if not (valid event) then begin
-      Heap.drop_first t.agenda;
-      next_time t
-    end
-    else begin
-      match event with
-      | Sweep_ends s ->
-        Heap.drop_first t.agenda;
-        renew_all t s.ends;
-        next_time t
-      | Contact _ | Horizon _ | Split_instant _ -> Some (time_of event)
-    end
+  | Some event when is_later (Agenda.time event) -> None
+  | Some (Sweep_ends { ends; _ }) ->
+    Agenda.drop_first t.agenda;
+    Agenda.ended t.agenda ends (renew t);
+    next_time t
+  | Some ((Contact _ | Horizon _ | Split_instant _) as event) -> Some (Agenda.time event)
 
 let splits_now t s =
   match s.found with
@@ -357,7 +272,7 @@ let turn_all t processes =
   in
   let turned = List.map turned processes in
   let turns (f : Flights.flight) = turns t ~is_steered:(body t f.first).is_steered in
-  Flights.turn t.flights ~now:t.now ~turns (List.map (fun b -> (b.flight, b.process)) turned) (watch t);
+  Flights.turn t.flights ~now:t.now ~turns (List.map (fun b -> (b.flight, b.process)) turned) (Agenda.watch t.agenda);
   List.iter (schedule t) turned
 
 let turn t processes =
@@ -411,8 +326,7 @@ let start semantics ~step (s : State.t) =
     {
       semantics;
       flights = Flights.create semantics;
-      agenda = Heap.create ~near:(fun e -> Rat.to_float (time_of e)) ~compare:by_time;
-      last_end = None;
+      agenda = Agenda.create ~age:(fun b -> b.age);
       bodies = Array.make leaves None;
       homes = Array.init leaves Fun.id;
       frame = State.make ~processes:[] ~step ~time:s.time;
@@ -423,7 +337,6 @@ let start semantics ~step (s : State.t) =
       colliding = Colliding.create leaves ~first:(fun b -> b.flight.first) ~age:(fun b -> b.seen);
       splitting = Firsts.empty;
       pending = First_set.empty;
-      room = least_room;
       asked = Rat.zero;
       touched = [];
       touch = Array.make leaves Untouched;
