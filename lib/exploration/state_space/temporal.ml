@@ -68,7 +68,16 @@ let timed_graph context ~rests g : Timed_graph.t =
   in
   { size; known; edges; drawn = drawn context g; flow }
 
-let on asked ~rests graph =
+(* Work that begins when the time of explorations is over has none but that of conclusions. *)
+let effort (surroundings : Scc_graph_search.Limits.surroundings) : Scc_chance.Effort.t =
+  let over (s : Scc_graph_search.Limits.surroundings) =
+    let is_over () = Option.is_some (s.stop ()) in
+    if is_over () then Fun.const false else is_over
+  in
+  let half () = over (surroundings.half ()) in
+  { Scc_chance.Effort.default with interrupted = over surroundings; half }
+
+let on ?(surroundings = Scc_graph_search.Limits.quiet) asked ~rests graph =
   (* Formulas are evaluated one after the other, each in all states, and may be as many as bodies. *)
   let room = Array.copy (Network_lts.initial asked.context) in
   let read node =
@@ -88,7 +97,7 @@ let on asked ~rests graph =
     }
   in
   let index = Timed_graph.index (timed_graph asked.context ~rests graph) in
-  let eval = Scc_ctl.Eval.create ~still:asked.still index predicates in
+  let eval = Scc_ctl.Eval.create ~effort:(effort surroundings) ~still:asked.still index predicates in
   { asked; graph; eval; uses = Scc_ctl.Eval.uses eval asked.formulas }
 
 let origin = Scc_ctl.Positions.start 0

@@ -13,9 +13,12 @@ val ask : Network_lts.context -> Property.temporal list -> asked
 type t
 (** Formulas on a graph. *)
 
-val on : asked -> rests:(int array -> bool) -> State_graph.t -> t
-(** [on asked ~rests graph] evaluates the formulas on [graph]. States that have not been expanded count as
-    unexplored. [rests] is true for a state without transitions in which time passes for ever. *)
+val on :
+  ?surroundings:Scc_graph_search.Limits.surroundings -> asked -> rests:(int array -> bool) -> State_graph.t -> t
+(** [on ?surroundings asked ~rests graph] evaluates the formulas on [graph]. States that have not been expanded
+    count as unexplored. [rests] is true for a state without transitions in which time passes for ever.
+    Probabilities that take longer than the surroundings (default: {!Scc_graph_search.Limits.quiet}) allow are
+    intervals. *)
 
 val truth : t -> int -> bool option
 (** The truth of the formula with this index in the initial state; [None] if it is undecided. *)

@@ -4,21 +4,23 @@ type engine = Exactly | Nearly | Either
 
 type t = {
   engine : engine;
-  component : int;
   bits : int;
+  steps : int;
   width : Rat.t;
   relative : bool;
   bound : Answer.bound option;
   interrupted : unit -> bool;
+  half : unit -> unit -> bool;
 }
 
 let default =
   {
     engine = Either;
-    component = 1_000;
-    bits = 20_000;
+    bits = 200_000;
+    steps = 1 lsl 30;
     width = Rat.make Z.one (Z.of_int 1_000_000);
     relative = false;
     bound = None;
     interrupted = (fun () -> false);
+    half = (fun () () -> false);
   }

@@ -9,14 +9,17 @@ type engine =
 
 type t = {
   engine : engine;
-  component : int;  (** for exact values: the greatest strong component whose linear system is solved, in nodes *)
   bits : int;  (** for exact values: their greatest length (numerator and denominator together) *)
+  steps : int;  (** for exact values: how many products of small numbers all systems may take ({!Lifting}) *)
   width : Rat.t;  (** for intervals, positive: an interval of at most this width is good enough *)
   relative : bool;  (** the width is a share of the lower end *)
   bound : Answer.bound option;  (** for intervals: one that decides this bound is good enough, too *)
   interrupted : unit -> bool;  (** called now and then: [true] ends the computation with its present results *)
+  half : unit -> unit -> bool;
+  (** [half ()] is [interrupted] for work that begins now and may take half of the time that is left: exact values,
+      where intervals are computed after them. *)
 }
 
 val default : t
-(** [Either], with components of 1 000 nodes and numbers of 20 000 bits. Intervals have an absolute width of 10^-6
+(** [Either], with numbers of 200 000 bits and 2{^30} steps. Intervals have an absolute width of 10^-6
     and no bound. It is never interrupted. *)

@@ -2,86 +2,93 @@ open Scc_exact
 open Scc_data
 
 type solution = { value : Rat.t array; row : int array }
-type given_up = Component of int | Elimination of Elimination.given_up
+type given_up = Lifting.given_up = Interrupted | Too_long | Too_much
 
 exception Given_up of given_up
-
-let greatest_component (e : Equations.t) =
-  let greatest = ref 0 in
-  for k = 0 to Array.length e.parts - 2 do
-    greatest := Int.max !greatest (e.parts.(k + 1) - e.parts.(k))
-  done;
-  !greatest
 
 let better (e : Equations.t) x y =
   match e.direction with Min -> Rat.compare x y < 0 | Max -> Rat.compare x y > 0
 
 let better_float (e : Equations.t) (x : float) y = match e.direction with Min -> x < y | Max -> x > y
 
-(* The best row of a node for some values; the one that is given, unless another is better. *)
-let best (e : Equations.t) value v row =
-  let found = ref row and sum = ref (Equations.row_sum e value row) in
-  for r = Equations.first_row e v to Equations.first_row e (v + 1) - 1 do
-    if not (Int.equal r row) then begin
-      let s = Equations.row_sum e value r in
-      if better e s !sum then begin
-        found := r;
-        sum := s
-      end
-    end
-  done;
-  (!found, !sum)
-
 type part = { first : int; last : int }
 
 let inside part w = w >= part.first && w <= part.last
 
-let leads (e : Equations.t) part r test =
-  let rec go i =
-    i < Equations.first_entry e (r + 1)
-    && ((inside part (Equations.node e i) && test (Equations.node e i)) || go (i + 1))
-  in
-  go (Equations.first_entry e r)
+let size part = part.last - part.first + 1
+let rows_of (e : Equations.t) part = Equations.first_row e (part.last + 1) - Equations.first_row e part.first
+let is_chain e part = rows_of e part = size part
 
-(* Gives the nodes of the part, one after the other, rows of theirs by which it is left; whether all got one. Rows
-   are taken among those that the nodes have already, or any. The passes go down and up by turns, and are few as a
-   rule. *)
+(* Gives the nodes of the part, from its borders inwards, rows of theirs by which it is left; whether all got one.
+   Rows are those that the nodes have already, or any. *)
 let leaving (e : Equations.t) part ~any (row : int array) =
-  let settled = Array.make (part.last - part.first + 1) false in
-  let is_settled v = settled.(v - part.first) in
-  let good r = Bits.mem e.leaks r || leads e part r is_settled in
-  let look v =
-    if is_settled v then false
-    else begin
-      let rec go r = if r = Equations.first_row e (v + 1) then -1 else if good r then r else go (r + 1) in
-      let r = if any then go (Equations.first_row e v) else if good row.(v) then row.(v) else -1 in
-      if r >= 0 then begin
-        row.(v) <- r;
-        settled.(v - part.first) <- true
-      end;
-      r >= 0
+  let settled = Array.make (size part) false and into = Array.make (size part) [] in
+  let waiting = Queue.create () in
+  let settle v r =
+    if not settled.(v - part.first) then begin
+      settled.(v - part.first) <- true;
+      row.(v) <- r;
+      Queue.add v waiting
     end
   in
-  let rec passes () =
-    let more = ref false in
-    for v = part.first to part.last do
-      if look v then more := true
-    done;
-    for v = part.last downto part.first do
-      if look v then more := true
-    done;
-    if !more then passes ()
+  let look v r =
+    if Bits.mem e.leaks r then settle v r
+    else
+      for i = Equations.first_entry e r to Equations.first_entry e (r + 1) - 1 do
+        let w = Equations.node e i in
+        if inside part w then into.(w - part.first) <- (v, r) :: into.(w - part.first)
+      done
   in
-  passes ();
-  Array.for_all Fun.id settled
+  for v = part.first to part.last do
+    if any then
+      for r = Equations.first_row e v to Equations.first_row e (v + 1) - 1 do
+        look v r
+      done
+    else look v row.(v)
+  done;
+  let rec go () =
+    match Queue.take_opt waiting with
+    | None -> Array.for_all Fun.id settled
+    | Some w ->
+      List.iter (fun (v, r) -> settle v r) into.(w - part.first);
+      go ()
+  in
+  go ()
+
+(* What there is to do, and how many steps of it are left. *)
+type work = {
+  e : Equations.t;
+  effort : Effort.t;
+  value : Rat.t array;
+  near : float array;  (** the floats nearest to the values *)
+  row : int array;
+  mutable steps : int;
+}
+
+let spend w steps =
+  w.steps <- w.steps - steps;
+  if w.steps < 0 then raise (Given_up Too_much);
+  if w.effort.interrupted () then raise (Given_up Interrupted)
+
+(* Sums of long fractions, and their lowest terms, take time with the square of their length. *)
+let spend_for w x =
+  let words = Rat.bits x / 64 in
+  spend w (1 + (words * words))
+
+let set w v x =
+  spend_for w x;
+  if Rat.bits x > w.effort.bits then raise (Given_up Too_long);
+  w.value.(v) <- x;
+  w.near.(v) <- Rat.to_float x
 
 let sweeps = 1_000
 let small = 0x1p-40
 
 (* A good scheduler, by value iteration in floats from that of [row] on: nothing is proved here. *)
-let guess (e : Equations.t) part value (row : int array) =
-  let near = Array.make (part.last - part.first + 1) 0. in
-  let base = Array.make (Equations.first_row e (part.last + 1) - (Equations.first_row e part.first)) 0. in
+let guess w part =
+  let e = w.e and value = w.value and row = w.row in
+  let near = Array.make (size part) 0. in
+  let base = Array.make (rows_of e part) 0. in
   let first = Equations.first_row e part.first in
   for r = first to Equations.first_row e (part.last + 1) - 1 do
     let known w = if inside part w then Rat.zero else value.(w) in
@@ -94,8 +101,11 @@ let guess (e : Equations.t) part value (row : int array) =
     done;
     !s
   in
+  let last = Equations.first_row e (part.last + 1) in
+  let entries = Equations.first_entry e last - Equations.first_entry e first in
   let rec go n =
     let change = ref 0. in
+    spend w entries;
     for v = part.first to part.last do
       let found = ref (sum row.(v)) in
       for r = Equations.first_row e v to Equations.first_row e (v + 1) - 1 do
@@ -112,10 +122,12 @@ let guess (e : Equations.t) part value (row : int array) =
     done;
     if n > 1 && !change > small then go (n - 1)
   in
-  go sweeps
+  go (Int.min sweeps (w.steps / 8 / entries))
 
-let evaluate (e : Equations.t) (effort : Effort.t) part (value : Rat.t array) (row : int array) =
-  let size = part.last - part.first + 1 in
+(* The values of the scheduler, from those of what the part leads to. *)
+let evaluate w part =
+  let { e; effort; value; row; _ } = w in
+  let { Effort.bits; interrupted; _ } = effort in
   let entries i =
     let r = row.(part.first + i) in
     let rec go k l =
@@ -123,67 +135,127 @@ let evaluate (e : Equations.t) (effort : Effort.t) part (value : Rat.t array) (r
       else
         go (k - 1)
           (let w = Equations.node e k in
-           if inside part w then (w - part.first, Equations.probability e k) :: l else l)
+           if inside part w then (w - part.first, Rat.neg (Equations.probability e k)) :: l else l)
     in
-    go (Equations.first_entry e (r + 1) - 1) []
+    (i, Rat.one) :: go (Equations.first_entry e (r + 1) - 1) []
   in
   let constant i =
     let known w = if inside part w then Rat.zero else value.(w) in
-    Equations.row_sum e known row.(part.first + i)
+    let x = Equations.row_sum e known row.(part.first + i) in
+    spend_for w x;
+    x
   in
-  match
-    Elimination.solve ~size ~row:entries ~constant ~bits:effort.bits ~interrupted:effort.interrupted
-  with
-  | Ok x -> Array.blit x 0 value part.first size
-  | Error why -> raise (Given_up (Elimination why))
+  match Lifting.solve ~size:(size part) ~row:entries ~constant ~bits ~steps:w.steps ~interrupted with
+  | Error why -> raise (Given_up why)
+  | Ok { numerators; denominator; steps } ->
+    spend w steps;
+    Array.iteri (fun i num -> set w (part.first + i) (Rat.make num denominator)) numerators;
+    (numerators, denominator)
+
+(* Whether floats show that a row is no better than the value of its node. A sum of k products of at least 0 has a
+   relative error below (k + 4) 2^-53, and so have its terms, but for what is tiny or overflows ({!Rounded}). *)
+let clearly_no_better w v r =
+  let e = w.e in
+  let sum = ref e.near_constant.(r) and x = w.near.(v) in
+  let first = Equations.first_entry e r and last = Equations.first_entry e (r + 1) in
+  for i = first to last - 1 do
+    sum := !sum +. (e.near.(i) *. w.near.(Equations.node e i))
+  done;
+  let more = 1. +. (float_of_int (last - first + 8) *. 0x1p-52) in
+  !sum > 1e-200 && x > 1e-200 && !sum < 1e200 && x < 1e200
+  && match e.direction with Min -> !sum > x *. more | Max -> !sum *. more < x
+
+(* How much a row is more than the value of its node, but for a positive denominator: the second number times one
+   that is the same for all rows. The values of the part are numbers over one denominator. *)
+let gain w part (numerators, denominator) v r =
+  let e = w.e in
+  let known u = if inside part u then Rat.zero else w.value.(u) in
+  let constant : Rat.t = Equations.row_sum e known r in
+  let first = Equations.first_entry e r and last = Equations.first_entry e (r + 1) in
+  let fold f start =
+    let rec go i x =
+      if i = last then x
+      else go (i + 1) (if inside part (Equations.node e i) then f x i (Equations.probability e i) else x)
+    in
+    go first start
+  in
+  let scale = fold (fun l _ (p : Rat.t) -> Z.lcm l p.den) constant.den in
+  let times (p : Rat.t) z = Z.mul (Z.mul p.num (Z.divexact scale p.den)) z in
+  let add sum i p = Z.add sum (times p numerators.(Equations.node e i - part.first)) in
+  let sum = fold add (times constant denominator) in
+  (Z.sub sum (Z.mul scale numerators.(v - part.first)), scale)
 
 (* The values of one scheduler decide all changes of a round. *)
-let improve e part value (row : int array) =
-  let at = Array.get value in
-  let changed = ref false in
-  let next =
-    Array.init (part.last - part.first + 1) (fun i ->
-        let v = part.first + i in
-        if Equations.first_row e (v + 1) - Equations.first_row e v = 1 then row.(v) else fst (best e at v row.(v)))
+let improve w part found =
+  let e = w.e in
+  let better (x, scale) (y, scale') =
+    let c = Z.compare (Z.mul x scale') (Z.mul y scale) in
+    match e.direction with Min -> c < 0 | Max -> c > 0
   in
+  let best v =
+    let best = ref (Z.zero, Z.one) and row = ref w.row.(v) in
+    for r = Equations.first_row e v to Equations.first_row e (v + 1) - 1 do
+      if (not (Int.equal r w.row.(v))) && not (clearly_no_better w v r) then begin
+        spend_for w w.value.(v);
+        let gain = gain w part found v r in
+        if better gain !best then begin
+          best := gain;
+          row := r
+        end
+      end
+    done;
+    !row
+  in
+  let next = Array.init (size part) (fun i -> best (part.first + i)) in
+  let changed = ref false in
   Array.iteri
     (fun i r ->
-       if not (Int.equal r row.(part.first + i)) then begin
+       if not (Int.equal r w.row.(part.first + i)) then begin
          changed := true;
-         row.(part.first + i) <- r
+         w.row.(part.first + i) <- r
        end)
     next;
   !changed
 
-let solve_part (e : Equations.t) effort part value (row : int array) =
+let solve_part w part =
   let found ok = if not ok then Scc_base.Bug.fail __POS__ "a component that cannot be left" in
-  found (leaving e part ~any:true row);
-  let guessed = Array.copy (Array.sub row part.first (part.last - part.first + 1)) in
-  guess e part value row;
-  if not (leaving e part ~any:false row) then Array.blit guessed 0 row part.first (Array.length guessed);
-  let rec iterate () =
-    evaluate e effort part value row;
-    if improve e part value row then iterate ()
-  in
-  iterate ()
+  found (leaving w.e part ~any:true w.row);
+  if is_chain w.e part then ignore (evaluate w part)
+  else begin
+    let guessed = Array.sub w.row part.first (size part) in
+    guess w part;
+    if not (leaving w.e part ~any:false w.row) then Array.blit guessed 0 w.row part.first (size part);
+    let rec iterate () =
+      let found = evaluate w part in
+      if improve w part found then iterate ()
+    in
+    iterate ()
+  end
 
 let solve (e : Equations.t) (effort : Effort.t) =
   let value = Array.make e.size Rat.zero in
   let row = Array.init e.size (fun v -> Equations.first_row e v) in
-  let at = Array.get value in
+  let w = { e; effort; value; near = Array.make e.size 0.; row; steps = effort.steps } in
+  let sum r =
+    let x = Equations.row_sum e (Array.get value) r in
+    spend_for w x;
+    x
+  in
   let one v =
-    let r, x = best e at v row.(v) in
-    if Rat.bits x > effort.bits then raise (Given_up (Elimination Too_long));
-    row.(v) <- r;
-    value.(v) <- x
+    let best = ref (sum row.(v)) in
+    for r = row.(v) + 1 to Equations.first_row e (v + 1) - 1 do
+      let x = sum r in
+      if better e x !best then begin
+        best := x;
+        row.(v) <- r
+      end
+    done;
+    set w v !best
   in
   let component k =
-    if k land 0xfff = 0 && effort.interrupted () then raise (Given_up (Elimination Interrupted));
+    if k land 0xfff = 0 && effort.interrupted () then raise (Given_up Interrupted);
     let part = { first = e.parts.(k); last = e.parts.(k + 1) - 1 } in
-    let size = part.last - part.first + 1 in
-    if size = 1 then one part.first
-    else if size > effort.component then raise (Given_up (Component size))
-    else solve_part e effort part value row
+    if size part = 1 then one part.first else solve_part w part
   in
   match
     for k = 0 to Array.length e.parts - 2 do

@@ -1,7 +1,7 @@
 (** {!Equations} solved in rationals, component by component: each after the components that it leads to.
 
     A component of one node is computed directly. In any other, a scheduler is improved until none is better
-    (Howard's policy iteration), and [Elimination] finds its values. The first scheduler leaves the component from
+    (Howard's policy iteration), and {!Lifting} finds its values. The first scheduler leaves the component from
     every node with probability 1, and so does each better one. It is guessed by value iteration in floats. So one
     system is solved as a rule, and one test shows that no scheduler is better. *)
 
@@ -13,13 +13,8 @@ type solution = {
 }
 
 (** Why there is no solution. *)
-type given_up =
-  | Component of int  (** a component of so many nodes, which is more than allowed *)
-  | Elimination of Elimination.given_up
-
-val greatest_component : Equations.t -> int
-(** [greatest_component e] is the number of nodes of the greatest component; 0 without nodes. *)
+type given_up = Lifting.given_up = Interrupted | Too_long | Too_much
 
 val solve : Equations.t -> Effort.t -> (solution, given_up) result
-(** [solve e effort] is the solution, within the limits [component] and [bits] of [effort], or the reason why it
-    was given up. Its engine, width and bound do not matter. *)
+(** [solve e effort] is the solution, within the limits [bits] and [steps] of [effort], or the reason why it was
+    given up. Its engine, width and bound do not matter. *)

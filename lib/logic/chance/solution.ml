@@ -43,9 +43,9 @@ let nodes (e : Equations.t) (effort : Effort.t) ~possible ~rewards ~asked =
         | Error why ->
           { of_node = (fun _ -> possible); row = (fun v -> Equations.first_row e v); how = Given_up why })
     | Either -> (
-        let greatest = Exact_solver.greatest_component e in
-        if greatest > effort.component then nearly (Some (Component greatest))
-        else match Exact_solver.solve e effort with Ok s -> exactly s | Error why -> nearly (Some why))
+        match Exact_solver.solve e { effort with interrupted = effort.half () } with
+        | Ok s -> exactly s
+        | Error why -> nearly (Some why))
 
 (* In a merged component the state that has the chosen choice is gone to, by internal choices. *)
 let spread back (e : Equations.t) (merged : Components.ends) row (choice : int array) =

@@ -178,11 +178,15 @@ let enclosed t effort =
 (* Powers of a long base would be longer than the numbers themselves. *)
 let longest_base = 64
 
+(* Numbers of all layers may be as long as those of the first one. *)
+let longest = 20_000
+
 type 'r user = { use : 'a. 'a Arithmetic.t -> 'r }
 
 let exactly t (effort : Effort.t) { use } =
-  if Z.numbits (base t) <= longest_base then use (Arithmetic.exact ~base:(base t) ~bits:effort.bits)
-  else use (Arithmetic.rational ~bits:effort.bits)
+  let bits = Int.min longest effort.bits in
+  if Z.numbits (base t) <= longest_base then use (Arithmetic.exact ~base:(base t) ~bits)
+  else use (Arithmetic.rational ~bits)
 
 let solve t (effort : Effort.t) =
   let exact () =

@@ -205,12 +205,17 @@ let look t seen layer =
   layer.nodes <- Int_array.contents found;
   layer.entered <- Int_array.buffer ()
 
-let forwards t seen =
+exception Too_many of Rat.t
+
+let forwards t ~most seen =
   List.iter (enter t) t.starts;
   let rec go index done_ =
     match Times.min_binding_opt t.pending with
     | None -> Array.of_list (List.rev done_)
     | Some (time, layer) ->
+      (match done_ with
+       | last :: _ when index >= most -> raise (Too_many last.time)
+       | _ -> ());
       layer.index <- index;
       look t seen layer;
       layer.first <- Int.min layer.first index;
@@ -268,7 +273,7 @@ let sort t marks nodes =
     Bytes.fill marks 0 (Bytes.length marks) '\000'
   end
 
-let make graph side ~earning ~choices window starts =
+let make graph side ~earning ~choices ~most window starts =
   if is_open window then None
   else
     let size = graph.Timed_graph.size in
@@ -295,7 +300,7 @@ let make graph side ~earning ~choices window starts =
       }
     in
     let seen = Int_array.make size (-1) in
-    forwards t seen;
+    forwards t ~most seen;
     match rank t seen with
     | None -> None
     | Some (rank, node_of) ->
@@ -305,12 +310,12 @@ let make graph side ~earning ~choices window starts =
       Array.iter (fun layer -> sort t marks layer.nodes) t.layers;
       Some t
 
-let until (q : question) window starts =
-  make q.graph q.side ~earning:false ~choices:(Decisions.choices q window) window starts
+let until ?(most = max_int) (q : question) window starts =
+  make q.graph q.side ~most ~earning:false ~choices:(Decisions.choices q window) window starts
 
 let means graph side ~choices time starts =
   let window = { low = Algebraic.of_rat time; high = Some (Algebraic.of_rat time) } in
-  make graph side ~earning:true ~choices window starts
+  make graph side ~most:max_int ~earning:true ~choices window starts
 
 (* {1 Places} *)
 

@@ -28,9 +28,13 @@ type layer
 type t
 (** The layers of the places that can be reached from some starts. *)
 
-val until : Decisions.question -> Decisions.window -> Decisions.next list -> t option
-(** [until q w starts] is the layers of all places of the question [q] that can be reached from the starts. It is
-    [None] if the window has no end, or if some of these runs may come back to a node in no time. *)
+exception Too_many of Rat.t
+(** There are more layers than allowed. The first ones, as many as allowed, are of times up to this. *)
+
+val until : ?most:int -> Decisions.question -> Decisions.window -> Decisions.next list -> t option
+(** [until ?most q w starts] is the layers of all places of the question [q] that can be reached from the
+    starts. It is [None] if the window has no end, or if some of these runs may come back to a node in no time.
+    It may raise {!Too_many} where there are more than [most] layers (default: no limit). *)
 
 val means :
   Timed_graph.t -> Timed_formula.side -> choices:(Decisions.place -> Decisions.branch list list) -> Rat.t ->

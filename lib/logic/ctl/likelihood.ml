@@ -15,17 +15,83 @@ type question = Decisions.question = {
 (* {1 Solving} *)
 
 (* Layer by layer where a bound of time allows it, or as one system of equations. *)
-type solution = Layered of Layered.values | Whole of built * Solution.t
+type solution = By_layers of (next -> Answer.t) | Whole of built * Solution.t
 type process = { question : question; seen_from : window; solution : solution }
 
 let solve_whole q effort w starts =
   let built = build ~choices:(choices q w) starts in
   (built, Reach.solve (until built) (direction q.side) effort ~asked:(States built.asked))
 
+let all_time = { Timed_formula.low = Rat.zero; high = None }
+
+(* At most what each node has without a bound of time: each scheduler has no less then. *)
+let without_bound q effort =
+  let q = { q with bound = all_time } in
+  let w = window q in
+  let start s = next q w (place w s Rat.zero) in
+  let built, solution = solve_whole q effort w (List.init q.graph.size start) in
+  fun s -> Option.value (Answer.upper (Solution.value solution (number built (start s)))) ~default:Rat.one
+
+(* Rounded up to a multiple of 2^-128, so that all of them have a short denominator. *)
+let rounded_up (x : Rat.t) = Rat.make (Z.cdiv (Z.shift_left x.num 128) x.den) (Z.shift_left Z.one 128)
+
+(* With layers up to a time alone, where runs that go on later count as much as [later] tells of their node. *)
+let up_to q effort w starts time later =
+  let counted b =
+    match b.next with
+    | Go { node; elapsed = Some e } when Rat.compare e time > 0 ->
+      { b with next = Goal; reward = later node }
+    | Goal -> { b with reward = Rat.one }
+    | Fail | Go _ -> b
+  in
+  let choices p = List.map (List.map counted) (choices q w p) in
+  Layers.means q.graph q.side ~choices time starts
+  |> Option.map (fun layers -> Layered.value (Layered.solve layers effort))
+
+(* Choices before the window would count for those within. *)
+let enclosed q effort w starts time ~most_of =
+  let effort = { effort with Effort.engine = Nearly } in
+  let most s = rounded_up (most_of s) in
+  let at_once = function
+    | Goal -> Answer.Exact Rat.one
+    | Fail -> Exact Rat.zero
+    | Go p -> Within (Rat.zero, most p.node)
+  in
+  if Algebraic.compare_rat w.low Rat.zero > 0 then at_once
+  else
+    match (up_to q effort w starts time (fun _ -> Rat.zero), up_to q effort w starts time most) with
+    | Some low, Some high -> (
+        fun next ->
+          match (Answer.lower (low next), Answer.upper (high next)) with
+          | Some x, Some y when Rat.compare x y < 0 -> Within (x, y)
+          | Some x, _ -> Exact x
+          | None, _ -> at_once next)
+    | None, _ | _, None -> at_once
+
+let few_layers = 20_000
+let many_layers = 16 * few_layers
+let narrow = Rat.make Z.one (Z.shift_left Z.one 100)
+
+let is_narrow = function
+  | Answer.Within (x, y) -> Rat.compare (Rat.sub y x) narrow <= 0
+  | Exact _ | At_least _ | Infinite -> true
+
+(* Where layers are many, the first ones as a rule decide: then what is left to be decided is little. *)
+let rec by_layers q effort w starts ~most_of ~most =
+  match Layers.until ~most q w starts with
+  | Some layers -> Some (Layered.value (Layered.solve layers effort))
+  | None -> None
+  | exception Layers.Too_many time ->
+    let found = enclosed q effort w starts time ~most_of:(Lazy.force most_of) in
+    if most >= many_layers || effort.interrupted () || List.for_all (fun s -> is_narrow (found s)) starts then
+      Some found
+    else by_layers q effort w starts ~most_of ~most:(4 * most)
+
 let solve q effort w starts =
+  let most_of = lazy (without_bound q effort) in
   let solution =
-    match Layers.until q w starts with
-    | Some layers -> Layered (Layered.solve layers effort)
+    match by_layers q effort w starts ~most_of ~most:few_layers with
+    | Some value -> By_layers value
     | None ->
       let built, solution = solve_whole q effort w starts in
       Whole (built, solution)
@@ -34,7 +100,7 @@ let solve q effort w starts =
 
 let value process next =
   match process.solution with
-  | Layered values -> Layered.value values next
+  | By_layers value -> value next
   | Whole (built, solution) -> Solution.value solution (number built next)
 
 let within q effort w starts = value (solve q effort w starts)
@@ -189,7 +255,8 @@ let run_of_whole q effort w position first =
 
 (* Each choice with which a position begins has one branch. *)
 let run_of_layers q effort w position first layers =
-  let process () = { question = q; seen_from = w; solution = Layered (Layered.solve layers effort) } in
+  let solved () = By_layers (Layered.value (Layered.solve layers effort)) in
+  let process () = { question = q; seen_from = w; solution = solved () } in
   match first_choice process first with
   | [ branch ] ->
     let begun = { source = start_of w position; branch } in
@@ -199,6 +266,7 @@ let run_of_layers q effort w position first layers =
 
 let run q effort position =
   let w, first = from q position in
-  match Layers.until q w (nexts first) with
+  match Layers.until ~most:few_layers q w (nexts first) with
+  | exception Layers.Too_many _ -> None
   | Some layers -> run_of_layers q effort w position first layers
   | None -> run_of_whole q effort w position first

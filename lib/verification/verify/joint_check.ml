@@ -298,7 +298,9 @@ let check (options : Setup.t) semantics ~initial (checks : Property.check list) 
   let graph = result.graph in
   let r = unsettled options context graph ~horizon in
   let temporal =
-    match temporals with [] -> None | _ :: _ -> Some (Temporal.on asked_formulas ~rests graph)
+    match temporals with
+    | [] -> None
+    | _ :: _ -> Some (Temporal.on ~surroundings:options.surroundings asked_formulas ~rests graph)
   in
   let met = Unsettled.met r in
   let besides = besides r met in

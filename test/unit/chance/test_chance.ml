@@ -216,6 +216,19 @@ let ruin () =
   check 60 (rat 18 37) 20;
   check 200 (rat 99 100) 1
 
+(* One component of thousands of states, exactly. *)
+let long_walk () =
+  let n = 5_000 and k = 1_700 in
+  let m = Backwards.make (walk n Rat.half) in
+  let until goal = Qualitative.until m ~stay:(fun _ -> true) ~goal in
+  let same name expected solution =
+    Alcotest.(check string) name (Rat.to_string expected) (Answer.to_string (Solution.value solution k))
+  in
+  let asked = Solution.States [ k ] in
+  same "ruin" (ruin_probability n Rat.half k) (Reach.solve (until (Int.equal 0)) Max Effort.default ~asked);
+  same "duration" (expected_duration n Rat.half k)
+    (Reward.solve (until (fun s -> s = 0 || s = n)) Min Effort.default ~asked)
+
 (* Intervals do not end too early where values creep: the plain test of convergence would, at 1/2 of the way. *)
 let slow () =
   let n = 400 in
@@ -272,6 +285,6 @@ let () =
           law "sums of rewards in intervals" gen print rewards_nearly;
           law "what a bound decides" with_bound (fun (c, k) -> Printf.sprintf "%s\nbound %d/12" (print c) k)
             decided; ] );
-      ("closed forms", [ case "ruin" ruin; case "slow convergence" slow ]);
+      ("closed forms", [ case "ruin" ruin; case "a long walk" long_walk; case "slow convergence" slow ]);
       ("limits", [ case "what is no process" refused; case "interrupted" interrupted ]);
     ]

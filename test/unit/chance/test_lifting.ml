@@ -1,4 +1,4 @@
-(* Systems solved by lifting, against elimination in rationals; and what is refused. *)
+(* Systems solved by lifting: whether the rows hold; and what is given up. *)
 
 open Scc_exact
 open Scc_chance
@@ -35,80 +35,106 @@ let matrix_row m i =
   let diagonal = List.fold_left (fun d (_, p) -> Rat.sub d p) Rat.one own in
   (i, diagonal) :: List.map (fun (j, p) -> (j, Rat.neg p)) others
 
-let lifted ?(bits = 20_000) ?(interrupted = never) m =
-  let constant = Array.get m.constants in
-  Lifting.solve ~size:(Array.length m.rows) ~row:(matrix_row m) ~constant ~bits ~interrupted
+let lift ?(bits = 20_000) ?(steps = 1 lsl 30) ?(interrupted = never) ~size row constant =
+  Lifting.solve ~size ~row ~constant ~bits ~steps ~interrupted
+
+let lifted ?bits ?steps ?interrupted m =
+  lift ?bits ?steps ?interrupted ~size:(Array.length m.rows) (matrix_row m) (Array.get m.constants)
+
+let holds ~size row constant ({ numerators; denominator; _ } : Lifting.solution) =
+  let x = Array.map (fun n -> Rat.make n denominator) numerators in
+  let row_holds i =
+    let sum = List.fold_left (fun sum (j, a) -> Rat.add sum (Rat.mul a x.(j))) Rat.zero (row i) in
+    Rat.equal sum (constant i)
+  in
+  Array.for_all Fun.id (Array.init size row_holds)
 
 let solves m =
   match lifted m with
   | Error _ -> QCheck2.Test.fail_report "nothing is found"
-  | Ok x ->
-    let holds i =
-      let sum = List.fold_left (fun sum (j, a) -> Rat.add sum (Rat.mul a x.(j))) Rat.zero (matrix_row m i) in
-      Rat.equal sum m.constants.(i)
-    in
-    Array.for_all Fun.id (Array.init (Array.length x) holds)
+  | Ok x -> holds ~size:(Array.length m.rows) (matrix_row m) (Array.get m.constants) x
 
-let as_elimination m =
-  let size = Array.length m.rows and constant = Array.get m.constants in
-  match (lifted m, Elimination.solve ~size ~row:(chances m) ~constant ~bits:20_000 ~interrupted:never) with
-  | Ok x, Ok y -> Array.for_all Fun.id (Array.map2 Rat.equal x y)
-  | (Ok _ | Error _), _ -> false
+(* Entries and constants of some hundred bits, where all others are short; also 0 modulo the first prime. *)
+let solves_long (m, bits) =
+  let size = Array.length m.rows in
+  let prime = Z.of_int (Factors.prime_below (1 lsl 28)) in
+  let long = Rat.make (Z.pow prime 5) (Z.add Z.one (Z.shift_left Z.one bits)) in
+  let row i =
+    if i mod 3 > 0 then matrix_row m i
+    else
+      let longer (j, a) = (j, if j = i then Rat.add (Rat.of_int 2) (Rat.mul long (Rat.add a (rat 2 7))) else a) in
+      List.map longer (matrix_row m i)
+  in
+  let constant i = if i mod 2 = 0 then Rat.mul long m.constants.(i) else m.constants.(i) in
+  match lift ~size row constant with
+  | Error _ -> QCheck2.Test.fail_report "nothing is found"
+  | Ok x -> holds ~size row constant x
 
 (* Each unknown asks for many others: elimination leaves them to lifting. *)
 let dense n =
-  let row i = List.filter (fun (j, _) -> j <> i) (List.init n (fun j -> (j, 1 + (((i * i * j) + i) mod 7)))) in
+  let weight i j = 1 + (((i * i * j) + (j * j * j) + i) mod 11) in
+  let row i = List.filter (fun (j, _) -> j <> i) (List.init n (fun j -> (j, weight i j))) in
   {
-    rows = Array.init n row; leaves = Array.make n 2;
+    rows = Array.init n row; leaves = Array.init n (fun i -> 2 + (i mod 5));
     constants = Array.init n (fun i -> rat (i mod 3) 2);
   }
 
+let why_not = function
+  | Ok (_ : Lifting.solution) -> "found"
+  | Error Lifting.Interrupted -> "interrupted"
+  | Error Too_long -> "too long"
+  | Error Too_much -> "too much"
+
 let too_long () =
-  let why =
-    match lifted ~bits:40 (dense 30) with
-    | Ok _ -> "found"
-    | Error Too_long -> "too long"
-    | Error _ -> "other"
-  in
-  Alcotest.(check string) "limit of bits" "too long" why
+  Alcotest.(check string) "limit of bits" "too long" (why_not (lifted ~bits:40 (dense 60)))
 
 let stops () =
-  let why =
-    match lifted ~interrupted:(fun () -> true) (dense 30) with
-    | Error Interrupted -> "interrupted"
-    | Ok _ | Error _ -> "went on"
-  in
-  Alcotest.(check string) "interrupted" "interrupted" why
+  Alcotest.(check string) "interrupted" "interrupted" (why_not (lifted ~interrupted:(fun () -> true) (dense 30)));
+  Alcotest.(check string) "a limit of steps" "too much" (why_not (lifted ~steps:1_000 (dense 30)));
+  Alcotest.(check string) "in the digits" "too much" (why_not (lifted ~steps:60_000 (dense 30)))
 
-let one_row row constant =
-  Lifting.solve ~size:1 ~row:(fun _ -> row) ~constant:(fun _ -> constant) ~bits:1000 ~interrupted:never
+(* A diagonal entry that the first prime divides: the next one serves. *)
+let unlucky () =
+  let p = Factors.prime_below (1 lsl 28) in
+  let row i = [ (0, Rat.of_int (if i = 0 then p else 1)); (1, Rat.of_int (2 + i)) ] in
+  match lift ~size:2 row (fun _ -> Rat.one) with
+  | Ok x -> Alcotest.(check bool) "solved" true (holds ~size:2 row (fun _ -> Rat.one) x)
+  | Error _ as e -> Alcotest.fail (why_not e)
 
-let unfit () =
-  let is_unfit = function Error Lifting.Unfit -> true | Ok _ | Error _ -> false in
-  let long = Rat.make Z.one (Z.shift_left Z.one 40) in
-  Alcotest.(check bool) "long entries" true (is_unfit (one_row [ (0, Rat.add Rat.one long) ] Rat.one));
-  Alcotest.(check bool) "no inverse" true (is_unfit (one_row [] Rat.one))
-
-let elimination_of_many () =
-  let m = dense 90 in
-  match
-    Elimination.solve ~size:90 ~row:(chances m) ~constant:(Array.get m.constants) ~bits:20_000 ~interrupted:never
-  with
-  | Error _ -> Alcotest.fail "nothing is found"
-  | Ok x ->
-    let equal = Array.map2 Rat.equal x (Result.get_ok (lifted m)) in
-    Alcotest.(check bool) "as lifted" true (Array.for_all Fun.id equal)
+(* The order has each unknown once, and the fill of a tree is none: a star of long arms, numbered anyhow. *)
+let orders () =
+  let n = 4_000 in
+  let number i = i * 1_201 mod n in
+  let neighbours = Array.make n [||] in
+  for i = 0 to n - 1 do
+    let near = if i = 0 then List.init 8 (fun a -> a + 1) else [ (if i <= 8 then 0 else i - 8) ] in
+    let far = if i > 0 && i + 8 < n then [ i + 8 ] else [] in
+    neighbours.(number i) <- Array.of_list (List.sort Int.compare (List.map number (near @ far)))
+  done;
+  match Fill_order.compute ~neighbours ~most:(1 lsl 22) ~interrupted:never with
+  | None -> Alcotest.fail "too many steps"
+  | Some { order; _ } ->
+    Alcotest.(check (list int)) "each once" (List.init n Fun.id) (List.sort Int.compare (Array.to_list order));
+    let place = Array.make n 0 in
+    Array.iteri (fun k i -> place.(i) <- k) order;
+    let later i = Array.fold_left (fun c j -> if place.(j) > place.(i) then c + 1 else c) 0 neighbours.(i) in
+    for i = 0 to n - 1 do
+      Alcotest.(check bool) "one after it" true (later i <= 1)
+    done
 
 let () =
   let case name f = Alcotest.test_case name `Quick f in
-  let law name f = QCheck2.Test.make ~name ~count:200 matrix f in
+  let law name gen f = QCheck2.Test.make ~name ~count:200 gen f in
   Alcotest.run "lifting"
     [
       ( "random",
-        Scc_test_support.Property.cases [ law "the rows hold" solves; law "as by elimination" as_elimination ] );
+        Scc_test_support.Property.cases [
+          law "the rows hold" matrix solves;
+          law "long numbers" (Gen.pair matrix (Gen.int_range 30 300)) solves_long;
+        ] );
       ( "by hand",
         [
-          case "long numbers" too_long; case "interrupted" stops; case "what does not fit" unfit;
-          case "many unknowns" elimination_of_many;
+          case "long numbers" too_long; case "interrupted" stops; case "an unlucky prime" unlucky;
+          case "an order" orders;
         ] );
     ]
