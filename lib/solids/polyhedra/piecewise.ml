@@ -6,8 +6,8 @@ type value = { least : Rat.t; most : Rat.t }
    integers without a common factor, the first of which is positive. *)
 type atom = { normal : int; form : Z.t array; bound : Rat.t; strict : bool }
 
-(* Along each path atoms are in the order of {!compare_atoms}. Where an atom holds, all later ones of its normal do:
-   none of them follows. *)
+(* Along each path atoms are in the order of {!compare_atoms}. Where an atom holds, all later ones of its normal
+   do: none of them follows. *)
 type t = { id : int; node : node }
 and node = Leaf of value option | Test of atom * t * t
 

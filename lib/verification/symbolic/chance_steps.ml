@@ -82,8 +82,8 @@ let lots c ~events (z : Zone.t) region =
   let due = match Lots.due (model c) s.state with Some due -> due | None -> Scc_base.Bug.fail __POS__ "no lots" in
   let of_outcome (o : Transition.outcome) =
     let step = z.skeleton.step in
-    let targets = List.map (fun (h : Happening.t) -> h.target) (Happening.of_outcome c ~events z region s.state ~step o) in
-    (o.label, List.concat_map (settled c) targets)
+    let happenings = Happening.of_outcome c ~events z region s.state ~step o in
+    (o.label, List.concat_map (fun (h : Happening.t) -> settled c h.target) happenings)
   in
   let outcomes = List.map of_outcome (sure s (Splits.lots s.semantics due)) in
   if List.for_all (fun (label, _) -> Transition.is_drawn label) outcomes then

@@ -1,4 +1,5 @@
-(** What chance decides of the states of a zone (rules Draw and Lot), and the laws of motion on zones (rule Steer). *)
+(** What chance decides of the states of a zone (rules Draw and Lot), and the laws of motion on zones (rule
+    Steer). *)
 
 open Scc_polyhedra
 open Scc_semantics
@@ -9,8 +10,8 @@ exception Bad of { fault : Transition.fault; at : Scc_exact.Rat.t array }
 (** The transitions of some states have no value (rules Steer, Lot): for these values of the parameters. *)
 
 val settled : Instant.context -> Zone.t -> Zone.t list
-(** [settled c z] is [z] after what laws of motion do at the end of a transition ({!Steer.settle}): disjoint zones over
-    the same variables. *)
+(** [settled c z] is [z] after what laws of motion do at the end of a transition ({!Steer.settle}): disjoint
+    zones over the same variables. *)
 
 (** What comes next by chance, or while something is left to it. *)
 type t =

@@ -29,7 +29,8 @@ let refused (m : Model.t) use =
     | Zones, Some reason -> because reason "give every parameter a value"
     | Zones, None -> []
     | (Graph | Invariants), _ when m.steered -> because "a law of motion steers its bodies" fixed
-    | (Graph | Invariants), _ when m.lots -> because "splits of it are left to chance" "give every parameter a value"
+    | (Graph | Invariants), _ when m.lots ->
+      because "splits of it are left to chance" "give every parameter a value"
     | (Graph | Invariants), _ -> []
 
 type fault = { at : (string * Rat.t) list; reason : Start.reason }
@@ -314,6 +315,7 @@ let run options semantics u ~declared ~exactly ~premises checks =
       interleaved serves (List.map fst found) of_checks checks
       @ interleaved is_drawn (List.map untold of_drawn) of_premises premises
     in
-    let where = interleaved serves (List.map (fun (_, (r : Zone_chance.result)) -> r.where) found) report.where checks in
+    let found_where = List.map (fun (_, (r : Zone_chance.result)) -> r.where) found in
+    let where = interleaved serves found_where report.where checks in
     let all = List.map (fun (_, (r : Zone_chance.result)) -> r.stats) found in
     Ok { report with outcomes; where; stats = List.fold_left Stats.add report.stats all }
