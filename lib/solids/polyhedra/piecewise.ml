@@ -233,18 +233,3 @@ let pieces p f =
       List.fold_left (on no) (on yes found c) (Constraint.negation c)
   in
   if Polyhedron.is_empty p then [] else List.rev (go [] p f)
-
-let size f =
-  let seen = Hashtbl.create 64 in
-  let rec go t =
-    if not (Hashtbl.mem seen t.id) then begin
-      Hashtbl.add seen t.id ();
-      match t.node with
-      | Leaf _ -> ()
-      | Test (_, yes, no) ->
-        go yes;
-        go no
-    end
-  in
-  go f;
-  Hashtbl.length seen

@@ -25,6 +25,10 @@ let make context (question : question) =
   { context; events; question; goal; claim; reasons = [] }
 
 let events t = t.events
+let see_speed t =
+  let sees p = List.exists (Atom.depends_on Speed) (Formula.atoms (Property.State p)) in
+  sees t.question.claim || sees t.question.goal
+
 let reasons t = List.sort String.compare t.reasons
 
 (* {1 Predicates} *)

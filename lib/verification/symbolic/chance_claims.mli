@@ -16,6 +16,9 @@ val make : Instant.context -> question -> t
 val events : t -> Property.event array
 (** The events that they speak of. *)
 
+val see_speed : t -> bool
+(** [see_speed t] is true if a predicate depends on velocities. *)
+
 val reasons : t -> string list
 (** The reasons why a predicate was undecided so far, sorted. *)
 

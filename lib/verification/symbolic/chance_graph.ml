@@ -37,6 +37,7 @@ type t = {
   context : Instant.context;
   events : Property.event array;
   claims : Chance_claims.t;
+  sees_speed : bool;  (** a predicate depends on velocities *)
   mutable root : tree;
   mutable layers : layer list;  (** the last first *)
   mutable size : int;
@@ -47,7 +48,8 @@ type t = {
 
 let new_layer () = { index = Keys.create 64; nodes = [] }
 
-let later next (zone : Zone.t) =
+let later t next (zone : Zone.t) =
+  let zone = if t.sees_speed then zone else Chance_steps.without_old_velocities t.context zone in
   let key = Key.make zone in
   let node =
     match Keys.find_opt next.index key with
@@ -76,7 +78,7 @@ let free t = function
 (* The zones of one transition, to the next layer. *)
 let go t next (zones : Zone.t list) =
   t.transitions <- t.transitions + 1;
-  let one (z : Zone.t) = (z.Zone.set, later next z) in
+  let one (z : Zone.t) = (z.Zone.set, later t next z) in
   cells (List.map one (List.concat_map (Chance_steps.settled t.context) zones))
 
 (* Each target of an event is one way, for the states of its set. *)
@@ -185,13 +187,14 @@ let explore context question limits zones =
   let t =
     {
       context; claims;
+      sees_speed = Chance_claims.see_speed claims;
       events = Chance_claims.events claims;
       root = Lost; layers = []; size = 0; transitions = 0; chain = true;
       met = { too_late = false; too_deep = false; too_many = false; stopped = false };
     }
   in
   let first = new_layer () in
-  let start (z : Zone.t) = (z.set, later first z) in
+  let start (z : Zone.t) = (z.set, later t first z) in
   t.root <- cells (List.map start (List.concat_map (Chance_steps.settled context) zones));
   explore_from t limits ~depth:0 first;
   t

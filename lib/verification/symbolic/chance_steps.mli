@@ -22,5 +22,10 @@ type t =
 val pending : Zone.t -> bool
 (** [pending z] is true if a draw or a lot is pending, so that nothing else may happen. *)
 
+val without_old_velocities : Instant.context -> Zone.t -> Zone.t
+(** The zone with the velocity 0 for each process whose next velocity is drawn, or to be drawn, and does not
+    depend on the present one. No time passes before that, so that only predicates of velocities tell the two
+    zones apart. *)
+
 val all : Instant.context -> events:Property.event array -> Zone.t -> (Polyhedron.t * t) list
 (** [all c ~events z], for a zone where something is {!pending}: regions that divide it, with what comes next. *)

@@ -10,8 +10,10 @@ open Scc_symbolic
 open Scc_regions
 open Scc_verify
 
+let serves_all (m : Model.t) = Model.decides_by_chance m || m.steered
+
 let serves m (check : Property.check) =
-  Model.decides_by_chance m || m.steered
+  serves_all m
   || Formula.asks_probability check.formula
   || match check.asked with Whether -> false | How_likely _ | Expected _ -> true
 
@@ -216,6 +218,7 @@ let stats w ~faults : Stats.t =
   let stopped_by, reasons = reasons w in
   {
     Stats.none with
+    decided_early = false;
     states = sum Chance_graph.size;
     transitions = sum Chance_graph.transitions;
     depth = List.fold_left (fun d g -> Int.max d (Chance_graph.depth g)) 0 w.explored;
@@ -283,7 +286,9 @@ let check (options : Setup.t) semantics context u ~declared (check : Property.ch
   let space = Piecewise.space (Ranges.box m.ranges) in
   let w = { options; context; zones; ranges = m.ranges; space; explored = []; stop = None } in
   let without reason faults =
-    Ok { verdict = Undecided [ reason ]; where = unknown m.ranges; stats = stats w ~faults }
+    let stopped_by = match reason with Verdict.Truncated t -> [ t ] | _ -> [] in
+    let stats = { (stats w ~faults) with complete = false; stopped_by } in
+    Ok { verdict = Undecided [ reason ]; where = unknown m.ranges; stats }
   in
   let faulty fault at =
     let d = diagnostic m fault at in
@@ -294,6 +299,6 @@ let check (options : Setup.t) semantics context u ~declared (check : Property.ch
   | Error stop -> without (Truncated (Bounds.stopped options.bounds stop)) []
   | exception Ill_formed fault -> Error fault
   | exception Not_asked reason -> without (Undefined reason) []
-  | exception Instant.Not_affine reason -> without (Fault (reason ^ " is not known well enough")) []
+  | exception Instant.Not_affine reason -> without (Fault reason) []
   | exception Law_cells.Bad_law { leaf; fault; at } -> faulty (Bad_law { leaf; fault }) at
   | exception Chance_steps.Bad { fault; at } -> faulty fault at
