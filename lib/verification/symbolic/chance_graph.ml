@@ -48,16 +48,20 @@ type t = {
 
 let new_layer () = { index = Keys.create 64; nodes = [] }
 
-let later t next (zone : Zone.t) =
+(* Where targets go: those at the end of a movement step wait until all zones of the step are expanded. So zones that
+   runs reach by different numbers of collisions become one at its end. *)
+type next = { within : layer; after_step : layer }
+
+let later t layer (zone : Zone.t) =
   let zone = if t.sees_speed then zone else Chance_steps.without_old_velocities t.context zone in
   let key = Key.make zone in
   let node =
-    match Keys.find_opt next.index key with
+    match Keys.find_opt layer.index key with
     | Some node -> node
     | None ->
       let node = { zone; sets = []; trees = []; values = [] } in
-      Keys.add next.index key node;
-      next.nodes <- node :: next.nodes;
+      Keys.add layer.index key node;
+      layer.nodes <- node :: layer.nodes;
       node
   in
   if not (List.exists (Polyhedron.included zone.set) node.sets) then
@@ -76,20 +80,26 @@ let free t = function
     Free options
 
 (* The zones of one transition, to the next layer. *)
-let go t next (zones : Zone.t list) =
+let go t layer (zones : Zone.t list) =
   t.transitions <- t.transitions + 1;
-  let one (z : Zone.t) = (z.Zone.set, later t next z) in
+  let one (z : Zone.t) = (z.Zone.set, later t layer z) in
   cells (List.map one (List.concat_map (Chance_steps.settled t.context) zones))
 
 (* Each target of an event is one way, for the states of its set. *)
-let events_of t next all = List.map (fun (h : Happening.t) -> (h.target.Zone.set, go t next [ h.target ])) all
+let events_of t next all = List.map (fun (h : Happening.t) -> (h.target.Zone.set, go t next.within [ h.target ])) all
+
+let is_step_end : Passing.due -> bool = function
+  | Step_end -> true
+  | Contact _ | Expiry _ | Split_instant _ | Lots -> false
 
 let pass t next z (cell : Passing.due First.cell) =
   let on (region, met) =
     match (met, cell.time) with
     | Some tree, _ -> (region, tree)
     | None, None -> (region, Lost)
-    | None, Some _ -> (region, go t next (Passing.until t.context z { cell with region }))
+    | None, Some _ ->
+      let layer = if List.exists is_step_end cell.due then next.after_step else next.within in
+      (region, go t layer (Passing.until t.context z { cell with region }))
   in
   cells (List.map on (Chance_claims.along t.claims z cell))
 
@@ -128,8 +138,8 @@ let by_itself t next (z : Zone.t) =
 let by_chance t next (z : Zone.t) =
   let of_region (region, (steps : Chance_steps.t)) =
     match steps with
-    | Drawn ways -> (region, Drawn (List.map (fun (chance, zones) -> (chance, go t next zones)) ways))
-    | Chosen ways -> (region, free t (List.map (fun zones -> (region, go t next zones)) ways))
+    | Drawn ways -> (region, Drawn (List.map (fun (chance, zones) -> (chance, go t next.within zones)) ways))
+    | Chosen ways -> (region, free t (List.map (fun zones -> (region, go t next.within zones)) ways))
   in
   cells (List.map of_region (Chance_steps.all t.context ~events:t.events z))
 
@@ -168,19 +178,20 @@ let expand t limits next ~depth (z : Zone.t) =
   in
   cells (List.concat_map on (Chance_claims.judged t.claims z))
 
-let rec explore_from t limits ~depth layer =
-  match List.rev layer.nodes with
-  | [] -> ()
-  | nodes ->
+let rec explore_from t limits ~depth ~after_step layer =
+  match (List.rev layer.nodes, after_step.nodes) with
+  | [], [] -> ()
+  | [], _ :: _ -> explore_from t limits ~depth ~after_step:(new_layer ()) after_step
+  | nodes, _ ->
     t.layers <- layer :: t.layers;
-    let next = new_layer () in
+    let next = { within = new_layer (); after_step } in
     let of_node node =
       let of_set set = (set, expand t limits next ~depth { node.zone with Zone.set }) in
-      limits.progress ~zones:t.size ~waiting:(List.length next.nodes) ~depth;
+      limits.progress ~zones:t.size ~waiting:(List.length next.within.nodes) ~depth;
       node.trees <- List.map of_set node.sets
     in
     List.iter of_node nodes;
-    explore_from t limits ~depth:(depth + 1) next
+    explore_from t limits ~depth:(depth + 1) ~after_step next.within
 
 let explore context question limits zones =
   let claims = Chance_claims.make context question in
@@ -196,7 +207,7 @@ let explore context question limits zones =
   let first = new_layer () in
   let start (z : Zone.t) = (z.set, later t first z) in
   t.root <- cells (List.map start (List.concat_map (Chance_steps.settled context) zones));
-  explore_from t limits ~depth:0 first;
+  explore_from t limits ~depth:0 ~after_step:(new_layer ()) first;
   t
 
 let root t = t.root

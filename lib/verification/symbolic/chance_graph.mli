@@ -1,7 +1,7 @@
 (** The zones that a network reaches by its free choices and by chance (rules Zones and Probability), for one
     operator "f until g" of state predicates, with a bound of time or without.
 
-    Zones are explored in layers, by the number of transitions that lead to them. Sets of states that are known
+    Zones are explored in layers, by the number of transitions that lead to them; what follows the end of a movement step comes after all other zones of that step. Sets of states that are known
     by the same forms over the parameters are one node of their layer. No zone is dropped because another one
     includes it, unless the forms are equal: then what follows is the same for each value of the parameters. *)
 
@@ -9,7 +9,7 @@ open Scc_state_sets
 
 type limits = {
   horizon : Scc_exact.Rat.t option;  (** of time, if it is a coordinate: later zones are not expanded *)
-  depth : int;  (** the greatest number of transitions that lead to a zone that is expanded *)
+  depth : int;  (** the greatest number of layers before that of a zone that is expanded *)
   zones : int;  (** the greatest number of zones that are expanded *)
   stop : unit -> bool;  (** called before each zone; true stops the exploration *)
   progress : zones:int -> waiting:int -> depth:int -> unit;
@@ -37,7 +37,7 @@ val transitions : t -> int
 (** The number of transitions found, of all zones. *)
 
 val depth : t -> int
-(** The greatest number of transitions that lead to a zone. *)
+(** The number of layers: no run to a zone has more transitions. *)
 
 val is_chain : t -> bool
 (** [is_chain t] is true if nothing is left to a free choice. *)
@@ -46,4 +46,4 @@ val root : t -> Chance_tree.tree
 (** What follows all starts. *)
 
 val layers : t -> Chance_tree.node list list
-(** The nodes by layers, the last layer first. Each leads to nodes of the layer before it in the list alone. *)
+(** The nodes by layers, the last layer first. Each leads to nodes of layers before its own in this list alone. *)
