@@ -271,8 +271,8 @@ let property_members =
       ~about:"It rests on an invariant (rule Invariants).";
     maybe "starts" (list ~least:1 ~most:2 by_start) starts
       ~about:
-        "Of a probability that is asked for all starts: how it depends on them. The scheduler sees the start. Then \
-         low and high of `values` bound it for all of them.";
+        "Of a probability that is asked for all starts: how it depends on them. The scheduler sees the start. \
+         Then low and high of `values` bound it for all of them.";
     maybe "where" Where_json.format (fun j ->
         match j.outcome.verdict with Measured _ -> None | Holds _ | Violated _ | Undecided _ -> j.holds_where)
       ~about:"With --where: for which values of the parameters it holds.";

@@ -125,8 +125,8 @@ let part =
       within (fun (ranges, (p : Chances.part)) -> (ranges, p.set, Where.measure p.set)) set_fields;
     ]
   |> named "part"
-    "A probability, where low and high are one, or proved bounds of it; and the values of the parameters for which \
-     it is so, as disjoint polyhedra with their volume."
+    "A probability, where low and high are one, or proved bounds of it; and the values of the parameters for \
+     which it is so, as disjoint polyhedra with their volume."
 
 type chances = { chances : Chances.t; with_parts : bool }
 

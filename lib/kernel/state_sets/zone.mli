@@ -43,8 +43,8 @@ val dimension : t -> int
 (** The number of variables. *)
 
 val coordinates : t -> Linear.t array
-(** The coordinates in order: parameters, those of time, step and grid that there are, ages, clocks, then x, y and z
-    of each place. *)
+(** The coordinates in order: parameters, those of time, step and grid that there are, ages, clocks, then x, y
+    and z of each place. *)
 
 val place : t -> int -> Model.part -> Place.t
 (** [place z leaf part] is the place of the reference point of a part of the leaf. *)

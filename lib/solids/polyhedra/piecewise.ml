@@ -6,8 +6,8 @@ type value = { least : Rat.t; most : Rat.t }
    integers without a common factor, the first of which is positive. *)
 type atom = { normal : int; form : Z.t array; bound : Rat.t; strict : bool }
 
-(* Along each path atoms are in the order of {!compare_atoms}. Where an atom holds, all later ones of its normal do:
-   none of them follows. *)
+(* Along each path atoms are in the order of {!compare_atoms}. Where an atom holds, all later ones of its normal
+   do: none of them follows. *)
 type t = { id : int; node : node }
 and node = Leaf of value option | Test of atom * t * t
 
@@ -233,18 +233,3 @@ let pieces p f =
       List.fold_left (on no) (on yes found c) (Constraint.negation c)
   in
   if Polyhedron.is_empty p then [] else List.rev (go [] p f)
-
-let size f =
-  let seen = Hashtbl.create 64 in
-  let rec go t =
-    if not (Hashtbl.mem seen t.id) then begin
-      Hashtbl.add seen t.id ();
-      match t.node with
-      | Leaf _ -> ()
-      | Test (_, yes, no) ->
-        go yes;
-        go no
-    end
-  in
-  go f;
-  Hashtbl.length seen

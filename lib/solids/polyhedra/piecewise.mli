@@ -50,6 +50,3 @@ val ends : space -> t -> t -> t
 val pieces : Polyhedron.t -> t -> (Polyhedron.t * value option) list
 (** [pieces p f] is the function on [p]: disjoint polyhedra, none empty, whose union is [p], with the value there.
     There may be several with one value. *)
-
-val size : t -> int
-(** The number of nodes of the diagram, each counted once. *)

@@ -66,6 +66,23 @@ type t = Drawn of (Rat.t * Zone.t list) list | Chosen of Zone.t list list
 
 let pending (z : Zone.t) = Array.exists waits z.skeleton.processes || Lots.pending z.skeleton
 
+(* A law that gives a velocity of its own, whatever the velocity was. *)
+let ignores_velocity (m : Model.t) (l : State.leaf) =
+  match m.leaves.(l.leaf).law with
+  | Inertial -> false
+  | (Velocity _ | Choose _) as law ->
+    not (Law.mentions (function Vx | Vy | Vz -> true | X | Y | Z | Mass | Time | Dt -> false) law)
+
+let without_old_velocities c (z : Zone.t) =
+  let is_old (p : State.process) =
+    match p.draw with
+    | None -> false
+    | Some (Drawn _) -> true
+    | Some Waits -> Array.for_all (ignores_velocity (model c)) p.leaves
+  in
+  let still _ p = if is_old p then State.with_velocity Vec.zero p else p in
+  if is_drawing z.skeleton then { z with skeleton = State.mapi still z.skeleton } else z
+
 let draws c (z : Zone.t) region =
   let s = sample c z region in
   match Steer.next_to_draw s.semantics s.state with
@@ -82,8 +99,8 @@ let lots c ~events (z : Zone.t) region =
   let due = match Lots.due (model c) s.state with Some due -> due | None -> Scc_base.Bug.fail __POS__ "no lots" in
   let of_outcome (o : Transition.outcome) =
     let step = z.skeleton.step in
-    let targets = List.map (fun (h : Happening.t) -> h.target) (Happening.of_outcome c ~events z region s.state ~step o) in
-    (o.label, List.concat_map (settled c) targets)
+    let happenings = Happening.of_outcome c ~events z region s.state ~step o in
+    (o.label, List.concat_map (fun (h : Happening.t) -> settled c h.target) happenings)
   in
   let outcomes = List.map of_outcome (sure s (Splits.lots s.semantics due)) in
   if List.for_all (fun (label, _) -> Transition.is_drawn label) outcomes then

@@ -1,4 +1,5 @@
-(** What chance decides of the states of a zone (rules Draw and Lot), and the laws of motion on zones (rule Steer). *)
+(** What chance decides of the states of a zone (rules Draw and Lot), and the laws of motion on zones (rule
+    Steer). *)
 
 open Scc_polyhedra
 open Scc_semantics
@@ -9,8 +10,8 @@ exception Bad of { fault : Transition.fault; at : Scc_exact.Rat.t array }
 (** The transitions of some states have no value (rules Steer, Lot): for these values of the parameters. *)
 
 val settled : Instant.context -> Zone.t -> Zone.t list
-(** [settled c z] is [z] after what laws of motion do at the end of a transition ({!Steer.settle}): disjoint zones over
-    the same variables. *)
+(** [settled c z] is [z] after what laws of motion do at the end of a transition ({!Steer.settle}): disjoint
+    zones over the same variables. *)
 
 (** What comes next by chance, or while something is left to it. *)
 type t =
@@ -20,6 +21,11 @@ type t =
 
 val pending : Zone.t -> bool
 (** [pending z] is true if a draw or a lot is pending, so that nothing else may happen. *)
+
+val without_old_velocities : Instant.context -> Zone.t -> Zone.t
+(** The zone with the velocity 0 for each process whose next velocity is drawn, or to be drawn, and does not
+    depend on the present one. No time passes before that, so that only predicates of velocities tell the two
+    zones apart. *)
 
 val all : Instant.context -> events:Property.event array -> Zone.t -> (Polyhedron.t * t) list
 (** [all c ~events z], for a zone where something is {!pending}: regions that divide it, with what comes next. *)

@@ -11,8 +11,8 @@ type t = { label : Transition.label; target : Zone.t  (** over the same variable
 val of_outcome :
   Instant.context -> events:Property.event array -> Zone.t -> Polyhedron.t -> Scc_calculus.State.t ->
   step:Scc_calculus.State.step option -> Transition.outcome -> t list
-(** [of_outcome c ~events z region state ~step o] is an outcome at one state of a region, for the whole region. [step] is
-    the movement step after it. There are several if delays that begin may have the length 0. *)
+(** [of_outcome c ~events z region state ~step o] is an outcome at one state of a region, for the whole region.
+    [step] is the movement step after it. There are several if delays that begin may have the length 0. *)
 
 val all : Instant.context -> events:Property.event array -> Zone.t -> Polyhedron.t -> t Network.discrete
 (** [all c ~events z region] are the events on the region, each kind in the order of [Network.successors]. For a

@@ -19,15 +19,16 @@ let constant region q = Linear.constant (Polyhedron.dimension region) q
 let product env (a : Linear.t) (b : Linear.t) =
   if Linear.is_constant a then Linear.scale a.constant b
   else if Linear.is_constant b then Linear.scale b.constant a
-  else not_affine "a product in the law of `%s`" env.leaf
+  else not_affine "the law of `%s` multiplies numbers that are not known" env.leaf
 
 let quotient env region a (b : Linear.t) =
-  if not (Linear.is_constant b) then not_affine "a quotient in the law of `%s`" env.leaf
+  if not (Linear.is_constant b) then not_affine "the law of `%s` divides by a number that is not known" env.leaf
   else if Rat.sign b.constant = 0 then constant region Rat.zero
   else Linear.scale (Rat.div Rat.one b.constant) a
 
 let rounded env region (a : Linear.t) (b : Linear.t) =
-  if not (Linear.is_constant a && Linear.is_constant b) then not_affine "a rounding in the law of `%s`" env.leaf
+  if not (Linear.is_constant a && Linear.is_constant b) then
+    not_affine "the law of `%s` rounds a number that is not known" env.leaf
   else if Rat.sign b.constant <= 0 then constant region Rat.zero
   else constant region (Rat.round_to a.constant ~quantum:b.constant)
 
@@ -76,11 +77,14 @@ and truth env region (c : Law.cond) : (Polyhedron.t * bool) list =
 
 (* {1 Laws} *)
 
+let depends env what =
+  not_affine "a %s in the law of `%s` depends on the place or the time, and not by conditions alone" what env.leaf
+
 let of_velocity env region (x, y, z) =
   let of_number region e =
     let one (p, f) =
       if Linear.is_constant f then p
-      else not_affine "a velocity in the law of `%s`, which depends on the place or the time" env.leaf
+      else depends env "velocity"
     in
     List.map one (number env region e)
   in
@@ -91,7 +95,7 @@ let of_kick z leaf env region (k : Law.kick) =
     if Linear.is_constant w then if Rat.sign w.constant > 0 then of_velocity env p k.velocity else [ p ]
     else
       match Region.where p [ Constraint.less w (constant p Rat.zero) ] with
-      | [] -> not_affine "a weight in the law of `%s`, which depends on the place or the time" env.leaf
+      | [] -> depends env "weight"
       | negative :: _ ->
         let at = Zone.values z (Option.get (Polyhedron.interior_point negative)) in
         raise (Bad_law { leaf; fault = Negative_weight; at })
@@ -127,7 +131,7 @@ let env (m : Model.t) (z : Zone.t) (p : State.process) (leaf : Model.leaf) i =
   in
   { leaf = leaf.name; value }
 
-let depends law =
+let sees_place law =
   Law.mentions (function X | Y | Z | Time | Dt -> true | Vx | Vy | Vz | Mass -> false) law
 
 let cells (c : Instant.context) z region (p : State.process) =
@@ -135,9 +139,9 @@ let cells (c : Instant.context) z region (p : State.process) =
   let of_leaf regions (l : State.leaf) =
     let leaf = m.leaves.(l.leaf) in
     let is_open (part : Model.part) = Option.is_some part.open_offset in
-    if not (depends leaf.law) then regions
+    if not (sees_place leaf.law) then regions
     else if Law.mentions_position leaf.law && Array.exists is_open leaf.parts then
-      not_affine "the law of `%s`, whose parts are at places that are not known" leaf.name
+      not_affine "the law of `%s` depends on its place, and its parts are at places that are not known" leaf.name
     else List.concat_map (fun q -> of_law z l.leaf (env m z p leaf l.leaf) q leaf.law) regions
   in
   Array.fold_left of_leaf [ region ] p.leaves

@@ -12,7 +12,10 @@ let resources (t : Verdict.truncation) =
   | Time _ | Instant _ | Bits _ | Omission _ -> false
 
 let waits (node : Zone_graph.node) =
-  let is_tick : Passing.due -> bool = function Split_instant _ -> true | Contact _ | Expiry _ | Step_end | Lots -> false in
+  let is_tick : Passing.due -> bool = function
+    | Split_instant _ -> true
+    | Contact _ | Expiry _ | Step_end | Lots -> false
+  in
   List.exists (fun (c : Passing.due First.cell) -> c.due <> [] && List.for_all is_tick c.due) node.cells
 
 let find (m : Model.t) (e : Zone_explored.t) =

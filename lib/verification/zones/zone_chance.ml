@@ -10,8 +10,10 @@ open Scc_symbolic
 open Scc_regions
 open Scc_verify
 
+let serves_all (m : Model.t) = Model.decides_by_chance m || m.steered
+
 let serves m (check : Property.check) =
-  Model.decides_by_chance m || m.steered
+  serves_all m
   || Formula.asks_probability check.formula
   || match check.asked with Whether -> false | How_likely _ | Expected _ -> true
 
@@ -34,7 +36,7 @@ type question =
 
 and operator = {
   quantifier : Property.path_quantifier;
-  until : Chance_graph.question;
+  until : Chance_claims.question;
   negated : bool;  (** it is asked how likely the until is not *)
 }
 
@@ -45,7 +47,7 @@ let state f =
   | Some p -> p
   | None -> raise (Not_asked "over starts, operators of time do not stand within others")
 
-let until bound claim goal : Chance_graph.question = { claim; goal; bound }
+let until bound claim goal : Chance_claims.question = { claim; goal; bound }
 
 let rec question (f : Property.temporal) =
   match f with
@@ -61,7 +63,6 @@ let rec question (f : Property.temporal) =
     Operator { quantifier; until = until bound (Bool true) (Formula.negate (state f)); negated = true }
   | Next _ -> raise (Not_asked "over starts, X has no probability")
 
-(* A comparison of the predicate [quiescent] needs what comes next. *)
 let rec predicates = function
   | Now p -> [ p ]
   | Not q -> predicates q
@@ -104,7 +105,7 @@ let limits w : Chance_graph.limits =
   let zones = Option.value (Bounds.value bounds.states) ~default:default_zones in
   { horizon = Bounds.value bounds.time; depth; zones; stop; progress }
 
-let explore w (until : Chance_graph.question) =
+let explore w (until : Chance_claims.question) =
   let m = Semantics.model w.context.semantics in
   let timed = Rat.sign until.bound.low > 0 || Option.is_some until.bound.high in
   let bounded = Option.is_some (Bounds.value w.options.bounds.time) in
@@ -126,8 +127,9 @@ let flipped : [ `Least | `Greatest ] -> [ `Least | `Greatest ] = function `Least
 (* The values of an operator, of which it is asked how it is at least or at most. *)
 let pieces w graph { negated; _ } ~chance side =
   let choice = if negated then flipped side else side in
-  let mode = { Chance_graph.choice; chance = (if chance then `Mean else (choice :> [ `Mean | `Least | `Greatest ])) } in
-  let f = Chance_graph.solve graph mode w.space in
+  let chance = if chance then `Mean else (choice :> [ `Mean | `Least | `Greatest ]) in
+  let mode = { Chance_value.choice; chance } in
+  let f = Chance_value.solve graph mode w.space in
   let known = function
     | p, Some (v : Piecewise.value) ->
       if negated then (p, { Piecewise.least = Rat.sub Rat.one v.most; most = Rat.sub Rat.one v.least }) else (p, v)
@@ -216,6 +218,7 @@ let stats w ~faults : Stats.t =
   let stopped_by, reasons = reasons w in
   {
     Stats.none with
+    decided_early = false;
     states = sum Chance_graph.size;
     transitions = sum Chance_graph.transitions;
     depth = List.fold_left (fun d g -> Int.max d (Chance_graph.depth g)) 0 w.explored;
@@ -225,7 +228,9 @@ let stats w ~faults : Stats.t =
     faults;
   }
 
-let unknown ranges = Where.make ranges ~holds:(Union.empty (Array.length ranges)) ~fails:(Union.empty (Array.length ranges))
+let unknown ranges =
+  let none = Union.empty (Array.length ranges) in
+  Where.make ranges ~holds:none ~fails:none
 
 let measured w sides o =
   let graph = explore w o.until in
@@ -241,8 +246,9 @@ let measured w sides o =
     let { Piecewise.least; most } = Chances.extremes chances in
     (s, { Scc_ctl.Eval.least = Exact least; most = Exact most })
   in
-  let is_open (_, (c : Chances.t)) = List.exists (fun (p : Chances.part) -> not (Rat.equal p.value.least p.value.most)) c.parts in
-  let reasons = if List.exists is_open starts then snd (reasons w) else [] in
+  let is_open (p : Chances.part) = not (Rat.equal p.value.least p.value.most) in
+  let some_open = List.exists (fun (_, (c : Chances.t)) -> List.exists is_open c.parts) starts in
+  let reasons = if some_open then snd (reasons w) else [] in
   Verdict.Measured { values = List.map value starts; reasons; witness = None; curve = []; starts }
 
 let decided w q =
@@ -270,7 +276,8 @@ type result = { verdict : Verdict.t; where : Where.t; stats : Stats.t }
 let diagnostic (m : Model.t) fault at =
   let d = Transition.diagnostic m fault in
   let named = List.mapi (fun i v -> (m.ranges.(i).Ranges.name, v)) (Array.to_list at) in
-  if named = [] then d else { d with message = Printf.sprintf "%s, for %s" d.message (Verdict.values_to_string named) }
+  let told = Printf.sprintf "%s, for %s" d.message (Verdict.values_to_string named) in
+  if named = [] then d else { d with message = told }
 
 let check (options : Setup.t) semantics context u ~declared (check : Property.check) =
   let m = Semantics.model semantics in
@@ -278,7 +285,11 @@ let check (options : Setup.t) semantics context u ~declared (check : Property.ch
   let zones ~keeps_time = Start.zones context u ~initial ~keeps_time in
   let space = Piecewise.space (Ranges.box m.ranges) in
   let w = { options; context; zones; ranges = m.ranges; space; explored = []; stop = None } in
-  let without reason faults = Ok { verdict = Undecided [ reason ]; where = unknown m.ranges; stats = stats w ~faults } in
+  let without reason faults =
+    let stopped_by = match reason with Verdict.Truncated t -> [ t ] | _ -> [] in
+    let stats = { (stats w ~faults) with complete = false; stopped_by } in
+    Ok { verdict = Undecided [ reason ]; where = unknown m.ranges; stats }
+  in
   let faulty fault at =
     let d = diagnostic m fault at in
     without (Verdict.Fault d.message) [ d ]
@@ -288,6 +299,6 @@ let check (options : Setup.t) semantics context u ~declared (check : Property.ch
   | Error stop -> without (Truncated (Bounds.stopped options.bounds stop)) []
   | exception Ill_formed fault -> Error fault
   | exception Not_asked reason -> without (Undefined reason) []
-  | exception Instant.Not_affine reason -> without (Fault (reason ^ " is not known well enough")) []
+  | exception Instant.Not_affine reason -> without (Fault reason) []
   | exception Law_cells.Bad_law { leaf; fault; at } -> faulty (Bad_law { leaf; fault }) at
   | exception Chance_steps.Bad { fault; at } -> faulty fault at

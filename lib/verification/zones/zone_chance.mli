@@ -8,8 +8,12 @@ open Scc_symbolic
 open Scc_regions
 open Scc_verify
 
+val serves_all : Model.t -> bool
+(** [serves_all m] is true if chance or a law of motion decides something in [m], so that no check is explored
+    otherwise. *)
+
 val serves : Model.t -> Property.check -> bool
-(** [serves m check] is true if the check needs probabilities, or chance decides something in [m]. *)
+(** [serves m check] is true if {!serves_all}, or the check asks for a probability or a mean. *)
 
 val refused : Model.t -> string option
 (** What chance decides in such a model that is not followed over zones, in words. *)

@@ -29,7 +29,8 @@ let refused (m : Model.t) use =
     | Zones, Some reason -> because reason "give every parameter a value"
     | Zones, None -> []
     | (Graph | Invariants), _ when m.steered -> because "a law of motion steers its bodies" fixed
-    | (Graph | Invariants), _ when m.lots -> because "splits of it are left to chance" "give every parameter a value"
+    | (Graph | Invariants), _ when m.lots ->
+      because "splits of it are left to chance" "give every parameter a value"
     | (Graph | Invariants), _ -> []
 
 type fault = { at : (string * Rat.t) list; reason : Start.reason }
@@ -287,21 +288,24 @@ let nothing : Check.report =
   }
 
 (* The elements of two lists in the order of a third one, whose elements tell which list the next one is from. *)
-let rec interleaved from_first firsts seconds = function
-  | [] -> []
-  | x :: rest -> (
-      match (from_first x, firsts, seconds) with
-      | true, y :: firsts, _ -> y :: interleaved from_first firsts seconds rest
-      | false, _, y :: seconds -> y :: interleaved from_first firsts seconds rest
-      | true, [], _ | false, _, [] -> Bug.fail __POS__ "a check without a verdict")
+let interleaved from_first firsts seconds order =
+  let take (found, firsts, seconds) x =
+    match (from_first x, firsts, seconds) with
+    | true, y :: firsts, _ -> (y :: found, firsts, seconds)
+    | false, _, y :: seconds -> (y :: found, firsts, seconds)
+    | true, [], _ | false, _, [] -> Bug.fail __POS__ "a check without a verdict"
+  in
+  let found, _, _ = List.fold_left take ([], firsts, seconds) order in
+  List.rev found
 
 let run options semantics u ~declared ~exactly ~premises checks =
-  let serves = Zone_chance.serves (Semantics.model semantics) in
+  let m = Semantics.model semantics in
+  let serves = Zone_chance.serves m in
   let drawn, others = List.partition serves checks in
   let is_drawn (p : Property.check) = List.exists (fun (c : Property.check) -> String.equal c.name p.name) drawn in
   let of_drawn, of_others = List.partition is_drawn premises in
   let* (report : Check.report) =
-    if drawn <> [] && others = [] then Ok nothing
+    if others = [] && (drawn <> [] || Zone_chance.serves_all m) then Ok nothing
     else without_chance options semantics u ~declared ~exactly ~premises:of_others others
   in
   match by_chance options semantics u ~declared drawn with
@@ -314,6 +318,7 @@ let run options semantics u ~declared ~exactly ~premises checks =
       interleaved serves (List.map fst found) of_checks checks
       @ interleaved is_drawn (List.map untold of_drawn) of_premises premises
     in
-    let where = interleaved serves (List.map (fun (_, (r : Zone_chance.result)) -> r.where) found) report.where checks in
+    let found_where = List.map (fun (_, (r : Zone_chance.result)) -> r.where) found in
+    let where = interleaved serves found_where report.where checks in
     let all = List.map (fun (_, (r : Zone_chance.result)) -> r.stats) found in
     Ok { report with outcomes; where; stats = List.fold_left Stats.add report.stats all }

@@ -1,8 +1,8 @@
-(* Probabilities over all starts are those of the ordinary exploration, at each start: random models with one or two
-   walkers, walls, receptors, bonds that break by chance, and free choices; each at random starts, on borders of
-   pieces too.
+(* Probabilities over all starts are those of the ordinary exploration, at each start: random models with one or
+   two walkers, walls, receptors, bonds that break by chance, and free choices; each at random starts, on
+   borders of pieces too.
 
-     test_chance [MODELS [SEED]] *)
+   test_chance [MODELS [SEED]] *)
 
 open Scc_exact
 open Scc_polyhedra
@@ -25,7 +25,8 @@ let velocity random ~plane =
 
 let condition random ~plane =
   let variable = if plane then pick random [ "x"; "y" ] else "x" in
-  Printf.sprintf "%s %s %s" variable (pick random [ "<"; "<="; ">"; ">=" ]) (number random [ "0"; "1/2"; "1"; "-1" ])
+  let relation = pick random [ "<"; "<="; ">"; ">=" ] in
+  Printf.sprintf "%s %s %s" variable relation (number random [ "0"; "1/2"; "1"; "-1" ])
 
 let law random ~plane =
   let kick () =
@@ -43,7 +44,8 @@ let law random ~plane =
   in
   if chance random 15 then velocity random ~plane
   else
-    Printf.sprintf "choose { %s }" (String.concat ", " (List.init (2 + Random.State.int random 2) (fun _ -> kick ())))
+    let kicks = List.init (2 + Random.State.int random 2) (fun _ -> kick ()) in
+    Printf.sprintf "choose { %s }" (String.concat ", " kicks)
 
 let shape =
   {|shape Cube {
@@ -67,7 +69,9 @@ let formula random ~two ~plane =
   | 1 -> Printf.sprintf "P = ? [ (%s) U[<= %s] (%s) ]" (state ()) (bound ()) (state ())
   | 2 -> Printf.sprintf "P = ? [ true U[%s, %s] (%s) ]" (number random [ "1/2"; "1" ]) (bound ()) (state ())
   | 3 -> Printf.sprintf "Pmin = ? [ eventually %s within %s ]" (state ()) (bound ())
-  | 4 -> Printf.sprintf "P >= %s [ eventually %s within %s ]" (number random [ "1/2"; "1/3"; "1"; "2/9" ]) (state ()) (bound ())
+  | 4 ->
+    let least = number random [ "1/2"; "1/3"; "1"; "2/9" ] in
+    Printf.sprintf "P >= %s [ eventually %s within %s ]" least (state ()) (bound ())
   | _ -> Printf.sprintf "P = ? [ eventually %s within %s ]" (state ()) (bound ())
 
 let model random =
@@ -80,7 +84,10 @@ let model random =
   add "param start in %s\n" (pick random [ "[0, 2]"; "(-1, 2]"; "[1/2, 5/2)"; "[-1, 1]" ]);
   if plane then add "param height in %s\n" (pick random [ "[0, 2]"; "[-1, 1/2)" ]);
   add "%s" shape;
-  let weak = if bonds then pick random [ "omega(b, {left}) chance 1/3. "; "omega(b, {left}) rate 1. "; "omega(b, {left}). " ] else "" in
+  let weak =
+    if not bonds then ""
+    else "omega(b, {left}) " ^ pick random [ "chance 1/3"; "rate 1"; "" ] ^ ". "
+  in
   add "behaviour Site on Cube = <b, {left}>. %snil\n" weak;
   add "behaviour Ligand on Cube = %s<~b, {%s}>. %snil\n"
     (if chance random 20 then "eps(3/4). " else "")
@@ -89,12 +96,14 @@ let model random =
   let inert = pick random [ "nil"; "Ligand"; "Ligand" ] in
   add "process w = Cube mass 1 at translate (start, %s, 0) [%s]\n" (if plane then "height" else "0") inert;
   if two then add "process v = Cube mass %s at translate (%s, 0, %s) velocity (%s, 0, 0) [nil]\n"
-      (pick random [ "1"; "2" ]) (pick random [ "-7/2"; "-4" ]) (pick random [ "0"; "0"; "1" ]) (pick random [ "1"; "0" ]);
+      (pick random [ "1"; "2" ]) (pick random [ "-7/2"; "-4" ]) (pick random [ "0"; "0"; "1" ])
+      (pick random [ "1"; "0" ]);
   add "fixed s = Cube at translate (%s, %s, 0) [Site]\n" (pick random [ "5"; "11/2" ]) (pick random [ "0"; "1" ]);
   add "fixed east = Cube scaled (1, 9, 9)%s at translate (%s, 0, 0)\n"
     (if chance random 20 then " absorb" else "")
     (pick random [ "15/2"; "8" ]);
-  add "fixed west = Cube scaled (1, 9, 9) at translate (%s, 0, 0)\n" (if two then "-7" else pick random [ "-3"; "-4"; "-7/2" ]);
+  add "fixed west = Cube scaled (1, 9, 9) at translate (%s, 0, 0)\n"
+    (if two then "-7" else pick random [ "-3"; "-4"; "-7/2" ]);
   add "motion w = %s\n" (law random ~plane);
   if two && chance random 50 then add "motion v = %s\n" (law random ~plane:false);
   add "check c : %s\n" (formula random ~two ~plane);
@@ -151,7 +160,8 @@ let told = function
   | Truth None -> "not known"
   | Nothing -> "nothing"
 
-(* Each knows the value, or bounds of it: they must be of one value. Exact values of one start are those of all. *)
+(* Each knows the value, or bounds of it: they must be of one value. Exact values of one start are those of all.
+*)
 let agree one all =
   match (one, all) with
   | Values one, Values all ->
@@ -171,7 +181,9 @@ let exact = function
 let points random (l : Loaded.t) (report : Check.report) =
   let ranges = l.model.ranges in
   let random_point () =
-    let coordinate _ = Rat.make (Z.of_int (Random.State.int random 49 - 16)) (Z.of_int (pick random [ 1; 2; 4; 8; 16 ])) in
+    let coordinate _ =
+      Rat.make (Z.of_int (Random.State.int random 49 - 16)) (Z.of_int (pick random [ 1; 2; 4; 8; 16 ]))
+    in
     Array.init (Array.length ranges) coordinate
   in
   let in_range point =
@@ -187,7 +199,8 @@ let points random (l : Loaded.t) (report : Check.report) =
   let sets =
     match (outcome report).verdict with
     | Measured { starts; _ } ->
-      List.concat_map (fun (_, (c : Scc_regions.Chances.t)) -> List.map (fun (p : Scc_regions.Chances.part) -> p.set) c.parts) starts
+      let set (p : Scc_regions.Chances.part) = p.set in
+      List.concat_map (fun (_, (c : Scc_regions.Chances.t)) -> List.map set c.parts) starts
     | Holds _ | Violated _ | Undecided _ ->
       let w = List.hd report.where in
       [ w.holds; w.fails ]
@@ -218,7 +231,8 @@ let try_model number =
     bump "refused"
   | Ok l -> (
       let { Loaded.semantics; declared; checks; _ } = l in
-      match Zone_check.run options semantics (Option.get l.uncertain) ~declared ~exactly:true ~premises:[] checks with
+      let uncertain = Option.get l.uncertain in
+      match Zone_check.run options semantics uncertain ~declared ~exactly:true ~premises:[] checks with
       | Error _ -> bump "ill-formed"
       | Ok report ->
         count.models <- count.models + 1;
@@ -233,7 +247,8 @@ let try_model number =
             | Undecided (r :: _) -> Verdict.reason_to_string r
             | Undecided [] -> "undecided");
         let try_point point =
-          let overrides = List.mapi (fun i x -> (l.model.ranges.(i).Scc_calculus.Ranges.name, x)) (Array.to_list point) in
+          let name i = l.model.ranges.(i).Scc_calculus.Ranges.name in
+          let overrides = List.mapi (fun i x -> (name i, x)) (Array.to_list point) in
           let one = single text overrides and all = over_starts report point in
           count.starts <- count.starts + 1;
           if exact one && exact all then count.exactly <- count.exactly + 1;
@@ -244,10 +259,11 @@ let try_model number =
         List.iter try_point (points random l report))
 
 let () =
-  let models = argument 1 60 in
+  let models = argument 1 40 in
   for i = 1 to models do
     try_model i
   done;
-  Printf.printf "%d models at %d starts, at %d both exact; %d values\n" count.models count.starts count.exactly count.pieces;
+  let { models; starts; exactly; pieces; _ } = count in
+  Printf.printf "%d models at %d starts, at %d both exact; %d values\n" models starts exactly pieces;
   List.iter (fun (kind, n) -> Printf.printf "  %4d %s\n" n kind) (List.sort compare count.kinds);
   if count.exactly * 2 < count.starts then Alcotest.fail "too little is known"

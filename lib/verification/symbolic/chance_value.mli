@@ -1,0 +1,14 @@
+(** The probability of an until as a function of the parameters (rules Zones and Probability). *)
+
+open Scc_polyhedra
+
+(** How values are put together: where the run goes on by free choice, and where it goes on by chance. *)
+type mode = {
+  choice : [ `Least | `Greatest ];
+  chance : [ `Mean | `Least | `Greatest ];
+}
+
+val solve : Chance_graph.t -> mode -> Piecewise.space -> Piecewise.t
+(** [solve t mode space] is the value of the runs that satisfy the until, 1 if they do and 0 if they do not, as
+    a function of the parameters, whose values are the domain of [space]. Its ends are those for unknown states
+    that fail, and that satisfy it. *)

@@ -1,0 +1,168 @@
+Probabilities over all starts (rule Starts): functions of the parameters, constant on pieces.
+
+  $ cat > cleft.sc << 'END'
+  > model cleft
+  > 
+  > timestep 1 steady
+  > param d in [0, 3]
+  > param h in [0, 2]
+  > 
+  > shape Cube {
+  >   vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+  >            e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  >   faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]  right [b,c,g,f]  front [a,b,f,e]  back [d,h,g,c]
+  > }
+  > 
+  > behaviour Site   on Cube = <site, {top}>. nil
+  > behaviour Ligand on Cube = <~site, {bottom}>. nil
+  > 
+  > fixed membrane = Cube scaled (12, 2, 1) at translate (0, 0, -5/2)
+  > fixed receptor = Cube scaled (1, 1, 1/4) at translate (0, 0, -5/4) [Site]
+  > 
+  > process ligand = Cube mass 1 at translate (d, 0, 1/2 + h) [Ligand]
+  > 
+  > motion ligand = choose {
+  >   (1, 0, 0) weight 1, (-1, 0, 0) weight 1, (0, 0, 1) weight 1, (0, 0, -1) weight 1
+  > }
+  > 
+  > check binds  : P = ? [ eventually bound(ligand, receptor) within 2 ]
+  > check likely : P >= 1/8 [ eventually bound(ligand, receptor) within 2 ]
+  > check surely : eventually bound(ligand, receptor) within 2
+  > check mean   : E = ? [ z(ligand) at 1 ]
+  > END
+
+  $ scc check cleft.sc --where
+  semantics 3: timestep 1 steady
+  
+  binds: 0 to 3/8, for d in [0, 3], h in [0, 2]; mean 1/12, about 0.08333
+    P = ? [ eventually bound(ligand, receptor) within 2 ]
+    h > 3/2, d < 2: 0
+    2 <= d < 3, h > 1/2: 0
+    d = 3 (no area): 0
+    1/2 < h <= 3/2, d < 2: 1/16
+    2 <= d < 3, h < 1/2: 1/16
+    h = 1/2, 2 <= d < 3 (no area): 5/64
+    1 <= d < 2, h <= 1/2: 5/16
+    h <= 1/2, d < 1: 3/8
+    mean 1/12, about 0.08333
+  
+  likely: violated for d = 1, h = 1
+    P >= 1/8 [ eventually bound(ligand, receptor) within 2 ]
+    no single run shows it: everything that counts was explored
+    holds where
+      h <= 1/2, d < 2
+    fails elsewhere
+    probability 1/6, about 0.1667
+  
+  surely: violated for d = 1, h = 1
+    eventually bound(ligand, receptor) within 2
+    there is a run that shows it, but none was found that is short enough to be shown
+    fails everywhere
+    probability 0
+  
+  mean: undecided: a mean over the runs is not computed over starts
+    E = ? [ z(ligand) at 1 ]
+    not known anywhere
+    probability at least 0, and at most 1
+  
+  explored: 564 states, 1041 transitions, depth 11; not complete: every property was decided before
+  4 properties: 2 violated, 1 measured, 1 undecided
+  [1]
+
+On the border of pieces, too, a single start has the value of the pieces:
+
+  $ scc check cleft.sc -D d=0 -D h=1/2 | grep binds
+  binds: 3/8
+  $ scc check cleft.sc -D d=1 -D h=0 | grep binds
+  binds: 5/16
+
+The mean in JSON:
+
+  $ scc check cleft.sc --json | grep -c '"mean"'
+  3
+
+Without a bound of time the value is known between two bounds, piece by piece:
+
+  $ cat > walk.sc << 'END'
+  > model walk
+  > timestep 1
+  > param start in [0, 3]
+  > import <solids>
+  > process walker = solids.Cube(1) mass 1 at translate (start, 0, 0) [nil]
+  > fixed ruin = solids.Cube(1) absorb at translate (-2, 0, 0)
+  > fixed riches = solids.Cube(1) absorb at translate (5, 0, 0)
+  > motion walker = choose { (1, 0, 0) weight 2, (-1, 0, 0) weight 3 }
+  > check ruined : P = ? [ eventually event absorb(walker, ruin) ]
+  > END
+
+  $ scc check walk.sc --where --depth 12
+  semantics 3: timestep 1
+  
+  ruined: 81/625 to 609/625, for start in [0, 3]; mean at least 1077/3125 = 0.34464, and at most 2737/3125 = 0.87584, as far as is known: the exploration ended at the depth bound 12
+    P = ? [ eventually event absorb(walker, ruin) ]
+    start = 3 (no length): from 81/625 to 1431/3125, not known better
+    2 < start < 3: from 81/625 to 477/625, not known better
+    start = 2 (no length): from 1161/3125 to 477/625, not known better
+    1 < start < 2: from 1161/3125 to 2781/3125, not known better
+    start = 1 (no length): from 333/625 to 2781/3125, not known better
+    0 < start < 1: from 333/625 to 609/625, not known better
+    start = 0 (no length): from 2541/3125 to 609/625, not known better
+    mean at least 1077/3125 = 0.34464, and at most 2737/3125 = 0.87584
+  
+  explored: 85 states, 124 transitions, depth 13; not complete: stopped by the depth bound 12
+  1 property: 1 measured
+  [2]
+
+A weight that is negative for some start, and one that is not constant:
+
+  $ cat > negative.sc << 'END'
+  > model walk
+  > timestep 1
+  > param start in [0, 3]
+  > import <solids>
+  > process walker = solids.Cube(1) mass 1 at translate (start, 0, 0) [nil]
+  > fixed ruin = solids.Cube(1) absorb at translate (-2, 0, 0)
+  > fixed riches = solids.Cube(1) absorb at translate (5, 0, 0)
+  > motion walker = choose { (1, 0, 0) weight 2 - x, (-1, 0, 0) weight 3 }
+  > check ruined : P = ? [ eventually event absorb(walker, ruin) ]
+  > END
+  $ scc check negative.sc
+  negative.sc:8:1: error[SC0601]: the law of motion of walker cannot be evaluated: a weight is negative, for start = 5/2
+     |
+   8 | motion walker = choose { (1, 0, 0) weight 2 - x, (-1, 0, 0) weight 3 }
+     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  semantics 3: timestep 1
+  
+  ruined: undecided: the law of motion of walker cannot be evaluated: a weight is negative, for start = 5/2
+    P = ? [ eventually event absorb(walker, ruin) ]
+  
+  explored: 0 states, 0 transitions, depth 0; not complete: every property was decided before
+  1 property: 1 undecided
+  [2]
+  $ cat > sloped.sc << 'END'
+  > model walk
+  > timestep 1
+  > param start in [0, 3]
+  > import <solids>
+  > process walker = solids.Cube(1) mass 1 at translate (start, 0, 0) [nil]
+  > fixed ruin = solids.Cube(1) absorb at translate (-2, 0, 0)
+  > fixed riches = solids.Cube(1) absorb at translate (5, 0, 0)
+  > motion walker = choose { (1, 0, 0) weight 20 - x, (-1, 0, 0) weight 3 }
+  > check ruined : P = ? [ eventually event absorb(walker, ruin) ]
+  > END
+  $ scc check sloped.sc
+  semantics 3: timestep 1
+  
+  ruined: undecided: a weight in the law of `walker` depends on the place or the time, and not by conditions alone
+    P = ? [ eventually event absorb(walker, ruin) ]
+  
+  explored: 0 states, 0 transitions, depth 0; not complete: every property was decided before
+  1 property: 1 undecided
+  [2]
+
+What is not followed over zones:
+
+  $ sed 's/^timestep 1/timestep 1 local/' walk.sc > local.sc; scc check local.sc
+  error[SC0901]: what is not known of this model does not stay linear: processes have movement steps of their own (`timestep ... local`)
+    hint: give every parameter a value
+  [3]
