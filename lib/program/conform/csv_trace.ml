@@ -3,7 +3,8 @@ open Recorded
 
 let columns =
   [
-    "time"; "event"; "bodies"; "channel"; "features"; "x"; "y"; "z"; "vx"; "vy"; "vz"; "wx"; "wy"; "wz"; "behaviour";
+    "time"; "event"; "bodies"; "channel"; "features"; "x"; "y"; "z"; "vx"; "vy"; "vz"; "wx"; "wy"; "wz";
+    "behaviour";
   ]
 
 (* {1 Rows and cells} *)
