@@ -5,14 +5,16 @@ from make_rules import (absorbs, at_once, BIND, BOUNCE, DOCK, TIME, WEAK, Rule, 
 from cases import num, nums, result, unordered
 
 
-def draws(process, velocity, chance):
-    return {'kind': 'draw', 'process': process, 'velocity': nums(velocity), 'chance': num(chance)}
+def draws(process, velocity, chance, spin=None):
+    drawn = {'kind': 'draw', 'process': process, 'velocity': nums(velocity), 'chance': num(chance)}
+    return drawn if spin is None else {**drawn, 'spin': nums(spin)}
 
 
 def drawn(process, *velocity):
     return {'kind': 'draw', 'process': process, 'velocity': nums(velocity)}
 
 
+RIGID = 'dynamics constant_spin\n'
 WALKER = 'process p = Cube mass 1 [nil]\nmotion p = choose { (1,0,0) weight 2, (-1,0,0) weight 1 }\n'
 BOTH = [draws('p', (-1, 0, 0), '1/3'), draws('p', (1, 0, 0), '2/3')]
 OTHER = 'process q = Cube mass 1 velocity (0,0,%d) at translate (%d,0,0) [nil]\nmotion q = %s\n'
@@ -51,6 +53,12 @@ def draw():
                [drawn('p', 1, 0, 0), BOUNCE], [passes(1)])
     r.refused('A negative weight.', WALKER.replace('weight 1', 'weight -1'), 'SC0601')
     r.refused('Nothing to choose.', WALKER.replace('weight 1', 'weight 0').replace('weight 2', 'weight 0'), 'SC0601')
+    spun = RIGID + 'process p = Cube mass 1 spin (0,0,1/4) [nil]\nmotion p = choose { %s }\n'
+    r.outcomes('A spin is drawn with its velocity.', spun % '(1,0,0) spin (0,0,1) weight 2, (0,1,0) spin (0,0,-1)', [],
+               [draws('p', (0, 1, 0), '1/3', (0, 0, -1)), draws('p', (1, 0, 0), '2/3', (0, 0, 1))])
+    r.outcomes('Without one it is the spin that there is; of one velocity the lesser spin comes first.',
+               spun % '(1,0,0), (1,0,0) spin (0,0,1/4), (1,0,0) spin (0,1/8,0) weight 2', [],
+               [draws('p', (1, 0, 0), '1/2', (0, '1/8', 0)), draws('p', (1, 0, 0), '1/2', (0, 0, '1/4'))])
     r.named(WALKER, [], BOTH[0], 'Draw')
     return r
 
@@ -69,6 +77,20 @@ def diffuse():
                [draws('p', (4, 3, 0), '1/8'), draws('p', (0, 3, 0), '1/8'), draws('p', (2, 3, 0), '3/4')])
     r.outcomes('A kick by its name, without a drift.', text % (1, '(1/2, 0, 0), h = 2'), [],
                [draws('p', (2, 0, 0), '1/8'), draws('p', (-2, 0, 0), '1/8'), draws('p', (0, 0, 0), '3/4')])
+    turning = RIGID + 'timestep %s\nprocess p = Cube mass 1 [nil]\nmotion p = diffuse(%s)\n'
+    r.outcomes('T = 1/17: a tangent of 1/4, whose 1 - cos is 2/17; a spin of 1/2.',
+               turning % (1, '0, turning = (0, 0, 1/17)'), [],
+               [draws('p', (0, 0, 0), '1/4', (0, 0, '-1/2')), draws('p', (0, 0, 0), '1/2', (0, 0, 0)),
+                draws('p', (0, 0, 0), '1/4', (0, 0, '1/2'))])
+    r.state('The kick turns by twice the arc whose tangent is 1/4.', turning % (1, '0, turning = (0, 0, 1/17)'),
+            [{**draws('p', (0, 0, 0), '1/4', (0, 0, '1/2'))}, TIME], [leaf('p', turned=['4', '0', '0', '1'])])
+    r.outcomes('T = 6/17: a tangent of 1/2 turns twice, with 1 - cos = 128/289; in a step of 1/2 a spin of 2.',
+               turning % ('1/2', '0, turning = (12/17, 0, 0)'), [],
+               [draws('p', (0, 0, 0), '51/128', (-2, 0, 0)), draws('p', (0, 0, 0), '26/128', (0, 0, 0)),
+                draws('p', (0, 0, 0), '51/128', (2, 0, 0))])
+    r.outcomes('Independent of the velocity.', turning % (1, '(1/2, 0, 0), h = 1, turning = (0, 1/17, 0)'), [],
+               [draws('p', (x, 0, 0), chance, (0, spin, 0)) for x in (-1, 1)
+                for spin, chance in (('-1/2', '1/8'), (0, '1/4'), ('1/2', '1/8'))])
     r.outcomes('A kick by its name, after a drift.', text % (1, '(1/2, 0, 0), (vx + 1, 3, 0), h = 2'), [],
                [draws('p', (4, 3, 0), '1/8'), draws('p', (0, 3, 0), '1/8'), draws('p', (2, 3, 0), '3/4')])
     r.refused('A kick by its name and by its place.', text % (1, '1/8, (0,0,0), 1, h = 1'), 'SC0206')

@@ -322,6 +322,18 @@ def i_24():
     text = RIGID + 'process p = Cube mass 1 spin (0,0,1/4) [nil]\nmotion p = (vx + dt, vy, vz)\n'
     r.value('A law gives a velocity.', text, [TIME], 'vx(p)', 1)
     r.value('No torque.', text, [TIME], 'wz(p)', '1/4')
+    text = '%sprocess p = Cube mass 1 velocity (1,0,0) spin (0,0,1/4) [nil]\nmotion p = %s\n'
+    faster = '(vx, vy, vz) spin (wx, wy, wz + dt/8)'
+    r.value('A spin beside it: at first dt is 0.', text % (RIGID, faster), [], 'wz(p)', '1/4')
+    r.value('After a step of 1.', text % (RIGID, faster), [TIME], 'wz(p)', '3/8')
+    r.value('The velocity stays as it is.', text % (RIGID, faster), [TIME], 'vx(p)', 1)
+    r.value('What is free keeps the angular momentum of the spin: 2/3 * 3/8.',
+            text % ('dynamics free_body\n', faster), [TIME], 'angular.z', '1/4')
+    two = RIGID + ('process p = Cube mass 1 velocity (0,-3/2,0) spin (0,0,1) [nil]\n'
+                   'process q = Cube mass 3 velocity (0,1/2,0) spin (0,0,1) at translate (2,0,0) [nil]\n'
+                   'bond <a, {p.right, q.left}>\n')
+    r.value('In a whole by mass: (1 * 3 + 3 * 1)/4.', two + 'motion p = (vx, vy, vz) spin (0,0,3)\n', [], 'wz(q)', '3/2')
+    r.value('What both give.', two + 'motion (vx, vy, vz) spin (0,0,3)\n', [], 'wz(q)', 3)
     return r
 
 

@@ -21,7 +21,7 @@ let hash_label : Transition.label -> int = function
     List.fold_left (fun h b -> (31 * h) + State.hash_bond b) 3 (Transition.bonds l) land max_int
   | Absorb { first; absorber } -> 7 + (31 * first) + absorber
   | Lot { bond; chance; _ } -> 13 + (31 * State.hash_bond bond) + Rat.hash chance
-  | Draw { first; velocity; _ } -> 11 + (31 * first) + Vec.hash velocity
+  | Draw { first; given; _ } -> 11 + (31 * first) + Given.hash given
   | Bounce { firsts; _ } -> List.fold_left (fun h p -> (1_000_003 * h) + p) 5 firsts land max_int
 
 type joint = { chance : Rat.t; transitions : int }

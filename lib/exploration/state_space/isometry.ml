@@ -117,13 +117,15 @@ let weighted kicks =
 (* What a constant law gives, with weights; [None] of others. *)
 let given (law : Law.t) =
   let kick (k : Law.kick) =
-    match (value k.velocity, Law.eval (fun _ -> Rat.zero) k.weight) with Some v, Ok w -> Some (v, w) | _ -> None
+    match (value k.motion.velocity, Law.eval (fun _ -> Rat.zero) k.weight) with
+    | Some v, Ok w -> Some (v, w)
+    | _ -> None
   in
   if not (Law.never_fails law) then None
   else
     match law with
     | Inertial -> Some []
-    | Velocity v -> Option.map (fun v -> [ (v, Rat.one) ]) (value v)
+    | Gives m -> Option.map (fun v -> [ (v, Rat.one) ]) (value m.velocity)
     | Choose kicks -> Option.all kick kicks
 
 let keeps_law map law =
@@ -270,7 +272,10 @@ let image g (m : Model.t) (p : State.process) =
     if m.leaves.(l.leaf).fixed then l
     else { l with position = Vec.add (Vec.add g.shift g.own.(l.leaf)) (apply g.map l.position) }
   in
-  let draw : State.draw -> State.draw = function Waits -> Waits | Drawn v -> Drawn (apply g.map v) in
+  let draw : State.draw -> State.draw = function
+    | Waits -> Waits
+    | Drawn given -> Drawn { given with velocity = apply g.map given.velocity }
+  in
   State.map_leaves at p
   |> State.with_velocity (apply g.map p.velocity)
   |> State.with_draw (Option.map draw p.draw)

@@ -7,7 +7,7 @@ type given = { speed2 : Rat.t; velocities : int }
 let looks_at_mass_alone =
   let beyond : Law.variable -> bool = function
     | Mass -> false
-    | X | Y | Z | Vx | Vy | Vz | Time | Dt -> true
+    | X | Y | Z | Vx | Vy | Vz | Wx | Wy | Wz | Time | Dt -> true
   in
   fun law -> not (Law.mentions beyond law)
 
@@ -20,7 +20,7 @@ let given (leaf : Model.leaf) =
     | _ -> None
   in
   let add sum (kick : Law.kick) =
-    match (sum, speed2 kick.velocity, eval kick.weight) with
+    match (sum, speed2 kick.motion.velocity, eval kick.weight) with
     | Some (greatest, total), Some v2, Some weight when Rat.sign weight >= 0 ->
       Some (Rat.max greatest v2, Rat.add total weight)
     | _ -> None
@@ -29,7 +29,7 @@ let given (leaf : Model.leaf) =
   else
     match leaf.law with
     | Inertial -> Some { speed2 = Rat.zero; velocities = 1 }
-    | Velocity v -> Option.map (fun speed2 -> { speed2; velocities = 1 }) (speed2 v)
+    | Gives m -> Option.map (fun speed2 -> { speed2; velocities = 1 }) (speed2 m.velocity)
     | Choose kicks -> (
         match List.fold_left add (Some (Rat.zero, Rat.zero)) kicks with
         | Some (speed2, total) when Rat.sign total > 0 -> Some { speed2; velocities = List.length kicks }

@@ -124,7 +124,7 @@ let image_of w images g number =
 let compare_tuples w a b =
   let places (p : State.process) = p.leaves.(0).position and velocity (p : State.process) = p.velocity in
   let drawn (p : State.process) =
-    match p.draw with Some (Drawn v) -> v | Some Waits | None -> Vec.zero
+    match p.draw with Some (Drawn g) -> g.velocity | Some Waits | None -> Vec.zero
   in
   let rec by value i =
     if i = Array.length (Catalogue.model w.catalogue).leaves then 0
@@ -182,10 +182,14 @@ let apart w d tuple =
 
 (* The next velocity of a process, or of what it is a piece of, does not depend on the one that it has. *)
 let is_lost (m : Model.t) (p : State.process) =
+  let is_velocity : Law.variable -> bool = function
+    | Vx | Vy | Vz -> true
+    | X | Y | Z | Wx | Wy | Wz | Mass | Time | Dt -> false
+  in
   let reads_no_velocity (l : State.leaf) =
     let law = m.leaves.(l.leaf).law in
     (not (Law.is_inertial law))
-    && not (Law.mentions (function Vx | Vy | Vz -> true | X | Y | Z | Mass | Time | Dt -> false) law)
+    && not (Law.mentions is_velocity law)
   in
   Array.for_all reads_no_velocity p.leaves
 

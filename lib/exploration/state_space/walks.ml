@@ -97,7 +97,11 @@ let make ~units ~most local =
 let alone_calm (a : Local.alone) = (not a.nature.splits) && Option.is_none a.nature.wait
 
 let timeless_law (m : Model.t) (l : State.leaf) =
-  not (Law.mentions (function Time | Dt -> true | X | Y | Z | Mass | Vx | Vy | Vz -> false) m.leaves.(l.leaf).law)
+  let is_time : Law.variable -> bool = function
+    | Time | Dt -> true
+    | X | Y | Z | Mass | Vx | Vy | Vz | Wx | Wy | Wz -> false
+  in
+  not (Law.mentions is_time m.leaves.(l.leaf).law)
 
 let is_walker w (p : State.process) =
   Process.stops w.model p && Quotient.is_lost w.model p && Array.for_all (timeless_law w.model) p.leaves
@@ -163,7 +167,8 @@ let look_at_walker w number =
     match Steer.chances (Local.semantics w.local) (State.make ~processes:[ p ] ~step:None ~time:None) p with
     | Error _ -> unable
     | Ok kicks ->
-      let kicks = Array.of_list (List.map (fun (v, chance) -> (at v, v, chance)) kicks) and stays = at Vec.zero in
+      let kick ((g : Given.t), chance) = (at g.velocity, g.velocity, chance) in
+      let kicks = Array.of_list (List.map kick kicks) and stays = at Vec.zero in
       let calm number = (course w number).calm in
       { waiting = number; kicks; stays; able = calm stays && Array.for_all (fun (k, _, _) -> calm k) kicks }
 

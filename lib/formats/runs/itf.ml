@@ -105,7 +105,10 @@ let of_own_steps m s =
 
 let of_draws m (s : State.t) =
   let drawn (p : State.process) =
-    match p.draw with Some (Drawn v) -> Some (vector v) | Some Waits | None -> None
+    let motion (g : Given.t) = vector g.velocity :: List.map vector (Option.to_list g.spin) in
+    match p.draw with
+    | Some (Drawn g) -> Some (match motion g with [ velocity ] -> velocity | both -> tuple both)
+    | Some Waits | None -> None
   in
   let waits (p : State.process) =
     match p.draw with Some Waits -> Some (named m p.leaves.(0)) | Some (Drawn _) | None -> None

@@ -79,7 +79,9 @@ let draw_members =
     [
       field "process" leaf_name (fun (m, (first, _, _)) -> (m, first))
         ~about:"The first body of the process that draws.";
-      field "velocity" Shared.vector (fun (_, (_, velocity, _)) -> velocity) ~about:"What is drawn.";
+      field "velocity" Shared.vector (fun (_, (_, given, _)) -> given.Given.velocity) ~about:"What is drawn.";
+      maybe "spin" Shared.vector (fun (_, (_, given, _)) -> given.Given.spin)
+        ~about:"The spin that is drawn with it, if a law of the process gives spins.";
       chance (fun (_, (_, _, chance)) -> chance);
     ]
 
@@ -114,7 +116,7 @@ let label_format =
       label_kind "weak" (function Transition.Weak_split all -> Some all | _ -> None) (bonds ~least:2);
       label_kind "strong" (function Transition.Strong_split all -> Some all | _ -> None) (bonds ~least:1);
       label_kind "draw"
-        (function Transition.Draw d -> Some (d.first, d.velocity, d.chance) | _ -> None)
+        (function Transition.Draw d -> Some (d.first, d.given, d.chance) | _ -> None)
         draw_members;
       label_kind "lot" (drawn_lot true) (lot ~drawn:true);
       label_kind "lot" (drawn_lot false) (lot ~drawn:false);
@@ -170,10 +172,20 @@ let own_step ((m : Model.t), (p : State.process)) =
 
 let draw =
   let waits = word Fun.id [ "waits" ] in
+  let motion = fields [ field "velocity" Shared.vector fst; field "spin" Shared.vector snd ] in
+  let velocity : State.draw -> Vec.t option = function
+    | Drawn { velocity; spin = None } -> Some velocity
+    | Drawn { spin = Some _; _ } | Waits -> None
+  in
+  let with_spin : State.draw -> (Vec.t * Vec.t) option = function
+    | Drawn { velocity; spin = Some spin } -> Some (velocity, spin)
+    | Drawn { spin = None; _ } | Waits -> None
+  in
   union
     [
       case waits (function State.Waits -> Some "waits" | Drawn _ -> None) ignore;
-      case Shared.vector (function State.Drawn v -> Some v | Waits -> None) ignore;
+      case Shared.vector velocity ignore;
+      case motion with_spin ignore;
     ]
 
 let lots =
@@ -249,7 +261,8 @@ let process =
       maybe "draw" (nullable draw) drawn
         ~about:
           "While somebody draws, of each process whose laws are asked: \"waits\" before it has drawn, and then \
-           the velocity that it will have when all have; else null. Of models in which a law chooses alone.";
+           the velocity that it will have when all have, with its spin if a law gives one; else null. Of models \
+           in which a law chooses alone.";
       maybe "lots" lots of_chance ~about:"Of models in which a split is left to chance alone (rule Lot).";
       field "clock" (nullable Shared.rational) (part (fun p -> p.clock))
         ~about:"Time since the split clock was set, modulo the split step; null when no weak split is enabled.";

@@ -1,6 +1,6 @@
 open Scc_exact
 
-type variable = X | Y | Z | Vx | Vy | Vz | Mass | Time | Dt
+type variable = X | Y | Z | Vx | Vy | Vz | Wx | Wy | Wz | Mass | Time | Dt
 type comparison = Lt | Le | Gt | Ge | Eq | Ne
 
 type expr =
@@ -22,8 +22,11 @@ and cond =
   | Not of cond
 
 type vector = expr * expr * expr
-type kick = { velocity : vector; weight : expr }
-type t = Inertial | Velocity of vector | Choose of kick list
+type motion = { velocity : vector; spin : vector option }
+type kick = { motion : motion; weight : expr }
+type t = Inertial | Gives of motion | Choose of kick list
+let velocity_alone velocity = { velocity; spin = None }
+
 type fault = Division_by_zero | Bad_quantum | Too_long | Negative_weight | No_weight | Too_many
 
 let longest = 1 lsl 24
@@ -97,10 +100,13 @@ and cond_mentions test = function
 
 let vector_mentions test (a, b, c) = expr_mentions test a || expr_mentions test b || expr_mentions test c
 
+let motion_mentions test { velocity; spin } =
+  vector_mentions test velocity || Option.fold ~none:false ~some:(vector_mentions test) spin
+
 let mentions test = function
   | Inertial -> false
-  | Velocity v -> vector_mentions test v
-  | Choose kicks -> List.exists (fun k -> vector_mentions test k.velocity || expr_mentions test k.weight) kicks
+  | Gives motion -> motion_mentions test motion
+  | Choose kicks -> List.exists (fun k -> motion_mentions test k.motion || expr_mentions test k.weight) kicks
 
 let is_constant law = not (mentions (fun _ -> true) law)
 
@@ -108,25 +114,26 @@ let is_constant law = not (mentions (fun _ -> true) law)
 let never_fails law =
   let value = eval (fun _ -> Rat.zero) in
   let has_value e = Result.is_ok (value e) in
-  let has_velocity (x, y, z) = has_value x && has_value y && has_value z in
+  let has_values (x, y, z) = has_value x && has_value y && has_value z in
+  let has_motion { velocity; spin } = has_values velocity && Option.fold ~none:true ~some:has_values spin in
   let weight k = match value k.weight with Ok w -> Rat.sign w | Error _ -> -1 in
-  let fits k = match weight k with 0 -> true | sign -> sign > 0 && has_velocity k.velocity in
+  let fits k = match weight k with 0 -> true | sign -> sign > 0 && has_motion k.motion in
   is_constant law
   &&
   match law with
   | Inertial -> true
-  | Velocity v -> has_velocity v
+  | Gives motion -> has_motion motion
   | Choose kicks -> List.for_all fits kicks && List.exists (fun k -> weight k > 0) kicks
 
 let mentions_time =
   mentions (function
       | Time -> true
-      | X | Y | Z | Vx | Vy | Vz | Mass | Dt -> false)
+      | X | Y | Z | Vx | Vy | Vz | Wx | Wy | Wz | Mass | Dt -> false)
 
 let mentions_position =
   mentions (function
       | X | Y | Z -> true
-      | Vx | Vy | Vz | Mass | Time | Dt -> false)
+      | Vx | Vy | Vz | Wx | Wy | Wz | Mass | Time | Dt -> false)
 
 let rec equal_expr a b =
   match (a, b) with
@@ -150,19 +157,27 @@ and equal_cond a b =
   | (Bool _ | Compare _ | And _ | Or _ | Not _), _ -> false
 
 let equal_vector (a, b, c) (d, e, f) = equal_expr a d && equal_expr b e && equal_expr c f
-let equal_kick a b = equal_vector a.velocity b.velocity && equal_expr a.weight b.weight
+let equal_motion a b = equal_vector a.velocity b.velocity && Option.equal equal_vector a.spin b.spin
+let equal_kick a b = equal_motion a.motion b.motion && equal_expr a.weight b.weight
 
 let equal a b =
   match (a, b) with
   | Inertial, Inertial -> true
-  | Velocity v, Velocity w -> equal_vector v w
+  | Gives a, Gives b -> equal_motion a b
   | Choose kicks, Choose others -> List.equal equal_kick kicks others
-  | (Inertial | Velocity _ | Choose _), _ -> false
+  | (Inertial | Gives _ | Choose _), _ -> false
 
 let is_inertial = function
   | Inertial -> true
-  | Velocity _ | Choose _ -> false
+  | Gives _ | Choose _ -> false
 
 let draws = function
   | Choose _ -> true
-  | Inertial | Velocity _ -> false
+  | Inertial | Gives _ -> false
+
+let gives_spin =
+  let spins motion = Option.is_some motion.spin in
+  function
+  | Inertial -> false
+  | Gives motion -> spins motion
+  | Choose kicks -> List.exists (fun k -> spins k.motion) kicks

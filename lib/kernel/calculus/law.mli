@@ -2,9 +2,10 @@
 
 open Scc_exact
 
-type variable = X | Y | Z | Vx | Vy | Vz | Mass | Time | Dt
+type variable = X | Y | Z | Vx | Vy | Vz | Wx | Wy | Wz | Mass | Time | Dt
 (** [X], [Y] and [Z]: position of the leaf's centroid, in the world. [Vx], [Vy] and [Vz]: velocity of that point,
-    in the world. [Mass]: mass of the leaf. [Time]: model time. [Dt]: time since the last update of the law. *)
+    in the world. [Wx], [Wy] and [Wz]: spin of the leaf's process, in the world, in radians per unit of time.
+    [Mass]: mass of the leaf. [Time]: model time. [Dt]: time since the last update of the law. *)
 
 type comparison = Lt | Le | Gt | Ge | Eq | Ne
 
@@ -28,14 +29,20 @@ and cond =
 
 type vector = expr * expr * expr
 
-(** One of several velocities, and its weight among them. *)
-type kick = { velocity : vector; weight : expr }
+(** What a law gives: a velocity of the leaf's centroid, and a spin if it gives one (reading I-24). *)
+type motion = { velocity : vector; spin : vector option }
+
+(** One of several motions, and its weight among them. *)
+type kick = { motion : motion; weight : expr }
 
 type t =
   | Inertial
-  | Velocity of vector  (** the new velocity *)
+  | Gives of motion  (** the new motion *)
   | Choose of kick list
-  (** the new velocity is drawn; the probability of each is its weight divided by the sum of all weights *)
+  (** the new motion is drawn; the probability of each is its weight divided by the sum of all weights *)
+
+val velocity_alone : vector -> motion
+(** The motion with this velocity that leaves the spin as it is. *)
 
 type fault =
   | Division_by_zero
@@ -44,13 +51,13 @@ type fault =
   | Negative_weight
   | No_weight  (** the weights of all kicks are 0 *)
   | Too_many
-  (** the leaves of a process draw among more than {!most_outcomes} combinations of velocities *)
+  (** the leaves of a process draw among more than {!most_outcomes} combinations of motions *)
 
 val longest : int
 (** The greatest length in bits of a number in the evaluation of a law: 2^24. *)
 
 val most_outcomes : int
-(** The greatest number of combinations of velocities that the leaves of one process may draw among: 1,000,000. *)
+(** The greatest number of combinations of motions that the leaves of one process may draw among: 1,000,000. *)
 
 val by_sign : comparison -> int -> bool
 (** [by_sign c s] is true if [a] stands in the relation [c] to [b], where [s] is the sign of [a] - [b]. *)
@@ -67,10 +74,13 @@ val equal : t -> t -> bool
     equal. *)
 
 val is_inertial : t -> bool
-(** [is_inertial law] is true if [law] is [Inertial]: it never changes a velocity. *)
+(** [is_inertial law] is true if [law] is [Inertial]: it never changes a motion. *)
 
 val draws : t -> bool
-(** [draws law] is true if [law] leaves the velocity to chance (rule Draw). *)
+(** [draws law] is true if [law] leaves the motion to chance (rule Draw). *)
+
+val gives_spin : t -> bool
+(** [gives_spin law] is true if [law] gives a spin, or some of the motions that it chooses from have one. *)
 
 val mentions : (variable -> bool) -> t -> bool
 (** [mentions test law] is true if a variable that satisfies [test] occurs in [law]. *)

@@ -22,7 +22,7 @@ let equal_bond a b = compare_bond a b = 0
 let bond name a b = if compare_finish a b <= 0 then { name; one = a; two = b } else { name; one = b; two = a }
 
 type phase = Moving | Due | Steered
-type draw = Waits | Drawn of Vec.t
+type draw = Waits | Drawn of Given.t
 
 type drawn = (int * Behaviour.t) list
 type lot = Undecided | Let_go of drawn | Next of drawn
@@ -252,7 +252,7 @@ let compare_draw a b =
   | Waits, Waits -> 0
   | Waits, Drawn _ -> -1
   | Drawn _, Waits -> 1
-  | Drawn v, Drawn w -> Vec.compare v w
+  | Drawn g, Drawn h -> Given.compare g h
 
 let compare_lots (a : lots) (b : lots) =
   Rat.compare a.since b.since <?> fun () -> List.compare compare_pending a.pending b.pending
@@ -296,7 +296,7 @@ let hash_process_from h p =
   let h = Array.fold_left hash_leaf h p.leaves in
   let h = Array.fold_left (fun h b -> mix h (hash_bond b)) h p.bonds in
   let spin = if Vec.is_zero p.spin then 0 else mix (Vec.hash p.spin) (Rat.hash p.since) in
-  let draw = match p.draw with None -> 0 | Some Waits -> 1 | Some (Drawn v) -> mix 2 (Vec.hash v) in
+  let draw = match p.draw with None -> 0 | Some Waits -> 1 | Some (Drawn g) -> mix 2 (Given.hash g) in
   let lots = match p.lots with None -> 0 | Some lots -> hash_lots lots in
   mix (mix h (Vec.hash p.velocity)) (hash_option Rat.hash p.clock) lxor spin lxor draw lxor lots
 

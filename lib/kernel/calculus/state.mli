@@ -30,7 +30,7 @@ type phase =
 (** What chance has decided of a process whose laws are evaluated at this instant (rule Draw). *)
 type draw =
   | Waits  (** it has not drawn yet *)
-  | Drawn of Vec.t  (** the velocity that it will have when all have drawn *)
+  | Drawn of Given.t  (** the motion that it will have when all have drawn *)
 
 (** The summands [omega(a, Phi) chance q. B] by which leaves release a bond, in order of the leaves. There is one
     for each of its two leaves that has a chance for it. A leaf without a chance chooses freely among its summands,
@@ -113,7 +113,7 @@ val with_phase : phase option -> process -> process
 (** [with_phase phase p] is [p] in this phase of its own movement step. *)
 
 val with_draw : draw option -> process -> process
-(** [with_draw draw p] is [p] with this decision of chance about its velocity (rule Draw). *)
+(** [with_draw draw p] is [p] with this decision of chance about its motion (rule Draw). *)
 
 val with_lots : lots option -> process -> process
 (** [with_lots lots p] is [p] with these lots (rule Lot). *)

@@ -9,6 +9,7 @@ let weak_split = 5
 let strong_split = 6
 let draw = 7
 let lot = 8
+let draw_with_spin = 9
 
 let put_release codec buffer (r : Transition.release) =
   State_codec.put_bond codec buffer r.bond;
@@ -49,10 +50,11 @@ let put codec b (l : Transition.label) =
   | Strong_split releases ->
     Packed.put_nat b strong_split;
     Packed.put_list b (put_release codec) releases
-  | Draw { first; velocity; chance } ->
-    Packed.put_nat b draw;
+  | Draw { first; given = { velocity; spin }; chance } ->
+    Packed.put_nat b (if Option.is_none spin then draw else draw_with_spin);
     Packed.put_nat b first;
     Packed.put_vector b velocity;
+    Option.iter (Packed.put_vector b) spin;
     Packed.put_rational b chance
   | Lot { bond; decision = d; chance } ->
     Packed.put_nat b lot;
@@ -73,7 +75,7 @@ let release codec source =
   { Transition.bond; push = Packed.rational source }
 
 let read codec s : Transition.label =
-  let kind = Packed.below (lot + 1) ~what:"the kind of transition" s in
+  let kind = Packed.below (draw_with_spin + 1) ~what:"the kind of transition" s in
   if kind = time then Time (Packed.rational s)
   else if kind = bind then Bind (State_codec.bond codec s)
   else if kind = close then Close (State_codec.bond codec s)
@@ -85,10 +87,11 @@ let read codec s : Transition.label =
     Absorb { first; absorber = Packed.nat s }
   else if kind = weak_split then Weak_split (Packed.list s (release codec))
   else if kind = strong_split then Strong_split (Packed.list s (release codec))
-  else if kind = draw then
+  else if kind = draw || kind = draw_with_spin then
     let first = Packed.nat s in
     let velocity = Packed.vector s in
-    Draw { first; velocity; chance = Packed.rational s }
+    let spin = if kind = draw then None else Some (Packed.vector s) in
+    Draw { first; given = { velocity; spin }; chance = Packed.rational s }
   else
     let bond = State_codec.bond codec s in
     let decision : Transition.decision =

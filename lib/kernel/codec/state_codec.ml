@@ -69,9 +69,13 @@ let put_phase buffer (p : State.phase) =
 let put_draw buffer (d : State.draw) =
   match d with
   | Waits -> Packed.put_nat buffer 0
-  | Drawn v ->
+  | Drawn { velocity; spin = None } ->
     Packed.put_nat buffer 1;
-    Packed.put_vector buffer v
+    Packed.put_vector buffer velocity
+  | Drawn { velocity; spin = Some spin } ->
+    Packed.put_nat buffer 2;
+    Packed.put_vector buffer velocity;
+    Packed.put_vector buffer spin
 
 let put_pending t buffer ((bond, lot) : State.bond * State.lot) =
   let drawn number list =
@@ -179,7 +183,11 @@ let phase source : State.phase =
   match Packed.below 3 ~what:"the phase" source with 0 -> Moving | 1 -> Due | _ -> Steered
 
 let draw source : State.draw =
-  match Packed.below 2 ~what:"the draw" source with 0 -> Waits | _ -> Drawn (Packed.vector source)
+  match Packed.below 3 ~what:"the draw" source with
+  | 0 -> Waits
+  | kind ->
+    let velocity = Packed.vector source in
+    Drawn { velocity; spin = (if kind = 1 then None else Some (Packed.vector source)) }
 
 let pending t source =
   let bond = bond t source in

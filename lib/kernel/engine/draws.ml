@@ -4,9 +4,9 @@ open Scc_semantics
 
 type t = {
   undrawn : State.t;  (** before anybody has drawn *)
-  drawn : Vec.t option array;  (** by first leaf, of those who have drawn *)
+  drawn : Given.t option array;  (** by first leaf, of those who have drawn *)
   mutable left : State.process list;  (** the others, in order *)
-  mutable chances : (Vec.t * Rat.t) array option;  (** of the first of them, once they have been asked for *)
+  mutable chances : (Given.t * Rat.t) array option;  (** of the first of them, once they have been asked for *)
 }
 
 let waiting (c : Semantics.t) undrawn =
@@ -29,8 +29,8 @@ let chances c d =
     d.chances <- Some chances;
     Ok chances
 
-let draw d velocity =
-  d.drawn.((drawer d).leaves.(0).leaf) <- Some velocity;
+let draw d given =
+  d.drawn.((drawer d).leaves.(0).leaf) <- Some given;
   d.left <- List.tl d.left;
   d.chances <- None;
   d.left = []

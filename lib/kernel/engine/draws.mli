@@ -12,17 +12,17 @@ val waiting : Semantics.t -> State.t -> t option
 (** [waiting c s] is the draws of the processes of [s] that wait to draw, none of them made. It is [None] if no
     process waits. *)
 
-val chances : Semantics.t -> t -> ((Vec.t * Rat.t) array, Transition.fault) result
-(** The velocities that the next process may draw, with their probabilities ({!Steer.chances}). *)
+val chances : Semantics.t -> t -> ((Given.t * Rat.t) array, Transition.fault) result
+(** The motions that the next process may draw, with their probabilities ({!Steer.chances}). *)
 
 val drawer : t -> State.process
 (** The process that draws next. It is a bug if all have drawn. *)
 
-val draw : t -> Vec.t -> bool
-(** [draw d v] makes the next process draw [v]. The result is true if no other process waits. *)
+val draw : t -> Given.t -> bool
+(** [draw d given] makes the next process draw [given]. The result is true if no other process waits. *)
 
-val before : t -> State.process -> Vec.t option
-(** [before d p] is the velocity that [p] has drawn; [None] if it has not drawn. *)
+val before : t -> State.process -> Given.t option
+(** [before d p] is the motion that [p] has drawn; [None] if it has not drawn. *)
 
 val drawn : t -> State.process list -> State.t
 (** [drawn d processes] is {!state} with [processes] alone, which are there apart from draws, in order. *)

@@ -61,7 +61,7 @@ let checks m list = join_all (check m) list
 let rec of_expr : Law.expr -> num = function
   | Const b -> Const b
   | Var Time -> Quantity Time
-  | Var (X | Y | Z | Vx | Vy | Vz | Mass | Dt) -> Quantity Energy
+  | Var (X | Y | Z | Vx | Vy | Vz | Wx | Wy | Wz | Mass | Dt) -> Quantity Energy
   | Neg a -> Neg (of_expr a)
   | Add (a, b) -> Add (of_expr a, of_expr b)
   | Sub (a, b) -> Sub (of_expr a, of_expr b)
@@ -80,10 +80,11 @@ and of_cond : Law.cond -> prop = function
 let law m (law : Law.t) =
   let expr e = num m (of_expr e) in
   let vector (x, y, z) = join_all expr [ x; y; z ] in
+  let motion (m : Law.motion) = join (vector m.velocity) (Option.fold ~none:Never ~some:vector m.spin) in
   match law with
   | Inertial -> Never
-  | Velocity v -> vector v
-  | Choose kicks -> join_all (fun (k : Law.kick) -> join (vector k.velocity) (expr k.weight)) kicks
+  | Gives m -> motion m
+  | Choose kicks -> join_all (fun (k : Law.kick) -> join (motion k.motion) (expr k.weight)) kicks
 
 let same_kind a b =
   match (a, b) with

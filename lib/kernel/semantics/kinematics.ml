@@ -29,7 +29,7 @@ let everyone =
          | t, _ -> t);
   }
 
-type shares = ((Vec.t * Rat.t) list, Law.fault) result
+type shares = ((Given.t * Rat.t) list, Law.fault) result
 type laws = int -> Law.t -> (unit -> shares) -> shares
 
 let ask_again _ _ ask = ask ()

@@ -26,8 +26,9 @@ type neighbours = {
 val everyone : neighbours
 (** The filter that leaves out no pair: quadratic in the number of parts. *)
 
-(** The velocities that the law of a leaf chooses from, with their probabilities, or why there are none. *)
-type shares = ((Vec.t * Rat.t) list, Law.fault) result
+(** What the law of a leaf chooses from, with the probabilities, or why there is nothing. A spin is [None] where
+    the law leaves it as it is. *)
+type shares = ((Given.t * Rat.t) list, Law.fault) result
 
 (** [laws leaf law eval] is [eval ()], the shares of the law of a leaf. An implementation may cache the result
     for a law that is constant ({!Scc_calculus.Law.is_constant}). *)

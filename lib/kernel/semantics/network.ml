@@ -85,9 +85,9 @@ let time c s () =
 
 let draw_rules = [ Rule.Draw ]
 
-let drawn c s ~before p (velocity, chance) =
-  let of_one q = if q == p then Some velocity else before q in
-  finish c (Steer.draw_label p (velocity, chance)) draw_rules (Steer.drawn of_one s)
+let drawn c s ~before p (given, chance) =
+  let of_one q = if q == p then Some given else before q in
+  finish c (Steer.draw_label p (given, chance)) draw_rules (Steer.drawn of_one s)
 
 let draws c s p =
   let* chances = Steer.chances c s p in

@@ -59,10 +59,10 @@ val after_collision : Model.t -> State.step option -> State.step option
     instant has been steered already, or if steps keep their beat ({!Model.keeps_beat}). *)
 
 val drawn :
-  Semantics.t -> State.t -> before:(State.process -> Scc_exact.Vec.t option) -> State.process ->
-  Scc_exact.Vec.t * Scc_exact.Rat.t -> (Transition.t, Transition.fault) result
-(** [drawn c s ~before p (velocity, chance)] is the transition in which [p] draws [velocity], one of
-    {!Steer.chances}. [before] is the velocities that other processes of [s] have drawn earlier, each in its turn
+  Semantics.t -> State.t -> before:(State.process -> Given.t option) -> State.process ->
+  Given.t * Scc_exact.Rat.t -> (Transition.t, Transition.fault) result
+(** [drawn c s ~before p (given, chance)] is the transition in which [p] draws the motion [given], one of
+    {!Steer.chances}. [before] is the motions that other processes of [s] have drawn earlier, each in its turn
     ({!Steer.drawers}). *)
 
 val draw_rules : Rule.t list

@@ -6,16 +6,23 @@ let rules = [ Rule.Steer ]
 
 (* {1 What laws give} *)
 
-(* Each vector once, in order, with all of its chance. *)
-let distinct = Scc_data.Lists.merged Vec.compare Rat.add
+(* Each motion once, in order, with all of its chance. *)
+let distinct = Scc_data.Lists.merged Given.compare Rat.add
 
-let environment (m : Model.t) ~time ~dt (l : State.leaf) centre (v : Vec.t) : Law.variable -> Rat.t = function
+(* How a leaf moves before its law is asked. *)
+type present = { velocity : Vec.t; spin : Vec.t }
+
+let environment (m : Model.t) ~time ~dt (l : State.leaf) centre { velocity; spin } (x : Law.variable) =
+  match x with
   | X -> centre.Vec.x
   | Y -> centre.y
   | Z -> centre.z
-  | Vx -> v.x
-  | Vy -> v.y
-  | Vz -> v.z
+  | Vx -> velocity.x
+  | Vy -> velocity.y
+  | Vz -> velocity.z
+  | Wx -> spin.x
+  | Wy -> spin.y
+  | Wz -> spin.z
   | Mass -> m.leaves.(l.leaf).mass
   | Time -> time
   | Dt -> dt
@@ -26,35 +33,64 @@ let vector env (x, y, z) =
   let* z = Law.eval env z in
   Ok (Vec.make x y z)
 
-(* Velocities of no weight are not asked for. *)
+let motion env (m : Law.motion) =
+  let* velocity = vector env m.velocity in
+  match m.spin with
+  | None -> Ok { Given.velocity; spin = None }
+  | Some spin -> Result.map (fun spin -> { Given.velocity; spin = Some spin }) (vector env spin)
+
+(* Motions of no weight are not asked for. *)
 let shares env kicks =
   let share (k : Law.kick) =
     let* weight = Law.eval env k.weight in
     match Rat.sign weight with
     | 0 -> Ok []
     | s when s < 0 -> Error Law.Negative_weight
-    | _ -> Result.map (fun v -> [ (v, weight) ]) (vector env k.velocity)
+    | _ -> Result.map (fun given -> [ (given, weight) ]) (motion env k.motion)
   in
   let* shares = Result.map List.concat (Result.all share kicks) in
   let total = List.fold_left (fun sum (_, w) -> Rat.add sum w) Rat.zero shares in
   if Rat.sign total = 0 then Error Law.No_weight
-  else Ok (distinct (List.map (fun (v, w) -> (v, Rat.div w total)) shares))
+  else Ok (distinct (List.map (fun (given, w) -> (given, Rat.div w total)) shares))
 
-(* The velocities that a leaf's law may ask for, with their chances. *)
-let of_leaf (c : Kinematics.setting) ~time ~dt (l : State.leaf) velocity =
-  let env () = environment c.model ~time ~dt l (State.centroid c.model l) velocity in
+(* A motion without a spin leaves it as it is, and is one with that spin if the law has others with spins. *)
+let with_spins law now shares =
+  let keeps ((g : Given.t), _) = Option.is_none g.spin in
+  if not (Law.gives_spin law && List.exists keeps shares) then shares
+  else
+    let spun ((g : Given.t), chance) = ({ g with spin = Some (Option.value g.spin ~default:now.spin) }, chance) in
+    distinct (List.map spun shares)
+
+(* The motions that a leaf's law may ask for, with their chances. *)
+let of_leaf (c : Kinematics.setting) ~time ~dt (l : State.leaf) now =
+  let env () = environment c.model ~time ~dt l (State.centroid c.model l) now in
   match c.model.leaves.(l.leaf).law with
-  | Inertial -> Ok [ (velocity, Rat.one) ]
-  | Velocity v -> Result.map (fun v -> [ (v, Rat.one) ]) (vector (env ()) v)
-  | Choose kicks as law -> c.laws l.leaf law (fun () -> shares (env ()) kicks)
+  | Inertial -> Ok [ ({ Given.velocity = now.velocity; spin = None }, Rat.one) ]
+  | Gives m -> Result.map (fun given -> [ (given, Rat.one) ]) (motion (env ()) m)
+  | Choose kicks as law -> Result.map (with_spins law now) (c.laws l.leaf law (fun () -> shares (env ()) kicks))
+
+(* {2 Of a whole} *)
+
+let plus (a : Given.t) (b : Given.t) =
+  let spin = Option.merge Vec.add a.spin b.spin in
+  { Given.velocity = Vec.add a.velocity b.velocity; spin }
 
 (* Of two that are independent of each other. *)
 let sums some others =
   if List.compare_lengths some [] > 0 && List.length some * List.length others > Law.most_outcomes then
     Error Law.Too_many
   else
-    let plus (v, c) = List.rev_map (fun (w, d) -> (Vec.add v w, Rat.mul c d)) others in
-    Ok (distinct (List.concat_map plus some))
+    let added (v, c) = List.rev_map (fun (w, d) -> (plus v w, Rat.mul c d)) others in
+    Ok (distinct (List.concat_map added some))
+
+(* What becomes of a motion by a change with a weight. *)
+let changed by { velocity; spin } (change : Given.t) =
+  let spin = Option.map (fun w -> Vec.axpy by w spin) change.spin in
+  { Given.velocity = Vec.axpy by change.velocity velocity; spin }
+
+let change_from now mass (g : Given.t) =
+  let change a b = Vec.scale mass (Vec.sub b a) in
+  { Given.velocity = change now.velocity g.velocity; spin = Option.map (change now.spin) g.spin }
 
 (* The whole takes the mean of the changes of its leaves, weighted by mass. *)
 let of_whole (c : Kinematics.setting) ~time ~dt (p : State.process) =
@@ -62,24 +98,25 @@ let of_whole (c : Kinematics.setting) ~time ~dt (p : State.process) =
     let* sum, total = sum in
     let mass = c.model.leaves.(l.leaf).mass in
     let of_leaf =
-      let velocity = Turn.velocity_at c.model p (State.centroid c.model l) in
-      let* velocities = of_leaf c ~time ~dt:(dt l) l velocity in
-      sums sum (List.map (fun (v, chance) -> (Vec.scale mass (Vec.sub v velocity), chance)) velocities)
+      let now = { velocity = Turn.velocity_at c.model p (State.centroid c.model l); spin = p.spin } in
+      let* motions = of_leaf c ~time ~dt:(dt l) l now in
+      sums sum (List.map (fun (given, chance) -> (change_from now mass given, chance)) motions)
     in
     let* sum = Result.map_error (fun fault -> Transition.Bad_law { leaf = l.leaf; fault }) of_leaf in
     Ok (sum, Rat.add total mass)
   in
-  let* sums, total = Array.fold_left add (Ok ([ (Vec.zero, Rat.one) ], Rat.zero)) p.leaves in
-  let mean = Rat.div Rat.one total in
-  Ok (List.map (fun (sum, chance) -> (Vec.axpy mean sum p.velocity, chance)) sums)
+  let none = { Given.velocity = Vec.zero; spin = None } in
+  let* sums, total = Array.fold_left add (Ok ([ (none, Rat.one) ], Rat.zero)) p.leaves in
+  let mean = Rat.div Rat.one total and now = { velocity = p.velocity; spin = p.spin } in
+  Ok (List.map (fun (sum, chance) -> (changed mean now sum, chance)) sums)
 
 (* A leaf alone turns about its own centroid, and the mean over it is itself. *)
-let velocities c ~time ~dt (p : State.process) =
+let motions c ~time ~dt (p : State.process) =
   match p.leaves with
   | [| l |] ->
     Result.map_error
       (fun fault -> Transition.Bad_law { leaf = l.leaf; fault })
-      (of_leaf c ~time ~dt:(dt l) l p.velocity)
+      (of_leaf c ~time ~dt:(dt l) l { velocity = p.velocity; spin = p.spin })
   | _ -> of_whole c ~time ~dt p
 
 (* {1 Whose laws are asked, and when} *)
@@ -114,14 +151,14 @@ let ask (c : Semantics.t) ~which (s : State.t) =
     if not (steers m p && which i) then Ok p
     else
       let p = K.renewed c.setting p in
-      let* velocities = velocities c.setting ~time:(time s) ~dt:(dt m s) p in
-      let next = if Process.draws m p then State.Waits else Drawn (fst (List.hd velocities)) in
+      let* motions = motions c.setting ~time:(time s) ~dt:(dt m s) p in
+      let next = if Process.draws m p then State.Waits else Drawn (fst (List.hd motions)) in
       Ok (State.with_draw (Some next) p)
   in
   let* processes = Result.all Fun.id (List.mapi ask_one (Array.to_list s.processes)) in
   Ok (State.make ~processes ~step:s.step ~time:s.time)
 
-(* All velocities take effect at once, and steps begin. *)
+(* All motions take effect at once, and steps begin. *)
 let begin_steps (m : Model.t) (s : State.t) =
   let begin_own p =
     State.with_phase (Some State.Steered) (State.map_leaves (fun l -> { l with waited = Rat.zero }) p)
@@ -129,14 +166,15 @@ let begin_steps (m : Model.t) (s : State.t) =
   let begin_one (p : State.process) =
     match p.draw with
     | None | Some Waits -> p
-    | Some (Drawn velocity) ->
+    | Some (Drawn { velocity; spin }) ->
       let p = State.with_draw None (State.with_velocity velocity p) in
+      let p = Option.fold ~none:p ~some:(fun spin -> Turn.spun m spin p) spin in
       if Model.of_each m then begin_own p else p
   in
   let step = Option.map (fun _ -> { State.remaining = m.timestep; phase = Steered }) s.step in
   State.at ~step ~time:s.time (State.mapi (fun _ p -> begin_one p) s)
 
-(* Of the velocities that have been drawn, those count that are not blocked. *)
+(* Of the motions that have been drawn, those count that are not blocked. *)
 let kicked (c : Semantics.t) (s : State.t) =
   let m = c.setting.model in
   let has_drawn i =
@@ -177,15 +215,15 @@ let drawers c (s : State.t) =
   Process.by_place (Semantics.model c) (List.filter waits (Array.to_list s.processes))
 
 let chances (c : Semantics.t) (s : State.t) p =
-  velocities c.setting ~time:(time s) ~dt:(dt c.setting.model s) p
+  motions c.setting ~time:(time s) ~dt:(dt c.setting.model s) p
 
-let draw_label (p : State.process) (velocity, chance) =
-  Transition.Draw { first = p.leaves.(0).leaf; velocity; chance }
+let draw_label (p : State.process) (given, chance) =
+  Transition.Draw { first = p.leaves.(0).leaf; given; chance }
 
-let drawn velocity (s : State.t) =
+let drawn given (s : State.t) =
   let of_one _ p =
-    match if waits p then velocity p else None with
-    | Some v -> State.with_draw (Some (State.Drawn v)) p
+    match if waits p then given p else None with
+    | Some g -> State.with_draw (Some (State.Drawn g)) p
     | None -> p
   in
   State.mapi of_one s

@@ -19,18 +19,19 @@ type outcome = {
 val settle : Semantics.t -> State.t -> (outcome, Transition.fault) result
 (** [settle c s] does what is due after a transition. First, the turns of colliding processes end (rule Turn).
     Then the laws are evaluated, if the movement step is over, this instant has not been steered, and nothing
-    collides (reading I-15). In that case every process under a law gets a new velocity, and the next step
-    begins. The time since the last update is what the step has used up (reading I-10). At last the due turns of
-    processes that do not collide begin (rules Turn and Round). Where laws leave velocities to chance, the new
-    velocities and all that follows wait until every process has drawn. *)
+    collides (reading I-15). In that case every process under a law gets a new velocity, and a new
+    spin if its law gives one (reading I-24). The next step begins. The time since the last update is what the step
+    has used up (reading I-10). At last the due turns of processes that do not collide begin (rules Turn and
+    Round). Where laws leave motions to chance, the new
+    motions and all that follows wait until every process has drawn. *)
 
 val ask : Semantics.t -> which:(int -> bool) -> State.t -> (State.t, Transition.fault) result
 (** [ask c ~which s] is [s] with the laws evaluated of all steered processes whose index in [s] satisfies [which].
-    Each of these waits to draw, or has the velocity that its laws give. It is the part of {!settle} that evaluates
+    Each of these waits to draw, or has the motion that its laws give. It is the part of {!settle} that evaluates
     laws. *)
 
 val kicked : Semantics.t -> State.t -> State.t
-(** [kicked c s] is [s] after all velocities that {!ask} or draws gave have taken effect, but for the kicks that
+(** [kicked c s] is [s] after all motions that {!ask} or draws gave have taken effect, but for the kicks that
     are blocked ({!Blocked.waiting}): the next movement step begins. No process of [s] waits to draw. It is the
     part of {!settle} that begins steps, before walkers stop. With {!Model.Wait}, it depends also on processes
     that are not steered. *)
@@ -42,13 +43,13 @@ val drawers : Semantics.t -> State.t -> State.process list
 (** All processes that wait to draw, in the order of {!Process.by_place}. They draw in this order, which no draw
     changes. *)
 
-val chances : Semantics.t -> State.t -> State.process -> ((Vec.t * Rat.t) list, Transition.fault) result
-(** The velocities that a waiting process may draw, each once and in order, with their probabilities. These are
+val chances : Semantics.t -> State.t -> State.process -> ((Given.t * Rat.t) list, Transition.fault) result
+(** The motions that a waiting process may draw, each once and in order, with their probabilities. These are
     positive and sum to 1. They do not depend on what other processes have drawn. *)
 
-val draw_label : State.process -> Vec.t * Rat.t -> Transition.label
-(** [draw_label p (velocity, chance)] is the label of the transition in which [p] draws [velocity]. *)
+val draw_label : State.process -> Given.t * Rat.t -> Transition.label
+(** [draw_label p (given, chance)] is the label of the transition in which [p] draws the motion [given]. *)
 
-val drawn : (State.process -> Vec.t option) -> State.t -> State.t
-(** [drawn velocity s] is [s] after each waiting process [p] for which [velocity p] is a velocity has drawn it.
+val drawn : (State.process -> Given.t option) -> State.t -> State.t
+(** [drawn given s] is [s] after each waiting process [p] for which [given p] is a motion has drawn it.
     It is the state before {!settle}. *)

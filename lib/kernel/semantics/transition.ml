@@ -15,7 +15,7 @@ type label =
   | Absorb of { first : int; absorber : int }
   | Weak_split of release list
   | Strong_split of release list
-  | Draw of { first : int; velocity : Vec.t; chance : Rat.t }
+  | Draw of { first : int; given : Given.t; chance : Rat.t }
   | Lot of { bond : State.bond; decision : decision; chance : Rat.t }
 
 type outcome = {
@@ -89,7 +89,7 @@ let equal_label a b =
     List.equal Int.equal x.firsts y.firsts && List.equal (fun a b -> compare_hit a b = 0) x.hits y.hits
   | Absorb x, Absorb y -> Int.equal x.first y.first && Int.equal x.absorber y.absorber
   | Weak_split x, Weak_split y | Strong_split x, Strong_split y -> List.equal equal_release x y
-  | Draw x, Draw y -> Int.equal x.first y.first && Vec.equal x.velocity y.velocity && Rat.equal x.chance y.chance
+  | Draw x, Draw y -> Int.equal x.first y.first && Given.equal x.given y.given && Rat.equal x.chance y.chance
   | Lot x, Lot y -> State.equal_bond x.bond y.bond && x.decision = y.decision && Rat.equal x.chance y.chance
   | (Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _), _ -> false
 
@@ -151,8 +151,8 @@ let label_to_string (m : Model.t) = function
   | Weak_split [ r ] -> Printf.sprintf "weak(%s)%s" (bond_to_string m r.bond) (pushed r)
   | Weak_split releases -> "weak" ^ set_to_string m releases
   | Strong_split releases -> "strong" ^ set_to_string m releases
-  | Draw { first; velocity; chance } ->
-    Printf.sprintf "draw(%s, %s) chance(%s)" m.leaves.(first).name (Vec.to_string velocity) (Rat.to_string chance)
+  | Draw { first; given; chance } ->
+    Printf.sprintf "draw(%s, %s) chance(%s)" m.leaves.(first).name (Given.to_string given) (Rat.to_string chance)
   | Lot { bond = b; decision = Chosen; _ } -> Printf.sprintf "choose(%s)" (bond_to_string m b)
   | Lot { bond = b; decision; chance } ->
     Printf.sprintf "%s(%s) chance(%s)" (decision_to_string decision) (bond_to_string m b) (Rat.to_string chance)

@@ -30,9 +30,8 @@ type label =
   (** sorted by their bonds; several only where splits are left to chance (rule Lot): all releases of an instant at
       once *)
   | Strong_split of release list  (** sorted by their bonds *)
-  | Draw of { first : int; velocity : Vec.t; chance : Rat.t }
-  (** the first leaf of the process, the velocity that it draws, and the probability of that velocity, more than
-      0 *)
+  | Draw of { first : int; given : Given.t; chance : Rat.t }
+  (** the first leaf of the process, the motion that it draws, and the probability of that motion, more than 0 *)
   | Lot of { bond : State.bond; decision : decision; chance : Rat.t }
   (** [chance] is the probability of the decision, more than 0; 1 for [Chosen] *)
 

@@ -92,6 +92,7 @@ let moving m (mover : Impact.mover) p =
   State.with_velocity mover.velocity p |> State.with_turn ~spin:mover.spin ~since:Rat.zero ~lasts:None
   |> start m
 
+let spun m spin p = start m (State.with_turn ~spin ~since:Rat.zero ~lasts:None p)
 let piece m ~whole p = moving m (Impact.piece (mover m (renew m whole)) (mass m p)) p
 
 (* Any spin would do: what a free body keeps is not computed from it. So an estimate has no more digits than it is

@@ -51,6 +51,9 @@ val start : Model.t -> State.process -> State.process
 val moving : Model.t -> Impact.mover -> State.process -> State.process
 (** [moving m mover p] is [p] with the velocity and spin of [mover], and a new turn due ({!start}). *)
 
+val spun : Model.t -> Vec.t -> State.process -> State.process
+(** [spun m spin p] is [p] with this spin, given by a law (rule Steer), and a new turn due ({!start}). *)
+
 val piece : Model.t -> whole:State.process -> State.process -> State.process
 (** [piece m ~whole p] is [p], a piece of [whole] that has just split off, in the motion that the whole had, with a
     new turn due (reading I-11). *)

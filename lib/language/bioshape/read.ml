@@ -143,8 +143,9 @@ let network c = Network (Content.many c [ "member" ] (fun c -> Content.required 
 
 let kick c =
   let velocity = expr c "velocity" in
+  let spin = Content.optional c "spin" Content.expression in
   let weight = Content.optional c "weight" Content.expression in
-  { over = ranges c; velocity; weight }
+  { over = ranges c; velocity; spin; weight }
 
 let choose c =
   match Content.many c [ "kick" ] kick with
@@ -158,7 +159,10 @@ let law c =
   match Content.next c with
   | Some "inertial" -> Option.bind (Content.one c "inertial" ignore) (fun () -> found Inertial)
   | Some "velocity" ->
-    let velocity c = { it = Expression (expr c "value"); at = whole c } in
+    let velocity c =
+      let value = expr c "value" in
+      { it = Expression (value, Content.optional c "spin" Content.expression); at = whole c }
+    in
     Content.one c "velocity" velocity
   | Some "choose" -> Option.bind (Content.one c "choose" choose) (fun kicks -> found (Choose kicks))
   | Some _ | None ->

@@ -162,11 +162,13 @@ let range (r : range) = empty ~at:(start r.index.at) "range" (("index", r.index.
 let law at (l : law) =
   match l.it with
   | Inertial -> empty ~at "inertial" []
-  | Expression v -> empty ~at:(start v.at) "velocity" [ ("value", Text.expr v) ]
+  | Expression (v, spin) ->
+    empty ~at:(start v.at) "velocity" (("value", Text.expr v) :: optional "spin" Text.expr spin)
   | Choose kicks ->
     let kick (k : kick) =
       short ~at:(start k.velocity.at) "kick"
-        (("velocity", Text.expr k.velocity) :: optional "weight" Text.expr k.weight)
+        (("velocity", Text.expr k.velocity)
+         :: (optional "spin" Text.expr k.spin @ optional "weight" Text.expr k.weight))
         (List.map range k.over)
     in
     long ~at "choose" [] (List.map kick kicks)

@@ -239,11 +239,14 @@ let law t c (l : Ast.law) =
   let c = { c with law = true } in
   match l.it with
   | Inertial -> ()
-  | Expression v -> expr t c v
+  | Expression (v, spin) ->
+    expr t c v;
+    Option.iter (expr t c) spin
   | Choose kicks ->
     let kick (k : Ast.kick) =
       let c = List.fold_left (range t) c k.over in
       expr t c k.velocity;
+      Option.iter (expr t c) k.spin;
       Option.iter (expr t c) k.weight
     in
     List.iter kick kicks

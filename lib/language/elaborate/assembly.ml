@@ -81,10 +81,14 @@ let bond (composition : Composition.t) (j : Joints.t) =
   let finish (i, site) = { State.at = composition.index.(i); site } in
   State.bond j.name (finish j.one) (finish j.two)
 
-let spinning bodies composition =
-  numbered bodies composition
-  |> List.find_opt (fun (_, (l : Bodies.leaf)) -> not (Vec.is_zero l.spin))
-  |> Option.map (fun (_, (l : Bodies.leaf)) -> (l.name, l.span))
+let spinning bodies (composition : Composition.t) =
+  let spins (i, (l : Bodies.leaf)) =
+    let law, law_at = composition.laws.(i) in
+    if not (Vec.is_zero l.spin) then Some (Printf.sprintf "`%s` spins" l.name, l.span)
+    else if Law.gives_spin law then Some (Printf.sprintf "a law of motion gives `%s` a spin" l.name, law_at)
+    else None
+  in
+  List.find_map spins (numbered bodies composition)
 
 (* The processes are the connected components of the bonds. The velocity of a leaf is that of its own centroid,
    and of a process that of its centre of mass. *)

@@ -15,7 +15,8 @@ val leaves : Bodies.t -> Composition.t -> Model.leaf array
 (** The leaves of the model, in the order of declaration. A body of the network with faults is a bug. *)
 
 val spinning : Bodies.t -> Composition.t -> (string * Span.t) option
-(** The first body of the network that spins: its name and the place of its declaration. *)
+(** The first body of the network that has a spin, or to which a law gives one: a clause that says so, and the
+    place of the body or of the law. *)
 
 val state : Bodies.t -> Composition.t -> Joints.t list -> Behaviour.t array -> Model.t -> State.t
 (** The declared state. The behaviours are by index in the model. No split clock is set; the movement step of a

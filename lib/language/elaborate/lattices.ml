@@ -7,6 +7,7 @@ let family name = match String.index_opt name '[' with Some i -> String.sub name
 
 let same (a : Diffusion.lattice) (b : Diffusion.lattice) =
   Rat.equal a.kick b.kick && Rat.equal a.spread b.spread && Bool.equal a.chosen b.chosen
+  && Option.equal Rat.equal a.spin b.spin
 
 module Names = Set.Make (String)
 
@@ -36,7 +37,9 @@ let why (l : Diffusion.lattice) =
   "the least power of two whose square is no less than " ^ Rat.to_string l.spread
 
 let entries what (l : Diffusion.lattice) =
-  (what, Rat.to_string l.kick) :: (if l.chosen then [ (what ^ " chosen as", why l) ] else [])
+  let chosen = if l.chosen then [ (what ^ " chosen as", why l) ] else [] in
+  let spin = List.map (fun w -> ("spin of " ^ what, Rat.to_string w)) (Option.to_list l.spin) in
+  ((what, Rat.to_string l.kick) :: chosen) @ spin
 
 let settings = function
   | [ l ] -> entries "kick" l.lattice

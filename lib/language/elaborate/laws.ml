@@ -11,6 +11,9 @@ let variables : (string * Law.variable) list =
     ("vx", Vx);
     ("vy", Vy);
     ("vz", Vz);
+    ("wx", Wx);
+    ("wy", Wy);
+    ("wz", Wz);
     ("mass", Mass);
     ("time", Time);
     ("dt", Dt);
@@ -70,7 +73,7 @@ module Algebra = struct
           None)
     | _ ->
       Report.error c.report Code.type_mismatch path.at "this cannot stand in a law of motion"
-        ~hint:"a law sees its own process alone: x, y, z, vx, vy, vz, mass, time and dt";
+        ~hint:"a law sees its own process alone: x, y, z, vx, vy, vz, wx, wy, wz, mass, time and dt";
       None
 
   let round c at x (quantum : Law.expr) =
@@ -104,7 +107,7 @@ module Algebra = struct
       None
     | _ ->
       Report.error c.report Code.type_mismatch e.at "this cannot stand in a law of motion"
-        ~hint:"a law sees its own process alone: x, y, z, vx, vy, vz, mass, time and dt";
+        ~hint:"a law sees its own process alone: x, y, z, vx, vy, vz, wx, wy, wz, mass, time and dt";
       None
 end
 
@@ -148,10 +151,16 @@ let weight c env (e : Ast.expr option) =
         None
       | weight -> weight)
 
+let motion c env velocity spin =
+  let spin = Option.fold ~none:(Some None) ~some:(fun w -> Option.map Option.some (vector c env w)) spin in
+  match (vector c env velocity, spin) with
+  | Some velocity, Some spin -> Some { Law.velocity; spin }
+  | _ -> None
+
 let kick c env (k : Ast.kick) =
   let one env =
-    match (vector c env k.velocity, weight c env k.weight) with
-    | Some velocity, Some weight -> Some { Law.velocity; weight }
+    match (motion c env k.velocity k.spin, weight c env k.weight) with
+    | Some motion, Some weight -> Some { Law.motion; weight }
     | _ -> None
   in
   Option.bind (Indices.scopes c.Algebra.report env k.over) (Option.all one)
@@ -198,21 +207,38 @@ let length c env (e : Ast.expr) =
   | h -> h
 
 let kick_name = "h"
+let turning_name = "turning"
 
-(* The arguments by their places, and the kick if the last one gives it by its name. *)
+(* The arguments by their places, and those at the end that have a name. *)
 let by_name (args : Ast.expr list) =
-  match List.rev args with
-  | { it = Binary (Eq, { it = Path { it = [ { name = { it; _ }; indices = [] } ]; _ }; _ }, h); _ } :: before
-    when String.equal it kick_name ->
-    (List.rev before, Some h)
-  | _ -> (args, None)
+  let rec from_the_last named : Ast.expr list -> _ = function
+    | { it = Binary (Eq, { it = Path { it = [ { name = { it; _ }; indices = [] } ]; _ }; _ }, e); _ } :: before
+      when List.mem it [ kick_name; turning_name ] && not (List.mem_assoc it named) ->
+      from_the_last ((it, e) :: named) before
+    | rest -> (List.rev rest, fun name -> List.assoc_opt name named)
+  in
+  from_the_last [] (List.rev args)
 
-let diffuses c ~timestep at ~drift ~kick d =
+let with_turns c ~timestep at kicks = function
+  | None -> Some (kicks, None)
+  | Some constants -> (
+      match Diffusion.turns ~timestep constants with
+      | Ok (spin, spins) -> Some (Diffusion.spun kicks spins, Some spin)
+      | Error most ->
+        Report.error c.Algebra.report Code.bad_law at
+          "no turn of one timestep is enough to diffuse in orientation so fast: the constants of `%s` sum to more \
+           than %s"
+          turning_name (Rat.to_string most) ~hint:"a shorter timestep allows more";
+        None)
+
+let diffuses c ~timestep at ~drift ~kick ~turning d =
   let spread = Diffusion.spread ~timestep d in
   let chosen = Option.is_none kick in
   let kick = match kick with Some h -> h | None -> Diffusion.least_kick ~timestep d in
   match Diffusion.kicks ~timestep ~drift ~kick d with
-  | Ok kicks -> Some (Law.Choose kicks, Some { Diffusion.kick; spread; chosen })
+  | Ok kicks ->
+    let choice (kicks, spin) = (Law.Choose kicks, Some { Diffusion.kick; spread; chosen; spin }) in
+    Option.map choice (with_turns c ~timestep at kicks turning)
   | Error least ->
     Report.error c.Algebra.report Code.bad_law at
       "kicks of %s are too short to diffuse so fast: their square is less than %s, which is 2 d times the \
@@ -222,31 +248,37 @@ let diffuses c ~timestep at ~drift ~kick d =
 
 let diffusion c ~timestep env at args =
   let at_rest = Law.(Const Rat.zero, Const Rat.zero, Const Rat.zero) in
+  let if_given read e = Option.fold ~none:(Some None) ~some:(fun e -> Option.map Option.some (read c env e)) e in
+  let args, named = by_name args in
   let read d drift h =
     let drift = Option.fold ~none:(Some at_rest) ~some:(vector c env) drift in
-    let kick = Option.fold ~none:(Some None) ~some:(fun h -> Option.map Option.some (length c env h)) h in
-    match (constants c env d, drift, kick) with
-    | Some d, Some drift, Some kick -> diffuses c ~timestep at ~drift ~kick d
+    match (constants c env d, drift, if_given length h, if_given constants (named turning_name)) with
+    | Some d, Some drift, Some kick, Some turning -> diffuses c ~timestep at ~drift ~kick ~turning d
     | _ -> None
   in
-  match by_name args with
+  match (args, named kick_name) with
   | [ d ], h -> read d None h
   | [ d; v ], h -> read d (Some v) h
   | [ d; v; h ], None -> read d (Some v) (Some h)
   | _ ->
     Report.error c.report Code.bad_arity at
       "`diffuse` takes a diffusion constant, and then a drift and the length of a kick, if they are to be said"
-      ~hint:"`diffuse(1, h = 2)` gives the length without a drift";
+      ~hint:"`diffuse(1, h = 2)` gives the length without a drift, and `diffuse(1, turning = 1/4)` turns as well";
     None
+
+let no_spin c (spin : Ast.vector) =
+  Report.error c.Algebra.report Code.type_mismatch spin.at "`diffuse` is a whole law, and takes no spin beside it"
+    ~hint:"`diffuse(1/8, turning = 1/4)` diffuses in orientation as well"
 
 let law report budget ~timestep env (l : Ast.law) =
   let c = { Algebra.report; budget } in
   let plain law = (law, None) in
   match l.it with
   | Inertial -> Some (plain Law.Inertial)
-  | Expression { it = Apply ({ it = f; _ }, args); at } when String.equal f diffuse ->
+  | Expression ({ it = Apply ({ it = f; _ }, args); at }, spin) when String.equal f diffuse ->
+    Option.iter (no_spin c) spin;
     diffusion c ~timestep env at args
-  | Expression v -> Option.map (fun v -> plain (Law.Velocity v)) (vector c env v)
+  | Expression (v, spin) -> Option.map (fun m -> plain (Law.Gives m)) (motion c env v spin)
   | Choose kicks -> (
       match Option.all (kick c env) kicks with
       | None -> None
@@ -262,7 +294,7 @@ let law report budget ~timestep env (l : Ast.law) =
 let some_diffuse =
   let is_so (i : Ast.item) =
     match i.it with
-    | Motion (_, { it = Expression { it = Apply ({ it; _ }, _); _ }; _ }) -> String.equal it diffuse
+    | Motion (_, { it = Expression ({ it = Apply ({ it; _ }, _); _ }, _); _ }) -> String.equal it diffuse
     | _ -> false
   in
   let rec some items = List.exists (fun (i : Ast.item) -> is_so i || some (inner i)) items

@@ -105,10 +105,12 @@ let range (r : Ast.range) = bounds r.bounds
 let law (l : Ast.law) =
   match l.it with
   | Inertial -> []
-  | Expression v -> vector v
+  | Expression (v, spin) -> vector v @ List.concat_map vector (Option.to_list spin)
   | Choose kicks ->
     let kick (k : Ast.kick) =
-      List.concat_map range k.over @ vector k.velocity @ List.map expr (Option.to_list k.weight)
+      List.concat_map range k.over @ vector k.velocity
+      @ List.concat_map vector (Option.to_list k.spin)
+      @ List.map expr (Option.to_list k.weight)
     in
     List.concat_map kick kicks
 

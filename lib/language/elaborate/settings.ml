@@ -134,10 +134,10 @@ let warn_coarse report leaves (given : Rat.t given) =
   | _ -> ()
 
 (* Whatever is near or far turns when it is hit, because of this one. *)
-let warn_unstated t report (name, at) =
+let warn_unstated t report (why, at) =
   if Option.is_none t.dynamics then
     Report.warning report Code.unstated_dynamics at
-      "`%s` spins, so that all bodies of the model turn, and the model does not say by which `dynamics`" name
+      "%s, so that all bodies of the model turn, and the model does not say by which `dynamics`" why
       ~hint:"write `dynamics constant_spin`, which is taken now, or `dynamics free_body`"
 
 let value given = Option.bind given (fun g -> g.value)

@@ -35,9 +35,9 @@ val round : t -> Report.t -> Env.t -> Ast.name -> Ast.expr -> unit
     otherwise). *)
 
 val rigid : t -> Report.t -> spinning:(string * Span.t) option -> Model.leaf array -> Model.rigid option
-(** The settings of rigid motion of a network with these leaves, or [None] if nothing turns. Bodies turn if one
-    is given a spin ([spinning]) or [dynamics] is given. A spin without [dynamics] is a warning (SC0215).
-    Otherwise the settings that are given have no effect (warning SC0213).
+(** The settings of rigid motion of a network with these leaves, or [None] if nothing turns. Bodies turn if
+    one is given a spin, by its declaration or by a law ([spinning]), or [dynamics] is given. A spin without
+    [dynamics] is a warning (SC0215). Otherwise the settings that are given have no effect (warning SC0213).
 
     A resolution of more than an eighth of the shortest edge is coarse (warning SC0214). Without a resolution it
     is the greatest power of two that is at most 2^-20 times the shortest edge. *)
@@ -59,4 +59,5 @@ val blocked : t -> Model.blocked
 
 val check : t -> Report.t -> spins:bool -> unit
 (** Reports [On_contact] in a model whose bodies turn, and [Stop] and [Wait] there or where velocities are rounded
-    (SC0901). [spins] is true if a body is given a spin. *)
+    (SC0901). [spins] is true if a body is given a spin, by its declaration
+    or by a law. *)

@@ -163,11 +163,12 @@ type law = law_kind loc
 
 and law_kind =
   | Inertial
-  | Expression of vector
+  | Expression of vector * vector option  (** with a spin, if it is given *)
   | Choose of kick list
 
-(** A velocity of a choice, with its weight or none; or many, as in [for i in 1..3: (i, 0, 0) weight 1/i]. *)
-and kick = { over : range list; velocity : vector; weight : expr option }
+(** A velocity of a choice, with its spin and its weight or none; or many, as in
+    [for i in 1..3: (i, 0, 0) weight 1/i]. *)
+and kick = { over : range list; velocity : vector; spin : vector option; weight : expr option }
 
 (** Whose movement steps are, and what ends them: [local], [steady], or neither. *)
 type pace = Shared | Local | Steady

@@ -203,18 +203,24 @@ named_law:
 
 law:
 | l = named_law { l }
-| v = expr { at $loc (Expression v) }
+| v = expr s = ioption(spinning) { at $loc (Expression (v, s)) }
 
 (* Without the name of a body, which would be taken for the beginning of an expression. *)
 law_of_all:
 | l = named_law { l }
-| v = closed_vector { at $loc (Expression v) }
-| c = call(name) { at $loc (Expression c) }
-| IF c = expr THEN t = expr ELSE e = expr { at $loc (Expression (at $loc (If (c, t, e)))) }
+| v = standing s = ioption(spinning) { at $loc (Expression (v, s)) }
+
+standing:
+| v = closed_vector { v }
+| c = call(name) { c }
+| IF c = expr THEN t = expr ELSE e = expr { at $loc (If (c, t, e)) }
 
 kick:
-| velocity = expr weight = ioption(weight) { { over = []; velocity; weight } }
-| FOR over = comma_list(range) COLON velocity = expr weight = ioption(weight) { { over; velocity; weight } }
+| velocity = expr spin = ioption(spinning) weight = ioption(weight) { { over = []; velocity; spin; weight } }
+| FOR over = comma_list(range) COLON velocity = expr spin = ioption(spinning) weight = ioption(weight)
+    { { over; velocity; spin; weight } }
+
+spinning: SPIN w = expr { w }
 
 weight: WEIGHT w = expr { w }
 

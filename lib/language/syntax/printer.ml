@@ -141,19 +141,21 @@ let glue_doc g =
 let range (r : range) = Printf.sprintf "%s in %s" r.index.it (Text.bounds r.bounds)
 let ranges list = String.concat ", " (List.map range list)
 
+let optional word = function None -> "" | Some e -> Printf.sprintf " %s %s" word (Text.expr e)
+
 let kick (k : kick) =
-  let weight = match k.weight with None -> "" | Some w -> " weight " ^ Text.expr w in
+  let written = Text.expr k.velocity ^ optional "spin" k.spin ^ optional "weight" k.weight in
   match k.over with
-  | [] -> (at k.velocity, Text.expr k.velocity ^ weight)
-  | first :: _ -> (at first.index, Printf.sprintf "for %s: %s%s" (ranges k.over) (Text.expr k.velocity) weight)
+  | [] -> (at k.velocity, written)
+  | first :: _ -> (at first.index, Printf.sprintf "for %s: %s" (ranges k.over) written)
 
 let motion span subject law =
   let head = match subject with None -> "motion" | Some p -> "motion " ^ Text.path p ^ " =" in
   match law.it with
   | Inertial -> text ~at:(start span) (head ^ " inertial")
-  | Expression v ->
+  | Expression (v, spin) ->
     let written = match subject with None -> Text.law_of_all v | Some _ -> Text.expr v in
-    definition (text ~at:(start span) head) (text ~at:(at law) written)
+    definition (text ~at:(start span) head) (text ~at:(at law) (written ^ optional "spin" spin))
   | Choose kicks ->
     let n = List.length kicks in
     let entry i (at, s) = text ~at (if i < n - 1 then s ^ "," else s) in

@@ -41,10 +41,11 @@ let label ?(full = false) m : Transition.label -> string = function
     Printf.sprintf "%s and %s release %s" (name m b.one.at) (name m b.two.at) (release ~full m r)
   | Strong_split [ ({ bond = b; _ } as r) ] ->
     Printf.sprintf "%s and %s react and release %s" (name m b.one.at) (name m b.two.at) (release ~full m r)
-  | Draw { first; velocity; chance } ->
-    let each (x, y, z) = String.concat ", " (List.map (number ~full) [ x; y; z ]) in
-    Printf.sprintf "%s draws the velocity (%s), with probability %s" (name m first)
-      (each (velocity.x, velocity.y, velocity.z)) (number ~full chance)
+  | Draw { first; given = { velocity; spin }; chance } ->
+    let each (v : Vec.t) = String.concat ", " (List.map (number ~full) [ v.x; v.y; v.z ]) in
+    let spin = Option.fold ~none:"" ~some:(fun w -> Printf.sprintf " and the spin (%s)" (each w)) spin in
+    Printf.sprintf "%s draws the velocity (%s)%s, with probability %s" (name m first) (each velocity) spin
+      (number ~full chance)
   | Lot { bond = b; decision = Chosen; _ } ->
     Printf.sprintf "%s and %s choose how to release %s" (name m b.one.at) (name m b.two.at) (bond m b)
   | Lot { bond = b; decision; chance } ->

@@ -180,14 +180,19 @@ let common_body t s e label =
   in
   List.exists (fun p -> List.mem p theirs) (processes_of t s e)
 
-let same_velocity t (e : Recorded.event) label =
-  match (e.velocity, (label : Transition.label)) with
-  | Some told, Draw { velocity; _ } ->
-    let off x y = Rat.compare (Rat.abs (Rat.sub x y)) t.tolerance > 0 in
-    not (off told.x velocity.x || off told.y velocity.y || off told.z velocity.z)
+let same_motion t (e : Recorded.event) (label : Transition.label) =
+  let off x y = Rat.compare (Rat.abs (Rat.sub x y)) t.tolerance > 0 in
+  let same (told : Vec.t option) (mine : Vec.t option) =
+    match (told, mine) with
+    | Some a, Some b -> not (off a.x b.x || off a.y b.y || off a.z b.z)
+    | Some _, None -> false
+    | None, _ -> true
+  in
+  match label with
+  | Draw { given; _ } -> same e.velocity (Some given.velocity) && same e.spin given.spin
   | _ -> true
 
-type nearness = Same | Other_velocity | Other_features | Other_channel | Other_kind | Other_partner | Unlike
+type nearness = Same | Other_motion | Other_features | Other_channel | Other_kind | Other_partner | Unlike
 
 let nearness t s (e : Recorded.event) label =
   match kind label with
@@ -196,7 +201,7 @@ let nearness t s (e : Recorded.event) label =
     let same_kind = k = e.kind in
     if same_bodies t s e label then
       if not same_kind then Other_kind
-      else if not (same_velocity t e label) then Other_velocity
+      else if not (same_motion t e label) then Other_motion
       else if not (same_channels e label) then Other_channel
       else if same_features t e label then Same
       else Other_features

@@ -35,7 +35,7 @@ val matches : t -> State.t -> Recorded.event -> Transition.label -> bool
 (** How near a label of a state is to an event. *)
 type nearness =
   | Same
-  | Other_velocity  (** of the same draw *)
+  | Other_motion  (** of the same draw *)
   | Other_features  (** of the same kind, channel and bodies *)
   | Other_channel  (** of the same kind and bodies *)
   | Other_kind  (** of the same bodies *)

@@ -1,7 +1,11 @@
 open Scc_base
 open Recorded
 
-let columns = [ "time"; "event"; "bodies"; "channel"; "features"; "x"; "y"; "z"; "vx"; "vy"; "vz"; "behaviour" ]
+let columns =
+  [
+    "time"; "event"; "bodies"; "channel"; "features"; "x"; "y"; "z"; "vx"; "vy"; "vz"; "wx"; "wy"; "wz";
+    "behaviour";
+  ]
 
 (* {1 Rows and cells} *)
 
@@ -58,16 +62,18 @@ let untold row allowed =
   | Some c -> Error (malformed row.at "a row `%s` has nothing in the column `%s`" (row.get "event") c)
 
 (* All three, or none. *)
-let drawn row =
-  let* x, x_float = number row "vx" in
-  let* y, y_float = number row "vy" in
-  let* z, z_float = number row "vz" in
-  Ok (Some (Scc_exact.Vec.make x y z), x_float || y_float || z_float)
+let drawn row (x, y, z) =
+  if not (List.exists (fun c -> row.get c <> "") [ x; y; z ]) then Ok (None, false)
+  else
+    let* x, x_float = number row x in
+    let* y, y_float = number row y in
+    let* z, z_float = number row z in
+    Ok (Some (Scc_exact.Vec.make x y z), x_float || y_float || z_float)
 
 let event row kind =
   let of_bonds = match kind with Bounce | Absorb | Draw -> false | Bind | Close | Weak | Strong -> true in
-  let velocity = [ "vx"; "vy"; "vz" ] in
-  let of_kind = if of_bonds then [ "channel"; "features" ] else if kind = Draw then velocity else [] in
+  let motion = [ "vx"; "vy"; "vz"; "wx"; "wy"; "wz" ] in
+  let of_kind = if of_bonds then [ "channel"; "features" ] else if kind = Draw then motion else [] in
   let allowed = [ "time"; "event"; "bodies" ] @ of_kind in
   let* () = untold row allowed in
   let bodies = words ~spaces:true (row.get "bodies") in
@@ -85,9 +91,9 @@ let event row kind =
     | Draw when count <> 1 -> Error (malformed row.at "a row `draw` is of one body, not of %d" count)
     | Bounce | Absorb | Bind | Close | Weak | Strong | Draw -> Ok ()
   in
-  let told = List.exists (fun c -> row.get c <> "") velocity in
-  let* velocity, inexact = if told then drawn row else Ok (None, false) in
-  Ok (Event { kind; channels; bodies; features; together = []; velocity }, inexact)
+  let* velocity, one = drawn row ("vx", "vy", "vz") in
+  let* spin, other = drawn row ("wx", "wy", "wz") in
+  Ok (Event { kind; channels; bodies; features; together = []; velocity; spin }, one || other)
 
 let state row =
   let* () = untold row [ "time"; "event"; "bodies"; "x"; "y"; "z"; "vx"; "vy"; "vz"; "behaviour" ] in

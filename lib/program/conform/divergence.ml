@@ -153,7 +153,7 @@ let substitute against item e options =
   let own = kind_rules e.kind in
   first_some
     [
-      of_kind Against.Other_velocity Wrong_velocity own (fun _ -> ", of another velocity");
+      of_kind Against.Other_motion Wrong_velocity own (fun _ -> ", of another velocity");
       of_kind Against.Other_features Wrong_features own
         (fun _ -> ", by other features");
       of_kind Against.Other_channel Wrong_channel own (fun _ -> ", by another channel");

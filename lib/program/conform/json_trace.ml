@@ -46,6 +46,10 @@ let bond c json =
   let* ends = optional json "ends" (bond_ends c) in
   Ok (Option.to_list name, Option.value ends ~default:[])
 
+(* An event of these bodies of which nothing else is known. *)
+let plain kind bodies =
+  { kind; channels = []; bodies; features = []; together = []; velocity = None; spin = None }
+
 (* Either names of leaves in `between` or `bodies`, or the ends of bonds. *)
 let label c json =
   let* kind = required c json "kind" (text c "kind") in
@@ -57,16 +61,17 @@ let label c json =
   | _, None -> wrong c "`%s` is none of time, bind, close, bounce, absorb, weak, strong, draw and lot" kind
   | _, Some Bounce ->
     if List.length bodies >= 2 then
-      Ok (Some { kind = Bounce; channels = []; bodies; features = []; together = []; velocity = None })
+      Ok (Some (plain Bounce bodies))
     else wrong c "a bounce is of two bodies or more, `between`"
   | _, Some Absorb ->
     if List.length bodies = 2 then
-      Ok (Some { kind = Absorb; channels = []; bodies; features = []; together = []; velocity = None })
+      Ok (Some (plain Absorb bodies))
     else wrong c "an absorption is of two bodies, `between`: who is gone and who took it"
   | _, Some Draw ->
     let* process = required c json "process" (text c "process") in
     let* velocity = optional json "velocity" (vector c "velocity") in
-    Ok (Some { kind = Draw; channels = []; bodies = [ process ]; features = []; together = []; velocity })
+    let* spin = optional json "spin" (vector c "spin") in
+    Ok (Some { (plain Draw [ process ]) with velocity; spin })
   | _, Some kind ->
     let* own = bond c json in
     let* more = match Json.member "bonds" json with None -> Ok [] | Some l -> all c "bonds" bond l in
@@ -79,7 +84,7 @@ let label c json =
     in
     let together = sort (List.filter_map told bonds) in
     if bodies = [] && features = [] then wrong c "neither `ends` nor `bodies` tell what takes part"
-    else Ok (Some { kind; channels; bodies; features; together; velocity = None })
+    else Ok (Some { (plain kind bodies) with channels; features; together })
 
 (* {1 States} *)
 

@@ -10,6 +10,7 @@ type event = {
   together : string list;
   features : string list;
   velocity : Vec.t option;
+  spin : Vec.t option;
 }
 
 type quantity = Position of int | Velocity of int | Spin of int
@@ -78,7 +79,7 @@ let event_text e =
     | _, [] -> e.channels @ e.bodies
     | _, features -> e.channels @ features
   in
-  let drawn = match e.velocity with Some v -> [ Vec.to_string v ] | None -> [] in
+  let drawn = List.map Vec.to_string (Option.to_list e.velocity @ Option.to_list e.spin) in
   Printf.sprintf "%s(%s)" (kind_name e.kind) (String.concat ", " (parts @ drawn))
 
 let axis prefix i = prefix ^ String.make 1 "xyz".[i]

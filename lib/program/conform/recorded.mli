@@ -17,6 +17,7 @@ type event = {
   (** bonds whose ends are recorded together, as {!bond_text}, sorted; the name is [""] if it is not recorded *)
   features : string list;  (** ends of the bonds as ["p.right"], {!normal} and sorted *)
   velocity : Vec.t option;  (** the velocity that was drawn *)
+  spin : Vec.t option;  (** the spin that was drawn *)
 }
 
 (** The meaning of a number of a body. *)

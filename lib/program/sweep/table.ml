@@ -105,6 +105,8 @@ let lattice =
       field "kick" Shared.rational (lattice (fun l -> l.kick));
       field "chosen" bool (lattice (fun l -> l.chosen))
         ~about:"The model does not give the kick: it is the least power of two that is long enough.";
+      maybe "spin" Shared.rational (lattice (fun l -> l.spin))
+        ~about:"The spin of a kick of the orientation, of laws that say `turning`.";
     ]
 
 let point_format =

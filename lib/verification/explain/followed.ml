@@ -39,14 +39,16 @@ let step context from wanted target =
 let draws context from target =
   let catalogue = Network_lts.catalogue context in
   let wanted =
-    let moving (p : State.process) = (p.leaves.(0).leaf, p.velocity) in
+    let moving (p : State.process) = (p.leaves.(0).leaf, (p.velocity, p.spin)) in
     match Network_lts.draws_towards context from.last target with
-    | Some velocities -> velocities
+    | Some velocities -> List.map (fun (p, v) -> (p, (v, Vec.zero))) velocities
     | None -> List.map moving (Array.to_list (Catalogue.decode catalogue target).processes)
   in
   let fits ((t : Transition.t), _) =
     match t.label with
-    | Draw { first; velocity; _ } -> List.exists (fun (p, v) -> p = first && Vec.equal velocity v) wanted
+    | Draw { first; given = { velocity; spin }; _ } ->
+      let moves_so (v, w) = Vec.equal velocity v && Option.fold ~none:true ~some:(Vec.equal w) spin in
+      List.exists (fun (p, motion) -> p = first && moves_so motion) wanted
     | _ -> false
   in
   let standing = lazy (Network_lts.representative context target) in

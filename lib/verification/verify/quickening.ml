@@ -27,7 +27,7 @@ let rec growth (e : Law.expr) =
   | Const r -> if Rat.sign r = 0 then Any else Power 0
   | Var (Vx | Vy | Vz) -> Power 1
   | Var Mass -> Power 0
-  | Var (X | Y | Z | Time | Dt) | Round _ -> Other
+  | Var (X | Y | Z | Wx | Wy | Wz | Time | Dt) | Round _ -> Other
   | Neg a -> growth a
   | Add (a, b) | Sub (a, b) -> alike (growth a) (growth b)
   | Mul (a, b) -> combine ( + ) (growth a) (growth b)
@@ -46,8 +46,8 @@ let linear (law : Law.t) =
   let is_linear e = match alike (growth e) (Power 1) with Power 1 -> true | Any | Power _ | Other -> false in
   match law with
   | Inertial -> true
-  | Velocity (x, y, z) -> is_linear x && is_linear y && is_linear z
-  | Choose _ -> false
+  | Gives { velocity = x, y, z; spin = None } -> is_linear x && is_linear y && is_linear z
+  | Gives { spin = Some _; _ } | Choose _ -> false
 
 let may_quicken (m : Model.t) =
   Model.of_all m

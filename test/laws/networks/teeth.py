@@ -168,13 +168,13 @@ MISTAKES = {
         "process.ml", "if compare first p <= 0 then first else p", "if compare first p >= 0 then first else p",
     ),
     "a velocity that is drawn twice counts once": (
-        "steer.ml", "merged Vec.compare Rat.add", "merged Vec.compare (fun q _ -> q)",
+        "steer.ml", "merged Given.compare Rat.add", "merged Given.compare (fun q _ -> q)",
     ),
     "as many outcomes as allowed are too many": (
         "steer.ml", "List.length others > Law.most_outcomes", "List.length others >= Law.most_outcomes",
     ),
     "masses of leaves do not weigh": (
-        "steer.ml", "(Vec.scale mass (Vec.sub v velocity), chance)", "(Vec.sub v velocity, chance)",
+        "steer.ml", "Vec.scale mass (Vec.sub b a)", "(ignore mass; Vec.sub b a)",
     ),
     "laws are asked before collisions": (
         "steer.ml", "if Collisions.collides c s then None", "if false && Collisions.collides c s then None",

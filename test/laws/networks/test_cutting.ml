@@ -145,8 +145,8 @@ let see (t : Transition.t) state =
     | Bounce { firsts; _ } -> String.concat " " ("bounce" :: List.map string_of_int firsts)
     | Time d -> say "time %s" (Rat.to_string d)
     | Absorb { first; absorber } -> say "absorb %d %d" first absorber
-    | Draw { first; velocity; chance } ->
-      say "draw %d %s %s" first (Vec.to_string velocity) (Rat.to_string chance)
+    | Draw { first; given; chance } ->
+      say "draw %d %s %s" first (Given.to_string given) (Rat.to_string chance)
     | Lot { decision; chance; _ } -> say "%s %s" (Transition.decision_to_string decision) (Rat.to_string chance)
     | Weak_split _ | Strong_split _ -> "split"
   in

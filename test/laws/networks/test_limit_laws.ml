@@ -77,7 +77,8 @@ let falls =
     (quad (-9 -- 9) (-9 -- 9) (0 -- 30) (1 -- 40))
     (fun (g, v, n, d) ->
        let step = rational 1 d in
-       let law : Law.t = Velocity (Var Vx, Var Vy, Sub (Var Vz, Mul (Const (Rat.of_int g), Var Dt))) in
+       let down : Law.expr = Sub (Var Vz, Mul (Const (Rat.of_int g), Var Dt)) in
+       let law = Law.Gives (Law.velocity_alone (Var Vx, Var Vy, down)) in
        let m, start =
          alone ~law ~rigid:None ~timestep:step ~velocity:(Vec.of_ints 0 0 v) ~spin:Vec.zero
        in
@@ -304,7 +305,8 @@ let bounces =
        let gravity = Rat.of_int g and fall = rational t 4 and step = rational 1 d in
        let square x = Rat.mul x x in
        let height = Rat.mul half (Rat.mul gravity (square fall)) in
-       let law : Law.t = Velocity (Var Vx, Var Vy, Sub (Var Vz, Mul (Const gravity, Var Dt))) in
+       let down : Law.expr = Sub (Var Vz, Mul (Const gravity, Var Dt)) in
+       let law = Law.Gives (Law.velocity_alone (Var Vx, Var Vy, down)) in
        let m, start = over_a_floor ~law ~timestep:step ~height in
        let time = Rat.min (Rat.mul (Rat.of_int n) step) (Rat.mul (rational 7 4) fall) in
        let s = at m start time in

@@ -71,7 +71,7 @@ let turning (m : Model.t) =
 let laws (m : Model.t) =
   let half = Law.Const (Scc_exact.Rat.make Z.one (Z.of_int 2)) in
   let pulled v x = Law.Sub (Var v, Mul (half, Mul (Var x, Var Dt))) in
-  let law = Law.Velocity (pulled Vx X, pulled Vy Y, pulled Vz Z) in
+  let law = Law.Gives (Law.velocity_alone (pulled Vx X, pulled Vy Y, pulled Vz Z)) in
   let pull (l : Model.leaf) = if l.fixed then l else { l with law } in
   { m with leaves = Array.map pull m.leaves; steered = true }
 

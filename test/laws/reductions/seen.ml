@@ -161,6 +161,7 @@ let variable v (x : Law.variable) : Law.expr =
   | Vx -> fast X
   | Vy -> fast Y
   | Vz -> fast Z
+  | Wx | Wy | Wz -> Var x
   | Mass -> times exprs (inverse v.mass) (Law.Var Mass)
   | Time -> times exprs (inverse v.time) (Law.Var Time)
   | Dt -> times exprs (inverse v.time) (Law.Var Dt)
@@ -188,13 +189,14 @@ let vector v (x, y, z) =
   let image j = combination exprs (fun axis -> Rat.mul (speed v) (entry v.turn j axis)) of_axis in
   (image X, image Y, image Z)
 
-let law v : Law.t -> Law.t = function
+(* Of models in which nothing turns. *)
+let law v : Law.t -> Law.t =
+  let motion (m : Law.motion) = Law.velocity_alone (vector v m.velocity) in
+  function
   | Inertial -> Inertial
-  | Velocity w -> Velocity (vector v w)
+  | Gives m -> Gives (motion m)
   | Choose kicks ->
-    let kick ({ velocity; weight } : Law.kick) : Law.kick =
-      { velocity = vector v velocity; weight = expr v weight }
-    in
+    let kick (k : Law.kick) : Law.kick = { motion = motion k.motion; weight = expr v k.weight } in
     Choose (List.map kick kicks)
 
 (** {1 All of it} *)

@@ -109,9 +109,8 @@ def compare_state(rules: Rules, answer: dict, state: State, tally: Tally) -> Opt
             tally.kinds["bind by contact"] += 1
         if label[0] == "draw":
             drawn.append(label[2])
-            if t["label"]["text"] != "draw(%s, (%s, %s, %s)) chance(%s)" % (
-                label[1], *label[2], label[3]
-            ):  # fmt: skip
+            words = ["(%s, %s, %s)" % label[2][i : i + 3] for i in range(0, len(label[2]), 3)]
+            if t["label"]["text"] != "draw(%s, %s) chance(%s)" % (label[1], " spin ".join(words), label[3]):
                 return "a label is written %s" % t["label"]["text"]
             after = state_of(model, t["state"], str(after_time))
             count_draw(rules, state, label, after, tally)
@@ -140,6 +139,7 @@ def count_draw(rules: Rules, state: State, label: Any, after: State, tally: Tall
     last = all(p.draw is None for p in after.processes)
     kinds = {
         "draw of a compound": len(process_of(state, label[1]).bodies) > 1,
+        "draw of a spin": len(label[2]) > 3,
         "draw among others": sum(p.draw is not None for p in state.processes) > 1,
         "last draw": last,
         "last draw into a collision": last and bool(rules.hit(after)),

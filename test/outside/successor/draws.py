@@ -1,4 +1,7 @@
-"""Velocities that laws of motion leave to chance (rules Draw and Diffuse, reading I-38)."""
+"""What laws of motion give, and leave to chance (Steer, Draw, Diffuse, I-24, I-38).
+
+A motion is a tuple of the three numbers of a velocity, or of six: these, and those of a spin.
+"""
 
 from __future__ import annotations
 
@@ -7,13 +10,14 @@ from fractions import Fraction
 from typing import Any, Dict, Iterator, List, Optional, Tuple
 
 import steps
-from model import Leaf, Undefined, rotation
+from model import Leaf, Undefined, gives_spin, rotation
 from states import WAITS, Process, State
 from syntax import Refused
-from vectors import ZERO, Vector, add, apply, scale, sub
+from vectors import ZERO, Vector, add, apply
 
-Chances = Dict[Vector, Fraction]  # velocities with their probabilities
-Weighed = List[Tuple[Any, Fraction]]  # what gives a velocity if it is asked for, with its weight
+Motion = Tuple[Fraction, ...]
+Chances = Dict[Motion, Fraction]  # motions with their probabilities
+Weighed = List[Tuple[Any, Fraction]]  # what gives a motion if it is asked for, with its weight
 
 MOST_PAIRS = 1000000
 
@@ -31,7 +35,7 @@ class Draws:
     # What laws give.
 
     def chances(self, leaf: Leaf, seen: Dict[str, Any]) -> Chances:
-        """The velocities that the law of a leaf gives, for what it sees."""
+        """The motions that the law of a leaf gives, for what it sees."""
         assert leaf.law is not None
         law, env = leaf.law
         env = {**env, "": seen}
@@ -40,11 +44,22 @@ class Draws:
         elif law[0] == "diffuse":
             weighed = self.diffused(law[1], env)
         else:
-            weighed = [(lambda: self.velocity(law, env), Fraction(1))]
-        return self.normalised(merged((give(), w) for give, w in weighed if self.counts(w)))
+            weighed = [(lambda: self.motion(law[1], law[2], env), Fraction(1))]
+        given = [(give(), w) for give, w in weighed if self.counts(w)]
+        if gives_spin(law):
+            given = [(m if len(m) == 6 else self.with_own_spin(m, seen), w) for m, w in given]
+        return self.normalised(merged(given))
+
+    def with_own_spin(self, motion: Motion, seen: Dict[str, Any]) -> Motion:
+        """With the spin that there is, where the law does not give one (I-24)."""
+        return motion + (seen["wx"], seen["wy"], seen["wz"])
 
     def velocity(self, written: Any, env: dict) -> Vector:
         return tuple(Fraction(x) for x in self.model.number(written, env))  # type: ignore
+
+    def motion(self, velocity: Any, spin: Any, env: dict) -> Motion:
+        given = self.velocity(velocity, env)
+        return given if spin is None else given + self.velocity(spin, env)
 
     def counts(self, weight: Fraction) -> bool:
         """Whether a velocity of this weight is asked for."""
@@ -59,12 +74,12 @@ class Draws:
     def chosen(self, kicks: List[Any], env: dict) -> Weighed:
         """The velocities of ``choose``."""
         found = []
-        for ranges, written, weight in kicks:
+        for ranges, velocity, spin, weight in kicks:
             for inner in self.bound(ranges, env):
                 w = Fraction(self.model.number(weight, inner))
                 if w < 0:
                     raise Undefined
-                found.append((lambda e=inner, v=written: self.velocity(v, e), w))
+                found.append((lambda e=inner, v=velocity, s=spin: self.motion(v, s, e), w))
         return found
 
     def bound(self, ranges: List[Any], env: dict) -> Iterator[dict]:
@@ -77,19 +92,13 @@ class Draws:
             yield from self.bound(ranges[1:], {**env, name: Fraction(i)})
 
     def diffused(self, written: List[Any], env: dict) -> Weighed:
-        """Rule Diffuse, of its two or three arguments that are not left out."""
-        constants = self.constant(written[0], env)
-        if not isinstance(constants, tuple):
-            constants = (constants,) * 3
-        if min(constants) < 0:
-            raise Undefined
-        drift = self.velocity(written[1], env) if len(written) > 1 and written[1] is not None else ZERO
+        """Rule Diffuse."""
+        diffusion, drifting, kick, turning = written
+        constants = self.constants(diffusion, env)
+        drift = ZERO if drifting is None else self.velocity(drifting, env)
         step = self.model.timestep
         spread = 2 * step * sum(constants)
-        if len(written) > 2:
-            h = Fraction(self.constant(written[2], env))
-        else:
-            h = least_kick(Fraction(spread))
+        h = least_kick(Fraction(spread)) if kick is None else Fraction(self.constant(kick, env))
         if h <= 0 or h * h < spread:
             raise Undefined
         kicks = [(drift, 1 - spread / (h * h))]
@@ -97,7 +106,38 @@ class Draws:
             for sign in (1, -1):
                 kick = tuple(sign * h / step if i == axis else Fraction(0) for i in range(3))
                 kicks.append((add(drift, kick), constant * step / (h * h)))  # type: ignore
-        return [(lambda v=velocity: v, Fraction(weight)) for velocity, weight in kicks]
+        if turning is not None:
+            turns = self.turns(self.constants(turning, env))
+            kicks = [(v + w, p * q) for v, p in kicks for w, q in turns]
+        return [(lambda m=motion: m, Fraction(weight)) for motion, weight in kicks]
+
+    def turns(self, constants: Vector) -> List[Tuple[Vector, Fraction]]:
+        """Spins for one step, with their chances."""
+        step = self.model.timestep
+        total = step * sum(constants)
+        if total == 0:
+            return [(ZERO, Fraction(1))]
+        tangent = Fraction(1)
+        if 1 - cosine(tangent) < total:
+            raise Undefined
+        while 1 - cosine(tangent / 2) >= total:
+            tangent /= 2
+        most, spin = 1 - cosine(tangent), 2 * tangent / step
+        found = [(ZERO, 1 - total / most)]
+        for axis, constant in enumerate(constants):
+            for sign in (1, -1):
+                about = tuple(sign * spin if i == axis else Fraction(0) for i in range(3))
+                found.append((about, constant * step / (2 * most)))  # type: ignore
+        return found
+
+    def constants(self, written: Any, env: dict) -> Vector:
+        """One for each axis."""
+        found = self.constant(written, env)
+        if not isinstance(found, tuple):
+            found = (found,) * 3
+        if min(found) < 0:
+            raise Undefined
+        return tuple(Fraction(x) for x in found)  # type: ignore
 
     def constant(self, written: Any, env: dict) -> Any:
         """What does not depend on the state."""
@@ -116,19 +156,26 @@ class Draws:
             if leaf.law is None:
                 continue
             x, v = self.seen(process, name)  # type: ignore[attr-defined]
+            w = self.spin_seen(process)
             seen = {
                 "x": x[0], "y": x[1], "z": x[2], "vx": v[0], "vy": v[1], "vz": v[2],
+                "wx": w[0], "wy": w[1], "wz": w[2],
                 "mass": leaf.mass, "time": time, "dt": body.waited if self.model.local else dt,
             }  # fmt: skip
             kicks = self.chances(leaf, seen)
             if len(sums) * len(kicks) > MOST_PAIRS:
                 raise Undefined
             sums = merged(
-                (add(change, scale(self.share(process, leaf), sub(kick, v))), p * q)
+                (changed(change, self.share(process, leaf), kick, v + w), p * q)
                 for change, p in sums.items()
                 for kick, q in kicks.items()
             )
-        return {add(process.velocity, change): p for change, p in sums.items()}
+        now = process.velocity + self.spin_seen(process)
+        return {tuple(a + b for a, b in zip(now, change)): p for change, p in sums.items()}
+
+    def spin_seen(self, process: Process) -> Vector:
+        """The spin of a process, as its laws see it: none in translation."""
+        return ZERO
 
     def share(self, process: Process, leaf: Leaf) -> Fraction:
         """What the change of a leaf counts in that of the whole."""
@@ -176,9 +223,9 @@ class Draws:
             return []
         first, found = min(waiting, key=self.place), []
         ways = self.ways(first, state.time, self.since_asked(state))
-        for velocity, chance in ways.items():
-            label = ("draw", self.first(first), velocity, chance)  # type: ignore[attr-defined]
-            after = state.having([first], [replace(first, draw=velocity)])
+        for motion, chance in ways.items():
+            label = ("draw", self.first(first), motion, chance)  # type: ignore[attr-defined]
+            after = state.having([first], [replace(first, draw=motion)])
             found.append((label, self.after_drawing(after)))
         return found
 
@@ -200,9 +247,23 @@ def waits(state: State) -> bool:
 def merged(pairs: Any) -> Chances:
     """What is named twice has the sum of both."""
     found: Chances = {}
-    for velocity, weight in pairs:
-        found[velocity] = found.get(velocity, Fraction(0)) + weight
+    for motion, weight in pairs:
+        found[motion] = found.get(motion, Fraction(0)) + weight
     return found
+
+
+def changed(change: Motion, share: Fraction, given: Motion, now: Motion) -> Motion:
+    """With what a leaf asks for: a leaf without a spin changes none."""
+    asked = tuple(share * (a - b) for a, b in zip(given, now))
+    longer, shorter = (asked, change) if len(asked) > len(change) else (change, asked)
+    return tuple(a + b for a, b in zip(longer, shorter)) + longer[len(shorter):]
+
+
+def cosine(tangent: Fraction) -> Fraction:
+    """Of the angle by which a step turns, at a spin of twice this by the timestep (Turn)."""
+    if tangent > Fraction(1, 4):
+        return 2 * cosine(tangent / 2) ** 2 - 1
+    return (1 - tangent**2) / (1 + tangent**2)
 
 
 def least_kick(square: Fraction) -> Fraction:

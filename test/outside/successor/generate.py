@@ -601,6 +601,8 @@ class Generator:
         ]  # fmt: skip
         if self.draws:
             laws = laws[:4] + [self.choosing() for _ in range(4)]
+        if self.rigid and rng.random() < 0.5:
+            laws = [self.spun(law) for law in laws]
         if rng.random() < 0.5:
             general = [law for law in laws if not law.startswith("diffuse")]
             self.lines.append("motion %s" % rng.choice(general))
@@ -609,6 +611,18 @@ class Generator:
             if name not in fixed and rng.random() < 0.4:
                 self.lines.append("motion %s = %s" % (name, rng.choice(laws + ["inertial"])))
 
+
+    def spun(self, law: str) -> str:
+        """The law with a spin, or with some (I-24)."""
+        rng = self.rng
+        spins = ["(wx, wy, wz + dt/8)", "(0, 0, 1/3)", "(wy, wx, -wz)", "(x/9, 0, wz/2)", "(0, 0, 0)", "(1/4, mass/9, 0)"]
+        if law.startswith("diffuse"):
+            return law[:-1] + ", turning = %s)" % rng.choice(["1/9", "(0, 0, 1/3)", "0", "(1/4, 1/99, 0)"])
+        if not law.startswith("choose"):
+            return law + " spin " + rng.choice(spins) if rng.random() < 0.7 else law
+        if " for " in law or rng.random() < 0.2:
+            return law
+        return "choose { %s, (0, 0, 1) spin %s }" % (law[9:-2], rng.choice(spins))
 
     def choosing(self) -> str:
         """A law that leaves the velocity to chance (Draw); in a few states it has no value."""

@@ -394,6 +394,8 @@ class Model:
             self._law(leaf, home[name])
         self.steered = any(leaf.law is not None for leaf in self.leaves.values())
         spins = any(leaf["spin"] != ZERO for leaf in self.initial_leaves.values())
+        laws = [leaf.law[0] for leaf in self.leaves.values() if leaf.law is not None]
+        spins = spins or any(map(gives_spin, laws))
         self.rigid = spins or "dynamics" in self.settings
         self.together = self.settings.get("collisions") == "together"
         self.by_contact = self.settings.get("binding") == "contact"
@@ -460,6 +462,13 @@ def pushes(written: Any) -> bool:
         return False
     own = kind in ("weak", "strong") and written[3] != ("number", 0)
     return own or pushes(written[2])
+
+
+def gives_spin(law: Any) -> bool:
+    """Whether a law gives a spin."""
+    if law[0] == "gives":
+        return law[2] is not None
+    return any(kick[2] is not None for kick in law[1]) if law[0] == "choose" else law[1][3] is not None
 
 
 def says_odds(written: Any) -> Tuple[bool, List[str]]:

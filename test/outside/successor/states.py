@@ -141,6 +141,8 @@ def lot_of(model: Model, told: dict) -> Lot:
 
 def draw_of(told: Any) -> Any:
     """Rule Draw: that a process waits, the velocity that it has drawn, or nothing."""
+    if isinstance(told, dict):
+        return vector(told["velocity"]) + vector(told["spin"])
     return vector(told) if isinstance(told, list) else told
 
 
@@ -170,7 +172,8 @@ def label_of(model: Model, told: dict) -> Any:
         hits = frozenset(frozenset(pair) for pair in told["touching"])
         return ("bounce", tuple(told["between"]), hits)
     if kind == "draw":
-        return (kind, told["process"], vector(told["velocity"]), Fraction(told["chance"]))
+        motion = vector(told["velocity"]) + (vector(told["spin"]) if "spin" in told else ())
+        return (kind, told["process"], motion, Fraction(told["chance"]))
     if kind == "lot":
         chance = Fraction(told["chance"]) if "chance" in told else None
         return (kind, told["decision"], *bond_of(model, told), chance)

@@ -650,10 +650,15 @@ class Rules(Draws, Blocked, Lots, Rounding):
     def steered(self, process: Process, time: Fraction, dt: Fraction) -> Process:
         if not steps.is_steered(self, process):
             return process
-        velocity = process.draw
-        if velocity is None:
-            (velocity,) = self.ways(process, time, dt)
-        return replace(process, velocity=velocity, lasts=None, draw=None)
+        motion = process.draw
+        if motion is None:
+            (motion,) = self.ways(process, time, dt)
+        moved = replace(process, velocity=motion[:3], lasts=None, draw=None)
+        return self.spun(moved, motion[3:]) if len(motion) == 6 else moved
+
+    def spun(self, process: Process, spin: Vector) -> Process:
+        """With a spin that a law gives, which no law does in translation."""
+        raise AssertionError("a spin where nothing turns")
 
     # States.
 

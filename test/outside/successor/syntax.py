@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from fractions import Fraction
-from typing import Any, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 
 class Refused(Exception):
@@ -563,31 +563,37 @@ class Reader:
         if self.peek() == "diffuse" and self.peek(1) == "(":
             self.at += 2
             return ("motion", target, ("diffuse", self._diffusion()))
-        return ("motion", target, self.expr())
+        return ("motion", target, ("gives", self.expr(), self._spin()))
+
+    def _spin(self) -> Any:
+        return self.expr() if self.accept("spin") else None
 
     def _diffusion(self) -> List[Any]:
-        """The constant, the drift and the kick of ``diffuse``, the last one by its place or its name."""
-        by_name: List[Any] = []
+        """The constant of ``diffuse``, its drift, its kick and its constants of turning, None for what is not
+        given."""
+        by_name: Dict[str, Any] = {}
 
         def argument() -> Any:
-            if self.peek() == "h" and self.peek(1) == "=":
+            if self.peek() in ("h", "turning") and self.peek(1) == "=":
+                name = self.peek()
                 self.at += 2
-                by_name.append(self.expr())
+                by_name[name] = self.expr()
                 return None
             return self.expr()
 
         written = [e for e in self.separated(argument, ")") if e is not None]
-        return written + [None] * (2 - len(written)) + by_name if by_name else written
+        constant, drift, kick = written + [None] * (3 - len(written))
+        return [constant, drift, by_name.get("h", kick), by_name.get("turning")]
 
     def _kick(self) -> Any:
-        """A velocity of ``choose``, with its weight, and the indices that write many of them."""
+        """A velocity of ``choose``, with its spin and its weight, and the indices that write many of them."""
         ranges = []
         if self.accept("for"):
             ranges = self._ranges()
             self.expect(":")
-        velocity = self.expr()
+        velocity, spin = self.expr(), self._spin()
         weight = self.expr() if self.accept("weight") else ("number", Fraction(1))
-        return (ranges, velocity, weight)
+        return (ranges, velocity, spin, weight)
 
     def _named_formula(self, word: str) -> Any:
         """A check is passed over; of a let, what is an expression of laws is kept."""

@@ -142,6 +142,18 @@ def plain_mean(self: Rules, process: Any, leaf: Leaf) -> Fraction:
     return Fraction(1, len(process.bodies)) if drawing else _share(self, process, leaf)
 
 
+def summed_spins(change: Any, share: Any, given: Any, now: Any) -> Any:
+    """Spins count by no mass."""
+    found = _changed(change, share, given[:3], now[:3])
+    spin = tuple(a - b for a, b in zip(given[3:], now[3:]))
+    return found[:3] + tuple(a + b for a, b in zip(spin or _still, found[3:] or _still))
+
+
+def one_turn(tangent: Fraction) -> Fraction:
+    """As if a step were one turn, however far."""
+    return (1 - tangent**2) / (1 + tangent**2)
+
+
 def one_for_all(self: Rules, process: Any, time: Fraction, dt: Fraction) -> Any:
     """A whole draws by the law of its first leaf that chooses."""
     drawing = [name for name in process.bodies if draws.chooses(self.leaf(name))]
@@ -246,6 +258,7 @@ _initial, _place_of, _left_to_release = Rules.initial, Rules.place_of, Rules.lef
 _decided, _end_chances, _in_order = Rules.decided, Rules.end_chances, Rules.in_order
 _free_ways, _to_release = Rules.free_ways, Rules.to_release
 _waits = straight.waits
+_changed, _still = draws.changed, (Fraction(0),) * 3
 _after_drawing, _drawings = Rules.after_drawing, Rules.drawings
 
 MISTAKES: Dict[str, Mistake] = {
@@ -320,6 +333,14 @@ MISTAKES: Dict[str, Mistake] = {
     ),
     "Draw: turns begin before all have drawn": replaced(straight, "waits", lambda state: False),
     "I-38: one draw moves the whole": replaced(Rules, "ways", one_for_all),
+    "I-24: a law without a spin stops it": replaced(
+        Rules, "with_own_spin", lambda self, motion, seen: motion + _still
+    ),
+    "I-24: a given spin is not kept": replaced(
+        Turning, "spun", lambda self, process, spin: replace(process, spin=spin)
+    ),
+    "I-24: spins add up in a whole": replaced(draws, "changed", summed_spins),
+    "Diffuse: turns by the angle of one turn": replaced(draws, "cosine", one_turn),
     "Diffuse: any kick": replaced(draws, "least_kick", lambda square: Fraction(4)),
     "Lot: drawn at the start": replaced(Rules, "initial", from_the_start),
     "Lot: bonds by name": replaced(Rules, "in_order", by_name),

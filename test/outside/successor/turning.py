@@ -430,6 +430,14 @@ class Turning(Rest, Rules):
         begun = [self.renewed(p) if i in due else p for i, p in enumerate(processes)]
         return replace(state, processes=tuple(self.at_once(plainly, begun)))
 
+    def spin_seen(self, process: Process) -> Vector:
+        return self.spin_now(process)
+
+    def spun(self, process: Process, spin: Vector) -> Process:
+        """What is free keeps the angular momentum of the spin that is given (I-24)."""
+        momentum = apply(self.inertia(process), spin) if self.free else process.momentum
+        return replace(process, spin=spin, since=Fraction(0), momentum=momentum)
+
     def seen(self, process: Process, name: str) -> Tuple[Vector, Vector]:
         x = self.centroid(name, process.bodies[name])
         r = sub(x, self.centre(process))

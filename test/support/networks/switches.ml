@@ -44,21 +44,21 @@ let generate ?(rigid = false) ?(draws = true) () =
   { together; steps; by_contact; pushes; rings; absorbs; draws; lots; rounding = None }
 
 let minus_two_dt v : Law.expr = Sub (Var v, Mul (Const (Scc_exact.Rat.of_int 2), Var Dt))
-let fall : Law.vector = (Var Vx, minus_two_dt Vy, Var Vz)
+let fall = Law.velocity_alone (Var Vx, minus_two_dt Vy, Var Vz)
 
 (* Seen alike from what moves on in a straight line. With a velocity that several kicks come to, one that is never
    drawn, and weights that depend on the body. *)
 let kicks : Law.kick list =
   let const n = Law.Const (Scc_exact.Rat.of_int n) in
   [
-    { velocity = fall; weight = const 2 };
-    { velocity = (Add (Var Vx, const 1), Var Vy, Sub (Var Vz, const 1)); weight = Var Mass };
-    { velocity = (Div (Var Vx, const 0), Var Vy, Var Vz); weight = const 0 };
-    { velocity = (Var Vx, Var Vy, Var Vz); weight = Div (const 1, const 2) };
-    { velocity = fall; weight = If (Compare (Gt, Var Dt, const 0), const 1, const 0) };
+    { motion = fall; weight = const 2 };
+    { motion = Law.velocity_alone (Add (Var Vx, const 1), Var Vy, Sub (Var Vz, const 1)); weight = Var Mass };
+    { motion = Law.velocity_alone (Div (Var Vx, const 0), Var Vy, Var Vz); weight = const 0 };
+    { motion = Law.velocity_alone (Var Vx, Var Vy, Var Vz); weight = Div (const 1, const 2) };
+    { motion = fall; weight = If (Compare (Gt, Var Dt, const 0), const 1, const 0) };
   ]
 
-let law s : Law.t = if s.draws then Choose kicks else Velocity fall
+let law s : Law.t = if s.draws then Choose kicks else Gives fall
 
 let apply s (m : Model.t) =
   {

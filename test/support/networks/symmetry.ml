@@ -20,9 +20,11 @@ let make name ?(model = Fun.id) ?later ?(duration = Fun.id) ?(impulse = Fun.id) 
   let later = match later with Some f -> f | None -> fun _ -> state in
   { name; model; state; later; duration; impulse; velocity; bond; leaf }
 
+let mapped_given map (g : Given.t) = { Given.velocity = map g.velocity; spin = Option.map map g.spin }
+
 let mapped_draw velocity : State.draw -> State.draw = function
   | Waits -> Waits
-  | Drawn v -> Drawn (velocity v)
+  | Drawn given -> Drawn (mapped_given velocity given)
 
 let mapped_lots ?(time = Fun.id) ?(bond = Fun.id) ?(leaf = Fun.id) ?(summand = Fun.id)
     (lots : State.lots) : State.lots =
@@ -232,8 +234,8 @@ let map_label symmetry s : Transition.label -> Transition.label = function
   | Weak_split releases -> Weak_split (map_releases symmetry releases)
   | Strong_split releases -> Strong_split (map_releases symmetry releases)
   | Lot l -> Lot { l with bond = symmetry.bond l.bond }
-  | Draw { first; velocity; chance } ->
-    Draw { first = first_leaf symmetry s first; velocity = symmetry.velocity velocity; chance }
+  | Draw { first; given; chance } ->
+    Draw { first = first_leaf symmetry s first; given = mapped_given symmetry.velocity given; chance }
   | Absorb { first; absorber } ->
     Absorb { first = first_leaf symmetry s first; absorber = symmetry.leaf absorber }
   | Bounce { firsts; hits } ->

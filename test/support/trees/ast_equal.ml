@@ -142,12 +142,13 @@ let leaf (a : leaf) (b : leaf) =
 let range (a : range) (b : range) = name a.index b.index && bounds a.bounds b.bounds
 
 let kick (a : kick) (b : kick) =
-  list range a.over b.over && vector a.velocity b.velocity && option expr a.weight b.weight
+  list range a.over b.over && vector a.velocity b.velocity && option vector a.spin b.spin
+  && option expr a.weight b.weight
 
 let law a b =
   match (a.it, b.it) with
   | Inertial, Inertial -> true
-  | Expression v, Expression w -> vector v w
+  | Expression (v, spin), Expression (w, other) -> vector v w && option vector spin other
   | Choose ks, Choose ls -> list kick ks ls
   | (Inertial | Expression _ | Choose _), _ -> false
 

@@ -13,7 +13,7 @@ let value e =
   match Law.eval (fun _ -> Rat.of_int 7) e with Ok v -> v | Error _ -> Alcotest.fail "an expression has no value"
 
 let displacement ~timestep (k : Law.kick) =
-  let x, y, z = k.velocity in
+  let x, y, z = k.motion.velocity in
   List.map (fun e -> Rat.mul timestep (value e)) [ x; y; z ]
 
 let mean kicks f = sum (List.map (fun (k : Law.kick) -> Rat.mul (value k.weight) (f k)) kicks)
@@ -93,6 +93,9 @@ let by_name () =
     | Error (d :: _) -> Alcotest.(check string) law code d.code
     | Error [] -> Alcotest.fail "no diagnostic"
   in
+  same "diffuse(1/2, turning = 1/4, h = 2)" "diffuse(1/2, h = 2, turning = 1/4)";
+  refused "diffuse(turning = 2)" "SC0206";
+  refused "diffuse(1/2, (0, 0, 0), 2, h = 2, turning = 0)" "SC0206";
   refused "diffuse(h = 2)" "SC0206";
   refused "diffuse(1/2, (0, 0, 0), 2, h = 2)" "SC0206";
   refused "diffuse(1/2, k = 2)" "SC0201";

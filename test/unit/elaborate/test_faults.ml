@@ -17,7 +17,7 @@ let names_and_values =
     case "unknown process in the network" "SC0201" "q" (cube ^ "process p = Cube mass 1 [nil] \
                                                                 network p || q");
     case "unknown process in a motion" "SC0201" "q" "motion q = inertial";
-    case "unknown name in a law" "SC0201" "wx" ~says:"did you mean" "motion (wx, 0, 0)";
+    case "unknown name in a law" "SC0201" "ux" ~says:"did you mean" "motion (ux, 0, 0)";
     case "unknown function" "SC0201" "sise" ~says:"did you mean `size`"
       (cube ^ "process p = Cube mass 1 [nil] check c : always sise(p) = 1");
     case "unknown channel" "SC0201" "b" (cube ^ "process p = Cube mass 1 [<a,{top}>.nil] \
@@ -103,7 +103,7 @@ let names_and_values =
     case "a type error in a let that nothing uses" "SC0205" "true" "let l = time + true";
     case "an unknown name in a let that nothing uses" "SC0201" "tiem" ~says:"did you mean `time`"
       "let l = possibly tiem > 1";
-    case "a law in a let that nothing uses" "SC0201" "wx" ~says:"in a law of motion" "let l = vx + wx";
+    case "a law in a let that nothing uses" "SC0201" "ux" ~says:"in a law of motion" "let l = vx + ux";
     case "a let of a let that nothing uses" "SC0205" "1" "let l = time + (1 and true) let k = l + 1";
     case "a let in a loop that nothing uses" "SC0205" "AF time > 1" ~says:"holds or not at an instant"
       (cube ^ "process p = Cube mass 1 [nil] for i in 1..2 { let l = count(q in Cube: AF time > 1) + i }");

@@ -40,12 +40,12 @@ let steers (text, at, expected) =
       let env : Law.variable -> Rat.t = function
         | X | Vx -> Rat.of_literal at |> Result.get_ok
         | Mass -> Rat.of_int 2
-        | Y | Z | Vy | Vz | Time | Dt -> Rat.one
+        | Y | Z | Vy | Vz | Wx | Wy | Wz | Time | Dt -> Rat.one
       in
       let value e = Rat.to_string (Result.get_ok (Law.eval env e)) in
       match law text with
       | Inertial | Choose _ -> Alcotest.fail "no such law"
-      | Velocity (x, y, z) ->
+      | Gives { velocity = x, y, z; _ } ->
         Alcotest.(check string) text expected (String.concat " " [ value x; value y; value z ]))
 
 let laws =

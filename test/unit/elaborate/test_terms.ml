@@ -295,20 +295,22 @@ let motion () =
   Alcotest.(check bool) "the family's" true (is_inertial "g[1]");
   Alcotest.(check bool) "none for a wall" true (is_inertial "w");
   (match law "g[2]" with
-   | Velocity
-       ( Sub (Var Vx, Mul (Const six, Var Dt)),
-         Var Vy,
-         If (And (Compare (Gt, Var Z, Const _), Not (Compare (Lt, Var X, Const _))),
-             Round (Var Vz, Const _), Neg (Var Mass)) ) ->
+   | Gives
+       { velocity =
+           ( Sub (Var Vx, Mul (Const six, Var Dt)),
+             Var Vy,
+             If (And (Compare (Gt, Var Z, Const _), Not (Compare (Lt, Var X, Const _))),
+                 Round (Var Vz, Const _), Neg (Var Mass)) );
+         spin = None } ->
      same_rational "folded" (q 6 1) six
    | _ -> Alcotest.fail "its own law was expected");
   (match (law "p2", law "p3") with
-   | Velocity (Const a, _, _), Velocity (Const b, _, _) ->
+   | Gives { velocity = Const a, _, _; _ }, Gives { velocity = Const b, _, _; _ } ->
      same_rational "the process's" (q 1 2) a;
      same_rational "the leaf's" (q 1 1) b
    | _ -> Alcotest.fail "constant laws were expected");
   (match law "p" with
-   | Velocity (Var Vx, Var Vy, Sub _) -> ()
+   | Gives { velocity = Var Vx, Var Vy, Sub _; _ } -> ()
    | _ -> Alcotest.fail "the general law was expected");
   Alcotest.(check bool) "steered" true t.model.steered;
   Alcotest.(check bool) "no time" false t.model.keeps_time;

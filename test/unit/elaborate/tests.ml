@@ -11,5 +11,6 @@ let () =
       Test_ranges.suite;
       Test_terms.suite;
       Test_turning.suite;
+      Test_turning_laws.suite;
       Test_unused_families.suite;
       Test_well_formed.suite ]

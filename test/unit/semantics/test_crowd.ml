@@ -29,11 +29,11 @@ type crowd = {
 }
 
 let const n = Law.Const (Rat.of_int n)
-let kick weight (x, y, z) = { Law.velocity = (const x, const y, const z); weight = const weight }
+let kick weight (x, y, z) = { Law.motion = Law.velocity_alone (const x, const y, const z); weight = const weight }
 
 let law : int -> Law.t = function
   | 0 -> Inertial
-  | 1 -> Velocity (const 1, const 0, const 0)
+  | 1 -> Gives (Law.velocity_alone (const 1, const 0, const 0))
   | 2 -> Choose (List.map (kick 1) [ (1, 0, 0); (-1, 0, 0); (0, 0, 0) ])
   | 3 -> Choose [ kick 2 (0, 0, -1); kick 1 (0, 0, 1); kick 3 (0, 2, 0) ]
   | _ -> Choose (List.map (kick 1) [ (1, 0, 0); (-1, 0, 0); (0, 1, 0); (0, -1, 0) ])

@@ -8,7 +8,8 @@ open Fixture
 let const n = Law.Const (q n)
 let still (x, y, z) = (const x, const y, const z)
 let choose kicks =
-  Law.Choose (List.map (fun (v, weight) -> { Law.velocity = still v; weight = Const weight }) kicks)
+  let kick (v, weight) = { Law.motion = Law.velocity_alone (still v); weight = Const weight } in
+  Law.Choose (List.map kick kicks)
 let network ?timestep bodies =
   let m = model ?timestep bodies in
   (m, start m (declared bodies))
@@ -37,7 +38,7 @@ let one_walker () =
 
 (* Named twice, named with weight 0, and by an expression that could not be evaluated if it were asked. *)
 let shares () =
-  let kick velocity weight = { Law.velocity; weight } in
+  let kick velocity weight = { Law.motion = Law.velocity_alone velocity; weight } in
   let law =
     Law.Choose
       [
@@ -57,7 +58,7 @@ let shares () =
 
 (* q is left of p, though it is declared after it. What holds of the velocities of all changes at once. *)
 let in_order () =
-  let falls = Law.Velocity (Law.Var Vx, Law.Var Vy, Law.Sub (Var Vz, const 1)) in
+  let falls = Law.Gives (Law.velocity_alone (Law.Var Vx, Law.Var Vy, Law.Sub (Var Vz, const 1))) in
   let bodies =
     [
       body "p" (9, 0, 0) ~velocity:(0, 1, 0) ~law:two_ways; body "q" (0, 0, 0) ~velocity:(0, 2, 0) ~law:two_ways;
@@ -137,7 +138,8 @@ let weights_that_cannot_be () =
 let too_many () =
   let law i =
     let far k = Q.make (Z.pow (Z.of_int 7) (Int.add (Int.mul 10 i) k)) Z.one in
-    Law.Choose (List.init 10 (fun k -> { Law.velocity = (Law.Const (far k), const 0, const 0); weight = const 1 }))
+    let kick k = { Law.motion = Law.velocity_alone (Law.Const (far k), const 0, const 0); weight = const 1 } in
+    Law.Choose (List.init 10 kick)
   in
   let beads = List.init 8 (fun i -> body (Printf.sprintf "b%d" i) (2 * i, 0, 0) ~law:(law i)) in
   let m = model beads in

@@ -356,7 +356,8 @@ let bound_between () =
 
 (* Laws are asked after the lots: each piece draws for itself. *)
 let before_laws () =
-  let law = Law.Choose [ { velocity = (Const (q 1), Const (q 0), Const (q 0)); weight = Const (q 1) } ] in
+  let motion = Law.velocity_alone (Const (q 1), Const (q 0), Const (q 0)) in
+  let law = Law.Choose [ { motion; weight = Const (q 1) } ] in
   let bodies =
     [
       body "p" (0, 0, 0) ~law ~behaviour:(chance (ratio 1 4) "a" [ "right" ] nil);

@@ -138,7 +138,7 @@ let fixed_bind () =
 let var v = Law.Var v
 
 let falling =
-  Law.Velocity (var Vx, var Vy, Law.Sub (var Vz, Law.Mul (Const (q 10), var Dt)))
+  Law.Gives (Law.velocity_alone (var Vx, var Vy, Law.Sub (var Vz, Law.Mul (Const (q 10), var Dt))))
 
 let steer () =
   let m, s = network ~timestep:(ratio 1 2) [ body "p" (0, 0, 100) ~law:falling ] in
@@ -187,7 +187,7 @@ let steer_on_the_beat () =
   check_labels "of the same step 3/10 remain" [ "time(3/10)" ] m s
 
 let bad_law () =
-  let law = Law.Velocity (Law.Div (Const (q 1), var Dt), Const (q 0), Const (q 0)) in
+  let law = Law.Gives (Law.velocity_alone (Law.Div (Const (q 1), var Dt), Const (q 0), Const (q 0))) in
   let bodies = [ body "p" (0, 0, 0) ~law ] in
   let m = model bodies in
   match Network.initial (standard m) (declared bodies) with
@@ -208,7 +208,7 @@ let zeno () =
    asked, each with the dt of its own last update: 1 and 3/4, of masses 1 and 3. *)
 let own_steps () =
   let var v = Law.Var v in
-  let law = Law.Velocity (var Vx, var Vy, Law.Sub (var Vz, var Dt)) in
+  let law = Law.Gives (Law.velocity_alone (var Vx, var Vy, Law.Sub (var Vz, var Dt))) in
   let bodies =
     [
       body "p" (0, 0, 0) ~law ~behaviour:(open_ "a" [ "right" ] nil);

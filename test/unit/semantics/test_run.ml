@@ -13,7 +13,9 @@ let texts m labels = String.concat "; " (List.map (label m) labels)
 
 let constant n =
   let const n = Law.Const (Rat.make (Z.of_int n) (Z.of_int 2)) in
-  let kick (x, y, z) weight = { Law.velocity = (const x, const y, const z); weight = const weight } in
+  let kick (x, y, z) weight =
+    { Law.motion = Law.velocity_alone (const x, const y, const z); weight = const weight }
+  in
   Law.Choose [ kick (2, 0, 0) 2; kick (-1, n, 0) 1; kick (0, -2, 1) 3; kick (2, 0, 0) 1; kick (0, 0, -1) 0 ]
 
 (* Every second body that draws does so among velocities that are always the same, some by one and the same law. *)
@@ -27,8 +29,9 @@ let with_constant_laws (m : Model.t) =
 (* Whoever answers for the laws of this model has been asked about those of another one. *)
 let standard m =
   let other = Standard.of_model m in
+  let still = { Given.velocity = Vec.zero; spin = None } in
   let ask i (l : Model.leaf) =
-    if Law.draws l.law then ignore (other.setting.laws i (constant 7) (fun () -> Ok [ (Vec.zero, Rat.one) ]))
+    if Law.draws l.law then ignore (other.setting.laws i (constant 7) (fun () -> Ok [ (still, Rat.one) ]))
   in
   Array.iteri ask m.leaves;
   Semantics.with_model other m

@@ -8,7 +8,7 @@ open Scc_engine
 module Gen = QCheck2.Gen
 
 let half n = Law.Const (Rat.make (Z.of_int n) (Z.of_int 2))
-let kick (x, y, z) = { Law.velocity = (half x, half y, half z); weight = half 2 }
+let kick (x, y, z) = { Law.motion = Law.velocity_alone (half x, half y, half z); weight = half 2 }
 
 (* In halves of a unit: beside one place, to the next one, past it, askew, or nowhere. *)
 let lengths = [ (1, 0, 0); (-4, 0, 0); (0, 3, 0); (0, -8, 0); (2, 2, 0); (-2, 0, -2); (0, 0, 0) ]

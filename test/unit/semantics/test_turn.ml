@@ -324,7 +324,7 @@ let persistent () =
 (* A law pushes a body into another after its step: the turn that is due then begins when they have collided. *)
 let steered_into () =
   let var v = Law.Var v in
-  let law = Law.Velocity (var Vx, var Vy, Law.Sub (var Vz, Law.Mul (Const (q 40), var Dt))) in
+  let law = Law.Gives (Law.velocity_alone (var Vx, var Vy, Law.Sub (var Vz, Law.Mul (Const (q 40), var Dt)))) in
   let bodies = [ body "p" (0, 0, 2) ~law; body "floor" (1, 0, 0) ~fixed:true ] in
   let m = rigid (model bodies) in
   (* the edge of the floor is not under the middle of p *)

@@ -77,7 +77,7 @@ let empty_charts () =
 (* One warning at most, where a chosen kick is first another than at the first point. *)
 let kicks () =
   let lattice ?(chosen = true) ?(name = "p") kick =
-    let lattice = { Scc_elaborate.Diffusion.kick = Rat.of_int kick; spread = Rat.one; chosen } in
+    let lattice = { Scc_elaborate.Diffusion.kick = Rat.of_int kick; spread = Rat.one; chosen; spin = None } in
     Scc_elaborate.Lattices.of_bodies [ (name, lattice, Scc_base.Span.none) ]
   in
   let check what expected ?(first = lattice 2) points =

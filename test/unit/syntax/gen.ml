@@ -259,14 +259,14 @@ let range = map2 (fun index bounds -> { index; bounds }) name (bounds_of expr)
 
 let kick =
   map3
-    (fun over velocity weight -> { over; velocity; weight })
-    (oneof [ return []; some range ]) vector (opt expr)
+    (fun over (velocity, spin) weight -> { over; velocity; spin; weight })
+    (oneof [ return []; some range ]) (pair vector (opt vector)) (opt expr)
 
 let law =
   located
     (oneof
        [
-         return Inertial; map (fun v -> Expression v) vector;
+         return Inertial; map2 (fun v w -> Expression (v, w)) vector (opt vector);
          map (fun ks -> Choose ks) (some kick);
        ])
 

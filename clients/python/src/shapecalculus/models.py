@@ -186,8 +186,8 @@ class Label:
     """What a transition does: ``kind`` is "time", "bind", "close", "bounce", "absorb", "weak", "strong", "draw" or "lot".
 
     ``text`` says who takes part; ``touching``, of a bounce, which bodies (or parts of them) touch, in pairs. Of a
-    draw, ``process`` is the first body of who draws, ``velocity`` what it draws and ``chance`` its probability. Of a
-    lot, ``decision`` says of the bond ``name``, ``ends`` whether it is to "keep", to "release" or "first" to release,
+    draw, ``process`` is the first body of who draws, ``velocity`` what it draws, ``spin`` what it draws with it if a law
+    gives one, and ``chance`` the probability. Of a lot, ``decision`` says of the bond ``name``, ``ends`` whether it is to "keep", to "release" or "first" to release,
     or to "choose" its way, which has no ``chance``. ``bonds`` are those of a strong split, and of a weak one of several.
     """
 
@@ -203,6 +203,7 @@ class Label:
     velocity: Optional[Vector] = None
     chance: Optional[Fraction] = None
     decision: Optional[str] = None
+    spin: Optional[Vector] = None
 
     @classmethod
     def from_json(cls, json: Json) -> Label:
@@ -220,6 +221,7 @@ class Label:
             None if "velocity" not in json else numbers.vector(json["velocity"]),
             None if "chance" not in json else numbers.fraction(json["chance"]),
             json.get("decision"),
+            None if "spin" not in json else numbers.vector(json["spin"]),
         )
 
 
