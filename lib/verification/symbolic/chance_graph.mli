@@ -48,4 +48,4 @@ val root : t -> Chance_tree.tree
 
 val layers : t -> Chance_tree.node list list
 (** The nodes by layers, the last layer first. Each leads to nodes of layers before its own in this list alone.
-    *)
+*)
