@@ -48,8 +48,8 @@ type t = {
 
 let new_layer () = { index = Keys.create 64; nodes = [] }
 
-(* Where targets go: those at the end of a movement step wait until all zones of the step are expanded. So zones that
-   runs reach by different numbers of collisions become one at its end. *)
+(* Where targets go: those at the end of a movement step wait until all zones of the step are expanded. So zones
+   that runs reach by different numbers of collisions become one at its end. *)
 type next = { within : layer; after_step : layer }
 
 let later t layer (zone : Zone.t) =
@@ -86,7 +86,8 @@ let go t layer (zones : Zone.t list) =
   cells (List.map one (List.concat_map (Chance_steps.settled t.context) zones))
 
 (* Each target of an event is one way, for the states of its set. *)
-let events_of t next all = List.map (fun (h : Happening.t) -> (h.target.Zone.set, go t next.within [ h.target ])) all
+let events_of t next all =
+  List.map (fun (h : Happening.t) -> (h.target.Zone.set, go t next.within [ h.target ])) all
 
 let is_step_end : Passing.due -> bool = function
   | Step_end -> true

@@ -1,9 +1,10 @@
 (** The zones that a network reaches by its free choices and by chance (rules Zones and Probability), for one
     operator "f until g" of state predicates, with a bound of time or without.
 
-    Zones are explored in layers, by the number of transitions that lead to them; what follows the end of a movement step comes after all other zones of that step. Sets of states that are known
-    by the same forms over the parameters are one node of their layer. No zone is dropped because another one
-    includes it, unless the forms are equal: then what follows is the same for each value of the parameters. *)
+    Zones are explored in layers, by the number of transitions that lead to them; what follows the end of a
+    movement step comes after all other zones of that step. Sets of states that are known by the same forms over
+    the parameters are one node of their layer. No zone is dropped because another one includes it, unless the
+    forms are equal: then what follows is the same for each value of the parameters. *)
 
 open Scc_state_sets
 
@@ -46,4 +47,5 @@ val root : t -> Chance_tree.tree
 (** What follows all starts. *)
 
 val layers : t -> Chance_tree.node list list
-(** The nodes by layers, the last layer first. Each leads to nodes of layers before its own in this list alone. *)
+(** The nodes by layers, the last layer first. Each leads to nodes of layers before its own in this list alone.
+*)

@@ -70,8 +70,12 @@ let pending (z : Zone.t) = Array.exists waits z.skeleton.processes || Lots.pendi
 let ignores_velocity (m : Model.t) (l : State.leaf) =
   match m.leaves.(l.leaf).law with
   | Inertial -> false
-  | (Velocity _ | Choose _) as law ->
-    not (Law.mentions (function Vx | Vy | Vz -> true | X | Y | Z | Mass | Time | Dt -> false) law)
+  | (Gives _ | Choose _) as law ->
+    let is_velocity : Law.variable -> bool = function
+      | Vx | Vy | Vz -> true
+      | X | Y | Z | Wx | Wy | Wz | Mass | Time | Dt -> false
+    in
+    not (Law.mentions is_velocity law)
 
 let without_old_velocities c (z : Zone.t) =
   let is_old (p : State.process) =
@@ -88,8 +92,8 @@ let draws c (z : Zone.t) region =
   match Steer.next_to_draw s.semantics s.state with
   | None -> Scc_base.Bug.fail __POS__ "nobody draws"
   | Some p ->
-    let of_draw (velocity, chance) =
-      let t = sure s (Network.drawn s.semantics s.state ~before:(fun _ -> None) p (velocity, chance)) in
+    let of_draw (given, chance) =
+      let t = sure s (Network.drawn s.semantics s.state ~before:(fun _ -> None) p (given, chance)) in
       (chance, [ converted c { z with arrived = [] } region t.target ])
     in
     Drawn (List.map of_draw (sure s (Steer.chances s.semantics s.state p)))

@@ -92,7 +92,7 @@ let of_velocity env region (x, y, z) =
 
 let of_kick z leaf env region (k : Law.kick) =
   let of_weight (p, (w : Linear.t)) =
-    if Linear.is_constant w then if Rat.sign w.constant > 0 then of_velocity env p k.velocity else [ p ]
+    if Linear.is_constant w then if Rat.sign w.constant > 0 then of_velocity env p k.motion.velocity else [ p ]
     else
       match Region.where p [ Constraint.less w (constant p Rat.zero) ] with
       | [] -> depends env "weight"
@@ -105,7 +105,7 @@ let of_kick z leaf env region (k : Law.kick) =
 let of_law z leaf env region (law : Law.t) =
   match law with
   | Inertial -> [ region ]
-  | Velocity v -> of_velocity env region v
+  | Gives motion -> of_velocity env region motion.velocity
   | Choose kicks ->
     List.fold_left (fun regions k -> List.concat_map (fun p -> of_kick z leaf env p k) regions) [ region ] kicks
 
@@ -125,6 +125,7 @@ let env (m : Model.t) (z : Zone.t) (p : State.process) (leaf : Model.leaf) i =
     | Vx -> known p.velocity.x
     | Vy -> known p.velocity.y
     | Vz -> known p.velocity.z
+    | Wx | Wy | Wz -> known Rat.zero (* ranges are refused where bodies turn *)
     | Mass -> known leaf.mass
     | Time -> Option.value z.time ~default:(known Rat.zero)
     | Dt -> Linear.sub (known m.timestep) (Option.value z.step ~default:(known Rat.zero))
@@ -132,7 +133,7 @@ let env (m : Model.t) (z : Zone.t) (p : State.process) (leaf : Model.leaf) i =
   { leaf = leaf.name; value }
 
 let sees_place law =
-  Law.mentions (function X | Y | Z | Time | Dt -> true | Vx | Vy | Vz | Mass -> false) law
+  Law.mentions (function X | Y | Z | Time | Dt -> true | Vx | Vy | Vz | Wx | Wy | Wz | Mass -> false) law
 
 let cells (c : Instant.context) z region (p : State.process) =
   let m = Semantics.model c.semantics in

@@ -33,6 +33,8 @@ let zone : Zone.t option Gen.t =
           set;
           parameters = forms;
           time = None;
+          step = None;
+          grid = None;
           ages = [||];
           clocks = [||];
           places = [||];
