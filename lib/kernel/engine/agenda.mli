@@ -1,5 +1,5 @@
-(** The events to come in a run. An event may be out of date when its time comes: it belongs to sweeps that have ended
-    since, or to a body that has changed. Such events are left out. *)
+(** The events to come in a run. An event may be out of date when its time comes: it belongs to sweeps that have
+    ended since, or to a body that has changed. Such events are left out. *)
 
 open Scc_exact
 

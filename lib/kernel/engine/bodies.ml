@@ -272,7 +272,8 @@ let turn_all t processes =
   in
   let turned = List.map turned processes in
   let turns (f : Flights.flight) = turns t ~is_steered:(body t f.first).is_steered in
-  Flights.turn t.flights ~now:t.now ~turns (List.map (fun b -> (b.flight, b.process)) turned) (Agenda.watch t.agenda);
+  let lines = List.map (fun b -> (b.flight, b.process)) turned in
+  Flights.turn t.flights ~now:t.now ~turns lines (Agenda.watch t.agenda);
   List.iter (schedule t) turned
 
 let turn t processes =
@@ -283,7 +284,8 @@ let turn t processes =
 let among same processes =
   let add all (p : State.process) = Firsts.add p.leaves.(0).leaf p all in
   let by_first = List.fold_left add Firsts.empty processes in
-  fun (p : State.process) -> Option.fold ~none:false ~some:(same p) (Firsts.find_opt p.leaves.(0).leaf by_first)
+  fun (p : State.process) ->
+    Option.fold ~none:false ~some:(same p) (Firsts.find_opt p.leaves.(0).leaf by_first)
 
 let change t (o : Transition.outcome) =
   let was_there = among same_leaves o.gone and stays = among same_leaves o.come in
