@@ -27,9 +27,9 @@ The models of crowds (guide, Crowds): exact numbers for two bodies, intervals fo
   pairs_at_40: estimated: 0.6, from 0.151206 to 3.466596 with confidence 99/100, 20 runs
   
   one_by_10: estimated: 0.25, from 0.058333 to 0.559761 with confidence 99/100, 20 runs
-  product: estimated: 0.65, from 0.16243 to 2.014003 with confidence 99/100, 20 runs
+  product: estimated: 0.6, from 0.151206 to 1.971037 with confidence 99/100, 20 runs
   
-  first: estimated: 0.2, from 0.035756 to 0.506609 with confidence 99/100, 20 runs
+  first: estimated: 0.15, from 0.017642 to 0.449466 with confidence 99/100, 20 runs
   grown: estimated: 3.25, from 2.116923 to 7.448121 with confidence 99/100, 20 runs
   
   two: estimated: 0.35, from 0.113879 to 0.656569 with confidence 99/100, 20 runs

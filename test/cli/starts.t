@@ -65,7 +65,7 @@ Probabilities over all starts (rule Starts): functions of the parameters, consta
     not known anywhere
     probability at least 0, and at most 1
   
-  explored: 564 states, 1041 transitions, depth 11; not complete: every property was decided before
+  explored: 486 states, 924 transitions, depth 13; not complete: every property was decided before
   4 properties: 2 violated, 1 measured, 1 undecided
   [1]
 
@@ -98,18 +98,18 @@ Without a bound of time the value is known between two bounds, piece by piece:
   $ scc check walk.sc --where --depth 12
   semantics 3: timestep 1
   
-  ruined: 81/625 to 609/625, for start in [0, 3]; mean at least 1077/3125 = 0.34464, and at most 2737/3125 = 0.87584, as far as is known: the exploration ended at the depth bound 12
+  ruined: 0 to 1, for start in [0, 3]; mean at least 24/125 = 0.192, and at most 347/375, about 0.9253, as far as is known: the exploration ended at the depth bound 12
     P = ? [ eventually event absorb(walker, ruin) ]
-    start = 3 (no length): from 81/625 to 1431/3125, not known better
-    2 < start < 3: from 81/625 to 477/625, not known better
-    start = 2 (no length): from 1161/3125 to 477/625, not known better
-    1 < start < 2: from 1161/3125 to 2781/3125, not known better
-    start = 1 (no length): from 333/625 to 2781/3125, not known better
-    0 < start < 1: from 333/625 to 609/625, not known better
-    start = 0 (no length): from 2541/3125 to 609/625, not known better
-    mean at least 1077/3125 = 0.34464, and at most 2737/3125 = 0.87584
+    start = 3 (no length): from 0 to 63/125, not known better
+    2 < start < 3: from 0 to 21/25, not known better
+    start = 2 (no length): from 27/125 to 21/25, not known better
+    1 < start < 2: from 27/125 to 117/125, not known better
+    start = 1 (no length): from 9/25 to 117/125, not known better
+    0 < start < 1: from 9/25 to 1, not known better
+    start = 0 (no length): from 93/125 to 1, not known better
+    mean at least 24/125 = 0.192, and at most 347/375, about 0.9253
   
-  explored: 85 states, 124 transitions, depth 13; not complete: stopped by the depth bound 12
+  explored: 48 states, 70 transitions, depth 12; not complete: stopped by the depth bound 12
   1 property: 1 measured
   [2]
 

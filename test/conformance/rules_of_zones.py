@@ -460,6 +460,32 @@ def contacts(r):
 F_FIRST = '(%s and not (%s))'
 
 
+def starts():
+    """Walks over ranges of starts."""
+    r = Rule('Starts')
+    walk = ('timestep 1 steady\nparam s in [0, 3]\nfixed wall = Cube at translate (6,0,0)\n'
+            'process w = Cube mass 1 at translate (s,0,0) [nil]\nmotion w = ')
+
+    def told(note, law, within, high, mean, *checks):
+        hit = 'eventually event bounce(w, wall) within %s' % within
+        text = CUBE + walk + law + '\ncheck p : P = ? [ %s ]\n' % hit
+        text += ''.join('check c%d : %s [ %s ]\n' % (i, c[0], hit) for i, c in enumerate(checks, 1))
+        values = {'low': num(0), 'high': num(high), 'mean': {'low': num(mean), 'high': num(mean)}}
+        expected = [{'name': 'p', 'verdict': 'measured',
+                     'starts': [{'over': side, **values} for side in ('least', 'greatest')]}]
+        expected += [{'name': 'c%d' % i, 'verdict': c[1]} for i, c in enumerate(checks, 1)]
+        r.add_next(note, 'model.check', {'text': text}, result(properties=expected))
+
+    even, uneven = 'choose { (1,0,0), (-1,0,0) }', 'choose { (1,0,0) weight 2, (-1,0,0) }'
+    told('From 3 the wall is met after one step to the right, and from nowhere else.', even, 1, F(1, 2), 0,
+         ('P <= 1/2', 'holds'), ('P < 1/2', 'violated'), ('P >= 1/2', 'violated'))
+    told('From [2, 3) after two: a third of the starts, with 1/4.', even, 2, F(1, 2), F(1, 12), ('P <= 1/4', 'violated'))
+    told('With 4/9, and from 3 with 2/3.', uneven, 2, F(2, 3), F(4, 27), ('P <= 2/3', 'holds'), ('P <= 1/2', 'violated'))
+    told('A law that depends on the place cuts the range at 2.', '(if x >= 2 then 1 else -1, 0, 0)', 2, 1, F(1, 3),
+         ('P >= 1', 'violated'), ('P >= 0', 'holds'))
+    return r
+
+
 def suites():
     r = Zones()
     offsets(r)
@@ -469,4 +495,4 @@ def suites():
     splits(r)
     timed(r)
     contacts(r)
-    return [r]
+    return [r, starts()]

@@ -118,7 +118,9 @@ class Every(Commands):
     def test_estimate(self):
         self.each(estimate, WALK + "param a = 1\n", {
             "define": {"a": 2}, "check": ["far"], "property": "P = ? [ eventually x(p) > 1 within 3 ]", "runs": 20,
-            "free": "evenly", "most": 100, "confidence": "0.9"})
+            "free": "evenly", "most": 100, "confidence": "0.9",
+            "effort": {"=": 1, "effort": 20, "levels": "x(p) >= 1", "check": ["far"], "runs": 5},
+            "levels": {"=": 1, "levels": "x(p) >= 1", "check": ["far"], "runs": 5}})
 
     def test_simulate(self):
         needed = {"runs": 3, "observe": ["x(p)", "y(p)"], "every": 1, "until": 4}

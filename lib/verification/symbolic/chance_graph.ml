@@ -41,6 +41,7 @@ type t = {
   mutable root : tree;
   mutable layers : layer list;  (** the last first *)
   mutable size : int;
+  mutable deepest : int;
   mutable transitions : int;
   mutable chain : bool;
   mutable met : met;
@@ -185,6 +186,7 @@ let rec explore_from t limits ~depth ~after_step layer =
   | [], _ :: _ -> explore_from t limits ~depth ~after_step:(new_layer ()) after_step
   | nodes, _ ->
     t.layers <- layer :: t.layers;
+    t.deepest <- Int.min depth limits.depth;
     let next = { within = new_layer (); after_step } in
     let of_node node =
       let of_set set = (set, expand t limits next ~depth { node.zone with Zone.set }) in
@@ -201,7 +203,7 @@ let explore context question limits zones =
       context; claims;
       sees_speed = Chance_claims.see_speed claims;
       events = Chance_claims.events claims;
-      root = Lost; layers = []; size = 0; transitions = 0; chain = true;
+      root = Lost; layers = []; size = 0; deepest = 0; transitions = 0; chain = true;
       met = { too_late = false; too_deep = false; too_many = false; stopped = false };
     }
   in
@@ -217,5 +219,5 @@ let met t = t.met
 let reasons t = Chance_claims.reasons t.claims
 let size t = t.size
 let transitions t = t.transitions
-let depth t = List.length t.layers
+let depth t = t.deepest
 let is_chain t = t.chain

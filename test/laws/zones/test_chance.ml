@@ -64,7 +64,13 @@ let formula random ~two ~plane =
        @ if plane then [ "y(w) > 1"; "y(w) <= x(w)" ] else [])
   in
   let bound () = number random [ "1"; "3/2"; "2"; "2"; "5/2"; "3" ] in
-  match Random.State.int random 7 with
+  (* A claim that may fail on the way to the goal, while nothing else happens. *)
+  let on_the_way () =
+    let place = number random [ "1/4"; "1/2"; "3/4"; "1"; "5/4" ] in
+    Printf.sprintf "P = ? [ (not x(w) = %s) U[<= %s] x(w) > %s ]" place (bound ())
+      (number random [ "0"; "1/2"; "1"; "3/2" ])
+  in
+  match Random.State.int random 8 with
   | 0 -> Printf.sprintf "P = ? [ always %s within %s ]" (state ()) (bound ())
   | 1 -> Printf.sprintf "P = ? [ (%s) U[<= %s] (%s) ]" (state ()) (bound ()) (state ())
   | 2 -> Printf.sprintf "P = ? [ true U[%s, %s] (%s) ]" (number random [ "1/2"; "1" ]) (bound ()) (state ())
@@ -72,6 +78,7 @@ let formula random ~two ~plane =
   | 4 ->
     let least = number random [ "1/2"; "1/3"; "1"; "2/9" ] in
     Printf.sprintf "P >= %s [ eventually %s within %s ]" least (state ()) (bound ())
+  | 5 -> on_the_way ()
   | _ -> Printf.sprintf "P = ? [ eventually %s within %s ]" (state ()) (bound ())
 
 let model random =
@@ -258,7 +265,7 @@ let try_model number =
         in
         List.iter try_point (points random l report))
 
-let () =
+let all () =
   let models = argument 1 40 in
   for i = 1 to models do
     try_model i
@@ -267,3 +274,8 @@ let () =
   Printf.printf "%d models at %d starts, at %d both exact; %d values\n" models starts exactly pieces;
   List.iter (fun (kind, n) -> Printf.printf "  %4d %s\n" n kind) (List.sort compare count.kinds);
   if count.exactly * 2 < count.starts then Alcotest.fail "too little is known"
+
+(* The arguments are a number of models and a seed. *)
+let () =
+  Alcotest.run ~argv:[| Sys.argv.(0) |] "chance over zones"
+    [ ("random models", [ Alcotest.test_case "Starts: as from single starts" `Quick all ]) ]

@@ -308,7 +308,7 @@ let () =
       ( "estimates",
         [
           case "without range" without_range;
-          case "with one end" with_one_end;
+          case "Betting: with one end" with_one_end;
           case "1000 means of 60 numbers" (means ~count:1_000 (Exactly 60));
           case "200 means in looks" (means ~count:200 (At_most 1_000));
         ] );
