@@ -21,7 +21,7 @@ fixed room = solids.Room(6, 6, 1, 1)
 for i in 1..4 { process c[i] = solids.Cube(1) mass 1 at translate ((i - 5/2) * 3/2, i - 5/2, 0) [nil] }
 motion choose { (1,0,0), (-1,0,0), (0,1,0), (0,-1,0) }
 check low : P = ? [ eventually x(c[1]) < -20 within 600 ]
-check mean : E = ? [ x(c[1]) at 600 ]
+check mean : E = ? [ 1/(x(c[1]) + 1/3) at 600 ]
 """
 
 WHOLE = 3
@@ -133,7 +133,7 @@ def kept(command, text, folder):
 def estimates(scc, model):
     common = ["--json", "--free", "evenly", "--most", "100000000", "--steps", "10000000", "--width", "1/10000"]
     far = ["--property", "P = ? [ eventually x(c[1]) < -20 within 10000000 ]",
-           "--property", "E = ? [ x(c[1]) at 10000000 ]"]
+           "--property", "E = ? [ 1/(x(c[1]) + 1/3) at 10000000 ]"]
     for asked, jobs in [([], 1), ([], 2), (far, 1), (far, 2)]:
         out, _, code = broken_off([scc, "estimate", model, *common, *asked, "--jobs", str(jobs)], 0.3)
         report = json.loads(out)

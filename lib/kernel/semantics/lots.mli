@@ -79,7 +79,7 @@ val released_now : Model.t -> State.process -> to_release list
 (** The bonds of a process that are released next, in order, once none of its lots is undecided or contested. *)
 
 val several_ways : Model.t -> State.process -> to_release list
-(** Those of {!released_now} that may be released in several ways. *)
+(** [several_ways m p] are those of {!released_now} of [p] that may be released in several ways. *)
 
 val clusters : (State.bond * State.lot) list -> (State.bond * State.lot) list list
 (** The connected sets of bonds under shared leaves. Each set keeps the given order, and the sets are in the

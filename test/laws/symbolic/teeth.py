@@ -152,7 +152,7 @@ MISTAKES = {
         "let in_time = Constraint.less time",
     ),
     "time stands still": (
-        "../../kernel/state_sets/zone_time.ml", "Option.map (Linear.add time) z.time", "z.time",
+        "../../kernel/state_sets/zone_time.ml", "time = later z.time;", "time = z.time;",
     ),
     "bodies that wait do not move": (
         "../../kernel/state_sets/zone_time.ml", "Place.moved places.(l.leaf) p.velocity time",
