@@ -591,8 +591,9 @@ def main():
             check_model(scc, model, folder)
             check_sarif(scc, model, folder)
             check_view(scc, model, twice=number % 8 == 0)
-            if is_open(model) and not has_laws(model):
-                check_zones(scc, model)
+            if is_open(model):
+                if not has_laws(model):
+                    check_zones(scc, model)
             else:
                 check_trace(scc, model)
                 check_trace(scc, model, "--states=ends")
