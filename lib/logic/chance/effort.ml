@@ -6,6 +6,7 @@ type t = {
   engine : engine;
   bits : int;
   steps : int;
+  layers : int;
   width : Rat.t;
   relative : bool;
   bound : Answer.bound option;
@@ -18,6 +19,7 @@ let default =
     engine = Either;
     bits = 200_000;
     steps = 1 lsl 30;
+    layers = 20_000;
     width = Rat.make Z.one (Z.of_int 1_000_000);
     relative = false;
     bound = None;

@@ -11,6 +11,9 @@ type t = {
   engine : engine;
   bits : int;  (** for exact values: their greatest length (numerator and denominator together) *)
   steps : int;  (** for exact values: how many products of small numbers all systems may take ({!Lifting}) *)
+  layers : int;
+  (** for bounds of time: how many instants are worked through before later ones are enclosed, positive. If that is
+      not enough, there are up to 16 times as many. *)
   width : Rat.t;  (** for intervals, positive: an interval of at most this width is good enough *)
   relative : bool;  (** the width is a share of the lower end *)
   bound : Answer.bound option;  (** for intervals: one that decides this bound is good enough, too *)
@@ -21,5 +24,5 @@ type t = {
 }
 
 val default : t
-(** [Either], with numbers of 200 000 bits and 2{^30} steps. Intervals have an absolute width of 10^-6
+(** [Either], with numbers of 200 000 bits 2{^30} steps and 20 000 instants. Intervals have an absolute width of 10^-6
     and no bound. It is never interrupted. *)

@@ -68,8 +68,6 @@ let enclosed q effort w starts time ~most_of =
           | None, _ -> at_once next)
     | None, _ | _, None -> at_once
 
-let few_layers = 20_000
-let many_layers = 16 * few_layers
 let narrow = Rat.make Z.one (Z.shift_left Z.one 100)
 
 let is_narrow = function
@@ -83,14 +81,14 @@ let rec by_layers q effort w starts ~most_of ~most =
   | None -> None
   | exception Layers.Too_many time ->
     let found = enclosed q effort w starts time ~most_of:(Lazy.force most_of) in
-    if most >= many_layers || effort.interrupted () || List.for_all (fun s -> is_narrow (found s)) starts then
+    if most >= 16 * effort.Effort.layers || effort.interrupted () || List.for_all (fun s -> is_narrow (found s)) starts then
       Some found
     else by_layers q effort w starts ~most_of ~most:(4 * most)
 
 let solve q effort w starts =
   let most_of = lazy (without_bound q effort) in
   let solution =
-    match by_layers q effort w starts ~most_of ~most:few_layers with
+    match by_layers q effort w starts ~most_of ~most:effort.Effort.layers with
     | Some value -> By_layers value
     | None ->
       let built, solution = solve_whole q effort w starts in
@@ -266,7 +264,7 @@ let run_of_layers q effort w position first layers =
 
 let run q effort position =
   let w, first = from q position in
-  match Layers.until ~most:few_layers q w (nexts first) with
+  match Layers.until ~most:effort.Effort.layers q w (nexts first) with
   | exception Layers.Too_many _ -> None
   | Some layers -> run_of_layers q effort w position first layers
   | None -> run_of_whole q effort w position first

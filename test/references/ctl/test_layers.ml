@@ -86,6 +86,28 @@ let agrees c =
     in
     List.for_all good starts
 
+(* Of bounds with more instants than are worked through, the later ones are enclosed. *)
+let enclosed_cases = ref 0
+
+let encloses c =
+  let q = question c in
+  let w, starts = starts q in
+  let expected = whole q w starts in
+  let contains layers =
+    let found = Likelihood.within q { Effort.default with layers } w starts in
+    let good next =
+      let answer = found next in
+      (match answer with
+       | Answer.Within _ -> incr enclosed_cases
+       | Exact _ | At_least _ | Infinite -> ());
+      Answer.contains answer (exactly (expected next))
+    in
+    List.for_all good starts
+  in
+  contains 1 && contains 2
+
+let enclosed () = Alcotest.(check bool) "many answers are intervals" true (!enclosed_cases > 200)
+
 (* A run comes to the goal by positive chances, in the fewest steps of all where nothing is chosen. *)
 let shows c =
   let q = question c in
@@ -192,6 +214,8 @@ let suite =
          law "probabilities" ~truncated:false agrees;
          law "probabilities on truncated graphs" ~truncated:true agrees;
          Alcotest.test_case "layers there are" `Quick many;
+         law "bounds of many instants" ~truncated:false encloses;
+         Alcotest.test_case "enclosed ones there are" `Quick enclosed;
          law "runs" ~truncated:false shows;
          law "curves" ~count:300 ~truncated:false curve;
        ] );
