@@ -28,6 +28,10 @@ let box ranges =
   in
   Polyhedron.of_constraints n (List.concat (Array.to_list (Array.mapi within ranges)))
 
+let values_to_string ranges values =
+  let one r v = Printf.sprintf "%s = %s" r.name (Rat.to_string v) in
+  String.concat ", " (Array.to_list (Array.map2 one ranges values))
+
 let range_to_string { name; low; high } =
   Printf.sprintf "%s in %s%s, %s%s" name
     (if low.included then "[" else "(")

@@ -33,6 +33,9 @@ val negative : t -> Linear.t -> (string * Rat.t) list option
 val may_be_zero : t -> Linear.t -> bool
 (** [may_be_zero ranges form] is true if [form] is zero for some values of the parameters. *)
 
+val values_to_string : t -> Rat.t array -> string
+(** A value for each parameter, as text: ["x = 1, y = 1/2"]. *)
+
 val range_to_string : range -> string
 (** The range as text, with the brackets of its ends: ["x in (0, 6\]"]. *)
 

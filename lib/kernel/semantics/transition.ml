@@ -157,7 +157,7 @@ let label_to_string (m : Model.t) = function
   | Lot { bond = b; decision; chance } ->
     Printf.sprintf "%s(%s) chance(%s)" (decision_to_string decision) (bond_to_string m b) (Rat.to_string chance)
 
-let diagnostic (m : Model.t) fault =
+let of_fault (m : Model.t) fault =
   match fault with
   | Bad_chance f ->
     Scc_base.Diag.error Scc_base.Code.bad_chance Scc_base.Span.none
@@ -178,3 +178,9 @@ let diagnostic (m : Model.t) fault =
     Scc_base.Diag.error Scc_base.Code.persistent_contact Scc_base.Span.none
       "persistent contact: %s would interpenetrate at once, though they do not approach where they touch"
       (String.concat " and " (names m firsts))
+
+let diagnostic ?at (m : Model.t) fault =
+  let d = of_fault m fault in
+  match at with
+  | None | Some [||] -> d
+  | Some values -> { d with message = Printf.sprintf "%s, for %s" d.message (Ranges.values_to_string m.ranges values) }

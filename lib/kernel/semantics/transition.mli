@@ -134,6 +134,7 @@ val label_to_string : Model.t -> label -> string
 
     A push that is not 0 follows its bond: [push(2)]. *)
 
-val diagnostic : Model.t -> fault -> Scc_base.Diag.t
+val diagnostic : ?at:Rat.t array -> Model.t -> fault -> Scc_base.Diag.t
 (** The message for a fault: SC0601 for a law, SC0602 for a persistent contact, SC0603 for chances. A law's message
-    has the place of its declaration. *)
+    has the place of its declaration. [at] is the values of the parameters with ranges for which there is the fault:
+    the message names them. *)

@@ -57,7 +57,7 @@ module Algebra = struct
   let admits _ _ _ _ _ = true
 
   let affine c at form =
-    Not_linear.report c.report at ~why:"by laws of motion bodies do not move on straight lines" form;
+    Not_linear.report c.report at ~why:"the velocities and weights of a law of motion are numbers" form;
     None
 
   let comparison _ _ _ _ _ = None

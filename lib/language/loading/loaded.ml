@@ -73,4 +73,5 @@ let load ~read_file ~overrides ?narrowed source =
   of_tree ~read_file ~overrides ?narrowed source tree
 
 let initial l =
-  Result.map_error (fun f -> [ Transition.diagnostic l.model f ]) (Network.initial l.semantics l.declared)
+  let diagnostic = Transition.diagnostic l.model ~at:(Ranges.point l.model.ranges) in
+  Result.map_error (fun fault -> [ diagnostic fault ]) (Network.initial l.semantics l.declared)

@@ -272,13 +272,6 @@ let answer w (check : Property.check) =
 
 type result = { verdict : Verdict.t; where : Where.t; stats : Stats.t }
 
-(* A fault of a law, with values for which it has one. *)
-let diagnostic (m : Model.t) fault at =
-  let d = Transition.diagnostic m fault in
-  let named = List.mapi (fun i v -> (m.ranges.(i).Ranges.name, v)) (Array.to_list at) in
-  let told = Printf.sprintf "%s, for %s" d.message (Verdict.values_to_string named) in
-  if named = [] then d else { d with message = told }
-
 let check (options : Setup.t) semantics context u ~declared (check : Property.check) =
   let m = Semantics.model semantics in
   let initial = Network.started semantics declared in
@@ -291,7 +284,7 @@ let check (options : Setup.t) semantics context u ~declared (check : Property.ch
     Ok { verdict = Undecided [ reason ]; where = unknown m.ranges; stats }
   in
   let faulty fault at =
-    let d = diagnostic m fault at in
+    let d = Transition.diagnostic ~at m fault in
     without (Verdict.Fault d.message) [ d ]
   in
   match options.surroundings.attempt.run Exploring (fun () -> answer w check) with
