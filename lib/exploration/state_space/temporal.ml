@@ -134,7 +134,7 @@ let counted t p =
     let n = Scc_evaluate.Counted.by semantics ~source (Catalogue.label_of catalogue e.label) p in
     (n.least, n.most)
 
-let mean t i side (mean : Property.mean) =
+let mean ?bound t i side (mean : Property.mean) =
   let what : Expectation.what =
     match (mean, t.asked.formulas.(i)) with
     | Time_until _, Finally (_, _, g) -> Time_until g
@@ -142,7 +142,7 @@ let mean t i side (mean : Property.mean) =
     | Value_at (n, time), _ -> Value_at (number t n, time)
     | (Time_until _ | Events_until _), _ -> Scc_base.Bug.fail __POS__ "a mean with another formula"
   in
-  Expectation.find t.eval side what
+  Expectation.find ?bound t.eval side what
 
 (* Of the operators with a probability that its truth in the initial state depends on at once. *)
 let probabilities t i =

@@ -44,9 +44,11 @@ val explain : t -> int -> Explanation.t
 val doubts : t -> int -> Scc_ctl.Doubts.t
 (** The unexplored nodes and undefined predicates that keep a formula undecided in the initial state. *)
 
-val mean : t -> int -> Property.side -> Property.mean -> Scc_ctl.Expectation.answer
+val mean :
+  ?bound:Scc_chance.Answer.bound -> t -> int -> Property.side -> Property.mean -> Scc_ctl.Expectation.answer
 (** [mean t i side mean] is the least or greatest mean over the runs from the initial state (rule Expectation).
-    [i] is the index of the formula of the check with this mean. Another formula is a bug. *)
+    [i] is the index of the formula of the check with this mean. Another formula is a bug. An interval that decides
+    [bound] is good enough, if it is given. *)
 
 val probabilities : t -> int -> Scc_ctl.Eval.measured list
 (** The known bounds of the probabilities that a formula compares in the initial state, in order. *)

@@ -31,6 +31,15 @@ let nearly e effort ~possible ~rewards ~asked not_exact =
   in
   { of_node; row = Array.get s.row; how = In_intervals { sweeps = s.sweeps; not_exact } }
 
+(* Below this size of all components exact values take no longer than intervals. *)
+let small = 1_000
+
+let has_large_part (e : Equations.t) =
+  let rec from k = k < Array.length e.parts - 1 && (e.parts.(k + 1) - e.parts.(k) > small || from (k + 1)) in
+  from 0
+
+let decided n bound asked = Array.for_all (fun v -> Option.is_some (Answer.holds (n.of_node v) bound)) asked
+
 let nodes (e : Equations.t) (effort : Effort.t) ~possible ~rewards ~asked =
   let nearly = nearly e effort ~possible ~rewards ~asked in
   if e.size = 0 then { of_node = (fun _ -> possible); row = (fun _ -> 0); how = By_graph }
@@ -43,9 +52,16 @@ let nodes (e : Equations.t) (effort : Effort.t) ~possible ~rewards ~asked =
         | Error why ->
           { of_node = (fun _ -> possible); row = (fun v -> Equations.first_row e v); how = Given_up why })
     | Either -> (
-        match Exact_solver.solve e { effort with interrupted = effort.half () } with
-        | Ok s -> exactly s
-        | Error why -> nearly (Some why))
+        let exactly_or other =
+          match Exact_solver.solve e { effort with interrupted = effort.half () } with
+          | Ok s -> exactly s
+          | Error why -> other (Some why)
+        in
+        match effort.bound with
+        | Some bound when has_large_part e ->
+          let found = nearly None in
+          if decided found bound asked then found else exactly_or nearly
+        | Some _ | None -> exactly_or nearly)
 
 (* In a merged component the state that has the chosen choice is gone to, by internal choices. *)
 let spread back (e : Equations.t) (merged : Components.ends) row (choice : int array) =

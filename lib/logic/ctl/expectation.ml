@@ -50,7 +50,8 @@ let all_time = { Timed_formula.low = Rat.zero; high = None }
 
 (* More states at which it is over make it less, for each scheduler: with all that may be such a state it is not
    more than it is, and with those that are known to be, not less. *)
-let mean_until e side ~earns g =
+let mean_until e side ~bound ~earns g =
+  let effort = { (Eval.effort e) with bound } in
   let graph = Eval.graph e in
   let value = Eval.value e g in
   let still = Eval.value e (Eval.still e g) in
@@ -65,7 +66,7 @@ let mean_until e side ~earns g =
       { branch with reward = (if up then high else low) }
     in
     let choices p = List.map (List.map (earning p)) (choices q w p) in
-    solve side (Eval.effort e) (build ~choices [ next q w (place w 0 Rat.zero) ])
+    solve side effort (build ~choices [ next q w (place w 0 Rat.zero) ])
   in
   let least = answer ~up:false in
   let same = value.lower == value.upper && Timed_graph.complete (Eval.index e) && not !enclosed in
@@ -149,7 +150,7 @@ let value_at e side number time =
   | Some _ when Option.is_some ends.reason || ends.unexplored <> [] -> unknown ends ends.reason
   | Some layers -> known (Layered.value (Layered.solve layers (Eval.effort e)) start)
 
-let find e side = function
-  | Time_until g -> mean_until e side ~earns:(duration (Eval.graph e)) g
-  | Counts_until (count, g) -> mean_until e side ~earns:(counted count) g
+let find ?bound e side = function
+  | Time_until g -> mean_until e side ~bound ~earns:(duration (Eval.graph e)) g
+  | Counts_until (count, g) -> mean_until e side ~bound ~earns:(counted count) g
   | Value_at (number, time) -> value_at e side number time

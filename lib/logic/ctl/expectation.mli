@@ -20,5 +20,6 @@ type answer =
   | Unknown of { reason : string option; unexplored : int list }
   (** No value is known: the number has no value somewhere, or states matter whose successors are not known. *)
 
-val find : Eval.t -> Timed_formula.side -> what -> answer
-(** [find e side what] is the least or greatest mean over runs from node 0. *)
+val find : ?bound:Scc_chance.Answer.bound -> Eval.t -> Timed_formula.side -> what -> answer
+(** [find e side what] is the least or greatest mean over runs from node 0. An interval that decides [bound] is good
+    enough, if it is given. *)

@@ -58,7 +58,7 @@ let compared bound m ~reasons : Verdict.t =
   | _ -> Undecided (told "mean" m :: reasons ())
 
 let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
-  let find side = Temporal.mean temporal i side mean in
+  let find side = Temporal.mean ?bound:test temporal i side mean in
   let undefined = function _, Scc_ctl.Expectation.Unknown { reason; _ } -> reason | _, Known _ -> None in
   let unexplored = function _, Scc_ctl.Expectation.Unknown { unexplored; _ } -> unexplored | _, Known _ -> [] in
   let known = function side, Scc_ctl.Expectation.Known m -> Some (side, m) | _, Unknown _ -> None in

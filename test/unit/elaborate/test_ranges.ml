@@ -302,7 +302,7 @@ let linear_alone =
     case "another parameter" "x" ~says:"constant" (body "param u = x + 1" ^ "process p = Cube mass u [nil]");
     case "the timestep" "x" ~says:"constant" (body "timestep x");
     case "the split step" "x" ~says:"constant" (body "split_step x");
-    case "a law" "x" ~says:"straight lines" (ranges ^ "process p = Cube mass 1 [nil] motion p = (x, 0, 0)");
+    case "a law" "x" ~says:"are numbers" (ranges ^ "process p = Cube mass 1 [nil] motion p = (x, 0, 0)");
     case "a bound of time" "x" ~says:"constant" (body_with "mass 1" ^ " check c : always x(p) < 1 within x");
     case "a vector as an argument" "(x, 0, 0)" ~says:"a number"
       (body "behaviour B(u) on Cube = eps(u.x). nil process p = Cube mass 1 [B((x, 0, 0))]");
