@@ -183,4 +183,5 @@ let diagnostic ?at (m : Model.t) fault =
   let d = of_fault m fault in
   match at with
   | None | Some [||] -> d
-  | Some values -> { d with message = Printf.sprintf "%s, for %s" d.message (Ranges.values_to_string m.ranges values) }
+  | Some values ->
+    { d with message = Printf.sprintf "%s, for %s" d.message (Ranges.values_to_string m.ranges values) }

@@ -136,5 +136,5 @@ val label_to_string : Model.t -> label -> string
 
 val diagnostic : ?at:Rat.t array -> Model.t -> fault -> Scc_base.Diag.t
 (** The message for a fault: SC0601 for a law, SC0602 for a persistent contact, SC0603 for chances. A law's message
-    has the place of its declaration. [at] is the values of the parameters with ranges for which there is the fault:
-    the message names them. *)
+    has the place of its declaration. [at] is the values of the parameters with ranges for which there is the
+    fault: the message names them. *)

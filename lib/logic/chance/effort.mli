@@ -24,5 +24,5 @@ type t = {
 }
 
 val default : t
-(** [Either], with numbers of 200 000 bits 2{^30} steps and 20 000 instants. Intervals have an absolute width of 10^-6
-    and no bound. It is never interrupted. *)
+(** [Either], with numbers of 200 000 bits, 2{^30} steps and 20 000 instants. Intervals have an absolute width of
+    10^-6 and no bound. It is never interrupted. *)

@@ -21,5 +21,5 @@ type answer =
   (** No value is known: the number has no value somewhere, or states matter whose successors are not known. *)
 
 val find : ?bound:Scc_chance.Answer.bound -> Eval.t -> Timed_formula.side -> what -> answer
-(** [find e side what] is the least or greatest mean over runs from node 0. An interval that decides [bound] is good
-    enough, if it is given. *)
+(** [find e side what] is the least or greatest mean over runs from node 0. An interval that decides [bound] is
+    good enough, if it is given. *)

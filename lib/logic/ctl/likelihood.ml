@@ -81,8 +81,8 @@ let rec by_layers q effort w starts ~most_of ~most =
   | None -> None
   | exception Layers.Too_many time ->
     let found = enclosed q effort w starts time ~most_of:(Lazy.force most_of) in
-    if most >= 16 * effort.Effort.layers || effort.interrupted () || List.for_all (fun s -> is_narrow (found s)) starts then
-      Some found
+    let narrow = List.for_all (fun s -> is_narrow (found s)) starts in
+    if narrow || most >= 16 * effort.Effort.layers || effort.interrupted () then Some found
     else by_layers q effort w starts ~most_of ~most:(4 * most)
 
 let solve q effort w starts =
