@@ -30,29 +30,27 @@ let merged outcomes =
 
 let most = 1 lsl 18
 
-(* [Error None] where there are too many. *)
-let within_most found outcomes = if found + List.length outcomes > most then Error None else Ok outcomes
-
 let through leave outcomes =
   let after o next =
     { next with chance = Rat.mul o.chance next.chance; transitions = o.transitions + next.transitions }
   in
-  (* What ends there, and what goes on by a draw, both the last first. *)
+  (* What ends there, and what goes on by a draw, with its number: both the last first. [Error None] where there are
+     too many. *)
   let split found o =
-    let* ended, later = found in
+    let* ended, count, later = found in
     match leave o.tuple with
     | Error fault -> Error (Some fault)
-    | Ok None -> Ok (o :: ended, later)
+    | Ok None -> Ok (o :: ended, count, later)
     | Ok (Some next) ->
-      let* next = within_most (List.length later) next in
-      Ok (ended, List.rev_append (List.map (after o) next) later)
+      let count = count + List.length next in
+      if count > most then Error None else Ok (ended, count, List.rev_append (List.map (after o) next) later)
   in
   let rec round ended = function
     | [] -> Ok (merged (List.rev ended))
     | outcomes -> (
-        match List.fold_left split (Ok (ended, [])) outcomes with
+        match List.fold_left split (Ok (ended, 0, [])) outcomes with
         | Error _ as over -> over
-        | Ok (ended, later) -> round ended (merged (List.rev later)))
+        | Ok (ended, _, later) -> round ended (merged (List.rev later)))
   in
   match round [] (merged outcomes) with
   | Ok outcomes -> Ok (Some outcomes)
