@@ -28,14 +28,14 @@ let merged outcomes =
   let order = List.fold_left add [] outcomes in
   List.rev_map (Tuple_table.find found) order
 
-let most = 1 lsl 18
+let most = 1 lsl 16
 
 let through leave outcomes =
   let after o next =
     { next with chance = Rat.mul o.chance next.chance; transitions = o.transitions + next.transitions }
   in
-  (* What ends there, and what goes on by a draw, with its number: both the last first. [Error None] where there are
-     too many. *)
+  (* What ends there, and what goes on by a draw, with its number: both the last first. [Error None] where there
+     are too many. *)
   let split found o =
     let* ended, count, later = found in
     match leave o.tuple with
@@ -43,7 +43,8 @@ let through leave outcomes =
     | Ok None -> Ok (o :: ended, count, later)
     | Ok (Some next) ->
       let count = count + List.length next in
-      if count > most then Error None else Ok (ended, count, List.rev_append (List.map (after o) next) later)
+      if count > most then Error None
+      else Ok (ended, count, List.rev_append (List.map (after o) next) later)
   in
   let rec round ended = function
     | [] -> Ok (merged (List.rev ended))

@@ -297,6 +297,26 @@ let draws c tuple =
 
 (* {2 Joined draws} *)
 
+(* How many joint outcomes the draws and lots that are pending have before any are merged, or more than are joined.
+   A lot counts as two. *)
+let pending_outcomes c tuple =
+  let step = Catalogue.step (catalogue c) tuple and time = Catalogue.time (catalogue c) tuple in
+  let of_process (p : State.process) =
+    if Lots.is_pending p then 2
+    else
+      match p.draw with
+      | None | Some (Drawn _) -> 1
+      | Some Waits -> (
+          match Steer.chances (semantics c) (State.make ~processes:[ p ] ~step ~time) p with
+          | Ok chances -> List.length chances
+          | Error _ -> 1)
+  in
+  let more n number =
+    if n > Joint_draws.most || number = Catalogue.nobody then n
+    else n * of_process (Catalogue.body (catalogue c) number).process
+  in
+  Array.fold_left more 1 (Array.sub tuple 0 (Array.length (model c).leaves))
+
 let waiting c tuple = Option.map List.length (waiters c tuple)
 let one_by_one c tuple = match draws c tuple with Some steps -> steps | None -> whole c tuple
 
@@ -351,7 +371,8 @@ let joined c tuple =
   | None, None ->
     let* steps = one_by_one c tuple in
     let goes_on s = is_drawn c s && waiting c (Tuples.apply s.Lts.changes tuple) <> Some 0 in
-    if List.exists goes_on steps then through (List.map (outcome c tuple) steps) ~otherwise:(fun () -> Ok steps)
+    if List.exists goes_on steps && pending_outcomes c tuple <= Joint_draws.most then
+      through (List.map (outcome c tuple) steps) ~otherwise:(fun () -> Ok steps)
     else Ok steps
 
 let passes c tuple =

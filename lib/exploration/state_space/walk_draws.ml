@@ -109,12 +109,10 @@ let of_group w (walkers : (int * walker) array) (kicks : kick array array) membe
   choose 0 Rat.one;
   List.rev_map (Joint_draws.Tuple_table.find found) !order
 
-let most = 1 lsl 18
-
 (* Those that are blocked are the bits of a number. *)
 let most_walkers = 60
 
-let count of_each list = List.fold_left (fun n x -> if n > most then n else n * of_each x) 1 list
+let count of_each list = List.fold_left (fun n x -> if n > Joint_draws.most then n else n * of_each x) 1 list
 
 type drawn = { walkers : (int * walker) array; parts : (int array * joint list) list }
 
@@ -125,10 +123,11 @@ let drawn w tuple =
     let kicks = Array.map (kicks_of w others) walkers in
     let groups = groups kicks in
     let of_one group = count (fun i -> Array.length kicks.(i)) (Array.to_list group) in
-    if Array.length walkers > most_walkers || List.exists (fun g -> of_one g > most) groups then None
+    if Array.length walkers > most_walkers || List.exists (fun g -> of_one g > Joint_draws.most) groups then None
     else
       let parts = List.map (fun g -> (g, of_group w walkers kicks g)) groups in
-      if count (fun (_, joint) -> List.length joint) parts > most then None else Some { walkers; parts }
+      if count (fun (_, joint) -> List.length joint) parts > Joint_draws.most then None
+      else Some { walkers; parts }
 
 (* All joint draws of all: their changes of the tuple, and the kicks. *)
 let each drawn tuple f =

@@ -152,8 +152,9 @@ let start_conv : Sample.how Arg.conv =
 
 let choose =
   Options.default choose_conv First [ "choose" ] ~docv:"POLICY"
-    "How to choose between transitions: $(b,first), the first one, or $(b,random:SEED), each equally likely, by \
-     the generator SplitMix64 from the integer $(b,SEED): the same on every machine."
+    "How to choose between transitions: $(b,first), the first one, or $(b,random:SEED). Then draws and lots go \
+     by their probabilities, and other transitions are equally likely, by the generator SplitMix64 from the \
+     integer $(b,SEED): the same on every machine."
 
 let start ~sampled =
   let doc =

@@ -13,9 +13,9 @@ type options = {
   checks : string list;
   properties : string list;
   runs : int option;
-  most : int;
+  most : int option;
   confidence : Rat.t;
-  width : Rat.t;
+  width : Rat.t option;
   free : Sample.free;
   steps : int option;
   until : Rat.t option;
@@ -24,7 +24,7 @@ type options = {
   jobs : int;
   store : string option;
   levels : string option;
-  effort : int;
+  effort : int option;
 }
 
 (* {1 What is asked} *)
@@ -151,6 +151,9 @@ let split console o runs (plan : Splitting.plan) ~stopped =
   in
   (List.rev !made, ending)
 
+let default_effort = 100
+let effort o = Option.value o.effort ~default:default_effort
+
 (* A run depends on these and its number alone: how many there are, and what is made of them, may change. *)
 let identity o (l : Loaded.t) (paths : Path.t list) =
   let free = match o.free with Sample.Apart -> "apart" | Evenly -> "evenly" in
@@ -164,7 +167,7 @@ let identity o (l : Loaded.t) (paths : Path.t list) =
       ("--seed", Int64.to_string o.seed);
     ]
     @ Option.fold ~none:[]
-      ~some:(fun levels -> [ ("--levels", levels); ("--effort", string_of_int o.effort) ])
+      ~some:(fun levels -> [ ("--levels", levels); ("--effort", string_of_int (effort o)) ])
       o.levels
   in
   let { Origin.digest; parameters; _ } = l.origin in
@@ -197,10 +200,15 @@ let text console lattices (r : Estimate_report.t) =
   let lattice = Option.to_list (Option.map (fun line -> line ^ "\n") (Scc_elaborate.Lattices.line lattices)) in
   String.concat "\n" (lattice @ List.map answer r.answers @ List.map left reasons)
 
+(* What is said of the levels is advice then. *)
+let whole_splitting (a : Estimation.answer) =
+  match a.splitting with Some s -> s.left = 0 | None -> false
+
 let exit_code (answers : Estimation.answer list) ending : Exit_code.t =
   let code (a : Estimation.answer) : Exit_code.t =
     match (a.verdict, a.reasons) with
     | Holds, _ | Estimated, [] -> Holds
+    | Estimated, _ when whole_splitting a -> Holds
     | Violated, _ -> Violated
     | (Undecided | Sampled), _ | Estimated, _ :: _ -> Undecided
   in
@@ -226,11 +234,14 @@ let by_runs console o (loaded : Loaded.t) paths aim ~identity ~stopped =
 
 let by_splitting console o loaded paths text ~identity ~stopped =
   let steps = Option.value o.steps ~default:default_steps in
-  let* path, plan = Levels.plan console loaded paths text ~effort:o.effort ~steps in
+  let* path, plan = Levels.plan console loaded paths text ~effort:(effort o) ~steps in
   let* runs = Kept_runs.openly console ~folder:o.store ~identity "the repetitions" in
   let made, ending = split console o runs plan ~stopped in
   let summary = Splitting.summary plan made ~confidence:o.confidence in
   Ok (Option.to_list (Option.map (Estimation.of_splitting path) summary), ending, Kept_runs.close runs)
+
+let default_most = 10_000
+let default_width = Rat.make Z.one (Z.of_int 20)
 
 let estimate console o watch =
   let* model = Input.model console ~overrides:o.given ~narrowed:[] o.path in
@@ -241,8 +252,9 @@ let estimate console o watch =
   let* named = Chosen_checks.of_names loaded o.checks in
   let asked = if by_name then named @ added else model.checks in
   let* paths, left_out = paths model asked ~by_name in
-  let size = match o.runs with Some n -> Estimation.Exactly n | None -> At_most o.most in
-  let aim = { Estimation.confidence = o.confidence; width = o.width; size; free = o.free } in
+  let most = Option.value o.most ~default:default_most and width = Option.value o.width ~default:default_width in
+  let size = match o.runs with Some n -> Estimation.Exactly n | None -> At_most most in
+  let aim = { Estimation.confidence = o.confidence; width; size; free = o.free } in
   let stopped () = Option.is_some (Watch.stop watch ()) in
   let identity = identity o model paths in
   let* answers, ending, unkept =
@@ -290,10 +302,11 @@ let count = Options.integer ~least:1 "number of runs"
 let runs =
   Options.maybe count [ "runs" ] ~docv:"N"
     "Makes $(docv) runs, and evaluates once: the intervals are narrower than after as many runs by \
-     $(b,--width)."
+     $(b,--width). With $(b,--levels), makes $(docv) repetitions; the default is 100."
 
 let most =
-  Options.default count 10_000 [ "most" ] ~docv:"N" "Makes at most $(docv) runs."
+  Options.maybe count [ "most" ] ~docv:"N"
+    "Makes at most $(docv) runs; the default is 10000. Not with $(b,--runs)."
 
 let confidence =
   let otherwise = Rat.make (Z.of_int 99) (Z.of_int 100) in
@@ -302,9 +315,9 @@ let confidence =
      property."
 
 let width =
-  Options.default (Options.positive "width") (Rat.make Z.one (Z.of_int 20)) [ "width" ] ~docv:"W"
+  Options.maybe (Options.positive "width") [ "width" ] ~docv:"W"
     "Makes runs until the interval of a probability is at most $(docv) wide, and that of a mean at most this \
-     share of the mean; of a comparison, until it is decided."
+     share of the mean; of a comparison, until it is decided. The default is 1/20. Not with $(b,--runs)."
 
 let free =
   let ways = Arg.enum [ ("apart", Sample.Apart); ("evenly", Sample.Evenly) ] in
@@ -336,8 +349,10 @@ let levels =
      $(b,'x\\(p\\) >= 1..9'). See RARE EVENTS."
 
 let effort =
-  Options.default count 100 [ "effort" ] ~docv:"N"
-    "With $(b,--levels), makes $(docv) runs from each level in each repetition."
+  Options.maybe count [ "effort" ] ~docv:"N"
+    "With $(b,--levels), makes $(docv) runs from each level in each repetition. The default is 100."
+
+let least_width = Rat.make Z.one (Z.of_int 10_000)
 
 let options =
   let make path given checks properties runs most confidence width free steps until seconds seed jobs store levels
@@ -345,7 +360,14 @@ let options =
     if Rat.compare confidence Rat.one >= 0 then Error "a confidence is below 1"
     else if Option.is_some levels && (Option.is_some until || free = Sample.Evenly) then
       Error "--levels cannot be combined with --until or --free evenly: write `within` in the property"
-    else if Rat.compare width (Rat.make Z.one (Z.of_int 10_000)) < 0 then Error "a width is at least 1/10000"
+    else if Option.is_some levels && (Option.is_some most || Option.is_some width) then
+      Error "--levels cannot be combined with --most or --width: --runs says how many repetitions are made"
+    else if Option.is_some runs && (Option.is_some most || Option.is_some width) then
+      Error "--runs cannot be combined with --most or --width: it makes so many runs, whatever they tell"
+    else if Option.is_some effort && Option.is_none levels then
+      Error "--effort is the number of runs from each level: it needs --levels"
+    else if Option.fold ~none:false ~some:(fun w -> Rat.compare w least_width < 0) width then
+      Error "a width is at least 1/10000"
     else
       Ok
         {

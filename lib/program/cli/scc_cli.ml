@@ -30,11 +30,17 @@ let help = Format.make_formatter (fun text from n -> Console.print console (Stri
 let complaints =
   Format.make_formatter (fun text from n -> Scc_system.Standard.complain (String.sub text from n)) ignore
 
+(* `scc help COMMAND` is `scc COMMAND --help`. *)
+let arguments =
+  match Array.to_list Sys.argv with
+  | scc :: "help" :: rest -> Array.of_list ((scc :: rest) @ [ "--help" ])
+  | _ -> Sys.argv
+
 (* A pager is for terminals, and has its own answer to signals. Elsewhere nobody would hear that it could not
    write. *)
 let without_pager () =
   let asks word = String.length word >= 6 && String.equal (String.sub word 0 6) "--help" in
-  if Array.exists asks Sys.argv then begin
+  if Array.exists asks arguments then begin
     Scc_system.Interruption.heed ();
     if not (Console.is_terminal Unix.stdout) then Unix.putenv "TERM" "dumb"
   end
@@ -44,7 +50,7 @@ let evaluate () : Exit_code.t =
     Cmd.info "scc" ~version:Version.told ~doc:"interpreter and model checker for the Shape Calculus"
       ~man:Manual.scc ~exits:(Exits.man ())
   in
-  match Cmd.eval_value ~help ~err:complaints ~catch:false (Cmd.group info commands) with
+  match Cmd.eval_value ~argv:arguments ~help ~err:complaints ~catch:false (Cmd.group info commands) with
   | Ok (`Ok code) -> code
   | Ok (`Version | `Help) -> Holds
   | Error (`Parse | `Term) -> Usage

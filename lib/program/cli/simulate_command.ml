@@ -17,7 +17,7 @@ type options = {
   until : Rat.t;
   steps : int option;
   summary : bool;
-  quantiles : Rat.t list;
+  quantiles : Rat.t list option;
   form : Report.form;
   decimals : int option;
   output : string option;
@@ -25,6 +25,10 @@ type options = {
   store : string option;
   plot : string option;
 }
+
+let quantiles_of o =
+  let default = List.map (fun (n, d) -> Rat.make (Z.of_int n) (Z.of_int d)) [ (1, 20); (1, 2); (19, 20) ] in
+  Option.value o.quantiles ~default
 
 (* {1 The runs} *)
 
@@ -141,11 +145,11 @@ let simulate console o ~says_more ~interrupted =
           if not o.summary then put (Report.run report r))
     in
     if o.summary then
-      Report.summary report ~quantiles:o.quantiles ~decimals:(Option.value o.decimals ~default:6) !all put;
+      Report.summary report ~quantiles:(quantiles_of o) ~decimals:(Option.value o.decimals ~default:6) !all put;
     result
   in
   let draw path =
-    let chart put = put (Plot.chart report ~quantiles:o.quantiles !all) in
+    let chart put = put (Plot.chart report ~quantiles:(quantiles_of o) !all) in
     Console.with_output console ~path:(Some path) chart
   in
   Console.flush console;
@@ -195,9 +199,10 @@ let summary =
      rounded to $(b,--decimals), or 6."
 
 let quantiles =
-  let doc = "The quantiles of $(b,--summary) and $(b,--plot), by the nearest rank." in
-  let default = List.map (fun (n, d) -> Rat.make (Z.of_int n) (Z.of_int d)) [ (1, 20); (1, 2); (19, 20) ] in
-  Arg.(value & opt (list (Options.not_negative "quantile")) default & info [ "quantiles" ] ~docv:"Q,..." ~doc)
+  let doc =
+    "The quantiles of $(b,--summary) and $(b,--plot), by the nearest rank. The default is 1/20,1/2,19/20."
+  in
+  Arg.(value & opt (some (list (Options.not_negative "quantile"))) None & info [ "quantiles" ] ~docv:"Q,..." ~doc)
 
 let plot =
   Options.maybe Options.named [ "plot" ] ~docv:"FILE"
@@ -230,7 +235,9 @@ let store_option =
 let fitting o =
   if Simulation.too_many ~every:o.every ~until:o.until then
     Error (Printf.sprintf "--every and --until make more than %d times" Simulation.most_times)
-  else if List.exists (fun q -> Rat.compare q Rat.one > 0) o.quantiles then Error "a quantile is not above 1"
+  else if List.exists (fun q -> Rat.compare q Rat.one > 0) (quantiles_of o) then Error "a quantile is not above 1"
+  else if Option.is_some o.quantiles && (not o.summary) && Option.is_none o.plot then
+    Error "--quantiles are those of --summary or --plot: neither is given"
   else
     let lines = o.form <> Csv || o.summary in
     match (Resume.conflict ~resume:o.resume ~store:o.store ~part:o.part ~lines, o.resume) with

@@ -74,7 +74,7 @@ let splitting (s : Splitting.summary) ~confidence =
 
 let line (a : answer) ~confidence =
   let sure = "with confidence " ^ Rat.to_string confidence in
-  let runs = Printf.sprintf "%d runs" a.tally.runs in
+  let runs = Scc_base.Plural.count a.tally.runs "run" "runs" in
   match a.value with
   | _ when Option.is_some a.splitting -> splitting (Option.get a.splitting) ~confidence
   | Probability (low, high) ->

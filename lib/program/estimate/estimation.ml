@@ -177,7 +177,7 @@ let is_hopeless t q value =
   | Infinite, _ -> k > 0
   | (Sample _ | Unknown), _ -> true
 
-let of_runs (tally : Tally.t) k = Printf.sprintf "%d of %d runs" k tally.runs
+let of_runs (tally : Tally.t) k = Printf.sprintf "%d of %s" k (Scc_base.Plural.count tally.runs "run" "runs")
 
 let of_bound : Sample.bound -> string = function
   | Steps -> "--steps"
@@ -195,8 +195,11 @@ let open_reasons { tally; left_out; _ } =
       (if tally.free = 0 then []
        else
          [ of_runs tally tally.free
-           ^ " depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in \
-              the model draws them; "
+           ^ " depend on choices that nothing draws: "
+           ^ (if tally.free = tally.splits then ""
+              else "where these are orders of collisions, `collisions drawn` in the model draws them; ")
+           ^ (if tally.splits = 0 then ""
+              else "where these are weak splits, a `rate` or a `chance` of the split draws them; ")
            ^ (if tally.bounces = 0 then "" else "`blocked wait` leaves none where walkers bounce; ")
            ^ "`--free evenly` takes each choice as often; and `scc check` tells the least and the greatest" ]);
       (if tally.too_long = 0 then []
@@ -222,12 +225,21 @@ let one_sided value =
   | Mean { low = None; _ } -> no ("least", "lower") "lower"
   | Mean _ | Probability _ | Sample _ | Infinite | Unknown -> []
 
-let asked_for t value =
+(* A bound that only a probability of 0 or 1 meets: an interval of runs that has one of them has others, too. *)
+let never_holds q =
+  match Path.test q.asked with
+  | Some (_, { relation = At_least_so; than }) -> Rat.compare than Rat.one >= 0
+  | Some (_, { relation = At_most; than }) -> Rat.sign than <= 0
+  | Some (_, { relation = Less | More; _ }) | None -> false
+
+let asked_for t q value =
   match (value, t.aim.size) with
   | Sample _, _ ->
     "no range of this number is known, and so no interval: a value too rare to be among the runs may move the \
      mean by any amount. `scc check` tells the mean where it gets to the end"
   | Unknown, _ -> "no run was made"
+  | Probability _, _ when never_holds q ->
+    "runs can refute this bound, and never confirm it: no probability is beyond it"
   | _, Exactly _ -> "more runs would tell more"
   | _, At_most n when t.runs >= n -> Printf.sprintf "more than %d runs are needed: --most" n
   | _, At_most _ -> "more runs would tell more"
@@ -244,7 +256,7 @@ let look t q ~last =
     | _ when narrow -> []
     | Unknown when still_open <> [] -> still_open
     | Probability _ | Mean _ | Infinite when hopeless -> still_open
-    | Probability _ | Mean _ | Infinite | Sample _ | Unknown -> still_open @ [ asked_for t value ]
+    | Probability _ | Mean _ | Infinite | Sample _ | Unknown -> still_open @ [ asked_for t q value ]
   in
   let settle verdict ~reasons = q.answer <- Some (answer t q value verdict ~reasons) in
   match Path.test q.asked with
@@ -264,7 +276,12 @@ let look t q ~last =
         let even =
           if t.chosen then [ "choices that nothing draws were taken evenly, which the bound is not about" ] else []
         in
-        let within = match one_sided value with [] -> [ "the bound is within the interval" ] | some -> some in
+        let within =
+          match one_sided value with
+          | [] when never_holds q -> [ asked_for t q value ]
+          | [] -> [ "the bound is within the interval" ]
+          | some -> some
+        in
         if narrow then settle Undecided ~reasons:(even @ within)
         else if hopeless || last then settle Undecided ~reasons:(even @ one_sided value @ wide ()))
 
@@ -295,8 +312,12 @@ let of_splitting path (s : Splitting.summary) =
   let at_level i (passed, all) =
     let goal = i + 1 = last in
     if passed = 0 && all > 0 then
-      [ Printf.sprintf "no run passed %s, of %d that came to the one before"
-          (if goal then "on to the goal" else Printf.sprintf "level %d" (i + 1)) all ]
+      [
+        Printf.sprintf "no run passed %s, of %d from %s"
+          (if goal then "on to the goal" else Printf.sprintf "level %d" (i + 1))
+          all
+          (if i = 0 then "the start" else Printf.sprintf "level %d" i);
+      ]
     else if passed = all && all > 0 && not goal then
       [ Printf.sprintf "all runs passed level %d: it can be left out" (i + 1) ]
     else []

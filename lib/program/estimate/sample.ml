@@ -17,7 +17,7 @@ type plan = {
 }
 
 type bound = Steps | Time | Instant | Interruption
-type choice = Walkers_bounce | Elsewhere
+type choice = Walkers_bounce | Splits | Elsewhere
 type outcome = Truth of bool | Number of Rat.t | Never | Free of choice | Too_long of bound | No_value of string
 
 type run = { outcomes : outcome list; chosen : bool; interrupted : bool }
@@ -47,7 +47,8 @@ let limit plan =
 let choice (m : Model.t) : Transition.label -> choice = function
   | Bounce { firsts; _ } when m.blocked = Bounce && Option.is_none m.rigid && Option.is_none m.round_velocity ->
     if List.exists (fun leaf -> Law.draws m.leaves.(leaf).law) firsts then Walkers_bounce else Elsewhere
-  | _ -> Elsewhere
+  | Weak_split _ -> Splits
+  | _ -> if Model.draws_ties m then Splits else Elsewhere
 
 let run plan ~seed ~interrupted number =
   let chain = Chain.make plan.semantics and questions = Chain.questions plan.semantics plan.paths in

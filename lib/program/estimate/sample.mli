@@ -31,6 +31,9 @@ type bound =
 (** Where a run depends on a choice that is not drawn. *)
 type choice =
   | Walkers_bounce  (** where walkers bounce that would wait if the model had [blocked wait] *)
+  | Splits
+  (** at a weak split that has neither a chance nor a rate, or beside one: where the model draws ties, nothing else
+      is left *)
   | Elsewhere
 
 (** The outcome of a run for one question. *)

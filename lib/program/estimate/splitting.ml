@@ -231,18 +231,27 @@ let summary plan repetitions ~confidence =
 let refused why =
   Error [ Diag.error Code.type_mismatch Span.command_line "%s" why ~hint:"as in `--levels 'x(p) >= 1, 2, 3'`" ]
 
+let most_levels = 1_000
+
+let too_many =
+  Error [ Diag.error Code.type_mismatch Span.command_line "more than %d levels are given" most_levels ]
+
+(* A range of integers stands for each of them; what is no such range is read as an expression, later. *)
 let thresholds text =
-  let whole (s : string) = int_of_string_opt s in
+  let whole (s : string) = int_of_string_opt (String.trim s) in
   let one part =
     let part = String.trim part in
     match String.index_opt part '.' with
     | Some i when i + 1 < String.length part && part.[i + 1] = '.' -> (
         match (whole (String.sub part 0 i), whole (String.sub part (i + 2) (String.length part - i - 2))) with
-        | Some a, Some b when b >= a && b - a < 1_000 -> List.init (b - a + 1) (fun k -> string_of_int (a + k))
-        | _ -> [ part ])
-    | _ -> [ part ]
+        | Some a, Some b when b < a -> refused (Printf.sprintf "the range %s of levels is empty" part)
+        | Some a, Some b when b - a >= most_levels -> too_many
+        | Some a, Some b -> Ok (List.init (b - a + 1) (fun k -> string_of_int (a + k)))
+        | _ -> Ok [ part ])
+    | _ -> Ok [ part ]
   in
-  List.concat_map one (String.split_on_char ',' text)
+  let* values = Result.map List.concat (Result.all one (String.split_on_char ',' text)) in
+  if List.compare_length_with values most_levels > 0 then too_many else Ok values
 
 let rec in_order relation = function
   | a :: (b :: _ as rest) -> (
@@ -250,7 +259,8 @@ let rec in_order relation = function
       | Ok x, Ok y ->
         let c = Rat.compare x y in
         if (if relation = '>' then c < 0 else c > 0) then in_order relation rest
-        else refused (Printf.sprintf "levels are not in order: %s comes before %s" a b)
+        else if Rat.equal x y then refused (Printf.sprintf "level %s is given twice" (String.trim b))
+        else refused (Printf.sprintf "levels are not in order: %s comes before %s" (String.trim a) (String.trim b))
       | _ -> in_order relation rest)
   | [ _ ] | [] -> Ok ()
 
@@ -261,6 +271,6 @@ let levels text =
   | Some i ->
     let n = String.length text in
     let after = if i + 1 < n && text.[i + 1] = '=' then i + 2 else i + 1 in
-    let values = thresholds (String.sub text after (n - after)) in
+    let* values = thresholds (String.sub text after (n - after)) in
     let* () = in_order text.[i] values in
     Ok (List.map (fun value -> String.sub text 0 after ^ " " ^ String.trim value) values)

@@ -8,6 +8,7 @@ type t = {
   no : int;
   free : int;
   bounces : int;
+  splits : int;
   too_long : int;
   bounds : Sample.bound list;
   never : int;
@@ -21,8 +22,8 @@ type t = {
 
 let empty =
   {
-    runs = 0; yes = 0; no = 0; free = 0; bounces = 0; too_long = 0; bounds = []; never = 0; no_value = 0;
-    why = None; numbers = 0; sum = Rat.zero; squares = Rat.zero; values = Values.empty;
+    runs = 0; yes = 0; no = 0; free = 0; bounces = 0; splits = 0; too_long = 0; bounds = []; never = 0;
+    no_value = 0; why = None; numbers = 0; sum = Rat.zero; squares = Rat.zero; values = Values.empty;
   }
 
 let add t (o : Sample.outcome) =
@@ -32,6 +33,7 @@ let add t (o : Sample.outcome) =
   | Truth false -> { t with no = t.no + 1 }
   | Free Elsewhere -> { t with free = t.free + 1 }
   | Free Walkers_bounce -> { t with free = t.free + 1; bounces = t.bounces + 1 }
+  | Free Splits -> { t with free = t.free + 1; splits = t.splits + 1 }
   | Too_long bound ->
     let bounds = if List.mem bound t.bounds then t.bounds else List.sort Stdlib.compare (bound :: t.bounds) in
     { t with too_long = t.too_long + 1; bounds }

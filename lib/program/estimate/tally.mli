@@ -10,6 +10,7 @@ type t = {
   no : int;
   free : int;  (** depend on a choice that is not drawn *)
   bounces : int;  (** those of [free] whose choice is {!Sample.Walkers_bounce} *)
+  splits : int;  (** those of [free] whose choice is {!Sample.Splits} *)
   too_long : int;  (** were stopped before the outcome was known *)
   bounds : Sample.bound list;  (** the bounds that stopped them, each once *)
   never : int;

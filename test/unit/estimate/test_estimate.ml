@@ -191,6 +191,7 @@ let outcome : Sample.outcome -> string = function
   | Number r -> Rat.to_string r
   | Never -> "never"
   | Free Elsewhere -> "free"
+  | Free Splits -> "free, at splits"
   | Free Walkers_bounce -> "free, where walkers bounce"
   | Too_long _ -> "too long"
   | No_value why -> "no value: " ^ why
