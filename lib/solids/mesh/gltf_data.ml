@@ -173,7 +173,8 @@ let points t ~coordinate:(width, read) holder ~offset ~count =
   in
   Result.map Array.of_list (Result.all point (List.init count Fun.id))
 
-let rec increasing (list : int array) k = k + 1 >= Array.length list || (list.(k) < list.(k + 1) && increasing list (k + 1))
+let rec increasing (list : int array) k =
+  k + 1 >= Array.length list || (list.(k) < list.(k + 1) && increasing list (k + 1))
 
 (* Values at some places instead of those that are there; [read holder ~offset ~count] reads them. *)
 let with_sparse t accessor ~read ~count all =
