@@ -54,14 +54,21 @@ let of_parts node =
   let* translation = numbers_or [| zero; zero; zero |] "translation" node in
   let* turn = numbers_or [| zero; zero; zero; one |] "rotation" node in
   let* scale = numbers_or [| one; one; one |] "scale" node in
+  let length2 = Array.fold_left (fun sum x -> Rat.add sum (Rat.mul x x)) zero turn in
+  let unit = Rat.compare (Rat.abs (Rat.sub length2 one)) (Rat.make Z.one (Z.of_int 50)) <= 0 in
   match Mat.of_quaternion (turn.(3), turn.(0), turn.(1), turn.(2)) with
-  | Some m -> Ok { Affine.linear = Mat.mul m (Mat.diagonal (vector scale)); translation = vector translation }
-  | None -> J.fail node "the quaternion 0 is no rotation"
+  | Some m when unit ->
+    Ok { Affine.linear = Mat.mul m (Mat.diagonal (vector scale)); translation = vector translation }
+  | Some _ | None -> J.fail node "the rotation is no quaternion of length 1"
 
 let place node =
   match J.member "matrix" node with
-  | Some m -> of_matrix m
   | None -> of_parts node
+  | Some m ->
+    let is_there name = Option.is_some (J.member name node) in
+    (match List.find_opt is_there [ "translation"; "rotation"; "scale" ] with
+     | None -> of_matrix m
+     | Some other -> J.fail node "the node has a matrix and a %s: one of both is to be removed" other)
 
 (* {1 Meshes} *)
 
@@ -89,12 +96,40 @@ let each_triangle mode corners put =
       put (c 0) (c k) (c (k + 1))
     done
 
-let primitive file at p =
+(* Moves the points of a primitive by its displacements, each by its weight. *)
+let morph file p ~weights positions =
+  let* targets = J.items "targets" p in
+  let n = Array.length positions in
+  let add (k, target) =
+    let* () = Gltf_table.check ~kind:"target" target in
+    match J.member "POSITION" target with
+    | None -> Ok ()
+    | Some name ->
+      let* by = Gltf_data.positions file.data name in
+      if Array.length by <> n then J.fail name "%d displacements are for %d vertices" (Array.length by) n
+      else
+        let weight = if k < Array.length weights then weights.(k) else Rat.zero in
+        Array.iteri (fun i d -> positions.(i) <- Vec.add positions.(i) (Vec.scale weight d)) by;
+        Ok ()
+  in
+  if Array.length weights > 0 && Array.length weights <> Array.length targets then
+    J.fail p "there are %d weights for %d targets" (Array.length weights) (Array.length targets)
+  else Result.map ignore (Result.all add (List.mapi (fun k t -> (k, t)) (Array.to_list targets)))
+
+let check_compressed file p attributes =
+  match Option.bind (J.member "extensions" p) (J.member Gltf_table.draco) with
+  | None -> Ok ()
+  | Some _ ->
+    let names = List.filter_map Fun.id [ J.member "POSITION" attributes; J.member "indices" p ] in
+    Result.map ignore (Result.all (Gltf_data.has_data file.data) names)
+
+let primitive file at ~weights p =
   let* () = Gltf_table.check ~kind:"primitive" p in
   let* () = Gltf_data.spend file.data p 1 in
   let* mode = J.index_or triangles "mode" p in
   let* attributes = J.needed "attributes" p in
   let* () = Gltf_table.check ~kind:"attributes" attributes in
+  let* () = check_compressed file p attributes in
   if mode <> points && (mode < triangles || mode > fan) then
     J.fail p "the mesh is made of lines (mode %d), and a solid is made of triangles" mode
   else
@@ -102,6 +137,7 @@ let primitive file at p =
     | None -> J.fail p "the vertices have no positions"
     | Some name ->
       let* positions = Gltf_data.positions file.data name in
+      let* () = morph file p ~weights positions in
       let count = Array.length positions in
       let* corners =
         match J.member "indices" p with
@@ -121,18 +157,28 @@ let primitive file at p =
 
 let all f list = Result.map ignore (Result.all f (Array.to_list list))
 
-let mesh file at m =
+let weights v =
+  let* list = J.items "weights" v in
+  Result.map Array.of_list (Result.all J.number (Array.to_list list))
+
+(* [shape]: the weights of the node, if it has some; they count before those of the mesh. *)
+let mesh file at ~shape m =
   let* () = Gltf_table.check ~kind:"mesh" m in
-  let* weights = J.items "weights" m in
-  let* () =
-    let rest w = Result.map (fun w -> Rat.sign w = 0) (J.number w) in
-    let* at_rest = Result.all rest (Array.to_list weights) in
-    if List.for_all Fun.id at_rest then Ok () else J.fail m "a morphed mesh is not read"
-  in
+  let* own = weights m in
   let* primitives = J.items "primitives" m in
-  all (primitive file at) primitives
+  all (primitive file at ~weights:(if Array.length shape > 0 then shape else own)) primitives
+
+let is_hidden node =
+  match Option.bind (J.member "extensions" node) (J.member Gltf_table.visibility) with
+  | None -> Ok false
+  | Some v ->
+    let* () = J.is_object v in
+    if Option.is_some (J.member "visible" v) then Result.map not (J.truth "visible" v) else Ok false
 
 let max_depth = 1000
+
+(* By the specification, what is scaled to a point is not shown. *)
+let nothing = Mat.diagonal Vec.zero
 
 let rec node file depth at name =
   let* n, i = J.nth file.nodes ~what:"node" name in
@@ -143,52 +189,74 @@ let rec node file depth at name =
     let* () = Gltf_table.check ~kind:"node" n in
     let* own = place n in
     let at = Affine.compose at own in
-    if Affine.too_long at then J.fail n "the numbers of the places of nodes inside of each other get too long"
+    let* hidden = is_hidden n in
+    let* shape = weights n in
+    let* children = J.items "children" n in
+    if hidden || Mat.equal at.Affine.linear nothing then Ok ()
+    else if Affine.too_long at then
+      J.fail n "the numbers of the places of nodes inside of each other get too long"
     else
       let* () =
-        match (J.member "skin" n, J.member "weights" n, J.member "mesh" n) with
-        | Some skin, _, _ -> J.fail skin "a mesh on a skeleton is not read"
-        | None, Some weights, _ -> J.fail weights "a morphed mesh is not read"
-        | None, None, None -> Ok ()
-        | None, None, Some name ->
+        match J.member "mesh" n with
+        | None -> Ok ()
+        | Some name ->
           let* () = Gltf_data.spend file.data n 1 in
           let* m, _ = J.nth file.meshes ~what:"mesh" name in
-          mesh file at m
+          mesh file at ~shape m
       in
-      let* children = J.items "children" n in
       all (node file (depth + 1) at) children)
 
-(* The nodes that are inside of no other. *)
-let roots nodes =
+(* For each node, whether it is inside of another. *)
+let inner nodes =
   let inner = Array.make (Array.length nodes) false in
   let mark n =
     let* children = J.items "children" n in
     all (fun c -> Result.map (fun (_, i) -> inner.(i) <- true) (J.nth nodes ~what:"node" c)) children
   in
-  let* () = all mark nodes in
-  Ok (List.filter (fun i -> not inner.(i)) (List.init (Array.length nodes) Fun.id))
+  Result.map (fun () -> inner) (all mark nodes)
+
+(* The scene that is shown, and what is left out. *)
+let chosen root =
+  let* scenes = J.items "scenes" root in
+  let n = Array.length scenes in
+  let others = Scc_base.Plural.count (n - 1) "other scene" "other scenes" in
+  match J.member "scene" root with
+  | Some name ->
+    let* s, _ = J.nth scenes ~what:"scene" name in
+    Ok (Some s, if n > 1 then [ others ^ " of the file are left out" ] else [])
+  | None when n = 0 -> Ok (None, [])
+  | None when n = 1 -> Ok (Some scenes.(0), [])
+  | None -> Ok (Some scenes.(0), [ "no scene is the default: the first is read, and " ^ others ^ " are left out" ])
 
 let scene root file =
-  let* scenes = J.items "scenes" root in
-  let* chosen =
-    match J.member "scene" root with
-    | Some name -> Result.map (fun (s, _) -> Some s) (J.nth scenes ~what:"scene" name)
-    | None -> Ok (if Array.length scenes > 0 then Some scenes.(0) else None)
+  let* shown, left_out = chosen root in
+  let* inner = inner file.nodes in
+  let outermost name =
+    let* n, i = J.nth file.nodes ~what:"node" name in
+    if inner.(i) then J.fail n "the node is in a scene, and inside of another node"
+    else node file 0 Affine.identity name
   in
-  match chosen with
-  | Some s ->
-    let* () = Gltf_table.check ~kind:"scene" s in
-    Result.bind (J.items "nodes" s) (all (node file 0 Affine.identity))
-  | None when Array.length file.nodes > 0 ->
-    let* first = roots file.nodes in
-    Result.map ignore (Result.all (fun i -> node file 0 Affine.identity (J.of_index root i)) first)
-  | None -> all (mesh file Affine.identity) file.meshes
+  let* () =
+    match shown with
+    | Some s ->
+      let* () = Gltf_table.check ~kind:"scene" s in
+      Result.bind (J.items "nodes" s) (all outermost)
+    | None when Array.length file.nodes > 0 ->
+      let first = List.filter (fun i -> not inner.(i)) (List.init (Array.length file.nodes) Fun.id) in
+      Result.map ignore (Result.all (fun i -> node file 0 Affine.identity (J.of_index root i)) first)
+    | None -> all (mesh file Affine.identity ~shape:[||]) file.meshes
+  in
+  Ok left_out
 
 (* The extensions that are named, if none is needed that is not read. *)
 let check_head root =
-  let* version = Result.bind (Result.bind (J.needed "asset" root) (J.needed "version")) J.text in
+  let* asset = J.needed "asset" root in
+  let* version = Result.bind (J.needed "version" asset) J.text in
+  let* () = Gltf_table.check ~kind:"asset" asset in
+  let* least = Option.fold ~none:(Ok "2.0") ~some:J.text (J.member "minVersion" asset) in
   if not (String.length version >= 2 && String.equal (String.sub version 0 2) "2.") then
     J.fail root "only version 2 of glTF is read, not %s" (quote version)
+  else if not (String.equal least "2.0") then J.fail asset "only version 2.0 of glTF is read, not %s" (quote least)
   else
     let* () = Gltf_table.check ~kind:"glTF" root in
     let* needed = J.items "extensionsRequired" root in
@@ -200,25 +268,37 @@ let check_head root =
     let* used = J.items "extensionsUsed" root in
     Result.all J.text (Array.to_list used @ Array.to_list needed)
 
-(* Animations of cameras and materials are extensions, and have no target among these. *)
-let moving ~path root =
+(* A pointer names any property; those of materials, lights and cameras move nothing. *)
+let pointer_moves goal =
+  match Option.bind (J.member "extensions" goal) (J.member "KHR_animation_pointer") with
+  | None -> Ok true
+  | Some v ->
+    let* pointer = Result.bind (J.needed "pointer" v) J.text in
+    let still prefix = String.starts_with ~prefix pointer in
+    Ok (not (List.exists still [ "/materials/"; "/cameras/"; "/extensions/KHR_lights_punctual/" ]))
+
+let channel_moves channel =
+  let* () = Gltf_table.check ~kind:"channel" channel in
+  let* goal = J.needed "target" channel in
+  let* () = Gltf_table.check ~kind:"goal" goal in
+  let* path = Result.bind (J.needed "path" goal) J.text in
+  let* node = Option.fold ~none:(Ok (-1)) ~some:J.index (J.member "node" goal) in
+  if String.equal path "pointer" then pointer_moves goal else Ok (node >= 0)
+
+let moving root =
   let* animations = J.items "animations" root in
-  let moves channel =
-    match Option.bind (J.member "target" channel) (J.member "path") with
-    | None -> Ok false
-    | Some p -> Result.map (fun p -> List.mem p [ "translation"; "rotation"; "scale"; "weights" ]) (J.text p)
-  in
   let any animation =
+    let* () = Gltf_table.check ~kind:"animation" animation in
     let* channels = J.items "channels" animation in
-    Result.map (List.exists Fun.id) (Result.all moves (Array.to_list channels))
+    Result.map (List.exists Fun.id) (Result.all channel_moves (Array.to_list channels))
   in
   let* found = Result.all any (Array.to_list animations) in
-  let warning =
-    Scc_base.Diag.warning Scc_base.Code.mesh_left_out (Scc_base.Span.of_file path)
-      ~hint:"nothing has to be done if this is what is meant"
-      "the file has animations, and is read as it is without them"
-  in
-  Ok (if List.mem true found then [ warning ] else [])
+  Ok (if List.mem true found then [ "the file has animations, and is read as it is without them" ] else [])
+
+let of_whole_file root =
+  match Gltf_table.undeclared root with
+  | Some name -> [ "the extension " ^ quote name ^ " of the whole file is left out" ]
+  | None -> []
 
 let read ~files ~path text =
   let* json, binary = parts ~path text in
@@ -230,6 +310,10 @@ let read ~files ~path text =
   let* meshes = J.items "meshes" root in
   let* nodes = J.items "nodes" root in
   let file = { data; meshes; nodes; seen = Array.make (Array.length nodes) false; soup = Soup.create () } in
-  let* () = scene root file in
-  let* warnings = moving ~path root in
-  Ok (Soup.solid file.soup, warnings)
+  let* others = scene root file in
+  let* moving = moving root in
+  let warning what =
+    Scc_base.Diag.warning Scc_base.Code.mesh_left_out (Scc_base.Span.of_file path)
+      ~hint:"nothing has to be done if this is what is meant" "%s" what
+  in
+  Ok (Soup.solid file.soup, List.map warning (others @ moving @ of_whole_file root))

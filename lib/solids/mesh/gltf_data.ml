@@ -113,19 +113,26 @@ let width_of = function
   | 5125 -> Some 4
   | _ -> None
 
-let whole t holder ~offset ~count ~below =
+let width holder =
   let* component = J.needed "componentType" holder in
   let* kind = J.index component in
   match width_of kind with
   | None -> J.fail component "indices are of type 5121, 5123 or 5125, not %d" kind
-  | Some width ->
-    let* name = J.needed "bufferView" holder in
-    let* v = view t name in
+  | Some width -> Ok width
+
+(* Integers one after the other in the view that [holder] names. *)
+let integers t holder ~width ~offset ~count =
+  let* name = J.needed "bufferView" holder in
+  let* v = view t name in
+  if Option.is_some v.stride then J.fail v.at "indices follow each other, without a stride"
+  else
     let* place = places v ~offset ~count ~width in
-    let found = Array.init count (fun i -> Bytes_of.unsigned ~big_endian:false v.data (place i) width) in
-    (match Array.find_opt (fun i -> i >= below) found with
-     | Some i -> J.fail holder "there is an index %d, but only %d vertices" i below
-     | None -> Ok found)
+    Ok (Array.init count (fun i -> Bytes_of.unsigned ~big_endian:false v.data (place i) width))
+
+let all_below ~below holder found =
+  match Array.find_opt (fun i -> i >= below) found with
+  | Some i -> J.fail holder "there is an index %d, but only %d vertices" i below
+  | None -> Ok ()
 
 (* How a coordinate is read, and how wide it is. Integers that are normalized are parts of the greatest one, and
    the least one counts as the one after it. *)
@@ -149,7 +156,7 @@ let coordinate t holder =
   | 5123 -> whole 2 Bytes_of.unsigned 65535
   | other -> J.fail holder "positions are 32-bit floats (type 5126), not of type %d" other
 
-let points t holder ~coordinate:(width, read) ~offset ~count =
+let points t ~coordinate:(width, read) holder ~offset ~count =
   let* name = J.needed "bufferView" holder in
   let* v = view t name in
   let* place = places v ~offset ~count ~width:(3 * width) in
@@ -166,20 +173,31 @@ let points t holder ~coordinate:(width, read) ~offset ~count =
   in
   Result.map Array.of_list (Result.all point (List.init count Fun.id))
 
-let with_sparse t accessor ~coordinate ~count all =
+let rec increasing (list : int array) k =
+  k + 1 >= Array.length list || (list.(k) < list.(k + 1) && increasing list (k + 1))
+
+(* Values at some places instead of those that are there; [read holder ~offset ~count] reads them. *)
+let with_sparse t accessor ~read ~count all =
   match J.member "sparse" accessor with
   | None -> Ok all
   | Some sparse ->
+    let* () = Gltf_table.check ~kind:"sparse" sparse in
     let* few = Result.bind (J.needed "count" sparse) J.index in
     let* () = spend t sparse few in
     let* at = J.needed "indices" sparse in
+    let* () = Gltf_table.check ~kind:"sparseIndices" at in
     let* offset = J.index_or 0 "byteOffset" at in
-    let* at = whole t at ~offset ~count:few ~below:count in
+    let* width = width at in
+    let* places = integers t at ~width ~offset ~count:few in
+    let* () = all_below ~below:count at places in
     let* values = J.needed "values" sparse in
+    let* () = Gltf_table.check ~kind:"sparseValues" values in
     let* offset = J.index_or 0 "byteOffset" values in
-    let* values = points t values ~coordinate ~offset ~count:few in
-    Array.iteri (fun k i -> all.(i) <- values.(k)) at;
-    Ok all
+    let* values = read values ~offset ~count:few in
+    if not (increasing places 0) then J.fail at "the places of sparse values are to increase"
+    else (
+      Array.iteri (fun k i -> all.(i) <- values.(k)) places;
+      Ok all)
 
 let accessor t name ~kind =
   let* a, _ = J.nth t.accessors ~what:"accessor" name in
@@ -191,17 +209,33 @@ let accessor t name ~kind =
   if not (String.equal written kind) then J.fail a "expected elements of type %s, found %s" kind (quote written)
   else Ok (a, count, offset)
 
+(* By the specification, an accessor without a view is zero. *)
+let all_of accessor ~read ~offset ~count ~zero =
+  match J.member "bufferView" accessor with
+  | Some _ -> read accessor ~offset ~count
+  | None -> Ok (Array.make count zero)
+
 let positions t name =
   let* a, count, offset = accessor t name ~kind:"VEC3" in
   let* coordinate = coordinate t a in
-  let* all =
-    match J.member "bufferView" a with
-    | Some _ -> points t a ~coordinate ~offset ~count
-    | None -> Ok (Array.make count Vec.zero)
-  in
-  with_sparse t a ~coordinate ~count all
+  let read = points t ~coordinate in
+  let* all = all_of a ~read ~offset ~count ~zero:Vec.zero in
+  with_sparse t a ~read ~count all
+
+let has_data t name =
+  let* a, _ = J.nth t.accessors ~what:"accessor" name in
+  if Option.is_some (J.member "bufferView" a) then Ok ()
+  else J.fail a "its data are compressed (%s), and are not in the file as they are" Gltf_table.draco
 
 let indices t name ~below =
   let* a, count, offset = accessor t name ~kind:"SCALAR" in
-  if Option.is_some (J.member "sparse" a) then J.fail a "sparse indices of faces are not read"
-  else whole t a ~offset ~count ~below
+  let* width = width a in
+  let* _ = J.truth "normalized" a in
+  let read = integers t ~width in
+  let* all = all_of a ~read ~offset ~count ~zero:0 in
+  let* all = with_sparse t a ~read ~count all in
+  let* () = all_below ~below a all in
+  let most = (1 lsl (8 * width)) - 1 in
+  if Array.exists (Int.equal most) all then
+    J.fail a "the index %d, the greatest of its type, is not allowed: for some programs it begins a new strip" most
+  else Ok all

@@ -1,7 +1,6 @@
 (** Numbers in the buffers of a glTF file (sections 3.6.1 and 3.6.2 of the specification 2.0 of Khronos).
     Buffers are inside the file, as base64 or as the binary chunk, or in files beside it. Views, accessors and
-    sparse accessors are
-    supported. *)
+    sparse accessors are supported. *)
 
 open Scc_base
 open Scc_exact
@@ -28,6 +27,9 @@ val spend : t -> Gltf_json.t -> int -> (unit, Diag.t) result
 val positions : t -> Gltf_json.t -> (Vec.t array, Diag.t) result
 (** The points of the accessor whose index the value is: triples of numbers, exactly. *)
 
+val has_data : t -> Gltf_json.t -> (unit, Diag.t) result
+(** A fault if the accessor whose index the value is has no view, so that its data are compressed elsewhere. *)
+
 val indices : t -> Gltf_json.t -> below:int -> (int array, Diag.t) result
 (** [indices t v ~below] are the numbers of the accessor whose index [v] is: integers of 1, 2 or 4 bytes, each
-    less than [below]. *)
+    less than [below]. The greatest integer of its type is a fault, as some programs begin a new strip there. *)

@@ -24,11 +24,29 @@ let depth text =
   in
   go 0 false 0 0
 
+(* A name that an object has twice: readers differ in which value they take. *)
+let rec twice (value : Yojson.Raw.t) =
+  match value with
+  | `Assoc members -> (
+      let names = List.sort String.compare (List.map fst members) in
+      let rec pair = function
+        | a :: (b :: _ as rest) -> if String.equal a b then Some a else pair rest
+        | [ _ ] | [] -> None
+      in
+      match pair names with
+      | Some name -> Some name
+      | None -> List.find_map (fun (_, v) -> twice v) members)
+  | `List values -> List.find_map twice values
+  | _ -> None
+
 let parse ~path text =
   if depth text > max_depth then error_at ~path 0 "the JSON is nested more than %d deep" max_depth
   else
     match Yojson.Raw.from_string text with
-    | `Assoc _ as value -> Ok { path; at = ""; value }
+    | `Assoc _ as value -> (
+        match twice value with
+        | None -> Ok { path; at = ""; value }
+        | Some name -> error_at ~path 0 "an object has the member %s twice" (quote name))
     | _ -> error_at ~path 0 "expected a JSON object"
     | exception Yojson.Json_error why ->
       let line = String.map (fun c -> if c < ' ' || c > '~' then ' ' else c) why in
@@ -44,6 +62,11 @@ let member name v =
       | Some value ->
         Some { v with at = (if String.equal v.at "" then name else v.at ^ "." ^ shown name); value })
   | _ -> None
+
+let is_object v =
+  match v.value with
+  | `Assoc _ -> Ok ()
+  | _ -> fail v "expected an object"
 
 let needed name v =
   match member name v with

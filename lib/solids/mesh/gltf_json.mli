@@ -7,7 +7,8 @@ open Scc_exact
 type t
 
 val parse : path:string -> string -> (t, Diag.t) result
-(** The object of the whole file. Nesting is at most 100 deep, which bounds the stack. *)
+(** The object of the whole file. Nesting is at most 100 deep, which bounds the stack. A name that an object has
+    twice is a fault. *)
 
 val fail : t -> ('a, unit, string, ('b, Diag.t) result) format4 -> 'a
 (** [fail v format …] is a fault at this value (SC0320). *)
@@ -17,6 +18,9 @@ val member : string -> t -> t option
 
 val needed : string -> t -> (t, Diag.t) result
 (** [needed name v] is the member of an object; a fault if {!member} has none. *)
+
+val is_object : t -> (unit, Diag.t) result
+(** A fault if the value is no object. *)
 
 val items : string -> t -> (t array, Diag.t) result
 (** [items name v] are the elements of the array that is a member of [v]; none if the member is absent. A

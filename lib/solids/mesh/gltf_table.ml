@@ -1,70 +1,132 @@
 module J = Gltf_json
 
+type t = Read | Still | Refused of string
+
 let words text = List.filter (fun w -> w <> "") (String.split_on_char ' ' text)
 
 let begins prefix text =
   let n = String.length prefix in
   String.length text >= n && String.equal (String.sub text 0 n) prefix
 
-(* Properties that are read, and those that are still. *)
-let properties =
+(* {1 Properties} *)
+
+let kind name ?(refused = []) read still =
+  let all mark text = List.map (fun w -> (w, mark)) (words text) in
+  (name, all Read read @ all Still still @ List.map (fun (w, what) -> (w, Refused what)) refused)
+
+let kinds =
   [
-    ( "glTF",
-      "asset extensionsRequired extensionsUsed accessors buffers bufferViews meshes nodes scenes scene animations",
-      "cameras images materials samplers skins textures" );
-    ("scene", "nodes", "name");
-    ("node", "matrix translation rotation scale mesh skin weights children", "name camera");
-    ("mesh", "primitives weights", "name"); ("primitive", "attributes indices mode", "material targets");
-    ("accessor", "bufferView byteOffset componentType normalized count type sparse", "name min max");
-    ("sparse", "count indices values", "");
-    ("bufferView", "buffer byteOffset byteLength byteStride", "name target");
-    ("buffer", "uri byteLength", "name");
+    kind "glTF"
+      "asset extensionsRequired extensionsUsed accessors buffers bufferViews meshes nodes scenes scene animations"
+      "cameras images materials samplers skins textures";
+    kind "asset" "version minVersion" "copyright generator"; kind "scene" "nodes" "name";
+    kind "node" "matrix translation rotation scale mesh weights children" "name camera"
+      ~refused:[ ("skin", "a mesh on a skeleton") ];
+    kind "mesh" "primitives weights" "name"; kind "primitive" "attributes indices mode targets" "material";
+    kind "attributes" "POSITION" "NORMAL TANGENT";
+    kind "target" "POSITION" "NORMAL TANGENT";
+    kind "accessor" "bufferView byteOffset componentType normalized count type sparse" "name min max";
+    kind "sparse" "count indices values" ""; kind "sparseIndices" "bufferView byteOffset componentType" "";
+    kind "sparseValues" "bufferView byteOffset" "";
+    kind "bufferView" "buffer byteOffset byteLength byteStride" "name target";
+    kind "buffer" "uri byteLength" "name"; kind "animation" "channels" "samplers name";
+    kind "channel" "target" "sampler"; kind "goal" "node path" "";
   ]
 
-let attributes = [ "POSITION"; "NORMAL"; "TANGENT" ]
 let numbered = [ "TEXCOORD_"; "COLOR_"; "JOINTS_"; "WEIGHTS_"; "_" ]
+let is_numbered name = List.exists (fun p -> begins p name) numbered
+
+let property kind name =
+  match List.assoc_opt kind kinds with
+  | None -> Scc_base.Bug.fail __POS__ ("no kind of object: " ^ kind)
+  | Some own -> (
+      match List.assoc_opt name own with
+      | None when List.mem kind [ "attributes"; "target" ] && is_numbered name -> Some Still
+      | found -> found)
+
+(* {1 Extensions} *)
+
 let quantization = "KHR_mesh_quantization"
+let visibility = "KHR_node_visibility"
+let draco = "KHR_draco_mesh_compression"
 
-(* Of how surfaces look, of lights, sounds and links, and of data for programs. *)
-let still = [ "KHR_materials_"; "KHR_texture_"; "KHR_lights_"; "EXT_texture_"; "MSFT_texture_"; "EXT_lights_" ]
-
-(* The numbers that a file has beside what is compressed are the same; outlines are drawn along edges. *)
-let still_too =
+(* Of how surfaces look, of lights, and of data for programs. *)
+let looks =
   words
-    "KHR_xmp KHR_xmp_json_ld KHR_draco_mesh_compression EXT_meshopt_compression KHR_meshopt_compression \
-     KHR_audio_emitter KHR_node_selectability KHR_node_hoverability EXT_mesh_features EXT_instance_features \
-     EXT_structural_metadata      CESIUM_primitive_outline \
-     EXT_mesh_primitive_edge_visibility FB_geometry_metadata \
-     MSFT_packing_normalRoughnessMetallic \
-     MSFT_packing_occlusionRoughnessMetallic ADOBE_materials_clearcoat_specular \
-     MOZ_hubs_components OMI_audio_emitter"
+    "KHR_materials_anisotropy KHR_materials_clearcoat KHR_materials_diffuse_transmission KHR_materials_dispersion \
+     KHR_materials_emissive_strength KHR_materials_ior KHR_materials_iridescence \
+     KHR_materials_pbrSpecularGlossiness KHR_materials_sheen KHR_materials_specular KHR_materials_subsurface \
+     KHR_materials_transmission KHR_materials_unlit KHR_materials_variants KHR_materials_volume \
+     KHR_materials_volume_scatter KHR_texture_basisu KHR_texture_transform KHR_lights_punctual KHR_xmp \
+     KHR_xmp_json_ld ADOBE_materials_clearcoat_specular ADOBE_materials_clearcoat_tint \
+     ADOBE_materials_thin_transparency EXT_lights_ies EXT_lights_image_based EXT_texture_astc EXT_texture_avif \
+     EXT_texture_webp MPEG_texture_video MSFT_packing_normalRoughnessMetallic \
+     MSFT_packing_occlusionRoughnessMetallic MSFT_texture_dds NV_materials_mdl"
 
-let is_still name = List.exists (fun p -> begins p name) still
+(* Where they are not required. The numbers that a file has beside what is compressed are the same. A level of
+   detail stands for others that are coarser. Outlines are drawn along edges; a manifold has the same triangles. *)
+let beside =
+  words
+    "KHR_draco_mesh_compression EXT_meshopt_compression KHR_meshopt_compression KHR_audio_emitter \
+     KHR_node_selectability KHR_node_hoverability EXT_mesh_features EXT_instance_features EXT_structural_metadata \
+     EXT_mesh_manifold EXT_mesh_primitive_edge_visibility EXT_mesh_primitive_restart AGI_stk_metadata \
+     CESIUM_primitive_outline FB_geometry_metadata GODOT_single_root GRIFFEL_bim_data MSFT_lod \
+     MOZ_hubs_components OMI_audio_emitter MPEG_audio_spatial MPEG_viewport_recommended"
 
-let required name =
-  is_still name || String.equal name quantization || List.mem name (words "KHR_xmp KHR_xmp_json_ld")
+let makes =
+  [
+    ("EXT_mesh_gpu_instancing", "copies of a mesh"); ("KHR_gaussian_splatting", "clouds without surfaces");
+    ("EXT_primitive_voxels", "voxels"); ("EXT_implicit_ellipsoid_region", "implicit regions");
+    ("AGI_articulations", "parts that are moved by settings"); ("MPEG_accessor_timed", "data that change in time");
+    ("MPEG_mesh_linking", "a mesh that moves another one");
+  ]
 
-let known kind name =
-  if String.equal kind "attributes" then List.mem name attributes || List.exists (fun p -> begins p name) numbered
-  else
-    match List.find_opt (fun (k, _, _) -> String.equal k kind) properties with
-    | Some (_, read, still) -> List.mem name (words read) || List.mem name (words still)
-    | None -> Scc_base.Bug.fail __POS__ ("no kind of object: " ^ kind)
+(* Of the whole file: they move things while time passes. *)
+let moves =
+  words "KHR_interactivity MPEG_scene_dynamic MPEG_media MPEG_buffer_circular MPEG_animation_timing \
+         KHR_animation_pointer"
 
-(* An extension of the whole file declares what objects may use, where it is met again. *)
-let check_extensions ~kind v =
-  match J.member "extensions" v with
-  | Some all when not (String.equal kind "glTF") ->
-    let unknown name = not (is_still name || List.mem name still_too) in
-    (match List.find_opt unknown (J.keys all) with
-     | Some name -> J.fail all "the extension %s is not read: export the scene without it" (Text.quote name)
-     | None -> Ok ())
-  | Some _ | None -> Ok ()
+let extension name =
+  if List.mem name looks || List.mem name beside then Some Still
+  else if List.mem name [ quantization; visibility ] then Some Read
+  else if List.mem name moves then Some (Refused "what changes while time passes")
+  else Option.map (fun what -> Refused what) (List.assoc_opt name makes)
+
+let required name = List.mem name looks || String.equal name quantization || String.equal name visibility
+
+let check_extensions all =
+  let one name =
+    match extension name with
+    | Some (Read | Still) -> Ok ()
+    | Some (Refused what) -> J.fail all "the extension %s is not read: %s" (Text.quote name) what
+    | None -> J.fail all "the extension %s is not known here: export the scene without it" (Text.quote name)
+  in
+  Result.map ignore (Result.all one (J.keys all))
 
 let check ~kind v =
-  let unknown name =
-    not (List.mem name [ "extensions"; "extras" ] && not (String.equal kind "attributes") || known kind name)
+  let one name =
+    match (name, J.member name v) with
+    | _, None | "extras", _ -> Ok ()
+    | "extensions", Some all ->
+      let* () = J.is_object all in
+      if List.mem kind [ "glTF"; "goal" ] then Ok () else check_extensions all
+    | _, Some value -> (
+        match property kind name with
+        | Some (Read | Still) -> Ok ()
+        | Some (Refused what) -> J.fail value "%s is not read" what
+        | None -> J.fail v "%s is no property of a glTF %s that is known here" (Text.quote name) kind)
   in
-  match List.find_opt unknown (J.keys v) with
-  | Some name -> J.fail v "%s is no property of a glTF %s that is known here" (Text.quote name) kind
-  | None -> check_extensions ~kind v
+  let* () = J.is_object v in
+  Result.map ignore (Result.all one (J.keys v))
+
+(* An extension of the whole file mostly declares what objects may use, where it is met again. *)
+let undeclared root =
+  let silent name =
+    match extension name with
+    | Some (Read | Still) -> false
+    | Some (Refused _) -> List.mem name moves
+    | None -> true
+  in
+  match J.member "extensions" root with
+  | Some all -> List.find_opt silent (J.keys all)
+  | None -> None

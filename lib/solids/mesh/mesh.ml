@@ -10,9 +10,9 @@ let exact read = alone (fun ~path text -> Result.map (fun set -> (set, [])) (rea
 let readers =
   [
     ("off", "OFF", exact Off.read);
-    ("obj", "OBJ", exact Obj.read);
+    ("obj", "OBJ", alone Obj.read);
     ("stl", "STL", alone Stl.read);
-    ("ply", "PLY", exact Ply.read);
+    ("ply", "PLY", alone Ply.read);
     ("wrl", "VRML", alone Vrml.read);
     ("vrml", "VRML", alone Vrml.read);
     ("x3dv", "X3D (classic)", alone Vrml.read);
@@ -39,7 +39,7 @@ let by_text text =
     let n = String.length prefix in
     String.length text >= n && String.equal (String.sub text 0 n) prefix
   in
-  if List.exists begins [ "OFF"; "COFF"; "NOFF"; "STOFF"; "CNOFF" ] then of_format "OFF"
+  if Off.begins text then of_format "OFF"
   else if begins "glTF" || begins "{" then of_format "glTF"
   else if begins "PK\003\004" then of_format "3MF"
   else if begins "solid" then of_format "STL"

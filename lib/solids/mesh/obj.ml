@@ -4,6 +4,7 @@ open Text
 type state = {
   vertices : Scc_exact.Vec.t list;  (* in reverse order *)
   count : int;
+  left_out : word option;  (* the first line or point *)
   objects : string option;  (* the one that faces now belong to *)
   groups : string option;
   faces : (string option * (word * int) array) list;
@@ -11,15 +12,22 @@ type state = {
      further on) *)
 }
 
-let skipped = function
-  | "s" | "usemtl" | "mtllib" | "usemap" | "maplib" | "vt" | "vn" | "vp" | "l" | "p" | "mg"
-  | "lod" | "bevel" | "c_interp" | "d_interp" | "shadow_obj" | "trace_obj" -> true
-  | _ -> false
+type treatment = Read | Still | Left_out | Refused of string
 
-let curved = function
-  | "curv" | "curv2" | "surf" | "parm" | "trim" | "hole" | "scrv" | "sp" | "end" | "con" | "cstype" | "deg"
-  | "bmat" | "step" -> true
-  | _ -> false
+let curves = "curves and surfaces are not read: make faces of them first"
+
+(* All statements of the specification: what is read; what says how faces look, or is used by curves alone; lines
+   and points; and what makes other shapes. *)
+let keywords =
+  let all treatment words = List.map (fun w -> (w, treatment)) (String.split_on_char ' ' words) in
+  all Read "v f fo g o"
+  @ all Still
+    "s usemtl mtllib usemap maplib vt vn vp mg lod bevel c_interp d_interp shadow_obj trace_obj ctech stech"
+  @ all Left_out "l p"
+  @ all (Refused curves)
+    "curv curv2 surf parm trim hole scrv sp end con cstype deg bmat step bsp bzp cdc cdp res"
+  @ all (Refused "statements in other files are not read: put them into this one") "call"
+  @ all (Refused "commands of a system are not run") "csh"
 
 (* x y z, then nothing, a weight that must be one, or a colour (three or four numbers). *)
 let vertex_statement ~path keyword state words =
@@ -62,14 +70,16 @@ let first = function [] -> None | (w : word) :: _ -> Some w.text
 let statement ~path state = function
   | [] -> Bug.fail __POS__ "a line without words"
   | keyword :: words -> (
-      match keyword.text with
-      | "v" -> vertex_statement ~path keyword state words
-      | "f" | "fo" -> face_statement ~path keyword state words
-      | "g" -> Ok { state with groups = first words }
-      | "o" -> Ok { state with objects = first words; groups = None }
-      | k when skipped k -> Ok state
-      | k when curved k -> error ~path keyword "curves and surfaces of OBJ files are not supported"
-      | k -> error ~path keyword "unknown OBJ statement %s" (quote k))
+      match (keyword.text, List.assoc_opt keyword.text keywords) with
+      | "v", _ -> vertex_statement ~path keyword state words
+      | "g", _ -> Ok { state with groups = first words }
+      | "o", _ -> Ok { state with objects = first words; groups = None }
+      | _, Some Read -> face_statement ~path keyword state words
+      | _, Some Still -> Ok state
+      | _, Some Left_out ->
+        Ok (if Option.is_some state.left_out then state else { state with left_out = Some keyword })
+      | _, Some (Refused why) -> error ~path keyword "%s" why
+      | k, None -> error ~path keyword "unknown OBJ statement %s" (quote k))
 
 let resolve ~path count (label, corners) =
   let check () (w, i) =
@@ -93,8 +103,13 @@ let read ~path text =
         | Ok state -> go state next
         | Error _ as e -> e)
   in
-  let* state = go { vertices = []; count = 0; objects = None; groups = None; faces = [] } 0 in
+  let* state = go { vertices = []; count = 0; left_out = None; objects = None; groups = None; faces = [] } 0 in
   if state.count = 0 then error_at ~path 0 "the file has no vertices"
   else
     let* faces = Result.all (resolve ~path state.count) (List.rev state.faces) in
-    Ok (labelled state.vertices (List.rev faces))
+    let warning w =
+      Diag.warning Code.mesh_left_out
+        (Span.make ~file:path ~start:w.start ~stop:(w.start + String.length w.text))
+        ~hint:"nothing has to be done if the faces alone are meant" "lines and points are left out"
+    in
+    Ok (labelled state.vertices (List.rev faces), Option.to_list (Option.map warning state.left_out))

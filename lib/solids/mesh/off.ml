@@ -4,10 +4,50 @@ open Text
 (* What the header promises: never used to reserve memory. *)
 type counts = { vertices : int; faces : int; at : Text.word }
 
-let is_keyword w =
-  match w with
-  | "OFF" | "COFF" | "NOFF" | "CNOFF" | "STOFF" | "STCOFF" | "STNOFF" | "STCNOFF" -> true
-  | _ -> false
+(* What vertices have beside their places, by the letters before OFF in any order. *)
+type more = { colours : bool; normals : bool; texture : bool }
+
+let keyword word =
+  let n = String.length word in
+  let rec go more i =
+    let rest = String.sub word i (n - i) in
+    let after k more = go more (i + k) in
+    if String.equal rest "OFF" then Some more
+    else if String.starts_with ~prefix:"ST" rest && not more.texture then after 2 { more with texture = true }
+    else if String.starts_with ~prefix:"C" rest && not more.colours then after 1 { more with colours = true }
+    else if String.starts_with ~prefix:"N" rest && not more.normals then after 1 { more with normals = true }
+    else None
+  in
+  go { colours = false; normals = false; texture = false } 0
+
+let is_keyword word = Option.is_some (keyword word)
+
+(* [4OFF], [nOFF], [C4nOFF], …: points of other than three coordinates. *)
+let of_dimensions word =
+  let n = String.length word in
+  n > 3
+  && String.equal (String.sub word (n - 3) 3) "OFF"
+  && (String.contains word '4' || String.contains word 'n')
+  && is_keyword (String.concat "" (List.concat_map (String.split_on_char 'n') (String.split_on_char '4' word)))
+
+let first_word text =
+  match next_line (String.sub text 0 (min 80 (String.length text))) 0 with
+  | Some (w :: _, _) -> w.text
+  | Some ([], _) | None -> ""
+
+(* Some programs write the first count at once after the keyword. *)
+let begins text =
+  let word = first_word text in
+  let n = String.length word in
+  let is_digit i = word.[i] >= '0' && word.[i] <= '9' in
+  let stop = Option.value (List.find_opt is_digit (List.init n Fun.id)) ~default:n in
+  is_keyword (String.sub word 0 stop) || of_dimensions word
+
+(* The least and the greatest number of words after the three coordinates. *)
+let spare more =
+  let normals = if more.normals then 3 else 0 and texture = if more.texture then 2 else 0 in
+  let colours = if more.colours then (3, 4) else (0, 0) in
+  (normals + texture + fst colours, normals + texture + snd colours)
 
 (* Some programs write the first count at once after the keyword. *)
 let unglued = function
@@ -42,7 +82,7 @@ let counts ~path = function
 let header ~path text =
   match Option.map (fun (words, next) -> (unglued words, next)) (next_line text 0) with
   | None -> error_at ~path 0 "the file is empty: expected `OFF`"
-  | Some ({ text = "4OFF" | "nOFF" | "4nOFF"; _ } :: _, _) ->
+  | Some ({ text; _ } :: _, _) when of_dimensions text ->
     Error
       (Diag.error Code.mesh_format (Span.of_file path)
          "OFF files of other than three dimensions are not supported")
@@ -52,18 +92,19 @@ let header ~path text =
          "binary OFF files are not supported" ~hint:"convert the file to ASCII OFF")
   | Some ([], _) -> Bug.fail __POS__ "a line without words"
   | Some (w :: rest, next) when is_keyword w.text -> (
+      let spare = Option.fold ~none:(0, 0) ~some:spare (keyword w.text) in
       match (rest, next_line text next) with
       | _ :: _, _ ->
         let* c = counts ~path rest in
-        Ok (c, not (String.equal w.text "OFF"), next)
+        Ok (c, spare, next)
       | [], Some (words, next) ->
         let* c = counts ~path words in
-        Ok (c, not (String.equal w.text "OFF"), next)
+        Ok (c, spare, next)
       | [], None -> error ~path w "the file ends before the numbers of vertices, faces and edges")
   | Some (({ text; _ } :: _) as words, next) when String.for_all (fun c -> c >= '0' && c <= '9') text ->
     (* the keyword may be missing *)
     let* c = counts ~path words in
-    Ok (c, false, next)
+    Ok (c, (0, 0), next)
   | Some (w :: _, _) -> error ~path w "expected `OFF`, found %s" (quote w.text)
 
 (* [total] lines, each through [read]. *)
@@ -80,12 +121,23 @@ let lines ~path ~what ~at text total position read =
   in
   go [] 0 position
 
-let vertex_line ~path ~coloured = function
-  | _ :: _ :: _ :: extra :: _ when not coloured ->
-    error ~path extra "a vertex of an OFF file has three coordinates (COFF, NOFF: and more)"
-  | _ :: _ :: _ :: _ as words -> coordinates ~path words
+let vertex_line ~path ~spare:(least, most) = function
+  | _ :: _ :: _ :: (extra :: _ as more) when most = 0 || List.length more > most ->
+    if most = 0 then error ~path extra "a vertex of an OFF file has three coordinates (COFF, NOFF: and more)"
+    else error ~path extra "expected at most %d numbers after the coordinates" most
+  | _ :: _ :: _ :: (extra :: _ as more) when List.length more < least ->
+    error ~path extra "expected %d numbers after the coordinates, or none" least
+  | _ :: _ :: _ :: more as words ->
+    let* _ = Result.all (coordinate ~path) more in
+    coordinates ~path words
   | w :: _ -> error ~path w "expected the three coordinates of a vertex on this line"
   | [] -> Bug.fail __POS__ "a line without words"
+
+(* An index into a map of colours, or three or four numbers. *)
+let colour ~path = function
+  | [] -> Ok ()
+  | ([ _ ] | [ _; _; _ ] | [ _; _; _; _ ]) as words -> Result.map ignore (Result.all (coordinate ~path) words)
+  | w :: _ -> error ~path w "expected the end of the line after the corners of a face, or a colour"
 
 let face_line ~path ~count = function
   | [] -> Bug.fail __POS__ "a line without words"
@@ -97,13 +149,14 @@ let face_line ~path ~count = function
       error ~path k "the face promises %d corners, but the line names only %d" corners given
     else
       let* indices = Result.all (vertex ~path ~count) (List.filteri (fun i _ -> i < corners) rest) in
+      let* () = colour ~path (List.filteri (fun i _ -> i >= corners) rest) in
       Ok (Array.of_list indices)
 
 let read ~path text =
-  let* c, coloured, position = header ~path text in
+  let* c, spare, position = header ~path text in
   let at = c.at in
   let* vertices, position =
-    lines ~path ~what:"vertices" ~at text c.vertices position (vertex_line ~path ~coloured)
+    lines ~path ~what:"vertices" ~at text c.vertices position (vertex_line ~path ~spare)
   in
   let* faces, position =
     lines ~path ~what:"faces" ~at text c.faces position (face_line ~path ~count:c.vertices)

@@ -28,22 +28,30 @@ let encoding ~path w =
   | "binary_big_endian" -> Ok (Binary { big_endian = true })
   | other -> error ~path w "unknown PLY format %s" (quote other)
 
-let add_property p = function
-  | [] -> None
-  | e :: rest -> Some ({ e with properties = p :: e.properties } :: rest)
+let name_of = function Scalar (name, _) | List (name, _, _) -> name
+
+(* The list of corners has two names. *)
+let same_name p q =
+  let plain p = match name_of p with "vertex_index" -> "vertex_indices" | name -> name in
+  String.equal (plain p) (plain q)
 
 (* One line of the header, after the first; elements and their properties are in reverse order. *)
 let header_line ~path (format, elements) line =
   let property w p =
-    match add_property p elements with
-    | Some elements -> Ok (format, elements)
-    | None -> error ~path w "a property before the first element"
+    match elements with
+    | [] -> error ~path w "a property before the first element"
+    | e :: _ when List.exists (same_name p) e.properties ->
+      error ~path w "the element %s has the property %s twice" (quote e.name) (quote (name_of p))
+    | e :: rest -> Ok (format, { e with properties = p :: e.properties } :: rest)
   in
   match line with
   | { text = "comment" | "obj_info"; _ } :: _ -> Ok (format, elements)
-  | [ { text = "format"; _ }; w; _ ] ->
+  | [ { text = "format"; _ }; w; version ] ->
     let* e = encoding ~path w in
-    Ok (Some e, elements)
+    if String.equal version.text "1.0" then Ok (Some e, elements)
+    else error ~path version "only version 1.0 of PLY is read, not %s" (quote version.text)
+  | [ { text = "element"; _ }; name; _ ] when List.exists (fun e -> String.equal e.name name.text) elements ->
+    error ~path name "the element %s is there twice" (quote name.text)
   | [ { text = "element"; _ }; name; n ] ->
     let* count = integer ~path ~what:"the number of elements" n in
     if count < 0 then error ~path n "the number of elements must not be negative"
@@ -58,11 +66,20 @@ let header_line ~path (format, elements) line =
   | w :: _ -> error ~path w "not a line of a PLY header: %s" (quote w.text)
   | [] -> Bug.fail __POS__ "a line without words"
 
+(* Where lines end with a carriage return alone, a line feed after the last one is the first byte of the data. *)
+let after_header text next =
+  let alone =
+    match String.index_opt text '\r' with
+    | None -> false
+    | Some i -> not (String.contains (String.sub text 0 (min (String.length text) (i + 2))) '\n')
+  in
+  if alone && next >= 2 && text.[next - 1] = '\n' && text.[next - 2] = '\r' then next - 1 else next
+
 let header ~path text =
   let rec go acc last position =
     match next_line text position with
     | None -> error ~path last "the file ends before `end_header`"
-    | Some ([ { text = "end_header"; _ } ], next) -> Ok (acc, last, next)
+    | Some ([ { text = "end_header"; _ } ], next) -> Ok (acc, last, after_header text next)
     | Some (line, next) -> (
         match header_line ~path acc line with
         | Ok acc -> go acc (List.hd line) next
@@ -90,6 +107,7 @@ type source = {
   skip : scalar -> (unit, Diag.t) result;
   finish : unit -> (unit, Diag.t) result;
   place : unit -> word;
+  rest : unit -> (Diag.t list, Diag.t) result;  (* what follows the last element *)
 }
 
 let promise ~path e k =
@@ -124,7 +142,12 @@ let ascii ~path text position =
     | w :: _ -> error ~path w "expected the end of the line after the values of the element"
   in
   let skip _ = Result.map ignore (word ()) in
-  { start; real; integer; skip; finish; place = (fun () -> !last) }
+  let rest () =
+    match next_line text !position with
+    | Some (w :: _, _) -> error ~path w "expected the end of the file after the elements that the header promises"
+    | Some ([], _) | None -> Ok []
+  in
+  { start; real; integer; skip; finish; place = (fun () -> !last); rest }
 
 let binary ~path ~big_endian text position =
   let position = ref position and last = ref position and element = ref None in
@@ -154,7 +177,16 @@ let binary ~path ~big_endian text position =
   in
   let skip (Signed n | Unsigned n | Real n) = Result.map ignore (take n) in
   let place () = { text = ""; start = !last } in
-  { start; real; integer; skip; finish = Result.ok; place }
+  let rest () =
+    let n = String.length text - !position in
+    let span = Span.make ~file:path ~start:!position ~stop:!position in
+    let warning () =
+      Diag.warning Code.mesh_left_out span "%s after the last element that the header promises are left out"
+        (Plural.count n "byte" "bytes")
+    in
+    Ok (if n > 0 then [ warning () ] else [])
+  in
+  { start; real; integer; skip; finish = Result.ok; place; rest }
 
 (* {1 Elements} *)
 
@@ -221,6 +253,32 @@ let face ~path ~count source e acc =
   in
   Result.map (fun corners -> Array.of_list corners :: acc) (over_properties property e [])
 
+(* The triangles of strips, which -1 ends; those without an area are left out. *)
+let triangles_of corners faces =
+  let add faces (a : int) b c = if a = b || b = c || c = a then faces else [| a; b; c |] :: faces in
+  let rec go faces even = function
+    | a :: (b :: c :: _ as rest) when a >= 0 && b >= 0 && c >= 0 ->
+      go (if even then add faces a b c else add faces b a c) (not even) rest
+    | a :: rest -> go faces (if a < 0 then true else even) rest
+    | [] -> faces
+  in
+  go faces true corners
+
+let strips ~path ~count source e faces =
+  let corner kind acc =
+    let* i = source.integer kind in
+    if i >= -1 && i < count then Ok (i :: acc)
+    else error ~path (source.place ()) "a strip names vertex %d, but there are %d vertices" i count
+  in
+  let property faces = function
+    | List (("vertex_indices" | "vertex_index"), length, item) ->
+      let* n = list_length ~path source length in
+      let* corners = repeat n (corner item) [] in
+      Ok (triangles_of (List.rev corners) faces)
+    | other -> Result.map (fun () -> faces) (skip ~path source other)
+  in
+  over_properties property e faces
+
 let has_scalar e name =
   List.exists (function Scalar (n, _) -> String.equal n name | List _ -> false) e.properties
 
@@ -241,10 +299,26 @@ let element ~path ~count source (vertices, faces) e =
     if has_indices e then
       Result.map (fun faces -> (vertices, faces)) (instances source e (face ~path ~count source e) faces)
     else error ~path e.at "the element `face` lacks the list `vertex_indices`"
-  | "tristrips" -> error ~path e.at "triangle strips are not supported"
+  | "tristrips" ->
+    if has_indices e then
+      Result.map (fun faces -> (vertices, faces)) (instances source e (strips ~path ~count source e) faces)
+    else error ~path e.at "the element `tristrips` lacks the list `vertex_indices`"
+  | "range_grid" -> error ~path e.at "grids of a scanner are not read: make triangles of them first"
   | _ ->
     let skip_all () = over_properties (fun () p -> skip ~path source p) e () in
     Result.map (fun () -> (vertices, faces)) (instances source e skip_all ())
+
+(* Cameras, materials and notes make no shapes. *)
+let still = [ "vertex"; "face"; "tristrips"; "material"; "camera"; "user" ]
+
+let left_out ~path e =
+  if e.count = 0 || List.mem e.name still then None
+  else
+    Some
+      (Diag.warning Code.mesh_left_out
+         (Span.make ~file:path ~start:e.at.start ~stop:(e.at.start + String.length e.at.text))
+         ~hint:"nothing has to be done if they make no faces" "the %d of the element %s are left out" e.count
+         (quote e.name))
 
 let read ~path text =
   let* format, elements, position = header ~path text in
@@ -261,4 +335,5 @@ let read ~path text =
       (Ok ([], []))
       elements
   in
-  Ok (ifs vertices faces)
+  let* trailing = source.rest () in
+  Ok (ifs vertices faces, List.filter_map (left_out ~path) elements @ trailing)

@@ -24,12 +24,17 @@ type package = {
 
 type model = { x : X.t; path : string; package : package; things : (string, thing) Hashtbl.t }
 
-let leave_out m what =
+let leave_out ?(hint = "nothing has to be done if it makes no shapes") m what =
   if Option.is_none m.package.left_out then
     m.package.left_out <-
       Some
-        (Scc_base.Diag.warning Scc_base.Code.mesh_left_out (Scc_base.Span.of_file m.path)
-           ~hint:"nothing has to be done if it makes no shapes" "%s is left out: it is not known here" what)
+        (Scc_base.Diag.warning Scc_base.Code.mesh_left_out (Scc_base.Span.of_file m.path) ~hint "%s" what)
+
+let leave_out_unknown m what = leave_out m (what ^ " is left out: it is not known here")
+
+let leave_out_support m id =
+  leave_out m ~hint:"nothing has to be done if it is made for printing alone"
+    (Printf.sprintf "the object %s is a support, and is left out" (Text.quote id))
 
 let refuse m what = X.fail m.x "%s are not read: export the model as triangles alone" what
 
@@ -37,7 +42,7 @@ let check_attributes m ((_, element), attributes) =
   let one (name, _) =
     match T.attribute element name with
     | Read | Still -> ()
-    | Left_out -> leave_out m (Printf.sprintf "the attribute %s of `%s`" (Text.quote (snd name)) element)
+    | Left_out -> leave_out_unknown m (Printf.sprintf "the attribute %s of `%s`" (Text.quote (snd name)) element)
     | Unread what -> refuse m what
   in
   List.iter one attributes
@@ -51,7 +56,7 @@ let each m within f =
         f (snd name) tag
       | Still -> X.skip m.x
       | Left_out ->
-        leave_out m (Printf.sprintf "the element %s in `%s`" (Text.quote (snd name)) within);
+        leave_out_unknown m (Printf.sprintf "the element %s in `%s`" (Text.quote (snd name)) within);
         X.skip m.x
       | Unread what -> refuse m what)
 
@@ -89,12 +94,29 @@ let triangles m ~count =
   each m "triangles" (fun _ -> one);
   Array.of_list (List.rev !found)
 
+(* Calls as {!each} does; none of the elements may be there twice. *)
+let each_once m within f =
+  let seen = ref [] in
+  each m within (fun name tag ->
+      if List.mem name !seen then X.fail m.x "the element %s is in `%s` twice" (Text.quote name) within;
+      seen := name :: !seen;
+      f name tag)
+
 let mesh m =
   let points = ref [||] and faces = ref [||] in
-  each m "mesh" (fun name _ ->
+  each_once m "mesh" (fun name _ ->
       if String.equal name "vertices" then points := vertices m
       else faces := triangles m ~count:(Array.length !points));
   Mesh { points = !points; triangles = !faces }
+
+(* A positive integer; numbers that begin with zeros are the same without them. *)
+let id_of m tag name =
+  let text = X.needed m.x tag name in
+  let rest = ref 0 in
+  while !rest < String.length text - 1 && text.[!rest] = '0' do incr rest done;
+  if text = "" || not (String.for_all (fun c -> c >= '0' && c <= '9') text) then
+    X.fail m.x "`%s` is to be an integer, and not %s" name (Text.quote text);
+  String.sub text !rest (String.length text - !rest)
 
 (* Row vectors: (x, y, z, 1) times the matrix, row by row without its last column. *)
 let transform m tag =
@@ -134,7 +156,7 @@ let rec things_of package x name =
 
 (* An item or a component. *)
 and used m tag =
-  let id = X.needed m.x tag "objectid" in
+  let id = id_of m tag "objectid" in
   let things =
     match List.assoc_opt (T.production, "path") (snd tag) with
     | None -> m.things
@@ -155,10 +177,14 @@ and components m =
   Components (List.rev !found)
 
 and thing m tag =
-  let id = X.needed m.x tag "id" in
+  let id = id_of m tag "id" in
   if Hashtbl.mem m.things id then X.fail m.x "the object %s is there twice" (Text.quote id);
   let kind = Option.value (X.attribute tag "type") ~default:"model" in
   if not (List.mem kind T.types) then X.fail m.x "%s is no type of an object" (Text.quote kind);
+  (match List.assoc_opt (T.alternatives, "modelresolution") (snd tag) with
+   | Some other when not (String.equal other T.fullres) ->
+     X.fail m.x "the object %s is not meant to be made: its resolution is %s" (Text.quote id) (Text.quote other)
+   | Some _ | None -> ());
   let body = ref Nothing in
   each m "object" (fun name _ ->
       (match !body with
@@ -192,7 +218,7 @@ and model package ~built x (((namespace, name), _) as tag) =
    | Some other when String.equal own other -> ()
    | Some other ->
      X.fail x "this part is in the unit %s, and the first part in %s" (Text.quote own) (Text.quote other));
-  each m "model" (fun name _ ->
+  each_once m "model" (fun name _ ->
       if String.equal name "resources" then each m "resources" (fun _ -> thing m) else built m x);
   m
 
@@ -210,7 +236,8 @@ let rec build m depth at { id; thing; place } =
   let at = Affine.compose at place in
   if Affine.too_long at then X.fail m.x "the numbers of components inside of each other get too long";
   if thing.other then X.fail m.x "the object %s is of the type `other`, and is not to be built" (Text.quote id);
-  if not thing.support then
+  if thing.support then leave_out_support m id
+  else
     match thing.body with
     | Nothing -> ()
     | Components list -> List.iter (build m (depth + 1) at) list
@@ -229,8 +256,8 @@ let build_items items m _ =
   each m "build" (fun _ tag ->
       incr items;
       (match X.attribute tag "printable" with
-       | Some "0" | Some "false" -> X.fail m.x "an item that is not to be printed: remove it, or make it printable"
-       | Some _ | None -> ());
+       | Some ("1" | "true") | None -> ()
+       | Some _ -> X.fail m.x "an item that is not to be printed: remove it, or make it printable");
       build m 0 Affine.identity (used m tag);
       none m "item")
 
@@ -249,7 +276,9 @@ let first_part x _ =
   let found = ref None in
   X.children x (fun tag ->
       (match (X.attribute tag "Type", X.attribute tag "Target") with
-       | Some kind, Some target when String.equal kind relation && Option.is_none !found -> found := Some target
+       | Some kind, Some target when String.equal kind relation ->
+         if Option.is_some !found then X.fail x "the package begins with two models";
+         found := Some target
        | _ -> ());
       X.skip x);
   match !found with

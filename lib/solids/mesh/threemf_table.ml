@@ -4,12 +4,14 @@ let words text = List.filter (fun w -> w <> "") (String.split_on_char ' ' text)
 let microsoft = "http://schemas.microsoft.com/3dmanufacturing/"
 let core = microsoft ^ "core/2015/02"
 let production = microsoft ^ "production/2015/06"
+let alternatives = microsoft ^ "production/alternatives/2021/04"
+let fullres = "fullres"
 
 (* Colours, names of parts, sets of triangles; and what slicers note about painting. *)
 let still =
   [
-    microsoft ^ "material/2015/02"; microsoft ^ "trianglesets/2021/07";
-    "http://schemas.3mf.io/3dmanufacturing/alternatives/2021/07"; "http://schemas.slic3r.org/3mf/2017/06";
+    microsoft ^ "material/2015/02"; microsoft ^ "trianglesets/2021/07"; alternatives;
+    "http://schemas.slic3r.org/3mf/2017/06";
     "http://schemas.bambulab.com/package/2021"; Xmlm.ns_xml; Xmlm.ns_xmlns;
   ]
 
@@ -38,31 +40,39 @@ let of_extension namespace =
     | Some (_, what) -> Unread what
     | None -> Left_out
 
+let row name read still =
+  let all mark text = List.map (fun w -> (w, mark)) (words text) in
+  (name, all Read read @ all Still still)
+
 let elements =
   [
-    ("model", "resources build", "metadata metadatagroup"); ("resources", "object", "basematerials");
-    ("object", "mesh components", "metadatagroup"); ("mesh", "vertices triangles", ""); ("vertices", "vertex", "");
-    ("triangles", "triangle", ""); ("components", "component", ""); ("build", "item", ""); ("vertex", "", "");
-    ("triangle", "", ""); ("component", "", ""); ("item", "", "metadatagroup");
+    row "model" "resources build" "metadata"; row "resources" "object" "basematerials";
+    row "object" "mesh components" "metadatagroup"; row "mesh" "vertices triangles" "";
+    row "vertices" "vertex" ""; row "triangles" "triangle" ""; row "components" "component" "";
+    row "build" "item" ""; row "vertex" "" ""; row "triangle" "" ""; row "component" "" "";
+    row "item" "" "metadatagroup";
   ]
 
+(* The last five of a triangle, and `printable`, are of slicers. *)
 let attributes =
   [
-    ("model", "unit requiredextensions", "recommendedextensions"); ("resources", "", "");
-    ("object", "id type", "thumbnail partnumber name pid pindex"); ("mesh", "", ""); ("vertices", "", "");
-    ("triangles", "", ""); ("components", "", ""); ("build", "", ""); ("vertex", "x y z", "");
-    ("triangle", "v1 v2 v3", "p1 p2 p3 pid paint_color paint_supports paint_seam paint_fuzzy_skin face_property");
-    ("component", "objectid transform", ""); ("item", "objectid transform printable", "partnumber");
+    row "model" "unit requiredextensions" "recommendedextensions"; row "resources" "" "";
+    row "object" "id type" "thumbnail partnumber name pid pindex"; row "mesh" "" ""; row "vertices" "" "";
+    row "triangles" "" ""; row "components" "" ""; row "build" "" ""; row "vertex" "x y z" "";
+    row "triangle" "v1 v2 v3"
+      "p1 p2 p3 pid paint_color paint_supports paint_seam paint_fuzzy_skin face_property";
+    row "component" "objectid transform" ""; row "item" "objectid transform printable" "partnumber";
   ]
 
 let units = words "micron millimeter centimeter inch foot meter"
 let types = words "model solidsupport support surface other"
 
 let find table name own =
-  match List.find_opt (fun (n, _, _) -> String.equal n name) table with
-  | Some (_, read, _) when List.mem own (words read) -> Read
-  | Some (_, _, still) when List.mem own (words still) -> Still
-  | Some _ | None -> Left_out
+  let by (key : string) list = Option.map snd (List.find_opt (fun (k, _) -> String.equal k key) list) in
+  let*? row = by name table in
+  by own row
+
+let find table name own = Option.value (find table name own) ~default:Left_out
 
 let element ~within (namespace, name) =
   if String.equal namespace core then find elements within name
@@ -75,7 +85,9 @@ let attribute element (namespace, name) =
     if String.equal name "path" && List.mem element [ "component"; "item" ] then Read
     else if String.equal name "UUID" then Still
     else Left_out
-  else if String.equal name "path" then Unread "objects in other parts, by an extension that is not known here,"
+  else if String.equal namespace alternatives && String.equal name "modelresolution" then Read
+  else if String.equal name "path" && not (List.mem namespace still) then
+    Unread "objects in other parts, by an extension that is not known here,"
   else of_extension namespace
 
 let required namespace =

@@ -19,6 +19,18 @@ val element : within:string -> Xmlm.name -> t
 val attribute : string -> Xmlm.name -> t
 (** [attribute element name] is how an attribute of an element of the core specification is treated. *)
 
+val elements : (string * (string * t) list) list
+(** The elements of the core specification, each with those that may be inside of it. *)
+
+val attributes : (string * (string * t) list) list
+(** The elements of the core specification, each with its attributes of no namespace. *)
+
+val fullres : string
+(** The resolution of an object that is meant to be made; it is an attribute of {!alternatives}. *)
+
+val alternatives : string
+(** The namespace of alternatives: other shapes, of another resolution, for an object. *)
+
 val units : string list
 (** The units of a model in the core specification. *)
 

@@ -24,9 +24,17 @@ let told (e : Xmlm.error) =
 
 let max_depth = 100
 
+(* By XML, no attribute is there twice; Xmlm does not see to it. *)
+let rec twice : Xmlm.attribute list -> string option = function
+  | (a, _) :: ((b, _) :: _ as rest) -> if a = b then Some (snd a) else twice rest
+  | [ _ ] | [] -> None
+
 let next t =
   match Xmlm.input t.input with
-  | `El_start _ as signal ->
+  | `El_start (_, attributes) as signal ->
+    (match twice (List.sort (fun ((a : Xmlm.name), _) (b, _) -> compare a b) attributes) with
+     | Some name -> fail t "the attribute %s is there twice" (Text.quote name)
+     | None -> ());
     t.depth <- t.depth + 1;
     if t.depth > max_depth then fail t "elements are nested more than %d deep" max_depth;
     signal
@@ -57,7 +65,10 @@ let needed t tag name =
   | Some value -> value
   | None -> fail t "`%s` of `%s` is missing" name (snd (fst tag))
 
+let encrypted = "%3McF"
+
 let read ~path ~part text f =
+  if String.starts_with ~prefix:encrypted text then refuse ~path ~part 1 "the part is encrypted";
   let input = Xmlm.make_input ~enc:(Some `UTF_8) ~strip:true (`String (Source.after_mark text, text)) in
   let t = { path; part; input; depth = 0 } in
   match next t with

@@ -41,10 +41,10 @@ let glb ?(version = 2) json data =
   chunk 0x004E4942l data;
   Buffer.contents b
 
-(* The rotation of 1 + k, not of length 1, is a quarter turn about z; the matrix is its inverse. *)
+(* The rotation of 1 + k, only nearly of length 1, is a quarter turn about z; the matrix is its inverse. *)
 let turned_back =
   gltf_json ~root:1
-    ~node:",\"matrix\":[0,-1,0,0,1,0,0,0,0,0,1,0,0,0,0,1]},{\"rotation\":[0,0,0.3,0.3],\"children\":[0]" ()
+    ~node:",\"matrix\":[0,-1,0,0,1,0,0,0,0,0,1,0,0,0,0,1]},{\"rotation\":[0,0,0.7071,0.7071],\"children\":[0]" ()
 
 (* A mirror, and every point moved and halved, undone by the numbers of the file. *)
 let mirrored =

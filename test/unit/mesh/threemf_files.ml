@@ -105,8 +105,8 @@ let turned_back =
     (model
        ~build:(Printf.sprintf "<item objectid='3' transform='%s'/>" back)
        [
-         thing "1" mesh; thing ~kind:"support" "s" mesh; thing "2" (components [ component "1" ]);
-         thing "3" (components [ moved turn "2"; moved turn "s" ]);
+         thing "1" mesh; thing ~kind:"support" "9" mesh; thing "2" (components [ component "1" ]);
+         thing "3" (components [ moved turn "2"; moved turn "9" ]);
        ])
 
 let mirrored =

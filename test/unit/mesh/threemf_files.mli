@@ -14,5 +14,11 @@ val models : string list
 
 val packed : string -> string
 
+val rels : string
+(** The relationships of the package. *)
+
+val package : ?rels:string -> string -> string
+(** The package of a model. *)
+
 val bad : (string * string * string * string) list
 (** And where the fault is, with its code. *)
