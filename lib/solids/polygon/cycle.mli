@@ -8,10 +8,10 @@ val of_polygon : Polygon.t -> t
 
 (** What is on the open segment between two positions. *)
 type view =
-  | Open  (** the inside of the polygon alone: no edges and no corners, so that a diagonal can join the positions *)
+  | Open  (** the inside of the polygon alone, no edges or corners, so that a diagonal can join the positions *)
   | Along  (** corners or edges, which are not crossed *)
   | Closed
-  (** something outside of the polygon; or the segment is a point. No convex piece has both positions as corners. *)
+  (** something outside of the polygon; or the segment is a point. No convex piece has both as corners. *)
 
 val view : t -> int -> int -> view
 (** [view c i j] is what is between the positions i and j. At both ends, only the angle of the position counts as

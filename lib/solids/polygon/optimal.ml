@@ -9,10 +9,11 @@
    All of a chain is left of its first chord, and i is left of all others, so that it winds around i less than
    half a turn: no right turns, also at its ends, make it convex.
 
-   Chains that end at b are [live] if they may go on. None may where i does not see b, since a convex piece contains
-   the segment between. Where (i, b) is a chord, a chain that goes on costs less than the chord. The reason: i is in
-   front of all that is between, so that the chord turns less at b than the last of the chain, and is narrower at i.
-   (No chord leads back from b along the segment to i, on which there is no corner.) *)
+   Chains that end at b are [live] if they may go on. None may where the segment from i to b leaves the polygon,
+   since a convex piece contains it. Where (i, b) is a chord, a chain that goes on costs less than the chord.
+   The reason: whatever follows the chain may follow the chord (i, b), which is a chain of its own. The angle at b
+   is smaller then, as i is before the start of the last chord, and the chord is narrower at i. A way back from b
+   along the segment to i, where the chord would end, does not exist, as no corner is on the segment. *)
 
 type t = {
   g : Grid.t;
