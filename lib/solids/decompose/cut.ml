@@ -13,8 +13,8 @@ let planes_of fragments =
 let separating planes fragments =
   List.find_opt (in_front fragments) (List.map (fun k -> planes.(k)) (planes_of fragments))
 
-let choose ~all planes fragments notches =
-  match Notch.plane ~all planes notches with
+let choose ~prefer ~all planes fragments notches =
+  match Notch.plane ~prefer ~all planes notches with
   | Some plane -> Some plane
   | None -> separating planes fragments
 
@@ -38,28 +38,14 @@ let clipped cell plane =
   | Some cell -> cell
   | None -> Scc_base.Bug.fail __POS__ "a plane of a cell that does not meet it"
 
-let parts ~tick box polygons =
-  let numbers = Planes.create 64 and count = ref 0 and list = ref [] in
-  let number plane =
-    match Planes.find_opt numbers plane with
-    | Some k -> k
-    | None ->
-      let k = !count in
-      Planes.add numbers plane k;
-      list := plane :: !list;
-      incr count;
-      k
-  in
-  let fragments = Array.map (fun (plane, polygon) -> { plane = number plane; polygon }) (Array.of_list polygons) in
-  let planes = Array.of_list (List.rev !list) in
-  let notches = Notch.of_surface planes (Array.map (fun f -> (f.plane, f.polygon)) fragments) in
+(* Cells that wait, so that nothing depends on how deep the cuts go. *)
+let cells ~tick ~prefer box planes fragments notches =
   let all = Array.length notches in
-  (* Cells that wait, so that nothing depends on how deep the cuts go. *)
   let rec work found = function
     | [] -> List.rev found
     | (cell, fragments, notches) :: waiting -> (
         tick ();
-        match choose ~all planes fragments notches with
+        match choose ~prefer ~all planes fragments notches with
         | None ->
           let inside = List.fold_left (fun cell k -> clipped cell planes.(k)) cell (planes_of fragments) in
           work (inside :: found) waiting
@@ -75,6 +61,27 @@ let parts ~tick box polygons =
           else work found ((behind, back, notches_behind) :: waiting))
   in
   work [] [ (box, fragments, notches) ]
+
+(* From so many edges on, even halves make fewer parts, in less time. *)
+let most_in_both_ways = 64
+
+let parts ~tick box polygons =
+  let numbers = Planes.create 64 and count = ref 0 and list = ref [] in
+  let number plane =
+    match Planes.find_opt numbers plane with
+    | Some k -> k
+    | None ->
+      let k = !count in
+      Planes.add numbers plane k;
+      list := plane :: !list;
+      incr count;
+      k
+  in
+  let fragments = Array.map (fun (plane, polygon) -> { plane = number plane; polygon }) (Array.of_list polygons) in
+  let planes = Array.of_list (List.rev !list) in
+  let notches = Notch.of_surface planes (Array.map (fun f -> (f.plane, f.polygon)) fragments) in
+  let by prefer = cells ~tick ~prefer box planes fragments notches in
+  by Notch.Even :: (if Array.length notches > most_in_both_ways then [] else [ by Notch.Any ])
 
 (* {1 Surfaces that cross themselves} *)
 

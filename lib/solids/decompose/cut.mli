@@ -1,9 +1,11 @@
 (** Space, cut by planes through the reflex edges of a solid until in each cell the solid is convex. *)
 
-val parts : tick:(unit -> unit) -> Cell.t -> (Plane.t * Homogeneous.t array) list -> Cell.t list
+val parts : tick:(unit -> unit) -> Cell.t -> (Plane.t * Homogeneous.t array) list -> Cell.t list list
 (** The convex parts of a closed solid without self-intersections, none of which share inner points; their
-    union is the solid. The list has its surface as convex polygons, each with its plane, in front of which is
-    the outside. All of them are inside the cell, a box.
+    union is the solid. The list has the parts of one way, or of two: solids with few reflex edges are cut by
+    both preferences of {!Notch.plane}, since neither of them makes the fewest parts of all solids. The surface
+    is given as convex polygons, each with its plane, in front of which is the outside. All of them are inside
+    the cell, a box.
 
     A cell holds those pieces of the surface that are not in its walls, and what is left there of the reflex
     edges. It is cut by a plane through a reflex edge ({!Notch}). A plane strictly between the two faces at the

@@ -20,9 +20,20 @@ let surface polygon =
   let corners = Array.map Homogeneous.of_vec polygon in
   (Plane.make (normal polygon) corners.(0), corners)
 
-let merged ~tick cut polygons =
+let cells polygons cut =
   let box = around polygons in
-  Union.merge ~tick box (cut box (List.map surface polygons))
+  (box, cut box (List.map surface polygons))
 
-let parts ?(tick = ignore) polygons = merged ~tick (Cut.parts ~tick) polygons
-let surrounded ~tick ~inside polygons = merged ~tick (Cut.surrounded ~tick ~inside) polygons
+let fewest = function
+  | [] -> []
+  | first :: rest ->
+    let fewer least list = if List.compare_lengths list least < 0 then list else least in
+    List.fold_left fewer first rest
+
+let parts ?(tick = ignore) polygons =
+  let box, ways = cells polygons (Cut.parts ~tick) in
+  fewest (List.map (Union.merge ~tick box) ways)
+
+let surrounded ~tick ~inside polygons =
+  let box, list = cells polygons (Cut.surrounded ~tick ~inside) in
+  Union.merge ~tick box list

@@ -72,11 +72,13 @@ let split plane notches =
   Array.iter cut notches;
   (Array.of_list (List.rev !back), Array.of_list (List.rev !front))
 
-(* Edges that are cut in two count as much as halves that are uneven by so many: the trees of uneven halves are
-   deep, and the deeper a tree, the more is cut in two. *)
+type preference = Even | Any
+
+(* For [Even], edges that are cut in two count as much as halves that are uneven by so many: the trees of uneven
+   halves are deep, and the deeper a tree, the more is cut in two. *)
 let per_cut_edge = 20
 
-let cost notches plane =
+let cost prefer notches plane =
   let cut = ref 0 and gone = ref 0 and front = ref 0 and back = ref 0 in
   let count notch =
     let s = Plane.side plane notch.a and t = Plane.side plane notch.b in
@@ -86,7 +88,9 @@ let cost notches plane =
     else if Plane.side plane (fst notch.off) * Plane.side plane (snd notch.off) <= 0 then incr gone
   in
   Array.iter count notches;
-  (per_cut_edge * (!cut - !gone)) + abs (!front - !back)
+  match prefer with
+  | Even -> (per_cut_edge * (!cut - !gone)) + abs (!front - !back)
+  | Any -> !cut - !gone
 
 (* {1 Planes that are tried} *)
 
@@ -118,7 +122,7 @@ let candidates notches some =
    spent on a cell. *)
 let most_tried ~all n = Int.max 24 (200_000 / Int.max 1 (all / 4_000) / n)
 
-let plane ~all planes notches =
+let plane ~prefer ~all planes notches =
   let n = Array.length notches in
   if n = 0 then None
   else
@@ -126,10 +130,10 @@ let plane ~all planes notches =
     let better found candidate =
       match (plane_of planes candidate, found) with
       | None, _ -> found
-      | Some plane, None -> Some (cost notches plane, plane)
+      | Some plane, None -> Some (cost prefer notches plane, plane)
       | Some plane, Some (least, _) ->
-        let c = cost notches plane in
-        if c < least then Some (c, plane) else found
+        let c = cost prefer notches plane in
+        if c < least || (c = least && prefer = Any) then Some (c, plane) else found
     in
     let list = candidates notches (Array.to_list (sample most notches)) in
     match Array.fold_left better None (sample most (Array.of_list list)) with

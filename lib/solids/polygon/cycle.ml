@@ -10,6 +10,12 @@ let in_angle g ring k q =
   if Grid.turns g before a after then Grid.orient g a q before > 0 && Grid.orient g q a after > 0
   else not (Grid.orient g a q after >= 0 && Grid.orient g q a before >= 0)
 
+(* It begins strictly outside. *)
+let off_angle g ring k q =
+  let before, a, after = around ring k in
+  if Grid.turns g before a after then Grid.orient g a q before < 0 || Grid.orient g q a after < 0
+  else Grid.orient g a q after > 0 && Grid.orient g q a before > 0
+
 (* Nothing of these rings is on the open segment. *)
 let free g rings a q =
   let clear ring =
@@ -24,15 +30,30 @@ let free g rings a q =
   in
   List.for_all clear rings
 
+(* An edge crosses the open segment at an inner point of both. *)
+let crossed g ring a q =
+  let n = Array.length ring in
+  let side k = Grid.orient g a q ring.(k) in
+  let rec from k here =
+    k < n
+    &&
+    let l = if k + 1 = n then 0 else k + 1 in
+    let there = side l in
+    (here * there < 0 && Grid.crosses g (a, q) (ring.(k), ring.(l))) || from (k + 1) there
+  in
+  from 0 (side 0)
+
 let reflex c k =
   let before, a, after = around c.at k in
   not (Grid.turns c.grid before a after)
 
-let sees c i j =
-  let a = c.at.(i) and q = c.at.(j) in
-  (not (Grid.same c.grid a q))
-  && in_angle c.grid c.at i q && in_angle c.grid c.at j a
-  && free c.grid [ c.at ] a q
+type view = Open | Along | Closed
+
+let view c i j =
+  let g = c.grid and a = c.at.(i) and q = c.at.(j) in
+  if Grid.same g a q || off_angle g c.at i q || off_angle g c.at j a || crossed g c.at a q then Closed
+  else if in_angle g c.at i q && in_angle g c.at j a && free g [ c.at ] a q then Open
+  else Along
 
 (* From position i around the ring of a hole and back. *)
 let spliced at i hole k =

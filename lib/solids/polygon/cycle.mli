@@ -6,10 +6,16 @@ type t = private { grid : Grid.t; at : int array  (** the point at each position
 val of_polygon : Polygon.t -> t
 (** The cycle of a polygon. Each hole is joined by the shortest cut between corners that exists. *)
 
-val sees : t -> int -> int -> bool
-(** [sees c i j] is true if a diagonal can join the positions i and j. The open segment between their points is
-    inside the polygon and touches neither edges nor corners. It leaves both corners into the angles of these
-    positions. *)
+(** What is on the open segment between two positions. *)
+type view =
+  | Open  (** the inside of the polygon alone, no edges or corners, so that a diagonal can join the positions *)
+  | Along  (** corners or edges, which are not crossed *)
+  | Closed
+  (** something outside of the polygon; or the segment is a point. No convex piece has both as corners. *)
+
+val view : t -> int -> int -> view
+(** [view c i j] is what is between the positions i and j. At both ends, only the angle of the position counts as
+    inside. *)
 
 val reflex : t -> int -> bool
 (** [reflex c i] is true if the angle at position i is more than a straight one. *)

@@ -29,8 +29,9 @@ let cross g a b c =
   Z.sub (Z.mul (x b) (y c)) (Z.mul (y b) (x c))
 
 let orient g a b c =
-  let x k = g.near_xs.(k) -. g.near_xs.(a) and y k = g.near_ys.(k) -. g.near_ys.(a) in
-  let turn = (x b *. y c) -. (y b *. x c) in
+  let xs = g.near_xs and ys = g.near_ys in
+  let x = xs.(a) and y = ys.(a) in
+  let turn = ((xs.(b) -. x) *. (ys.(c) -. y)) -. ((ys.(b) -. y) *. (xs.(c) -. x)) in
   if turn > g.error then 1 else if turn < -.g.error then -1 else Z.sign (cross g a b c)
 
 let compare_x g a b = Z.compare g.xs.(a) g.xs.(b)

@@ -246,6 +246,13 @@ let flat_names () =
   check "a square" "face" [ (0, 0, 1); (1, 0, 1); (1, 1, 1); (0, 1, 1) ];
   check "the wrong way round" "turned" [ (0, 0, 1); (0, 1, 1); (1, 1, 1); (1, 0, 1) ]
 
+(* Even halves would make four parts. *)
+let few_parts () =
+  let cells = [ (0, 1, 1); (0, 2, 0); (0, 2, 1); (1, 0, 1); (1, 0, 2); (1, 1, 1) ] in
+  match Decomposed.make ~names:false (set_of cells) with
+  | Error _ -> Alcotest.fail "refused"
+  | Ok t -> Alcotest.(check int) "parts" 3 (Array.length t.parts)
+
 (* {1 Prisms} *)
 
 let prism_of cells =
@@ -281,6 +288,7 @@ let () =
         [
           Alcotest.test_case "two shoulders of one bar" `Quick shoulders;
           Alcotest.test_case "what is no feature" `Quick flat_names;
+          Alcotest.test_case "both ways of cutting are tried" `Quick few_parts;
         ] );
       ( "prisms",
         [
