@@ -87,24 +87,6 @@ def groups(n):
     return f"{CUBE}{pairs}{seen}check c : possibly x(r) > 1\n"
 
 
-def dimers(n):
-    """Walkers that bind in pairs and come apart again."""
-    return f'''timestep 1 steady
-blocked wait
-collisions drawn
-behaviour Free = <d, {{only right}}> . Held + <~d, {{only left}}> . Held2
-behaviour Held = omega(d, {{only right}}) rate 1/10 . Free
-behaviour Held2 = omega(d, {{only left}}) . Free
-import <solids>
-for i in 0..{n - 1} {{ process a[i] = solids.Cube(1) mass 1 at translate (2*floor(i/2), 4*(i mod 2), 0) [Free] }}
-motion choose {{ (1,0,0), (-1,0,0), (0,1,0), (0,-1,0) }}
-'''
-
-
-def estimate(*properties):
-    return ['estimate', '--runs', '1'] + [word for p in properties for word in ('--property', p)]
-
-
 # What is run on a model of a size: name, N, arguments, the model.
 CASES = [
     ('zones possibly', 50, DEEP, lambda n: bouncing(f'possibly (time > {3 * n} and x(p) < 3)')),
@@ -126,10 +108,6 @@ CASES = [
     ('forall', 100, DEEP, lambda n: family(n, 'always forall p in q : x(p) >= 0')),
     ('bodies that a report looks at', 100, ['check', '--jobs', '1', '--states', '20'], passing),
     ('collisions of one instant', 20, ['check', '--jobs', '1', '--states', '100000'], groups),
-    ('estimate bonds at a time', 50, estimate('E = ? [ bonds(d) at 3 ]'), dimers),
-    ('estimate bonds on the way', 50, estimate('P = ? [ always bonds(d) >= 0 within 3 ]'), dimers),
-    ('estimate processes and an event', 50, estimate('E = ? [ event weak U processes < 2 ]') + ['--until', '3'], dimers),
-    ('estimate a number of a body', 50, estimate('E = ? [ x(a[1]) at 3 ]'), dimers),
     ('prefixes check', 200, DEEP, prefixes),
     ('prefixes json', 200, DEEP + ['--json'], prefixes),
     ('prefixes trace', 200, ['trace', '-o', os.devnull], prefixes),
@@ -142,7 +120,7 @@ CASES = [
 
 MAY_BE_QUADRATIC = ['where intervals', 'collisions of one instant', 'prefixes check', 'prefixes json', 'prefixes trace',
                     'prefixes explore', 'prefixes view']
-UNDECIDED = ['bodies that a report looks at', 'estimate processes and an event']  # these meet a bound; all others are decided
+UNDECIDED = ['bodies that a report looks at']  # these meet a bound; all others are decided
 
 
 def words(effort, arguments, text, folder, codes):
