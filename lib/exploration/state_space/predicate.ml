@@ -97,7 +97,7 @@ module Tuple = struct
       let of_number = by_process c (Ok Rat.zero) (fun p -> of_curve (f (path p))) in
       let of_slot p = if p = Catalogue.nobody then Ok Rat.zero else of_number p in
       Running_sum.rationals ~width:(leaves c) of_slot
-    | Number f ->
+    | Number (_, f) ->
       let of_number = by_process c 0 f in
       let of_slot p = if p = Catalogue.nobody then 0 else of_number p in
       let sum = Running_sum.integers ~width:(leaves c) of_slot in

@@ -6,6 +6,7 @@ type alternative = {
   label : Transition.label;
   rules : Rule.t list;
   rounded : Totals.t Lazy.t option;
+  replaced : (State.process list * State.process list) option;
 }
 
 (* What may happen now; collisions by their number, as there may be thousands at one instant, of which each that
@@ -229,7 +230,7 @@ let settle t =
   end;
   if Option.is_some t.lots then [] else evaluate_laws t
 
-let taken label rules = { label; rules; rounded = None }
+let taken ?(gone = []) ?(come = []) label rules = { label; rules; rounded = None; replaced = Some (gone, come) }
 
 let draw t draws i =
   let chances = chances t draws in
@@ -244,7 +245,9 @@ let draw t draws i =
   taken label (Network.draw_rules @ rules)
 
 let passed t d = taken (Transition.Time d) (Network.time_rules t.semantics @ settle t)
-let happened t (o : Transition.outcome) = taken o.label (Transition.rules o @ settle t)
+let happened t (o : Transition.outcome) =
+  let rules = settle t in
+  taken o.label (Transition.rules o @ rules) ~gone:o.gone ~come:o.come
 
 (* Decisions change nothing but lots, so that no walker stops. *)
 let decided t lots (o : Transition.outcome) =

@@ -30,6 +30,9 @@ type alternative = {
   label : Transition.label;
   rules : Rule.t list;
   rounded : Totals.t Lazy.t option;  (** [None] in these runs: nothing is rounded *)
+  replaced : (State.process list * State.process list) option;
+  (** the processes that it replaced by others, as they were, and these others; all processes that gained or lost
+      leaves or bonds are among them. [None], in no such run: compare the states *)
 }
 
 (** Alternatives are numbered from 0 on, as in [Network.successors] of the present state. There may be thousands

@@ -6,6 +6,7 @@ type alternative = Event_run.alternative = {
   label : Transition.label;
   rules : Rule.t list;
   rounded : Totals.t Lazy.t option;
+  replaced : (State.process list * State.process list) option;
 }
 
 (* What may happen, of a network that does not run from event to event. *)
@@ -43,7 +44,7 @@ let inertial m = Model.straight m && Event_run.can_run m
 
 let seen s (t : Transition.t) =
   let rounded = Totals.added (Semantics.model s.semantics) t in
-  ({ label = t.label; rules = t.rules; rounded }, t)
+  ({ label = t.label; rules = t.rules; rounded; replaced = None }, t)
 
 let look s =
   match Draws.waiting s.semantics s.present with
@@ -105,7 +106,7 @@ let draw s d i =
   | Ok chances when i >= 0 && i < Array.length chances -> (
       let p = Draws.drawer d in
       if not (Draws.draw d (fst chances.(i))) then
-        { label = Steer.draw_label p chances.(i); rules = Network.draw_rules; rounded = None }
+        { label = Steer.draw_label p chances.(i); rules = Network.draw_rules; rounded = None; replaced = None }
       else
         match Network.drawn s.semantics s.present ~before:(Draws.before d) p chances.(i) with
         | Ok transition -> go s (seen s transition)

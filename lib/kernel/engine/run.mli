@@ -23,6 +23,8 @@ type alternative = Event_run.alternative = {
   label : Transition.label;
   rules : Rule.t list;
   rounded : Totals.t Lazy.t option;  (** what rule Round added to the totals of the network, if it was used *)
+  replaced : (State.process list * State.process list) option;
+  (** the processes that it replaced, and those that came ({!Event_run.alternative}); [None]: compare the states *)
 }
 
 (** The possible transitions: their number, and the label of each by its number, from 0. The record is valid

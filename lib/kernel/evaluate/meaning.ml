@@ -10,7 +10,7 @@ type quantity =
   | Counted of int * (State.process -> int)
   | Of_two of int * int * (Path.t -> Path.t -> Path.curve)
   | Sum of (Path.t -> Path.curve)
-  | Number of (State.process -> int)
+  | Number of Property.quantity * (State.process -> int)
   | Time
   | Parameter of int
 
@@ -64,13 +64,14 @@ let offers definitions polarity name b =
   in
   List.exists wanted (Behaviours.offers definitions b)
 
-let quantity model : Property.quantity -> quantity = function
-  | Bonds (name, None) -> Number (count (named name))
+let quantity model (q : Property.quantity) =
+  match q with
+  | Bonds (name, None) -> Number (q, count (named name))
   | Bonds (name, Some (i, j)) ->
     let wanted b = named name b && joins i j b in
     Counted (i, count wanted)
   | Size i -> Counted (i, State.size model)
-  | Processes -> Number (fun _ -> 1)
+  | Processes -> Number (q, fun _ -> 1)
   | Position (a, i) -> Of_process (i, fun p -> Path.coordinate p a (centroid i p))
   | Velocity (a, i) -> Of_process (i, fun p -> Path.velocity p a (centroid i p))
   | Speed2 i -> Of_process (i, fun p -> Path.speed2 p (centroid i p))

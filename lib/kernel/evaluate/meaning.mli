@@ -17,7 +17,8 @@ type quantity =
   | Of_two of int * int * (Path.t -> Path.t -> Path.curve)
   (** a function of the processes that have the leaves, which may be one process *)
   | Sum of (Path.t -> Path.curve)  (** a sum over all processes *)
-  | Number of (State.process -> int)  (** a sum over all processes that stays the same while time passes *)
+  | Number of Property.quantity * (State.process -> int)
+  (** this atom, as a sum over all processes; the sum and each part stay the same while time passes *)
   | Time  (** absolute time *)
   | Parameter of int  (** the parameter with this index among those with ranges; one run has its value instead *)
 

@@ -12,6 +12,7 @@ type t = {
   paths : Path.t array;  (** by process *)
   home : int -> int;  (** by leaf, the index of its process; -1 if it is in none *)
   arrived : Property.event -> bool;
+  total : Property.quantity -> int option;  (** of sums over all processes: those that are known *)
 }
 
 (* A part of a state may have few processes of many. *)
@@ -32,7 +33,7 @@ let home (model : Model.t) (state : State.t) =
     Array.get homes
   end
 
-let make ?(arrived = fun _ -> false) semantics (state : State.t) extent =
+let make ?(arrived = fun _ -> false) ?(total = fun _ -> None) semantics (state : State.t) extent =
   let model = Semantics.model semantics in
   let for_ever =
     match (extent : Timeline.extent) with
@@ -40,7 +41,7 @@ let make ?(arrived = fun _ -> false) semantics (state : State.t) extent =
     | Instant | Lasts _ -> false
   in
   let paths = Array.map (Path.make ~for_ever model) state.processes in
-  { semantics; state; extent; home = home model state; arrived; paths }
+  { semantics; state; extent; home = home model state; arrived; total; paths }
 
 let extent semantics state (transitions : Transition.t list) : Timeline.extent =
   let time (t : Transition.t) = match t.label with Time d -> Some d | _ -> None in
@@ -109,7 +110,10 @@ module Stretch = struct
         | Some _, None -> undefined s j)
     | Counted (i, f) -> constant (Rat.of_int (Option.fold ~none:0 ~some:f (process s i))) s
     | Sum f -> sum s f
-    | Number f -> constant (Rat.of_int (Array.fold_left (fun n p -> n + f p) 0 s.state.processes)) s
+    | Number (q, f) ->
+      let counted () = Array.fold_left (fun n p -> n + f p) 0 s.state.processes in
+      let total = match s.total q with Some n -> n | None -> counted () in
+      constant (Rat.of_int total) s
     | Time -> time s
     | Parameter _ -> Scc_base.Bug.fail __POS__ "a parameter that is not known, along one run"
 

@@ -10,12 +10,19 @@ open Scc_property
 
 type t
 
-val make : ?arrived:(Property.event -> bool) -> Semantics.t -> State.t -> Timeline.extent -> t
+val make :
+  ?arrived:(Property.event -> bool) ->
+  ?total:(Property.quantity -> int option) ->
+  Semantics.t ->
+  State.t ->
+  Timeline.extent ->
+  t
 (** [make semantics s extent] is the trajectory of this extent that starts in [s]. It is that of a time
     transition of the given duration, the ray t >= 0 of a quiescent state, or the state alone. Nothing happens
     strictly inside it. Its end is not part of it, but is the state that the transition leads to. [arrived] is
     true for the events of the discrete transition that has just led to [s]; these hold at the start alone. By
-    default there are none, as in the initial state. *)
+    default there are none, as in the initial state. [total] is the values of the sums over all processes that are
+    known ({!Atom.t.total}); [s] need not have all processes for these. The others are counted in [s]. *)
 
 val extent : Semantics.t -> State.t -> Transition.t list -> Timeline.extent
 (** [extent semantics s transitions] is how long nothing happens from [s] on, where [transitions] are all

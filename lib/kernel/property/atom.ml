@@ -20,6 +20,7 @@ type t = {
   aspects : aspect list;
   change : change;
   event : event option;
+  total : quantity option;
 }
 
 let leaf i = [ Leaf i ]
@@ -64,7 +65,9 @@ let event_scope = function
    Each row says everything, so that whoever adds one has thought of everything. *)
 
 let row ?(symmetric = false) word arguments scope aspects change =
-  { word; arguments; symmetric; scope; aspects; change; event = None }
+  { word; arguments; symmetric; scope; aspects; change; event = None; total = None }
+
+let total quantity row = { row with total = Some quantity }
 
 let symmetric = true
 
@@ -73,12 +76,13 @@ let is_symmetric = function
   | Hit (p, q) -> Option.is_none p.part && Option.is_none (Option.bind q (fun q -> q.part))
   | Bond _ | Bounce _ | Absorbed _ -> true
 
-let quantity = function
-  | Bonds (None, None) -> row "bonds()" [] Whole [ Bonding ] Never
-  | Bonds ((Some _ as name), None) -> row "bonds" (channel name) Whole [ Bonding ] Never
+let quantity q =
+  match q with
+  | Bonds (None, None) -> total q (row "bonds()" [] Whole [ Bonding ] Never)
+  | Bonds ((Some _ as name), None) -> total q (row "bonds" (channel name) Whole [ Bonding ] Never)
   | Bonds (name, Some ends) -> row "bonds" (channel name @ two ends) Named [ Bonding ] Never ~symmetric
   | Size i -> row "size" (leaf i) Named [ Structure ] Never
-  | Processes -> row "processes" [] Whole [ Structure ] Never
+  | Processes -> total q (row "processes" [] Whole [ Structure ] Never)
   | Position (a, i) -> row (axis a) (leaf i) Named [ Absolute_place; Motion ] Always
   | Velocity (a, i) -> row ("v" ^ axis a) (leaf i) Named [ Motion; Speed ] Turning
   | Speed2 i -> row "speed2" (leaf i) Named [ Motion; Speed ] Turning

@@ -46,6 +46,8 @@ type t = {
   event : event option;
   (** for an atom [event]: it is true if a transition of this event has just led to the state, and no time has
       passed since *)
+  total : quantity option;
+  (** the atom itself, if it is a sum over all processes that changes only when processes replace others *)
 }
 
 val quantity : quantity -> t

@@ -104,7 +104,7 @@ module View = struct
         List.fold_left add Rat.zero (processes v point)
       in
       everywhere v (Ok (interpolated n at))
-    | Number count ->
+    | Number (_, count) ->
       let all = Array.fold_left (fun k p -> k + count p) 0 v.zone.skeleton.processes in
       constant (Rat.of_int all) v
     | Time -> (

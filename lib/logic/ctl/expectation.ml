@@ -86,6 +86,10 @@ let ending ends number time ~shift (p : place) elapsed =
     ends.lowest <- Some (match ends.lowest with None -> x | Some y -> Rat.min x y);
     one ~reward:(match shift with None -> Rat.zero | Some s -> Rat.sub x s) Nowhere Goal
 
+let over_before ~elapsed time =
+  let elapsed = Rat.to_string elapsed and time = Rat.to_string time in
+  Printf.sprintf "a run is over at time %s, and has no value at time %s" elapsed time
+
 let steps graph ends number time ~shift (p : place) =
   let elapsed = Option.get p.elapsed in
   let go node d = Go { node; elapsed = Some (Rat.add elapsed d) } in
@@ -112,10 +116,7 @@ let steps graph ends number time ~shift (p : place) =
     match discrete @ timed with
     | [] ->
       if ends.reason = None then
-        ends.reason <-
-          Some
-            (Printf.sprintf "a run is over at time %s, and has no value at time %s" (Rat.to_string elapsed)
-               (Rat.to_string time));
+        ends.reason <- Some (over_before ~elapsed time);
       [ one Nowhere Fail ]
     | choices -> choices
 

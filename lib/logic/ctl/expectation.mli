@@ -15,6 +15,9 @@ type what =
   (** The value of a number at this time, after all transitions at that instant. The function has the number at an
       offset of the flow of a node, or at the node (0). *)
 
+val over_before : elapsed:Rat.t -> Rat.t -> string
+(** The reason why a number has no value at a time, where a run is over before: after [elapsed]. *)
+
 type answer =
   | Known of Eval.measured
   | Unknown of { reason : string option; unexplored : int list }

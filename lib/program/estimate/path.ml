@@ -59,7 +59,9 @@ let atoms path =
 (* An event is in the label of a transition, but for the processes of its leaves. *)
 let seen paths =
   let atoms = List.concat_map atoms paths in
-  let is_global (a : Atom.t) = match a.scope with Whole -> Option.is_none a.event | Named -> false in
+  let is_global (a : Atom.t) =
+    match a.scope with Whole -> Option.is_none a.event && Option.is_none a.total | Named -> false
+  in
   if List.exists is_global atoms then None
   else Some (List.sort_uniq Int.compare (List.concat_map Atom.leaves atoms))
 

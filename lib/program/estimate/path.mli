@@ -17,9 +17,12 @@ type t = {
   horizon : Rat.t option;  (** model time after which it is decided; [None]: it may never be *)
 }
 
+val atoms : t -> Atom.t list
+(** The atoms of its formula and number, with repetitions. *)
+
 val seen : t list -> int list option
 (** The leaves whose processes the formulas and numbers of all these paths depend on, in order. [None]: they depend
-    on the network as a whole. *)
+    on the network as a whole, by more than sums over all processes ({!Atom.t.total}). *)
 
 val test : t -> (Property.side * Scc_chance.Answer.bound) option
 (** What it is compared with; [None]: a number is asked for. *)

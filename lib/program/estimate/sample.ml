@@ -51,54 +51,59 @@ let choice (m : Model.t) : Transition.label -> choice = function
   | _ -> if Model.draws_ties m then Splits else Elsewhere
 
 let run plan ~seed ~interrupted number =
-  let chain = Chain.make plan.semantics and questions = Chain.questions plan.semantics plan.paths in
-  let seen = Path.seen plan.paths in
+  let questions = Chain.questions plan.semantics plan.paths and chain = ref None in
   let joined = List.for_all (fun (p : Path.t) -> Scc_state_space.Between_draws.unseen p.check) plan.paths in
-  let next = ref first_look and found = ref (List.map (fun _ -> Chain.Open) plan.paths) in
+  let next = ref first_look in
   let over = ref false and chosen = ref false in
-  let look () =
-    found := Chain.answers questions chain;
-    if List.for_all (fun (a : Chain.answer) -> a <> Open) !found then over := true
+  let look chain =
+    Chain.look chain;
+    if Chain.settled chain then over := true
+  in
+  (* Choices are told of up to where the answers are looked for. *)
+  let look_on chain =
+    if Chain.length chain >= !next then begin
+      next := next_look !next;
+      look chain
+    end
+    else if (plan.free = Apart || !chosen) && Chain.settled chain then over := true
   in
   let limit = limit plan and stopped_by_choice = ref None and steps = ref 0 and bound = ref Time in
   let note (event : Replay.event) =
     (match event with Step { draws_on; _ } -> if not draws_on then incr steps | Start _ | Instant _ | End _ -> ());
-    match event with
-    | Start state -> Chain.start chain (Option.fold ~none:state ~some:(State.with_leaves state) seen)
-    | Step { draws_on = true; _ } when joined -> ()
-    | Step { taken; free; state; part; _ } when not !over ->
+    match (event, !chain) with
+    | Start state, _ -> chain := Some (Chain.start questions state)
+    | Step { draws_on = true; _ }, _ when joined -> ()
+    | Step { taken; free; state; part; _ }, Some chain when not !over ->
       if free && plan.free = Evenly then chosen := true;
       if free && plan.free = Apart then begin
-        look ();
+        look chain;
         if not !over then stopped_by_choice := Some (choice (Semantics.model plan.semantics) taken.label);
         over := true
       end
       else begin
-        let ({ label; _ } : Scc_engine.Run.alternative) = taken in
-        Chain.step chain label (match seen with Some leaves -> part leaves | None -> state ());
-        if Chain.length chain >= !next then begin
-          next := next_look !next;
-          look ()
-        end
+        Chain.step chain taken ~state ~part;
+        look_on chain
       end
-    | Step _ -> ()
-    | Instant { offset; state; _ } -> if Rat.sign offset > 0 then Chain.step chain (Time offset) state
-    | End { ending = Quiescent; _ } -> Chain.for_ever chain
-    | End { ending = Stuck _; _ } -> Chain.dead_end chain
-    | End { ending = Open; _ } -> if Some !steps = limit then bound := Steps
-    | End { ending = Zeno; _ } -> bound := Instant
-    | End { ending = Broken_off; _ } -> ()
+    | Instant { offset; state; _ }, Some chain -> if Rat.sign offset > 0 then Chain.pass chain offset state
+    | End { ending = Quiescent; last; _ }, Some chain -> Chain.for_ever chain last
+    | End { ending = Stuck _; last; _ }, Some chain -> Chain.dead_end chain last
+    | End { ending = Open; _ }, _ -> if Some !steps = limit then bound := Steps
+    | End { ending = Zeno; _ }, _ -> bound := Instant
+    | (Step _ | Instant _ | End _), _ -> ()
+  in
+  let passing ~start:_ ~lasts state =
+    if not !over then Option.iter (fun chain -> Chain.passing chain ~lasts state) !chain
   in
   let limits = { Replay.steps = limit; time = until plan; instant = Replay.default_instant } in
   let policy = Replay.Random (Simulation.seed_of seed number) and left () = !over || interrupted () in
   let go_on () =
-    match Replay.run ~joint:true plan.semantics plan.declared policy limits ~interrupted:left note with
+    match Replay.run ~passing ~joint:true plan.semantics plan.declared policy limits ~interrupted:left note with
     | Ok _ | Error (Fault _) -> ()
     | Error (Interrupted _ | Refused _) -> if not !over then bound := Interruption
   in
   (try
      go_on ();
-     if not !over then look ()
+     if not !over then Option.iter look !chain
    with Interruption.Interrupted _ -> bound := Interruption);
   let outcome : Chain.answer -> outcome = function
     | Truth b -> Truth b
@@ -106,7 +111,10 @@ let run plan ~seed ~interrupted number =
     | Never -> Never
     | No_value why -> No_value why
     | Open when !bound = Interruption -> Too_long Interruption
-    | Open when Chain.is_over chain -> No_value "something that it asks for has no value there"
+    | Open when Option.fold ~none:false ~some:Chain.is_over !chain ->
+      No_value "something that it asks for has no value there"
     | Open -> Option.fold ~none:(Too_long !bound) ~some:(fun choice -> Free choice) !stopped_by_choice
   in
-  { outcomes = List.map outcome !found; chosen = !chosen; interrupted = !bound = Interruption }
+  let none_yet = List.map (fun _ -> Chain.Open) plan.paths in
+  let found = Option.fold ~none:none_yet ~some:Chain.answers !chain in
+  { outcomes = List.map outcome found; chosen = !chosen; interrupted = !bound = Interruption }
