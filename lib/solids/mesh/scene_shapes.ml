@@ -114,10 +114,11 @@ let counted ~path node name faces =
 
 (* {1 A grid of heights} *)
 
-let flat points f =
-  let p k = points.(f.(k)) in
-  let v k = Vec.sub (p k) (p 0) in
-  Rat.sign (Vec.dot (Vec.cross (v 1) (v 2)) (v 3)) = 0
+(* How far the middles of the diagonals of a square of the grid are from each other: 0 if it is flat. The format
+   leaves open which diagonal cuts a bent square. The two ways are that far from each other, and no farther. *)
+let bend points f =
+  let y k = (points.(f.(k)) : Vec.t).y in
+  Rat.mul Rat.half (Rat.abs (Rat.sub (Rat.add (y 0) (y 2)) (Rat.add (y 1) (y 3))))
 
 let grid ~path node =
   let columns = F.integer ~path node "xDimension" ~default:0 in
@@ -136,13 +137,13 @@ let grid ~path node =
   let face k =
     let i = k mod (columns - 1) and j = k / (columns - 1) in
     let at i j = i + (j * columns) in
-    let f = [| at i j; at i (j + 1); at (i + 1) (j + 1); at (i + 1) j |] in
-    if flat points f then f
-    else
-      unread ~path node.kind ~hint:"export it as triangles: an IndexedFaceSet"
-        "the square %d, %d of the grid is not flat, and the format leaves open how it is cut" i j
+    [| at i j; at i (j + 1); at (i + 1) (j + 1); at (i + 1) j |]
   in
-  exact points (List.init (max 0 (columns - 1) * max 0 (rows - 1)) face)
+  let squares = List.init (max 0 (columns - 1) * max 0 (rows - 1)) face in
+  let bent f = Rat.sign (bend points f) > 0 in
+  let cut f = if bent f then [ [| f.(0); f.(1); f.(2) |]; [| f.(0); f.(2); f.(3) |] ] else [ f ] in
+  let distance = List.fold_left (fun d f -> Rat.max d (bend points f)) Rat.zero squares in
+  { (exact points (List.concat_map cut squares)) with distance }
 
 (* {1 Solids} *)
 

@@ -11,4 +11,5 @@ type t = {
 
 val make : path:string -> Scene.node -> t
 (** The shape of a node whose role is [Geometry] in {!Scene_table}. Spheres, cylinders and cones are replaced by
-    inscribed polyhedra ({!Curved}), within a hundredth of their radius. Faults raise {!Scene.Refused}. *)
+    inscribed polyhedra ({!Curved}), within a hundredth of their radius. Squares of a grid of heights that are not
+    flat are cut in two, and the distance is that from the other way to cut them. Faults raise {!Scene.Refused}. *)

@@ -165,10 +165,15 @@ and shape within t place node =
 
 let at ~path (w : Text.word) = Span.make ~file:path ~start:w.start ~stop:(w.start + String.length w.text)
 
+let turned =
+  "rotations become exact ones near by, and curved shapes inscribed polyhedra within 1/100 of the radius"
+
+let bent = "a square of the grid that is not flat becomes two triangles, and the format leaves open which"
+
 let nearly t =
   let one (distance, w) =
     Diag.warning Code.mesh_nearly (at ~path:t.path w)
-      ~hint:"rotations become exact ones near by, and curved shapes inscribed polyhedra within 1/100 of the radius"
+      ~hint:(if String.equal w.Text.text "ElevationGrid" then bent else turned)
       "what is read is up to %s from what the file describes, here the most"
       (Decimal.significant_above ~digits:3 distance)
   in
