@@ -62,6 +62,37 @@ let triangles (set : Polyhedron.ifs) =
   let fan (_, f) = List.init (Array.length f - 2) (fun k -> (f.(0), f.(k + 1), f.(k + 2))) in
   Array.of_list (List.concat_map fan (Array.to_list set.ifs_faces))
 
+(* Balls around triangles, so that the triangles far away are passed over. *)
+type balls = { xs : float array; ys : float array; zs : float array; radii : float array }
+
+let balls near triangles =
+  let third f = Array.map (fun (a, b, c) -> (f near.(a) +. f near.(b) +. f near.(c)) /. 3.) triangles in
+  let xs = third (fun p -> p.Guess.x) and ys = third (fun p -> p.Guess.y) and zs = third (fun p -> p.Guess.z) in
+  let radius k (a, b, c) =
+    let middle = { Guess.x = xs.(k); y = ys.(k); z = zs.(k) } in
+    let to_corner v = let w = Guess.sub near.(v) middle in sqrt (Guess.dot w w) in
+    Float.max (to_corner a) (Float.max (to_corner b) (to_corner c))
+  in
+  { xs; ys; zs; radii = Array.mapi radius triangles }
+
+(* The number for which [far], a squared distance, is the least, as near as floats tell. *)
+let nearest balls (p : Guess.point) far =
+  let px = p.x and py = p.y and pz = p.z in
+  let found = ref 0 and squared = ref (far 0) in
+  let least = ref (sqrt !squared) in
+  for k = 1 to Array.length balls.radii - 1 do
+    let x = balls.xs.(k) -. px and y = balls.ys.(k) -. py and z = balls.zs.(k) -. pz in
+    if sqrt ((x *. x) +. (y *. y) +. (z *. z)) -. balls.radii.(k) < !least then begin
+      let d = far k in
+      if d < !squared then begin
+        found := k;
+        squared := d;
+        least := sqrt d
+      end
+    end
+  done;
+  !found
+
 let distance2 ~(hull : Polyhedron.ifs) (outer : Polyhedron.ifs) =
   let positions = Array.map snd hull.ifs_vertices in
   let whole, denominator = Ivec.of_vecs positions in
@@ -73,6 +104,7 @@ let distance2 ~(hull : Polyhedron.ifs) (outer : Polyhedron.ifs) =
   let exact (v : Vec.t) = { Exact.x = v.x; y = v.y; z = v.z } in
   let near = Array.map guess positions and exactly = Array.map exact positions in
   let triangles = triangles hull in
+  let balls = balls near triangles in
   let is_nearest x (y : Vec.t) =
     let w, _ = Ivec.of_vec (Vec.sub x y) in
     let limit = Rat.mul (Vec.dot (Ivec.to_vec w) y) (Rat.make denominator Z.one) in
@@ -91,8 +123,7 @@ let distance2 ~(hull : Polyhedron.ifs) (outer : Polyhedron.ifs) =
       if is_nearest x y then Some (Vec.norm2 (Vec.sub x y)) else None
     in
     let by_distance = List.stable_sort (fun (a, _) (b, _) -> Float.compare a b) in
-    let first = Array.fold_left (fun ((d, _) as best) t -> let e = far t in if e < d then (e, t) else best) in
-    match try_one (snd (first (infinity, triangles.(0)) triangles)) with
+    match try_one triangles.(nearest balls there (fun k -> far triangles.(k))) with
     | Some d -> d
     | None -> (
         let all = by_distance (Array.to_list (Array.map (fun t -> (far t, t)) triangles)) in

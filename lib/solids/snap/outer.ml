@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 open Scc_geometry
 open Scc_mesh
@@ -30,7 +31,31 @@ let corner_of (dual : Polyhedron.ifs) (_, f) =
   let e = Vec.dot n (at 0) in
   if Rat.sign e > 0 then Some (Vec.scale (Rat.div Rat.one e) n) else None
 
-let corners_within middle planes =
+(* The solid: the face of a corner v of the dual has the corners of the dual's faces around v. Those are in
+   counter-clockwise order: after a face in which p comes before v is the face in which v comes before p. *)
+let polar (dual : Polyhedron.ifs) corners =
+  let by_edge = Int_pairs.create 256 and some = Hashtbl.create 256 in
+  let enter f (_, cycle) =
+    let n = Array.length cycle in
+    let edge k v =
+      let next = cycle.((k + 1) mod n) in
+      Int_pairs.replace by_edge (v, next) (f, cycle.((k + n - 1) mod n));
+      Hashtbl.replace some v next
+    in
+    Array.iteri edge cycle
+  in
+  Array.iteri enter dual.ifs_faces;
+  let face v start =
+    let rec around next found =
+      let f, before = Int_pairs.find by_edge (v, next) in
+      if before = start then List.rev (f :: found) else around before (f :: found)
+    in
+    ("", Array.of_list (around start []))
+  in
+  let faces = Hashtbl.fold (fun v start all -> face v start :: all) some [] in
+  Hull_of.in_order { Polyhedron.ifs_vertices = named "v" corners; ifs_faces = Array.of_list faces }
+
+let within middle planes =
   let point (n, d) =
     let n = Ivec.to_vec n in
     Vec.scale (Rat.div Rat.one (Rat.sub d (Vec.dot n middle))) n
@@ -40,7 +65,7 @@ let corners_within middle planes =
   | Some dual ->
     let corners = Array.map (corner_of dual) dual.ifs_faces in
     if Array.for_all Option.is_some corners then
-      Some (Array.map (fun c -> Vec.add middle (Option.get c)) corners)
+      Some (polar dual (Array.map (fun c -> Vec.add middle (Option.get c)) corners))
     else None
 
 (* {1 Around a hull} *)
@@ -55,8 +80,7 @@ let around hull kept =
     (n, Rat.make most denominator)
   in
   let with_bits bits =
-    let planes = List.map (fun f -> touching (short bits (direction hull f))) kept in
-    Option.bind (corners_within middle planes) (fun corners -> Hull_of.hull (cloud corners))
+    within middle (List.map (fun f -> touching (short bits (direction hull f))) kept)
   in
   List.find_map with_bits [ 15; 30; max_int ]
 
