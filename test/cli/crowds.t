@@ -52,4 +52,4 @@ The models of crowds (guide, Crowds): exact numbers for two bodies, intervals fo
 A thousand bodies need no other options, and nothing is left open.
 
   $ scc estimate $M/crowds/motor.sc -D n=1000 --check first_at_9 --runs 1
-  first_at_9: estimated: 1, from 0.004999 to 1 with confidence 99/100, 1 runs
+  first_at_9: estimated: 1, from 0.004999 to 1 with confidence 99/100, 1 run

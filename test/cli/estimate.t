@@ -50,7 +50,7 @@ however little the sample varies.
   never: estimated to be violated: 0.001524, from 0.000119 to 0.006186 with confidence 99/100, 3280 runs
   [1]
   $ scc estimate rare.sc --check below --runs 1
-  below: undecided whether it is <= 1/2: 0, from -998.763141 to 998.763141 with confidence 99/100, 1 runs
+  below: undecided whether it is <= 1/2: 0, from -998.763141 to 998.763141 with confidence 99/100, 1 run
     more runs would tell more
   [2]
 
@@ -65,7 +65,7 @@ Under a law that depends on places no speed is known, and so no range: nothing i
     no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
   [2]
   $ scc estimate far.sc --check below --runs 1
-  below: undecided whether it is <= 1/2: the mean of these runs alone is 0, 1 runs
+  below: undecided whether it is <= 1/2: the mean of these runs alone is 0, 1 run
     no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
   [2]
   $ scc estimate far.sc --property 'E <= 1/2 [ max(-1000, min(x(p), 1000)) at 1 ]' --property 'E >= 1 [ speed2(p) at 1/2 ]'
@@ -98,7 +98,7 @@ Comparisons end as soon as they are decided.
   [1]
   $ scc estimate $M/ruin.sc --check surely --most 200
   surely: undecided whether it is >= 1: 1, from 0.95427 to 1 with confidence 99/100, 128 runs
-    the bound is within the interval
+    runs can refute this bound, and never confirm it: no probability is beyond it
   [2]
 
 What nobody draws is left open, or taken evenly, and then it is said.
@@ -106,13 +106,13 @@ What nobody draws is left open, or taken evenly, and then it is said.
   $ ask() { scc estimate $M/dimer.sc --property 'P = ? [ eventually bonds() = 0 ]' --property 'P >= 1/10 [ always bonds() > 0 ]' --property 'E = ? [ bonds() at 3 ]' "$@"; }
   $ ask
   property1: undecided: not known, 128 runs
-    128 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
+    128 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; where these are weak splits, a `rate` or a `chance` of the split draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   
   property2: undecided whether it is >= 1/10: not known, 128 runs
-    128 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
+    128 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; where these are weak splits, a `rate` or a `chance` of the split draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   
   property3: undecided: not known, 128 runs
-    128 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
+    128 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; where these are weak splits, a `rate` or a `chance` of the split draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   [2]
   $ ask --free evenly --runs 200
   property1: estimated: 1, from 0.973856 to 1 with confidence 99/100, 200 runs

@@ -32,14 +32,12 @@ Runs that do not come on.
   $ far --levels 'x(walker) >= 1, 900' --property 'P = ? [ eventually (not gone(walker) and x(walker) >= 1000) ]'
   property1: estimated: 0, from 0 to 5.126e-1 with confidence 99/100, 10 repetitions
     share of runs that passed each level, and came to the goal: 0.535, 0, -
-    no run passed level 2, of 200 that came to the one before
-  [2]
+    no run passed level 2, of 200 from level 1
   $ far --levels 'x(walker) >= 3/2, 2'
   rich: estimated: 1.135e-1, from 4.937e-2 to 5.688e-1 with confidence 99/100, 10 repetitions
     at most 3.139e-1 if no repetition gives more than 5e-1, twice the greatest that was found: this is not proved
     share of runs that passed each level, and came to the goal: 0.31, 1, 0.375
     all runs passed level 2: it can be left out
-  [2]
 
 What cannot be asked.
 
