@@ -50,6 +50,15 @@ let choice (m : Model.t) : Transition.label -> choice = function
   | Weak_split _ -> Splits
   | _ -> if Model.draws_ties m then Splits else Elsewhere
 
+let outcome ~bound ~over_for_ever stopped_by_choice : Chain.answer -> outcome = function
+  | Truth b -> Truth b
+  | Number r -> Number r
+  | Never -> Never
+  | No_value why -> No_value why
+  | Open when bound = Interruption -> Too_long Interruption
+  | Open when over_for_ever -> No_value "something that it asks for has no value there"
+  | Open -> Option.fold ~none:(Too_long bound) ~some:(fun choice -> Free choice) stopped_by_choice
+
 let run plan ~seed ~interrupted number =
   let questions = Chain.questions plan.semantics plan.paths and chain = ref None in
   let joined = List.for_all (fun (p : Path.t) -> Scc_state_space.Between_draws.unseen p.check) plan.paths in
@@ -105,16 +114,8 @@ let run plan ~seed ~interrupted number =
      go_on ();
      if not !over then Option.iter look !chain
    with Interruption.Interrupted _ -> bound := Interruption);
-  let outcome : Chain.answer -> outcome = function
-    | Truth b -> Truth b
-    | Number r -> Number r
-    | Never -> Never
-    | No_value why -> No_value why
-    | Open when !bound = Interruption -> Too_long Interruption
-    | Open when Option.fold ~none:false ~some:Chain.is_over !chain ->
-      No_value "something that it asks for has no value there"
-    | Open -> Option.fold ~none:(Too_long !bound) ~some:(fun choice -> Free choice) !stopped_by_choice
-  in
+  let over_for_ever = Option.fold ~none:false ~some:Chain.is_over !chain in
+  let outcome = outcome ~bound:!bound ~over_for_ever !stopped_by_choice in
   let none_yet = List.map (fun _ -> Chain.Open) plan.paths in
   let found = Option.fold ~none:none_yet ~some:Chain.answers !chain in
   { outcomes = List.map outcome found; chosen = !chosen; interrupted = !bound = Interruption }
