@@ -172,7 +172,7 @@ def estimate(
     ``confidence``: An interval misses the number, or an answer is wrong, with a probability of at most 1 less
       C, for each property.
     ``define``: Gives the parameter NAME of the model the value VALUE, a rational. Repeatable.
-    ``effort``: With --levels, makes N runs from each level in each repetition.
+    ``effort``: With --levels, makes N runs from each level in each repetition. The default is 100.
     ``free``: The treatment of a run where several things are possible and none of them is drawn. With apart the
       run stops there. What is still unknown then counts for no at the lower end of the interval, and for yes at
       the upper end. So the interval contains the least and the greatest probability. With evenly each
@@ -180,10 +180,11 @@ def estimate(
     ``jobs``: How many processes work at the runs.
     ``levels``: Estimates a rare event by splitting, at the levels of LEVELS: 'x(p) >= 1, 2, 3' or 'x(p) >=
       1..9'. See RARE EVENTS.
-    ``most``: Makes at most N runs.
+    ``most``: Makes at most N runs; the default is 10000. Not with --runs.
     ``property``: Estimates PROPERTY, a property that is not in the model: P = ? [ eventually f ]. May be given
       several times.
     ``runs``: Makes N runs, and evaluates once: the intervals are narrower than after as many runs by --width.
+      With --levels, makes N repetitions; the default is 100.
     ``seconds``: Makes runs for at most S seconds of the clock. No default.
     ``seed``: An integer. Run k has the seed that is the output number k, from 0 on, of SplitMix64 from this
       integer, and makes its choices by it as scc trace --choose random: does. The runs are the same for any
@@ -195,7 +196,7 @@ def estimate(
       See STORES.
     ``until``: Stops a run at the model time TIME, if not all is decided by then.
     ``width``: Makes runs until the interval of a probability is at most W wide, and that of a mean at most this
-      share of the mean; of a comparison, until it is decided.
+      share of the mean; of a comparison, until it is decided. The default is 1/20. Not with --runs.
 
     ``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``:
     True shows progress on standard error, and a function gets each line of it. The first Ctrl-C ends the
@@ -261,7 +262,7 @@ def simulate(
       the other, without the first line of each but the first, are those of the whole.
     ``plot``: Draws a chart, as SVG: for each observable the mean over the time, and the range from the first to
       the last of --quantiles.
-    ``quantiles``: The quantiles of --summary and --plot, by the nearest rank.
+    ``quantiles``: The quantiles of --summary and --plot, by the nearest rank. The default is 1/20,1/2,19/20.
     ``resume``: Continues FILE, written with --format jsonl by a simulation that was interrupted, or had fewer
       runs; an unfinished line is made anew. All options except --runs and --jobs must be the same. The file, or
       -o, becomes what it would be without an interruption. The exit code is about the new runs. --summary does
@@ -395,8 +396,9 @@ def trace(
 ) -> Traced:
     """Follows one run, as ``scc trace`` does. Options:
 
-    ``choose``: How to choose between transitions: first, the first one, or random:SEED, each equally likely, by
-      the generator SplitMix64 from the integer SEED: the same on every machine.
+    ``choose``: How to choose between transitions: first, the first one, or random:SEED. Then draws and lots go
+      by their probabilities, and other transitions are equally likely, by the generator SplitMix64 from the
+      integer SEED: the same on every machine.
     ``define``: Gives the parameter NAME of the model the value VALUE, a rational. If the parameter has a range,
       it can be narrowed instead: to [1,3], or to [1,3), where a round bracket excludes an end. Repeatable.
     ``full``: With --human: prints every step, every body and all digits of numbers. Without it long numbers are
