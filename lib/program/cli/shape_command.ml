@@ -191,6 +191,7 @@ let work console ~overrides o argument =
     | Some most ->
       let faces = Plural.count (Array.length set.ifs_faces) "face" "faces" in
       Console.progress console ("simplifying a hull of " ^ faces);
+      Scc_base.Memory.spare_runs ();
       Result.map Option.some (around set most)
   in
   let set = match outer with Some o -> o.solid | None -> set in

@@ -157,8 +157,9 @@ let without t f =
 
 let growth t f fresh =
   let over c =
-    let planes = f :: List.concat_map (fun g -> t.gone.(g)) (f :: c.planes) in
-    List.fold_left (fun m g -> Float.max m (above t.flat.(g) c)) 0. planes
+    let further m g = Float.max m (above t.flat.(g) c) in
+    let near m g = List.fold_left further m t.gone.(g) in
+    List.fold_left near (further 0. f) (f :: c.planes)
   in
   List.fold_left (fun m c -> Float.max m (over c)) 0. fresh
 
