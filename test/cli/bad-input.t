@@ -36,6 +36,8 @@ Files.
   $ scc check /dev/zero
   /dev/zero: error[SC0101]: cannot read: it is larger than 64 MiB
   [3]
+  $ scc view cube.sc --trace /dev/zero
+  $ scc view cube.sc --trace missing.jsonl
   $ touch unreadable; mkdir folder
   $ scc check cube.sc --witness unreadable
   unreadable: error[SC0103]: cannot make the folder: it is a file
