@@ -3,9 +3,9 @@ open Scc_system
 
 let max_bytes = 64 * Memory.mib
 
-(* Devices and pipes do not tell their size, so the size is counted while reading. *)
 let too_large max_bytes = Printf.sprintf "it is larger than %d MiB" (max_bytes / Memory.mib)
 
+(* Devices and pipes do not tell their size, so the size is counted while reading. *)
 let slurp ~max_bytes file =
   let b = Buffer.create 65536 in
   let chunk = Bytes.create 65536 in
