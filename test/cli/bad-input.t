@@ -36,6 +36,13 @@ Files.
   $ scc check /dev/zero
   /dev/zero: error[SC0101]: cannot read: it is larger than 64 MiB
   [3]
+  $ scc view cube.sc --trace /dev/zero
+  /dev/zero: error[SC0101]: cannot read: it is larger than 64 MiB
+    hint: `scc trace --states=ends` writes no states between the first and the last one: such a trace is small
+  [3]
+  $ scc view cube.sc --trace missing.jsonl
+  missing.jsonl: error[SC0101]: cannot read: No such file or directory
+  [3]
   $ touch unreadable; mkdir folder
   $ scc check cube.sc --witness unreadable
   unreadable: error[SC0103]: cannot make the folder: it is a file

@@ -87,6 +87,17 @@ def groups(n):
     return f"{CUBE}{pairs}{seen}check c : possibly x(r) > 1\n"
 
 
+def crowd(n):
+    """n bodies that walk at random, of which each draws at each step."""
+    return f'''timestep 1 steady
+{CUBE}for i in 1..{n} {{ process p[i] = C mass 1 at translate (0, 3*i, 0) [nil] }}
+motion p = choose {{ (1,0,0), (-1,0,0) }}
+check c : always count(q in p : x(q) > 9) = 0
+'''
+
+
+TRACE = 'run.jsonl'  # where it is among the arguments, a trace of four steps of the crowd is written there before
+
 # What is run on a model of a size: name, N, arguments, the model.
 CASES = [
     ('zones possibly', 50, DEEP, lambda n: bouncing(f'possibly (time > {3 * n} and x(p) < 3)')),
@@ -113,6 +124,7 @@ CASES = [
     ('prefixes trace', 200, ['trace', '-o', os.devnull], prefixes),
     ('prefixes explore', 200, ['explore', '--format', 'json', '-o', os.devnull], prefixes),
     ('prefixes view', 200, ['view', '--data', '-o', os.devnull], prefixes),
+    ('crowd view', 110, ['view', '--data', '-o', os.devnull, '--trace', TRACE], crowd),
     ('prefixes fmt', 500, ['fmt'], prefixes),
     ('prefixes xml', 500, ['translate', '-o', os.devnull, '--to', 'xml'], prefixes),
 ]
@@ -127,7 +139,10 @@ def words(effort, arguments, text, folder, codes):
     path = os.path.join(folder, 'model.sc')
     with open(path, 'w') as out:
         out.write(text)
-    done = subprocess.run([effort] + arguments + [path], capture_output=True, timeout=300)
+    if TRACE in arguments:
+        trace = [effort, 'trace', '--time', '4', '--choose', 'random:1', '--states', 'ends', '-o', TRACE, path]
+        subprocess.run(trace, capture_output=True, timeout=300, cwd=folder)
+    done = subprocess.run([effort] + arguments + [path], capture_output=True, timeout=300, cwd=folder)
     told = re.search(rb'^(\d+) words$', done.stderr, re.M)
     if done.returncode not in codes or not told:
         return None, f'exit code {done.returncode}: {(done.stderr + done.stdout).decode(errors="replace")[:300]}'

@@ -40,7 +40,8 @@ let way t =
 
 let start semantics declared = Result.map (resume semantics) (Network.initial semantics declared)
 
-let inertial m = Model.straight m && Event_run.can_run m
+let eventwise = Event_run.can_run
+let inertial m = Model.straight m && eventwise m
 
 let seen s (t : Transition.t) =
   let rounded = Totals.added (Semantics.model s.semantics) t in

@@ -62,6 +62,10 @@ val part : t -> int list -> State.t
 (** [part t leaves] is {!state} without the processes that have none of these leaves. From event to event, its time
     does not depend on the size of the network. *)
 
+val eventwise : Model.t -> bool
+(** [eventwise m] is true if [m] runs from event to event. Its runs have {!changes}, unless laws turn out to have
+    no value. Between two movement steps the changes are few; at a movement step all bodies may change. *)
+
 val inertial : Model.t -> bool
 (** [inertial m] is true if [m] runs from event to event and has no laws of motion. Its runs have {!changes}, which
     are few in each step. *)

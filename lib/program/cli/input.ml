@@ -3,6 +3,8 @@ open Scc_system
 
 let max_bytes = 64 * Memory.mib
 
+let too_large max_bytes = Printf.sprintf "it is larger than %d MiB" (max_bytes / Memory.mib)
+
 (* Devices and pipes do not tell their size, so the size is counted while reading. *)
 let slurp ~max_bytes file =
   let b = Buffer.create 65536 in
@@ -12,9 +14,7 @@ let slurp ~max_bytes file =
     | 0 -> Ok (Buffer.contents b)
     | n ->
       Buffer.add_subbytes b chunk 0 n;
-      if Buffer.length b > max_bytes then
-        Error (Printf.sprintf "it is larger than %d MiB" (max_bytes / Memory.mib))
-      else more ()
+      if Buffer.length b > max_bytes then Error (too_large max_bytes) else more ()
   in
   more ()
 
@@ -46,17 +46,19 @@ let bytes ?(max_bytes = max_bytes) path =
 
 let standard_input = "<standard input>"
 
-let cannot_read name reason =
-  Diag.error Code.cannot_read (Span.of_file name) "cannot read: %s" reason
+let cannot_read ?hint name reason =
+  Diag.error ?hint Code.cannot_read (Span.of_file name) "cannot read: %s" reason
 
-let read ?max_bytes path =
+let read ?(max_bytes = max_bytes) ?smaller path =
   let name = if String.equal path "-" then standard_input else path in
-  match bytes ?max_bytes path with
+  match bytes ~max_bytes path with
   | Ok text -> Ok (Source.make ~name text)
-  | Error reason -> Error (cannot_read name reason)
+  | Error reason ->
+    let hint = if String.equal reason (too_large max_bytes) then smaller else None in
+    Error (cannot_read ?hint name reason)
 
-let text console path =
-  let* source = Result.listed (read path) in
+let text ?smaller console path =
+  let* source = Result.listed (read ?smaller path) in
   Console.add_source console source;
   Ok source
 

@@ -3,14 +3,14 @@
 open Scc_base
 open Scc_exact
 
-val read : ?max_bytes:int -> string -> (Source.t, Diag.t) result
+val read : ?max_bytes:int -> ?smaller:string -> string -> (Source.t, Diag.t) result
 (** The content of a file; ["-"] is standard input. A file that cannot be read, or has more than [max_bytes]
-    (default: 64 MiB), is SC0101. *)
+    (default: 64 MiB), is SC0101. Of one that has more, [smaller] is the hint how to make it smaller. *)
 
 val standard_input : string
 (** The name of standard input in diagnostics. *)
 
-val cannot_read : string -> string -> Diag.t
+val cannot_read : ?hint:string -> string -> string -> Diag.t
 (** [cannot_read name reason] is the error SC0101. *)
 
 val beside : Scc_mesh.Beside.reader
@@ -19,7 +19,7 @@ val beside : Scc_mesh.Beside.reader
 val mesh_reader : Console.t -> string -> Scc_loading.Loaded.reader
 (** [mesh_reader c model path] reads a mesh that a model names, relative to the folder of the model. *)
 
-val text : Console.t -> string -> (Source.t, Diag.t list) result
+val text : ?smaller:string -> Console.t -> string -> (Source.t, Diag.t list) result
 (** Reads a file as {!read} does, and adds its text to the console. *)
 
 val warned : Console.t -> string -> (Source.t, Diag.t list) result

@@ -3,7 +3,10 @@ open Scc_loading
 open Scc_runs
 
 let read console path =
-  let* source = Input.text console path in
+  let smaller =
+    "`scc trace --states=ends` writes no states between the first and the last one: such a trace is small"
+  in
+  let* source = Input.text ~smaller console path in
   Result.listed (Schedule.read source)
 
 let parameters (s : Schedule.t) (given : Options.definitions) =

@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
@@ -6,7 +5,7 @@ open Scc_property
 open Scc_runs
 
 let large = 100
-let is_for (m : Model.t) = Array.length m.leaves > large && Scc_engine.Run.inertial m
+let is_for (m : Model.t) = Array.length m.leaves > large && Scc_engine.Run.eventwise m
 
 (* A process as it was at a time, since when it has only moved on. *)
 type moving = { process : State.process; since : Rat.t }
@@ -20,37 +19,65 @@ type t = {
   mutable now : Rat.t;
   mutable told : Runs.taken list;
   mutable rest : Rat.t;
+  mutable told_values : Curve_json.t list option;  (** of this instant, while no body changes *)
 }
+
+let model t = Semantics.model (States.semantics t.world)
+let first (p : State.process) = p.leaves.(0).leaf
+let present t h = Turn.pass (model t) (Rat.sub t.now h.since) h.process
+let state_of processes = State.make ~processes ~step:None ~time:None
+
+(* All processes as they are now. *)
+let whole t =
+  let begins leaf h = if first h.process = leaf then Some (present t h) else None in
+  let at leaf h = Option.bind h (begins leaf) in
+  state_of (List.filter_map Fun.id (Array.to_list (Array.mapi at t.homes)))
 
 (* {1 Plots}
 
-   Of numbers about a few processes, which are all that is looked at. *)
+   Of numbers about a few processes, these are all that is looked at. A number about all of them is computed where
+   bodies draw, as most steps are draws there, which change nothing. *)
 
-let leaves_of num =
+type scope = Of of int list | Of_all | Unknown
+
+let scope t num =
   let compared : Property.temporal = State (Compare (Le, num, Const Rat.zero)) in
-  if Formula.global compared || Formula.mentions_time compared then None else Some (Formula.leaves compared)
+  if Formula.mentions_time compared then Unknown
+  else if not (Formula.global compared) then Of (Formula.leaves compared)
+  else if Scc_engine.Run.inertial (model t) then Unknown
+  else Of_all
 
 let none why = Curve_json.Whole (None_as why)
 
-let value t extent num =
-  match leaves_of num with
-  | None -> none "it takes all bodies of a large network, and is not computed"
-  | Some leaves when List.exists (fun leaf -> Option.is_none t.homes.(leaf)) leaves -> none "a body is gone"
-  | Some leaves ->
-    let m = Semantics.model (States.semantics t.world) in
-    let present h = Turn.pass m (Rat.sub t.now h.since) h.process in
-    let first (p : State.process) = p.leaves.(0).leaf in
+let value t all extent num =
+  let value state = Curves.value (States.semantics t.world) state extent num in
+  match scope t num with
+  | Unknown -> none "it takes all bodies of a large network, and is not computed"
+  | Of leaves when List.exists (fun leaf -> Option.is_none t.homes.(leaf)) leaves -> none "a body is gone"
+  | Of leaves ->
     let add kept p = if List.exists (fun q -> first q = first p) kept then kept else p :: kept in
-    let processes = List.filter_map (fun leaf -> Option.map present t.homes.(leaf)) leaves in
-    let state = State.make ~processes:(List.fold_left add [] processes) ~step:None ~time:None in
-    Curves.value (States.semantics t.world) state extent num
+    let processes = List.filter_map (fun leaf -> Option.map (present t) t.homes.(leaf)) leaves in
+    value (state_of (List.fold_left add [] processes))
+  | Of_all -> value (Lazy.force all)
+
+let values t extent =
+  let all = lazy (whole t) in
+  List.map (value t all extent) (States.plots t.world)
+
+let values_now t =
+  match t.told_values with
+  | Some values -> values
+  | None ->
+    let values = values t Instant in
+    t.told_values <- Some values;
+    values
 
 (* For what comes after it, which has taken so long. *)
 let tell_values t d =
-  let extent = if Rat.sign d > 0 then Scc_ctl.Timeline.Lasts d else Instant in
   match States.plots t.world with
   | [] -> ()
-  | plots -> States.set_values t.world t.last (List.map (value t extent) plots)
+  | _ :: _ ->
+    States.set_values t.world t.last (if Rat.sign d > 0 then values t (Lasts d) else values_now t)
 
 (* {1 Steps} *)
 
@@ -74,23 +101,28 @@ let start world ~state_after (initial : State.t) =
       now = Rat.zero;
       told = [];
       rest = Rat.zero;
+      told_values = None;
     }
   in
   Array.iter (enter t Rat.zero) initial.processes;
   t
 
+(* Where laws have no value, a run goes on state by state. *)
+let compared t d state =
+  let gone, come = States.changes (model t) d (whole t) state in
+  { Scc_engine.Event_run.gone; come }
+
 let step t (event : Replay.event) =
   match event with
   | Start _ | End _ -> ()
   | Instant { offset; _ } -> t.rest <- offset
-  | Step { number; index; among; taken; changes; _ } ->
-    let { Scc_engine.Event_run.gone; come } =
-      match changes () with
-      | Some c -> c
-      | None -> Bug.fail __POS__ "a run that does not tell who has changed"
-    in
+  | Step { number; index; among; taken; changes; state; _ } ->
     let d = Transition.duration_of taken.label in
+    let { Scc_engine.Event_run.gone; come } =
+      match changes () with Some c -> c | None -> compared t d (state ())
+    in
     tell_values t d;
+    if Rat.sign d > 0 || gone <> [] || come <> [] then t.told_values <- None;
     t.now <- Rat.add t.now d;
     List.iter (leave t) gone;
     List.iter (enter t t.now) come;

@@ -33,6 +33,10 @@ val after : world -> int * State.t -> Rat.t -> State.t -> int
 (** [after w (before, state) d next] is the number of the state [next], which [state] with the number [before]
     reaches in the time [d]. It is added if it is not known. *)
 
+val changes : Model.t -> Rat.t -> State.t -> State.t -> int list * State.process list
+(** [changes m d before after] is what {!changed} takes, if [before] becomes [after] in the time [d]: the first
+    leaves of the processes that are gone, and the processes that have come. *)
+
 val changed : world -> int -> Rat.t -> gone:int list -> come:State.process list -> State.t Lazy.t -> int
 (** [changed w before d ~gone ~come state] is the number of a new state, by its changes since the state [before]
     in the time [d]. It is not entered for {!known}. *)

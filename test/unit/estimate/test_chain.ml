@@ -54,7 +54,8 @@ let properties =
       map3 (text "P = ? [ %s U%s %s ]") state (oneof [ interval; return "" ]) state;
       map (text "P = ? [ eventually %s ]") state;
       map (text "E = ? [ time U %s ]") state; map2 (text "E = ? [ %s U %s ]") event state;
-      map2 (text "E = ? [ %s at %s ]") (oneofl [ "bonds()"; "processes"; "x(c[2]) * y(c[2])"; "distance2(c[1], d[3])" ])
+      map2 (text "E = ? [ %s at %s ]")
+        (oneofl [ "bonds()"; "processes"; "x(c[2]) * y(c[2])"; "distance2(c[1], d[3])" ])
         (half 0 9);
     ]
 
@@ -82,9 +83,11 @@ let run plan k = Sample.run plan ~seed:5L ~interrupted:(fun () -> false) k
 let known = Hashtbl.create 16
 
 let same_answers =
-  QCheck2.Test.make ~name:"answers are those of runs of which nothing is forgotten" ~count:100 ~print:Fun.id properties
+  QCheck2.Test.make ~name:"answers are those of runs of which nothing is forgotten" ~count:100 ~print:Fun.id
+    properties
     (fun property ->
-       let alone = plan crowd [ property ] ~steps:400 and beside = plan crowd [ property; never_known ] ~steps:400 in
+       let alone = plan crowd [ property ] ~steps:400 in
+       let beside = plan crowd [ property; never_known ] ~steps:400 in
        List.for_all
          (fun k ->
             let found = outcome (List.hd (run alone k).outcomes) in
