@@ -20,6 +20,9 @@ let probability m b = m.probability.(b)
 let reward m c = m.reward.(c)
 let near m = m.near
 
+let with_numbers m ~probability ~reward =
+  { m with probability; reward; near = Array.map Rat.to_float probability }
+
 let leads_into m c set =
   let last = first_branch m (c + 1) in
   let rec go b = b < last && (Bits.mem set (target m b) || go (b + 1)) in

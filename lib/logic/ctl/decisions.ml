@@ -178,5 +178,14 @@ let until built =
     ~stay:(fun s -> not (Int.equal s fail))
     ~goal:(Int.equal goal)
 
+let noting_unknown (graph : Timed_graph.t) =
+  let met = ref false in
+  let known s =
+    let known = graph.known s in
+    if not known then met := true;
+    known
+  in
+  ({ graph with known }, fun () -> !met)
+
 let direction (side : Timed_formula.side) : Equations.direction =
   match side with Least -> Min | Greatest -> Max

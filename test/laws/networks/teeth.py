@@ -71,7 +71,7 @@ MISTAKES = {
         "splits.ml", "i > least && open_yet i", "i > least && (ignore open_yet; true)",
     ),
     "certain chances are too much": (
-        "splits.ml", "Rat.compare (total side.drawn) Rat.one > 0", "Rat.compare (total side.drawn) Rat.one >= 0",
+        "splits.ml", "Rat.compare (n.value q) Rat.one > 0", "Rat.compare (n.value q) Rat.one >= 0",
     ),
     "both let go as often as the rarer one": ("splits.ml", "(s @ t, Rat.mul q r)", "(s @ t, Rat.min q r)"),
     "lots wait a whole step": ("lots.ml", "Some (Rat.sub (step m) since)", "(ignore since; Some (step m))"),
