@@ -9,8 +9,8 @@ let rec power p a n =
     let half = power p (a * a mod p) (n / 2) in
     if n land 1 = 1 then half * a mod p else half
 
-(* Miller and Rabin's test. To these bases it errs for no number below 3 215 031 751 (Pomerance, Selfridge and Wagstaff,
-   "The pseudoprimes to 25 10^9", 1980). *)
+(* Miller and Rabin's test. To these bases it errs for no number below 3 215 031 751 (Pomerance, Selfridge and
+   Wagstaff, "The pseudoprimes to 25 10^9", 1980). *)
 let is_prime n =
   let rec odd d s = if d land 1 = 1 then (d, s) else odd (d / 2) (s + 1) in
   let passes a =

@@ -19,5 +19,5 @@ val coprime : Z.t array -> Z.t array -> bool
 val fraction : int -> at:int array -> values:int array -> (t * t) option
 (** [fraction p ~at ~values] is polynomials n and d without a common root such that n(x) = y d(x) and d(x) <> 0
     modulo [p] for each point x of [at], which differ, and its value y. The leading coefficient of d is 1. Their
-    degrees have a sum of at most the number of points minus 3. [None] if there is no such pair; if there are several,
-    it is the first one of Euclid's scheme. *)
+    degrees have a sum of at most the number of points minus 3. [None] if there is no such pair; if there are
+    several, it is the first one of Euclid's scheme. *)

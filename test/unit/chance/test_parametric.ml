@@ -20,7 +20,10 @@ let deceptive =
 (* Positive between 0 and 1. *)
 let weights =
   Rational_function.
-    [| k; rest; one; constant (whole 2); mul k k; add k one; mul k rest; deceptive; sub one deceptive; div one (add one k) |]
+    [|
+      k; rest; one; constant (whole 2); mul k k; add k one; mul k rest; deceptive; sub one deceptive;
+      div one (add one k);
+    |]
 
 type parametric = { case : case; weighed : (int * (int * Rational_function.t) list) list array }
 
@@ -143,7 +146,8 @@ let ruin () =
   in
   (* State 0 is asked for: it is exchanged with i. *)
   let swap s = if s = 0 then i else if s = i then 0 else s in
-  let states = Array.init (n + 1) (fun s -> List.map (fun (r, l) -> (r, List.map (fun (t, f) -> (swap t, f)) l)) (state (swap s))) in
+  let swapped (r, l) = (r, List.map (fun (t, f) -> (swap t, f)) l) in
+  let states = Array.init (n + 1) (fun s -> List.map swapped (state (swap s))) in
   let p = of_weights states (Array.init (n + 1) (fun s -> swap s = n)) in
   let sum m =
     List.fold_left Rational_function.add Rational_function.zero
