@@ -74,7 +74,7 @@ val probability_function : sensitivity -> int -> Property.side -> Scc_ctl.Sensit
 val mean_function : sensitivity -> int -> Property.side -> Property.mean -> Scc_ctl.Sensitivity.result
 (** [mean_function s i side mean] is {!mean} as a function of the parameter. *)
 
-val where : sensitivity -> int -> (Scc_chance.Dependence.set, string) result
+val where : sensitivity -> int -> (Scc_chance.Dependence.set, Scc_ctl.Sensitivity.reason) result
 (** [where s i] is the values of the parameter for which the formula with this index holds. *)
 
 (** {1 Predicates} *)

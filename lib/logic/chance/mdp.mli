@@ -51,6 +51,9 @@ val with_numbers : t -> probability:Rat.t array -> reward:Rat.t array -> t
 (** [with_numbers m ~probability ~reward] has the graph of [m], other probabilities of its branches, and other
     rewards of its choices. These are as in any MDP, which is not checked. *)
 
+val equal : t -> t -> bool
+(** [equal a b] is true if both have the same states and choices, with equal probabilities and rewards. *)
+
 (** {1 Building} *)
 
 (** An error in the states and choices given to a builder. *)

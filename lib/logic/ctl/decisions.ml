@@ -178,14 +178,16 @@ let until built =
     ~stay:(fun s -> not (Int.equal s fail))
     ~goal:(Int.equal goal)
 
-let noting_unknown (graph : Timed_graph.t) =
-  let met = ref false in
-  let known s =
-    let known = graph.known s in
-    if not known then met := true;
-    known
+let same_process a b =
+  let same_place n =
+    let p = Growable.get a.places n and q = Growable.get b.places n in
+    Int.equal p.node q.node && Option.equal Rat.equal p.elapsed q.elapsed
   in
-  ({ graph with known }, fun () -> !met)
+  let rec all n test = n = 0 || (test (n - 1) && all (n - 1) test) in
+  List.equal Int.equal a.asked b.asked
+  && Growable.length a.places = Growable.length b.places
+  && all (Growable.length a.places) same_place
+  && Mdp.equal a.mdp b.mdp
 
 let direction (side : Timed_formula.side) : Equations.direction =
   match side with Least -> Min | Greatest -> Max

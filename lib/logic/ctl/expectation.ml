@@ -163,21 +163,22 @@ exception Not_exact
 
 let process_until e side ~earns g =
   let value = Eval.value e g and still = Eval.value e (Eval.still e g) in
-  let unknown = "not all of what it depends on is known" in
-  let graph, met_unknown = noting_unknown (Eval.graph e) in
-  if not (value.lower == value.upper) then Error unknown
-  else
-    let q = { graph; side; bound = all_time; f = still.upper; g = value.lower; generous = false } in
+  let question generous f g =
+    let q = { graph = Eval.graph e; side; bound = all_time; f; g; generous } in
     let w = window q in
     let earning p branch =
       let { low; high } = earns p branch in
       if Rat.equal low high then { branch with reward = low } else raise Not_exact
     in
     let choices p = List.map (List.map (earning p)) (choices q w p) in
-    match build ~choices [ next q w (place w 0 Rat.zero) ] with
-    | _ when met_unknown () -> Error unknown
-    | built -> Ok { choices; built; added = Rat.zero }
-    | exception Not_exact -> Error "a time on the way is no rational number"
+    (choices, build ~choices [ next q w (place w 0 Rat.zero) ])
+  in
+  (* As for bounds: more states at which it is over make it less. *)
+  match (question true still.upper value.upper, question false still.lower value.lower) with
+  | (choices, built), (_, otherwise) ->
+    if same_process built otherwise then Ok { choices; built; added = Rat.zero }
+    else Error "not all of what it depends on is known"
+  | exception Not_exact -> Error "a time on the way is no rational number"
 
 (* All of what it may come to is looked at once, to see what the least number is. *)
 let process_at e number time =

@@ -3,7 +3,8 @@ open Scc_chance
 open Decisions
 
 type parameter = { low : Rat.t; high : Rat.t; drawn : int -> Rational_function.t option array option }
-type result = (Parametric.piece list, string) Stdlib.result
+type reason = Interrupted | Unknown of string
+type result = (Parametric.piece list, reason) Stdlib.result
 
 (* {1 The process with functions} *)
 
@@ -50,12 +51,13 @@ let with_functions k built ~choices ~low ~high =
       ~probability:(Scc_data.Growable.get probabilities)
       ~reward:(Scc_data.Growable.get rewards) ~low ~high
 
-let words (why : Parametric.given_up) =
+let reason (why : Parametric.given_up) =
   match why with
-  | Solver Too_long -> "the numbers of its values become too long"
-  | Solver Too_much -> "computing its values takes too many steps"
-  | Solver Interrupted | Interrupted -> "there was too little time for its function"
-  | Too_many n -> Printf.sprintf "its function may have so high a degree that %d values would be needed" n
+  | Solver Too_long -> Unknown "the numbers of its values become too long"
+  | Solver Too_much -> Unknown "computing its values takes too many steps"
+  | Solver Interrupted | Interrupted -> Interrupted
+  | Too_many n ->
+    Unknown (Printf.sprintf "its function may have so high a degree that %d values would be needed" n)
 
 let solve e k built ~choices problem =
   let until = until built in
@@ -64,7 +66,7 @@ let solve e k built ~choices problem =
   | [ start ] -> (
       match Parametric.solve p (problem until) (Eval.effort e) ~asked:start with
       | Ok pieces -> Ok pieces
-      | Error why -> Error (words why))
+      | Error why -> Error (reason why))
   | _ -> Scc_base.Bug.fail __POS__ "a value from one place"
 
 let map f (pieces : Parametric.piece list) =
@@ -75,7 +77,7 @@ let map f (pieces : Parametric.piece list) =
 
 (* {1 Values} *)
 
-let unknown = "not all of what it depends on is known"
+let unknown = Unknown "not all of what it depends on is known"
 
 let probability e k side f =
   match Eval.as_until e f with
@@ -83,24 +85,26 @@ let probability e k side f =
   | Some (u, flipped) ->
     let side = if flipped then Timed_formula.other_side side else side in
     let left = Eval.value e u.left and right = Eval.value e u.right in
-    if not (left.lower == left.upper && right.lower == right.upper) then Error unknown
-    else
-      let graph, met_unknown = Decisions.noting_unknown (Eval.graph e) in
-      let q = { graph; side; bound = u.bound; f = left.lower; g = right.lower; generous = false } in
+    let question generous (f, g) =
+      let q = { graph = Eval.graph e; side; bound = u.bound; f; g; generous } in
       let w = window q in
       let choices = choices q w in
-      let built = build ~choices [ next q w (place w 0 Rat.zero) ] in
+      (choices, build ~choices [ next q w (place w 0 Rat.zero) ])
+    in
+    let choices, built = question false (left.lower, right.lower) in
+    let _, otherwise = question true (left.upper, right.upper) in
+    (* What is not known does not matter if it makes no difference. *)
+    if not (same_process built otherwise) then Error unknown
+    else
       let problem until = Reach.problem until (direction side) in
-      if met_unknown () then Error unknown
-      else
-        let complement = map (fun g -> Rational_function.(sub one g)) in
-        Result.map
-          (fun pieces -> if flipped then complement pieces else pieces)
-          (solve e k built ~choices problem)
+      let complement = map (fun g -> Rational_function.(sub one g)) in
+      Result.map
+        (fun pieces -> if flipped then complement pieces else pieces)
+        (solve e k built ~choices problem)
 
 let mean e k side what =
   match Expectation.process e side what with
-  | Error why -> Error why
+  | Error why -> Error (Unknown why)
   | Ok { choices; built; added } ->
     let problem until = Reward.problem until (direction side) in
     Result.map
@@ -125,7 +129,7 @@ let rec where e k ~probability (f : Timed_formula.t) =
   | Or fs -> all e k ~probability ( || ) false fs
   | Until (Chance c, _, g, h) when not (has_chance g || has_chance h) -> test k ~probability c f
   | (Finally (Chance c, _, g) | Globally (Chance c, _, g)) when not (has_chance g) -> test k ~probability c f
-  | _ when has_chance f -> Error "a probability within another operator may hold for some values alone"
+  | _ when has_chance f -> Error (Unknown "a probability within another operator may hold for some values alone")
   | _ -> (
       match Eval.truth e f (Positions.start 0) with
       | Some truth -> Ok (Dependence.everywhere truth)

@@ -12,7 +12,10 @@ type parameter = {
   (** as {!Timed_graph.t.drawn}, whose numbers are the values of these functions at one point of the range *)
 }
 
-type result = (Parametric.piece list, string) Stdlib.result
+(** The reason why a function is not known. *)
+type reason = Interrupted | Unknown of string
+
+type result = (Parametric.piece list, reason) Stdlib.result
 (** The pieces of a value, or the reason why it is not known. *)
 
 val probability : Eval.t -> parameter -> Timed_formula.side -> Timed_formula.t -> result
@@ -24,7 +27,7 @@ val mean : Eval.t -> parameter -> Timed_formula.side -> Expectation.what -> resu
 
 val where :
   Eval.t -> parameter -> probability:(Timed_formula.side -> Timed_formula.t -> result) -> Timed_formula.t ->
-  (Dependence.set, string) Stdlib.result
+  (Dependence.set, reason) Stdlib.result
 (** [where e k ~probability f] is the values of the parameter for which [f] holds at node 0. Tests of
     probabilities may be combined by "not", "and" and "or"; within other operators they are a reason for an error.
     [probability] is {!val-probability} of [e] and [k], or what was kept of it. *)

@@ -233,7 +233,8 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   List.iter (Console.fault console) (Check.faults report);
   let verdicts, answers = split_at (List.length l.checks) report.outcomes in
   Input.report console l
-    (report.stats.faults @ report.stats.dead_ends @ Vacuity.warnings report ~verdicts ~answers);
+    (Parametric_option.at_value l (report.stats.faults @ report.stats.dead_ends)
+     @ Vacuity.warnings report ~verdicts ~answers);
   let code = write_outputs console extras path l report verdicts ~view expanded in
   let shown = if extras.where then report.where else [] in
   let extra = { covered; measured = (if extras.stats then Some measured else None) } in

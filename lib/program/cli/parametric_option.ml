@@ -30,6 +30,16 @@ let fitting (l : Loaded.t) =
       refuse "with `--parametric` bonds are released at the instants of a grid" "give a `split_step`"
   | _ -> Ok ()
 
+let at_value (l : Loaded.t) diagnostics =
+  match l.parameter with
+  | None -> diagnostics
+  | Some { parameter; value; _ } ->
+    let said (d : Diag.t) =
+      let value = Scc_exact.Rat.to_string value in
+      { d with message = Printf.sprintf "%s, for %s = %s" d.message parameter.name value }
+    in
+    List.map said diagnostics
+
 let rec explored_at ~load attempt (l : Loaded.t) explore =
   match explore l with
   | result -> Result.map (fun r -> (l, r)) result

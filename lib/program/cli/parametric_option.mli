@@ -14,6 +14,10 @@ val reductions : Reduction.kind list -> Reduction.kind list
 val fitting : Loaded.t -> (unit, Diag.t list) result
 (** SC0901 if other parameters of the model have ranges, or instants are left open. *)
 
+val at_value : Loaded.t -> Diag.t list -> Diag.t list
+(** [at_value l diagnostics] is the diagnostics of an exploration of [l], with the value of the parameter at which
+    they came up. *)
+
 val explored :
   load:(attempt:int -> (Loaded.t, Diag.t list) result) -> Loaded.t ->
   (Loaded.t -> ('a, Diag.t list) result) ->

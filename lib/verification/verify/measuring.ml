@@ -85,7 +85,10 @@ let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
 let function_of (r : Unsettled.t) find : ('a, Verdict.reason list) result =
   match Unsettled.evaluated r find with
   | Error why -> Error why
-  | Ok (Error why) -> Error [ Verdict.Undefined why ]
+  | Ok (Error (Scc_ctl.Sensitivity.Unknown why)) -> Error [ Verdict.Undefined why ]
+  | Ok (Error Interrupted) ->
+    let by stop = Verdict.Unevaluated (Bounds.stopped r.bounds stop) in
+    Error [ Option.fold ~none:(Verdict.Undefined "there was too little time") ~some:by (r.surroundings.stop ()) ]
   | Ok (Ok found) -> Ok found
 
 (* A shape that takes too long is left out. *)
