@@ -134,15 +134,14 @@ let counted t p =
     let n = Scc_evaluate.Counted.by semantics ~source (Catalogue.label_of catalogue e.label) p in
     (n.least, n.most)
 
-let mean ?bound t i side (mean : Property.mean) =
-  let what : Expectation.what =
-    match (mean, t.asked.formulas.(i)) with
-    | Time_until _, Finally (_, _, g) -> Time_until g
-    | Events_until (p, _), Until (_, _, _, g) -> Counts_until (counted t p, g)
-    | Value_at (n, time), _ -> Value_at (number t n, time)
-    | (Time_until _ | Events_until _), _ -> Scc_base.Bug.fail __POS__ "a mean with another formula"
-  in
-  Expectation.find ?bound t.eval side what
+let what t i (mean : Property.mean) : Expectation.what =
+  match (mean, t.asked.formulas.(i)) with
+  | Time_until _, Finally (_, _, g) -> Time_until g
+  | Events_until (p, _), Until (_, _, _, g) -> Counts_until (counted t p, g)
+  | Value_at (n, time), _ -> Value_at (number t n, time)
+  | (Time_until _ | Events_until _), _ -> Scc_base.Bug.fail __POS__ "a mean with another formula"
+
+let mean ?bound t i side mean = Expectation.find ?bound t.eval side (what t i mean)
 
 (* Of the operators with a probability that its truth in the initial state depends on at once. *)
 let probabilities t i =
@@ -168,6 +167,42 @@ let doubts_of_mean t i =
 let possible_doubts t i = Scc_ctl.Doubts.possible t.eval t.asked.formulas.(i) origin
 let doubts t i = Scc_ctl.Doubts.find t.eval t.asked.formulas.(i) origin
 let predicate t i = t.asked.props.(i)
+
+type sensitivity = {
+  temporal : t;
+  parameter : Sensitivity.parameter;
+  mutable known : ((Property.side * Timed_formula.t) * Sensitivity.result) list;
+  (** the functions of probabilities found so far: several checks may be about one *)
+}
+
+let sensitivity t range =
+  let parameter = Edge_functions.make t.asked.context range ~tuple:(Graph.tuple t.graph) (Eval.graph t.eval) in
+  { temporal = t; parameter; known = [] }
+
+(* Whatever the test of a probability is, its function is the same. *)
+let untested : Timed_formula.t -> Timed_formula.t = function
+  | Finally (_, b, f) -> Finally (All, b, f)
+  | Globally (_, b, f) -> Globally (All, b, f)
+  | Until (_, b, f, g) -> Until (All, b, f, g)
+  | f -> f
+
+let probability_of s side formula =
+  let formula = untested formula in
+  let same ((other, f), _) = other = side && Timed_formula.compare f formula = 0 in
+  match List.find_opt same s.known with
+  | Some (_, found) -> found
+  | None ->
+    let found = Sensitivity.probability s.temporal.eval s.parameter side formula in
+    s.known <- ((side, formula), found) :: s.known;
+    found
+
+let probability_function s i side = probability_of s side s.temporal.asked.formulas.(i)
+
+let mean_function { temporal = t; parameter; _ } i side mean =
+  Sensitivity.mean t.eval parameter side (what t i mean)
+
+let where ({ temporal = t; parameter; _ } as s) i =
+  Sensitivity.where t.eval parameter ~probability:(probability_of s) t.asked.formulas.(i)
 
 let choice t (s : Scc_ctl.Run.step) : Graph.step =
   let edges = Graph.edges t.graph s.source in

@@ -59,6 +59,26 @@ val possible_doubts : t -> int -> Scc_ctl.Doubts.t
 val doubts_of_mean : t -> int -> Scc_ctl.Doubts.t
 (** The unexplored nodes and undefined predicates that keep the mean of a check from being known. *)
 
+(** {1 As functions of a parameter} *)
+
+type sensitivity
+(** A graph with its probabilities as functions of a parameter (rule Parametric). *)
+
+val sensitivity : t -> Scc_calculus.Ranges.range -> sensitivity
+(** [sensitivity t range] is the graph of [t], which has no joint draws, for the values within the range. May raise
+    {!Edge_functions.Ambiguous} or {!Edge_functions.Refused}. *)
+
+val probability_function : sensitivity -> int -> Property.side -> Scc_ctl.Sensitivity.result
+(** [probability_function s i side] is {!probability} as a function of the parameter. *)
+
+val mean_function : sensitivity -> int -> Property.side -> Property.mean -> Scc_ctl.Sensitivity.result
+(** [mean_function s i side mean] is {!mean} as a function of the parameter. *)
+
+val where : sensitivity -> int -> (Scc_chance.Dependence.set, Scc_ctl.Sensitivity.reason) result
+(** [where s i] is the values of the parameter for which the formula with this index holds. *)
+
+(** {1 Predicates} *)
+
 val predicate : t -> int -> Property.prop
 (** The state predicate with this number in skeletons, explanations and doubts. *)
 

@@ -26,6 +26,8 @@ let kind : Verdict.t -> string = function
   | Holds _ -> "holds-up-to-bound"
   | Violated _ -> "violated"
   | Measured _ -> "measured"
+  | Depends d -> (
+      match Verdict.everywhere d with None -> "measured" | Some true -> "holds" | Some false -> "violated")
   | Undecided _ -> "undecided"
 
 let kind_format = word Fun.id [ "holds"; "holds-up-to-bound"; "violated"; "measured"; "undecided" ]
@@ -183,7 +185,7 @@ let starts j =
   in
   match j.outcome.verdict with
   | Measured { starts = _ :: _ as starts; _ } -> Some (List.map of_side starts)
-  | Measured _ | Holds _ | Violated _ | Undecided _ -> None
+  | Measured _ | Depends _ | Holds _ | Violated _ | Undecided _ -> None
 
 let curve_point =
   let moment (p : Verdict.point) = p.moment in
@@ -198,27 +200,27 @@ let curve_point =
 let curve (v : Verdict.t) =
   match v with
   | Measured { curve = _ :: _ as curve; _ } -> Some curve
-  | Measured _ | Holds _ | Violated _ | Undecided _ -> None
+  | Measured _ | Depends _ | Holds _ | Violated _ | Undecided _ -> None
 
 let bounds (v : Verdict.t) =
-  match v with Holds { bounds; _ } -> bounds | Violated _ | Measured _ | Undecided _ -> []
+  match v with Holds { bounds; _ } -> bounds | Violated _ | Measured _ | Depends _ | Undecided _ -> []
 
 let reasons (v : Verdict.t) =
-  match v with Measured { reasons; _ } | Undecided reasons -> reasons | Holds _ | Violated _ -> []
+  match v with Measured { reasons; _ } | Undecided reasons -> reasons | Holds _ | Violated _ | Depends _ -> []
 
 let run (v : Verdict.t) =
   match v with
   | Holds { witness; _ } | Violated { witness } | Measured { witness; _ } -> witness
-  | Undecided _ -> None
+  | Undecided _ | Depends _ -> None
 
 let some = function [] -> None | _ :: _ as items -> Some items
 
 (* What is undecided rests on no step. *)
 let split_step (o : Verdict.outcome) =
-  match o.verdict with Undecided _ -> None | Holds _ | Violated _ | Measured _ -> o.scale.split_step
+  match o.verdict with Undecided _ -> None | Holds _ | Violated _ | Measured _ | Depends _ -> o.scale.split_step
 
 let values (v : Verdict.t) =
-  match v with Measured { values; _ } -> Some values | Holds _ | Violated _ | Undecided _ -> None
+  match v with Measured { values; _ } -> Some values | Holds _ | Violated _ | Depends _ | Undecided _ -> None
 
 let property_members =
   let of_outcome part = within (fun j -> j.outcome) part in
@@ -243,6 +245,13 @@ let property_members =
              ~about:
                "The answer to `= ?`: over the choices of all schedulers, what is the least and the greatest. \
                 Where low and high are one, that is the number; else it is proved to be between them.";
+           maybe "dependence" Dependence_json.format (fun (o : Verdict.outcome) ->
+               match o.verdict with
+               | Depends d -> Some d
+               | Holds _ | Violated _ | Measured _ | Undecided _ -> None)
+             ~about:
+               "With --parametric: how a number, or the truth of a claim, depends on the parameter. The claim \
+                holds if it does for all values.";
            maybe "curve" (list ~least:1 curve_point) (fun (o : Verdict.outcome) -> curve o.verdict)
              ~about:
                "With --curve: the answer for all ends T of the bound of time up to the given one. Each row counts \
@@ -274,7 +283,9 @@ let property_members =
         "Of a probability that is asked for all starts: how it depends on them. The scheduler sees the start. \
          Then low and high of `values` bound it for all of them.";
     maybe "where" Where_json.format (fun j ->
-        match j.outcome.verdict with Measured _ -> None | Holds _ | Violated _ | Undecided _ -> j.holds_where)
+        match j.outcome.verdict with
+        | Measured _ | Depends _ -> None
+        | Holds _ | Violated _ | Undecided _ -> j.holds_where)
       ~about:"With --where: for which values of the parameters it holds.";
   ]
 
@@ -289,12 +300,16 @@ let by_verdict : (string * Json.t) list * (Json.t -> string option) =
     let otherwise = match otherwise with None -> [] | Some members -> [ ("else", `Assoc members) ] in
     `Assoc ([ ("if", is verdict); ("then", `Assoc members) ] @ otherwise)
   in
+  let required name : Json.t = `Assoc [ ("required", `List [ `String name ]) ] in
   let rules =
     [
       rule "holds" [ properties [ items "bounds" "maxItems" 0; items "reasons" "maxItems" 0 ] ];
       rule "holds-up-to-bound" [ properties [ items "bounds" "minItems" 1; items "reasons" "maxItems" 0 ] ];
       rule "measured" ~otherwise:[ properties [ none "values" ] ]
-        [ properties [ items "bounds" "maxItems" 0; none "rests_on" ]; ("required", `List [ `String "values" ]) ];
+        [
+          properties [ items "bounds" "maxItems" 0; none "rests_on" ];
+          ("anyOf", `List [ required "values"; required "dependence" ]);
+        ];
       rule "undecided" [ properties [ items "reasons" "minItems" 1; none "split_step"; none "rests_on" ] ];
     ]
   in
@@ -305,7 +320,7 @@ let by_verdict : (string * Json.t) list * (Json.t -> string option) =
       match Option.bind (Json.member "verdict" json) Json.string with
       | Some "holds" -> (not (some "bounds")) && (not (some "reasons")) && not (has "values")
       | Some "holds-up-to-bound" -> some "bounds" && (not (some "reasons")) && not (has "values")
-      | Some "measured" -> (not (some "bounds")) && (not (has "rests_on")) && has "values"
+      | Some "measured" -> (not (some "bounds")) && (not (has "rests_on")) && (has "values" || has "dependence")
       | Some "undecided" ->
         some "reasons" && not (has "split_step" || has "rests_on" || has "values")
       | _ -> not (has "values")

@@ -106,7 +106,7 @@ let property ~source m ({ check; verdict = v; scale; _ } as o : Verdict.outcome)
   | Holds _ -> None
   | Violated { witness } ->
     Some (result ~source ~id:violated ~level:"error" ~text:(said violated) ~more:(run witness) check.span)
-  | Measured { reasons = []; _ } -> None
+  | Depends _ | Measured { reasons = []; _ } -> None
   | Measured { reasons; _ } | Undecided reasons ->
     let text = said undecided ^ " (" ^ String.concat "; " (List.map Verdict.reason_to_string reasons) ^ ")" in
     let more = run (List.find_map witness_of_reason reasons) in

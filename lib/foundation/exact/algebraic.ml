@@ -123,10 +123,10 @@ let rec shown chain a k =
   let low = Rat.div (Rat.make n Z.one) unit and high = Rat.div (Rat.make (Z.succ n) Z.one) unit in
   if Polynomial.count chain low high = 1 then (low, high) else shown chain a (k + 1)
 
-let to_string a =
+let to_string ?variable a =
   match a with
   | Rational r -> Rat.to_string r
   | Irrational { polynomial; _ } ->
     let low, high = shown (Polynomial.sturm polynomial) a 1 in
     Printf.sprintf "root of %s in (%s, %s), about %s"
-      (Polynomial.to_string polynomial) (Rat.to_string low) (Rat.to_string high) (to_decimal a)
+      (Polynomial.to_string ?variable polynomial) (Rat.to_string low) (Rat.to_string high) (to_decimal a)

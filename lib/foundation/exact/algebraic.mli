@@ -49,5 +49,6 @@ val to_decimal : ?digits:int -> t -> string
 (** [to_decimal ~digits a] is the nearest decimal fraction with [digits] places after the point, 6 by default, in
     the form of {!Decimal.padded}. *)
 
-val to_string : t -> string
-(** [to_string a] is ["5/4"], or e.g. ["root of 2t^2 - 3 in (6/5, 13/10), about 1.224745"]. *)
+val to_string : ?variable:string -> t -> string
+(** [to_string ~variable a] is ["5/4"], or e.g. ["root of 2t^2 - 3 in (6/5, 13/10), about 1.224745"]; the variable
+    is ["t"] by default. *)

@@ -78,7 +78,15 @@ let primitive p =
 let positive p = if is_zero p || Rat.sign (leading p) > 0 then p else neg p
 
 let rec euclid a b = if is_zero b then a else euclid b (primitive (snd (divide a b)))
-let gcd a b = positive (primitive (euclid (primitive a) (primitive b)))
+
+(* Euclid's scheme over the integers takes long where there is nothing to find, which one prime shows. *)
+let long = 8
+
+let gcd a b =
+  let a = primitive a and b = primitive b in
+  let integers = Array.map (fun (c : Rat.t) -> c.num) in
+  if degree a >= long && degree b >= long && Modular.coprime (integers a) (integers b) then one
+  else positive (primitive (euclid a b))
 
 let square_free p =
   let p = primitive p in

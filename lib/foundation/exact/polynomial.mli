@@ -56,6 +56,9 @@ val sign_at : t -> Rat.t -> int
 val equal : t -> t -> bool
 (** [equal p q] is true if all coefficients are equal. *)
 
+val derivative : t -> t
+(** [derivative p] is the derivative of [p]. *)
+
 val divide : t -> t -> t * t
 (** [divide a b] is [(q, r)] with a = q b + r and degree r < degree b. [b] is not zero (a bug otherwise). *)
 

@@ -5,6 +5,7 @@ type comparison = Lt | Le | Gt | Ge | Eq | Ne
 
 type expr =
   | Const of Rat.t
+  | Open of Open_number.t
   | Var of variable
   | Neg of expr
   | Add of expr * expr
@@ -48,6 +49,7 @@ let both_known f a b = if Rat.bits a + Rat.bits b > longest then Error Too_long 
 
 let rec eval env = function
   | Const k -> Ok k
+  | Open n -> Ok n.value
   | Var v -> Ok (env v)
   | Neg a -> Result.map Rat.neg (eval env a)
   | Add (a, b) -> both env Rat.add a b
@@ -84,8 +86,48 @@ and holds env = function
     let* a = holds env a in
     if a then Ok true else holds env b
 
+let rec form ~divisor env e =
+  let both f a b =
+    let* a = form ~divisor env a in
+    Result.map (f a) (form ~divisor env b)
+  in
+  match e with
+  | Open n -> Ok n.form
+  | Const _ | Var _ | Round _ -> Result.map Rational_function.constant (eval env e)
+  | Neg a -> Result.map Rational_function.neg (form ~divisor env a)
+  | Add (a, b) -> both Rational_function.add a b
+  | Sub (a, b) -> both Rational_function.sub a b
+  | Mul (a, b) -> both Rational_function.mul a b
+  | Div (a, b) ->
+    let* a = form ~divisor env a in
+    let* b = form ~divisor env b in
+    if divisor b then Ok (Rational_function.div a b) else Error Division_by_zero
+  | If (c, a, b) ->
+    let* c = holds env c in
+    form ~divisor env (if c then a else b)
+
+let rec is_open = function
+  | Open _ -> true
+  | Const _ | Var _ -> false
+  | Neg a -> is_open a
+  | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) | Round (a, b) -> is_open a || is_open b
+  | If (c, a, b) -> is_open_cond c || is_open a || is_open b
+
+and is_open_cond = function
+  | Bool _ -> false
+  | Compare (_, a, b) -> is_open a || is_open b
+  | And (a, b) | Or (a, b) -> is_open_cond a || is_open_cond b
+  | Not c -> is_open_cond c
+
+let rec misused = function
+  | Open _ | Const _ | Var _ -> false
+  | Neg a -> misused a
+  | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) -> misused a || misused b
+  | Round (a, b) -> is_open a || is_open b
+  | If (c, a, b) -> is_open_cond c || misused a || misused b
+
 let rec expr_mentions test = function
-  | Const _ -> false
+  | Const _ | Open _ -> false
   | Var v -> test v
   | Neg a -> expr_mentions test a
   | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) | Round (a, b) ->
@@ -138,6 +180,7 @@ let mentions_position =
 let rec equal_expr a b =
   match (a, b) with
   | Const x, Const y -> Rat.equal x y
+  | Open m, Open n -> Rational_function.equal m.form n.form
   | Var v, Var w -> v = w
   | Neg a, Neg b -> equal_expr a b
   | Add (a, b), Add (c, d)
@@ -146,7 +189,7 @@ let rec equal_expr a b =
   | Div (a, b), Div (c, d)
   | Round (a, b), Round (c, d) -> equal_expr a c && equal_expr b d
   | If (c, a, b), If (d, x, y) -> equal_cond c d && equal_expr a x && equal_expr b y
-  | (Const _ | Var _ | Neg _ | Add _ | Sub _ | Mul _ | Div _ | Round _ | If _), _ -> false
+  | (Const _ | Open _ | Var _ | Neg _ | Add _ | Sub _ | Mul _ | Div _ | Round _ | If _), _ -> false
 
 and equal_cond a b =
   match (a, b) with

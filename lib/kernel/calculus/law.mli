@@ -11,6 +11,7 @@ type comparison = Lt | Le | Gt | Ge | Eq | Ne
 
 type expr =
   | Const of Rat.t
+  | Open of Open_number.t  (** what depends on a parameter: a weight alone *)
   | Var of variable
   | Neg of expr
   | Add of expr * expr
@@ -68,6 +69,15 @@ val compare_rationals : comparison -> Rat.t -> Rat.t -> bool
 val eval : (variable -> Rat.t) -> expr -> (Rat.t, fault) result
 (** [eval env e] is the exact value of [e], where [env] gives the values of its variables; or the first fault of
     its evaluation. [If], [And] and [Or] evaluate only what their value depends on. *)
+
+val form :
+  divisor:(Rational_function.t -> bool) -> (variable -> Rat.t) -> expr -> (Rational_function.t, fault) result
+(** [form ~divisor env e] is the function of the parameter whose value {!eval} gives. It is [Division_by_zero] if
+    a divisor does not pass the test [divisor]. What is rounded, and what conditions compare, does not depend on
+    the parameter ({!misused}). *)
+
+val misused : expr -> bool
+(** [misused e] is true if a number that depends on a parameter is rounded or compared in [e]. *)
 
 val equal : t -> t -> bool
 (** [equal a b] is true if [a] and [b] are the same term; laws that differ in form but not in value are not

@@ -1,18 +1,23 @@
 open Scc_exact
 
-type t = Chance of Rat.t | Rate of { rate : Rat.t; alone : Rat.t }
+type t = Chance of Rat.t | Open_chance of Open_number.t | Rate of { rate : Rat.t; alone : Rat.t }
 
 let compare a b =
   match (a, b) with
   | Chance p, Chance q -> Rat.compare p q
+  | Open_chance m, Open_chance n -> Rational_function.compare m.form n.form
   | Rate r, Rate s -> Rat.compare r.rate s.rate
-  | Chance _, Rate _ -> -1
-  | Rate _, Chance _ -> 1
+  | Chance _, (Open_chance _ | Rate _) | Open_chance _, Rate _ -> -1
+  | (Open_chance _ | Rate _), Chance _ | Rate _, Open_chance _ -> 1
 
-let hash = function Chance q -> Rat.hash q | Rate { rate; _ } -> 1 + Rat.hash rate
+let hash = function
+  | Chance q -> Rat.hash q
+  | Open_chance n -> Rational_function.hash n.form
+  | Rate { rate; _ } -> 1 + Rat.hash rate
 
 let to_string = function
   | Chance q -> "chance " ^ Rat.to_string q
+  | Open_chance n -> "chance " ^ Rational_function.to_string ~variable:n.parameter.name n.form
   | Rate { rate; _ } -> "rate " ^ Rat.to_string rate
 
 let greatest = 1000
@@ -64,7 +69,7 @@ let within ~step rate =
   if Rat.sign x = 0 then Rat.zero else simplest 128 x
 
 let shares ~step odds =
-  let rates = List.filter_map (function Rate { rate; _ } -> Some rate | Chance _ -> None) odds in
+  let rates = List.filter_map (function Rate { rate; _ } -> Some rate | Chance _ | Open_chance _ -> None) odds in
   let all = List.fold_left Rat.add Rat.zero rates in
   let share rate alone =
     match rates with [ _ ] -> alone | _ -> Rat.mul (within ~step all) (Rat.div rate all)
@@ -72,5 +77,12 @@ let shares ~step odds =
   List.map
     (function
       | Chance q -> q
+      | Open_chance n -> n.value
       | Rate { rate; alone } -> if Rat.sign rate = 0 then Rat.zero else share rate alone)
     odds
+
+let forms ~step odds =
+  let form odds share =
+    match odds with Open_chance n -> n.Open_number.form | Chance _ | Rate _ -> Rational_function.constant share
+  in
+  List.map2 form odds (shares ~step odds)

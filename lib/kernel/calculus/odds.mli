@@ -4,13 +4,14 @@ open Scc_exact
 
 type t =
   | Chance of Rat.t  (** the probability at each split instant, from 0 to 1 *)
+  | Open_chance of Open_number.t  (** a chance that depends on a parameter *)
   | Rate of { rate : Rat.t; alone : Rat.t }
   (** [rate]: how often per unit of time, 0 or more; [alone]: the probability within a split step, if nothing
       competes with it *)
 
 val compare : t -> t -> int
-(** A total order: chances before rates, each by their numbers. The field [alone] follows from the rate and the
-    split step, and is not compared. *)
+(** A total order: chances before those that depend on a parameter, and these before rates, each by their numbers.
+    The field [alone] follows from the rate and the split step, and is not compared. *)
 
 val hash : t -> int
 (** A hash that agrees with {!compare}. *)
@@ -31,3 +32,6 @@ val shares : step:Rat.t -> t list -> Rat.t list
 (** [shares ~step odds] is the probability of each of [odds] within a step where all of them compete. A chance
     keeps its probability. Several rates have together the probability of one rate that is their sum, divided
     among them in proportion to the rates. The sum of all shares may exceed 1. *)
+
+val forms : step:Rat.t -> t list -> Rational_function.t list
+(** [forms ~step odds] is the functions of the parameter whose values {!shares} gives. *)

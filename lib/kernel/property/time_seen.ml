@@ -60,6 +60,7 @@ let checks m list = join_all (check m) list
 (* Of a number only matters where the time is in it: whatever else a law looks at is something that changes. *)
 let rec of_expr : Law.expr -> num = function
   | Const b -> Const b
+  | Open n -> Const n.value
   | Var Time -> Quantity Time
   | Var (X | Y | Z | Vx | Vy | Vz | Wx | Wy | Wz | Mass | Dt) -> Quantity Energy
   | Neg a -> Neg (of_expr a)

@@ -2,7 +2,7 @@ open Scc_base
 open Scc_exact
 open Scc_calculus
 
-type side = { finish : State.finish; drawn : (Behaviour.t * Rat.t) list }
+type 'c side = { finish : State.finish; drawn : (Behaviour.t * 'c) list }
 
 let step (m : Model.t) =
   match m.splits with
@@ -10,30 +10,30 @@ let step (m : Model.t) =
   | Any_time -> Bug.fail __POS__ "chances without split instants"
 
 (* Each summand once, with all of its chance. *)
-let add (summand, q) =
-  let joined (other, r) = if Behaviour.equal summand other then Some (other, Rat.add q r) else None in
+let add (n : _ Chances.t) (summand, q) =
+  let joined (other, r) = if Behaviour.equal summand other then Some (other, n.add q r) else None in
   Scc_data.Lists.put joined (summand, q)
 
 (* What never happens is not offered. *)
-let side m p name (finish : State.finish) =
+let side (n : _ Chances.t) m p name (finish : State.finish) =
   let offers = Process.releases m p name finish in
   let by_chance (r : Process.released) = Option.map (fun odds -> (r.how.summand, odds)) r.odds in
   let free = List.exists (fun (r : Process.released) -> Option.is_none r.odds) offers in
   let left_to_chance = List.filter_map by_chance offers in
-  let shares = Odds.shares ~step:(step m) (List.map snd left_to_chance) in
-  let drawn = List.fold_left2 (fun all (summand, _) q -> add (summand, q) all) [] left_to_chance shares in
-  match List.filter (fun (_, q) -> Rat.sign q > 0) drawn with
+  let shares = n.shares ~step:(step m) (List.map snd left_to_chance) in
+  let drawn = List.fold_left2 (fun all (summand, _) q -> add n (summand, q) all) [] left_to_chance shares in
+  match List.filter (fun (_, q) -> Rat.sign (n.value q) > 0) drawn with
   | [] when not free -> None
   | drawn -> Some { finish; drawn }
 
-let sides (m : Model.t) p (b : State.bond) =
+let sides n (m : Model.t) p (b : State.bond) =
   if not m.lots then None
   else
-    match (side m p b.name b.one, side m p b.name b.two) with
+    match (side n m p b.name b.one, side n m p b.name b.two) with
     | Some { drawn = []; _ }, Some { drawn = []; _ } | None, _ | _, None -> None
     | Some one, Some two -> Some (one, two)
 
-let has_lot m p b = Option.is_some (sides m p b)
+let has_lot m p b = Option.is_some (sides Chances.rationals m p b)
 
 let wait m (p : State.process) =
   match p.lots with

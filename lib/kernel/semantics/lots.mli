@@ -3,15 +3,15 @@
 open Scc_exact
 open Scc_calculus
 
-(** One end of a bond that lots are drawn for. *)
-type side = {
+(** One end of a bond that lots are drawn for, with probabilities as numbers of {!Chances}. *)
+type 'c side = {
   finish : State.finish;
-  drawn : (Behaviour.t * Rat.t) list;
+  drawn : (Behaviour.t * 'c) list;
   (** its summands that release the bond by chance, each with its probability, more than 0; if there are none, the
       end chooses freely among its other summands *)
 }
 
-val sides : Model.t -> State.process -> State.bond -> (side * side) option
+val sides : 'c Chances.t -> Model.t -> State.process -> State.bond -> ('c side * 'c side) option
 (** The ends of a bond, the lesser one first, if lots are drawn for it. That is so if both ends would release it,
     and at least one of them by chance. *)
 

@@ -116,28 +116,38 @@ let decided (p : State.process) (b : State.bond) decision chance become =
     come = [ State.with_lots (Option.map after p.lots) p ];
   }
 
-let total drawn = List.fold_left (fun sum (_, q) -> Rat.add sum q) Rat.zero drawn
+let total (n : _ Chances.t) = function
+  | [] -> None
+  | (_, q) :: rest -> Some (List.fold_left (fun sum (_, q) -> n.add sum q) q rest)
 
 (* Each of the two ends draws by itself, if it has a chance; where both let go, the bond is to be released. *)
-let draw m p b =
-  let choices (side : Lots.side) =
+let decisions (n : _ Chances.t) m p b =
+  let choices (side : _ Lots.side) =
     match side.drawn with
-    | [] -> [ ([], Rat.one) ]
+    | [] -> [ ([], n.one) ]
     | drawn -> List.map (fun (summand, q) -> ([ (side.finish.at, summand) ], q)) drawn
   in
-  match Lots.sides m p b with
+  match Lots.sides n m p b with
   | None -> Bug.fail __POS__ "lots are pending for what has no chance"
   | Some (one, two) -> (
-      let too_much (side : Lots.side) = Rat.compare (total side.drawn) Rat.one > 0 in
+      let is_more q = Rat.compare (n.value q) Rat.one > 0 in
+      let too_much (side : _ Lots.side) = Option.fold ~none:false ~some:is_more (total n side.drawn) in
       match List.find_opt too_much [ one; two ] with
       | Some side -> Error (Transition.Bad_chance side.finish)
       | None ->
-        let both (s, q) = List.map (fun (t, r) -> (s @ t, Rat.mul q r)) (choices two) in
+        let both (s, q) = List.map (fun (t, r) -> (s @ t, n.mul q r)) (choices two) in
         let ways = List.concat_map both (choices one) in
-        let let_go (drawn, q) = decided p b Let_go q (fun _ -> Some (State.Let_go drawn)) in
-        let rest = Rat.sub Rat.one (total ways) in
-        let kept = if Rat.sign rest > 0 then [ decided p b Kept rest (fun _ -> None) ] else [] in
+        let let_go (drawn, q) = (Some drawn, q) in
+        let rest = Option.fold ~none:n.one ~some:(n.sub n.one) (total n ways) in
+        let kept = if Rat.sign (n.value rest) > 0 then [ (None, rest) ] else [] in
         Ok (List.map let_go ways @ kept))
+
+let draw m p b =
+  let outcome = function
+    | Some drawn, q -> decided p b Let_go q (fun _ -> Some (State.Let_go drawn))
+    | None, q -> decided p b Kept q (fun _ -> None)
+  in
+  Result.map (List.map outcome) (decisions Chances.rationals m p b)
 
 let first p bonds =
   let chance = Rat.div Rat.one (Rat.of_int (List.length bonds)) in

@@ -12,6 +12,12 @@ val lots : Semantics.t -> Lots.due -> (Transition.outcome list, Transition.fault
     once all is decided, the ways to release the bonds. Nothing else may happen meanwhile. Chances of one end
     that sum to more than 1 are a fault. *)
 
+val decisions :
+  'c Chances.t -> Model.t -> State.process -> State.bond ->
+  ((State.drawn option * 'c) list, Transition.fault) result
+(** [decisions n m p b] is what may come of drawing for a bond with a lot: what its ends have drawn, or [None] if
+    it is kept, with the probabilities in the numbers [n]. *)
+
 val strong : Semantics.t -> State.process -> Transition.outcome list
 (** Rule StrongSplit: every reaction of a connected set of bonds (reading I-7). Each is urgent. *)
 

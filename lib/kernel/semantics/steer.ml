@@ -7,7 +7,7 @@ let rules = [ Rule.Steer ]
 (* {1 What laws give} *)
 
 (* Each motion once, in order, with all of its chance. *)
-let distinct = Scc_data.Lists.merged Given.compare Rat.add
+let distinct (n : _ Chances.t) = Scc_data.Lists.merged Given.compare n.add
 
 (* How a leaf moves before its law is asked. *)
 type present = { velocity : Vec.t; spin : Vec.t }
@@ -40,34 +40,37 @@ let motion env (m : Law.motion) =
   | Some spin -> Result.map (fun spin -> { Given.velocity; spin = Some spin }) (vector env spin)
 
 (* Motions of no weight are not asked for. *)
-let shares env kicks =
+let shares (n : _ Chances.t) env kicks =
   let share (k : Law.kick) =
-    let* weight = Law.eval env k.weight in
-    match Rat.sign weight with
+    let* weight = n.weight env k.weight in
+    match Rat.sign (n.value weight) with
     | 0 -> Ok []
     | s when s < 0 -> Error Law.Negative_weight
     | _ -> Result.map (fun given -> [ (given, weight) ]) (motion env k.motion)
   in
   let* shares = Result.map List.concat (Result.all share kicks) in
-  let total = List.fold_left (fun sum (_, w) -> Rat.add sum w) Rat.zero shares in
-  if Rat.sign total = 0 then Error Law.No_weight
-  else Ok (distinct (List.map (fun (given, w) -> (given, Rat.div w total)) shares))
+  match shares with
+  | [] -> Error Law.No_weight
+  | (_, w) :: rest ->
+    let total = List.fold_left (fun sum (_, w) -> n.add sum w) w rest in
+    Ok (distinct n (List.map (fun (given, w) -> (given, n.div w total)) shares))
 
 (* A motion without a spin leaves it as it is, and is one with that spin if the law has others with spins. *)
-let with_spins law now shares =
+let with_spins n law now shares =
   let keeps ((g : Given.t), _) = Option.is_none g.spin in
   if not (Law.gives_spin law && List.exists keeps shares) then shares
   else
     let spun ((g : Given.t), chance) = ({ g with spin = Some (Option.value g.spin ~default:now.spin) }, chance) in
-    distinct (List.map spun shares)
+    distinct n (List.map spun shares)
 
 (* The motions that a leaf's law may ask for, with their chances. *)
-let of_leaf (c : Kinematics.setting) ~time ~dt (l : State.leaf) now =
+let of_leaf (n : _ Chances.t) (c : Kinematics.setting) ~time ~dt (l : State.leaf) now =
   let env () = environment c.model ~time ~dt l (State.centroid c.model l) now in
   match c.model.leaves.(l.leaf).law with
-  | Inertial -> Ok [ ({ Given.velocity = now.velocity; spin = None }, Rat.one) ]
-  | Gives m -> Result.map (fun given -> [ (given, Rat.one) ]) (motion (env ()) m)
-  | Choose kicks as law -> Result.map (with_spins law now) (c.laws l.leaf law (fun () -> shares (env ()) kicks))
+  | Inertial -> Ok [ ({ Given.velocity = now.velocity; spin = None }, n.one) ]
+  | Gives m -> Result.map (fun given -> [ (given, n.one) ]) (motion (env ()) m)
+  | Choose kicks as law ->
+    Result.map (with_spins n law now) (n.laws c l.leaf law (fun () -> shares n (env ()) kicks))
 
 (* {2 Of a whole} *)
 
@@ -76,12 +79,12 @@ let plus (a : Given.t) (b : Given.t) =
   { Given.velocity = Vec.add a.velocity b.velocity; spin }
 
 (* Of two that are independent of each other. *)
-let sums some others =
+let sums (n : _ Chances.t) some others =
   if List.compare_lengths some [] > 0 && List.length some * List.length others > Law.most_outcomes then
     Error Law.Too_many
   else
-    let added (v, c) = List.rev_map (fun (w, d) -> (plus v w, Rat.mul c d)) others in
-    Ok (distinct (List.concat_map added some))
+    let added (v, c) = List.rev_map (fun (w, d) -> (plus v w, n.mul c d)) others in
+    Ok (distinct n (List.concat_map added some))
 
 (* What becomes of a motion by a change with a weight. *)
 let changed by { velocity; spin } (change : Given.t) =
@@ -93,31 +96,31 @@ let change_from now mass (g : Given.t) =
   { Given.velocity = change now.velocity g.velocity; spin = Option.map (change now.spin) g.spin }
 
 (* The whole takes the mean of the changes of its leaves, weighted by mass. *)
-let of_whole (c : Kinematics.setting) ~time ~dt (p : State.process) =
+let of_whole (n : _ Chances.t) (c : Kinematics.setting) ~time ~dt (p : State.process) =
   let add sum (l : State.leaf) =
     let* sum, total = sum in
     let mass = c.model.leaves.(l.leaf).mass in
     let of_leaf =
       let now = { velocity = Turn.velocity_at c.model p (State.centroid c.model l); spin = p.spin } in
-      let* motions = of_leaf c ~time ~dt:(dt l) l now in
-      sums sum (List.map (fun (given, chance) -> (change_from now mass given, chance)) motions)
+      let* motions = of_leaf n c ~time ~dt:(dt l) l now in
+      sums n sum (List.map (fun (given, chance) -> (change_from now mass given, chance)) motions)
     in
     let* sum = Result.map_error (fun fault -> Transition.Bad_law { leaf = l.leaf; fault }) of_leaf in
     Ok (sum, Rat.add total mass)
   in
   let none = { Given.velocity = Vec.zero; spin = None } in
-  let* sums, total = Array.fold_left add (Ok ([ (none, Rat.one) ], Rat.zero)) p.leaves in
+  let* sums, total = Array.fold_left add (Ok ([ (none, n.one) ], Rat.zero)) p.leaves in
   let mean = Rat.div Rat.one total and now = { velocity = p.velocity; spin = p.spin } in
   Ok (List.map (fun (sum, chance) -> (changed mean now sum, chance)) sums)
 
 (* A leaf alone turns about its own centroid, and the mean over it is itself. *)
-let motions c ~time ~dt (p : State.process) =
+let motions n c ~time ~dt (p : State.process) =
   match p.leaves with
   | [| l |] ->
     Result.map_error
       (fun fault -> Transition.Bad_law { leaf = l.leaf; fault })
-      (of_leaf c ~time ~dt:(dt l) l { velocity = p.velocity; spin = p.spin })
-  | _ -> of_whole c ~time ~dt p
+      (of_leaf n c ~time ~dt:(dt l) l { velocity = p.velocity; spin = p.spin })
+  | _ -> of_whole n c ~time ~dt p
 
 (* {1 Whose laws are asked, and when} *)
 
@@ -151,7 +154,7 @@ let ask (c : Semantics.t) ~which (s : State.t) =
     if not (steers m p && which i) then Ok p
     else
       let p = K.renewed c.setting p in
-      let* motions = motions c.setting ~time:(time s) ~dt:(dt m s) p in
+      let* motions = motions Chances.rationals c.setting ~time:(time s) ~dt:(dt m s) p in
       let next = if Process.draws m p then State.Waits else Drawn (fst (List.hd motions)) in
       Ok (State.with_draw (Some next) p)
   in
@@ -214,8 +217,10 @@ let next_to_draw c (s : State.t) =
 let drawers c (s : State.t) =
   Process.by_place (Semantics.model c) (List.filter waits (Array.to_list s.processes))
 
-let chances (c : Semantics.t) (s : State.t) p =
-  motions c.setting ~time:(time s) ~dt:(dt c.setting.model s) p
+let chances_in n (c : Semantics.t) (s : State.t) p =
+  motions n c.setting ~time:(time s) ~dt:(dt c.setting.model s) p
+
+let chances c s p = chances_in Chances.rationals c s p
 
 let draw_label (p : State.process) (given, chance) =
   Transition.Draw { first = p.leaves.(0).leaf; given; chance }

@@ -47,6 +47,10 @@ val chances : Semantics.t -> State.t -> State.process -> ((Given.t * Rat.t) list
 (** The motions that a waiting process may draw, each once and in order, with their probabilities. These are
     positive and sum to 1. They do not depend on what other processes have drawn. *)
 
+val chances_in :
+  'c Chances.t -> Semantics.t -> State.t -> State.process -> ((Given.t * 'c) list, Transition.fault) result
+(** [chances_in n c s p] is {!chances} in other numbers. *)
+
 val draw_label : State.process -> Given.t * Rat.t -> Transition.label
 (** [draw_label p (given, chance)] is the label of the transition in which [p] draws the motion [given]. *)
 

@@ -34,6 +34,9 @@ module type S = sig
   val affine : context -> Span.t -> Form.t -> num option
   (** What depends on parameters of which ranges are known; [None] when it was reported. *)
 
+  val open_number : context -> Span.t -> Open_number.t -> num option
+  (** What is a function of the one parameter that is asked about; [None] when it was reported. *)
+
   val bool : bool -> cond
   val truth : cond -> bool option
   val compare : Law.comparison -> num -> num -> cond

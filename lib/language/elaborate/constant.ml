@@ -20,60 +20,107 @@ let of_state =
     "vx"; "vy"; "vz"; "wx"; "wy"; "wz"; "x"; "y"; "z";
   ]
 
-type cond = Known of bool | Depends of Form.t
+(* Affine in parameters with ranges, or a function of the one that is asked about. *)
+type num = Form of Form.t | Open of Open_number.t
+type cond = Known of bool | Depends of num
+
+(* Both as functions. The range is that of whichever has one. *)
+let open_both f g a b =
+  let function_of = function
+    | Open n -> Some (n.Open_number.value, n.form)
+    | Form form -> Option.map (fun q -> (q, Rational_function.constant q)) (Form.constant form)
+  in
+  match ((a, b), function_of a, function_of b) with
+  | (Open { parameter; _ }, _ | Form _, Open { parameter; _ }), Some (x, p), Some (y, q) ->
+    Open { parameter; value = f x y; form = g p q }
+  | _ -> Bug.fail __POS__ "two parameters of different kinds in one number"
 
 module Algebra = struct
   type context = { report : Report.t; budget : Typed.budget; why : string option }
-  type num = Form.t
+  type nonrec num = num
   type nonrec cond = cond
 
   let report c = c.report
   let budget c = c.budget
-  let const = Form.const
-  let constant = Form.constant
-  let neg = Form.neg
-  let add = Form.add
-  let sub = Form.sub
+  let const q = Form (Form.const q)
+  let constant = function Form form -> Form.constant form | Open _ -> None
+
+  let neg = function
+    | Form form -> Form (Form.neg form)
+    | Open n -> Open { n with value = Rat.neg n.value; form = Rational_function.neg n.form }
+
+  let lift linear f g a b =
+    match (a, b) with Form a, Form b -> Form (linear a b) | (Open _ | Form _), _ -> open_both f g a b
+
+  let add = lift Form.add Rat.add Rational_function.add
+  let sub = lift Form.sub Rat.sub Rational_function.sub
 
   (* One of them is a constant, as [admits] sees to. *)
-  let mul a b =
+  let linear_mul a b =
     match (Form.constant a, Form.constant b) with
     | Some k, _ -> Form.scale k b
     | None, Some k -> Form.scale k a
     | None, None -> Bug.fail __POS__ "a product that is not linear"
 
-  let div a b =
+  let linear_div a b =
     match Form.constant b with
     | Some k -> Form.scale (Rat.div Rat.one k) a
     | None -> Bug.fail __POS__ "a quotient that is not linear"
 
-  let not_linear c at why form =
-    Not_linear.report c.report ~needed:c.budget.spent_on at ~why form;
+  let mul = lift linear_mul Rat.mul Rational_function.mul
+  let div = lift linear_div Rat.div Rational_function.div
+
+  let not_linear c at why n =
+    (match n with
+     | Form form -> Not_linear.report c.report ~needed:c.budget.spent_on at ~why form
+     | Open n -> Not_linear.refuse c.report ~needed:c.budget.spent_on at ~why n);
     None
 
+  let bits = function Form form -> Form.bits form | Open n -> Rational_function.bits n.form
+
+  (* Zero for no value of the parameter. *)
+  let divides c at (n : Open_number.t) =
+    match Open_number.vanishing n.parameter n.form with
+    | None when Rational_function.(equal n.form zero) ->
+      Report.error c.report Code.division_by_zero at "division by zero";
+      false
+    | None -> true
+    | Some x ->
+      Report.error c.report Code.division_by_zero at "division by zero for %s" (Open_number.at n.parameter x);
+      false
+
   let admits c at (op : Ast.binary) a b =
-    let refuse why form =
-      Not_linear.report c.report at ~why form;
+    let refuse why n =
+      ignore (not_linear c at why n);
       false
     in
-    match (op, Form.constant a, Form.constant b) with
-    | Mul, None, None -> refuse "a product of two that are not known is not linear" (Form.add a b)
-    | Div, _, None -> refuse "a quotient by what is not known is not linear" b
-    | _ when Form.bits a + Form.bits b > Limits.number_bits ->
+    match (op, a, b) with
+    | Mul, Form x, Form y when Option.is_none (Form.constant x) && Option.is_none (Form.constant y) ->
+      refuse "a product of two that are not known is not linear" (Form (Form.add x y))
+    | Div, _, Form y when Option.is_none (Form.constant y) ->
+      refuse "a quotient by what is not known is not linear" b
+    | _, Open n, Form form | _, Form form, Open n when Option.is_none (Form.constant form) ->
+      refuse "another parameter with a range stands beside it" (Open n)
+    | Div, _, Open n when not (divides c at n) -> false
+    | _ when bits a + bits b > Limits.number_bits ->
       Report.error c.report Code.number_too_large at "these numbers are too large (more than %d bits)"
         Limits.number_bits;
       false
     | _ -> true
 
-  let affine c at form = match c.why with None -> Some form | Some why -> not_linear c at why form
+  let affine c at form = match c.why with None -> Some (Form form) | Some why -> not_linear c at why (Form form)
+  let open_number _ _ n = Some (Open n)
   let bool b = Known b
   let truth = function Known b -> Some b | Depends _ -> None
 
   let compare comparison a b =
-    let d = Form.sub a b in
-    match Form.constant d with
-    | Some q -> Known (Law.compare_rationals comparison q Rat.zero)
-    | None -> Depends d
+    match (a, b) with
+    | Form x, Form y -> (
+        let d = Form.sub x y in
+        match Form.constant d with
+        | Some q -> Known (Law.compare_rationals comparison q Rat.zero)
+        | None -> Depends (Form d))
+    | (Open _ as n), _ | _, n -> Depends n
 
   let negate = function Known b -> Known (not b) | Depends _ as c -> c
   let either a b = match a with Depends _ -> a | Known _ -> b
@@ -85,7 +132,7 @@ module Algebra = struct
   let choose c at cond a b =
     match cond with
     | Known t -> Some (if t then a else b)
-    | Depends form -> not_linear c at branches form
+    | Depends n -> not_linear c at branches n
 
   let choose_cond c a b = either c (either a b)
   let nearest c at what x = not_linear c at (Printf.sprintf "`%s` is not linear" what) x
@@ -104,7 +151,7 @@ module Algebra = struct
   let round c eval env (e : Ast.expr) (x : Ast.expr) (quantum : Ast.expr) =
     match (eval env x, eval env quantum) with
     | Some (Typed.Num x), Some (Typed.Num q) -> (
-        match (Form.constant x, Form.constant q) with
+        match (constant x, constant q) with
         | Some x, Some q when Rat.sign q > 0 ->
           if Rat.bits x + Rat.bits q > Limits.number_bits then begin
             Report.error c.report Code.number_too_large e.at "this constant is too large";
@@ -147,7 +194,8 @@ let rec is_constant env (e : Ast.expr) =
   | Path path -> (
       match Env.value env path.it with
       | Some ((Number _ | Truth _ | Vector _), []) | Some (Vector _, [ _ ]) -> true
-      | Some ((Number _ | Truth _ | Vector _ | Affine _ | Word _ | Macro _ | Leaf _ | Unknown), _) | None ->
+      | Some ((Number _ | Truth _ | Vector _ | Affine _ | Open _ | Word _ | Macro _ | Leaf _ | Unknown), _)
+      | None ->
         false)
   | Apply (f, es) when String.equal f.it "round" || List.mem f.it Typed.functions ->
     List.for_all (is_constant env) es
@@ -171,25 +219,33 @@ let is_open env e =
         match Env.value env path.it with
         | Some (Unknown, _) -> true
         | Some (Macro (e, scope), _) -> Limits.exists_in (unknown scope) e
-        | Some ((Number _ | Truth _ | Vector _ | Affine _ | Word _ | Leaf _), _) | None -> false)
+        | Some ((Number _ | Truth _ | Vector _ | Affine _ | Open _ | Word _ | Leaf _), _) | None -> false)
     | _ -> false
   in
   Limits.exists_in (unknown env) e
 
+let refused report (at : Span.t) ~why = function
+  | Form form -> Not_linear.report report at ~why form
+  | Open n -> Not_linear.refuse report at ~why n
+
 let value report env (e : Ast.expr) =
-  let refuse why form =
-    Not_linear.report report e.at ~why form;
+  let refuse why n =
+    refused report e.at ~why n;
     None
   in
   match Eval.eval (context report) env e with
-  | Some (Num form) -> (
+  | Some (Num (Form form)) -> (
       match Form.constant form with Some q -> Some (Env.Number q) | None -> Some (Env.Affine form))
+  | Some (Num (Open n)) -> Some (Env.Open n)
   | Some (Cond (Known b)) -> Some (Env.Truth b)
-  | Some (Cond (Depends form)) -> refuse "whether this is so depends on it" form
-  | Some (Vec (x, y, z)) -> (
+  | Some (Cond (Depends n)) -> refuse "whether this is so depends on it" n
+  | Some (Vec (Form x, Form y, Form z)) -> (
       match Form.fixed (x, y, z) with
       | Some v -> Some (Env.Vector v)
-      | None -> refuse "an argument that depends on it is a number" (Form.add x (Form.add y z)))
+      | None ->
+        refuse "an argument that depends on it is a number" (Form (Form.add x (Form.add y z))))
+  | Some (Vec ((Open _ as n), _, _) | Vec (_, (Open _ as n), _) | Vec (_, _, n)) ->
+    refuse "an argument that depends on it is a number" n
   | None -> None
 
 let known = "a constant is expected"
@@ -197,8 +253,29 @@ let known = "a constant is expected"
 let truth ?(why = known) report env e =
   Option.bind (Eval.cond (context ~why report) env e) (function Known b -> Some b | Depends _ -> None)
 
-let number ?(why = known) report env e = Option.bind (Eval.num (context ~why report) env e) Form.constant
-let form report env e = Eval.num (context report) env e
+(* What is affine, and no function of the parameter that is asked about. *)
+let affine_form report (at : Span.t) ~why = function
+  | Form form -> Some form
+  | Open n ->
+    Not_linear.refuse report at ~why n;
+    None
+
+let in_states = "the states of the model would depend on it"
+
+let number ?(why = known) report env (e : Ast.expr) =
+  let*? n = Eval.num (context ~why report) env e in
+  Option.bind (affine_form report e.at ~why n) Form.constant
+
+let form report env (e : Ast.expr) =
+  Option.bind (Eval.num (context report) env e) (affine_form report e.at ~why:in_states)
+
+type odds = Known of Rat.t | Open of Open_number.t
+
+let odds ~why report env (e : Ast.expr) =
+  match Eval.num (context ~why report) env e with
+  | Some (Open n) -> Some (Open n)
+  | Some (Form form) -> Option.map (fun q -> Known q) (Form.constant form)
+  | None -> None
 
 let positive ?why report env what (e : Ast.expr) =
   match number ?why report env e with
@@ -216,8 +293,13 @@ let integer ?why report env what (e : Ast.expr) =
     None
   | None -> None
 
-let vector ?(why = known) report env e = Option.bind (Eval.vec (context ~why report) env e) Form.fixed
-let place report env e = Eval.vec (context report) env e
+let forms report ?why env (v : Ast.vector) =
+  let form = affine_form report v.at ~why:(Option.value why ~default:in_states) in
+  let*? x, y, z = Eval.vec (context ?why report) env v in
+  match (form x, form y, form z) with Some x, Some y, Some z -> Some (x, y, z) | _ -> None
+
+let vector ?(why = known) report env e = Option.bind (forms report ~why env e) Form.fixed
+let place report env e = forms report env e
 
 let check_determinant report at d =
   match Rat.sign d with

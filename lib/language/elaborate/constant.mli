@@ -32,6 +32,12 @@ val value : Report.t -> Env.t -> Ast.expr -> Env.value option
 val number : ?why:string -> Report.t -> Env.t -> Ast.expr -> Rat.t option
 (** The value of a constant number. *)
 
+(** A number that is known, or that is a function of the parameter of [--parametric]. *)
+type odds = Known of Rat.t | Open of Scc_calculus.Open_number.t
+
+val odds : why:string -> Report.t -> Env.t -> Ast.expr -> odds option
+(** A number of a chance. *)
+
 val form : Report.t -> Env.t -> Ast.expr -> Form.t option
 (** A number that may depend on parameters with known ranges. *)
 

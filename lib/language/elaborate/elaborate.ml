@@ -12,6 +12,7 @@ type t = {
   model : Model.t;
   declared : State.t;
   uncertain : Uncertain.t option;
+  parameter : Open_number.t option;
   checks : Property.check list;
   premises : Property.check list;
   lattices : Lattices.t list;
@@ -118,6 +119,7 @@ let build (c : Context.t) bodies (composition : Composition.t) joints initial wr
     model;
     declared;
     uncertain = Assembly.uncertain bodies composition program.ranges;
+    parameter = Asked.parameter (Overrides.asked program.overrides);
     checks;
     premises;
     lattices = composition.lattices;
@@ -131,7 +133,7 @@ let check_unused_lets formulas (program : Program.t) =
     (fun (_, _, (b : Env.binding)) ->
        match b.value with
        | Macro (e, env) when not b.used -> Formulas.check_let formulas env e
-       | Macro _ | Number _ | Truth _ | Vector _ | Affine _ | Word _ | Leaf _ | Unknown -> ())
+       | Macro _ | Number _ | Truth _ | Vector _ | Affine _ | Open _ | Word _ | Leaf _ | Unknown -> ())
     (List.rev program.values)
 
 (* The checks, with what they rest on. *)
@@ -165,11 +167,11 @@ let read c (program : Program.t) ~whole =
     let later = { program; subjects; ended = c; own; added = []; whole } in
     Some (build c bodies composition joints initial definitions later)
 
-let rec elaborate ~read_file ~overrides ?(narrowed = []) syntax =
+let rec elaborate ~read_file ~overrides ?(narrowed = []) ?parametric syntax =
   let c = Context.create ~read_file in
   Limits.check_depth c.report syntax;
-  let program = if Report.failed c.report then None else Program.read c ~overrides ~narrowed syntax in
-  let whole items = elaborate ~read_file ~overrides ~narrowed (List.append syntax items) in
+  let program = if Report.failed c.report then None else Program.read c ~overrides ~narrowed ?parametric syntax in
+  let whole items = elaborate ~read_file ~overrides ~narrowed ?parametric (List.append syntax items) in
   let result = Option.bind program (read c ~whole) in
   match result with
   | Some t -> Ok t

@@ -17,6 +17,7 @@ type t = {
   (** as declared, before [Scc_semantics] sets clocks and steers. Parameters with ranges have simple numbers
       within them, and behaviours have {!Scc_calculus.Behaviour.Wait} *)
   uncertain : Uncertain.t option;  (** all that depends on the parameters with ranges ([Model.ranges]) *)
+  parameter : Open_number.t option;  (** the parameter of [parametric] *)
   checks : Property.check list;
   premises : Property.check list;
   (** the premises without which checks hold vacuously ({!Premises}), each with the name of its check *)
@@ -32,11 +33,12 @@ val elaborate :
   read_file:(string -> (string, string) result) ->
   overrides:(string * Rat.t) list ->
   ?narrowed:(string * (Ranges.bound * Ranges.bound)) list ->
+  ?parametric:Asked.given ->
   Scc_syntax.Ast.model ->
   (t, Diag.t list) result
 (** Elaborates a model. [read_file] returns the bytes of a mesh by its path as written, or why it cannot be
     read; the caller resolves the path relative to the model. [overrides] are the values of [-D], and [narrowed]
-    the ranges.
+    the ranges. [parametric] is a parameter of weights and chances of which functions are wanted (rule Parametric).
 
     Errors are sorted. As many as make sense are reported at once. *)
 

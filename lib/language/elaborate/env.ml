@@ -8,6 +8,7 @@ type value =
   | Truth of bool
   | Vector of Vec.t
   | Affine of Form.t
+  | Open of Scc_calculus.Open_number.t
   | Word of string * t
   | Macro of Ast.expr * t
   | Leaf of int

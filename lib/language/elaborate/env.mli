@@ -14,6 +14,7 @@ type value =
   | Truth of bool
   | Vector of Vec.t
   | Affine of Form.t  (** depends on parameters with known ranges, and is no constant *)
+  | Open of Scc_calculus.Open_number.t  (** a function of the parameter of [--parametric] *)
   | Word of string * t
   (** the argument of a family that is no value: the name of a channel, a feature or a behaviour, and the scope in
       which it was written *)

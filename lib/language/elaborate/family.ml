@@ -65,6 +65,7 @@ let printed = function
   | Truth b -> string_of_bool b
   | Vector v -> Vec.to_string v
   | Affine form -> Form.to_string form
+  | Open n -> Rational_function.to_string ~variable:n.parameter.name n.form
   | Word (w, env) -> if Env.declares env w then Option.value ~default:w (Env.global env None w) else w
   | Unknown -> "_"
   | Macro _ | Leaf _ -> Bug.fail __POS__ "no argument of a family"
@@ -82,7 +83,7 @@ let argument report env (e : Ast.expr) =
       match Env.find env name.it with
       | None -> Some (Env.Word (name.it, env))
       | Some ((Word _ | Unknown) as w) -> Some w
-      | Some (Number _ | Truth _ | Vector _ | Affine _ | Macro _ | Leaf _) -> of_expr report env e)
+      | Some (Number _ | Truth _ | Vector _ | Affine _ | Open _ | Macro _ | Leaf _) -> of_expr report env e)
   | _ -> of_expr report env e
 
 let index report env e =

@@ -202,6 +202,10 @@ module Algebra = struct
     | [] -> Some (Property.Const Rat.zero)
     | first :: rest -> Some (List.fold_left add first rest)
 
+  let open_number t at n =
+    Not_linear.refuse t.c.report at ~why:"formulas are about the states, which do not depend on it" n;
+    None
+
   let variable = Atoms.variable
   let comparison = Atoms.comparison
   let other = other

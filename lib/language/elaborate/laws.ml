@@ -36,6 +36,7 @@ module Algebra = struct
     | Law.Const q -> Some q
     | _ -> None
 
+  let open_number _ _ n = Some (Law.Open n)
   let neg a = Law.Neg a
   let add a b = Law.Add (a, b)
   let sub a b = Law.Sub (a, b)
@@ -132,13 +133,61 @@ let speaks_of_a_law env e =
        | _ -> false)
     e
 
-let vector c env (v : Ast.expr) =
+(* The first number in a term that depends on a parameter. *)
+let rec open_in : Law.expr -> Open_number.t option = function
+  | Open n -> Some n
+  | Const _ | Var _ -> None
+  | Neg a -> open_in a
+  | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) | Round (a, b) -> either a b
+  | If (c, a, b) -> ( match open_in_cond c with Some n -> Some n | None -> either a b)
+
+and either a b = match open_in a with Some n -> Some n | None -> open_in b
+
+and open_in_cond : Law.cond -> Open_number.t option = function
+  | Bool _ -> None
+  | Compare (_, a, b) -> either a b
+  | And (a, b) | Or (a, b) -> ( match open_in_cond a with Some n -> Some n | None -> open_in_cond b)
+  | Not c -> open_in_cond c
+
+let refused c at ~why e =
+  match open_in e with
+  | None -> false
+  | Some n ->
+    Not_linear.refuse c.Algebra.report at ~why n;
+    true
+
+let any_vector c env (v : Ast.expr) =
   match v.it with
   | Vector (x, y, z) -> (
       match (Eval.num c env x, Eval.num c env y, Eval.num c env z) with
       | Some x, Some y, Some z -> Some (x, y, z)
       | _ -> None)
   | _ -> Eval.vec c env v
+
+let vector c env (v : Ast.expr) =
+  let*? x, y, z = any_vector c env v in
+  let why = "bodies would move otherwise, and the states of the model would not be the same" in
+  if List.exists (refused c v.at ~why) [ x; y; z ] then None else Some (x, y, z)
+
+(* A weight that depends on the parameter alone has one sign, so that the graph is the same for all its values. *)
+let check_open c (e : Ast.expr) weight =
+  let report = c.Algebra.report in
+  match open_in weight with
+  | None -> true
+  | Some n when Law.misused weight ->
+    Not_linear.refuse report e.at ~why:"what is compared or rounded must be known" n;
+    false
+  | Some _ when Law.is_constant (Gives (Law.velocity_alone (weight, weight, weight))) |> not -> true
+  | Some { parameter; _ } -> (
+      let divisor f =
+        (not Rational_function.(equal f zero)) && Option.is_none (Open_number.vanishing parameter f)
+      in
+      match (Law.form ~divisor (fun _ -> Rat.zero) weight, Law.eval (fun _ -> Rat.zero) weight) with
+      | Ok f, Ok value -> Release.has_one_sign report e.at "a weight" parameter f value
+      | Error _, _ | _, Error _ ->
+        Report.error report Code.division_by_zero e.at "a division by zero for some value of `%s`" parameter.name
+          ~hint:(Open_number.narrower parameter);
+        false)
 
 (* What is known now of a weight; the rest is seen when it is drawn by. *)
 let weight c env (e : Ast.expr option) =
@@ -149,7 +198,8 @@ let weight c env (e : Ast.expr option) =
       | Some (Law.Const w) when Rat.sign w < 0 ->
         Report.error c.Algebra.report Code.bad_law e.at "a weight of %s, which is negative" (Rat.to_string w);
         None
-      | weight -> weight)
+      | Some weight -> if check_open c e weight then Some weight else None
+      | None -> None)
 
 let motion c env velocity spin =
   let spin = Option.fold ~none:(Some None) ~some:(fun w -> Option.map Option.some (vector c env w)) spin in
@@ -172,6 +222,7 @@ let is_nothing (k : Law.kick) = match k.weight with Const w -> Rat.sign w = 0 | 
 let known c at (e : Law.expr) =
   match e with
   | Const q -> Some q
+  | e when refused c at ~why:"the kicks of `diffuse` would depend on it" e -> None
   | _ ->
     Report.error c.Algebra.report Code.bad_law at
       "`diffuse` takes known numbers: what depends on the state is drift";

@@ -5,11 +5,17 @@ open Scc_calculus
 type given = Value of Rat.t | Within of Ranges.bound * Ranges.bound
 
 (* Of each parameter that is known all names, the global one first; the last parameter first. *)
-type t = { given : (string * given) list; mutable known : string list list }
+type t = { given : (string * given) list; asked : Asked.t; mutable known : string list list }
 
-let create ~narrowed values =
+let create ~narrowed ?parametric values =
   let value (name, q) = (name, Value q) and within (name, (low, high)) = (name, Within (low, high)) in
-  { given = List.append (List.map value values) (List.map within narrowed); known = [] }
+  {
+    given = List.append (List.map value values) (List.map within narrowed);
+    asked = Asked.create parametric;
+    known = [];
+  }
+
+let asked t = t.asked
 
 let same_bound (a : Ranges.bound) (b : Ranges.bound) =
   Rat.equal a.value b.value && Bool.equal a.included b.included
@@ -74,4 +80,5 @@ let check t report at =
         (String.concat " and " (List.rev_map (fun names -> listed [ List.hd names ]) several))
         ~hint:"call an import otherwise, with `as`"
   in
-  List.iter check t.given
+  List.iter check t.given;
+  Asked.check t.asked report

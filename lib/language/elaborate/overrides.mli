@@ -12,8 +12,13 @@ type given =
   | Value of Rat.t
   | Within of Ranges.bound * Ranges.bound  (** a range that the parameter is narrowed to *)
 
-val create : narrowed:(string * (Ranges.bound * Ranges.bound)) list -> (string * Rat.t) list -> t
-(** [create ~narrowed values] has these values and ranges, by name. No parameters are known yet. *)
+val create :
+  narrowed:(string * (Ranges.bound * Ranges.bound)) list -> ?parametric:Asked.given -> (string * Rat.t) list -> t
+(** [create ~narrowed ?parametric values] has these values and ranges, by name, and the parameter of
+    [--parametric]. No parameters are known yet. *)
+
+val asked : t -> Asked.t
+(** [asked t] is the parameter of [--parametric]. *)
 
 val given : t -> Report.t -> name:string -> also:string list -> given option
 (** The value or range for the parameter with this global name and these other names. The parameter is known

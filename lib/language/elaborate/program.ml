@@ -136,6 +136,8 @@ let param_in g place (name : Ast.name) (low : Ast.limit) (high : Ast.limit) =
   | Some (Known q) ->
     g.params <- (global, q) :: g.params;
     bind g place "parameter" name (Env.Number q)
+  | Some (In range) when Asked.is (Overrides.asked g.overrides) ~name:global ~also ->
+    bind g place "parameter" name (Env.Open (Asked.found (Overrides.asked g.overrides) range))
   | Some (In range) ->
     let index = List.length g.ranges in
     g.ranges <- range :: g.ranges;
@@ -331,10 +333,10 @@ and iterate g place at (r : Ast.range) i high rest items =
     if Option.is_some admitted then iterate g place at r (Z.succ i) high rest items
   end
 
-let gather c overrides narrowed =
+let gather c overrides narrowed parametric =
   {
     c;
-    overrides = Overrides.create ~narrowed overrides;
+    overrides = Overrides.create ~narrowed ?parametric overrides;
     declared = Hashtbl.create 16;
     check_names = Hashtbl.create 16;
     behaviour_table = Hashtbl.create 16;
@@ -385,12 +387,10 @@ let program g model ~last =
 
 (* As the model's folder knows it. *)
 let file_of (model : Ast.model) =
-  match model with
-  | [] -> ""
-  | i :: _ -> Filename.basename i.at.file
+  match model with [] -> "" | i :: _ -> Filename.basename i.at.file
 
-let read c ~overrides ~narrowed model =
-  let g = gather c overrides narrowed in
+let read c ~overrides ~narrowed ?parametric model =
+  let g = gather c overrides narrowed parametric in
   c.root <- Env.root (Env.scope ~prefix:"" ~file:(file_of model));
   Modules.start g.modules (Env.scope_of c.root) model;
   let after = List.fold_left (item g) (at_top c.root) model in

@@ -62,6 +62,7 @@ val read :
   Context.t ->
   overrides:(string * Rat.t) list ->
   narrowed:(string * (Ranges.bound * Ranges.bound)) list ->
+  ?parametric:Asked.given ->
   Ast.model ->
   t option
 (** Reads the declarations of a model. It is [None] if loops make more than {!Limits.items} declarations, which

@@ -26,6 +26,30 @@ let chance report (e : Ast.expr) q =
     None
   end
 
+let has_one_sign report at what (parameter : Ranges.range) f value =
+  match Open_number.vanishing parameter f with
+  | Some x ->
+    Report.error report Code.bad_value at
+      "%s is 0 for %s, or not defined, and transitions would come and go there" what (Open_number.at parameter x)
+      ~hint:(Open_number.narrower parameter);
+    false
+  | None when Rat.sign value < 0 ->
+    Report.error report Code.bad_value at "%s is negative for all `%s`" what (Ranges.range_to_string parameter);
+    false
+  | None -> true
+
+(* It may be 0, or 1, for all values, and for none of them alone. *)
+let open_chance report (e : Ast.expr) (n : Open_number.t) =
+  let sure = Rational_function.(sub one n.form) in
+  match Rational_function.to_constant n.form with
+  | Some q -> chance report e q
+  | None ->
+    if
+      has_one_sign report e.at "a chance" n.parameter n.form n.value
+      && has_one_sign report e.at "1 minus a chance" n.parameter sure (Rat.sub Rat.one n.value)
+    then Some (Odds.Open_chance n)
+    else None
+
 let rate report ~step (e : Ast.expr) r =
   if Rat.sign r < 0 then begin
     Report.error report Code.bad_value e.at "a rate is not negative, and this is %s" (Rat.to_string r)
@@ -41,10 +65,15 @@ let rate report ~step (e : Ast.expr) r =
   else Some (Odds.Rate { rate = r; alone = Odds.within ~step r })
 
 let known report ~step env ({ odds; value } : Ast.odds) =
-  let number () = Constant.number ~why:of_chances report env value in
   match odds.it with
-  | "chance" -> Option.bind (number ()) (chance report value)
-  | "rate" -> Option.bind (number ()) (rate report ~step value)
+  | "chance" -> (
+      match Constant.odds ~why:of_chances report env value with
+      | Some (Known q) -> chance report value q
+      | Some (Open n) -> open_chance report value n
+      | None -> None)
+  | "rate" ->
+    let why = "the chance of a rate is the simplest fraction near its exponential, and no function of the rate" in
+    Option.bind (Constant.number ~why report env value) (rate report ~step value)
   | word ->
     Report.error report Code.syntax odds.at "expected `chance` or `rate`, and this is `%s`" word
       ~hint:"as in `omega(a, {top}) chance 1/10. B`";

@@ -52,7 +52,7 @@ let leaf t env (e : Ast.expr) =
       in
       match bound with
       | Some (Env.Leaf i) -> Some i
-      | Some (Number _ | Truth _ | Vector _ | Affine _ | Word _ | Macro _ | Unknown) | None ->
+      | Some (Number _ | Truth _ | Vector _ | Affine _ | Open _ | Word _ | Macro _ | Unknown) | None ->
         let*? name = Composition.single t.c.report env path in
         resolve_leaf t name)
   | _ ->

@@ -79,6 +79,7 @@ module Make (A : ALGEBRA) = struct
     | Truth b -> Some (Cond (A.bool b))
     | Vector v -> Some (Vec (A.const v.x, A.const v.y, A.const v.z))
     | Affine form -> num (A.affine ctx at form)
+    | Open n -> num (A.open_number ctx at n)
     | Macro (body, scope) -> at_depth ctx (depth + 1) scope body
     | Word (w, _) ->
       error ctx Code.wrong_kind at "`%s` stands for the name `%s`, and a value is expected here" name.it w;

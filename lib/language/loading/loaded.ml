@@ -12,6 +12,7 @@ type t = {
   model : Model.t;
   declared : State.t;
   uncertain : Uncertain.t option;
+  parameter : Open_number.t option;
   checks : Property.check list;
   premises : Property.check list;
   families : Scc_elaborate.Repeated.t;
@@ -34,17 +35,17 @@ let noting read_file =
   in
   (read_file, fun () -> List.rev !files)
 
-let rec of_tree ~read_file ~overrides ?narrowed source tree =
+let rec of_tree ~read_file ~overrides ?narrowed ?parametric source tree =
   let noted, files = noting read_file in
-  let elaborated = Scc_elaborate.Elaborate.elaborate ~read_file:noted ~overrides ?narrowed tree in
+  let elaborated = Scc_elaborate.Elaborate.elaborate ~read_file:noted ~overrides ?narrowed ?parametric tree in
   let files = files () in
   let text (name, text) = Direction.warnings (Source.make ~name text) in
   let misleading = Direction.warnings source @ List.concat_map text files in
   let digest = Origin.digest ~text:(Source.text source) ~files in
   let rec loaded items elaborated =
     let* (e : Scc_elaborate.Elaborate.t) = Result.map_error (fun errors -> errors @ misleading) elaborated in
-    let { Scc_elaborate.Elaborate.model; declared; uncertain; checks; premises; families; lattices; warnings; _ } =
-      e
+    let { Scc_elaborate.Elaborate.model; declared; uncertain; parameter; checks; premises; families; lattices;
+          warnings; _ } = e
     in
     let warnings = misleading @ warnings in
     let settings =
@@ -52,13 +53,13 @@ let rec of_tree ~read_file ~overrides ?narrowed source tree =
     in
     let origin = { Origin.name = e.name; digest; parameters = e.parameters; settings } in
     let at_values values =
-      of_tree ~read_file ~overrides:(overrides @ values) ?narrowed source (List.append tree items)
+      of_tree ~read_file ~overrides:(overrides @ values) ?narrowed ?parametric source (List.append tree items)
     in
     let beside more = loaded (List.append items more) (Scc_elaborate.Elaborate.with_checks e more) in
     Ok
       {
-        source; origin; semantics = Standard.of_model model; model; declared; uncertain; checks; premises;
-        families; lattices; warnings; at_values; beside;
+        source; origin; semantics = Standard.of_model model; model; declared; uncertain; parameter; checks;
+        premises; families; lattices; warnings; at_values; beside;
       }
   in
   loaded [] elaborated
@@ -66,11 +67,11 @@ let rec of_tree ~read_file ~overrides ?narrowed source tree =
 let at l values = l.at_values values
 let with_checks l items = l.beside items
 
-let load ~read_file ~overrides ?narrowed source =
+let load ~read_file ~overrides ?narrowed ?parametric source =
   let* tree =
     Result.map_error (fun errors -> errors @ Direction.warnings source) (Scc_notation.Notation.model source)
   in
-  of_tree ~read_file ~overrides ?narrowed source tree
+  of_tree ~read_file ~overrides ?narrowed ?parametric source tree
 
 let initial l =
   let diagnostic = Transition.diagnostic l.model ~at:(Ranges.point l.model.ranges) in

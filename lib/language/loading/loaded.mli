@@ -15,6 +15,7 @@ type t = {
   (** as declared: before {!Scc_semantics} sets clocks and steers; at simple values of parameters with ranges *)
   uncertain : Uncertain.t option;  (** where parameters have ranges ([Model.ranges]): the numbers that depend
                                        on them *)
+  parameter : Open_number.t option;  (** the parameter that is asked about (rule Parametric) *)
   checks : Property.check list;
   premises : Property.check list;
   (** The premises of the checks, each with the name of its check: a check whose premise never comes true is
@@ -35,15 +36,18 @@ val load :
   read_file:reader ->
   overrides:(string * Rat.t) list ->
   ?narrowed:(string * (Ranges.bound * Ranges.bound)) list ->
+  ?parametric:Scc_elaborate.Asked.given ->
   Source.t ->
   (t, Diag.t list) result
 (** The model of a text, in its notation ({!Scc_notation.Notation.of_source}). Parameters have the values of
-    [overrides]. Parameters with ranges have those of [narrowed] if they are listed there. *)
+    [overrides]. Parameters with ranges have those of [narrowed] if they are listed there. [parametric] is a
+    parameter of weights and chances of which functions are wanted. *)
 
 val of_tree :
   read_file:reader ->
   overrides:(string * Rat.t) list ->
   ?narrowed:(string * (Ranges.bound * Ranges.bound)) list ->
+  ?parametric:Scc_elaborate.Asked.given ->
   Source.t ->
   Scc_syntax.Ast.model ->
   (t, Diag.t list) result

@@ -35,6 +35,7 @@ let turn_round m =
 
 let make m = { mdp = m; owner = lazy (owners m); into = lazy (turn_round m) }
 let mdp b = b.mdp
+let with_mdp b m = { b with mdp = m }
 let owner b c = Int_array.get (Lazy.force b.owner) c
 
 let iter b s f =

@@ -14,3 +14,6 @@ val owner : t -> int -> int
 
 val iter : t -> int -> (int -> unit) -> unit
 (** [iter b s f] calls [f] once for each choice that has a branch to state [s]. *)
+
+val with_mdp : t -> Mdp.t -> t
+(** [with_mdp b m] is the reversed branches of [m], which has the graph of {!mdp}: the tables are shared. *)

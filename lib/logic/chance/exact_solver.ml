@@ -232,35 +232,48 @@ let solve_part w part =
     iterate ()
   end
 
-let solve (e : Equations.t) (effort : Effort.t) =
-  let value = Array.make e.size Rat.zero in
-  let row = Array.init e.size (fun v -> Equations.first_row e v) in
-  let w = { e; effort; value; near = Array.make e.size 0.; row; steps = effort.steps } in
-  let sum r =
-    let x = Equations.row_sum e (Array.get value) r in
-    spend_for w x;
-    x
-  in
-  let one v =
-    let best = ref (sum row.(v)) in
-    for r = row.(v) + 1 to Equations.first_row e (v + 1) - 1 do
-      let x = sum r in
-      if better e x !best then begin
-        best := x;
-        row.(v) <- r
-      end
-    done;
-    set w v !best
-  in
+(* Component by component, each after those that it leads to. *)
+let components w ~one ~several =
+  let e = w.e in
   let component k =
-    if k land 0xfff = 0 && effort.interrupted () then raise (Given_up Interrupted);
+    if k land 0xfff = 0 && w.effort.interrupted () then raise (Given_up Interrupted);
     let part = { first = e.parts.(k); last = e.parts.(k + 1) - 1 } in
-    if size part = 1 then one part.first else solve_part w part
+    if size part = 1 then one part.first else several part
   in
   match
     for k = 0 to Array.length e.parts - 2 do
       component k
     done
   with
-  | () -> Ok { value; row }
+  | () -> Ok ()
   | exception Given_up why -> Error why
+
+let work (e : Equations.t) (effort : Effort.t) row =
+  { e; effort; value = Array.make e.size Rat.zero; near = Array.make e.size 0.; row; steps = effort.steps }
+
+let sum w r =
+  let x = Equations.row_sum w.e (Array.get w.value) r in
+  spend_for w x;
+  x
+
+let solve (e : Equations.t) (effort : Effort.t) =
+  let w = work e effort (Array.init e.size (fun v -> Equations.first_row e v)) in
+  let one v =
+    let best = ref (sum w w.row.(v)) in
+    for r = w.row.(v) + 1 to Equations.first_row e (v + 1) - 1 do
+      let x = sum w r in
+      if better e x !best then begin
+        best := x;
+        w.row.(v) <- r
+      end
+    done;
+    set w v !best
+  in
+  Result.map
+    (fun () -> { value = w.value; row = w.row })
+    (components w ~one ~several:(solve_part w))
+
+let evaluate e effort ~row =
+  let w = work e effort row in
+  let one v = set w v (sum w row.(v)) in
+  Result.map (fun () -> w.value) (components w ~one ~several:(fun part -> ignore (evaluate w part)))

@@ -18,3 +18,7 @@ type given_up = Lifting.given_up = Interrupted | Too_long | Too_much
 val solve : Equations.t -> Effort.t -> (solution, given_up) result
 (** [solve e effort] is the solution, within the limits [bits] and [steps] of [effort], or the reason why it was
     given up. Its engine, width and bound do not matter. *)
+
+val evaluate : Equations.t -> Effort.t -> row:int array -> (Rat.t array, given_up) result
+(** [evaluate e effort ~row] is the value of each node for the scheduler of these rows, by which all components are
+    left with probability 1. *)

@@ -20,6 +20,18 @@ let probability m b = m.probability.(b)
 let reward m c = m.reward.(c)
 let near m = m.near
 
+let with_numbers m ~probability ~reward =
+  { m with probability; reward; near = Array.map Rat.to_float probability }
+
+let equal a b =
+  let rec all n test = n = 0 || (test (n - 1) && all (n - 1) test) in
+  let same count f g = count a = count b && all (count a) (fun i -> g (f a i) (f b i)) in
+  same states first_choice Int.equal
+  && same choices first_branch Int.equal
+  && same branches target Int.equal
+  && same branches probability Rat.equal
+  && same choices reward Rat.equal
+
 let leads_into m c set =
   let last = first_branch m (c + 1) in
   let rec go b = b < last && (Bits.mem set (target m b) || go (b + 1)) in

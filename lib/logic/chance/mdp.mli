@@ -47,6 +47,13 @@ val stays_in : t -> int -> Scc_data.Bits.t -> bool
 val every_branch : t -> int -> (int -> bool) -> bool
 (** [every_branch m c test] is true if all targets of choice [c] pass the test. *)
 
+val with_numbers : t -> probability:Rat.t array -> reward:Rat.t array -> t
+(** [with_numbers m ~probability ~reward] has the graph of [m], other probabilities of its branches, and other
+    rewards of its choices. These are as in any MDP, which is not checked. *)
+
+val equal : t -> t -> bool
+(** [equal a b] is true if both have the same states and choices, with equal probabilities and rewards. *)
+
 (** {1 Building} *)
 
 (** An error in the states and choices given to a builder. *)

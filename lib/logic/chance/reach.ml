@@ -3,7 +3,7 @@ open Scc_data
 
 let elsewhere : Answer.t = Within (Rat.zero, Rat.one)
 
-let solve q (direction : Equations.direction) effort ~asked =
+let problem q (direction : Equations.direction) : Solution.problem =
   let back = Qualitative.backwards q in
   let zero, one, merged, choice =
     match direction with
@@ -19,5 +19,9 @@ let solve q (direction : Equations.direction) effort ~asked =
   let status s = if Bits.mem zero s then at_zero else if Bits.mem one s then at_one else Equations.Open
   in
   let merged = merged (fun s -> not (Bits.mem zero s || Bits.mem one s)) in
-  Solution.solve back direction effort ~asked ~status ~elsewhere ~allowed:(fun _ -> true) ~merged ~rewards:false
-    ~choice
+  {
+    direction; status; elsewhere; allowed = (fun _ -> true); merged; rewards = false; choice;
+  }
+
+let solve q direction effort ~asked =
+  Solution.solve (Qualitative.backwards q) effort ~asked (problem q direction)

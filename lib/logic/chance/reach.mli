@@ -5,6 +5,9 @@
     the other states are merged: a scheduler can go to any state of one, and gains nothing by staying. For the
     least one no end component is left: a scheduler that stayed would have probability 0. *)
 
+val problem : Qualitative.t -> Equations.direction -> Solution.problem
+(** [problem q direction] is the problem that {!solve} solves. *)
+
 val solve : Qualitative.t -> Equations.direction -> Effort.t -> asked:Solution.asked -> Solution.t
 (** [solve q direction effort ~asked] is the least or the greatest probabilities of the states [asked]. Values are
     [Exact] or [Within]. *)

@@ -1,16 +1,15 @@
 open Scc_exact
 open Scc_data
 
-let solve q (direction : Equations.direction) effort ~asked =
+let problem q (direction : Equations.direction) : Solution.problem =
   let back = Qualitative.backwards q in
   let m = Backwards.mdp back in
   let goal = Qualitative.goal q in
-  let solve ~finite ~allowed ~merged ~choice =
+  let problem ~finite ~allowed ~merged ~choice : Solution.problem =
     let status s : Equations.status =
       if goal s then Known Rat.zero else if Bits.mem finite s then Open else Elsewhere
     in
-    Solution.solve back direction effort ~asked ~status ~elsewhere:Answer.Infinite ~allowed ~merged ~rewards:true
-      ~choice
+    { direction; status; elsewhere = Infinite; allowed; merged; rewards = true; choice }
   in
   match direction with
   | Min ->
@@ -19,10 +18,13 @@ let solve q (direction : Equations.direction) effort ~asked =
     let inside s = Bits.mem finite s && not (goal s) in
     let free c = allowed c && Rat.sign (Mdp.reward m c) = 0 in
     let merged = Components.ends back ~inside ~allowed:free in
-    solve ~finite ~allowed ~merged ~choice:(fun _ -> -1)
+    problem ~finite ~allowed ~merged ~choice:(fun _ -> -1)
   | Max ->
     let avoiding = Qualitative.avoiding q in
     let towards = Qualitative.towards q ~into:(Bits.mem avoiding.set) in
     let finite = Bits.init (Mdp.states m) (fun s -> not (Bits.mem towards.set s)) in
     let choice s = Int.max (Int_array.get avoiding.choice s) (Int_array.get towards.choice s) in
-    solve ~finite ~allowed:(fun _ -> true) ~merged:(Components.none m) ~choice
+    problem ~finite ~allowed:(fun _ -> true) ~merged:(Components.none m) ~choice
+
+let solve q direction effort ~asked =
+  Solution.solve (Qualitative.backwards q) effort ~asked (problem q direction)

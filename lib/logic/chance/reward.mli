@@ -10,6 +10,9 @@
     probability 1. End components in which all choices have the reward 0 are merged: staying in one costs nothing,
     and never ends. *)
 
+val problem : Qualitative.t -> Equations.direction -> Solution.problem
+(** [problem q direction] is the problem that {!solve} solves. *)
+
 val solve : Qualitative.t -> Equations.direction -> Effort.t -> asked:Solution.asked -> Solution.t
 (** [solve q direction effort ~asked] is the least or the greatest expected sums of the states [asked]. Values are
     of all kinds of {!Answer.t}. *)

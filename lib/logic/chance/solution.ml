@@ -81,7 +81,21 @@ let spread back (e : Equations.t) (merged : Components.ends) row (choice : int a
               Worklist.add found s
             end))
 
-let solve back direction effort ~asked ~status ~elsewhere ~allowed ~merged ~rewards ~choice =
+type problem = {
+  direction : Equations.direction;
+  status : int -> Equations.status;
+  elsewhere : Answer.t;
+  allowed : int -> bool;
+  merged : Components.ends;
+  rewards : bool;
+  choice : int -> int;
+}
+
+let equations back { direction; status; allowed; merged; rewards; _ } ~asked =
+  Equations.make back direction ~status ~allowed ~merged ~rewards ~asked
+
+let solve back effort ~asked problem =
+  let { status; elsewhere; merged; rewards; choice; _ } = problem in
   let m = Backwards.mdp back in
   let n = Mdp.states m in
   let possible : Answer.t = if rewards then At_least Rat.zero else Within (Rat.zero, Rat.one) in
@@ -93,7 +107,7 @@ let solve back direction effort ~asked ~status ~elsewhere ~allowed ~merged ~rewa
       List.iter (Bits.add set) l;
       Some (Bits.mem set)
   in
-  let e = Equations.make back direction ~status ~allowed ~merged ~rewards ~asked:is_asked in
+  let e = equations back problem ~asked:is_asked in
   let asked =
     match asked with
     | All -> Array.init e.size Fun.id

@@ -30,19 +30,20 @@ val found : t -> found
 
 (** {1 For questions} *)
 
-val solve :
-  Backwards.t ->
-  Equations.direction ->
-  Effort.t ->
-  asked:asked ->
-  status:(int -> Equations.status) ->
-  elsewhere:Answer.t ->
-  allowed:(int -> bool) ->
-  merged:Components.ends ->
-  rewards:bool ->
-  choice:(int -> int) ->
-  t
-(** [solve b direction effort ~asked ~status ~elsewhere ~allowed ~merged ~rewards ~choice] solves
-    {!Equations.make}. [elsewhere] is the value of the states with the status [Elsewhere]. [choice s] is the
-    choice, numbered through, that attains the known value of state [s], or -1 if any does. Without [rewards]
-    values are at most 1. *)
+(** What is solved: {!Equations.make}, and what the graph alone decides. It depends on no probability. *)
+type problem = {
+  direction : Equations.direction;
+  status : int -> Equations.status;
+  elsewhere : Answer.t;  (** the value of the states with the status [Elsewhere] *)
+  allowed : int -> bool;
+  merged : Components.ends;
+  rewards : bool;  (** without them values are at most 1 *)
+  choice : int -> int;
+  (** the choice, numbered through, that attains the known value of a state, or -1 if any does *)
+}
+
+val equations : Backwards.t -> problem -> asked:(int -> bool) option -> Equations.t
+(** [equations b problem ~asked] is the equations of the problem on the MDP of [b]. *)
+
+val solve : Backwards.t -> Effort.t -> asked:asked -> problem -> t
+(** [solve b effort ~asked problem] solves the problem on the MDP of [b]. *)

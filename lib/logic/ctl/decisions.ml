@@ -178,5 +178,16 @@ let until built =
     ~stay:(fun s -> not (Int.equal s fail))
     ~goal:(Int.equal goal)
 
+let same_process a b =
+  let same_place n =
+    let p = Growable.get a.places n and q = Growable.get b.places n in
+    Int.equal p.node q.node && Option.equal Rat.equal p.elapsed q.elapsed
+  in
+  let rec all n test = n = 0 || (test (n - 1) && all (n - 1) test) in
+  List.equal Int.equal a.asked b.asked
+  && Growable.length a.places = Growable.length b.places
+  && all (Growable.length a.places) same_place
+  && Mdp.equal a.mdp b.mdp
+
 let direction (side : Timed_formula.side) : Equations.direction =
   match side with Least -> Min | Greatest -> Max

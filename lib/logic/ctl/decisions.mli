@@ -88,5 +88,8 @@ val number : built -> next -> int
 val until : built -> Qualitative.t
 (** [until b] is the formula that the run meets [Goal]. *)
 
+val same_process : built -> built -> bool
+(** [same_process a b] is true if both have the same states with the same choices, and the same starts. *)
+
 val direction : Timed_formula.side -> Equations.direction
 (** [direction side] is [Min] for [Least], and [Max] for [Greatest]. *)

@@ -155,3 +155,50 @@ let find ?bound e side = function
   | Time_until g -> mean_until e side ~bound ~earns:(duration (Eval.graph e)) g
   | Counts_until (count, g) -> mean_until e side ~bound ~earns:(counted count) g
   | Value_at (number, time) -> value_at e side number time
+
+(* {1 As a process} *)
+
+type process = { choices : place -> branch list list; built : built; added : Rat.t }
+
+exception Not_exact
+
+let process_until e side ~earns g =
+  let value = Eval.value e g and still = Eval.value e (Eval.still e g) in
+  let question generous f g =
+    let q = { graph = Eval.graph e; side; bound = all_time; f; g; generous } in
+    let w = window q in
+    let earning p branch =
+      let { low; high } = earns p branch in
+      if Rat.equal low high then { branch with reward = low } else raise Not_exact
+    in
+    let choices p = List.map (List.map (earning p)) (choices q w p) in
+    (choices, build ~choices [ next q w (place w 0 Rat.zero) ])
+  in
+  (* As for bounds: more states at which it is over make it less. *)
+  match (question true still.upper value.upper, question false still.lower value.lower) with
+  | (choices, built), (_, otherwise) ->
+    if same_process built otherwise then Ok { choices; built; added = Rat.zero }
+    else Error "not all of what it depends on is known"
+  | exception Not_exact -> Error "a time on the way is no rational number"
+
+(* All of what it may come to is looked at once, to see what the least number is. *)
+let process_at e number time =
+  let graph = Eval.graph e in
+  let ends = { reason = None; unexplored = []; lowest = None } in
+  let start = Go { node = 0; elapsed = Some Rat.zero } in
+  let first = build ~choices:(steps graph ends number time ~shift:None) [ start ] in
+  match (ends.reason, ends.unexplored, ends.lowest) with
+  | Some reason, _, _ -> Error reason
+  | None, _ :: _, _ -> Error "not all of what it depends on is known"
+  | None, [], None -> Error (endless time)
+  | None, [], Some lowest ->
+    let certain = Qualitative.one_min (until first) in
+    if not (List.for_all (Bits.mem certain) first.asked) then Error (endless time)
+    else
+      let choices = steps graph ends number time ~shift:(Some lowest) in
+      Ok { choices; built = build ~choices [ start ]; added = lowest }
+
+let process e side = function
+  | Time_until g -> process_until e side ~earns:(duration (Eval.graph e)) g
+  | Counts_until (count, g) -> process_until e side ~earns:(counted count) g
+  | Value_at (number, time) -> process_at e number time

@@ -26,3 +26,15 @@ type answer =
 val find : ?bound:Scc_chance.Answer.bound -> Eval.t -> Timed_formula.side -> what -> answer
 (** [find e side what] is the least or greatest mean over runs from node 0. An interval that decides [bound] is
     good enough, if it is given. *)
+
+(** {1 As a process} *)
+
+(** The process whose mean reward until [Goal] is a mean, but for a number that is added to it. *)
+type process = {
+  choices : Decisions.place -> Decisions.branch list list;
+  built : Decisions.built;  (** from one start *)
+  added : Rat.t;
+}
+
+val process : Eval.t -> Timed_formula.side -> what -> (process, string) result
+(** [process e side what] is the process for a mean if all of it is known exactly; otherwise the reason why not. *)

@@ -78,7 +78,8 @@ let print_text console ~full ~where ~prove (loaded : Loaded.t) (report : Check.r
   let c = loaded.semantics in
   let print = Console.tell console in
   print (Scc_calculus.Parameters.line loaded.origin.settings ^ "\n\n");
-  let property i v = print (Check_text.property console ~full ?where:(List.nth_opt where i) c v ^ "\n") in
+  let runs = Option.is_none loaded.parameter in
+  let property i v = print (Check_text.property console ~full ~runs ?where:(List.nth_opt where i) c v ^ "\n") in
   List.iteri property verdicts;
   let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno ~full c w ^ "\n") in
   Option.iter zeno report.zeno;
@@ -138,10 +139,11 @@ let options console (budget : Budget.t) (extras : Check_extras.t) ~watch ~measur
   let states = Option.value budget.states ~default:Check_options.default_states in
   let compact = if extras.compact then Some states else None in
   let attempt = Measured.booking measured (Watch.attempt watch) in
+  let parametric = Option.is_some extras.parametric in
   {
     (Check_options.starting ~attempt console watch budget) with
-    reductions = extras.reductions; order = extras.order; compact; prove = extras.prove;
-    curve = extras.curve;
+    reductions = (if parametric then Parametric_option.reductions else Fun.id) extras.reductions;
+    order = extras.order; compact; prove = extras.prove; curve = extras.curve;
     expanding = Expanded.expanding expanded; compacting = Expanded.compacting expanded;
   }
 
@@ -149,6 +151,7 @@ let options console (budget : Budget.t) (extras : Check_extras.t) ~watch ~measur
 let fitting (extras : Check_extras.t) (l : Loaded.t) ~declared ~zones ~where =
   (* Coverage lists states one by one. *)
   let* () = if zones && extras.coverage then Result.map ignore (Ordinary.refuse l) else Ok () in
+  let* () = Parametric_option.fitting l in
   let* () = Verdicts.refused l ~prove:extras.prove in
   let* () = Curve_output.refused l ~declared ~drawn:(Option.is_some extras.plot) extras.curve in
   if where then Ordinary.has_ranges l else Ok ()
@@ -174,15 +177,20 @@ let write_outputs console (extras : Check_extras.t) path (l : Loaded.t) report v
   Option.iter (fun (path, view) -> output (write_file path (Scc_regions.Drawing.svg ranges view named))) view;
   !code
 
+let read console (extras : Check_extras.t) (given : Options.definitions) path ~attempt =
+  let parametric = Option.map (fun name -> { Scc_elaborate.Asked.name; attempt }) extras.parametric in
+  Input.model ?parametric console ~overrides:given.values ~narrowed:given.narrowed path
+
 let check console budget (extras : Check_extras.t) (given : Options.definitions) path =
   (* Coverage explores once more. *)
   let share = Option.map (fun s -> if extras.coverage then s /. 2. else s) budget.Budget.seconds in
   let watch = Check_options.watch { budget with seconds = share } in
   let measured = Measured.start () in
-  let* l = Measured.phase measured "read" (fun () ->
-      Input.model console ~overrides:given.values ~narrowed:given.narrowed path) in
+  let read ~attempt = read console extras given path ~attempt in
+  let* l = Measured.phase measured "read" (fun () -> read ~attempt:0) in
   let declared = l.checks in
-  let* l = Chosen_checks.only l extras.checks in
+  let chosen l = Chosen_checks.only l extras.checks in
+  let* l = chosen l in
   let zones = Verdicts.over_zones l in
   let where = extras.where || Option.is_some extras.smt || Option.is_some extras.draw in
   let* () = fitting extras l ~declared ~zones ~where in
@@ -198,7 +206,9 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let options = options console budget extras ~watch ~measured expanded in
   (* What an invariant decides need not be explored: then nothing is known of premises. *)
   let premises = if extras.prove && not zones then [] else l.premises in
-  let explore () =
+  let explore (l : Loaded.t) =
+    let* initial = Loaded.initial l in
+    let options = { options with parameter = l.parameter } in
     let run () =
       Expanded.guard expanded (fun () -> Verdicts.report options l ~initial ~exactly:where ~premises l.checks)
     in
@@ -206,7 +216,10 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
     | Ok report -> report
     | Error stop -> Ok (Check.unexplored options (l.checks @ premises) stop)
   in
-  let* report = Measured.phase measured "explore" explore in
+  let load ~attempt = Result.bind (read ~attempt) chosen in
+  let* l, report =
+    Measured.phase measured "explore" (fun () -> Parametric_option.explored ~load l explore)
+  in
   let* covered =
     if extras.coverage then begin
       Option.iter (Watch.more watch) share;
@@ -220,7 +233,8 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   List.iter (Console.fault console) (Check.faults report);
   let verdicts, answers = split_at (List.length l.checks) report.outcomes in
   Input.report console l
-    (report.stats.faults @ report.stats.dead_ends @ Vacuity.warnings report ~verdicts ~answers);
+    (Parametric_option.at_value l (report.stats.faults @ report.stats.dead_ends)
+     @ Vacuity.warnings report ~verdicts ~answers);
   let code = write_outputs console extras path l report verdicts ~view expanded in
   let shown = if extras.where then report.where else [] in
   let extra = { covered; measured = (if extras.stats then Some measured else None) } in
@@ -237,20 +251,22 @@ let run color progress json budget (extras : Check_extras.t) given path =
   let console = Console.make ?progress ~color ~json () in
   if unfit extras then
     Guard.usage "--witness does not go with --no-reduce jump: schedules are replayed with jumps"
-  else
-    Guard.run console (fun () ->
-        match check console budget extras given path with
-        | Ok code -> Ok code
-        | Error diagnostics ->
-          let code = Guard.invalid console diagnostics in
-          let is_about path (d : Diag.t) = String.equal d.span.file path in
-          (match extras.sarif with
-           | Some path when not (List.exists (is_about path) diagnostics) ->
-             let written = write_sarif console path code None in
-             Result.iter_error (fun d -> Console.report console [ d ]) written
-           (* It is this file that could not be written. *)
-           | Some _ | None -> ());
-          Ok code)
+  else match Parametric_option.unfit extras with
+    | Some option -> Guard.usage (option ^ " does not go with --parametric")
+    | None ->
+      Guard.run console (fun () ->
+          match check console budget extras given path with
+          | Ok code -> Ok code
+          | Error diagnostics ->
+            let code = Guard.invalid console diagnostics in
+            let is_about path (d : Diag.t) = String.equal d.span.file path in
+            (match extras.sarif with
+             | Some path when not (List.exists (is_about path) diagnostics) ->
+               let written = write_sarif console path code None in
+               Result.iter_error (fun d -> Console.report console [ d ]) written
+             (* It is this file that could not be written. *)
+             | Some _ | None -> ());
+            Ok code)
 
 let command =
   Cmd.v

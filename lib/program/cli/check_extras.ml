@@ -17,6 +17,7 @@ type t = {
   slice : (string * Scc_exact.Rat.t) list;
   prove : bool;
   invariant : string option;
+  parametric : string option;
   curve : string option;
   plot : string option;
   full : bool;
@@ -158,6 +159,11 @@ let explored e ~(checks : Scc_property.Property.check list) (budget : Scc_verdic
     ("--bits", number budget.bits);
   ]
 
+let parametric =
+  Options.maybe Arg.string [ "parametric" ] ~docv:"NAME"
+    "Answers with functions of the parameter $(docv), which the model declares with a range \
+     ($(b,param k in (0, 1))) and which stands in weights and chances alone. See PARAMETRIC."
+
 let curve =
   Options.maybe Arg.string [ "curve" ] ~docv:"NAME"
     "Reports the probability that the check $(docv) asks for as a function of time. The check asks $(b,P = ?) of \
@@ -170,17 +176,17 @@ let plot =
 
 let term =
   let make checks witness coverage stats sarif reductions order compact where smt draw axes slice prove invariant
-      curve plot full jobs store =
+      parametric curve plot full jobs store =
     let prove = prove || Option.is_some invariant in
     {
       checks; witness; coverage; stats; sarif; reductions; order; compact; where; smt; draw; axes; slice; prove;
-      invariant; curve; plot; full; jobs; store;
+      invariant; parametric; curve; plot; full; jobs; store;
     }
   in
   Term.(
     const make $ checks
     $ witness $ coverage $ stats $ sarif $ reductions $ order $ compact $ where $ smt $ draw $ axes
-    $ slice $ prove $ invariant $ curve $ plot
+    $ slice $ prove $ invariant $ parametric $ curve $ plot
     $ Options.full
       "Prints runs in full: every step and every body, and numbers with all their digits; in JSON all steps of \
        the way to an unexplored state."

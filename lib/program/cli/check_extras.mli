@@ -17,6 +17,7 @@ type t = {
   slice : (string * Scc_exact.Rat.t) list;  (** values of other parameters in the drawing *)
   prove : bool;  (** search for an invariant first *)
   invariant : string option;  (** a file for the invariant *)
+  parametric : string option;  (** a parameter of which answers are functions *)
   curve : string option;  (** a check, whose probability is reported for all shorter times, too *)
   plot : string option;  (** a file for a plot of this curve *)
   full : bool;  (** report runs in full *)

@@ -13,6 +13,8 @@ let style : Verdict.t -> Console.style = function
   | Holds { bounds = []; _ } -> Good
   | Holds _ as v when not (Verdict.by_default v || Verdict.resources v) -> Good
   | Measured { reasons = []; _ } -> Good
+  | Depends d when Option.equal Bool.equal (Verdict.everywhere d) (Some false) -> Bad
+  | Depends _ -> Good
   | Holds _ | Measured _ | Undecided _ -> Doubtful
   | Violated _ -> Bad
 
@@ -148,12 +150,18 @@ let where_lines (v : Verdict.t) w =
       (Likelihoods.side side ^ " probability") :: List.map (fun l -> "  " ^ l) (Scc_regions.Words.chances_lines c)
     in
     List.concat_map of_side starts
-  | Holds _ | Violated _ | Measured _ | Undecided _ -> Scc_regions.Words.lines w
+  | Holds _ | Violated _ | Measured _ | Depends _ | Undecided _ -> Scc_regions.Words.lines w
 
-let property console ~full ?where c ({ check; verdict = v; lost; left_out; _ } as o : Verdict.outcome) =
+let function_lines ~full = function
+  | Verdict.Depends { parameter; values; holds } -> Depending.lines ~full parameter ~values ~holds
+  | Holds _ | Violated _ | Measured _ | Undecided _ -> []
+
+let property console ~full ?(runs = true) ?where c (o : Verdict.outcome) =
+  let { Verdict.check; verdict = v; lost; left_out; _ } = o in
   let verdict = Console.styled console (style v) (Verdict.outcome_to_string o) in
   let head = Printf.sprintf "%s: %s\n  %s\n" (Console.styled console Strong check.name) verdict check.text in
-  let head = head ^ Curve_output.lines v in
+  let functions = indented 2 (function_lines ~full v) in
+  let head = head ^ Curve_output.lines v ^ String.concat "" functions in
   let witness = witness ~full ~about:(about check.formula) c in
   let run =
     match v with
@@ -163,7 +171,7 @@ let property console ~full ?where c ({ check; verdict = v; lost; left_out; _ } a
       [ (Printf.sprintf "a run %s:" (counted check w), witness w) ]
     | Holds { witness = Some w; _ } -> [ ("a run that shows it:", witness w) ]
     | Violated { witness = Some w } -> [ ("a run that violates it:", witness w) ]
-    | Holds _ | Violated _ -> []
+    | Holds _ | Violated _ | Depends _ -> []
     | Measured { reasons; _ } | Undecided reasons ->
       List.filter_map
         (function
@@ -187,6 +195,7 @@ let property console ~full ?where c ({ check; verdict = v; lost; left_out; _ } a
         else "no single run shows it: everything that counts was explored"
       in
       [ Printf.sprintf "  %s\n" no_run ]
+    | Violated { witness = None } when not runs -> []
     | Violated { witness = None } -> [ "  no run shows it: everything that counts was explored\n" ]
     | _ -> []
   in
@@ -266,8 +275,10 @@ let tally console verdicts =
   let count f = List.length (List.filter f verdicts) in
   let exhaustive = count Verdict.exhaustive in
   let bounded = count (function Verdict.Holds { bounds = _ :: _; _ } -> true | _ -> false) in
-  let violated = count (function Verdict.Violated _ -> true | _ -> false) in
-  let measured = count (function Verdict.Measured _ -> true | _ -> false) in
+  let fails d = Option.equal Bool.equal (Verdict.everywhere d) (Some false) in
+  let violated = count (function Verdict.Violated _ -> true | Depends d -> fails d | _ -> false) in
+  let is_number (d : Verdict.dependence) = Option.is_none d.holds in
+  let measured = count (function Verdict.Measured _ -> true | Depends d -> is_number d | _ -> false) in
   let undecided = count (function Verdict.Undecided _ -> true | _ -> false) in
   let part n style text =
     if n = 0 then [] else [ Console.styled console style (Printf.sprintf "%d %s" n text) ]

@@ -4,9 +4,10 @@ open Scc_semantics
 open Scc_explain
 open Scc_verify
 
-val property : Console.t -> full:bool -> ?where:Scc_regions.Where.t -> Semantics.t -> Verdict.outcome -> string
+val property :
+  Console.t -> full:bool -> ?runs:bool -> ?where:Scc_regions.Where.t -> Semantics.t -> Verdict.outcome -> string
 (** A verdict in several lines with its witness, ended by a newline. The run is reduced to its relevant steps,
-    or complete if [full]. *)
+    or complete if [full]. With [runs:false] (default: true) no runs are shown, and nothing is said of that. *)
 
 val zeno : full:bool -> Semantics.t -> Witness.t -> string
 (** A run that never leaves an instant, as lines. *)

@@ -37,7 +37,7 @@ let lines (v : Verdict.t) =
   in
   match v with
   | Measured { curve = _ :: _ as curve; _ } -> "  within T, for T\n" ^ String.concat "" (List.map line curve)
-  | Measured _ | Holds _ | Violated _ | Undecided _ -> ""
+  | Measured _ | Depends _ | Holds _ | Violated _ | Undecided _ -> ""
 
 (* {1 As a picture} *)
 

@@ -108,7 +108,7 @@ let no_check code at name checks =
   let names = List.map (fun (c : Scc_property.Property.check) -> c.name) checks in
   Diag.error code at ?hint:(Diag.suggest name names) "the model has no check `%s`" name
 
-let model ?(given = Span.command_line) ?(narrowed = []) ?source console ~overrides path =
+let model ?(given = Span.command_line) ?(narrowed = []) ?parametric ?source console ~overrides path =
   let* () = check_overrides (List.map fst overrides @ List.map fst narrowed) in
   let* source =
     match source with
@@ -118,4 +118,4 @@ let model ?(given = Span.command_line) ?(narrowed = []) ?source console ~overrid
       Ok source
   in
   Result.map_error (List.map (placed given))
-    (Scc_loading.Loaded.load ~read_file:(mesh_reader console path) ~overrides ~narrowed source)
+    (Scc_loading.Loaded.load ~read_file:(mesh_reader console path) ~overrides ~narrowed ?parametric source)

@@ -43,10 +43,11 @@ val no_check : Code.t -> Span.t -> string -> Scc_property.Property.check list ->
 val model :
   ?given:Span.t ->
   ?narrowed:(string * (Scc_calculus.Ranges.bound * Scc_calculus.Ranges.bound)) list ->
+  ?parametric:Scc_elaborate.Asked.given ->
   ?source:Source.t ->
   Console.t ->
   overrides:(string * Rat.t) list ->
   string ->
   (Scc_loading.Loaded.t, Diag.t list) result
-(** Reads and loads the file, or [source] as its content. Its texts are added to the console. [given] is the
-    place of [overrides] in errors (default: the command line). *)
+(** Reads and loads the file, or [source] as its content. Its texts are added to the console. [given] is the place
+    of [overrides] in errors (default: the command line). [parametric] is as for {!Scc_loading.Loaded.load}. *)

@@ -24,6 +24,7 @@ let number (side, (m : Scc_ctl.Eval.measured)) =
 
 let reasons : Verdict.t -> Verdict.reason list = function
   | Measured { reasons; _ } | Undecided reasons -> reasons
+  | Depends _ -> []
   | Holds { bounds; _ } -> List.map (fun b -> Verdict.Truncated b) bounds
   | Violated _ -> []
 

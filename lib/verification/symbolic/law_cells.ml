@@ -52,7 +52,7 @@ let rec number env region (e : Law.expr) : (Polyhedron.t * Linear.t) list =
     List.concat_map with_second (number env region a)
   in
   match e with
-  | Const q -> [ (region, constant region q) ]
+  | Const q | Open { value = q; _ } -> [ (region, constant region q) ]
   | Var v -> [ (region, env.value v) ]
   | Neg a -> List.map (fun (p, x) -> (p, Linear.neg x)) (number env region a)
   | Add (a, b) -> both (fun _ -> Linear.add) a b

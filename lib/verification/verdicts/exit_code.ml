@@ -49,6 +49,7 @@ let of_verdict (v : Verdict.t) =
   match v with
   | Violated _ -> Violated
   | Holds { bounds; _ } -> of_bounds bounds
+  | Depends d -> if Option.equal Bool.equal (Verdict.everywhere d) (Some false) then Violated else Holds
   | Measured { reasons = []; _ } -> Holds
   | Measured _ | Undecided _ -> if Verdict.resources v then Stopped else Undecided
 

@@ -43,12 +43,12 @@ let premise ({ check = p; verdict; _ } : Verdict.outcome) =
     Some
       (Diag.warning Code.vacuous p.span "no run ever meets `%s`, so that what `%s` says of it is never asked"
          p.text p.name)
-  | Holds _ | Measured _ | Undecided _ -> None
+  | Holds _ | Measured _ | Depends _ | Undecided _ -> None
 
 let holds (o : Verdict.outcome) =
   match o.verdict with
   | Holds _ -> true
-  | Violated _ | Measured _ | Undecided _ -> false
+  | Violated _ | Measured _ | Depends _ | Undecided _ -> false
 
 let warnings (report : Check.report) ~verdicts ~answers =
   let uneventful =

@@ -99,6 +99,7 @@ let lift_verdict lift (v : Verdict.t) : Verdict.t =
   match v with
   | Holds { bounds; witness } -> Holds { bounds; witness = Option.bind witness lift }
   | Violated { witness } -> Violated { witness = Option.bind witness lift }
+  | Depends _ -> v
   | Measured m ->
     Measured
       { m with reasons = List.filter_map (lift_reason lift) m.reasons; witness = Option.bind m.witness lift }
@@ -135,7 +136,7 @@ let rests semantics (result : Joint_check.result) (check : Property.check) (v : 
     @ List.filter_map (fun halt -> if lasting then None else Some (Verdict.Among halt)) round
   in
   match v with
-  | Undecided _ | Measured _ -> []
+  | Undecided _ | Measured _ | Depends _ -> []
   | Holds { witness = Some w; _ } | Violated { witness = Some w } -> by w
   | Holds { witness = None; _ } -> unless_lasting Exists
   | Violated { witness = None } -> unless_lasting All
@@ -160,7 +161,7 @@ let explored (options : Setup.t) semantics ~initial group =
   let outcome (i, check) (_, v, of_part) =
     let verdict = if whole then v else lift_verdict lift v in
     let { Lost.faults; left_out } = Lost.together of_part (Lost.taken lost) in
-    let split_step = match v with Verdict.Undecided _ -> None | Holds _ | Violated _ | Measured _ ->
+    let split_step = match v with Verdict.Undecided _ -> None | Holds _ | Violated _ | Measured _ | Depends _ ->
       result.stats.split_step in
     let resolution = Model.resolution (Semantics.model semantics) in
     (* It may be that of one run that decides. *)

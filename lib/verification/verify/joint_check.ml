@@ -1,3 +1,4 @@
+open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_graph_search
@@ -108,6 +109,24 @@ let measured answers find =
   let v = find temporal i in
   Temporal.done_with temporal i;
   (v, { answers with next_formula = i + 1 })
+
+(* Runs have the chances of one value of the parameter, and are not shown. *)
+let without_run : Verdict.t -> Verdict.t = function
+  | Holds { bounds; witness = _ } -> Holds { bounds; witness = None }
+  | Violated { witness = _ } -> Violated { witness = None }
+  | (Measured _ | Depends _ | Undecided _) as v -> v
+
+let functional (r : Unsettled.t) (range : Ranges.range) sensitivity ((check : Property.check), plan) answers =
+  let s () = Lazy.force (Option.get sensitivity) in
+  match check.asked with
+  | Whether when Formula.asks_probability check.formula ->
+    measured answers (fun t i -> Measuring.claim_function r t (s ()) i check.formula range)
+  | Whether ->
+    let v, answers = verdict r plan answers in
+    (without_run v, answers)
+  | How_likely sides -> measured answers (fun t i -> Measuring.probability_function r t (s ()) i sides range)
+  | Expected (sides, mean, test) ->
+    measured answers (fun t i -> Measuring.mean_function r t (s ()) i sides mean test range)
 
 let outcome (options : Setup.t) r ((check : Property.check), plan) answers =
   match check.asked with
@@ -261,6 +280,15 @@ let system (options : Setup.t) semantics ~initial checks plans =
 let plan (c : Property.check) : Plan.t =
   match c.asked with Whether -> Plan.of_formula c.formula | How_likely _ | Expected _ -> Formula c.formula
 
+(* With a parameter, tests of probabilities are functions of the whole graph. *)
+let plan_of (options : Setup.t) (c : Property.check) : Plan.t =
+  if Option.is_some options.parameter && Formula.asks_probability c.formula then Formula c.formula else plan c
+
+(* What holds for one value of the parameter may not hold for others: then all has to be known. *)
+let early (options : Setup.t) checks =
+  let is_test (c : Property.check) = c.asked = Whether && Formula.asks_probability c.formula in
+  Option.is_none options.parameter || not (List.exists is_test checks)
+
 let unsettled (options : Setup.t) context graph ~horizon : Unsettled.t =
   {
     bounds = options.bounds;
@@ -279,7 +307,7 @@ let about = function
 
 (* One exploration for some checks. *)
 let check (options : Setup.t) semantics ~initial (checks : Property.check list) =
-  let plans = List.map plan checks in
+  let plans = List.map (plan_of options) checks in
   let context = system options semantics ~initial checks plans in
   let asked = List.concat_map (questions context) plans in
   let temporals = List.concat_map formulas plans in
@@ -290,7 +318,11 @@ let check (options : Setup.t) semantics ~initial (checks : Property.check list) 
     Option.map (fun f _ _ tuple -> f (Catalogue.decode (Network_lts.catalogue context) tuple)) options.observe
   in
   let asked_formulas = Temporal.ask context temporals in
-  let settled = Known_early.settled options.surroundings asked_formulas ~rests (on_graph checks plans) in
+  let settled =
+    if early options checks then
+      Known_early.settled options.surroundings asked_formulas ~rests (on_graph checks plans)
+    else Some (fun _ -> false)
+  in
   let result =
     Search.run ?observe ?settled ~order:options.order ~keep_edges:(needs_edges plans limits)
       ~expanding:(options.expanding ~about:(about checks)) ~rests limits options.surroundings context asked
@@ -302,10 +334,17 @@ let check (options : Setup.t) semantics ~initial (checks : Property.check list) 
     | [] -> None
     | _ :: _ -> Some (Temporal.on ~surroundings:options.surroundings asked_formulas ~rests graph)
   in
+  let sensitivity =
+    Option.map (fun t -> lazy (Temporal.sensitivity t (Option.get options.parameter).parameter)) temporal
+  in
   let met = Unsettled.met r in
   let besides = besides r met in
   let step (outcomes, answers) (check, plan) =
-    let v, answers = outcome options r (check, plan) answers in
+    let v, answers =
+      match options.parameter with
+      | None -> outcome options r (check, plan) answers
+      | Some { parameter; _ } -> functional r parameter sensitivity (check, plan) answers
+    in
     ((check, v, Lost.taken r.lost) :: outcomes, answers)
   in
   let answers = { searches = result.answers; next_formula = 0; temporal } in

@@ -10,13 +10,14 @@ let witness (r : Unsettled.t) temporal i =
   Unsettled.run r (fun () -> Make_witness.of_explanation r.context r.graph temporal (Temporal.explain temporal i))
   |> Option.map (fun w -> { w with Witness.argument = None })
 
+let reasons_of (r : Unsettled.t) doubts =
+  match Unsettled.evaluated r doubts with
+  | Ok doubts -> Unsettled.doubts r doubts
+  | Error why -> why
+
 (* Why these values are not better known. *)
 let reasons (r : Unsettled.t) values doubts =
-  if List.for_all (fun (_, m) -> Likelihoods.is_exact m) values then []
-  else
-    match Unsettled.evaluated r doubts with
-    | Ok doubts -> Unsettled.doubts r doubts
-    | Error why -> why
+  if List.for_all (fun (_, m) -> Likelihoods.is_exact m) values then [] else reasons_of r doubts
 
 (* Where nothing is left to choose, what is found for one side is so for the other. *)
 let of_sides temporal sides find =
@@ -78,3 +79,61 @@ let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
   match Unsettled.evaluated r (fun () -> of_sides temporal sides find) with
   | Error why -> Undecided why
   | Ok found -> of_found found
+
+(* {1 As functions of a parameter} *)
+
+let function_of (r : Unsettled.t) find : ('a, Verdict.reason list) result =
+  match Unsettled.evaluated r find with
+  | Error why -> Error why
+  | Ok (Error (Scc_ctl.Sensitivity.Unknown why)) -> Error [ Verdict.Undefined why ]
+  | Ok (Error Interrupted) ->
+    let by stop = Verdict.Unevaluated (Bounds.stopped r.bounds stop) in
+    Error [ Option.fold ~none:(Verdict.Undefined "there was too little time") ~some:by (r.surroundings.stop ()) ]
+  | Ok (Ok found) -> Ok found
+
+(* A shape that takes too long is left out. *)
+let shaped r (range : Scc_calculus.Ranges.range) pieces : Depending.value =
+  let shape () = Dependence.shape ~low:range.low.value ~high:range.high.value pieces in
+  { pieces; shape = Result.value (Unsettled.evaluated r shape) ~default:None }
+
+let functions r temporal range sides find =
+  let of_side s = Result.map (fun pieces -> (s, shaped r range pieces)) (function_of r (fun () -> find s)) in
+  match sides with
+  | first :: others when Temporal.is_chain temporal ->
+    Result.map (fun (_, p) -> List.map (fun s -> (s, p)) (first :: others)) (of_side first)
+  | _ -> Result.all of_side sides
+
+let depends parameter values holds = Verdict.Depends { parameter; values; holds }
+
+let or_undecided doubts = function
+  | Ok v -> v
+  | Error why -> Verdict.Undecided (why @ doubts ())
+
+let probability_function r temporal s i sides parameter =
+  functions r temporal parameter sides (Temporal.probability_function s i)
+  |> Result.map (fun values -> depends parameter values None)
+  |> or_undecided (fun () -> reasons_of r (fun () -> Temporal.possible_doubts temporal i))
+
+let mean_function r temporal s i sides mean (test : Answer.bound option) (parameter : Scc_calculus.Ranges.range) =
+  let holds = function
+    | (_, { Depending.pieces; _ }) :: _ ->
+      let low = parameter.low.value and high = parameter.high.value in
+      Option.map (fun bound -> Dependence.where ~low ~high bound pieces) test
+    | [] -> None
+  in
+  functions r temporal parameter sides (fun side -> Temporal.mean_function s i side mean)
+  |> Result.map (fun values -> depends parameter values (holds values))
+  |> or_undecided (fun () -> reasons_of r (fun () -> Temporal.doubts_of_mean temporal i))
+
+let claim_function r temporal s i (formula : Scc_property.Property.temporal) parameter =
+  let side =
+    match formula with
+    | Finally (Chance c, _, _) | Globally (Chance c, _, _) | Until (Chance c, _, _, _) -> [ c.side ]
+    | _ -> []
+  in
+  let found =
+    let* set = function_of r (fun () -> Temporal.where s i) in
+    let* values = functions r temporal parameter side (Temporal.probability_function s i) in
+    Ok (depends parameter values (Some set))
+  in
+  or_undecided (fun () -> reasons_of r (fun () -> Temporal.possible_doubts temporal i)) found

@@ -15,3 +15,22 @@ val mean :
 
 val intervals : Temporal.t -> int -> Verdict.reason list
 (** The known intervals of the probabilities on which an undecided formula directly depends, as reasons. *)
+
+(** {1 As functions of a parameter}
+
+    The verdicts of rule Parametric for formula [i]: functions of the parameter in this range. *)
+
+val probability_function :
+  Unsettled.t -> Temporal.t -> Temporal.sensitivity -> int -> Property.side list -> Scc_calculus.Ranges.range ->
+  Verdict.t
+(** The verdict of a question for a probability. *)
+
+val mean_function :
+  Unsettled.t -> Temporal.t -> Temporal.sensitivity -> int -> Property.side list -> Property.mean ->
+  Scc_chance.Answer.bound option -> Scc_calculus.Ranges.range -> Verdict.t
+(** The verdict of a question for a mean, or of a test of one. *)
+
+val claim_function :
+  Unsettled.t -> Temporal.t -> Temporal.sensitivity -> int -> Property.temporal -> Scc_calculus.Ranges.range ->
+  Verdict.t
+(** The verdict of a formula with tests of probabilities. *)

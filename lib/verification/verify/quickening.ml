@@ -24,7 +24,7 @@ let combine f a b =
 
 let rec growth (e : Law.expr) =
   match e with
-  | Const r -> if Rat.sign r = 0 then Any else Power 0
+  | Const r | Open { value = r; _ } -> if Rat.sign r = 0 then Any else Power 0
   | Var (Vx | Vy | Vz) -> Power 1
   | Var Mass -> Power 0
   | Var (X | Y | Z | Wx | Wy | Wz | Time | Dt) | Round _ -> Other

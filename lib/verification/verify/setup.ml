@@ -11,6 +11,7 @@ type t = {
   observe : (State.t -> unit) option;
   prove : bool;
   curve : string option;
+  parameter : Open_number.t option;
   expanding : about:string -> State_graph.expanding;
   compacting : about:string -> State_fingerprints.expanding;
 }
@@ -25,6 +26,7 @@ let default =
     observe = None;
     prove = false;
     curve = None;
+    parameter = None;
     expanding = (fun ~about:_ -> State_graph.here);
     compacting = (fun ~about:_ -> State_fingerprints.here);
   }

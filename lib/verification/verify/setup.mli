@@ -20,6 +20,8 @@ type t = {
   curve : string option;
   (** the check with this name, which asks for a probability within a time, is answered for all shorter times, too
   *)
+  parameter : Open_number.t option;
+  (** probabilities and means are functions of this parameter (rule Parametric); draws must not be joined *)
   expanding : about:string -> State_graph.expanding;
   compacting : about:string -> State_fingerprints.expanding;
   (** the way of expanding with hash compaction. Both functions are called for each exploration. Its checks

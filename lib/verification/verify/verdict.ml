@@ -29,12 +29,19 @@ type point = {
   answer : (Scc_property.Property.side * Scc_ctl.Eval.measured) list;
 }
 
+type dependence = {
+  parameter : Ranges.range;
+  values : Depending.values;
+  holds : Scc_chance.Dependence.set option;
+}
+
 type t =
   | Holds of { bounds : truncation list; witness : Witness.t option }
   | Violated of { witness : Witness.t option }
   | Measured of { values : (Scc_property.Property.side * Scc_ctl.Eval.measured) list; reasons : reason list;
                   witness : Witness.t option; curve : point list;
                   starts : (Scc_property.Property.side * Scc_regions.Chances.t) list }
+  | Depends of dependence
   | Undecided of reason list
 
 type over = { instants : bool; ranges : Ranges.t; example : (string * Rat.t) list; everywhere : bool;
@@ -55,12 +62,19 @@ type outcome = {
 
 let by_invariant o = match o.scale.over with Some over -> over.by_invariant | None -> false
 let over_zones o = Option.is_some o.scale.over
+let everywhere d =
+  let low = d.parameter.low.value and high = d.parameter.high.value in
+  let fails set = Scc_chance.Dependence.(intervals ~low ~high (complement set)) in
+  Option.map (fun set -> fails set = []) d.holds
+
 let is_open = function
   | Undecided _ | Holds { bounds = _ :: _; _ } -> true
-  | Holds _ | Violated _ | Measured _ -> false
+  | Holds _ | Violated _ | Measured _ | Depends _ -> false
 
-let exhaustive = function Holds { bounds = []; _ } -> true | Holds _ | Violated _ | Measured _ | Undecided _ ->
-  false
+let exhaustive = function
+  | Holds { bounds = []; _ } -> true
+  | Depends d -> Option.equal Bool.equal (everywhere d) (Some true)
+  | Holds _ | Violated _ | Measured _ | Undecided _ -> false
 
 let rank = function
   | Depth _ -> 0
@@ -92,7 +106,8 @@ let together a b =
 (* As good as the worst of them. *)
 let both a b =
   match (a, b) with
-  | Measured _, _ | _, Measured _ -> Scc_base.Bug.fail __POS__ "a number among truth values"
+  | (Measured _ | Depends _), _ | _, (Measured _ | Depends _) ->
+    Scc_base.Bug.fail __POS__ "a number among truth values"
   | (Violated _ as v), _ | _, (Violated _ as v) -> v
   | Undecided r, Undecided s -> Undecided (r @ s)
   | (Undecided _ as u), _ | _, (Undecided _ as u) -> u
@@ -103,7 +118,8 @@ let both a b =
 (* As good as the best of them. *)
 let either a b =
   match (a, b) with
-  | Measured _, _ | _, Measured _ -> Scc_base.Bug.fail __POS__ "a number among truth values"
+  | (Measured _ | Depends _), _ | _, (Measured _ | Depends _) ->
+    Scc_base.Bug.fail __POS__ "a number among truth values"
   | (Holds { bounds = []; _ } as v), _ | _, (Holds { bounds = []; _ } as v) -> v
   | (Holds _ as v), _ | _, (Holds _ as v) -> v
   | Undecided r, Undecided s -> Undecided (r @ s)
@@ -119,7 +135,7 @@ let disjunction = function
 
 let truncated = function
   | Holds { bounds; _ } -> bounds
-  | Violated _ -> []
+  | Violated _ | Depends _ -> []
   | Measured { reasons; _ } | Undecided reasons ->
     List.filter_map
       (function Truncated t | Unevaluated t -> Some t | Unexplored _ | Undefined _ | Fault _ -> None)
@@ -137,7 +153,7 @@ let by_default = function
   | Holds { bounds; _ } ->
     let is_default = function By_default -> true | By_user | By_property | By_system -> false in
     List.exists (fun t -> is_default t.origin) bounds
-  | Violated _ | Measured _ | Undecided _ -> false
+  | Violated _ | Measured _ | Depends _ | Undecided _ -> false
 
 (* Rounded up to one digit. *)
 let at_most p =
@@ -216,6 +232,7 @@ let to_string = function
   | Measured ({ reasons; _ } as m) ->
     Printf.sprintf "%s, as far as is known: %s" (number m.values m.starts)
       (String.concat "; " (List.map reason_to_string reasons))
+  | Depends d -> Depending.to_string d.parameter ~values:d.values ~holds:d.holds
   | Undecided reasons -> "undecided: " ^ String.concat "; " (List.map reason_to_string reasons)
 
 (* Of what is violated for some values alone, for which. *)
@@ -250,7 +267,7 @@ let unshown o =
   let run =
     match o.verdict with
     | Undecided _ | Measured { reasons = _ :: _; _ } -> "the run to what was not explored"
-    | Holds _ | Violated _ | Measured { reasons = []; _ } -> "its run"
+    | Holds _ | Violated _ | Depends _ | Measured { reasons = []; _ } -> "its run"
   in
   let left_out t = Printf.sprintf "; %s is left out: making it ended at %s" run (truncation_to_string t) in
   (match o.lost with [] -> "" | _ :: _ -> "; its run could not be rebuilt: this is a fault of scc")
@@ -261,7 +278,7 @@ let outcome_to_string o =
   let verdict =
     match o.verdict with
     | Undecided _ -> to_string o.verdict
-    | Measured _ -> to_string o.verdict ^ scale_to_string o.scale
+    | Measured _ | Depends _ -> to_string o.verdict ^ scale_to_string o.scale
     | Holds { bounds = []; _ } when by_invariant o ->
       Printf.sprintf "holds (proved by an invariant%s)%s" everywhere (scale_to_string o.scale)
     | Holds { bounds = []; _ } when everywhere <> "" ->
@@ -278,6 +295,7 @@ let outcome_to_string o =
 
 let shown = function
   | Holds { witness; _ } | Violated { witness } | Measured { witness; _ } -> witness
+  | Depends _ -> None
   | Undecided reasons ->
     List.find_map
       (function

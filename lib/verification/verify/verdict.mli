@@ -36,6 +36,14 @@ type point = {
   answer : (Scc_property.Property.side * Scc_ctl.Eval.measured) list;  (** as [values] of a verdict *)
 }
 
+(** An answer that depends on a parameter of chances: on its open range (rule Parametric). *)
+type dependence = {
+  parameter : Ranges.range;
+  values : Depending.values;
+  (** the probability or the mean; of a claim, the one that it tests, if it is a single test *)
+  holds : Scc_chance.Dependence.set option;  (** of a claim: where it holds *)
+}
+
 type t =
   | Holds of {
       bounds : truncation list;
@@ -53,6 +61,7 @@ type t =
       starts : (Scc_property.Property.side * Scc_regions.Chances.t) list;
       (** of explorations over zones: how it depends on the start. [values] are then bounds for all starts. *)
     }  (** the answer to a question for numbers *)
+  | Depends of dependence
   | Undecided of reason list  (** not empty *)
 
 (** The range of a verdict over zones: all that a model leaves open. *)
@@ -112,6 +121,10 @@ val is_open : t -> bool
 
 val exhaustive : t -> bool
 (** [exhaustive v] is true if [v] holds without bounds, as a proof. *)
+
+val everywhere : dependence -> bool option
+(** [everywhere d] is true if a claim holds for all values of the parameter, and false if it fails for some;
+    [None] for a number. *)
 
 val conjunction : t list -> t
 (** The verdict for the conjunction: violated if one is, else undecided if one is, else it holds within all

@@ -100,7 +100,7 @@ let rests_on_proof answer (where : Where.t) (verdict : Verdict.t) =
   match verdict with
   | Holds { bounds = []; _ } -> not (Union.is_empty (Union.difference where.holds holds))
   | Violated _ -> Union.is_empty fails
-  | Holds _ | Measured _ | Undecided _ -> false
+  | Holds _ | Measured _ | Depends _ | Undecided _ -> false
 
 (* A bound on its size has ended the exploration, or the seconds that it had of those who asked for an invariant,
    and something is not known that an invariant may prove. *)

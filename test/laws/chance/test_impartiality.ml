@@ -20,7 +20,7 @@ let told : Verdict.t -> string = function
     when List.for_all (fun (_, (v : Scc_ctl.Eval.measured)) -> exact v.least && exact v.most) values ->
     let value (_, ({ least; _ } : Scc_ctl.Eval.measured)) = Scc_chance.Answer.to_string least in
     String.concat " " (List.map value values)
-  | Holds _ | Measured _ | Undecided _ -> "undecided"
+  | Holds _ | Measured _ | Depends _ | Undecided _ -> "undecided"
 
 let answers_of (e : Scc_elaborate.Elaborate.t) =
   let semantics = Scc_engine.Standard.of_model e.model in

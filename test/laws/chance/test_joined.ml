@@ -186,7 +186,7 @@ let known (v : Verdict.t) =
   | Holds { bounds = []; _ } -> Is true
   | Violated _ -> Is false
   | Measured { reasons = []; values; _ } -> Between (List.map ends values)
-  | Holds _ | Measured _ | Undecided _ -> Open
+  | Holds _ | Measured _ | Depends _ | Undecided _ -> Open
 
 let meet (low, high) (low', high') =
   let below a b = match (a, b) with Some a, Some b -> Rat.compare a b <= 0 | None, _ | _, None -> true in
@@ -212,7 +212,7 @@ let replays semantics initial (v : Verdict.t) =
       | Ok transitions ->
         let last = match List.rev transitions with [] -> initial | t :: _ -> t.Transition.target in
         if not (State.equal last w.last) then QCheck2.Test.fail_report "a run leads elsewhere")
-  | Holds _ | Violated _ | Measured _ | Undecided _ -> ()
+  | Holds _ | Violated _ | Measured _ | Depends _ | Undecided _ -> ()
 
 let agrees text =
   let e = Load.exactly (Load.text text) in
@@ -277,7 +277,7 @@ let told : Verdict.t -> string = function
   | Holds { bounds = []; _ } -> "holds"
   | Violated _ -> "violated"
   | Measured { values = (_, { least = Exact x; most = Exact y }) :: _; _ } when Rat.equal x y -> Rat.to_string x
-  | Holds _ | Measured _ | Undecided _ -> "undecided"
+  | Holds _ | Measured _ | Depends _ | Undecided _ -> "undecided"
 
 let is expected scene check () =
   let e = Load.exactly (Load.text (cube ^ scene ^ "check c : " ^ check)) in

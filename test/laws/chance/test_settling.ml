@@ -123,7 +123,7 @@ let answer (o : Verdict.outcome) =
       Scc_chance.Answer.to_string least ^ " " ^ Scc_chance.Answer.to_string most
     in
     Some (String.concat " " (List.map value values))
-  | Holds _ | Measured _ | Undecided _ -> None
+  | Holds _ | Measured _ | Depends _ | Undecided _ -> None
 
 (* One check for each kind of time that is seen: none of them is ever known. *)
 let never = "check never : AG EF 1 / (processes - processes) > 0\n"

@@ -71,9 +71,11 @@ MISTAKES = {
         "splits.ml", "i > least && open_yet i", "i > least && (ignore open_yet; true)",
     ),
     "certain chances are too much": (
-        "splits.ml", "Rat.compare (total side.drawn) Rat.one > 0", "Rat.compare (total side.drawn) Rat.one >= 0",
+        "splits.ml", "Rat.compare (n.value q) Rat.one > 0", "Rat.compare (n.value q) Rat.one >= 0",
     ),
-    "both let go as often as the rarer one": ("splits.ml", "(s @ t, Rat.mul q r)", "(s @ t, Rat.min q r)"),
+    "both let go as often as the rarer one": (
+        "splits.ml", "(s @ t, n.mul q r)", "(s @ t, if Rat.compare (n.value q) (n.value r) < 0 then q else r)",
+    ),
     "lots wait a whole step": ("lots.ml", "Some (Rat.sub (step m) since)", "(ignore since; Some (step m))"),
     "two bonds of a leaf are not contested": (
         "lots.ml", "List.compare_length_with cluster 1 > 0", "List.compare_length_with cluster 2 > 0",
@@ -168,7 +170,7 @@ MISTAKES = {
         "process.ml", "if compare first p <= 0 then first else p", "if compare first p >= 0 then first else p",
     ),
     "a velocity that is drawn twice counts once": (
-        "steer.ml", "merged Given.compare Rat.add", "merged Given.compare (fun q _ -> q)",
+        "steer.ml", "merged Given.compare n.add", "merged Given.compare (fun q _ -> ignore n; q)",
     ),
     "as many outcomes as allowed are too many": (
         "steer.ml", "List.length others > Law.most_outcomes", "List.length others >= Law.most_outcomes",

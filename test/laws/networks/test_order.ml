@@ -147,7 +147,7 @@ let verdicts n =
           | Holds _ -> if Verdict.exhaustive o.verdict then "holds" else "bounded"
           | Violated _ -> "violated"
           | Measured { values; _ } -> Scc_explain.Likelihoods.values values
-          | Undecided _ -> "undecided"
+          | Depends _ | Undecided _ -> "undecided"
         in
         o.check.name ^ ": " ^ kind)
 

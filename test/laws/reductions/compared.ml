@@ -29,7 +29,7 @@ let definite (v : Verdict.t) =
   match v with
   | Holds { bounds = []; _ } -> Some true
   | Violated _ -> Some false
-  | Holds _ | Measured _ | Undecided _ -> None
+  | Holds _ | Measured _ | Depends _ | Undecided _ -> None
 
 let conflict (a : Verdict.outcome) (b : Verdict.outcome) =
   match (a.verdict, b.verdict) with
@@ -41,7 +41,7 @@ let conflict (a : Verdict.outcome) (b : Verdict.outcome) =
 
 let witness : Verdict.t -> Witness.t option = function
   | Holds { witness; _ } | Violated { witness } | Measured { witness; _ } -> witness
-  | Undecided _ -> None
+  | Depends _ | Undecided _ -> None
 
 (* By the rules alone, in the model as it is. *)
 let replays (e : Scc_elaborate.Elaborate.t) initial (o : Verdict.outcome) =
@@ -60,7 +60,7 @@ let shows (e : Scc_elaborate.Elaborate.t) ({ check = c; verdict = v; _ } : Verdi
   | Some ({ finish = At_state; _ } as w), (Possibly (_, p) | Always (_, p))
     when not (Formula.has_events (State p)) ->
     let holds = Trajectory.holds (standard e.model) w.last p in
-    let wanted = match v with Holds _ -> Truth.True | Violated _ | Measured _ | Undecided _ -> False in
+    let wanted = match v with Holds _ -> Truth.True | Violated _ | Measured _ | Depends _ | Undecided _ -> False in
     Truth.equal holds wanted
   | _ -> true
 

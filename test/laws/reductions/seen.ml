@@ -167,7 +167,7 @@ let variable v (x : Law.variable) : Law.expr =
   | Dt -> times exprs (inverse v.time) (Law.Var Dt)
 
 let rec expr v : Law.expr -> Law.expr = function
-  | Const c -> Const c
+  | (Const _ | Open _) as e -> e
   | Var x -> variable v x
   | Neg a -> Neg (expr v a)
   | Add (a, b) -> Add (expr v a, expr v b)

@@ -60,6 +60,7 @@ let told ~time ~closed (o : Verdict.outcome) =
     | Measured { values; reasons; _ } ->
       let one (_, (m : Scc_ctl.Eval.measured)) = value ~unit m.least ^ " to " ^ value ~unit m.most in
       String.concat "; " (List.map one values) ^ " " ^ words (List.map reason reasons)
+    | Depends _ -> "depends"
     | Undecided reasons -> "undecided: " ^ words (List.map reason reasons)
   in
   let rest : Verdict.rest -> string = function By _ -> "by a run without time" | Among _ -> "among such runs" in

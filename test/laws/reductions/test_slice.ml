@@ -26,11 +26,11 @@ let check options m initial formula =
 let decided : Verdict.t -> bool option = function
   | Holds { bounds = []; _ } -> Some true
   | Violated _ -> Some false
-  | Holds _ | Measured _ | Undecided _ -> None
+  | Holds _ | Measured _ | Depends _ | Undecided _ -> None
 
 let witness : Verdict.t -> Witness.t option = function
   | Holds { witness; _ } | Violated { witness } | Measured { witness; _ } -> witness
-  | Undecided _ -> None
+  | Depends _ | Undecided _ -> None
 
 let facts m formula (w : Witness.t) =
   let arrived =

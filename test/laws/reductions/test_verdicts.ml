@@ -60,7 +60,7 @@ let definite (v : Verdict.t) =
   match v with
   | Holds { bounds = []; _ } -> Some true
   | Violated _ -> Some false
-  | Holds _ | Measured _ | Undecided _ -> None
+  | Holds _ | Measured _ | Depends _ | Undecided _ -> None
 
 let in_full (r : Check.report) = r.stats.complete && not r.stats.decided_early
 

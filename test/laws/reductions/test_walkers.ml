@@ -142,11 +142,11 @@ let known (v : Verdict.t) =
   | Holds { bounds = []; _ } -> Is true
   | Violated _ -> Is false
   | Measured { reasons = []; values; _ } -> Number values
-  | Holds _ | Measured _ | Undecided _ -> Open
+  | Holds _ | Measured _ | Depends _ | Undecided _ -> Open
 
 let witness : Verdict.t -> Witness.t option = function
   | Holds { witness; _ } | Violated { witness } | Measured { witness; _ } -> witness
-  | Undecided _ -> None
+  | Depends _ | Undecided _ -> None
 
 (* By the rules of the whole, at the times that it says. *)
 let replays (e : Scc_elaborate.Elaborate.t) initial (w : Witness.t) =

@@ -220,7 +220,7 @@ let has_run case claim (v : Verdict.t) =
   match v with
   | Holds { bounds = []; witness = w } when some -> witness w
   | Violated { witness = w } when not some -> witness w
-  | Holds _ | Violated _ | Measured _ | Undecided _ -> None
+  | Holds _ | Violated _ | Measured _ | Depends _ | Undecided _ -> None
 
 let options = { Setup.default with bounds = { Bounds.default with states = Given 150; depth = Given 60 } }
 

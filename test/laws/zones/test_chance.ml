@@ -145,7 +145,7 @@ let single text overrides =
               (Option.get (Scc_chance.Answer.lower m.least), Option.get (Scc_chance.Answer.upper m.most))
             in
             Values (List.map ends values)
-          | Holds _ | Undecided _ -> Nothing))
+          | Holds _ | Depends _ | Undecided _ -> Nothing))
 
 let at point (_, (c : Scc_regions.Chances.t)) =
   let part = List.find (fun (p : Scc_regions.Chances.part) -> Union.mem p.set point) c.parts in
@@ -154,7 +154,7 @@ let at point (_, (c : Scc_regions.Chances.t)) =
 let over_starts (report : Check.report) point =
   match (outcome report).verdict with
   | Measured { starts; _ } -> Values (List.map (at point) starts)
-  | Holds _ | Violated _ | Undecided _ ->
+  | Holds _ | Violated _ | Depends _ | Undecided _ ->
     let w = List.hd report.where in
     if Union.mem w.holds point then Truth (Some true)
     else if Union.mem w.fails point then Truth (Some false)
@@ -208,7 +208,7 @@ let points random (l : Loaded.t) (report : Check.report) =
     | Measured { starts; _ } ->
       let set (p : Scc_regions.Chances.part) = p.set in
       List.concat_map (fun (_, (c : Scc_regions.Chances.t)) -> List.map set c.parts) starts
-    | Holds _ | Violated _ | Undecided _ ->
+    | Holds _ | Violated _ | Depends _ | Undecided _ ->
       let w = List.hd report.where in
       [ w.holds; w.fails ]
   in
@@ -250,7 +250,7 @@ let try_model number =
                 + List.fold_left (fun n (_, (c : Scc_regions.Chances.t)) -> n + List.length c.parts) 0 starts;
               "measured"
             | Measured _ -> "measured in part"
-            | Holds _ | Violated _ -> "decided"
+            | Holds _ | Violated _ | Depends _ -> "decided"
             | Undecided (r :: _) -> Verdict.reason_to_string r
             | Undecided [] -> "undecided");
         let try_point point =

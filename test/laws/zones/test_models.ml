@@ -24,7 +24,7 @@ let kind : Verdict.t -> string = function
   | Holds { bounds = []; _ } -> "holds"
   | Holds _ -> "holds up to a bound"
   | Violated _ -> "violated"
-  | Measured _ -> "measured"
+  | Measured _ | Depends _ -> "measured"
   | Undecided _ -> "undecided"
 
 let compared = ref 0

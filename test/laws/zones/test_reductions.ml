@@ -40,7 +40,7 @@ let compared = ref 0 and complete = ref 0 and sliced = ref 0 and lesser = ref 0 
 let kind : Verdict.t -> string option = function
   | Holds { bounds = []; _ } -> Some "holds"
   | Violated _ -> Some "violated"
-  | Holds _ | Measured _ | Undecided _ -> None
+  | Holds _ | Measured _ | Depends _ | Undecided _ -> None
 
 (* What one leaves open contradicts nothing; but where both know all, they know the same. *)
 let same name ((a, v) : Verdict.outcome * Where.t) ((b, w) : Verdict.outcome * Where.t) =

@@ -148,7 +148,7 @@ let boost by =
 
 (* The probability within a step stays what it is, as steps are scaled too. *)
 let scaled_odds ~time : Odds.t -> Odds.t = function
-  | Chance q -> Chance q
+  | (Chance _ | Open_chance _) as q -> q
   | Rate { rate; alone } -> Rate { rate = Rat.div rate time; alone }
 
 let rec behaving ~time ~impulse (b : Behaviour.t) =

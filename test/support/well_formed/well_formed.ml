@@ -190,7 +190,9 @@ let lots_are_right (m : Model.t) (s : State.t) =
     | Some lots ->
       let of_bond (b, (lot : State.lot)) =
         Array.exists (State.equal_bond b) p.bonds
-        && match lot with Undecided -> Option.is_some (Lots.sides m p b) | Let_go _ | Next _ -> true
+        && match lot with
+        | Undecided -> Option.is_some (Lots.sides Chances.rationals m p b)
+        | Let_go _ | Next _ -> true
       in
       Rat.equal lots.since since
       && (lots.pending = [] || Rat.sign since = 0)

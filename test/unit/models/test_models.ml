@@ -197,7 +197,7 @@ let verdict (v : Scc_verify.Verdict.t) =
     | Holds _ -> "bounded"
     | Violated _ -> "violated"
     | Measured { values; _ } -> Scc_explain.Likelihoods.values values
-    | Undecided _ -> "undecided"
+    | Depends _ | Undecided _ -> "undecided"
 
 let pair = Alcotest.(list (pair string string))
 
@@ -297,7 +297,7 @@ let witnesses () =
       (fun (o : Scc_verify.Verdict.outcome) ->
          match o.verdict with
          | Scc_verify.Verdict.Holds { witness; _ } | Violated { witness } | Measured { witness; _ } -> witness
-         | Undecided _ -> None)
+         | Depends _ | Undecided _ -> None)
       report.outcomes
     |> fun ws -> List.iter (check m initial name) ws; List.length ws
   in

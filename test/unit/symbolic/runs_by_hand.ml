@@ -29,7 +29,7 @@ let shown (o : Verdict.outcome) =
     match o.verdict with
     | Holds { witness; _ } -> "holds: " ^ of_run witness
     | Violated { witness } -> "violated: " ^ of_run witness
-    | Measured _ -> "measured"
+    | Measured _ | Depends _ -> "measured"
     | Undecided _ -> "undecided"
   in
   (o.check.name, text)

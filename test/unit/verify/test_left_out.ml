@@ -118,7 +118,7 @@ let unevaluated (o : Verdict.outcome) =
   match o.verdict with
   | Undecided reasons | Measured { reasons; _ } ->
     List.exists (function Verdict.Unevaluated _ -> true | _ -> false) reasons
-  | Holds _ | Violated _ -> false
+  | Holds _ | Violated _ | Depends _ -> false
 
 (* Without the run to what was not explored, and what is told of how many states matter. *)
 let without_run (o : Verdict.outcome) =
@@ -126,7 +126,7 @@ let without_run (o : Verdict.outcome) =
   match o.verdict with
   | Undecided reasons -> Verdict.to_string (Undecided (List.filter stays reasons))
   | Measured m -> Verdict.to_string (Measured { m with reasons = List.filter stays m.reasons })
-  | Holds _ | Violated _ -> words o
+  | Holds _ | Violated _ | Depends _ -> words o
 
 let same_outcome what (whole : Verdict.outcome) (o : Verdict.outcome) =
   let what = Printf.sprintf "%s, %s: %s" what o.check.name (Verdict.outcome_to_string o) in

@@ -34,6 +34,7 @@ def check(
     invariant: Optional[Path] = None,
     jobs: Optional[int] = None,
     no_reduce: Optional[Texts] = None,
+    parametric: Optional[str] = None,
     prove: bool = False,
     sarif: Optional[Path] = None,
     shortest: Optional[str] = None,
@@ -85,6 +86,8 @@ def check(
       1 only this process. The report is the same for any number, to the byte.
     ``no_reduce``: Switches reductions off: symmetry, translation, order, jump, slice, drift, time, draws,
       isometry, or all; separated by commas. No reduction changes a verdict; see REDUCTIONS.
+    ``parametric``: Answers with functions of the parameter NAME, which the model declares with a range (param k
+      in (0, 1)) and which stands in weights and chances alone. See PARAMETRIC.
     ``prove``: Searches for an invariant: a set of states that no run leaves. It may prove that something never
       happens where exploring does not end. The search is brief at first, and longer where a bound ended the
       exploration, all within the bounds. See PROOFS.
@@ -132,6 +135,7 @@ def check(
         *words.path("--invariant", invariant),
         *words.integer("--jobs", jobs),
         *words.listed("--no-reduce", no_reduce),
+        *words.text("--parametric", parametric),
         *words.flag("--prove", prove),
         *words.path("--sarif", sarif),
         *words.text("--shortest", shortest),
