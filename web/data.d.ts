@@ -186,6 +186,8 @@ interface PlayedRun extends DataRun {
   steps: DataStep[];
   rest: string;
   way: { base: number; legs: number; choices: number[] } | null;
+  /** No single run shows the verdict: this is the beginning of any. */
+  bare?: boolean;
 }
 
 /** How many rows of each table of a document are known. */

@@ -29,6 +29,14 @@ const Exactly = (() => {
   }
 
   /**
+   * The values of parameters: "n = 4, y = -5/2".
+   * @param {{ [parameter: string]: string } | undefined} values
+   */
+  function values(values) {
+    return Object.entries(values || {}).map(([name, value]) => `${name} = ${value.replace(/\/1$/, "")}`).join(", ");
+  }
+
+  /**
    * An exact number, and its decimals if these are another text.
    * @param {Rational} r
    */
@@ -69,5 +77,5 @@ const Exactly = (() => {
     return Rational.of(s);
   }
 
-  return { decimal, told, text, both, show, grid, read };
+  return { decimal, told, text, values, both, show, grid, read };
 })();

@@ -126,7 +126,7 @@ const Links = (() => {
     const index = said.get("run");
     if (index !== undefined) {
       const way = said.get("way");
-      const run = player.runs.find((one) => one.way === null && String(one.index) === index);
+      const run = /^-?[0-9]+$/.test(index) ? player.base(Number(index)) : undefined;
       if (!run) notice(`the run of the address is not ${Live.on ? "here" : "in this file"}`);
       else if (way !== undefined) {
         const numbers = /^[0-9]+(\.[0-9]+)+$/.test(way) ? way.split(".").map(Number) : [];

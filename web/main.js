@@ -77,12 +77,17 @@ const Main = (() => {
   function head(data) {
     Dom.get("title").textContent = Dom.clip(data.name, 2000);
     Dom.get("title").title = Dom.clip(data.name, 400);
-    const parameters = Object.entries(data.parameters).map(
-      ([name, value]) => `${name} = ${value.replace(/\/1$/, "")}`,
-    );
-    Dom.fill(Dom.get("about"), Dom.make("bdi", { text: Dom.clip(parameters.join(", "), 400) }));
-    Dom.get("about").title = Dom.clip(parameters.join("\n"), 2000);
     Dom.get("model").append(Dom.make("pre", { class: "source", dir: "ltr", text: data.text }));
+  }
+
+  /**
+   * The values of parameters: those of the document, and of the start that is shown.
+   * @param {Player} player
+   */
+  function about(player) {
+    const values = Exactly.values({ ...player.data.parameters, ...player.run.values });
+    Dom.fill(Dom.get("about"), Dom.make("bdi", { text: Dom.clip(values, 400) }));
+    Dom.get("about").title = Dom.clip(values, 2000);
   }
 
   /**
@@ -132,6 +137,8 @@ const Main = (() => {
     head(data);
     Channels.start(data);
     const player = new Player(data);
+    player.on("run", about);
+    about(player);
     Live.start();
     Grow.start(player);
     Regions.start(player);
@@ -149,7 +156,13 @@ const Main = (() => {
     Tools.start(player, scene);
     Keys.start(player);
     if (scene) {
-      const draw = () => scene.show(player.course, player.legs, player.time);
+      let start = Exactly.values(player.run.values);
+      const draw = () => {
+        scene.show(player.course, player.legs, player.time);
+        const now = Exactly.values(player.run.values);
+        if (now !== start) scene.restart();
+        start = now;
+      };
       player.on("move", draw);
       player.on("grow", () => scene.learn());
       Details.onSelect((selection) => {

@@ -14,6 +14,8 @@ class Player {
     this.data = data;
     /** @type {PlayedRun[]} the runs that there are, those of the file first */
     this.runs = Player.playable(data);
+    /** @type {PlayedRun[]} of checks that no single run shows: the beginning */
+    this.bare = Player.beginnings(data);
     /** @type {{[what: string]: ((player: Player) => void)[]}} */
     this.listeners = {};
     this.still = window.matchMedia("(prefers-reduced-motion: reduce)");
@@ -41,6 +43,7 @@ class Player {
     /** How often one has gone elsewhere. */
     this.moves = 0;
     this.measure();
+    this.decide();
   }
 
   /**
@@ -63,6 +66,17 @@ class Player {
     });
     const none = { name: "the beginning", check: null, start: 0, steps: [], rest: "0/1", index: -1, way: null };
     return runs.length === 0 ? [none] : runs;
+  }
+
+  /** How runs end that decide a check. */
+  static decisive = ["state", "instant", "rests", "stops", "repeats", "passes", "goes_on"];
+
+  /** @param {PageData} data @returns {PlayedRun[]} */
+  static beginnings(data) {
+    const first = data.runs.find((run) => run.start !== null && run.check === null && !run.sample);
+    const start = first && first.start ? first.start : 0;
+    return data.runs.flatMap((run, index) =>
+      run.start === null ? [{ ...run, start, steps: [], rest: "0/1", index, way: null, bare: true }] : []);
   }
 
   /**
@@ -134,6 +148,18 @@ class Player {
   }
 
   /**
+   * Goes where the run of a check that is violated leads: to the instant that decides, and not where time passes on
+   * after it.
+   */
+  decide() {
+    const { check, steps, finish } = this.run;
+    if (!check || check.verdict !== "violated" || !Player.decisive.includes(finish || "")) return;
+    const tail = steps.findIndex((step) => step.tail);
+    const legs = tail < 0 ? steps.length : tail;
+    this.place(legs, finish === "rests" ? this.instant(legs) : this.until(legs));
+  }
+
+  /**
    * Shows another run, or the same one from its beginning.
    * @param {PlayedRun} run @param {number} [legs] @param {Rational} [time]
    */
@@ -145,6 +171,7 @@ class Player {
     this.legs = 0;
     this.time = Rational.zero;
     this.place(legs || 0, time);
+    if (legs === undefined) this.decide();
     this.tell("run");
     this.tell("move");
   }
@@ -268,7 +295,7 @@ class Player {
 
   /** @param {number} index of a run of the file */
   base(index) {
-    return this.runs.find((run) => run.way === null && run.index === index);
+    return this.runs.concat(this.bare).find((run) => run.way === null && run.index === index);
   }
 
   /** @param {number} base @param {number} legs @param {number[]} choices */

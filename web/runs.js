@@ -12,8 +12,9 @@ const Runs = (() => {
    */
   let entries = [];
   let chosen = 0;
+  const bare = "A verdict about all runs: no single run shows it.";
 
-  /** @typedef {{name: string, check: DataRun["check"], run: PlayedRun | null}} Entry */
+  /** @typedef {{name: string, check: DataRun["check"], run: PlayedRun}} Entry */
 
   /** @param {Player} of */
   function start(of) {
@@ -35,27 +36,30 @@ const Runs = (() => {
       run.sample && index !== player.run.index ? [] : [{
         name: run.name,
         check: run.check,
-        run: player.runs.find((one) => one.way === null && one.index === index) || null,
+        run: /** @type {PlayedRun} */ (player.base(index)),
       }]);
     for (const run of player.runs) if (run.way !== null) entries.push({ name: run.name, check: null, run });
     if (entries.length === 0) entries.push({ name: player.run.name, check: null, run: player.run });
     chosen = entries.findIndex((entry) => entry.run === player.run);
     Dom.fill(box, ...entries.map(card));
+    const note = Dom.get("scene-note");
+    note.hidden = !player.run.bare;
+    note.textContent = player.run.bare ? `${bare} This is the beginning.` : "";
     reasons(entries[chosen]);
     mark();
   }
 
   /** @param {Entry} entry @param {number} index */
   function card(entry, index) {
-    const verdict = entry.check ? entry.check.verdict : entry.run && entry.run.way ? "own" : "run";
+    const verdict = entry.check ? entry.check.verdict : entry.run.way ? "own" : "run";
     return Dom.make(
       "div",
       {
-        class: `card verdict-${verdict.split("-")[0]}${entry.run === null ? " bare" : ""}`,
+        class: `card verdict-${verdict.split("-")[0]}${entry.run.bare ? " bare" : ""}`,
         role: "option",
         id: `run-${index}`,
         test: "run",
-        "title": entry.run === null ? "A verdict about all runs: no single run shows it" : null,
+        "title": entry.run.bare ? bare : null,
         "data-run": entry.name.slice(0, 200),
         click: () => choose(index),
       },
@@ -73,7 +77,7 @@ const Runs = (() => {
 
   /** @param {Entry} entry */
   function said(entry) {
-    if (!entry.check) return entry.run && entry.run.way ? "by choices" : "run";
+    if (!entry.check) return entry.run.way ? "by choices" : "run";
     return entry.check.verdict.replace(/-/g, " ");
   }
 
@@ -81,7 +85,7 @@ const Runs = (() => {
   function choose(index) {
     const entry = entries[index];
     chosen = index;
-    if (entry.run && entry.run !== player.run) player.open(entry.run);
+    if (entry.run !== player.run) player.open(entry.run);
     else {
       reasons(entry);
       mark();
@@ -133,7 +137,7 @@ const Runs = (() => {
     const panel = Dom.get("why");
     if (!entry) return;
     const { run, check } = entry;
-    const values = run && run.values ? Object.entries(run.values) : [];
+    const values = Exactly.values(run.values);
     Dom.fill(
       panel,
       Dom.make("h3", {}, [Dom.name(Dom.clip(entry.name, 2000))]),
@@ -143,30 +147,18 @@ const Runs = (() => {
             Dom.make("bdi", { text: check.text }),
           ])
         : null,
-      run === null
-        ? Dom.make("p", { class: "quiet", text: "A verdict about all runs: no single run shows it." })
-        : null,
-      run && run.way
+      run.bare ? Dom.make("p", { class: "quiet", text: bare }) : null,
+      run.way
         ? Dom.make("p", {
             class: "quiet",
             text: `Steps of a run of the ${Live.on ? "document" : "file"}: ${run.way.legs}. Steps by your choices after them: ${run.way.choices.length}.`,
           })
         : null,
-      values.length === 0
-        ? null
-        : Dom.make("p", {}, [
-            "where ",
-            Dom.make("bdi", {
-              text: values.map(([name, value]) => `${name} = ${value.replace(/\/1$/, "")}`).join(", "),
-            }),
-          ]),
-      lines("What is so there", (run && run.facts) || []),
-      run && run.argument ? Dom.make("h3", { text: "Because" }) : null,
-      run && run.argument ? tree(run.argument) : null,
-      lines(
-        "How it ends",
-        ((run && run.ending) || []).filter((line) => !((run && run.facts) || []).includes(line)),
-      ),
+      values === "" ? null : Dom.make("p", {}, ["where ", Dom.make("bdi", { text: values })]),
+      lines("What is so there", run.facts || []),
+      run.argument ? Dom.make("h3", { text: "Because" }) : null,
+      run.argument ? tree(run.argument) : null,
+      lines("How it ends", (run.ending || []).filter((line) => !(run.facts || []).includes(line))),
     );
   }
 

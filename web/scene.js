@@ -25,6 +25,8 @@ class Scene {
     this.work = 0;
     this.waiting = false;
     this.fitted = false;
+    /** Whether the camera was moved by hand since all bodies were last brought into view. */
+    this.moved = false;
     this.size = "";
     /**
      * How high the floor is.
@@ -217,10 +219,18 @@ class Scene {
     this.floorAt = based(Math.floor(seen.low[up] / step + 1e-6) * step, up);
   }
 
+  /** Another start is shown: its bodies are brought into view, unless the camera was moved by hand. */
+  restart() {
+    if (this.moved) return;
+    this.fitted = false;
+    this.fit();
+  }
+
   /** Sees all bodies. */
   fit() {
     const of = this.now && !Scene.why ? this.#seen(this.now) : null;
     if (!of) return;
+    this.moved = false;
     const { seen, far, based } = of;
     const { at, distance } = Frame.fit(seen.points, this.orbit, this.box.clientWidth, this.box.clientHeight);
     this.#level(of, distance);
@@ -293,6 +303,7 @@ class Scene {
   setCamera(camera) {
     if (Scene.why) return;
     this.orbit.load(camera);
+    this.moved = true;
     this.fitted = this.options.up === this.orbit.up;
     this.options.up = this.orbit.up;
     const of = !this.fitted && this.now ? this.#seen(this.now) : null;
@@ -323,7 +334,10 @@ class Scene {
     });
     this.canvas.addEventListener("pointermove", (e) => {
       if (e.pointerType === "mouse" && e.buttons === 0) point(at(e));
+      else this.moved = true;
     });
+    for (const event of ["wheel", "keydown"])
+      this.canvas.addEventListener(event, () => { this.moved = true; }, { passive: true });
     this.canvas.addEventListener("pointerleave", () => point(null));
     this.canvas.addEventListener("pointercancel", () => { held = 0; });
     this.canvas.addEventListener("pointerup", (e) => {

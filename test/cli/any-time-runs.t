@@ -69,7 +69,7 @@ Runs that decide formulas where bonds may be released at any time. A ball goes t
     a run that violates it:
       1. time passes by 2, to time 2
       2. ball and east collide and bounce, at time 2
-      then time passes beyond the bound
+      then time passes beyond the bound, which ends at time 5
       bound(p, q) holds
   
   may: holds (exhaustive, all instants)

@@ -85,22 +85,22 @@ A bound of time that begins late: the run is judged, and shown, from then on.
     a run that shows it:
       1. time passes by 2, to time 2
       2. p and q collide and bounce, at time 2
-      then time passes beyond the bound
+      then time passes beyond the bound, which ends at time 5
       vx(q) = 1 holds: vx(q) = 1
       there:
         p at (2, 0, 0) [nil], velocity (0, 0, 0)
-        q at (3, 0, 0) [nil], velocity (1, 0, 0)
+        q at (6, 0, 0) [nil], velocity (1, 0, 0)
   
   after: holds (exhaustive, all v in [1, 4])
     EG[3, 5] time >= 3
     a run that shows it:
       1. time passes by 2, to time 2
       2. p and q collide and bounce, at time 2
-      then time passes beyond the bound
-      time >= 3 holds: time = 4
+      then time passes beyond the bound, which ends at time 5
+      time >= 3 holds: time = 5
       there:
         p at (2, 0, 0) [nil], velocity (0, 0, 0)
-        q at (3, 0, 0) [nil], velocity (1, 0, 0)
+        q at (6, 0, 0) [nil], velocity (1, 0, 0)
   
   explored: 9 states, 8 transitions, depth 3; complete
   2 properties: 2 hold

@@ -97,13 +97,13 @@ holds when it is a failure that is explained.
     a run that violates it:
       1. time passes by 2, to time 2
       2. east and p collide and bounce, at time 2
-      then time passes beyond the bound
+      then time passes beyond the bound, which ends at time 7/2
       why:
         AG (x(p) > 1 => AF[1, 2] AG x(p) < 1) does not hold: right after time 1 from here, for example after 3/2
           x(p) > 1 => AF[1, 2] AG x(p) < 1 does not hold
             x(p) > 1 holds: x(p) = 3/2
             AF[1, 2] AG x(p) < 1 does not hold: bounce(east, p) after 1/2
-              the run then passes the bound of time
+              the run then passes the bound of time, which ends after time 2 from here
               everywhere on this run in that time, AG x(p) < 1 does not hold: each place has its reason, for example
                 right after time 1/2 of this run, for example after 1, AG x(p) < 1 does not hold: as this run goes on, right after time 1/2 of it
                   x(p) < 1 does not hold: x(p) = 3/2
@@ -113,7 +113,7 @@ holds when it is a failure that is explained.
                   after time 9/2 from here
                   x(p) < 1 does not hold: x(p) = 1
       there:
-        p at (2, 0, 0) [nil], velocity (-1, 0, 0)
+        p at (1/2, 0, 0) [nil], velocity (-1, 0, 0)
         fixed: west and east
   
   until: holds (exhaustive)

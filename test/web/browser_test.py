@@ -8,6 +8,7 @@ what has changed since an earlier one. Ends with 3 if there is no browser.
 import glob
 import os
 import random
+import re
 import sys
 import traceback
 from fractions import Fraction
@@ -153,12 +154,31 @@ def models(scc, every):
         plain.quit()
 
 
+# Where the page is when a run is opened, and whether that is the end of it.
+OPENED = 'scc.open(arguments[0]); const { legs, time } = scc.state(); return [legs, time];'
+
+
+def ends(b, model, data):
+    """A run that is shown for a violated check is opened at the instant that the text about its end names."""
+    for at, entry in enumerate(b.js('return scc.runs()')):
+        run = data['runs'][entry['index']]
+        if not run['check'] or run['check']['verdict'] != 'violated' or run['finish'] == 'quiescent':
+            continue
+        legs, time = b.js(OPENED, at)
+        name = f'{os.path.basename(model)}, end of {run["name"]}'
+        same(f'{name}: steps', legs, len(steps_of(run)))
+        named = re.search(r'ends at time (\S+)$|, until time (\S+)$', run['ending'][0] if run['ending'] else '')
+        if named and re.fullmatch(r'-?[0-9/]+', named[1] or named[2]):
+            same(f'{name}: time', Fraction(time), Fraction(named[1] or named[2]))
+
+
 def one_model(b, scc, model, chance):
     name = os.path.basename(model)
     page = scc.view(model)
     if not check(f'{name}: the page opens', b.open(page), b.complaints()):
         return
     data = b.js('return scc.data')
+    ends(b, model, data)
     runs(b, scc, model, data)
     alternatives(b, scc, model, data)
     instants(b, scc, model, data, chance)

@@ -85,6 +85,41 @@ def reasons(b, scc):
     same('a reason leads to its instant', 't = ' + b.state()['time'], instant)
 
 
+LATE = """import <solids>
+process p = solids.Cube(1) mass 1 velocity (2, 0, 0) [nil]
+process q = solids.Cube(1) mass 1 at translate (0, 5, 0) [nil]
+check far : eventually x(p) >= 9 within 3
+check near : AG (time >= 1 => AF[<= 2] x(p) >= 30)
+check calm : always x(p) >= 0
+"""
+
+
+def deciding(b, scc):
+    """The page opens where a violated check is decided; a check without a run shows none of another one."""
+    model = scc.file('.sc')
+    with open(model, 'w') as f:
+        f.write(LATE)
+    b.open(scc.view(model))
+    same('the bound that is missed', (b.state()['time'], b.state()['bodies']['p']['position'][0]), ('3', '6'))
+    b.js('scc.open(1)')
+    same('one that begins later', (b.state()['run'], b.state()['time']), ('near', '3'))
+    note = b.find('scene-note')
+    check('a run needs no note', not note.is_displayed())
+    b.all('[data-testid="run"]')[2].click()
+    same('a check without a run: the beginning', (b.state()['run'], b.state()['time'], b.state()['legs']),
+         ('calm', '0', 0))
+    check('it says so', 'no single run' in note.text, note.text)
+    link = b.js('return scc.link()')
+    b.open(b.shown, link)
+    same('its link leads to it', b.state()['run'], 'calm')
+    b.open(scc.view('specs/models/meeting.sc'))
+    same('the start of a violated check', (b.state()['run'], b.state()['bodies']['p']['position']),
+         ('meets', ['0', '-5/2', '0']))
+    same('the head names it', b.driver.find_element('id', 'about').text, 'y = -5/2, z = 0')
+    b.js('scc.open(scc.runs().findIndex((run) => run.name === "first choices"))')
+    same('and follows', b.driver.find_element('id', 'about').text, 'y = 0, z = 0')
+
+
 def starts(b, scc):
     """Where a check holds: another start leads to the run from there."""
     b.open(scc.view('specs/models/meeting.sc'))
@@ -459,4 +494,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, reasons, starts, onwards, by_keys, links, plots, upright, glass, hostile, far_away, motion, no_states_beyond, large]
+PARTS = [by_mouse, reasons, deciding, starts, onwards, by_keys, links, plots, upright, glass, hostile, far_away, motion, no_states_beyond, large]

@@ -79,7 +79,7 @@ let make e formulas (run : Run.t) =
     | Repeats _ | At_state -> made
     | Stops -> last () :: made
     | Rests -> up_to None
-    | Passes ->
+    | Passes _ ->
       up_to
         (match Timed_graph.flow graph run.last with
          | Lasts (d, _) -> Some (Algebraic.of_rat d)
@@ -95,7 +95,7 @@ let make e formulas (run : Run.t) =
     let rec first i = if places.(i).step = k then i else first (i + 1) in
     let again = first 0 in
     { run; places; again = Some again; period = Rat.sub clock places.(again).clock }
-  | At_state | During _ | Rests | Stops | Passes -> { run; places; again = None; period = Rat.zero }
+  | At_state | During _ | Rests | Stops | Passes _ -> { run; places; again = None; period = Rat.zero }
 
 let within t (bound : Timed_formula.bound) =
   let start = t.run.start.offset in
@@ -175,7 +175,7 @@ let run_on t spot : Run.t option =
   | Repeats k when from < k || (from = k && not (Positions.is_inside spot.at)) ->
     Some (run rest (Repeats (k - from)))
   | Repeats _ -> Some (run (List.append rest (cycle t)) (Repeats (List.length rest)))
-  | At_state | During _ | Passes -> None
+  | At_state | During _ | Passes _ -> None
 
 (* Some rounds show what a run that repeats itself leads to; what needs more of them is left to a search. *)
 let most_rounds = 4
@@ -319,7 +319,12 @@ let follow e (u : Eval.until) spot =
           match said s spot n i clock with
           | _, Shown (position, finish) -> reached n i position finish
           | _, Refuted -> None
-          | at, Past -> if Positions.is_inside at then Some (run_to t spot n at Passes, None) else None
+          | at, Past -> (
+              match s.high with
+              | Some h when Positions.is_inside at ->
+                let left = Algebraic.of_rat (Rat.sub h clock) in
+                Some (run_to t spot n at (Passes left), None)
+              | Some _ | None -> None)
           | _, Silent -> go (n + 1))
     in
     (match recurring t s u with

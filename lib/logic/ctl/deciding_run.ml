@@ -192,13 +192,13 @@ let every_from_start e (u : Eval.until) high start =
       let flow = graph.flow s in
       match (flow, first ~f ~g place) with
       | No_flow, _ -> Follow { edge; flow = never }
-      | _, (Reached m | Lost m) when comes_late high place m -> Found Passes
+      | _, (Reached m | Lost m) when comes_late high place m -> Found (Passes place.left)
       | _, Lost m -> Found (Run.during graph ~f ~g ?limit s m)
       | _, Reached _ -> Follow { edge; flow = never }
-      | Forever, Passes -> Found (match high with None -> Rests | Some _ -> Passes)
+      | Forever, Passes -> Found (match high with None -> Rests | Some _ -> Passes place.left)
       | Lasts (d, _), Passes ->
         let over = Option.is_some high && Algebraic.compare_rat place.left d < 0 in
-        if over then Found Passes else Follow { edge; flow = keep.flow p }
+        if over then Found (Passes place.left) else Follow { edge; flow = keep.flow p }
   in
   match Run.search graph ?bound:high start judge with
   | Ok found -> run start found

@@ -141,9 +141,10 @@ let explain e f position =
   match Eval.truth e f position with None -> None | Some _ -> Some (of_known e None f position)
 
 let goes_on (run : Run.t) =
-  match (run.steps, Run.goal run) with
-  | [], None -> not (Positions.is_inside run.start)
-  | _ -> true
+  match (run.steps, run.finish) with
+  | [], Passes left when Algebraic.compare left run.start.offset > 0 -> true
+  | [], (Rests | Stops | Repeats _ | Passes _) -> not (Positions.is_inside run.start)
+  | _, _ -> true
 
 let rec chain t =
   match t.because with

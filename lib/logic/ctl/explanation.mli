@@ -48,8 +48,8 @@ val explain : Eval.t -> Timed_formula.t -> Positions.position -> t option
 
 val goes_on : Run.t -> bool
 (** [goes_on run] is true if the run should be appended to a run that leads to its start. It is false if the run
-    only stays in the flow in which it begins, to rest there or to pass a bound. Such a run would hide the instant
-    at which it begins. *)
+    only stays in the flow in which it begins, to rest there, or to pass a bound at once. Such a run would hide
+    the instant at which it begins. *)
 
 val chain : t -> Run.t option
 (** [chain t] is one run from the position of the explanation: its run, followed by the run of the first part that

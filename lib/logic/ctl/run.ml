@@ -9,7 +9,7 @@ type finish =
   | Rests
   | Stops
   | Repeats of int
-  | Passes
+  | Passes of Algebraic.t
 
 type t = { start : Positions.position; steps : step list; last : int; finish : finish }
 
@@ -17,7 +17,7 @@ let goal r : Positions.position option =
   match r.finish with
   | At_state -> Some (Positions.start r.last)
   | During { sample; _ } -> Some { node = r.last; offset = sample }
-  | Rests | Stops | Repeats _ | Passes -> None
+  | Rests | Stops | Repeats _ | Passes _ -> None
 
 (* To a moment inside the flow of s; where an open interval begins there, an offset in it, before the limit too.
 *)

@@ -13,7 +13,8 @@ type finish =
   | Rests  (** the flow of the last node lasts for ever, and the run stays in it *)
   | Stops  (** the last node is a dead end: the run is over *)
   | Repeats of int  (** back to the node before the step of this index, for ever *)
-  | Passes  (** past the bound of time, inside the flow of the last node *)
+  | Passes of Algebraic.t
+  (** Past the bound of time, inside the flow of the last node: the offset in it at which the bound is met. *)
 
 type t = {
   start : Positions.position;

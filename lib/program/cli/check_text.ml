@@ -156,6 +156,13 @@ let function_lines ~full = function
   | Verdict.Depends { parameter; values; holds } -> Depending.lines ~full parameter ~values ~holds
   | Holds _ | Violated _ | Measured _ | Undecided _ -> []
 
+let no_run formula =
+  if Scc_property.Plan.is_search (Scc_property.Plan.of_formula formula) then
+    "no run from there does otherwise: everything that counts was explored"
+  else if Scc_property.Formula.by_one_run ~holds:false formula then
+    "there is a run that shows it, but none was found that is short enough to be shown"
+  else "no single run shows it: everything that counts was explored"
+
 let property console ~full ?(runs = true) ?where c (o : Verdict.outcome) =
   let { Verdict.check; verdict = v; lost; left_out; _ } = o in
   let verdict = Console.styled console (style v) (Verdict.outcome_to_string o) in
@@ -186,15 +193,7 @@ let property console ~full ?(runs = true) ?where c (o : Verdict.outcome) =
       let fault what = Printf.sprintf "  what failed: %s\n" what in
       List.map fault lost
     | _ when Option.is_some left_out -> []
-    | Violated { witness = None } when Verdict.over_zones o ->
-      let search = Scc_property.Plan.is_search (Scc_property.Plan.of_formula check.formula) in
-      let no_run =
-        if search then "no run from there does otherwise: everything that counts was explored"
-        else if Scc_property.Formula.by_one_run ~holds:false check.formula then
-          "there is a run that shows it, but none was found that is short enough to be shown"
-        else "no single run shows it: everything that counts was explored"
-      in
-      [ Printf.sprintf "  %s\n" no_run ]
+    | Violated { witness = None } when Verdict.over_zones o -> [ Printf.sprintf "  %s\n" (no_run check.formula) ]
     | Violated { witness = None } when not runs -> []
     | Violated { witness = None } -> [ "  no run shows it: everything that counts was explored\n" ]
     | _ -> []

@@ -9,6 +9,9 @@ val property :
 (** A verdict in several lines with its witness, ended by a newline. The run is reduced to its relevant steps,
     or complete if [full]. With [runs:false] (default: true) no runs are shown, and nothing is said of that. *)
 
+val no_run : Scc_property.Property.temporal -> string
+(** Why no run is shown from the start of a model with ranges for which the formula is violated. *)
+
 val zeno : full:bool -> Semantics.t -> Witness.t -> string
 (** A run that never leaves an instant, as lines. *)
 

@@ -129,15 +129,29 @@ let small_run making world ~name policy limits ~interrupted =
 
 let run_by_choices making = if Large_run.is_for making.loaded.model then large_run making else small_run making
 
-let of_check making world (outcome : Verdict.outcome) =
+let sample_steps = 60
+
+(* A run from one start of a model with ranges. *)
+let from_start making (l : Loaded.t) values ~name ~interrupted =
+  let* point = Loaded.at l values in
+  let at_point = { making with loaded = point } in
+  let limits = { Replay.steps = Some sample_steps; time = None; instant = Replay.default_instant } in
+  let world = world_of at_point point.semantics in
+  let* run = run_by_choices at_point world ~name First limits ~interrupted in
+  Ok { (with_leaves making point.model run) with values }
+
+let of_check making world (l : Loaded.t) ~interrupted (outcome : Verdict.outcome) =
   let name = outcome.check.name and about = about outcome in
-  match Verdict.shown outcome.verdict with
-  | None -> Runs.none ~name about
-  | Some w -> (
+  match (Verdict.shown outcome.verdict, outcome.scale.over) with
+  | None, Some { example = _ :: _ as values; _ } ->
+    let* run = from_start making l values ~name ~interrupted in
+    Ok (Runs.about run about ~ending:[ Check_text.no_run outcome.check.formula ])
+  | None, _ -> Ok (Runs.none ~name about)
+  | Some w, _ -> (
       let told world = Runs.of_witness making.states world ~most:making.most ~name (Some about) w in
       match w.fixed with
-      | None -> told world
-      | Some f -> with_leaves making (Semantics.model f.semantics) (told (world_of making f.semantics)))
+      | None -> Ok (told world)
+      | Some f -> Ok (with_leaves making (Semantics.model f.semantics) (told (world_of making f.semantics))))
 
 let report console o (l : Loaded.t) checks watch =
   let exactly = Array.length l.model.ranges > 0 in
@@ -161,17 +175,12 @@ let at_point (l : Loaded.t) =
   match Sample.values Simple l.model.ranges with [] -> Ok l | values -> Loaded.at l values
 
 let first_steps = 200
-let sample_steps = 60
 
 (* Runs from here and there in the drawing of where checks hold. *)
 let samples making (l : Loaded.t) view where ~interrupted =
   let run values =
-    let* point = Loaded.at l values in
-    let at_point = { making with loaded = point } in
-    let limits = { Replay.steps = Some sample_steps; time = None; instant = Replay.default_instant } in
-    let world = world_of at_point point.semantics in
-    let* run = run_by_choices at_point world ~name:(Sample.to_string values) First limits ~interrupted in
-    Ok { (with_leaves making point.model run) with sample = true; values }
+    let* run = from_start making l values ~name:(Sample.to_string values) ~interrupted in
+    Ok { run with sample = true }
   in
   let add all values =
     let* all = all in
@@ -211,7 +220,7 @@ let model console o schedule =
 let checked console o making world (l : Loaded.t) watch ~interrupted =
   let* checks = chosen_checks o l.checks in
   let* outcomes, where = report console o l checks watch in
-  let runs = List.map (of_check making world) outcomes in
+  let* runs = Result.all (of_check making world l ~interrupted) outcomes in
   let limits = { Replay.steps = Some first_steps; time = None; instant = Replay.default_instant } in
   let* first = run_by_choices making world ~name:"first choices" First limits ~interrupted in
   let runs = runs @ [ first ] in

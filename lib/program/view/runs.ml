@@ -108,6 +108,9 @@ let format =
 let run name check course = { name; check; course; values = []; leaves = None; sample = false }
 let none ~name about = run name (Some about) None
 
+let about run check ~ending =
+  { run with check = Some check; course = Option.map (fun c -> { c with ending }) run.course }
+
 (* {1 Steps} *)
 
 (* The states of a run, each with what was possible there. *)

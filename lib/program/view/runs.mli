@@ -59,6 +59,10 @@ val run : string -> about option -> course option -> t
 val none : name:string -> about -> t
 (** A check whose verdict no single run shows. *)
 
+val about : t -> about -> ending:string list -> t
+(** [about run check ~ending] is the run for a check whose verdict no single run shows, from a start about which
+    the verdict is. *)
+
 val of_witness : States.t -> States.world -> most:int -> name:string -> about option -> Witness.t -> t
 (** A run that is the witness of a check. Its states get their transitions, as by {!Graph.expand} with
     [most]. *)

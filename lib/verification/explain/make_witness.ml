@@ -179,7 +179,7 @@ let of_run context graph temporal (run : Scc_ctl.Run.t) =
   | Repeats cycle ->
     let ((followed, _, _) as lasso) = follow_lasso context graph steps cycle in
     witness context followed (repeats context lasso) []
-  | At_state | During _ | Rests | Stops | Passes ->
+  | At_state | During _ | Rests | Stops | Passes _ ->
     let followed = Followed.along context graph (Followed.start context) steps in
     let finish : Witness.finish =
       match run.finish with
@@ -187,7 +187,7 @@ let of_run context graph temporal (run : Scc_ctl.Run.t) =
       | During { moment; sample } -> during context followed.last moment sample
       | Rests -> Rests { puts_off = None }
       | Stops -> Stops
-      | Passes -> Passes { choice = Option.map fst (time_choice context followed.last) }
+      | Passes offset -> Passes { choice = Option.map fst (time_choice context followed.last); offset }
     in
     witness context followed finish []
 

@@ -17,7 +17,7 @@ type finish =
   | Rests of { puts_off : Transition.label option }
   | Stops
   | Repeats of { cycle : int; moved : moved; puts_off : Transition.label option }
-  | Passes of { choice : int option }
+  | Passes of { choice : int option; offset : Algebraic.t }
   | Goes_on of { cycle : int }
 
 type argument = {
@@ -69,24 +69,24 @@ let halt w =
 
 let instant w =
   match w.finish with
-  | During { offset; _ } -> Algebraic.add_rat (time w) offset
-  | At_state | Rests _ | Stops | Repeats _ | Passes _ | Goes_on _ -> Algebraic.of_rat (time w)
+  | During { offset; _ } | Passes { offset; _ } -> Algebraic.add_rat (time w) offset
+  | At_state | Rests _ | Stops | Repeats _ | Goes_on _ -> Algebraic.of_rat (time w)
 
 let at_rational_instant w =
   match w.finish with
-  | During { offset; _ } -> Option.is_some (Algebraic.to_rat offset)
-  | At_state | Rests _ | Stops | Repeats _ | Passes _ | Goes_on _ -> true
+  | During { offset; _ } | Passes { offset; _ } -> Option.is_some (Algebraic.to_rat offset)
+  | At_state | Rests _ | Stops | Repeats _ | Goes_on _ -> true
 
 let offset w =
   match w.finish with
-  | During { offset; _ } -> (
+  | During { offset; _ } | Passes { offset; _ } -> (
       match Algebraic.to_rat offset with
       | Some r -> Some r
       | None ->
         let width = Rat.make Z.one (Z.pow (Z.of_int 10) 12) in
         let low, high = Algebraic.enclose offset ~width in
         Some (Rat.middle low high))
-  | At_state | Rests _ | Stops | Repeats _ | Passes _ | Goes_on _ -> None
+  | At_state | Rests _ | Stops | Repeats _ | Goes_on _ -> None
 
 let step_line model number s =
   Printf.sprintf "%d. %s, at time %s" (number + 1)
@@ -137,7 +137,9 @@ let finish_lines model w =
         (cycle + 1);
     ]
   | Stops -> [ "then the run ends: neither time nor anything else can go on, and the model is given up there" ]
-  | Passes _ -> [ "then time passes beyond the bound" ]
+  | Passes { offset; _ } ->
+    let bound = Algebraic.to_string (Algebraic.add_rat (time w) offset) in
+    [ Printf.sprintf "then time passes beyond the bound, which ends at time %s" bound ]
   | Repeats { cycle; moved; puts_off } ->
     let again =
       if cycle + 1 = List.length w.steps then Printf.sprintf "and step %d again, for ever" (cycle + 1)

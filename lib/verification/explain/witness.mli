@@ -35,8 +35,9 @@ type finish =
   | Repeats of { cycle : int; moved : moved; puts_off : Transition.label option }
   (** the steps from the index [cycle] on are repeated for ever. Each time everything is [moved] from its
       place. On the way, a weak split that is enabled is put off each time. *)
-  | Passes of { choice : int option }
-  (** the bound of time of the property is passed in the middle of this time transition, or of the ray *)
+  | Passes of { choice : int option; offset : Algebraic.t }
+  (** The bound of time of the property is passed in the middle of this time transition, or of the ray: at this
+      instant, from the start of it. *)
   | Goes_on of { cycle : int }
   (** over zones (rule Zones): the state is in the set of states in which the step of the index [cycle] began.
       Some run goes on for ever from the set. No single state was found that comes back. *)
@@ -95,7 +96,7 @@ val at_rational_instant : t -> bool
 
 val offset : t -> Rat.t option
 (** The time to let pass after the steps, for a schedule. At an irrational instant it is a rational within
-    10^-12 of it. [None] if the run does not end [During] a time transition. *)
+    10^-12 of it. [None] if the run does not end [During] a time transition, or [Passes] a bound in one. *)
 
 val there : Semantics.t -> t -> State.t
 (** The state at the instant that the witness is about, or at the rational one close to it ({!offset}). *)

@@ -62,11 +62,18 @@ let last stretches =
   in
   List.nth_opt (entered @ inside) 0
 
-(* Of a run without a goal it is told what was so at its last position, if that is what it goes on without. *)
-let on_the_way_of (along : Explanation.along option) =
+(* Of a run without a goal it is told what was so at its last position, if that is what it goes on without: of one
+   that passes a bound, where the bound is met. *)
+let on_the_way_of (run : Scc_ctl.Run.t) (along : Explanation.along option) =
+  let at_bound left (p, (at : Scc_ctl.Positions.position)) =
+    (p, if Scc_ctl.Positions.is_inside at then { at with offset = left } else at)
+  in
   match along with
-  | Some { claim; stretches; _ } when is_state claim ->
-    (match last stretches with Some { why; _ } -> given (Lazy.force why) | None -> [])
+  | Some { claim; stretches; _ } when is_state claim -> (
+      match (run.finish, last stretches, List.rev stretches) with
+      | Passes left, _, { why; _ } :: _ -> List.map (at_bound left) (given (Lazy.force why))
+      | _, Some { why; _ }, _ -> given (Lazy.force why)
+      | _, None, _ -> [])
   | Some _ | None -> []
 
 (* Where one run shows a probability, it leads to a real state, for which that of the graph stands. *)
@@ -81,11 +88,11 @@ let facts context graph temporal ~last e =
   | None -> []
   | Some (run, parts, along) ->
     (match Scc_ctl.Run.goal run with
-     | None -> told (on_the_way_of along)
+     | None -> told (on_the_way_of run along)
      | Some _ ->
        let at_goal (part : Explanation.t) =
          match part.because with
-         | Run { along; _ } -> on_the_way_of along
+         | Run { run; along; _ } -> on_the_way_of run along
          | Given | Parts _ | Everywhere _ | Likelihood _ -> given part
        in
        Scc_data.Lists.distinct String.equal (told (List.concat_map at_goal parts)))
@@ -183,7 +190,8 @@ let finish_text context graph temporal here (run : Scc_ctl.Run.t) clock =
   | Rests -> "the run then rests for ever"
   | Stops -> "the run then is over"
   | Repeats k -> again context graph temporal here run k
-  | Passes -> "the run then passes the bound of time"
+  | Passes left ->
+    Printf.sprintf "the run then passes the bound of time, which ends after time %s from here" (at left)
 
 (* Where something is on the way of a run, from where the run begins. *)
 let instant_of (course : Course.t) (place : Course.place) offset =
@@ -267,7 +275,7 @@ let end_of context graph temporal here (run : Scc_ctl.Run.t) =
   | During { moment; sample } ->
     let offset = if moment.attained then moment.offset else sample in
     Some (rational (Algebraic.add_rat clock offset))
-  | Rests | Stops | Repeats _ | Passes -> None
+  | Rests | Stops | Repeats _ | Passes _ -> None
 
 (* [shown]: a run of this claim is the one that the witness shows. [at]: the time on the shown run that the claim
    is about, if it is on that one. [here]: the real state at the position of the explanation, or before it in the
@@ -349,7 +357,7 @@ and on_the_way context graph temporal ~shown ~depth here (along : Explanation.al
 and everywhere (along : Explanation.along) =
   match (along.course.run.finish, along.course.places) with
   | (At_state | During _), _ -> "all the way"
-  | (Rests | Stops | Repeats _ | Passes), places ->
+  | (Rests | Stops | Repeats _ | Passes _), places ->
     let some = List.compare_length_with along.stretches (Array.length places) < 0 in
     if some then "everywhere on this run in that time"
     else "everywhere on this run"

@@ -3,7 +3,7 @@ open Scc_polyhedra
 open Timed_sets
 open Scc_state_sets
 
-type finish = There | Rests | Passes | Repeats of int | Goes_on of int
+type finish = There | Rests | Passes of Rat.t | Repeats of int | Goes_on of int
 type walk = { way : Concrete.way; node : int; inside : (int * Linear.t) option }
 
 let steps w = w.way.length
@@ -129,10 +129,10 @@ let stays rule ~high w =
   let of_stretch w (_, (s : stretch), bad, _) =
     let undisturbed = List.concat_map (fun w -> within w w.way.here (some s.region)) (to_end w s bad) in
     let for_ever = if s.for_ever then undisturbed else [] in
-    let rests = if high = None then Rests else Passes in
+    let rests = match high with None -> Rests | Some h -> Passes h in
     let late = List.concat_map (fun w -> within w w.way.here (late n s)) undisturbed in
     let later = List.concat_map (fun w -> List.concat_map (over w) n.passes) undisturbed in
-    List.map (fun w -> (w, rests)) for_ever @ List.map (fun w -> (w, Passes)) (late @ later)
+    List.map (fun w -> (w, rests)) for_ever @ List.map (fun w -> (w, rests)) (late @ later)
   in
   List.concat_map (fun w -> List.concat_map (of_stretch w) (stretches rule w)) (among rule.before w)
 

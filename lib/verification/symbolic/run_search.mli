@@ -15,7 +15,7 @@ type walk = {
 type finish =
   | There  (** the run leads to the end of the walk *)
   | Rests  (** nothing happens any more, and time passes for ever *)
-  | Passes  (** the next event is after the bound of time *)
+  | Passes of Rat.t  (** the next event is after this bound of the model time *)
   | Repeats of int  (** the steps from this one on bring it back to its state, up to a displacement of the
                         whole *)
   | Goes_on of int

@@ -5,7 +5,7 @@ open Timed_sets
 open Run_search
 open Scc_state_sets
 
-type finish = Run_search.finish = There | Rests | Passes | Repeats of int | Goes_on of int
+type finish = Run_search.finish = There | Rests | Passes of Rat.t | Repeats of int | Goes_on of int
 
 type spot = { steps : int; since : Rat.t option }
 
@@ -175,7 +175,7 @@ let rec concrete value count claimed =
   { formula = claimed.formula; holds = claimed.holds; spot = spot claimed.spot; because }
 
 and counted count = function
-  | (There | Rests | Passes) as f -> f
+  | (There | Rests | Passes _) as f -> f
   | Repeats k -> Repeats (count k)
   | Goes_on k -> Goes_on (count k)
 

@@ -4,7 +4,7 @@
 open Scc_exact
 open Scc_property
 
-type finish = Run_search.finish = There | Rests | Passes | Repeats of int | Goes_on of int
+type finish = Run_search.finish = There | Rests | Passes of Rat.t | Repeats of int | Goes_on of int
 
 (** A position on the run: after so many steps, and perhaps a time after that. *)
 type spot = { steps : int; since : Rat.t option }

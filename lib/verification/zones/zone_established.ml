@@ -95,7 +95,7 @@ let on_the_way r (from : Shown_run.spot) (goal : Shown_run.spot) finish prop ~so
   match ((finish : Shown_run.finish), goal.since) with
   | There, None -> true
   | There, Some d -> all_of goal.steps { from = start goal.steps; until = Some d }
-  | (Rests | Passes), _ -> all_of goal.steps { whole with from = start goal.steps }
+  | (Rests | Passes _), _ -> all_of goal.steps { whole with from = start goal.steps }
   | (Repeats _ | Goes_on _), _ ->
     (not (in_time r bound goal.steps)) || at r { steps = goal.steps; since = None } prop ~holds:so
 
@@ -106,7 +106,7 @@ let ends r (goal : Shown_run.spot) finish ~(bound : Property.bound) =
   | Goes_on k -> k < goal.steps
   | Repeats k -> k < goal.steps && Option.is_some (Make_witness.moved (state r k) here)
   | Rests -> undisturbed r goal.steps && Time.delay r.semantics here = None
-  | Passes -> (
+  | Passes _ -> (
       undisturbed r goal.steps
       &&
       match (Time.delay r.semantics here, bound.high) with

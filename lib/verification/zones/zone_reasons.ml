@@ -19,16 +19,19 @@ let rec given (r : R.t) (c : Shown_run.claim) =
   | None, Run { along = Some a; goal; finish; _ } -> at_last r finish a goal
   | None, (Given | Everywhere | Run _) -> []
 
-(* In the state where the run ends; or in the middle of the bound, if that begins later and time gets there. *)
+(* Where the run passes the bound, or in the state where it ends; or in the middle of the bound, if that begins
+   later and time gets there. *)
 and at_last r finish (a : Shown_run.along) goal =
   let early = Rat.sub a.bound.low (R.clock r goal.steps) in
   let lasts = match a.bound.high with Some h -> Rat.sub h a.bound.low | None -> Rat.zero in
   match (Formula.state_formula a.what, (finish : Shown_run.finish)) with
   | None, _ -> []
+  | Some prop, Passes bound when Rat.compare bound (R.clock r goal.steps) > 0 ->
+    facts_at r { goal with since = Some (Rat.sub bound (R.clock r goal.steps)) } prop
   | Some prop, _ when Rat.sign early <= 0 -> facts_at r { goal with since = None } prop
-  | Some prop, (Rests | Passes) ->
+  | Some prop, Rests ->
     facts_at r { goal with since = Some (Rat.add early (Rat.mul Rat.half lasts)) } prop
-  | Some _, (There | Repeats _ | Goes_on _) -> []
+  | Some _, (There | Passes _ | Repeats _ | Goes_on _) -> []
 
 let rec last_run (c : Shown_run.claim) =
   match c.because with
@@ -52,10 +55,11 @@ let right_after (r : R.t) c =
 
 (* {1 The tree} *)
 
+let instant r (s : Shown_run.spot) = Rat.add (R.clock r s.steps) (Option.value s.since ~default:Rat.zero)
+
 (* What happens on the run between two of its positions, and how long that takes. *)
 let story model (r : R.t) (from : Shown_run.spot) (until : Shown_run.spot) =
-  let instant (s : Shown_run.spot) = Rat.add (R.clock r s.steps) (Option.value s.since ~default:Rat.zero) in
-  let start = instant from in
+  let start = instant r from in
   let event k =
     let s = r.steps.(k) in
     match s.transition.label with
@@ -65,7 +69,7 @@ let story model (r : R.t) (from : Shown_run.spot) (until : Shown_run.spot) =
       Some (Printf.sprintf "%s after %s" (Transition.label_to_string model label) after)
   in
   let events = List.filter_map event (List.init (until.steps - from.steps) (fun i -> from.steps + i)) in
-  (Rat.sub (instant until) start, events)
+  (Rat.sub (instant r until) start, events)
 
 let ending model r (from : Shown_run.spot) ~until (goal : Shown_run.spot) finish =
   let clock, events = story model r from goal in
@@ -78,7 +82,9 @@ let ending model r (from : Shown_run.spot) ~until (goal : Shown_run.spot) finish
   | There when goal.since = None -> Printf.sprintf "in the state after time %s from here" (Rat.to_string clock)
   | There -> Printf.sprintf "after time %s from here" (Rat.to_string clock)
   | Rests -> "the run then rests for ever"
-  | Passes -> "the run then passes the bound of time"
+  | Passes bound ->
+    Printf.sprintf "the run then passes the bound of time, which ends after time %s from here"
+      (Rat.to_string (Rat.sub bound (instant r from)))
   | Goes_on _ -> "the run then goes on for ever"
   | Repeats k ->
     let k = Int.max k from.steps in

@@ -177,10 +177,11 @@ let finish (r : Zone_established.t) (w : Shown_run.t) : Witness.finish =
     let from = match Zone_reasons.right_after r w.claim with Some d -> Algebraic.of_rat d | None -> offset in
     During { choice; offset; open_piece = not (Algebraic.equal from offset); from }
   | Rests -> Rests { puts_off = Make_witness.puts_off r.semantics [] ~from:last }
-  | Passes ->
+  | Passes bound ->
     let is_time (_, (t : Transition.t)) = Transition.is_time t.label in
     let successors = match Network.successors r.semantics last with Ok list -> numbered list | Error _ -> [] in
-    Passes { choice = Option.map fst (List.find_opt is_time successors) }
+    let offset = Algebraic.of_rat (Rat.sub bound (Zone_established.clock r n)) in
+    Passes { choice = Option.map fst (List.find_opt is_time successors); offset }
   | Goes_on cycle -> Goes_on { cycle }
   | Repeats cycle -> (
       let from = Zone_established.state r cycle in

@@ -206,18 +206,17 @@ let rec check_until ?(depth = 0) c naive q (b : Timed_formula.bound) f g ~holds 
                 let broken (p : Walk.piece) = not (perhaps c naive f p.position) in
                 ensure c "it is broken before the end" (List.for_all broken rest);
                 ensure c "no part" (parts <> [])
-              | (Broken, _), (Rests | Stops | Repeats _ | Passes) -> fail c "broken on the way"
-              | (Open, _), (Rests | Stops) | (Past, _), (Passes | Repeats _) -> ()
-              | (Past, _), (At_state | During _ | Rests | Stops) -> fail c "more than is needed"
+              | (Broken, _), (Rests | Stops | Repeats _ | Passes _) -> fail c "broken on the way"
+              | (Open, _), (Rests | Stops) | (Past, _), Repeats _ -> ()
+              | (Past, _), (At_state | During _ | Rests | Stops | Passes _) -> fail c "more than is needed"
               | (Open, _), Repeats _ -> ()
-              | (Open, _), Passes ->
-                let beyond =
+              | (Open, _), Passes _ ->
+                let at_bound =
                   match (ends_at pieces, w.high) with
-                  | Some { until = None; _ }, Some _ -> true
-                  | Some { until = Some t; _ }, Some h -> Rat.compare t h > 0
-                  | _, None | None, _ -> false
+                  | Some { from; until = Some t; _ }, Some h -> Rat.equal from h && Rat.equal t h
+                  | Some { until = None; _ }, Some _ | _, None | None, _ -> false
                 in
-                ensure c "the bound is not passed" beyond
+                ensure c "it does not end at the bound" at_bound
               | (Open, _), (At_state | During _) -> fail c "the run shows nothing")))
 
 (* What is claimed on the way: of each piece there is a place that stands for it, and a reason there. *)

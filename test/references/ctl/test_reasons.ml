@@ -26,7 +26,7 @@ let shown (r : Run.t) =
     | Rests -> "rests"
     | Stops -> "stops"
     | Repeats k -> Printf.sprintf "repeats %d" k
-    | Passes -> "passes"
+    | Passes left -> "passes " ^ Algebraic.to_string left
   in
   String.concat " " (List.map move r.steps @ [ finish; string_of_int r.last ])
 
@@ -38,10 +38,10 @@ let explanations () =
   check "AF: a loop that takes time" "0.1 2~0 repeats 1 2" runs (af p);
   check "AG" "0.0 during 2 at 2 1" runs (ag (Not p));
   check "within: the earliest" "0~0 1~0 at 2" line (ef ~b:(bound 0 ~high:3) p);
-  check "within: passed" "0~0 passes 1" line (af ~b:(bound 0 ~high:2) p);
+  check "within: passed" "0~0 passes 0 1" line (af ~b:(bound 0 ~high:2) p);
   check "nested: one run after the other" "0~0 1~0 at 2" line (ef (And [ ef p; ex (Or []) |> fun f -> Not f ]));
   check "[a, b]" "0~0 1~0 at 2" line (ef ~b:(bound 3 ~high:3) p);
-  check "[a, b], missed" "0~0 passes 1" line
+  check "[a, b], missed" "0~0 passes 1/2 1" line
     (Finally (All, { low = Rat.make (Z.of_int 5) (Z.of_int 2); high = Some (Rat.make (Z.of_int 5) (Z.of_int 2))
                    }, p) |> fun f -> Not f |> fun f -> Not f);
   check "an open interval" "during 1+ at 3/2 0" (from_start "..T.." "....." "..") (ef p);

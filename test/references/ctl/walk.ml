@@ -79,6 +79,16 @@ let step (g : Small.t) (s : Run.step) at offset time =
         let later = Rat.add time (Rat.sub d offset) in
         (flow g at ~after:offset ~before:None time @ [ point (Positions.start t) later ], t, later))
 
+(* From an offset of a flow, at this time, to a later one before the end of the flow. *)
+let inside g at ~after:offset time until =
+  let x = rational until in
+  (match length g at with Some d when Rat.compare x d >= 0 -> wrong "not inside the flow" | _ -> ());
+  if Rat.equal x offset then []
+  else if Rat.compare x offset < 0 then wrong "the end of the run is before its start"
+  else
+    let between = flow g at ~after:offset ~before:(Some x) time in
+    between @ [ point { node = at; offset = until } (Rat.add time (Rat.sub x offset)) ]
+
 let walk g ~rounds (r : Run.t) =
   let start = rational r.start.offset in
   let go (pieces, at, offset, time) s =
@@ -100,17 +110,11 @@ let walk g ~rounds (r : Run.t) =
   | Rests ->
     if Option.is_some (length g at) then wrong "it does not rest there";
     pieces @ flow g at ~after:offset ~before:None time
-  | Passes -> pieces @ flow g at ~after:offset ~before:None time
+  | Passes left -> pieces @ inside g at ~after:offset time left
   | During { moment; sample } ->
-    let x = rational sample in
     let c = Algebraic.compare moment.offset sample in
     if not (if moment.attained then c = 0 else c < 0) then wrong "the sample is not at its moment";
-    if Rat.equal x offset then pieces
-    else if Rat.compare x offset < 0 then wrong "the end of the run is before its start"
-    else
-      let until = flow g at ~after:offset ~before:(Some x) time in
-      (match length g at with Some d when Rat.compare x d >= 0 -> wrong "not inside the flow" | _ -> ());
-      pieces @ until @ [ point { node = at; offset = sample } (Rat.add time (Rat.sub x offset)) ]
+    pieces @ inside g at ~after:offset time sample
   | Repeats k ->
     let cycle = List.filteri (fun i _ -> i >= k) r.steps in
     (match cycle with

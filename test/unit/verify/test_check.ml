@@ -126,7 +126,8 @@ let inner_instants () =
     [
       "then time passes: right after time 0, for example at time 1"; "x(p) = -3 fails: x(p) = -2"; "why:";
       "  AG AF[<= 0] x(p) = -3 does not hold: right after time 0 from here, for example after 1";
-      "    AF[<= 0] x(p) = -3 does not hold: the run then passes the bound of time";
+      "    AF[<= 0] x(p) = -3 does not hold: the run then passes the bound of time, which ends after time 0 from \
+       here";
     ]
     (witness_lines (drift ^ "check a : AG AF[<= 0] x(p) = -3"))
 
@@ -227,8 +228,8 @@ let fairness () =
     (witness_lines (pair ^ "check a : eventually not bound(p, q)"));
   expect "a bound that is passed"
     [
-      "1. time(1), at time 1"; "2. time(1), at time 2"; "then time passes beyond the bound";
-      "z(p) <= -10 fails: z(p) = -1";
+      "1. time(1), at time 1"; "2. time(1), at time 2";
+      "then time passes beyond the bound, which ends at time 5/2"; "z(p) <= -10 fails: z(p) = -2";
     ]
     (witness_lines (falls ^ "check a : eventually z(p) <= -10 within 5/2"));
   expect "possible" [ "1. weak(a, p.right, q.left), at time 0"; "bound(p, q) fails" ]
