@@ -150,21 +150,46 @@ class Course {
     return this.last.bodies;
   }
 
+  /**
+   * How many of the segments begin when k legs are over, or before.
+   * @param {Segment[]} segments @param {number} k
+   */
+  static #upTo(segments, k) {
+    let low = 0, high = segments.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (segments[middle].from <= k) low = middle + 1; else high = middle;
+    }
+    return low;
+  }
+
   /** @param {number} k @returns {Moving[]} */
   #present(k) {
     const bodies = [];
     for (const segments of this.slots.values()) {
-      let low = 0, high = segments.length;
-      while (low < high) {
-        const middle = (low + high) >> 1;
-        if (segments[middle].from <= k) low = middle + 1; else high = middle;
-      }
-      const s = segments[low - 1];
-      if (low === 0 || k >= s.to) continue;
+      const s = segments[Course.#upTo(segments, k) - 1];
+      if (!s || k >= s.to) continue;
       if (!s.body) s.body = new Moving(this.data.processes[s.index], s.index, s.since);
       bodies.push(s.body);
     }
     return bodies.sort((a, b) => a.process.leaves[0].leaf - b.process.leaves[0].leaf);
+  }
+
+  /**
+   * The processes that a leg ends, and those that it begins.
+   * @param {number} k the number of the leg, from 1 on
+   */
+  changed(k) {
+    /** @type {{ ended: DataProcess[], begun: DataProcess[] }} */
+    const found = { ended: [], begun: [] };
+    const process = (/** @type {Segment} */ s) => this.data.processes[s.index];
+    for (const segments of this.slots.values()) {
+      const at = Course.#upTo(segments, k), last = segments[at - 1];
+      if (last && last.from === k) found.begun.push(process(last));
+      const old = last && last.from === k ? segments[at - 2] : last;
+      if (old && old.to === k) found.ended.push(process(old));
+    }
+    return found;
   }
 
   /**

@@ -117,6 +117,7 @@ const Events = (() => {
               rules.map((rule) => Rules.link(rule)),
             ),
       ]),
+      player.playing ? null : Changes.show(player),
       ending(legs === count),
     );
     announce(`${words(legs)}. Step ${legs} of ${count}, time ${Exactly.both(player.time)}.`);

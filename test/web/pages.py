@@ -109,9 +109,20 @@ def deciding(b, scc):
     same('a check without a run: the beginning', (b.state()['run'], b.state()['time'], b.state()['legs']),
          ('calm', '0', 0))
     check('it says so', 'no single run' in note.text, note.text)
+    changes = 'return [...document.querySelectorAll("[data-testid=change]")].map((line) => line.textContent)'
+    same('nothing has changed', b.js(changes), [])
     link = b.js('return scc.link()')
+    b.js('scc.open(0)')
+    same('what has changed on the way to the bound', b.js(changes), ['p place (0, 0, 0) → (6, 0, 0)'])
     b.open(b.shown, link)
     same('its link leads to it', b.state()['run'], 'calm')
+    b.open(scc.view('specs/models/docking.sc'))
+    data = b.js('scc.open(scc.runs().length - 1); return scc.data')
+    kinds = [data['labels'][step['label']]['kind'] for step in data['runs'][-1]['steps']]
+    b.js('scc.go(arguments[0])', kinds.index('bind') + 1)
+    lines = b.js(changes)
+    check('a bond is made', any(line.endswith('bond none → made') for line in lines), lines)
+    check('velocities before and after', any(' velocity (' in line for line in lines), lines)
     b.open(scc.view('specs/models/meeting.sc'))
     same('the start of a violated check', (b.state()['run'], b.state()['bodies']['p']['position']),
          ('meets', ['0', '-5/2', '0']))
