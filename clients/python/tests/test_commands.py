@@ -110,17 +110,20 @@ class Every(Commands):
             "axes": {"=": 1, "axes": ["y", "z"], "draw": self.path("axes.svg")},
             "coverage": {"=": 1, "coverage": True, "define": {"y": 0, "z": 0}},
             "hash_compact": {"=": 1, "hash_compact": True, "define": {"y": 0, "z": 0}},
-        }, leave=("curve", "curve_plot"))
+        }, leave=("curve", "curve_plot", "parametric"))
         self.assertIn("<svg", self.text("check.svg"))
         check(WALK, curve="far", curve_plot=self.path("curve.svg"))
         self.assertIn("<svg", self.text("curve.svg"))
+        check("param k in (0, 1)\n" + WALK.replace("weight 1,", "weight k,"), parametric="k")
 
     def test_estimate(self):
         self.each(estimate, WALK + "param a = 1\n", {
-            "define": {"a": 2}, "check": ["far"], "property": "P = ? [ eventually x(p) > 1 within 3 ]", "runs": 20,
+            "define": {"a": 2}, "check": ["far"], "property": "P = ? [ eventually x(p) > 1 within 3 ]",
             "free": "evenly", "most": 100, "confidence": "0.9",
-            "effort": {"=": 1, "effort": 20, "levels": "x(p) >= 1", "check": ["far"], "runs": 5},
-            "levels": {"=": 1, "levels": "x(p) >= 1", "check": ["far"], "runs": 5}})
+            "runs": {"=": 1, "runs": 20, "most": None},
+            "effort": {"=": 1, "effort": 20, "levels": "x(p) >= 1", "check": ["far"], "runs": 5, "most": None},
+            "levels": {"=": 1, "levels": "x(p) >= 1", "check": ["far"], "runs": 5, "most": None}},
+            needed=("most",))
 
     def test_simulate(self):
         needed = {"runs": 3, "observe": ["x(p)", "y(p)"], "every": 1, "until": 4}
@@ -328,12 +331,13 @@ class Interruptions(Commands):
         self.addCleanup(signal.signal, signal.SIGINT, before)
 
     def interrupted(self, function, *arguments, **options):
-        """The result of a call that SIGINT interrupts once scc has worked for a second."""
+        """The result of a call that SIGINT interrupts once scc has worked for 0.2 seconds. It starts in less, and writes
+        thousands of steps in a second, of which the client makes objects for minutes."""
 
         before = used_below()
 
         def interrupt():
-            while not any(used >= 1 for pid, used in used_below().items() if pid not in before):
+            while not any(used >= 0.2 for pid, used in used_below().items() if pid not in before):
                 time.sleep(0.05)
             os.kill(os.getpid(), signal.SIGINT)
 
@@ -352,7 +356,7 @@ class Interruptions(Commands):
         result = self.interrupted(simulate, LONG, runs=10**7, observe="x(p)", every=100, until=100)
         self.assertTrue(result.interrupted and 0 < len(result.runs) < 10**7)
         self.assertTrue(self.interrupted(estimate, LONG, most=10**7, steps=10**6).interrupted)
-        run = self.interrupted(trace, LONG, steps=10**8)
+        run = self.interrupted(trace, LONG, steps=10**8, states="ends")
         self.assertEqual((run.interrupted, run.ending), (True, "interrupted"))
         self.assertTrue(run.steps)
         self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)

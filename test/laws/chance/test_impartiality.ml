@@ -150,15 +150,16 @@ let as_a_whole (way : Told_otherwise.way) =
 let labels_same (m, ways) =
   let m = { m with Told_otherwise.questions = [] } in
   let ways = if moves m then List.map as_a_whole ways else ways in
-  let graph way ~told =
-    let prepared space =
-      Scc_equivalence.(Compare.prepare Timed (Draws.joined ~told (graph_of space)))
-    in
-    Option.map prepared (space (Told_otherwise.to_text { way with name = Told_otherwise.as_it_is.name } m))
+  let prepared ~told =
+    Option.map (fun space -> Scc_equivalence.(Compare.prepare Timed (Draws.joined ~told (graph_of space))))
   in
+  let graph way ~told =
+    prepared ~told (space (Told_otherwise.to_text { way with name = Told_otherwise.as_it_is.name } m))
+  in
+  let as_it_is = lazy (space (Told_otherwise.to_text Told_otherwise.as_it_is m)) in
   let effort = Scc_equivalence.Effort.make ~stop:(fun () -> false) in
   let same (way : Told_otherwise.way) =
-    match (graph Told_otherwise.as_it_is ~told:(turned way), graph way ~told:Scc_equivalence.Label.canonical) with
+    match (prepared ~told:(turned way) (Lazy.force as_it_is), graph way ~told:Scc_equivalence.Label.canonical) with
     | Some one, Some two -> (
         incr compared;
         match (Scc_equivalence.Compare.run effort Timed one two).verdict with

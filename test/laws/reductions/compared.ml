@@ -71,6 +71,17 @@ let comparable (s : Stats.t) =
     (fun (t : Verdict.truncation) -> match t.limit with Time _ -> true | _ -> false)
     s.stopped_by
 
+(* Everything is explored once of each text: properties of one generator and seed are tried on the same ones. *)
+let explored = Hashtbl.create 500
+
+let everything text e initial =
+  match Hashtbl.find_opt explored text with
+  | Some report -> report
+  | None ->
+    let report = run [ Reduction.Jump ] e initial in
+    Hashtbl.add explored text report;
+    report
+
 let decided = ref 0
 let refused = ref 0
 
@@ -79,7 +90,7 @@ let agrees kinds ~jump ~together text =
   match load text with
   | None -> incr refused; true
   | Some (e, initial) ->
-    let full = run [ Reduction.Jump ] e initial in
+    let full = everything text e initial in
     let reduced = run kinds e initial in
     let count (o : Verdict.outcome) = if Option.is_some (definite o.verdict) then incr decided in
     List.iter count full.outcomes;
