@@ -189,8 +189,8 @@ let text console lattices (r : Estimate_report.t) =
     let even =
       if a.chosen && a.verdict <> Undecided then [ "  choices that nothing draws were taken evenly" ] else []
     in
-    let reasons = List.map (fun why -> "  " ^ why) a.reasons in
-    String.concat "\n" (((a.path.check.name ^ ": " ^ verdict ^ ": " ^ line) :: even) @ reasons) ^ "\n"
+    let below = List.map (fun text -> "  " ^ text) (Estimate_report.of_known a @ a.reasons) in
+    String.concat "\n" (((a.path.check.name ^ ": " ^ verdict ^ ": " ^ line) :: even) @ below) ^ "\n"
   in
   let reasons = List.sort_uniq String.compare (List.map snd r.left_out) in
   let left why =
