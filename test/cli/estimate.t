@@ -145,6 +145,13 @@ Runs that do not end.
   property1: undecided: not known, 40 runs
     40 of 40 runs were left before it was known: --until
   [2]
+  $ scc estimate $M/ruin.sc --property 'P = ? [ eventually x(walker) >= 0 ]' --property 'P = ? [ eventually vx(walker) > 0 ]' --runs 40 --until 0 --seed -5
+  property1: estimated: 1, from 0.875939 to 1 with confidence 99/100, 40 runs
+  
+  property2: estimated: from 0.316818 to 1 with confidence 99/100, 40 runs
+    it is so in 21 of the 21 runs that tell; 19 runs are open, and may differ
+    19 of 40 runs were left before it was known: --until
+  [2]
   $ scc estimate $M/ruin.sc --property 'E = ? [ x(walker) at 99 ]' --property 'E = ? [ time U x(walker) >= 2 ]' --runs 40
   property1: undecided: not known, 40 runs
     40 of 40 runs do not tell: `walker` is gone, and nowhere: ask for `gone(walker)` first

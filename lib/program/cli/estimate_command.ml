@@ -297,7 +297,7 @@ let properties =
     "Estimates $(docv), a property that is not in the model: $(b,P = ? [ eventually f ]). May be given several \
      times."
 
-let count = Options.integer ~least:1 "number of runs"
+let count = Options.integer ~least:1 "positive number of runs"
 
 let runs =
   Options.maybe count [ "runs" ] ~docv:"N"
@@ -333,8 +333,9 @@ let steps =
      10000 if neither the formulas nor $(b,--until) end the run at a time, and none otherwise."
 
 let until =
-  Options.maybe (Options.positive "model time") [ "until" ] ~docv:"TIME"
-    "Stops a run at the model time $(docv), if not all is decided by then."
+  Options.maybe (Options.not_negative "model time") [ "until" ] ~docv:"TIME"
+    "Stops a run at the model time $(docv), if not all is decided by then; 0 is its first instant. A number at \
+     $(docv) is decided only when time has passed."
 
 let store_option =
   Kept.option
