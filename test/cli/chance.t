@@ -331,7 +331,7 @@ How likely something is, and what it is on the average.
   $ scc check ruin.sc --depth 6
   semantics 3: timestep 1
   
-  lost: least in [0.810426, 1], greatest in [0.810426, 1], as far as is known: the exploration ended at the depth bound 6; one unexplored state matters
+  lost: in [0.810426, 1], as far as is known: the exploration ended at the depth bound 6; one unexplored state matters
     P = ? [ eventually event absorb(walker, ruin) ]
     to the nearest unexplored state that matters:
       1. walker draws the velocity (1, 0, 0), with probability 2/5, at time 0
@@ -402,7 +402,7 @@ How likely something is, and what it is on the average.
   time: 1110/211
     E = ? [ time U gone(walker) ]
   
-  never: least at least 5.260663, greatest at least 5.260663, as far as is known: the exploration ended at the depth bound 6; one unexplored state matters
+  never: at least 5.260663, as far as is known: the exploration ended at the depth bound 6; one unexplored state matters
     E = ? [ time U event absorb(walker, ruin) ]
     to the nearest unexplored state that matters:
       1. walker draws the velocity (1, 0, 0), with probability 2/5, at time 0
@@ -424,7 +424,7 @@ How likely something is, and what it is on the average.
     no run shows it: everything that counts was explored
   
   explored: 19 states, 24 transitions, depth 7, model time 3; not complete: stopped by the depth bound 6
-  10 properties: 1 holds, 1 violated, 6 measured, 2 undecided
+  10 properties: 1 holds, 1 violated, 4 measured, 2 within an interval, 2 undecided
   [1]
 
 What cannot be asked.
@@ -624,8 +624,9 @@ runs have nothing free, and other tools get the tie as one action.
   race: least 7/12, greatest 2/3
   $ scc estimate tied.sc --check race --runs 300
   race: estimated: 0.616667, from 0.541272 to 0.688275 with confidence 99/100, 300 runs
-  $ scc estimate free.sc --check race --runs 300 | head -2
+  $ scc estimate free.sc --check race --runs 300 | head -3
   race: estimated: from 0.484029 to 0.716585 with confidence 99/100, 300 runs
+    it is so in 168 of the 274 runs that tell; 26 runs are open, and may differ
     26 of 300 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   $ scc explore tied.sc --format drn -o tied.drn 2> log && grep -A2 'action tie \[' tied.drn
   	action tie [0]

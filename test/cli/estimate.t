@@ -14,12 +14,14 @@ however little the sample varies.
     choices that nothing draws were taken evenly
   $ scc estimate $M/association.sc --check mean_at_3 --runs 500
   mean_at_3: estimated: from 0.726419 to 2.155386 with confidence 99/100, 500 runs
+    the mean of the 317 runs with a number is 1.394322; 183 runs are open, and may differ
     183 of 500 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   [2]
   $ scc estimate $M/association.sc --property 'E >= 1/2 [ bonds() at 3 ]' --property 'E > 2 [ count(i in 1..n: bound(m[i], s[i])) at 3 ]'
   property1: estimated to hold: from 0.596771 to 3.397017 with confidence 99/100, 128 runs
   
   property2: undecided whether it is > 2: from 0.596771 to 2.339053 with confidence 99/100, 128 runs
+    the mean of the 81 runs with a number is 1.432099; 47 runs are open, and may differ
     47 of 128 runs depend on choices that nothing draws: where these are orders of collisions, `collisions drawn` in the model draws them; `--free evenly` takes each choice as often; and `scc check` tells the least and the greatest
   [2]
   $ scc estimate $M/ruin.sc --check drift --check how_long --runs 500 --seed 7
@@ -60,13 +62,16 @@ Under a law that depends on places no speed is known, and so no range: nothing i
   $ scc estimate far.sc --check mean --check below
   mean: sampled: the mean of these runs alone is 0, with the standard deviation 0, 128 runs
     no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+    `E = ? [ max(-a, min(f, a)) at T ]` has an interval by `scc estimate`, for its number f and a bound a that you choose
   
   below: undecided whether it is <= 1/2: the mean of these runs alone is 0, with the standard deviation 0, 128 runs
     no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+    `E = ? [ max(-a, min(f, a)) at T ]` has an interval by `scc estimate`, for its number f and a bound a that you choose
   [2]
   $ scc estimate far.sc --check below --runs 1
   below: undecided whether it is <= 1/2: the mean of these runs alone is 0, 1 run
     no range of this number is known, and so no interval: a value too rare to be among the runs may move the mean by any amount. `scc check` tells the mean where it gets to the end
+    `E = ? [ max(-a, min(f, a)) at T ]` has an interval by `scc estimate`, for its number f and a bound a that you choose
   [2]
   $ scc estimate far.sc --property 'E <= 1/2 [ max(-1000, min(x(p), 1000)) at 1 ]' --property 'E >= 1 [ speed2(p) at 1/2 ]'
   property1: undecided whether it is <= 1/2: 0.9, from -0.096175 to 2.708808 with confidence 99/100, 10000 runs
@@ -131,6 +136,7 @@ Runs that do not end.
   kick 1
   
   property1: estimated: from 0.002616 to 1 with confidence 99/100, 40 runs
+    it is so in 2 of the 2 runs that tell; 38 runs are open, and may differ
     38 of 40 runs were left before it was known: --steps
   [2]
   $ scc estimate $M/brownian.sc --property 'P = ? [ eventually bound(ligand, pocket) ]' --runs 40 --until 5
@@ -139,11 +145,19 @@ Runs that do not end.
   property1: undecided: not known, 40 runs
     40 of 40 runs were left before it was known: --until
   [2]
+  $ scc estimate $M/ruin.sc --property 'P = ? [ eventually x(walker) >= 0 ]' --property 'P = ? [ eventually vx(walker) > 0 ]' --runs 40 --until 0 --seed -5
+  property1: estimated: 1, from 0.875939 to 1 with confidence 99/100, 40 runs
+  
+  property2: estimated: from 0.316818 to 1 with confidence 99/100, 40 runs
+    it is so in 21 of the 21 runs that tell; 19 runs are open, and may differ
+    19 of 40 runs were left before it was known: --until
+  [2]
   $ scc estimate $M/ruin.sc --property 'E = ? [ x(walker) at 99 ]' --property 'E = ? [ time U x(walker) >= 2 ]' --runs 40
   property1: undecided: not known, 40 runs
     40 of 40 runs do not tell: `walker` is gone, and nowhere: ask for `gone(walker)` first
   
   property2: undecided: not known, 40 runs
+    the mean of the 14 runs with a number is 3.714286; 26 runs are open, and may differ
     26 of 40 runs do not tell: something that it asks for has no value there
   [2]
 
@@ -216,24 +230,28 @@ Where a bound keeps a probability or a mean from being known, `scc check` names 
   > check near : P = ? [ eventually x(w) > 3 within 4 ]
   > END
   $ scc check walk.sc --states 30 | sed -n '/^[a-z]*: /p; /cure: .scc/p' | cut -c 1-140
-  far: least in [0, 1], greatest in [0, 1], as far as is known: the exploration ended at the bound of 30 states; 4 unexplored states matter
+  far: in [0, 1], as far as is known: the exploration ended at the bound of 30 states; 4 unexplored states matter
     likely cure: `scc estimate --check far` tells it from many runs, by an interval with a confidence
   ever: holds (exhaustive)
   half: undecided: the exploration ended at the bound of 30 states; 4 unexplored states matter
     likely cure: `scc estimate --check half` tells it from many runs, by an interval with a confidence
   mean: undecided: the exploration ended at the bound of 30 states; 4 unexplored states matter
-  near: least in [0.0625, 0.25], greatest in [0.0625, 0.25], as far as is known: the exploration ended at the bound of 30 states; 3 unexplored
+    likely cure: `scc estimate --check mean` tells it from many runs, by an interval with a confidence
+  near: in [0.0625, 0.25], as far as is known: the exploration ended at the bound of 30 states; 3 unexplored states matter
     likely cure: `scc estimate --check near` tells it from many runs, by an interval with a confidence
   explored: 29 states, 36 transitions, depth 8, model time 4; not complete: stopped by the bound of 30 states
   $ scc check walk.sc --states 30 --json | grep likely_cure
         "likely_cure": "`scc estimate --check far` tells it from many runs, by an interval with a confidence"
         "likely_cure": "`scc estimate --check half` tells it from many runs, by an interval with a confidence"
+        "likely_cure": "`scc estimate --check mean` tells it from many runs, by an interval with a confidence"
         "likely_cure": "`scc estimate --check near` tells it from many runs, by an interval with a confidence"
   $ scc check walk.sc --states 30 | sed -n 's/.*cure: `scc estimate --check \([a-z]*\)`.*/\1/p' > named; cat named
   far
   half
+  mean
   near
   $ for name in $(cat named); do scc estimate walk.sc --check $name --runs 200 | grep -c ' with confidence 99/100, 200 runs'; done
+  1
   1
   1
   1

@@ -38,7 +38,7 @@ let in_words () =
       "b: holds (exhaustive); its run could not be rebuilt: this is a fault of scc\n  always x(p) < 1\n\
       \  what failed: Bug at here:1: broken\n";
     ]
-    (List.map (Check_text.property (console ()) ~full:false loaded.semantics) outcomes)
+    (List.map (Check_text.property (console ()) ~full:false ~from:loaded.declared loaded.semantics) outcomes)
 
 let property (l : Scc_loading.Loaded.t) o =
   Scc_reports.Check_json.(Scc_json.Json_format.write property_format (judged l.semantics o))
@@ -101,7 +101,7 @@ let left_out_in_words () =
          "violated; its run"; "holds (exhaustive); its run";
          "undecided: the exploration ended at the bound of 50 states; the run to what was not explored";
        ])
-    (List.map (Check_text.property (console ()) ~full:false loaded.semantics) left_out);
+    (List.map (Check_text.property (console ()) ~full:false ~from:loaded.declared loaded.semantics) left_out);
   Alcotest.(check string) "of Zeno behaviour"
     "Zeno behaviour: a run that goes on for ever within one instant, which is left out: making it ended at the \
      interruption\n"

@@ -147,7 +147,7 @@ Numbers that are rounded.
 What cannot be asked.
 
   $ scc simulate $M/ruin.sc --runs 0 --observe 'x(walker)' --every 1 --until 4 2>&1 | head -1
-  scc: option '--runs': `0' is no number of runs
+  scc: option '--runs': `0' is no positive number of runs
   $ scc simulate $M/ruin.sc --runs 1 --seed x --observe 'x(walker)' --every 1 --until 4 2>&1 | head -1
   scc: option '--seed': `x' is no integer of 64 bits
   $ scc simulate $M/ruin.sc --runs 1 --observe 'x(walker)' --every 0 --until 4 2>&1 | head -1

@@ -110,7 +110,7 @@ Without a bound of time the value is known between two bounds, piece by piece:
     mean at least 24/125 = 0.192, and at most 347/375, about 0.9253
   
   explored: 48 states, 70 transitions, depth 12; not complete: stopped by the depth bound 12
-  1 property: 1 measured
+  1 property: 1 within an interval
   [2]
 
 A weight that is negative for some start, and one that is not constant:

@@ -64,7 +64,7 @@ let print_json console ~full ~where:shown_where loaded report verdicts extra cod
         diagnostics = Console.kept console;
         exit = Exit_code.to_int code;
         full;
-        cure = Scc_estimate.Cure.of_outcome loaded.model;
+        cure = Scc_estimate.Cure.of_outcome loaded.model ~from:loaded.declared;
         coverage = extra.covered;
         measured = Option.map (fun m -> Measured.numbers m report) extra.measured;
       }
@@ -79,7 +79,10 @@ let print_text console ~full ~where ~prove (loaded : Loaded.t) (report : Check.r
   let print = Console.tell console in
   print (Scc_calculus.Parameters.line loaded.origin.settings ^ "\n\n");
   let runs = Option.is_none loaded.parameter in
-  let property i v = print (Check_text.property console ~full ~runs ?where:(List.nth_opt where i) c v ^ "\n") in
+  let property i v =
+    let where = List.nth_opt where i in
+    print (Check_text.property console ~full ~runs ?where c ~from:loaded.declared v ^ "\n")
+  in
   List.iteri property verdicts;
   let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno ~full c w ^ "\n") in
   Option.iter zeno report.zeno;
@@ -88,7 +91,7 @@ let print_text console ~full ~where ~prove (loaded : Loaded.t) (report : Check.r
   let causes = Check_text.causes loaded.model report.stats in
   print (Check_text.explored report.stats ^ causes ^ Check_text.slices report.slices);
   Option.iter (fun (space, c) -> print (Coverage_text.lines console space c)) extra.covered;
-  print (Check_text.tally console (List.map (fun (o : Verdict.outcome) -> o.verdict) verdicts));
+  print (Check_text.tally console verdicts);
   Option.iter (fun m -> List.iter (Console.note console) (Measured.lines m report)) extra.measured
 
 let write_sarif console path code properties =

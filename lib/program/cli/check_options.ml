@@ -30,14 +30,6 @@ let starting ?attempt console watch (budget : Budget.t) =
 
 let positive what = Options.integer ~least:1 ~most:((1 lsl 40) - 1) ("positive number of " ^ what)
 
-let duration =
-  let parse s =
-    match Arg.conv_parser Options.rational s with
-    | Ok t when Rat.sign t < 0 -> Error (`Msg "a bound of time is not negative")
-    | result -> result
-  in
-  Arg.conv ~docv:"T" (parse, Arg.conv_printer Options.rational)
-
 let seconds_conv =
   let number s =
     match Arg.conv_parser Options.rational s with
@@ -58,8 +50,8 @@ let depth =
     "Expands only states that $(docv) or fewer transitions lead to. No default."
 
 let time =
-  Options.maybe duration [ "time" ] ~docv:"T" ~docs
-    "Expands only states that can be reached by the model time $(docv). No default."
+  Options.maybe (Options.not_negative "model time") [ "time" ] ~docv:"T" ~docs
+    "Expands only states that can be reached by the model time $(docv); 0 is the first instant. No default."
 
 let states =
   Options.maybe (positive "states") [ "states" ] ~docv:"N" ~docs

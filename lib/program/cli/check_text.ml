@@ -163,7 +163,7 @@ let no_run formula =
     "there is a run that shows it, but none was found that is short enough to be shown"
   else "no single run shows it: everything that counts was explored"
 
-let property console ~full ?(runs = true) ?where c (o : Verdict.outcome) =
+let property console ~full ?(runs = true) ?where c ~from (o : Verdict.outcome) =
   let { Verdict.check; verdict = v; lost; left_out; _ } = o in
   let verdict = Console.styled console (style v) (Verdict.outcome_to_string o) in
   let head = Printf.sprintf "%s: %s\n  %s\n" (Console.styled console Strong check.name) verdict check.text in
@@ -199,7 +199,7 @@ let property console ~full ?(runs = true) ?where c (o : Verdict.outcome) =
     | _ -> []
   in
   let cure =
-    Scc_estimate.Cure.of_outcome (Semantics.model c) o
+    Scc_estimate.Cure.of_outcome (Semantics.model c) ~from o
     |> Option.fold ~none:[] ~some:(fun text -> [ Printf.sprintf "  likely cure: %s\n" text ])
   in
   let show (what, lines) = Printf.sprintf "  %s\n" what :: indented 4 lines in
@@ -270,15 +270,30 @@ let left_out (slice : Check.slice) =
 
 let slices list = String.concat "" (List.map left_out list)
 
-let tally console verdicts =
+(* A probability of which nothing can be shown. *)
+let is_anything (o : Verdict.outcome) (_, m) =
+  match o.check.asked with
+  | How_likely _ -> String.equal (Likelihoods.measured m) "in [0, 1]"
+  | Expected _ | Whether -> false
+
+(* What a number that was asked for came to. *)
+let worth (o : Verdict.outcome) =
+  match o.verdict with
+  | Measured { reasons = []; _ } -> Some `Number
+  | Measured { values; starts = []; _ } when List.for_all (is_anything o) values -> Some `Anything
+  | Measured _ -> Some `Interval
+  | Depends { holds = None; _ } -> Some `Number
+  | Depends _ | Holds _ | Violated _ | Undecided _ -> None
+
+let tally console outcomes =
+  let verdicts = List.map (fun (o : Verdict.outcome) -> o.verdict) outcomes in
   let count f = List.length (List.filter f verdicts) in
+  let worth what = List.length (List.filter (fun o -> worth o = Some what) outcomes) in
   let exhaustive = count Verdict.exhaustive in
   let bounded = count (function Verdict.Holds { bounds = _ :: _; _ } -> true | _ -> false) in
   let fails d = Option.equal Bool.equal (Verdict.everywhere d) (Some false) in
   let violated = count (function Verdict.Violated _ -> true | Depends d -> fails d | _ -> false) in
-  let is_number (d : Verdict.dependence) = Option.is_none d.holds in
-  let measured = count (function Verdict.Measured _ -> true | Depends d -> is_number d | _ -> false) in
-  let undecided = count (function Verdict.Undecided _ -> true | _ -> false) in
+  let undecided = count (function Verdict.Undecided _ -> true | _ -> false) + worth `Anything in
   let part n style text =
     if n = 0 then [] else [ Console.styled console style (Printf.sprintf "%d %s" n text) ]
   in
@@ -286,7 +301,8 @@ let tally console verdicts =
     part exhaustive Good (if exhaustive = 1 then "holds" else "hold")
     @ part bounded Doubtful (if bounded = 1 then "holds up to the bound" else "hold up to the bound")
     @ part violated Bad "violated"
-    @ part measured Good "measured"
+    @ part (worth `Number) Good "measured"
+    @ part (worth `Interval) Doubtful "within an interval"
     @ part undecided Doubtful "undecided"
   in
   match verdicts with

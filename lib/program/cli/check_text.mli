@@ -5,9 +5,11 @@ open Scc_explain
 open Scc_verify
 
 val property :
-  Console.t -> full:bool -> ?runs:bool -> ?where:Scc_regions.Where.t -> Semantics.t -> Verdict.outcome -> string
-(** A verdict in several lines with its witness, ended by a newline. The run is reduced to its relevant steps,
-    or complete if [full]. With [runs:false] (default: true) no runs are shown, and nothing is said of that. *)
+  Console.t -> full:bool -> ?runs:bool -> ?where:Scc_regions.Where.t -> Semantics.t ->
+  from:Scc_calculus.State.t -> Verdict.outcome -> string
+(** A verdict in several lines with its witness, ended by a newline. Runs begin in the state [from]. The run is
+    reduced to its relevant steps, or complete if [full]. With [runs:false] (default: true) no runs are shown, and
+    nothing is said of that. *)
 
 val no_run : Scc_property.Property.temporal -> string
 (** Why no run is shown from the start of a model with ranges for which the formula is violated. *)
@@ -31,5 +33,6 @@ val slices : Check.slice list -> string
 val invariants : asked:bool -> Check.report -> string
 (** A line for each invariant that was found. If [asked] and none was found, the reason. *)
 
-val tally : Console.t -> Verdict.t list -> string
-(** The number of verdicts of each kind: ["4 properties: 3 hold, 1 violated"]. *)
+val tally : Console.t -> Verdict.outcome list -> string
+(** The number of verdicts of each kind: ["4 properties: 3 hold, 1 violated"]. A probability that may be anything
+    from 0 to 1 is undecided; a number that is known by an interval alone is within an interval. *)

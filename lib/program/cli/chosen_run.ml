@@ -176,7 +176,7 @@ let steps =
 
 let time =
   Options.maybe (Options.not_negative "model time") [ "time" ] ~docv:"T"
-    "Ends the run at the model time $(docv), between events if necessary."
+    "Ends the run at the model time $(docv), between events if necessary; 0 is its first instant."
 
 let options ~sampled =
   let make schedule choose start steps time = { schedule; choose; start; steps; time } in

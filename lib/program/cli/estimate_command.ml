@@ -189,8 +189,8 @@ let text console lattices (r : Estimate_report.t) =
     let even =
       if a.chosen && a.verdict <> Undecided then [ "  choices that nothing draws were taken evenly" ] else []
     in
-    let reasons = List.map (fun why -> "  " ^ why) a.reasons in
-    String.concat "\n" (((a.path.check.name ^ ": " ^ verdict ^ ": " ^ line) :: even) @ reasons) ^ "\n"
+    let below = List.map (fun text -> "  " ^ text) (Estimate_report.of_known a @ a.reasons) in
+    String.concat "\n" (((a.path.check.name ^ ": " ^ verdict ^ ": " ^ line) :: even) @ below) ^ "\n"
   in
   let reasons = List.sort_uniq String.compare (List.map snd r.left_out) in
   let left why =
@@ -297,7 +297,7 @@ let properties =
     "Estimates $(docv), a property that is not in the model: $(b,P = ? [ eventually f ]). May be given several \
      times."
 
-let count = Options.integer ~least:1 "number of runs"
+let count = Options.integer ~least:1 "positive number of runs"
 
 let runs =
   Options.maybe count [ "runs" ] ~docv:"N"
@@ -333,8 +333,9 @@ let steps =
      10000 if neither the formulas nor $(b,--until) end the run at a time, and none otherwise."
 
 let until =
-  Options.maybe (Options.positive "model time") [ "until" ] ~docv:"TIME"
-    "Stops a run at the model time $(docv), if not all is decided by then."
+  Options.maybe (Options.not_negative "model time") [ "until" ] ~docv:"TIME"
+    "Stops a run at the model time $(docv), if not all is decided by then; 0 is its first instant. A number at \
+     $(docv) is decided only when time has passed."
 
 let store_option =
   Kept.option

@@ -30,11 +30,29 @@ let help = Format.make_formatter (fun text from n -> Console.print console (Stri
 let complaints =
   Format.make_formatter (fun text from n -> Scc_system.Standard.complain (String.sub text from n)) ignore
 
+(* A word such as -5, -1/2 or -.5: no option has such a name. *)
+let is_negative word =
+  let digit i = String.length word > i && word.[i] >= '0' && word.[i] <= '9' in
+  String.length word > 1 && word.[0] = '-' && (digit 1 || (word.[1] = '.' && digit 2))
+
+(* An option without its value. *)
+let is_option word =
+  String.length word > 1 && word.[0] = '-' && (not (String.contains word '=')) && not (is_negative word)
+
+(* Cmdliner takes any word that begins with - for an option, but for one that is joined to its option. *)
+let rec with_negatives = function
+  | "--" :: _ as rest -> rest
+  | option :: number :: rest when is_option option && is_negative number ->
+    let long = String.length option > 2 && option.[1] = '-' in
+    (option ^ (if long then "=" else "") ^ number) :: with_negatives rest
+  | word :: rest -> word :: with_negatives rest
+  | [] -> []
+
 (* `scc help COMMAND` is `scc COMMAND --help`. *)
 let arguments =
-  match Array.to_list Sys.argv with
+  match with_negatives (Array.to_list Sys.argv) with
   | scc :: "help" :: rest -> Array.of_list ((scc :: rest) @ [ "--help" ])
-  | _ -> Sys.argv
+  | words -> Array.of_list words
 
 (* A pager is for terminals, and has its own answer to signals. Elsewhere nobody would hear that it could not
    write. *)

@@ -171,7 +171,8 @@ let run color progress o =
 
 let runs =
   let doc = "How many runs, from number 0 on." in
-  Arg.(required & opt (some (Options.integer ~least:1 "number of runs")) None & info [ "runs" ] ~docv:"N" ~doc)
+  let number = Options.integer ~least:1 "positive number of runs" in
+  Arg.(required & opt (some number) None & info [ "runs" ] ~docv:"N" ~doc)
 
 let observed =
   let doc =
@@ -185,7 +186,7 @@ let every =
   Arg.(required & opt (some (Options.positive "step")) None & info [ "every" ] ~docv:"STEP" ~doc)
 
 let until =
-  let doc = "Runs end at the model time $(docv)." in
+  let doc = "Runs end at the model time $(docv); 0 is their first instant." in
   Arg.(required & opt (some (Options.not_negative "model time")) None & info [ "until" ] ~docv:"TIME" ~doc)
 
 let steps =

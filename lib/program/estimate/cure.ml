@@ -8,24 +8,44 @@ let of_size (t : Verdict.truncation) =
   | States _ | Seconds _ | Memory _ | Interrupted -> true
   | Depth _ | Time _ | Instant _ | Bits _ | Omission _ -> false
 
+(* What an estimate tells. *)
+type told = Interval | Lower_end | Upper_end | Only_within_bounds
+
 let tells (path : Path.t) =
   match (path.question, Path.test path) with
-  | Amounts (_, range), _ -> Option.is_some (Range.both range)
-  | Does, None -> true
-  | Does, Some (_, test) -> Rat.sign test.than > 0 && Rat.compare test.than Rat.one < 0
+  | Does, Some (_, test) when Rat.sign test.than <= 0 || Rat.compare test.than Rat.one >= 0 -> None
+  | Does, _ -> Some Interval
+  | Amounts (_, { low = Some _; high = Some _; _ }), _ -> Some Interval
+  | Amounts (_, { low = Some _; high = None; _ }), _ -> Some Lower_end
+  | Amounts (_, { low = None; high = Some _; _ }), _ -> Some Upper_end
+  | Amounts (_, { low = None; high = None; _ }), _ -> Some Only_within_bounds
+
+let within_bounds =
+  "`E = ? [ max(-a, min(f, a)) at T ]` has an interval by `scc estimate`, for its number f and a bound a that you \
+   choose"
 
 (* Of two that meet a third one, nothing draws which bounces first. *)
 let several_bounce (m : Model.t) =
   let walkers = List.filter (fun (l : Model.leaf) -> Law.draws l.law) (Array.to_list m.leaves) in
   m.blocked = Bounce && List.compare_length_with walkers 1 > 0
 
-let of_outcome model (o : Verdict.outcome) =
+let of_path model (path : Path.t) =
+  let ends = match path.horizon with Some _ -> "" | None -> ", if most of them come to where it is known" in
+  let free = if several_bounce model then "; with `--free evenly` where walkers bounce off each other" else "" in
+  let by_runs what =
+    Printf.sprintf "`scc estimate --check %s` tells %s%s%s" path.check.name what ends free
+  in
+  match tells path with
+  | None -> None
+  | Some Interval -> Some (by_runs "it from many runs, by an interval with a confidence")
+  | Some Lower_end -> Some (by_runs "from many runs what it is at least, with a confidence")
+  | Some Upper_end -> Some (by_runs "from many runs what it is at most, with a confidence")
+  | Some Only_within_bounds -> Some within_bounds
+
+let of_outcome model ~from (o : Verdict.outcome) =
   let cured = List.exists of_size (Verdict.truncated o.verdict) && not (Verdict.over_zones o) in
-  match Path.of_check model o.check with
-  | Ok path when cured && tells path ->
-    let ends = match path.horizon with Some _ -> "" | None -> ", if most of them come to where it is known" in
-    let free = if several_bounce model then "; with `--free evenly` where walkers bounce off each other" else "" in
-    Some
-      (Printf.sprintf "`scc estimate --check %s` tells it from many runs, by an interval with a confidence%s%s"
-         o.check.name ends free)
-  | Ok _ | Error _ -> None
+  if not cured then None
+  else
+    match Path.of_check ~from model o.check with
+    | Ok path -> of_path model path
+    | Error _ -> None

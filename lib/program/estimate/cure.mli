@@ -3,8 +3,11 @@
 open Scc_calculus
 open Scc_verify
 
-val of_outcome : Model.t -> Verdict.outcome -> string option
-(** [of_outcome model outcome] is the question for [scc estimate], in words, if {!Estimation} has intervals for the
-    probability or mean, and a bound on states, seconds or memory, or an interruption, kept it from being known. It
-    is [None] for a probability that is compared with 0 or 1, which samples decide on one side only, and over
-    zones. *)
+val within_bounds : string
+(** How to ask for a number of which no range is known. *)
+
+val of_outcome : Model.t -> from:State.t -> Verdict.outcome -> string option
+(** [of_outcome model ~from outcome] says what {!Estimation} tells of the probability or mean, if a bound on
+    states, seconds or memory, or an interruption, kept it from being known: an interval, one end, or nothing
+    unless the number is kept within bounds. Runs begin in the state [from]. It is [None] for a probability that is
+    compared with 0 or 1, which samples decide on one side only, and over zones. *)

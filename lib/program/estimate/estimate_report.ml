@@ -98,6 +98,21 @@ let line (a : answer) ~confidence =
   | Infinite -> Printf.sprintf "infinite: %d of %s never come to it" a.tally.never runs
   | Unknown -> "not known, " ^ runs
 
+let of_known (a : answer) =
+  let t = a.tally in
+  let opens = Tally.open_ended t and count = Scc_base.Plural.count in
+  let others = count opens "run is" "runs are" ^ " open, and may differ" in
+  let is_decided = a.verdict = Holds || a.verdict = Violated in
+  match Tally.known_mean t with
+  | _ when is_decided || Option.is_some a.splitting || opens = 0 -> []
+  | Some mean ->
+    let known = count t.numbers "run" "runs" in
+    [ Printf.sprintf "the mean of the %s with a number is %s; %s" known (decimal mean) others ]
+  | None when t.yes + t.no = 0 -> []
+  | None ->
+    let known = count (t.yes + t.no) "run" "runs" in
+    [ Printf.sprintf "it is so in %d of the %s that tell; %s" t.yes known others ]
+
 (* {1 For programs} *)
 
 let value =
@@ -167,6 +182,10 @@ let answer =
       field "yes" natural (tally (fun t -> t.yes));
       field "no" natural (tally (fun t -> t.no));
       field "numbers" natural (tally (fun t -> t.numbers)) ~about:"Runs with a number, of which the mean is.";
+      field "known_mean" (nullable Shared.rational) (tally Tally.known_mean)
+        ~about:
+          "The mean of the runs with a number where other runs are open, which may differ from these: it \
+           estimates nothing. Null if no run is open, or none has a number.";
       field "never" natural (tally (fun t -> t.never))
         ~about:"Runs that never come to where the number would be known.";
       field "free" natural (tally (fun t -> t.free))

@@ -20,5 +20,9 @@ val word : Estimation.answer -> string
 val line : Estimation.answer -> confidence:Scc_exact.Rat.t -> string
 (** The text after name and verdict: the interval, rounded outwards, and the number of runs. *)
 
+val of_known : Estimation.answer -> string list
+(** A line on the runs that tell where others are open: their mean, or how many of them do. It is empty where no
+    run is open, or none tells, or the verdict is known. *)
+
 val format : (t * Exit_code.t, unit) Scc_json.Json_format.t
 (** The document by [specs/schema/estimate.schema.json]; all numbers are exact. *)

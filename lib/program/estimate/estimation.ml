@@ -177,7 +177,8 @@ let is_hopeless t q value =
   | Infinite, _ -> k > 0
   | (Sample _ | Unknown), _ -> true
 
-let of_runs (tally : Tally.t) k = Printf.sprintf "%d of %s" k (Scc_base.Plural.count tally.runs "run" "runs")
+let of_runs (tally : Tally.t) k ~one ~many =
+  Printf.sprintf "%d of %s %s" k (Scc_base.Plural.count tally.runs "run" "runs") (if k = 1 then one else many)
 
 let of_bound : Sample.bound -> string = function
   | Steps -> "--steps"
@@ -194,8 +195,8 @@ let open_reasons { tally; left_out; _ } =
        | n -> [ Printf.sprintf "%d more runs are left out, which were interrupted" n ]);
       (if tally.free = 0 then []
        else
-         [ of_runs tally tally.free
-           ^ " depend on choices that nothing draws: "
+         [ of_runs tally tally.free ~one:"depends" ~many:"depend"
+           ^ " on choices that nothing draws: "
            ^ (if tally.free = tally.splits then ""
               else "where these are orders of collisions, `collisions drawn` in the model draws them; ")
            ^ (if tally.splits = 0 then ""
@@ -203,11 +204,11 @@ let open_reasons { tally; left_out; _ } =
            ^ (if tally.bounces = 0 then "" else "`blocked wait` leaves none where walkers bounce; ")
            ^ "`--free evenly` takes each choice as often; and `scc check` tells the least and the greatest" ]);
       (if tally.too_long = 0 then []
-       else [ of_runs tally tally.too_long ^ " were left before it was known: "
+       else [ of_runs tally tally.too_long ~one:"was" ~many:"were" ^ " left before it was known: "
               ^ String.concat ", " (List.map of_bound tally.bounds) ]);
       (match tally.why with
        | None -> []
-       | Some why -> [ Printf.sprintf "%s do not tell: %s" (of_runs tally tally.no_value) why ]);
+       | Some why -> [ of_runs tally tally.no_value ~one:"does" ~many:"do" ^ " not tell: " ^ why ]);
     ]
 
 (* The end that is missing, whatever the number of runs. *)
@@ -235,14 +236,16 @@ let never_holds q =
 let asked_for t q value =
   match (value, t.aim.size) with
   | Sample _, _ ->
-    "no range of this number is known, and so no interval: a value too rare to be among the runs may move the \
-     mean by any amount. `scc check` tells the mean where it gets to the end"
-  | Unknown, _ -> "no run was made"
+    [
+      "no range of this number is known, and so no interval: a value too rare to be among the runs may move the \
+       mean by any amount. `scc check` tells the mean where it gets to the end";
+      Cure.within_bounds;
+    ]
+  | Unknown, _ -> [ "no run was made: it was stopped before; runs of questions that a time decides come first" ]
   | Probability _, _ when never_holds q ->
-    "runs can refute this bound, and never confirm it: no probability is beyond it"
-  | _, Exactly _ -> "more runs would tell more"
-  | _, At_most n when t.runs >= n -> Printf.sprintf "more than %d runs are needed: --most" n
-  | _, At_most _ -> "more runs would tell more"
+    [ "runs can refute this bound, and never confirm it: no probability is beyond it" ]
+  | _, At_most n when t.runs >= n -> [ Printf.sprintf "more than %d runs are needed: --most" n ]
+  | _, (Exactly _ | At_most _) -> [ "more runs would tell more" ]
 
 let answer t q value verdict ~reasons =
   { path = q.asked; verdict; value; tally = q.tally; chosen = t.chosen; reasons; splitting = None }
@@ -256,7 +259,7 @@ let look t q ~last =
     | _ when narrow -> []
     | Unknown when still_open <> [] -> still_open
     | Probability _ | Mean _ | Infinite when hopeless -> still_open
-    | Probability _ | Mean _ | Infinite | Sample _ | Unknown -> still_open @ [ asked_for t q value ]
+    | Probability _ | Mean _ | Infinite | Sample _ | Unknown -> still_open @ asked_for t q value
   in
   let settle verdict ~reasons = q.answer <- Some (answer t q value verdict ~reasons) in
   match Path.test q.asked with
@@ -278,7 +281,7 @@ let look t q ~last =
         in
         let within =
           match one_sided value with
-          | [] when never_holds q -> [ asked_for t q value ]
+          | [] when never_holds q -> asked_for t q value
           | [] -> [ "the bound is within the interval" ]
           | some -> some
         in

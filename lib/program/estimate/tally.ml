@@ -75,6 +75,9 @@ let mean t (range : Range.t) ~look ~miss =
     ( Option.map (fun low -> Rat.add low (bound (fun x -> Rat.sub x low))) range.low,
       Option.map (fun high -> Rat.sub high (bound (fun x -> Rat.sub high x))) range.high )
 
+let known_mean t =
+  if t.numbers = 0 || open_ended t = 0 then None else Some (Rat.div t.sum (Rat.of_int t.numbers))
+
 let spread t =
   if t.numbers = 0 then None
   else

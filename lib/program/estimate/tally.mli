@@ -45,6 +45,10 @@ val mean : t -> Range.t -> look:Rat.t -> miss:Rat.t -> Rat.t option * Rat.t opti
     [miss] the mean is ever beyond one of them (law {e Betting}). For a number that is one of two the bounds are
     those of {!likelihood}: these miss the mean with at most the probability [look]. *)
 
+val known_mean : t -> Rat.t option
+(** The mean of the numbers, if some runs have one and others are open. It is no estimate of the mean over all
+    runs: what the others come to may differ from it in one direction. *)
+
 val spread : t -> (Rat.t * Rat.t option) option
 (** The mean of the numbers, if there are any, and their standard deviation, if there are two or more. The
     deviation divides the sum of squares by the number of values less one. It is rounded up by less than 2{^-39}

@@ -48,13 +48,9 @@ let equal (a : Scc_ctl.Eval.measured) (b : Scc_ctl.Eval.measured) =
   let same x y = same Answer.lower x y && same Answer.upper x y in
   same a.least b.least && same a.most b.most
 
-let values list =
-  let told = List.map (fun (s, m) -> (side s, measured m)) list in
-  match told with
-  | (_, first) :: rest
-    when List.for_all (fun (_, m) -> is_exact m) list && List.for_all (fun (_, t) -> t = first) rest ->
-    if rest = [] then String.concat ", " (List.map (fun (s, t) -> s ^ " " ^ t) told) else first
-  | told -> String.concat ", " (List.map (fun (s, t) -> Printf.sprintf "%s %s" s t) told)
+let values = function
+  | (_, first) :: (_ :: _ as rest) when List.for_all (fun (_, m) -> equal first m) rest -> measured first
+  | list -> String.concat ", " (List.map (fun (s, m) -> Printf.sprintf "%s %s" (side s) (measured m)) list)
 
 let of_run chance =
   if Rat.equal chance Rat.one then "the choices that attain it lead to this run:"

@@ -24,8 +24,8 @@ val equal : Scc_ctl.Eval.measured -> Scc_ctl.Eval.measured -> bool
 (** [equal a b] is true if the known bounds of both are equal. *)
 
 val values : (Scc_property.Property.side * Eval.measured) list -> string
-(** A list of measured values: ["1/3"] if least and greatest are the same exact value, else ["least 1/4,
-    greatest 1/2"]. *)
+(** A list of measured values: ["1/3"] or ["in [1/4, 1/2]"] if the same is known of the least and the greatest,
+    else ["least 1/4, greatest 1/2"]. *)
 
 val of_run : Scc_exact.Rat.t -> string
 (** The introduction to a shown run that attains a probability, with the probability of this run if it is less

@@ -321,7 +321,8 @@ let cut file property () =
   in
   Alcotest.(check bool) "some are open" true (go 0 0 > 0)
 
-(* A run that was interrupted is open where a range is known, and else left out, and the answer says so. *)
+(* A run that was interrupted is open where a range is known, and else left out, and the answer says so. What the
+   other runs came to is said as well. *)
 let open_runs () =
   let body = "import <solids>\nprocess a = solids.Cube(1) mass 1 [nil]\n" in
   let answer property outcomes =
@@ -334,14 +335,29 @@ let open_runs () =
     Estimation.judge t ~last:true;
     List.hd (Estimation.answers t)
   in
-  let check property outcomes expected =
+  let check property outcomes (runs, lines) =
     let a = answer property outcomes in
-    Alcotest.(check (pair int string)) property expected (a.tally.runs, String.concat "; " a.reasons)
+    let found = Estimate_report.of_known a @ a.reasons in
+    Alcotest.(check (pair int (list string))) property (runs, lines) (a.tally.runs, found)
   in
-  let cut = Sample.Too_long Interruption in
+  let cut = Sample.Too_long Interruption and number n = Sample.Number (Rat.of_int n) in
+  let stopped = " left before it was known: the command was stopped" in
+  let one_open = "; 1 run is open, and may differ" and two_open = "; 2 runs are open, and may differ" in
+  let no_upper =
+    "no greatest value of this number is known, and so no upper end: a value too rare to be among the runs may \
+     raise the mean by any amount"
+  in
   check "P = ? [ eventually x(a) >= 1 ]" [ Truth true; Truth false; cut ]
-    (3, "1 of 3 runs were left before it was known: the command was stopped");
-  check "E = ? [ x(a) at 1 ]" [ cut; cut ] (0, "2 more runs are left out, which were interrupted")
+    (3, [ "it is so in 1 of the 2 runs that tell" ^ one_open; "1 of 3 runs was" ^ stopped ]);
+  check "P = ? [ eventually x(a) >= 1 ]" [ Truth true; cut; Truth false; cut ]
+    (4, [ "it is so in 1 of the 2 runs that tell" ^ two_open; "2 of 4 runs were" ^ stopped ]);
+  check "P = ? [ eventually x(a) >= 1 ]" [ Truth true; Truth false ] (2, []);
+  check "P < 1/1000 [ eventually x(a) >= 1 ]" (cut :: List.init 8 (fun _ -> Sample.Truth true)) (9, []);
+  check "E = ? [ time U x(a) >= 1 ]" [ number 2; number 5; cut ]
+    (3, [ "the mean of the 2 runs with a number is 3.5" ^ one_open; no_upper; "1 of 3 runs was" ^ stopped ]);
+  check "E = ? [ if x(a) > 0 then 3 else 0 at 1 ]" [ number 3; cut; cut; number 0; number 3 ]
+    (5, [ "the mean of the 3 runs with a number is 2" ^ two_open; "2 of 5 runs were" ^ stopped ]);
+  check "E = ? [ x(a) at 1 ]" [ cut; cut ] (0, [ "2 more runs are left out, which were interrupted" ])
 
 let () =
   let case name f = Alcotest.test_case name `Quick f in

@@ -55,6 +55,13 @@ process w = box(1/4, 1/4, 1/4) mass 1 [nil]
 motion w = choose { (1, 0, 0) weight 1, (-1, 0, 0) weight 1 }
 |}
 
+let by_place =
+  {|
+timestep 1 steady
+process w = box(1/4, 1/4, 1/4) mass 1 [nil]
+motion w = choose { (1 + x, 0, 0), (-1, 0, 0) }
+|}
+
 let growing = "process p = box(1, 1, 1) mass 1 velocity (1,0,0) [nil]\nmotion p = (vx * vx * 3, 0, 0)\n"
 
 let models =
@@ -73,7 +80,7 @@ let run (options : Setup.t) text =
   let e = Load.exactly (Load.text text) in
   let semantics = Scc_engine.Standard.of_model e.model in
   match Network.initial semantics e.declared with
-  | Ok initial -> (e.model, Check.run options semantics ~initial e.checks)
+  | Ok initial -> ((e.model, e.declared), Check.run options semantics ~initial e.checks)
   | Error _ -> Alcotest.fail "no initial state"
 
 let limit_is test (t : Verdict.truncation) = test t.limit
@@ -82,7 +89,7 @@ let of_bits = limit_is (function Bits _ -> true | _ -> false)
 let of_size = limit_is (function States _ | Seconds _ | Memory _ | Interrupted -> true | _ -> false)
 let advised = ref 0 and silent = ref 0 and cures = ref 0
 
-let judge what model (r : Check.report) =
+let judge what (model, from) (r : Check.report) =
   let is message = Alcotest.(check bool) (what ^ ": " ^ message) true in
   let s = r.stats in
   let told = s.causes <> [] || Option.is_some s.growth || Option.is_some s.converges in
@@ -92,16 +99,12 @@ let judge what model (r : Check.report) =
   is "causes of a bound that they lead to" (s.causes = [] || List.exists of_resources s.stopped_by);
   is "bits where they were met" (Option.is_none s.growth || List.exists of_bits s.stopped_by);
   let one (o : Verdict.outcome) =
-    match Scc_estimate.Cure.of_outcome model o with
+    match Scc_estimate.Cure.of_outcome model ~from o with
     | None -> ()
     | Some _ ->
       incr cures;
       is "a sample where size ended it" (List.exists of_size (Verdict.truncated o.verdict));
-      is "a sample of what has an interval"
-        (match o.check.asked with
-         | Whether | How_likely _ -> true
-         | Expected (_, Value_at _, _) -> true
-         | Expected _ -> false)
+      is "a sample of what asks for a number" (Result.is_ok (Scc_estimate.Path.of_check ~from model o.check))
   in
   List.iter one r.outcomes
 
@@ -133,22 +136,32 @@ let at_the_bound () =
 
 let cures_of_checks () =
   let options = { Setup.default with bounds = { bounds with states = Given 50 } } in
-  let asked formula =
-    let model, r = run options (drawn ^ "check c : " ^ formula ^ "\n") in
-    List.map (fun o -> Option.is_some (Scc_estimate.Cure.of_outcome model o)) r.outcomes
+  let asked ?(model = drawn) formula =
+    let (model, from), r = run options (model ^ "check c : " ^ formula ^ "\n") in
+    List.map (fun o -> Scc_estimate.Cure.of_outcome model ~from o) r.outcomes
   in
-  let expect what expected formula = Alcotest.(check (list bool)) what [ expected ] (asked formula) in
-  expect "a probability" true "P = ? [ eventually x(w) > 60 within 400 ]";
-  expect "one without a horizon" true "P = ? [ eventually x(w) > 60 ]";
-  expect "one that is compared" true "P >= 1/2 [ eventually x(w) > 60 within 400 ]";
-  expect "one that is compared with 1" false "P >= 1 [ eventually abs(x(w)) > 60 ]";
-  expect "one that is compared with 0" false "P > 0 [ eventually abs(x(w)) > 600 ]";
-  expect "one that is known" false "P = ? [ eventually x(w) = 1 within 1 ]";
-  expect "one about other runs" false "P = ? [ eventually (EG x(w) > 60) within 400 ]";
-  expect "a mean in a range" true "E = ? [ if x(w) > 0 then 1 else 0 at 200 ]";
-  expect "a mean in none" false "E = ? [ x(w) at 200 ]";
-  expect "a mean of times" false "E = ? [ time U x(w) > 60 ]";
-  expect "no chance" false "EF AG x(w) > 60"
+  let runs what = "`scc estimate --check c` tells " ^ what ^ " with a confidence" in
+  let interval = runs "it from many runs, by an interval" in
+  let endless = ", if most of them come to where it is known" in
+  let expect ?model what expected formula =
+    Alcotest.(check (list (option string))) what [ expected ] (asked ?model formula)
+  in
+  expect "a probability" (Some interval) "P = ? [ eventually x(w) > 60 within 400 ]";
+  expect "one without a horizon" (Some (interval ^ endless)) "P = ? [ eventually x(w) > 60 ]";
+  expect "one that is compared" (Some interval) "P >= 1/2 [ eventually x(w) > 60 within 400 ]";
+  expect "one that is compared with 1" None "P >= 1 [ eventually abs(x(w)) > 60 ]";
+  expect "one that is compared with 0" None "P > 0 [ eventually abs(x(w)) > 600 ]";
+  expect "one that is known" None "P = ? [ eventually x(w) = 1 within 1 ]";
+  expect "one about other runs" None "P = ? [ eventually (EG x(w) > 60) within 400 ]";
+  expect "a mean in a range" (Some interval) "E = ? [ if x(w) > 0 then 1 else 0 at 200 ]";
+  expect "a mean of a place" (Some interval) "E = ? [ x(w) at 200 ]";
+  expect "a mean in none" (Some Scc_estimate.Cure.within_bounds) "E = ? [ 1/(x(w) - 1/2) at 200 ]";
+  expect "a mean of times" (Some (runs "from many runs what it is at least," ^ endless))
+    "E = ? [ time U x(w) > 60 ]";
+  expect "a mean with a greatest value" ~model:by_place
+    (Some (runs "from many runs what it is at most,"))
+    "E = ? [ 2 - speed2(w) at 200 ]";
+  expect "no chance" None "EF AG x(w) > 60"
 
 let suite =
   let case name f = Alcotest.test_case name `Quick f in

@@ -57,7 +57,7 @@ def check(
       started.
     ``seconds``: Explores for at most S seconds of the clock. No default.
     ``states``: Keeps at most N states. The default is 200000.
-    ``time``: Expands only states that can be reached by the model time T. No default.
+    ``time``: Expands only states that can be reached by the model time T; 0 is the first instant. No default.
     ``axes``: The one or two parameters to --draw; by default the first ones.
     ``check``: Decides only the check NAME, as if the model had no others. May be given several times.
     ``coverage``: Lists the summands of behaviours that never fired, the behaviours that were never reached, and
@@ -198,7 +198,8 @@ def estimate(
     ``store``: Stores the runs in the folder DIR, which is created if necessary, while they are made. The same
       command resumes, and so does one with another --runs, --most, --confidence, --width, --seconds or --jobs.
       See STORES.
-    ``until``: Stops a run at the model time TIME, if not all is decided by then.
+    ``until``: Stops a run at the model time TIME, if not all is decided by then; 0 is its first instant. A
+      number at TIME is decided only when time has passed.
     ``width``: Makes runs until the interval of a probability is at most W wide, and that of a mean at most this
       share of the mean; of a comparison, until it is decided. The default is 1/20. Not with --runs.
 
@@ -256,7 +257,7 @@ def simulate(
     ``observe``: Observes FORMULA, any number or predicate of a state that a check can name; a predicate is 1 or
       0. May be given several times.
     ``runs``: How many runs, from number 0 on.
-    ``until``: Runs end at the model time TIME.
+    ``until``: Runs end at the model time TIME; 0 is their first instant.
     ``define``: Gives the parameter NAME of the model the value VALUE, a rational. Repeatable.
     ``decimals``: Writes numbers rounded to K decimals, instead of exactly as texts p/q.
     ``format``: csv (RFC 4180), or jsonl, a JSON object a line.
@@ -343,7 +344,7 @@ def sweep(
       started.
     ``seconds``: Explores for at most S seconds of the clock. No default.
     ``states``: Keeps at most N states. The default is 200000.
-    ``time``: Expands only states that can be reached by the model time T. No default.
+    ``time``: Expands only states that can be reached by the model time T; 0 is the first instant. No default.
     ``format``: csv (RFC 4180), a line for each point and check, or jsonl, a JSON object for each point.
     ``jobs``: How many processes work at the runs.
     ``output``: Writes to FILE instead of standard output. - stands for standard output.
@@ -425,7 +426,7 @@ def trace(
       Such a trace is its own schedule, too.
     ``steps``: Ends the run after N transitions; each draw and each lot is one. The default is 1000 when neither
       a schedule nor --time ends it.
-    ``time``: Ends the run at the model time T, between events if necessary.
+    ``time``: Ends the run at the model time T, between events if necessary; 0 is its first instant.
 
     ``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``:
     True shows progress on standard error, and a function gets each line of it. The first Ctrl-C ends the
@@ -483,7 +484,7 @@ def view(
       started.
     ``seconds``: Explores for at most S seconds of the clock. No default.
     ``states``: Keeps at most N states. The default is 200000.
-    ``time``: Expands only states that can be reached by the model time T. No default.
+    ``time``: Expands only states that can be reached by the model time T; 0 is the first instant. No default.
     ``check``: Shows the check NAME alone.
     ``define``: Gives the parameter NAME of the model the value VALUE, a rational. If the parameter has a range,
       it can be narrowed instead: to [1,3], or to [1,3), where a round bracket excludes an end. Repeatable.
