@@ -249,3 +249,19 @@ each needs a compound of its own.
   error[SC0302]: the solid is not closed: edge [v6,v11] belongs to one face only, f1
   error[SC0302]: the solid is not closed: edge [v0,v6] belongs to one face only, f2
   error[SC0302]: the solid is not closed: edge [v11,v5] belongs to one face only, f6
+
+The number of parts has a bound, which an option sets:
+
+  $ scc decompose ell.off --parts 1
+  error[SC0111]: the solid takes more than 1 convex part, or more than 20 cells on the way to them
+    hint: --parts sets how many there may be
+  [3]
+  $ scc decompose crossing.off --union --parts 2
+  error[SC0111]: the solid takes more than 2 convex parts, or more than 40 cells on the way to them
+    hint: --parts sets how many there may be
+  [3]
+  $ scc decompose ell.off --parts 2 | head -n 2
+  ell.off: 8 plane faces, 1 reflex edge, volume 6
+  2 convex parts, 1 joint
+  $ scc decompose ell.off --parts 0 2>&1 | head -n 1
+  scc: option '--parts': `0' is no number of parts

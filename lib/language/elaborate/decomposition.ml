@@ -58,7 +58,7 @@ let report (c : Context.t) solid (set : Polyhedron.ifs) fault =
   | Pieces (Apart (f, g) | Island (f, g)) ->
     told (Templates.face_span places f) ~notes:(also f g)
   | Pieces (Outward f) -> told (Templates.face_span places f)
-  | Too_many -> told whole
+  | Too_many _ -> told whole
 
 let parts c solid set =
   match Decomposed.make set with
