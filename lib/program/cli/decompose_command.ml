@@ -111,9 +111,8 @@ let work console ~mend ~names ~union ~most path =
     | Some (set, line) -> (set, mended @ [ ("triangles", line) ])
     | None -> (set, mended)
   in
-  let progress = show console in
-  let cut = if union then Decomposed.united ~progress ~most else Decomposed.make ~progress ~names ~most in
-  let* t = Result.map_error (diagnostics set) (cut set) in
+  let cut = if union then Decomposed.united else Decomposed.make in
+  let* t = Result.map_error (diagnostics set) (cut ~progress:(show console) ~names ~most set) in
   Ok (t, mended)
 
 let report console ~mended ~mass output path (t : Parts.t) =
@@ -168,7 +167,8 @@ let names =
 let union =
   Options.flag [ "union" ]
     "Cuts the union of what the faces surround: solids of one file may overlap, share faces, or touch in edges \
-     and corners, and need not be connected. Faces get new names."
+     and corners, and need not be connected. A face that is left in pieces gives each a name, as \
+     $(b,top), $(b,top_2)."
 
 let most =
   Options.default

@@ -36,7 +36,7 @@ let surface set =
       | None, Some drawn -> Ok drawn
       | None, None -> Scc_base.Bug.fail __POS__ "sound faces that are no polygons")
 
-let connected (t : Parts.t) = List.length t.joints = Array.length t.parts - 1
+let groups (t : Parts.t) = Array.length t.parts - List.length t.joints
 
 (* {1 Parts} *)
 
@@ -81,7 +81,7 @@ let parts ~most ?(progress = ignore) set =
   if Volumes.equal set list then Ok (list, drawn)
   else Scc_base.Bug.fail __POS__ "parts that are not the solid"
 
-let united ?(progress = ignore) ?(most = most_parts) set =
+let united ?(progress = ignore) ?(names = false) ?(most = most_parts) set =
   progress (Looking (Array.length set.Polyhedron.ifs_faces));
   let ticks = cells_for_part * most in
   let left = ref ticks in
@@ -97,11 +97,19 @@ let united ?(progress = ignore) ?(most = most_parts) set =
       match Drawn.make surface with
       | Some drawn when Volumes.equal surface list ->
         let tick ~left = progress (Naming left) in
-        Option.to_result ~none:(Too_many most) (Parts.make ~tick ~names:false ~limit:most drawn list)
+        Option.to_result ~none:(Too_many most) (Parts.make ~tick ~names ~limit:most drawn list)
       | _ -> Scc_base.Bug.fail __POS__ "parts of a union that their surface does not bound")
 
 let make ?(progress = ignore) ?names ?(most = most_parts) set =
   let* list, drawn = parts ~most ~progress set in
   let tick ~left = progress (Naming left) in
   let* t = Option.to_result ~none:(Too_many most) (Parts.make ~tick ?names ~limit:most drawn list) in
-  if connected t then Ok t else Scc_base.Bug.fail __POS__ "parts that are not joined"
+  if groups t = 1 then Ok t else Scc_base.Bug.fail __POS__ "parts that are not joined"
+
+let convex_whole (t : Parts.t) =
+  let corners (_, (p : Polyhedron.t)) = List.map snd (Array.to_list p.vertices) in
+  let hull = Refined.solid (List.concat_map corners (Array.to_list t.parts)) in
+  if Rat.equal (Drawn.volume t.drawn.set) (Mass_properties.of_polyhedron hull).volume then
+    let shown = Shown.make t.drawn in
+    Some (Polyhedron.to_ifs (Parts.named t.drawn hull (Shown.faces shown hull)))
+  else None

@@ -32,7 +32,14 @@ val make : ?progress:(progress -> unit) -> ?names:bool -> ?most:int -> Polyhedro
     names of the solid's faces are exact ({!Parts.make}). A convex solid is one part. There are at most
     [most] parts ({!most_parts}). The function [progress] is called again and again, and may raise. *)
 
-val united : ?progress:(progress -> unit) -> ?most:int -> Polyhedron.ifs -> (Parts.t, fault) result
+val united :
+  ?progress:(progress -> unit) -> ?names:bool -> ?most:int -> Polyhedron.ifs -> (Parts.t, fault) result
 (** The union of solids that overlap or touch ({!United}) in convex parts, which need not be connected. Faces are
-    those of the union, with new names, and parts are not cut for names. A set that bounds no union has the faults
-    of {!Sound.faults}. *)
+    those of the union, named as {!United.parts} says. With [names], parts are cut further so that these are exact; it is false by
+    default. A set that bounds no union has the faults of {!Sound.faults}. *)
+
+val convex_whole : Parts.t -> Polyhedron.ifs option
+(** The surface of the union of all parts, if that is convex, with the names of its faces and corners. *)
+
+val groups : Parts.t -> int
+(** The number of groups of parts that are connected by areas; 1 for the parts of {!make}. *)
