@@ -62,7 +62,8 @@ let report (c : Context.t) solid (set : Polyhedron.ifs) fault =
     Report.error c.report code at ?notes ?hint:(hint file fault) "%s" text
   in
   match (fault : Decomposed.fault) with
-  | Unsound (Structure faults) -> List.iter (Templates.report_fault c ?mending:(Option.map snd file) places set) faults
+  | Unsound (Structure faults) ->
+    List.iter (Templates.report_fault c ?mending:(Option.map snd file) places set) faults
   | Unsound (Cut (f, g, _)) ->
     told (Templates.face_span places f) ~notes:(also f g)
   | Pieces (Apart (f, g) | Island (f, g)) ->

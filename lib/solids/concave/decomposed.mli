@@ -35,8 +35,8 @@ val make : ?progress:(progress -> unit) -> ?names:bool -> ?most:int -> Polyhedro
 val united :
   ?progress:(progress -> unit) -> ?names:bool -> ?most:int -> Polyhedron.ifs -> (Parts.t, fault) result
 (** The union of solids that overlap or touch ({!United}) in convex parts, which need not be connected. Faces are
-    those of the union, named as {!United.parts} says. With [names], parts are cut further so that these are exact; it is false by
-    default. A set that bounds no union has the faults of {!Sound.faults}. *)
+    those of the union, named as {!United.parts} says. With [names], parts are cut further so that these are exact;
+    it is false by default. A set that bounds no union has the faults of {!Sound.faults}. *)
 
 val convex_whole : Parts.t -> Polyhedron.ifs option
 (** The surface of the union of all parts, if that is convex, with the names of its faces and corners. *)

@@ -78,7 +78,8 @@ type side = { part : int; normal : Vec.t; corners : Vec.t array; box : Float_box
 let sides part (p : Polyhedron.t) =
   let side (_, face) =
     let corners = Array.map (fun v -> snd p.vertices.(v)) face in
-    { part; normal = Ivec.to_vec (normal_of corners); corners; box = Boxed.of_points corners; plane = plane_of corners }
+    let normal = Ivec.to_vec (normal_of corners) in
+    { part; normal; corners; box = Boxed.of_points corners; plane = plane_of corners }
   in
   List.map side (Array.to_list p.faces)
 
@@ -142,7 +143,8 @@ let faces_by_plane (set : Polyhedron.ifs) polygons =
 let sharing table polygon =
   let plane = plane_of polygon and box = Boxed.of_points polygon in
   let places = Array.map Homogeneous.of_vec polygon in
-  List.filter (fun f -> Float_box.meet box f.around && Planar.share plane f.places places) (Planes.find_all table plane)
+  let shares f = Float_box.meet box f.around && Planar.share plane f.places places in
+  List.filter shares (Planes.find_all table plane)
 
 (* In pieces, each of them in one face. *)
 let by_face table polygon =
