@@ -81,8 +81,13 @@ let parts ~most ?(progress = ignore) set =
   if Volumes.equal set list then Ok (list, drawn)
   else Scc_base.Bug.fail __POS__ "parts that are not the solid"
 
-let united ?(progress = ignore) ?(names = false) ?(most = most_parts) set =
-  progress (Looking (Array.length set.Polyhedron.ifs_faces));
+let make ?(progress = ignore) ?names ?(most = most_parts) set =
+  let* list, drawn = parts ~most ~progress set in
+  let tick ~left = progress (Naming left) in
+  let* t = Option.to_result ~none:(Too_many most) (Parts.make ~tick ?names ~limit:most drawn list) in
+  if groups t = 1 then Ok t else Scc_base.Bug.fail __POS__ "parts that are not joined"
+
+let arranged ~progress ~names ~most set =
   let ticks = cells_for_part * most in
   let left = ref ticks in
   let tick () =
@@ -100,11 +105,12 @@ let united ?(progress = ignore) ?(names = false) ?(most = most_parts) set =
         Option.to_result ~none:(Too_many most) (Parts.make ~tick ~names ~limit:most drawn list)
       | _ -> Scc_base.Bug.fail __POS__ "parts of a union that their surface does not bound")
 
-let make ?(progress = ignore) ?names ?(most = most_parts) set =
-  let* list, drawn = parts ~most ~progress set in
-  let tick ~left = progress (Naming left) in
-  let* t = Option.to_result ~none:(Too_many most) (Parts.make ~tick ?names ~limit:most drawn list) in
-  if groups t = 1 then Ok t else Scc_base.Bug.fail __POS__ "parts that are not joined"
+(* A solid that does not touch itself is its own union. *)
+let united ?(progress = ignore) ?(names = false) ?(most = most_parts) set =
+  match make ~progress ~names ~most set with
+  | Error (Unsound _ | Pieces _) -> arranged ~progress ~names ~most set
+  | Ok _ as parts -> parts
+  | Error (Too_many _) as fault -> fault
 
 let convex_whole (t : Parts.t) =
   let corners (_, (p : Polyhedron.t)) = List.map snd (Array.to_list p.vertices) in
