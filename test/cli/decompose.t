@@ -249,3 +249,73 @@ each needs a compound of its own.
   error[SC0302]: the solid is not closed: edge [v6,v11] belongs to one face only, f1
   error[SC0302]: the solid is not closed: edge [v0,v6] belongs to one face only, f2
   error[SC0302]: the solid is not closed: edge [v11,v5] belongs to one face only, f6
+
+The number of parts has a bound, which an option sets:
+
+  $ scc decompose ell.off --parts 1
+  error[SC0111]: the solid takes more than 1 convex part, or more than 20 cells on the way to them
+    hint: --parts sets how many there may be
+  [3]
+  $ scc decompose crossing.off --union --parts 2
+  error[SC0111]: the solid takes more than 2 convex parts, or more than 40 cells on the way to them
+    hint: --parts sets how many there may be
+  [3]
+  $ scc decompose ell.off --parts 2 | head -n 2
+  ell.off: 8 plane faces, 1 reflex edge, volume 6
+  2 convex parts, 1 joint
+  $ scc decompose ell.off --parts 0 2>&1 | head -n 1
+  scc: option '--parts': `0' is no number of parts
+
+In a model the word `union` does what the option does. Faces keep their names:
+
+  $ cat > union.sc << 'END'
+  > compound C = decompose "crossing.off" union mass 1
+  > process p = C [<a, {f0, only f1, [v0, v1]}>. nil]
+  > END
+  $ scc check union.sc | tail -n 1
+  no properties to check
+  $ sed 's/ union//' union.sc > crossing.sc; scc check crossing.sc
+  crossing.sc:1:24: error[SC0337]: the faces `f0` and `f5` have the point (2, 1, 0) in common, which is at no edge or corner of both
+     |
+   1 | compound C = decompose "crossing.off" mass 1
+     |                        ^^^^^^^^^^^^^^
+    hint: write `union` after the file: solids that overlap, share faces or touch become one
+  [3]
+  $ sed 's/f0,/other,/' union.sc > other.sc; scc check other.sc
+  other.sc:2:21: error[SC0203]: `C` has no feature `other`
+     |
+   2 | process p = C [<a, {other, only f1, [v0, v1]}>. nil]
+     |                     ^^^^^
+  note: its faces are f6, f4, f7, f5, f6_2, f7_2, f5_2, f2, f0, f0_2, f1, f3, f3_2, f3_3; its vertices w1, v6, w2, w3, w4, v5, w5, w6, v7, w7, v0, v3, v2, w8, v1, w9, w10
+  [3]
+  $ scc fmt union.sc | head -n 1
+  compound C = decompose "crossing.off" union mass 1
+  $ scc translate --to xml union.sc | grep '<mesh'
+      <mesh file="crossing.off" union="true"/>
+
+Two cubes that share a face are one box. Cubes with an edge in common are not connected:
+
+  $ sed '11,18{s/ 1 / 0 /;t;s/ 2 / 1 /}' edge.off > face.off
+  $ echo 'shape Box = mesh "face.off" union' > box.sc; scc shape box.sc:Box | head -n 3
+  box.sc:Box
+  vertices: 8, edges: 12, faces: 6
+  names of faces: f2, f6, f10, f7, f11, f9
+  $ echo 'shape Box = mesh "edge.off" union' > box.sc; scc check box.sc
+  box.sc:1:18: error[SC0307]: the union of what is in the mesh `edge.off` is not convex
+     |
+   1 | shape Box = mesh "edge.off" union
+     |                  ^^^^^^^^^^
+    hint: a compound = decompose "file" union cuts it into convex parts
+  [3]
+  $ echo 'compound C = decompose "edge.off" union mass 1' > edge.sc; scc check edge.sc
+  edge.sc:1:24: error[SC0310]: the union of the solids is in 2 pieces that are not connected by areas
+     |
+   1 | compound C = decompose "edge.off" union mass 1
+     |                        ^^^^^^^^^^
+    hint: each needs a compound of its own: `scc decompose --union` with -o writes them
+  [3]
+
+So do triangles of faces that are not flat, with a warning:
+
+  $ echo 'compound C = decompose "bent_lid.off" mass 1' > lid.sc; scc check lid.sc 2>&1 | grep SC0323
+  lid.sc:1:24: warning[SC0323]: triangles: 1 face was not planar, with corners up to 0.471 off the plane

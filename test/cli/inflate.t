@@ -253,3 +253,10 @@ What cannot be inflated.
   $ scc inflate ring.pbm -o missing/ring.obj
   missing/ring.obj: error[SC0103]: cannot write: No such file or directory
   [74]
+
+A bound of seconds:
+
+  $ { echo P1 400 400; yes 1 | head -n 160000; } > square.pbm
+  $ scc inflate square.pbm -o square.obj --seconds 0.05
+  scc: the limit of 0.05 seconds has passed: nothing was written
+  [4]

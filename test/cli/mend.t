@@ -63,7 +63,7 @@ A model mends a mesh by the same words, in the order in which the options work:
   $ scc translate --to xml mended.sc | grep '<mesh' | head -1
       <mesh file="soup.obj" grid="1/100" weld="true" orient="true" merge="true"/>
   $ sed 's/weld orient/orient weld/' mended.sc > order.sc; scc check order.sc 2>&1 | head -1
-  order.sc:1:48: error[SC0110]: `weld` does not fit here: expected `merge`, `snap` and a distance, `scaled`, an attribute, or the next declaration
+  order.sc:1:48: error[SC0110]: `weld` does not fit here: expected `merge`, `snap` and a distance, `union`, `scaled`, an attribute, or the next declaration
   $ sed 's/ merge//' mended.sc > merge.sc; scc check merge.sc 2>&1 | grep -E 'error|hint' | head -2
   merge.sc:1:19: error[SC0308]: faces f0 and f1 are coplanar neighbours
     hint: write `merge` after the file: neighbours in one plane become one face

@@ -177,7 +177,7 @@ In a model.
   [3]
   $ sed 's/snap fine scaled/snip fine scaled/' model.sc > snip.sc
   $ scc check snip.sc
-  snip.sc:2:28: error[SC0110]: `snip` does not fit here: expected `grid`, `weld`, `orient`, `merge`, `snap` (in this order), `scaled`, an attribute, or the next declaration
+  snip.sc:2:28: error[SC0110]: `snip` does not fit here: expected `grid`, `weld`, `orient`, `merge`, `snap`, `union` (in this order), `scaled`, an attribute, or the next declaration
      |
    2 | shape P = mesh "prism.off" snip fine scaled (2, 1, 1)
      |                            ^^^^

@@ -130,7 +130,8 @@ let mesh c =
   let length key = Content.optional c key Content.expression in
   let done_ key = Option.value (Content.optional c key Content.flag) ~default:false in
   let grid = length "grid" and weld = done_ "weld" and orient = done_ "orient" and merge = done_ "merge" in
-  loc c (Mesh (file, { grid; weld; orient; merge; snap = length "snap" }))
+  let snap = length "snap" in
+  loc c (Mesh (file, { grid; weld; orient; merge; snap; union = done_ "union" }))
 
 let solids =
   [

@@ -104,7 +104,8 @@ let solid s =
       let word key there = if there then [ (key, "true") ] else [] in
       let words = word "weld" m.weld @ word "orient" m.orient @ word "merge" m.merge in
       let lengths key = optional key Text.expr in
-      empty ~at "mesh" (("file", file.it) :: lengths "grid" m.grid @ words @ lengths "snap" m.snap) :: acc
+      let last = lengths "snap" m.snap @ word "union" m.union in
+      empty ~at "mesh" (("file", file.it) :: lengths "grid" m.grid @ words @ last) :: acc
     | Faces (vs, fs) -> long ~at "indexedFaceSet" [] (List.append (List.map vertex vs) (List.map face fs)) :: acc
     | Hull vs -> long ~at "hull" [] (List.map vertex vs) :: acc
   in

@@ -11,7 +11,7 @@ let scaled (set : Polyhedron.ifs) (f : Vec.t) =
 let rec read (c : Context.t) env (s : Ast.solid) =
   match s.it with
   | Faces (vertices, faces) -> Templates.listed_set c env vertices faces
-  | Mesh (path, snap) -> Mesh_file.read c.report env ~read_file:c.read_file path snap
+  | Mesh (path, m) -> Mesh_file.read c.report env ~read_file:c.read_file path { m with union = false }
   | Scaled (inner, factors) ->
     let set = read c env inner and factors = Constant.scaling c.report env s.at factors in
     let*? set = set in
@@ -32,11 +32,20 @@ let rec places (s : Ast.solid) =
   | Mesh (path, _) -> Templates.places_of path.at [] []
   | Template _ | Hull _ -> Templates.places_of s.at [] []
 
-let rec mending (s : Ast.solid) =
+let rec file (s : Ast.solid) =
   match s.it with
-  | Mesh (_, m) -> Some m
-  | Scaled (inner, _) -> mending inner
+  | Mesh (path, m) -> Some (path, m)
+  | Scaled (inner, _) -> file inner
   | Template _ | Faces _ | Hull _ -> None
+
+let hint file (fault : Decomposed.fault) =
+  match (fault, file) with
+  | (Pieces (Apart _ | Island _) | Unsound (Cut _)), Some (_, (m : Ast.mending)) when not m.union ->
+    Some "write `union` after the file: solids that overlap, share faces or touch become one"
+  | Pieces (Outward _), Some (_, m) when not m.orient ->
+    Some "write `orient` after the file: faces are turned over so that all look out of the solid"
+  | Too_many _, Some _ -> Some "`scc decompose` with --parts and -o writes a compound of more parts"
+  | _ -> None
 
 let report (c : Context.t) solid (set : Polyhedron.ifs) fault =
   let places = places solid in
@@ -47,22 +56,34 @@ let report (c : Context.t) solid (set : Polyhedron.ifs) fault =
     if Span.equal place (Templates.face_span places f) then []
     else [ (place, Printf.sprintf "the face `%s` is here" (fst set.ifs_faces.(g))) ]
   in
+  let file = file solid in
   let told ?notes at =
     let code, text = Decomposed.message set fault in
-    Report.error c.report code at ?notes "%s" text
+    Report.error c.report code at ?notes ?hint:(hint file fault) "%s" text
   in
   match (fault : Decomposed.fault) with
-  | Unsound (Structure faults) -> List.iter (Templates.report_fault c ?mending:(mending solid) places set) faults
+  | Unsound (Structure faults) ->
+    List.iter (Templates.report_fault c ?mending:(Option.map snd file) places set) faults
   | Unsound (Cut (f, g, _)) ->
     told (Templates.face_span places f) ~notes:(also f g)
   | Pieces (Apart (f, g) | Island (f, g)) ->
     told (Templates.face_span places f) ~notes:(also f g)
   | Pieces (Outward f) -> told (Templates.face_span places f)
-  | Too_many -> told whole
+  | Too_many _ -> told whole
 
-let parts c solid set =
-  match Decomposed.make set with
-  | Ok parts -> Some parts
+(* A compound is connected. *)
+let one_group (c : Context.t) solid parts =
+  let groups = Decomposed.groups parts in
+  if groups > 1 then
+    Report.error c.report Code.several_solids (Templates.face_span (places solid) max_int)
+      ~hint:"each needs a compound of its own: `scc decompose --union` with -o writes them"
+      "the union of the solids is in %d pieces that are not connected by areas" groups;
+  groups = 1
+
+let parts (c : Context.t) solid set =
+  let united = match file solid with Some (_, m) -> m.union | None -> false in
+  match if united then Decomposed.united ~names:true set else Decomposed.make set with
+  | Ok parts -> if one_group c solid parts then Some parts else None
   | Error fault ->
     report c solid set fault;
     None
@@ -113,6 +134,7 @@ let make (c : Context.t) at (solid : Ast.solid) attributes env label =
   let*? set = set in
   if too_fine c solid.at set then None
   else
+    let set = match file solid with Some (path, _) -> Mesh_file.flat c.report path set | None -> set in
     let*? drawn = parts c solid set in
     let*? mass = mass in
     Some (compound c at label drawn a mass)

@@ -1,5 +1,6 @@
 open Scc_base
 open Scc_syntax
+open Scc_concave
 open Scc_snap
 
 let file report read_file (path : string Ast.loc) =
@@ -30,10 +31,33 @@ let snapped report (path : string Ast.loc) set tolerance =
     None
 
 let mended report (path : string Ast.loc) set mending =
-  match Scc_concave.Mended.apply mending set with
+  match Mended.apply mending set with
   | Ok (set, _) -> Some set
   | Error why ->
     Report.error report Code.overused_edge path.at "the faces of the mesh `%s` cannot be oriented: %s" path.it why;
+    None
+
+let flat report (path : string Ast.loc) set =
+  match Bent.triangulated set with
+  | None -> set
+  | Some (flat, line) ->
+    Report.warning report Code.mesh_nearly path.at "%s" line;
+    flat
+
+(* Faces that surround nothing stay as they are, so that their faults are found where those of all shapes are. *)
+let united report (path : string Ast.loc) set =
+  let set = flat report path set in
+  match Decomposed.united set with
+  | Ok union ->
+    let whole = Decomposed.convex_whole union in
+    if Option.is_none whole then
+      Report.error report Code.not_convex path.at "the union of what is in the mesh `%s` is not convex" path.it
+        ~hint:"a compound = decompose \"file\" union cuts it into convex parts";
+    whole
+  | Error (Unsound (Structure _)) -> Some set
+  | Error fault ->
+    let code, text = Decomposed.message set fault in
+    Report.error report code path.at "%s" text;
     None
 
 let read report env ~read_file (path : string Ast.loc) (m : Ast.mending) =
@@ -48,6 +72,5 @@ let read report env ~read_file (path : string Ast.loc) (m : Ast.mending) =
   let*? grid = grid in
   let*? tolerance = tolerance in
   let*? set = mended report path set { grid; weld = m.weld; orient = m.orient; merge = m.merge } in
-  match tolerance with
-  | None -> Some set
-  | Some tolerance -> snapped report path set tolerance
+  let*? set = match tolerance with None -> Some set | Some tolerance -> snapped report path set tolerance in
+  if m.union then united report path set else Some set

@@ -10,5 +10,10 @@ val read :
   string Ast.loc ->
   Ast.mending ->
   Polyhedron.ifs option
-(** Reads the faces of a file, mended as is asked for: on a grid, welded, oriented, merged, snapped. Nothing
-    else is checked. Faults are reported: SC0101, the codes of {!Scc_mesh.Mesh.read}, SC0303, SC0322. *)
+(** Reads the faces of a file, mended as is asked for: on a grid, welded, oriented, merged, snapped, and the
+    surface of their union, which has to be convex. Nothing else is checked. Faults are reported: SC0101, the codes
+    of {!Scc_mesh.Mesh.read}, SC0303, SC0307, SC0322, and those of {!Scc_concave.Decomposed.message}. *)
+
+val flat : Report.t -> string Ast.loc -> Polyhedron.ifs -> Polyhedron.ifs
+(** [flat report path set] has triangles for the faces that are not flat. A warning at the path of the file says
+    how far their corners are off a plane (SC0323). *)

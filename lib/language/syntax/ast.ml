@@ -83,13 +83,14 @@ and feature_kind =
 (** [T], [m.T(a, b)], [K[i, j]]: something that a module declares, with what it is applied to. *)
 type reference = { qualifier : name option; target : name; indices : expr list; arguments : expr list }
 
-(** What is done to a mesh, in this order: the options of [scc shape]. *)
+(** What is done to a mesh, in this order: the options of [scc shape], and of [scc decompose]. *)
 type mending = {
   grid : expr option;  (** coordinates become multiples of it *)
   weld : bool;
   orient : bool;
   merge : bool;
   snap : expr option;  (** how far its vertices may be moved *)
+  union : bool;  (** all that its faces surround becomes one solid *)
 }
 
 type solid = solid_kind loc

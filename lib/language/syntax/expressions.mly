@@ -46,6 +46,7 @@
 | WELD { at $loc "weld" }
 | ORIENT { at $loc "orient" }
 | MERGE { at $loc "merge" }
+| UNION { at $loc "union" }
 | DECOMPOSE { at $loc "decompose" }
 | RESOLUTION { at $loc "resolution" }
 | ROUND { at $loc "round" }

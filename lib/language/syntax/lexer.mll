@@ -36,7 +36,7 @@
       ("resolution", RESOLUTION); ("rho", RHO); ("rotate", ROTATE); ("round", ROUND); ("scale", SCALE); ("scaled", SCALED); ("shape", SHAPE);
       ("snap", SNAP); ("spin", SPIN);
       ("split_step", SPLIT_STEP); ("steady", STEADY); ("then", THEN); ("timestep", TIMESTEP); ("translate", TRANSLATE);
-      ("true", TRUE); ("velocity", VELOCITY); ("vertices", VERTICES); ("weight", WEIGHT); ("weld", WELD); ("where", WHERE);
+      ("true", TRUE); ("union", UNION); ("velocity", VELOCITY); ("vertices", VERTICES); ("weight", WEIGHT); ("weld", WELD); ("where", WHERE);
       ("within", WITHIN);
     ]
 
@@ -103,7 +103,7 @@
   let barred text =
     match word (strip_bars text) with
     | NAME n -> Token (BARRED n)
-    | BOND | MASS | EVENT | DYNAMICS | COLLISIONS | BINDING | BONDS | BLOCKED | RESOLUTION | ROUND | SNAP | GRID | WELD | ORIENT | MERGE
+    | BOND | MASS | EVENT | DYNAMICS | COLLISIONS | BINDING | BONDS | BLOCKED | RESOLUTION | ROUND | SNAP | GRID | WELD | ORIENT | MERGE | UNION
     | DECOMPOSE
     | LETTER _ | MOD | HULL | AS | WHERE | U | A | E | AF | AG | AX | EF | EG | EX -> Token (BARRED (strip_bars text))
     | _ ->

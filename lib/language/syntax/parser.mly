@@ -129,7 +129,8 @@ grid: GRID e = arithmetic { e }
 snap: SNAP e = arithmetic { e }
 mending:
 | grid = grid? weld = boption(WELD) orient = boption(ORIENT) merge = boption(MERGE) snap = snap?
-    { { grid; weld; orient; merge; snap } }
+    union = boption(UNION)
+    { { grid; weld; orient; merge; snap; union } }
 
 vertex: n = name v = closed_vector { (n, v) }
 face: n = name LBRACKET vs = comma_list(name) RBRACKET { (n, vs) }

@@ -350,7 +350,7 @@ let mending m =
   let length word = Option.fold ~none:"" ~some:(fun e -> word ^ arithmetic e) in
   let word there word = if there then word else "" in
   length " grid " m.grid ^ word m.weld " weld" ^ word m.orient " orient" ^ word m.merge " merge"
-  ^ length " snap " m.snap
+  ^ length " snap " m.snap ^ word m.union " union"
 
 let rec solid s =
   match s.it with

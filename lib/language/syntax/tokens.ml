@@ -145,7 +145,8 @@ let nests = function
 let can_be_name = function
   | NAME _ | LETTER _ | MOD | HULL | AS | WHERE | A | E | U | AF | AG | AX | EF | EG | EX | BOND | MASS |
     EVENT | DYNAMICS | COLLISIONS
-  | BINDING | BONDS | BLOCKED | RESOLUTION | ROUND | SNAP | GRID | WELD | ORIENT | MERGE | DECOMPOSE -> true
+  | BINDING | BONDS | BLOCKED | RESOLUTION | ROUND | SNAP | GRID | WELD | ORIENT | MERGE | UNION
+  | DECOMPOSE -> true
   | _ -> false
 
 let begins_declaration tokens i =

@@ -24,6 +24,9 @@ let structure (set : Polyhedron.ifs) faults =
   in
   List.mapi one faults
 
+(* Solids with more parts take hours. *)
+let greatest = 1_000_000
+
 let diagnostics (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list = function
   | Unsound (Structure faults) -> structure set faults
   | fault ->
@@ -33,7 +36,8 @@ let diagnostics (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list = funct
         Some "each of several solids needs a file of its own, or add --union for all of them"
       | Pieces (Outward _) -> Some "to mend it, add --orient"
       | Unsound (Cut _) -> Some "if solids overlap there, add --union"
-      | Unsound (Structure _) | Too_many -> None
+      | Too_many most when most < greatest -> Some "--parts sets how many there may be"
+      | Unsound (Structure _) | Too_many _ -> None
     in
     let code, text = Decomposed.message set fault in
     [ Diag.error code Span.none ?hint "%s" text ]
@@ -97,7 +101,7 @@ let show console =
     end
 
 (* The mesh, what was done to it, and its parts. *)
-let work console ~mend ~names ~union path =
+let work console ~mend ~names ~union ~most path =
   let* source = Input.warned console path in
   let* set, warnings = Result.listed (Scc_mesh.Mesh.read ~files:Input.beside ~path (Source.text source)) in
   Console.report console warnings;
@@ -107,8 +111,8 @@ let work console ~mend ~names ~union path =
     | Some (set, line) -> (set, mended @ [ ("triangles", line) ])
     | None -> (set, mended)
   in
-  let cut ~progress = if union then Decomposed.united ~progress else Decomposed.make ~progress ~names in
-  let* t = Result.map_error (diagnostics set) (cut ~progress:(show console) set) in
+  let cut = if union then Decomposed.united else Decomposed.make in
+  let* t = Result.map_error (diagnostics set) (cut ~progress:(show console) ~names ~most set) in
   Ok (t, mended)
 
 let report console ~mended ~mass output path (t : Parts.t) =
@@ -128,14 +132,14 @@ let report console ~mended ~mass output path (t : Parts.t) =
   in
   Ok Exit_code.Holds
 
-let decompose console ~mend ~names ~union ~seconds ~mass output path =
-  let work () = work console ~mend ~names ~union path in
+let decompose console ~mend ~names ~union ~most ~seconds ~mass output path =
+  let work () = work console ~mend ~names ~union ~most path in
   Time_limit.within console ~seconds work (fun (t, mended) -> report console ~mended ~mass output path t)
 
-let run color json mend names union seconds mass output path =
+let run color json mend names union most seconds mass output path =
   let console = Console.make ~color ~json () in
   let go output =
-    Guard.run console (fun () -> decompose console ~mend ~names ~union ~seconds ~mass output path)
+    Guard.run console (fun () -> decompose console ~mend ~names ~union ~most ~seconds ~mass output path)
   in
   match output with
   | None -> go None
@@ -163,7 +167,15 @@ let names =
 let union =
   Options.flag [ "union" ]
     "Cuts the union of what the faces surround: solids of one file may overlap, share faces, or touch in edges \
-     and corners, and need not be connected. Faces get new names."
+     and corners, and need not be connected. A face that is left in pieces gives each a name, as \
+     $(b,top), $(b,top_2)."
+
+let most =
+  Options.default
+    (Options.integer ~least:1 ~most:greatest "number of parts")
+    Decomposed.most_parts [ "parts" ] ~docv:"N"
+    "The greatest number of parts. A solid that takes more, or more than twenty times as many cells on the way to \
+     them, is refused (SC0111)."
 
 let command =
   let exits =
@@ -177,5 +189,5 @@ let command =
   Cmd.v
     (Cmd.info "decompose" ~doc:"cut a solid that is not convex into convex parts" ~man:Manual.decompose ~exits)
     Term.(
-      const run $ Options.color $ Options.json $ Mend_options.term $ names $ union $ Time_limit.seconds $ mass
-      $ output $ mesh)
+      const run $ Options.color $ Options.json $ Mend_options.term $ names $ union $ most $ Time_limit.seconds
+      $ mass $ output $ mesh)

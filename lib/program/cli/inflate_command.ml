@@ -117,29 +117,29 @@ let write_solids o write (found : Inflated.t) =
     Written_solid.templates ~hint path (numbered path)
   | Some path -> Written_solid.drawn ~hint [ ((path, write path), mesh found.solid) ]
 
-let inflate console o write =
+let work console o () =
   let* source = Result.listed (Input.read o.path) in
   if Scc_pixels.Icon.is_text (Source.text source) then Console.add_source console source;
   let* picture = Result.listed (Scc_pixels.Icon.read ?resolution:o.resolution ~path:o.path (Source.text source)) in
   let progress what share =
     Console.progress console (Printf.sprintf "%s: %.0f %%" what (100. *. Float.min 1. share))
   in
-  match Inflated.make ~progress ~path:o.path o.inflate picture with
-  | Error d -> Error [ d ]
-  | Ok found ->
-    let* () =
-      match write with
-      | None -> Ok ()
-      | Some find -> write_solids o find found
-    in
-    Console.progress_done console;
-    let json () = Scc_json.Json_format.write format (o, found, Exit_code.Holds) in
-    Console.answer console ~text:(fun () -> text o found) ~json;
-    Ok Exit_code.Holds
+  Result.listed (Inflated.make ~progress ~path:o.path o.inflate picture)
 
-let run color json o =
+let report console o write found =
+  let* () =
+    match write with
+    | None -> Ok ()
+    | Some find -> write_solids o find found
+  in
+  let json () = Scc_json.Json_format.write format (o, found, Exit_code.Holds) in
+  Console.answer console ~text:(fun () -> text o found) ~json;
+  Ok Exit_code.Holds
+
+let run color json o seconds =
   let console = Console.make ~color ~json () in
-  let go write = Guard.run console (fun () -> inflate console o write) in
+  let inflate write = Time_limit.within console ~seconds (work console o) (report console o write) in
+  let go write = Guard.run console (fun () -> inflate write) in
   match o.output with
   | None -> go None
   | Some path ->
@@ -314,9 +314,9 @@ let command =
       ~told:
         [
           (Holds, "if there is a solid."); (Invalid, "if the drawing cannot be read or inflated.");
-          (Stopped, "if it was interrupted.");
+          (Stopped, "if it was interrupted, or had not ended after the seconds of --seconds.");
         ]
   in
   Cmd.v
     (Cmd.info "inflate" ~doc:"make a solid of a drawn silhouette" ~man:Manual.inflate ~exits)
-    Term.(const run $ Options.color $ Options.json $ options)
+    Term.(const run $ Options.color $ Options.json $ options $ Time_limit.seconds)

@@ -41,29 +41,14 @@ let bent (set : Polyhedron.ifs) (_, face) =
       let squared = squared_distance set face n in
       if Rat.sign squared = 0 then None else Option.map (fun list -> (squared, list)) (ears set face n)
 
-let namer (set : Polyhedron.ifs) =
-  let taken = Hashtbl.create 64 in
-  let take (name, _) = Hashtbl.replace taken name () in
-  Array.iter take set.ifs_vertices;
-  Array.iter take set.ifs_faces;
-  let rec fresh name k =
-    let next = Printf.sprintf "%s_%d" name k in
-    if Hashtbl.mem taken next then fresh name (k + 1)
-    else begin
-      take (next, ());
-      next
-    end
-  in
-  fresh
-
 let triangulated (set : Polyhedron.ifs) =
   let found = Array.map (bent set) set.ifs_faces in
   let all = List.filter_map Fun.id (Array.to_list found) in
   if all = [] then None
   else
-    let fresh = namer set in
+    let names = Fresh.besides set in
     let pieces k (name, face) =
-      let triangle i corners = ((if i = 0 then name else fresh name (i + 1)), corners) in
+      let triangle i corners = ((if i = 0 then name else Fresh.next names ~from:2 (name ^ "_")), corners) in
       match found.(k) with None -> [ (name, face) ] | Some (_, list) -> List.mapi triangle list
     in
     let faces = List.concat (Array.to_list (Array.mapi pieces set.ifs_faces)) in

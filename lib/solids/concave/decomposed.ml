@@ -2,9 +2,12 @@ open Scc_exact
 open Scc_geometry
 
 type progress = Looking of int | Cutting of int | Making of int * int | Naming of int
-type fault = Unsound of Sound.fault | Pieces of Shells.fault | Too_many
+type fault = Unsound of Sound.fault | Pieces of Shells.fault | Too_many of int
 
-let limit = 10_000
+let most_parts = 10_000
+
+(* The parts are cut and joined from so many cells for each of them, at most. *)
+let cells_for_part = 20
 
 let message (set : Polyhedron.ifs) : fault -> Scc_base.Code.t * string =
   let open Scc_base in
@@ -16,7 +19,11 @@ let message (set : Polyhedron.ifs) : fault -> Scc_base.Code.t * string =
       Printf.sprintf "the faces `%s` and `%s` have the point %s in common, which is at no edge or corner of both"
         (name f) (name g) (Vec.to_string x) )
   | Pieces fault -> Shells.message set fault
-  | Too_many -> (Code.too_deep, Printf.sprintf "more than %d convex parts are needed" limit)
+  | Too_many most ->
+    ( Code.too_deep,
+      Printf.sprintf "the solid takes more than %s, or more than %d cells on the way to them"
+        (Plural.count most "convex part" "convex parts")
+        (cells_for_part * most) )
 
 (* {1 The solid} *)
 
@@ -29,7 +36,7 @@ let surface set =
       | None, Some drawn -> Ok drawn
       | None, None -> Scc_base.Bug.fail __POS__ "sound faces that are no polygons")
 
-let connected (t : Parts.t) = List.length t.joints = Array.length t.parts - 1
+let groups (t : Parts.t) = Array.length t.parts - List.length t.joints
 
 (* {1 Parts} *)
 
@@ -40,10 +47,8 @@ let prism (set : Polyhedron.ifs) =
 
 exception Too_long
 
-(* What the parts are cut from is looked at this often. *)
-let ticks = 200_000
-
-let cells progress (drawn : Drawn.t) =
+let cells ~most progress (drawn : Drawn.t) =
+  let ticks = cells_for_part * most in
   let left = ref ticks in
   let tick () =
     decr left;
@@ -52,8 +57,8 @@ let cells progress (drawn : Drawn.t) =
   in
   let surface = List.concat_map (fun (r : Drawn.region) -> r.pieces) (Array.to_list drawn.regions) in
   match Scc_decompose.Decompose.parts ~tick surface with
-  | exception Too_long -> Error Too_many
-  | list when List.length list > limit -> Error Too_many
+  | exception Too_long -> Error (Too_many most)
+  | list when List.length list > most -> Error (Too_many most)
   | list ->
     let count = List.length list in
     let make k cell =
@@ -66,18 +71,24 @@ let convex (set : Polyhedron.ifs) = Refined.solid (List.map snd (Array.to_list s
 
 (* A convex solid is one part. A prism over a polygon has the parts of [Prism], any other solid those of
    [Decompose]. *)
-let parts ?(progress = ignore) set =
+let parts ~most ?(progress = ignore) set =
   progress (Looking (Array.length set.Polyhedron.ifs_faces));
   let* drawn = surface set in
   let* list =
     if Drawn.reflex_edges drawn = 0 then Ok [ convex set ]
-    else match prism set with Some list -> Ok list | None -> cells progress drawn
+    else match prism set with Some list -> Ok list | None -> cells ~most progress drawn
   in
   if Volumes.equal set list then Ok (list, drawn)
   else Scc_base.Bug.fail __POS__ "parts that are not the solid"
 
-let united ?(progress = ignore) set =
-  progress (Looking (Array.length set.Polyhedron.ifs_faces));
+let make ?(progress = ignore) ?names ?(most = most_parts) set =
+  let* list, drawn = parts ~most ~progress set in
+  let tick ~left = progress (Naming left) in
+  let* t = Option.to_result ~none:(Too_many most) (Parts.make ~tick ?names ~limit:most drawn list) in
+  if groups t = 1 then Ok t else Scc_base.Bug.fail __POS__ "parts that are not joined"
+
+let arranged ~progress ~names ~most set =
+  let ticks = cells_for_part * most in
   let left = ref ticks in
   let tick () =
     decr left;
@@ -85,17 +96,26 @@ let united ?(progress = ignore) set =
     progress (Cutting (ticks - !left))
   in
   match United.parts ~tick set with
-  | exception Too_long -> Error Too_many
+  | exception Too_long -> Error (Too_many most)
   | None -> Error (Unsound (Option.value (Sound.faults set) ~default:(Sound.Structure [ Inward ])))
   | Some (list, surface) -> (
       match Drawn.make surface with
       | Some drawn when Volumes.equal surface list ->
         let tick ~left = progress (Naming left) in
-        Option.to_result ~none:Too_many (Parts.make ~tick ~names:false ~limit drawn list)
+        Option.to_result ~none:(Too_many most) (Parts.make ~tick ~names ~limit:most drawn list)
       | _ -> Scc_base.Bug.fail __POS__ "parts of a union that their surface does not bound")
 
-let make ?(progress = ignore) ?names set =
-  let* list, drawn = parts ~progress set in
-  let tick ~left = progress (Naming left) in
-  let* t = Option.to_result ~none:Too_many (Parts.make ~tick ?names ~limit drawn list) in
-  if connected t then Ok t else Scc_base.Bug.fail __POS__ "parts that are not joined"
+(* A solid that does not touch itself is its own union. *)
+let united ?(progress = ignore) ?(names = false) ?(most = most_parts) set =
+  match make ~progress ~names ~most set with
+  | Error (Unsound _ | Pieces _) -> arranged ~progress ~names ~most set
+  | Ok _ as parts -> parts
+  | Error (Too_many _) as fault -> fault
+
+let convex_whole (t : Parts.t) =
+  let corners (_, (p : Polyhedron.t)) = List.map snd (Array.to_list p.vertices) in
+  let hull = Refined.solid (List.concat_map corners (Array.to_list t.parts)) in
+  if Rat.equal (Drawn.volume t.drawn.set) (Mass_properties.of_polyhedron hull).volume then
+    let shown = Shown.make t.drawn in
+    Some (Polyhedron.to_ifs (Parts.named t.drawn hull (Shown.faces shown hull)))
+  else None

@@ -5,7 +5,11 @@ open Scc_geometry
 type fault =
   | Unsound of Sound.fault
   | Pieces of Shells.fault  (** not one solid *)
-  | Too_many  (** more parts than 10 000, or too long a way to them *)
+  | Too_many of int
+  (** more parts than this number, or more than twenty times as many cells that they are cut from and joined *)
+
+val most_parts : int
+(** 10 000, the greatest number of parts if no other one is given. *)
 
 val message : Polyhedron.ifs -> fault -> Scc_base.Code.t * string
 (** The code and the message of a fault that concerns more than single faces. A fault [Structure] is a bug
@@ -22,13 +26,20 @@ type progress =
   | Making of int * int  (** the number of the part being made, and the number of all parts *)
   | Naming of int  (** the number of parts left whose faces need names *)
 
-val make : ?progress:(progress -> unit) -> ?names:bool -> Polyhedron.ifs -> (Parts.t, fault) result
+val make : ?progress:(progress -> unit) -> ?names:bool -> ?most:int -> Polyhedron.ifs -> (Parts.t, fault) result
 (** The solid in convex parts: those of {!Scc_polygon.Prism} for a prism over a polygon, and of
     {!Scc_decompose.Decompose} for any other solid. With [names], the default, they are cut further so that
-    names of the solid's faces are exact ({!Parts.make}). A convex solid is one part. The function
-    [progress] is called again and again, and may raise. *)
+    names of the solid's faces are exact ({!Parts.make}). A convex solid is one part. There are at most
+    [most] parts ({!most_parts}). The function [progress] is called again and again, and may raise. *)
 
-val united : ?progress:(progress -> unit) -> Polyhedron.ifs -> (Parts.t, fault) result
+val united :
+  ?progress:(progress -> unit) -> ?names:bool -> ?most:int -> Polyhedron.ifs -> (Parts.t, fault) result
 (** The union of solids that overlap or touch ({!United}) in convex parts, which need not be connected. Faces are
-    those of the union, with new names, and parts are not cut for names. A set that bounds no union has the faults
-    of {!Sound.faults}. *)
+    those of the union, named as {!United.parts} says. With [names], parts are cut further so that these are exact;
+    it is false by default. A set that bounds no union has the faults of {!Sound.faults}. *)
+
+val convex_whole : Parts.t -> Polyhedron.ifs option
+(** The surface of the union of all parts, if that is convex, with the names of its faces and corners. *)
+
+val groups : Parts.t -> int
+(** The number of groups of parts that are connected by areas; 1 for the parts of {!make}. *)

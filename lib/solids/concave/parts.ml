@@ -12,35 +12,23 @@ module Points = Hashtbl.Make (Vec)
 
 (* {1 Names} *)
 
-(* Names that the set does not have: w1, w2, … for one place each, cut1, cut2, … for one face each. *)
-let namer (set : Polyhedron.ifs) prefix =
-  let taken = Hashtbl.create 64 in
-  Array.iter (fun (n, _) -> Hashtbl.replace taken n ()) set.ifs_vertices;
-  Array.iter (fun (n, _) -> Hashtbl.replace taken n ()) set.ifs_faces;
-  let last = ref 0 in
-  let rec next () =
-    incr last;
-    let name = Printf.sprintf "%s%d" prefix !last in
-    if Hashtbl.mem taken name then next () else name
-  in
-  next
-
+(* The set does not have w1, w2, … for one place each, and cut1, cut2, … for one face each. *)
 let given_names (d : Drawn.t) =
   let at = Points.create 64 in
   Array.iter (fun (n, x) -> if not (Points.mem at x) then Points.add at x n) d.set.ifs_vertices;
-  let inner = namer d.set "w" and hidden = namer d.set "cut" in
+  let names = Fresh.besides d.set in
   let vertex x =
     match Points.find_opt at x with
     | Some n -> n
     | None ->
-      let n = inner () in
+      let n = Fresh.next names "w" in
       Points.add at x n;
       n
   in
   let face shows =
     match shows with
     | Some (Drawn.Region r :: _) -> d.regions.(r).name
-    | Some _ | None -> hidden ()
+    | Some _ | None -> Fresh.next names "cut"
   in
   (vertex, face)
 
@@ -49,6 +37,8 @@ let renamed (vertex, face) (p : Polyhedron.t) features =
   List.iter (function Feature.Face f, list -> shows.(f) <- Some list | _ -> ()) features;
   let vertices = Array.map (fun (_, x) -> vertex x) p.vertices in
   Polyhedron.renamed ~vertices ~faces:(Array.map face shows) p
+
+let named d p features = renamed (given_names d) p features
 
 let make ?(tick = fun ~left:_ -> ()) ?(names = true) ~limit (d : Drawn.t) pieces =
   let shown = Shown.make d in

@@ -17,6 +17,9 @@ val make : ?tick:(left:int -> unit) -> ?names:bool -> limit:int -> Drawn.t -> Po
     first one, and [shows] has faces alone. [tick] gets the number of parts left. [None] if there would be more
     than [limit] parts. *)
 
+val named : Drawn.t -> Polyhedron.t -> (Feature.t * Drawn.feature list) list -> Polyhedron.t
+(** [named drawn p shown] is [p] with the names that a part has. The list says what the faces of [p] show. *)
+
 val inside : t -> Drawn.feature -> (int * Feature.t) list
 (** The features of parts that show the relative interior of a feature: a region without its borders and
     corners, a border without its ends, or a corner. Each is the number of a part and a feature of it. *)

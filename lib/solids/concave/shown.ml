@@ -17,9 +17,11 @@ type t = {
 
 let make (d : Drawn.t) =
   let by_plane = Planes.create 64 and by_sides = Hashtbl.create 64 and corner_at = Points.create 64 in
+  let parallel r s = Ivec.is_zero (Ivec.cross d.regions.(r).normal d.regions.(s).normal) in
+  (* More than two meet where a solid touches itself. Borders between two that are not parallel are on one line. *)
+  let beside b r s = if r < s && not (parallel r s) then Hashtbl.add by_sides (r, s) b in
   Array.iteri
-    (fun b (border : Drawn.border) ->
-       match border.between with [ r; s ] -> Hashtbl.add by_sides (r, s) b | _ -> ())
+    (fun b (border : Drawn.border) -> List.iter (fun r -> List.iter (beside b r) border.between) border.between)
     d.borders;
   Array.iteri (fun v corner -> if corner then Points.replace corner_at (snd d.set.ifs_vertices.(v)) v) d.corners;
   let plane (region : Drawn.region) = Plane.make region.normal (Homogeneous.of_vec (List.hd region.pieces).(0)) in

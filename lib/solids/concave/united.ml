@@ -68,15 +68,18 @@ let middle cell =
 
 (* {1 The surface of parts} *)
 
+let normal_of corners =
+  Ivec.primitive (fst (Ivec.of_vec (Drawn.area_vector (Array.get corners) (Array.length corners))))
+
+let plane_of corners = Plane.make (normal_of corners) (Homogeneous.of_vec corners.(0))
+
 type side = { part : int; normal : Vec.t; corners : Vec.t array; box : Float_box.t; plane : Plane.t }
 
 let sides part (p : Polyhedron.t) =
   let side (_, face) =
     let corners = Array.map (fun v -> snd p.vertices.(v)) face in
-    let area = Drawn.area_vector (Array.get corners) (Array.length corners) in
-    let normal = Ivec.primitive (fst (Ivec.of_vec area)) in
-    let plane = Plane.make normal (Homogeneous.of_vec corners.(0)) in
-    { part; normal = Ivec.to_vec normal; corners; box = Boxed.of_points corners; plane }
+    let normal = Ivec.to_vec (normal_of corners) in
+    { part; normal; corners; box = Boxed.of_points corners; plane = plane_of corners }
   in
   List.map side (Array.to_list p.faces)
 
@@ -120,6 +123,61 @@ let conforming polygons =
     ifs_faces = Array.of_list (List.mapi (fun k cycle -> (Printf.sprintf "f%d" k, whole cycle)) cycles);
   }
 
+(* {1 Names} *)
+
+type face = { name : string; around : Float_box.t; places : Homogeneous.t array; outline : Vec.t array }
+
+(* The convex pieces of the faces by their planes, the first one first. *)
+let faces_by_plane (set : Polyhedron.ifs) polygons =
+  let table = Planes.create 256 in
+  let enter (name, _) pieces =
+    let piece p =
+      let around = Boxed.of_points p and places = Array.map Homogeneous.of_vec p in
+      Planes.add table (plane_of p) { name; around; places; outline = p }
+    in
+    List.iter piece pieces
+  in
+  List.iter2 enter (List.rev (Array.to_list set.ifs_faces)) (List.rev polygons);
+  table
+
+let sharing table polygon =
+  let plane = plane_of polygon and box = Boxed.of_points polygon in
+  let places = Array.map Homogeneous.of_vec polygon in
+  let shares f = Float_box.meet box f.around && Planar.share plane f.places places in
+  List.filter shares (Planes.find_all table plane)
+
+(* In pieces, each of them in one face. *)
+let by_face table polygon =
+  match sharing table polygon with
+  | [] -> Scc_base.Bug.fail __POS__ "a face of a union that is in no face"
+  | [ _ ] -> [ polygon ]
+  | several ->
+    let n = Ivec.to_vec (normal_of polygon) in
+    let cut (found, rest) f =
+      let one (found, kept) piece =
+        if List.memq f (sharing table piece) then
+          (Clipped.common n piece f.outline :: found, Clipped.difference n piece f.outline @ kept)
+        else (found, piece :: kept)
+      in
+      List.fold_left one (found, []) rest
+    in
+    fst (List.fold_left cut ([], [ polygon ]) several)
+
+(* Pieces of a face have its name, a number at the end of all but one of them. *)
+let named (set : Polyhedron.ifs) table (surface : Polyhedron.ifs) =
+  let fresh = Fresh.besides set and given = Hashtbl.create 256 and at = Points.create 256 in
+  Array.iter (fun (name, x) -> if not (Points.mem at x) then Points.add at x name) set.ifs_vertices;
+  let vertex (_, x) = ((match Points.find_opt at x with Some name -> name | None -> Fresh.next fresh "w"), x) in
+  let face (_, corners) =
+    let name = (List.hd (sharing table (Array.map (place surface) corners))).name in
+    if Hashtbl.mem given name then (Fresh.next fresh ~from:2 (name ^ "_"), corners)
+    else begin
+      Hashtbl.replace given name ();
+      (name, corners)
+    end
+  in
+  { Polyhedron.ifs_vertices = Array.map vertex surface.ifs_vertices; ifs_faces = Array.map face surface.ifs_faces }
+
 (* {1 All} *)
 
 let solids ~tick polygons =
@@ -147,4 +205,6 @@ let parts ~tick set =
     let*? polygons = Option.all (pieces set) (Array.to_list set.ifs_faces) in
     match solids ~tick (List.concat polygons) with
     | [] -> None
-    | list -> Some (list, conforming (uncovered list))
+    | list ->
+      let table = faces_by_plane set polygons in
+      Some (list, named set table (conforming (List.concat_map (by_face table) (uncovered list))))

@@ -86,7 +86,7 @@ let rec solid (a : solid) (b : solid) =
   | Template m, Template n -> reference m n
   | Scaled (s, v), Scaled (t, w) -> solid s t && vector v w
   | Mesh (f, m), Mesh (g, n) ->
-    let words m = [ m.weld; m.orient; m.merge ] in
+    let words m = [ m.weld; m.orient; m.merge; m.union ] in
     loc String.equal f g && Option.equal expr m.grid n.grid && Option.equal expr m.snap n.snap
     && List.equal Bool.equal (words m) (words n)
   | Faces (vs, fs), Faces (ws, gs) -> list (pair name vector) vs ws && list (pair name (list name)) fs gs

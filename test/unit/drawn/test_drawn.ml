@@ -67,6 +67,9 @@ let parts cells =
 let decomposed cells =
   match Decomposed.make (set_of cells) with Ok t -> t | Error _ -> Alcotest.fail "refused"
 
+let united cells =
+  match Decomposed.united ~names:true (set_of cells) with Ok t -> t | Error _ -> Alcotest.fail "refused"
+
 let names_are_right parts cells =
   let set = set_of cells in
   let t : Parts.t = parts cells in
@@ -253,6 +256,22 @@ let few_parts () =
   | Error _ -> Alcotest.fail "refused"
   | Ok t -> Alcotest.(check int) "parts" 3 (Array.length t.parts)
 
+(* Two cubes touch in an edge, under a slab that joins them. *)
+let touching_edge () =
+  let t = united [ (0, 0, 0); (1, 1, 0); (0, 0, 1); (1, 0, 1); (0, 1, 1); (1, 1, 1) ] in
+  let all = Array.to_list (Array.mapi (fun v (_, x) -> (v, x)) t.drawn.set.ifs_vertices) in
+  let at p = fst (List.find (fun (_, x) -> Vec.equal x (vec p)) all) in
+  match Parts.tuple t [ at (1, 1, 0); at (1, 1, 1) ] with
+  | Shown (Border _ as edge) ->
+    let edges = List.filter (function _, Feature.Edge _ -> true | _ -> false) (Parts.inside t edge) in
+    Alcotest.(check int) "edges of parts" 2 (List.length edges);
+    Array.iteri
+      (fun r _ ->
+         let inside = Parts.inside t (Region r) in
+         Alcotest.(check bool) "no part of a face" false (List.exists (fun e -> List.mem e inside) edges))
+      t.drawn.regions
+  | _ -> Alcotest.fail "no edge"
+
 (* {1 Prisms} *)
 
 let prism_of cells =
@@ -278,6 +297,15 @@ let prism_parts_are_right cells =
     let sum = List.fold_left (fun sum piece -> Rat.add sum (volume piece)) Rat.zero pieces in
     Rat.equal sum (rat (List.length cells))
 
+(* Some of three cubes along each side: many touch in an edge or a corner alone. *)
+let scattered_cells =
+  let open QCheck2.Gen in
+  let all = List.init 27 (fun k -> (k mod 3, k / 3 mod 3, k / 9)) in
+  let+ wanted = list_repeat 27 (int_range 0 2) in
+  match List.filter_map Fun.id (List.map2 (fun c k -> if k = 0 then Some c else None) all wanted) with
+  | [] -> [ (0, 0, 0) ]
+  | cells -> cells
+
 let flat_cells = QCheck2.Gen.map (List.filter_map (fun (x, y, z) -> if z = 0
                                                     then Some (x, y, 0) else None)) random_cells
 
@@ -288,6 +316,7 @@ let () =
         [
           Alcotest.test_case "two shoulders of one bar" `Quick shoulders;
           Alcotest.test_case "what is no feature" `Quick flat_names;
+          Alcotest.test_case "an edge in which a solid touches itself" `Quick touching_edge;
           Alcotest.test_case "both ways of cutting are tried" `Quick few_parts;
         ] );
       ( "prisms",
@@ -302,6 +331,9 @@ let () =
           [
             property "points and names, in rows" (names_are_right parts);
             property "points and names, decomposed" (names_are_right decomposed);
+            QCheck2.Test.make ~count:30 ~name:"points and names, where cubes touch in edges and corners"
+              ~print:QCheck2.Print.(list (triple int int int))
+              scattered_cells (names_are_right united);
             property "rows have the volume of the whole" (volume_is_kept parts);
             property "what is decomposed has the volume of the whole" (volume_is_kept decomposed);
             QCheck2.Test.make ~count:40 ~name:"merged faces keep the volume"

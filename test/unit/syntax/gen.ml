@@ -192,7 +192,8 @@ let file = located (oneofl [ "a.off"; "a \"b\".obj"; "c:\\x\\y.stl"; "\xC3\xA9.p
 
 let mending =
   let* grid = option expr and* snap = option expr in
-  map3 (fun weld orient merge -> { grid; weld; orient; merge; snap }) bool bool bool
+  let* union = bool in
+  map3 (fun weld orient merge -> { grid; weld; orient; merge; snap; union }) bool bool bool
 
 let solid =
   sized_size (int_range 0 2) (fix (fun self n ->
