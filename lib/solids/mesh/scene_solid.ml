@@ -62,6 +62,7 @@ type t = {
   mutable points : Vec.t list;
   mutable faces : (string option * int array) list;
   mutable near : (Rat.t * Text.word) option;  (* the greatest distance, and whose it is *)
+  mutable left_out : Text.word option;  (* the first geometry without thickness *)
   mutable hidden : Text.word option;  (* a node that shows nothing of what is in it *)
 }
 
@@ -71,7 +72,7 @@ let spend t node n =
   t.budget <- t.budget - n
 
 let geometry t place ~name node =
-  let shape = Scene_shapes.make ~path:t.path node in
+  let shape = Scene_shapes.make ~path:t.path ~room:t.budget node in
   spend t node shape.cost;
   let first = t.count and mirrored = Affine.mirrors place.map in
   let corners f =
@@ -125,6 +126,7 @@ let rec show t depth place ~name node =
     bad ~path:t.path node.kind "nodes are inside of each other more than %d deep" max_depth;
   match Scene_table.find node.kind.text with
   | Still -> ()
+  | Left_out -> if Option.is_none t.left_out then t.left_out <- Some node.kind
   | Unread hint -> unread ~path:t.path node.kind ~hint "the node %s is not read" (Text.quote node.kind.text)
   | Read { role; read; still } ->
     F.check ~path:t.path node ~read ~still;
@@ -157,7 +159,7 @@ and shape within t place node =
   | [] -> ()
   | [ geometry ] -> (
       match Scene_table.find geometry.kind.text with
-      | Read { role = Geometry; _ } | Unread _ | Still -> within place ~name:node.name geometry
+      | Read { role = Geometry; _ } | Left_out | Unread _ | Still -> within place ~name:node.name geometry
       | Read _ -> bad ~path:t.path geometry.kind "a %s is no geometry of a Shape" geometry.kind.text)
   | _ :: other :: _ -> bad ~path:t.path other.kind "a Shape has one geometry, and this is another"
 
@@ -170,10 +172,14 @@ let turned =
 
 let bent = "a square of the grid that is not flat becomes two triangles, and the format leaves open which"
 
+let swept =
+  "frames and rotations become exact ones near by; a side that is not planar becomes two triangles, and the \
+   format leaves open which"
+
 let nearly t =
   let one (distance, w) =
     Diag.warning Code.mesh_nearly (at ~path:t.path w)
-      ~hint:(if String.equal w.Text.text "ElevationGrid" then bent else turned)
+      ~hint:(match w.Text.text with "ElevationGrid" -> bent | "Extrusion" -> swept | _ -> turned)
       "what is read is up to %s from what the file describes, here the most"
       (Decimal.significant_above ~digits:3 distance)
   in
@@ -194,7 +200,7 @@ let moving ~path (file : file) =
     | Some node -> (
         match Scene_table.find node.kind.text with
         | Read { read; _ } -> List.mem (set route.field) read
-        | Still | Unread _ -> false)
+        | Still | Left_out | Unread _ -> false)
   in
   match List.find_opt moves file.routes with
   | None -> []
@@ -204,6 +210,14 @@ let moving ~path (file : file) =
         ~hint:"nothing has to be done if the start is what is meant"
         "the scene changes while time passes, and is read as it is at its start";
     ]
+
+let thin t =
+  let one (w : Text.word) =
+    Diag.warning Code.mesh_left_out (at ~path:t.path w)
+      ~hint:"nothing has to be done if the solid is what is meant"
+      "lines and letters, such as this %s, bound no solid, and are left out" w.text
+  in
+  Option.to_list (Option.map one t.left_out)
 
 let nothing t =
   match t.hidden with
@@ -216,12 +230,13 @@ let read ~path ~size scene =
     let file = scene () in
     let t =
       {
-        path; budget = 100_000 + (4 * size); count = 0; points = []; faces = []; near = None; hidden = None;
+        path; budget = 100_000 + (4 * size); count = 0; points = []; faces = []; near = None; left_out = None;
+        hidden = None;
       }
     in
     List.iter (show t 0 { map = Affine.identity; levels = [] } ~name:None) file.nodes;
     if t.points = [] then nothing t;
-    (Text.labelled t.points t.faces, nearly t @ moving ~path file)
+    (Text.labelled t.points t.faces, nearly t @ thin t @ moving ~path file)
   in
   match work () with
   | result -> Ok result

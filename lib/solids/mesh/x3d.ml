@@ -54,7 +54,7 @@ let fields r tag =
   let words a =
     match Scene_table.find tag.name.text with
     | Read _ -> Scene.ok (Xml_tags.words ~path:r.path r.text a)
-    | Still | Unread _ -> []
+    | Still | Left_out | Unread _ -> []
   in
   List.map (fun a -> (a.key, Scene.Words (words a))) own
 
