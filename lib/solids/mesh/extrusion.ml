@@ -199,8 +199,7 @@ let make ~path ~room node =
   let spine = Array.map vector (all "spine" 3 [| [| 0; 0; 0 |]; [| 0; 1; 0 |] |]) in
   let n = Array.length spine and count = Array.length curve in
   if n < 2 || count < 2 then bad ~path node.kind "spine and cross section need at least two points each";
-  if count > room / n then
-    bad ~path node.kind "with this the scene would have many times the nodes that its size has room for";
+  if count > room / n then spend ~path (ref 0) node.kind 1;
   let closed = Rat.equal curve.(0).(0) curve.(count - 1).(0) && Rat.equal curve.(0).(1) curve.(count - 1).(1) in
   let curve = if closed then Array.sub curve 0 (count - 1) else curve in
   let scale = for_each ~path node "scale" ~count:n (all "scale" 2 [| [| 1; 1 |] |]) in

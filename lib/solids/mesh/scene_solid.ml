@@ -57,7 +57,7 @@ let transform ~path node =
 
 type t = {
   path : string;
-  mutable budget : int;
+  room : int ref;
   mutable count : int;
   mutable points : Vec.t list;
   mutable faces : (string option * int array) list;
@@ -66,14 +66,9 @@ type t = {
   mutable hidden : Text.word option;  (* a node that shows nothing of what is in it *)
 }
 
-let spend t node n =
-  if n > t.budget then
-    bad ~path:t.path node.kind "with this the scene would have many times the nodes that its size has room for";
-  t.budget <- t.budget - n
-
 let geometry t place ~name node =
-  let shape = Scene_shapes.make ~path:t.path ~room:t.budget node in
-  spend t node shape.cost;
+  let shape = Scene_shapes.make ~path:t.path ~room:!(t.room) node in
+  spend ~path:t.path t.room node.kind shape.cost;
   let first = t.count and mirrored = Affine.mirrors place.map in
   let corners f =
     let n = Array.length f in
@@ -121,7 +116,7 @@ let chosen t node =
   | exception Invalid_argument _ -> []
 
 let rec show t depth place ~name node =
-  spend t node 1;
+  spend ~path:t.path t.room node.kind 1;
   if depth > max_depth then
     bad ~path:t.path node.kind "nodes are inside of each other more than %d deep" max_depth;
   match Scene_table.find node.kind.text with
@@ -194,19 +189,19 @@ let set name =
   | _ -> name
 
 let moving ~path (file : file) =
-  let moves route =
-    match Hashtbl.find_opt file.names route.node with
-    | None -> false
-    | Some node -> (
+  let moves change =
+    match change.target with
+    | Instance -> true
+    | Field (node, field) -> (
         match Scene_table.find node.kind.text with
-        | Read { read; _ } -> List.mem (set route.field) read
+        | Read { read; _ } -> List.mem (set field) read
         | Still | Left_out | Unread _ -> false)
   in
-  match List.find_opt moves file.routes with
+  match List.find_opt moves file.changes with
   | None -> []
-  | Some route ->
+  | Some change ->
     [
-      Diag.warning Code.mesh_left_out (at ~path route.at)
+      Diag.warning Code.mesh_left_out (at ~path change.at)
         ~hint:"nothing has to be done if the start is what is meant"
         "the scene changes while time passes, and is read as it is at its start";
     ]
@@ -220,17 +215,19 @@ let thin t =
   Option.to_list (Option.map one t.left_out)
 
 let nothing t =
-  match t.hidden with
-  | Some w ->
+  match (t.hidden, t.left_out) with
+  | None, Some w -> bad ~path:t.path w "the scene shows no faces: lines and letters bound no solid"
+  | Some w, _ ->
     bad ~path:t.path w "the scene shows no faces: this %s shows nothing of what is in it" w.text
-  | None -> ok (Text.error_at ~path:t.path 0 "the scene shows no faces")
+  | None, None -> ok (Text.error_at ~path:t.path 0 "the scene shows no faces")
 
 let read ~path ~size scene =
   let work () =
-    let file = scene () in
+    let room = Scene.room ~size in
+    let file = scene room in
     let t =
       {
-        path; budget = 100_000 + (4 * size); count = 0; points = []; faces = []; near = None; left_out = None;
+        path; room; count = 0; points = []; faces = []; near = None; left_out = None;
         hidden = None;
       }
     in
