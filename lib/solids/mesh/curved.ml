@@ -10,14 +10,18 @@ let least = Rat.make Z.one (Z.of_int 100)
 
 let parallels n = (n / 2) - 1
 
+(* All points of the circle, since each one is the sum of a series. *)
+let circle n = Array.init n (Named_solids.on_circle n)
+
 let ball n =
+  let circle = circle n in
   let rings = parallels n in
   let index j k = 1 + ((j - 1) * n) + (k mod n) in
   let north = 1 + (rings * n) in
   let place j k =
     (* From the south pole, at -1/4 of a turn. *)
-    let radius, z = Named_solids.on_circle n ((j + n - (n / 4)) mod n) in
-    let x, y = Named_solids.on_circle n k in
+    let radius, z = circle.((j + n - (n / 4)) mod n) in
+    let x, y = circle.(k) in
     Vec.make (Rat.mul radius x) (Rat.mul radius y) z
   in
   let vertex i =
@@ -56,8 +60,9 @@ let inner_square n =
 
 (* The same of the sides of the polygon, in the plane. *)
 let polygon_square n =
+  let circle = circle n in
   let square k =
-    let x, y = Named_solids.on_circle n k and x', y' = Named_solids.on_circle n ((k + 1) mod n) in
+    let x, y = circle.(k) and x', y' = circle.((k + 1) mod n) in
     let cross = Rat.sub (Rat.mul x y') (Rat.mul y x') in
     let dx = Rat.sub x' x and dy = Rat.sub y' y in
     Rat.div (Rat.mul cross cross) (Rat.add (Rat.mul dx dx) (Rat.mul dy dy))

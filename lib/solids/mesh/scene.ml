@@ -3,8 +3,10 @@ open Scc_base
 type node = { kind : Text.word; name : string option; fields : (Text.word * value) list }
 and value = Words of Text.word list | Nodes of node list
 
-type route = { at : Text.word; node : string; field : string }
-type file = { nodes : node list; routes : route list; names : (string, node) Hashtbl.t }
+type change = { at : Text.word; target : target }
+and target = Field of node * string | Instance
+
+type file = { nodes : node list; changes : change list }
 
 exception Refused of Diag.t
 
@@ -18,14 +20,19 @@ let unread ~path (w : Text.word) ~hint fmt =
 
 let max_depth = 1000
 
-type names = { complete : (string, node) Hashtbl.t; opened : (string, unit) Hashtbl.t }
+type names = {
+  complete : (string, node) Hashtbl.t;
+  opened : (string, unit) Hashtbl.t;
+  instances : (string, unit) Hashtbl.t;
+}
 
-let names () = { complete = Hashtbl.create 64; opened = Hashtbl.create 64 }
+let names () = { complete = Hashtbl.create 16; opened = Hashtbl.create 16; instances = Hashtbl.create 16 }
 let opening names name = Option.iter (fun name -> Hashtbl.add names.opened name ()) name
 
 let closing names node =
   let close name =
     Hashtbl.remove names.opened name;
+    Hashtbl.remove names.instances name;
     Hashtbl.replace names.complete name node
   in
   Option.iter close node.name
@@ -37,4 +44,46 @@ let used ~path names (w : Text.word) =
     | Some node -> node
     | None -> bad ~path w "no node before this has the name %s" (Text.quote w.text)
 
-let known names = names.complete
+let instance names node =
+  closing names node;
+  Option.iter (fun name -> Hashtbl.replace names.instances name ()) node.name
+
+let changes names routes =
+  let one (at, name, field) =
+    match Hashtbl.find_opt names.complete name with
+    | None -> None
+    | Some _ when Hashtbl.mem names.instances name -> Some { at; target = Instance }
+    | Some node -> Some { at; target = Field (node, field) }
+  in
+  List.filter_map one routes
+
+(* {1 Prototypes} *)
+
+type fields = (string * value option) list
+type 'body prototype = Elsewhere | Own of { fields : fields; body : 'body }
+
+let given ~path (kind : Text.word) fields values =
+  let known ((w : Text.word), _) =
+    match List.assoc_opt w.text fields with
+    | Some (Some _) -> ()
+    | Some None | None ->
+      unread ~path w ~hint:"its fields are those in its declaration"
+        "the prototype %s has no field %s that has a value" (Text.quote kind.text) (Text.quote w.text)
+  in
+  List.iter known values;
+  let set (name, default) =
+    let own = List.find_opt (fun ((w : Text.word), _) -> String.equal w.text name) values in
+    (name, match own with Some (_, value) -> Some value | None -> default)
+  in
+  List.map set fields
+
+let connected ~path fields (w : Text.word) =
+  match List.assoc_opt w.text fields with
+  | Some value -> value
+  | None -> bad ~path w "the prototype has no field %s" (Text.quote w.text)
+
+let room ~size = ref (100_000 + (4 * size))
+
+let spend ~path room (w : Text.word) n =
+  if n > !room then bad ~path w "with this the scene would have many times the nodes that its size has room for";
+  room := !room - n

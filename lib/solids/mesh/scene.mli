@@ -12,9 +12,12 @@ type node = {
     that is used several times is shared. *)
 and value = Words of Text.word list | Nodes of node list
 
-type route = { at : Text.word; node : string;  (** whose field is set while time passes *) field : string }
+(** What changes while time passes: a field of a node, or something of an instance of a prototype. *)
+type change = { at : Text.word; target : target }
 
-type file = { nodes : node list; routes : route list; names : (string, node) Hashtbl.t  (** by [DEF] *) }
+and target = Field of node * string | Instance
+
+type file = { nodes : node list; changes : change list }
 
 exception Refused of Diag.t
 (** A fault, located in the file. *)
@@ -47,5 +50,32 @@ val used : path:string -> names -> Text.word -> node
 (** [used ~path names word] is the last node of that name. An unknown name, and a node inside of itself, raise
     {!Refused}. So no node of a file is inside of itself. *)
 
-val known : names -> (string, node) Hashtbl.t
-(** The last node of each name. *)
+val instance : names -> node -> unit
+(** [instance names node] is called instead of {!closing} for an instance of a prototype. *)
+
+val changes : names -> (Text.word * string * string) list -> change list
+(** The changes by routes: each with its place, the name of its target and a field of it. Routes to unknown names
+    are left out. *)
+
+(** {1 Prototypes} *)
+
+type fields = (string * value option) list
+(** The values of fields, by name; [None] for events. *)
+
+(** What is declared, in another file or in this one, with its body. *)
+type 'body prototype = Elsewhere | Own of { fields : fields; body : 'body }
+
+val given : path:string -> Text.word -> fields -> (Text.word * value) list -> fields
+(** [given ~path kind fields values] are the fields of a prototype with the values of an instance. A value for what
+    is no field raises {!Refused} (SC0321). *)
+
+val connected : path:string -> fields -> Text.word -> value option
+(** The value of a field of the prototype to which a field of a node in its body is connected ([IS]); [None] for an
+    event. An unknown name raises {!Refused}. *)
+
+val spend : path:string -> int ref -> Text.word -> int -> unit
+(** [spend ~path room word n] takes [n] from what is left in [room]. If that is not enough, it raises {!Refused}:
+    nodes that are used again and again could make any size of a short file. *)
+
+val room : size:int -> int ref
+(** The room for a file of that length. *)

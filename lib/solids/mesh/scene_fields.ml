@@ -1,6 +1,7 @@
 open Scene
 
-let is_still node = match Scene_table.find node.kind.text with Still -> true | Read _ | Unread _ -> false
+let is_still node =
+  match Scene_table.find node.kind.text with Still -> true | Read _ | Left_out | Unread _ -> false
 
 (* In XML a node that is not read has no usual field: the fault is the node. *)
 let refuse_unread ~path = function
@@ -9,7 +10,7 @@ let refuse_unread ~path = function
     let one (node : node) =
       match Scene_table.find node.kind.text with
       | Unread hint -> unread ~path node.kind ~hint "the node %s is not read" (Text.quote node.kind.text)
-      | Read _ | Still -> ()
+      | Read _ | Left_out | Still -> ()
     in
     List.iter one nodes
 

@@ -12,6 +12,9 @@ val words : path:string -> Scene.node -> string -> Text.word list option
 val nodes : path:string -> Scene.node -> string -> Scene.node list
 (** The nodes in a field, without those that are {!Scene_table.Still}. A field that holds words is a fault. *)
 
+val place : Scene.node -> string -> Text.word
+(** The name of a field, at its place; that of the node if it has no such field. *)
+
 val number : path:string -> Scene.node -> string -> default:Rat.t -> Rat.t
 (** A field of one number. *)
 

@@ -24,7 +24,7 @@ let coordinates ~path node =
       | Read { role = Points; read; still } ->
         F.check ~path points ~read ~still;
         vectors [] (Option.value (F.words ~path points "point") ~default:[])
-      | Read _ | Still | Unread _ ->
+      | Read _ | Still | Left_out | Unread _ ->
         unread ~path points.kind
           ~hint:(Scene_table.cure points.kind.text)
           "points in a %s are not read" (Text.quote points.kind.text))
@@ -212,7 +212,11 @@ let cone ~path node =
 
 (* {1 All of them} *)
 
-let shape ~path node =
+let extrusion ~path ~room node =
+  let { Extrusion.points; faces; distance } = Extrusion.make ~path ~room node in
+  { (exact points faces) with distance }
+
+let shape ~path ~room node =
   match node.kind.text with
   | "IndexedFaceSet" -> face_set ~path node
   | "IndexedTriangleSet" -> indexed ~path node 3
@@ -228,6 +232,7 @@ let shape ~path node =
   | "Sphere" -> sphere ~path node
   | "Cylinder" -> cylinder ~path node
   | "Cone" -> cone ~path node
+  | "Extrusion" -> extrusion ~path ~room node
   | "PointSet" -> exact (coordinates ~path node) []
   | kind -> Scc_base.Bug.fail __POS__ ("no geometry: " ^ kind)
 
@@ -235,6 +240,6 @@ let reversed c =
   let n = Array.length c in
   Array.init n (fun i -> c.(n - 1 - i))
 
-let make ~path node =
-  let shape = shape ~path node in
+let make ~path ~room node =
+  let shape = shape ~path ~room node in
   if F.truth ~path node "ccw" then shape else { shape with faces = List.map reversed shape.faces }

@@ -57,22 +57,18 @@ let transform ~path node =
 
 type t = {
   path : string;
-  mutable budget : int;
+  room : int ref;
   mutable count : int;
   mutable points : Vec.t list;
   mutable faces : (string option * int array) list;
   mutable near : (Rat.t * Text.word) option;  (* the greatest distance, and whose it is *)
+  mutable left_out : Text.word option;  (* the first geometry without thickness *)
   mutable hidden : Text.word option;  (* a node that shows nothing of what is in it *)
 }
 
-let spend t node n =
-  if n > t.budget then
-    bad ~path:t.path node.kind "with this the scene would have many times the nodes that its size has room for";
-  t.budget <- t.budget - n
-
 let geometry t place ~name node =
-  let shape = Scene_shapes.make ~path:t.path node in
-  spend t node shape.cost;
+  let shape = Scene_shapes.make ~path:t.path ~room:!(t.room) node in
+  spend ~path:t.path t.room node.kind shape.cost;
   let first = t.count and mirrored = Affine.mirrors place.map in
   let corners f =
     let n = Array.length f in
@@ -120,11 +116,12 @@ let chosen t node =
   | exception Invalid_argument _ -> []
 
 let rec show t depth place ~name node =
-  spend t node 1;
+  spend ~path:t.path t.room node.kind 1;
   if depth > max_depth then
     bad ~path:t.path node.kind "nodes are inside of each other more than %d deep" max_depth;
   match Scene_table.find node.kind.text with
   | Still -> ()
+  | Left_out -> if Option.is_none t.left_out then t.left_out <- Some node.kind
   | Unread hint -> unread ~path:t.path node.kind ~hint "the node %s is not read" (Text.quote node.kind.text)
   | Read { role; read; still } ->
     F.check ~path:t.path node ~read ~still;
@@ -157,7 +154,7 @@ and shape within t place node =
   | [] -> ()
   | [ geometry ] -> (
       match Scene_table.find geometry.kind.text with
-      | Read { role = Geometry; _ } | Unread _ | Still -> within place ~name:node.name geometry
+      | Read { role = Geometry; _ } | Left_out | Unread _ | Still -> within place ~name:node.name geometry
       | Read _ -> bad ~path:t.path geometry.kind "a %s is no geometry of a Shape" geometry.kind.text)
   | _ :: other :: _ -> bad ~path:t.path other.kind "a Shape has one geometry, and this is another"
 
@@ -170,10 +167,14 @@ let turned =
 
 let bent = "a square of the grid that is not flat becomes two triangles, and the format leaves open which"
 
+let swept =
+  "frames and rotations become exact ones near by; a side that is not planar becomes two triangles, and the \
+   format leaves open which"
+
 let nearly t =
   let one (distance, w) =
     Diag.warning Code.mesh_nearly (at ~path:t.path w)
-      ~hint:(if String.equal w.Text.text "ElevationGrid" then bent else turned)
+      ~hint:(match w.Text.text with "ElevationGrid" -> bent | "Extrusion" -> swept | _ -> turned)
       "what is read is up to %s from what the file describes, here the most"
       (Decimal.significant_above ~digits:3 distance)
   in
@@ -188,40 +189,51 @@ let set name =
   | _ -> name
 
 let moving ~path (file : file) =
-  let moves route =
-    match Hashtbl.find_opt file.names route.node with
-    | None -> false
-    | Some node -> (
+  let moves change =
+    match change.target with
+    | Instance -> true
+    | Field (node, field) -> (
         match Scene_table.find node.kind.text with
-        | Read { read; _ } -> List.mem (set route.field) read
-        | Still | Unread _ -> false)
+        | Read { read; _ } -> List.mem (set field) read
+        | Still | Left_out | Unread _ -> false)
   in
-  match List.find_opt moves file.routes with
+  match List.find_opt moves file.changes with
   | None -> []
-  | Some route ->
+  | Some change ->
     [
-      Diag.warning Code.mesh_left_out (at ~path route.at)
+      Diag.warning Code.mesh_left_out (at ~path change.at)
         ~hint:"nothing has to be done if the start is what is meant"
         "the scene changes while time passes, and is read as it is at its start";
     ]
 
+let thin t =
+  let one (w : Text.word) =
+    Diag.warning Code.mesh_left_out (at ~path:t.path w)
+      ~hint:"nothing has to be done if the solid is what is meant"
+      "lines and letters, such as this %s, bound no solid, and are left out" w.text
+  in
+  Option.to_list (Option.map one t.left_out)
+
 let nothing t =
-  match t.hidden with
-  | Some w ->
+  match (t.hidden, t.left_out) with
+  | None, Some w -> bad ~path:t.path w "the scene shows no faces: lines and letters bound no solid"
+  | Some w, _ ->
     bad ~path:t.path w "the scene shows no faces: this %s shows nothing of what is in it" w.text
-  | None -> ok (Text.error_at ~path:t.path 0 "the scene shows no faces")
+  | None, None -> ok (Text.error_at ~path:t.path 0 "the scene shows no faces")
 
 let read ~path ~size scene =
   let work () =
-    let file = scene () in
+    let room = Scene.room ~size in
+    let file = scene room in
     let t =
       {
-        path; budget = 100_000 + (4 * size); count = 0; points = []; faces = []; near = None; hidden = None;
+        path; room; count = 0; points = []; faces = []; near = None; left_out = None;
+        hidden = None;
       }
     in
     List.iter (show t 0 { map = Affine.identity; levels = [] } ~name:None) file.nodes;
     if t.points = [] then nothing t;
-    (Text.labelled t.points t.faces, nearly t @ moving ~path file)
+    (Text.labelled t.points t.faces, nearly t @ thin t @ moving ~path file)
   in
   match work () with
   | result -> Ok result

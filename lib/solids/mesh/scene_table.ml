@@ -1,5 +1,5 @@
 type role = Group | Transform | Switch | Levels | Shape | Geometry | Points
-type t = Read of { role : role; read : string list; still : string list } | Still | Unread of string
+type t = Read of { role : role; read : string list; still : string list } | Still | Left_out | Unread of string
 
 let words text = List.filter (fun w -> w <> "") (String.split_on_char ' ' text)
 
@@ -33,6 +33,8 @@ let read =
     (Geometry, "Box", "size", "solid"); (Geometry, "Sphere", "radius", "solid");
     (Geometry, "Cylinder", "radius height bottom side top", "solid");
     (Geometry, "Cone", "bottomRadius height bottom side", "solid");
+    ( Geometry, "Extrusion", "crossSection spine scale orientation beginCap endCap ccw",
+      "solid convex creaseAngle" );
     (Geometry, "PointSet", "coord", "color normal attrib fogCoord");
     (Points, "Coordinate CoordinateDouble", "point", "");
   ]
@@ -84,6 +86,10 @@ let still =
     "TimeSensor"
   ]
 
+(* {1 Nodes without thickness: lines and letters} *)
+
+let left_out = "IndexedLineSet LineSet Polyline2D Arc2D Circle2D Text"
+
 (* {1 What can be done about others} *)
 
 let cures =
@@ -94,7 +100,6 @@ let cures =
     ("Billboard", "it turns with the place of whoever looks: put a Group or a Transform in its place");
     ("ClipPlane", "cut the shape itself, and remove the plane");
     ("GeoCoordinate", "convert the points to metres in a Coordinate");
-    ("IndexedLineSet LineSet Polyline2D Arc2D Circle2D", "lines bound no solid: remove it");
     ("ScreenGroup", "its size depends on the screen: put a Transform with a scale in its place");
   ]
 
@@ -113,13 +118,13 @@ let table =
   let one rows (role, kinds, read, fields) =
     put (Read { role; read = words read; still = "metadata" :: words fields }) rows kinds
   in
-  List.fold_left one (List.fold_left (put Still) By_kind.empty still) read
+  List.fold_left one (List.fold_left (put Still) (put Left_out By_kind.empty left_out) still) read
 
 let find kind = match By_kind.find_opt kind table with Some row -> row | None -> Unread (cure kind)
 let kinds = List.map fst (By_kind.bindings table)
 
 let usual kind =
   match find kind with
-  | Read { role = Geometry; _ } -> "geometry"
+  | Read { role = Geometry; _ } | Left_out -> "geometry"
   | Read { role = Points; _ } -> "coord"
   | Read { role = Group | Transform | Switch | Levels | Shape; _ } | Still | Unread _ -> "children"

@@ -15,6 +15,7 @@ type t =
   | Read of { role : role; read : string list; still : string list }
   (** its fields that are read, and those that leave the places of points as they are *)
   | Still  (** changes no place of a point *)
+  | Left_out  (** a geometry of lines or letters: without thickness, so that it bounds no solid *)
   | Unread of string  (** what can be done about it *)
 
 val find : string -> t
@@ -24,7 +25,7 @@ val cure : string -> string
 (** [cure kind] is what can be done about a node of a type that is not read. *)
 
 val kinds : string list
-(** All types that are [Read] or [Still]. *)
+(** All types that are not [Unread]. *)
 
 val usual : string -> string
 (** [usual kind] is the field in which an XML element of that type stands inside another one, unless it says

@@ -36,7 +36,22 @@ let tokens text =
   scan [] 0
 
 (* Nodes are built from the tokens that are left. *)
-type reader = { path : string; mutable left : word list; names : Scene.names; mutable routes : Scene.route list }
+type reader = {
+  path : string;
+  room : int ref;  (* for the bodies of prototypes *)
+  mutable left : word list;
+  names : Scene.names;
+  mutable routes : (word * string * string) list;
+  mutable changes : Scene.change list;  (* by the routes of prototypes *)
+  mutable prototypes : (string * body Scene.prototype) list;
+  fields : Scene.fields option;  (* of the prototype whose body this is *)
+}
+
+(* The words of a body, and the prototypes that it can use: those declared before it. *)
+and body = { words : word list; length : int; known : (string * body Scene.prototype) list }
+
+let reader ~path ~room ~prototypes ~fields left =
+  { path; room; left; names = Scene.names (); routes = []; changes = []; prototypes; fields }
 
 (* {1 Words} *)
 
@@ -57,18 +72,20 @@ let rec plain r found =
     plain r (w :: found)
   | _ -> List.rev found
 
-(* A bracket, with all that is in it. *)
-let skip_brackets r =
-  let rec go at depth =
+(* A bracket, and the words in it. *)
+let brackets r =
+  let rec go at depth found =
     match r.left with
     | [] -> Scene.bad ~path:r.path at "a `%s` without its end" at.text
     | w :: rest ->
       r.left <- rest;
       let depth = match w.text with "{" | "[" -> depth + 1 | "}" | "]" -> depth - 1 | _ -> depth in
-      if depth > 0 then go at depth
+      if depth > 0 then go at depth (w :: found) else List.rev found
   in
   match r.left with
-  | ({ text = "[" | "{"; _ } as at) :: _ -> go at 0
+  | ({ text = "[" | "{"; _ } as at) :: rest ->
+    r.left <- rest;
+    go at 1 []
   | w :: _ -> Scene.bad ~path:r.path w "expected a bracket, found %s" (quote w.text)
   | [] -> Scene.ok (error_at ~path:r.path 0 "the file ends where a bracket is expected")
 
@@ -76,11 +93,11 @@ let skip_brackets r =
 
 let route r (at : word) (target : word) =
   match String.split_on_char '.' target.text with
-  | [ node; field ] -> r.routes <- { Scene.at; node; field } :: r.routes
+  | [ node; field ] -> r.routes <- (at, node, field) :: r.routes
   | _ -> Scene.bad ~path:r.path target "expected a node and its field, found %s" (quote target.text)
 
 (* [false] if there is none. *)
-let statement r =
+let other_statement r =
   let after rest f =
     r.left <- rest;
     f ();
@@ -89,14 +106,11 @@ let statement r =
   match r.left with
   | ({ text = "ROUTE"; _ } as at) :: _ :: { text = "TO"; _ } :: target :: rest ->
     after rest (fun () -> route r at target)
-  | { text = "PROTO"; _ } :: _ :: rest ->
+  | { text = "EXTERNPROTO"; _ } :: name :: rest ->
     after rest (fun () ->
-        skip_brackets r;
-        skip_brackets r)
-  | { text = "EXTERNPROTO"; _ } :: _ :: rest ->
-    after rest (fun () ->
-        skip_brackets r;
-        match r.left with { text = "["; _ } :: _ -> skip_brackets r | _ -> ignore (plain r []))
+        ignore (brackets r);
+        (match r.left with { text = "["; _ } :: _ -> ignore (brackets r) | _ -> ignore (plain r []));
+        r.prototypes <- (name.text, Elsewhere) :: r.prototypes)
   | { text = "PROFILE" | "COMPONENT"; _ } :: _ :: rest | { text = "META"; _ } :: rest ->
     after rest (fun () -> ignore (plain r []))
   | ({ text = "UNIT"; _ } as at) :: { text = category; _ } :: _ :: factor :: rest ->
@@ -113,40 +127,115 @@ let starts_node r =
   | kind :: { text = "{"; _ } :: _ -> is_name kind
   | _ -> false
 
-let rec node r depth =
+let check_depth r depth at =
   if depth > Scene.max_depth then
-    Scene.bad ~path:r.path (List.hd r.left) "nodes are inside of each other more than %d deep" Scene.max_depth;
+    Scene.bad ~path:r.path at "nodes are inside of each other more than %d deep" Scene.max_depth
+
+let rec node r depth =
+  (match r.left with at :: _ -> check_depth r depth at | [] -> ());
   match r.left with
   | { text = "USE"; _ } :: name :: rest ->
     r.left <- rest;
     Scene.used ~path:r.path r.names name
   | { text = "DEF"; _ } :: name :: kind :: ({ text = "{"; _ } as at) :: rest when is_name kind ->
     r.left <- rest;
-    body r depth at kind (Some name.text)
+    any r depth at kind (Some name.text)
   | kind :: ({ text = "{"; _ } as at) :: rest when is_name kind ->
     r.left <- rest;
-    body r depth at kind None
+    any r depth at kind None
   | w :: _ -> Scene.bad ~path:r.path w "expected a node, found %s" (quote w.text)
   | [] -> Scene.ok (error_at ~path:r.path 0 "the file ends where a node is expected")
 
-and body r depth at kind name =
+and any r depth at kind name =
+  match List.assoc_opt kind.text r.prototypes with
+  | None -> simple r depth at kind name
+  | Some Elsewhere ->
+    Scene.unread ~path:r.path kind ~hint:"put the declaration of the prototype into this file"
+      "the prototype %s is in another file" (quote kind.text)
+  | Some (Own { fields; body }) ->
+    Scene.opening r.names name;
+    let fields = Scene.given ~path:r.path kind fields (own_fields r depth at kind) in
+    Scene.spend ~path:r.path r.room kind body.length;
+    let inner = reader ~path:r.path ~room:r.room ~prototypes:body.known ~fields:(Some fields) body.words in
+    let node =
+      match contents inner (depth + 1) with
+      | (node : Scene.node) :: _ -> { node with name = (if Option.is_some name then name else node.name) }
+      | [] -> Scene.bad ~path:r.path kind "the prototype %s has no node in its body" (quote kind.text)
+    in
+    r.changes <- List.rev_append (all_changes inner) r.changes;
+    Scene.instance r.names { node with name };
+    node
+
+and simple r depth at kind name =
   Scene.opening r.names name;
+  let node = { Scene.kind; name; fields = own_fields r depth at kind } in
+  Scene.closing r.names node;
+  node
+
+(* All fields up to the `}`. One that is connected to an event has no value. *)
+and own_fields r depth at kind =
   let rec go fields =
-    if statement r then go fields
+    if statement r depth then go fields
     else
       match r.left with
       | { text = "}"; _ } :: rest ->
         r.left <- rest;
         List.rev fields
+      | w :: { text = "IS"; _ } :: outer :: rest when is_name w && Option.is_some r.fields ->
+        r.left <- rest;
+        let value = Scene.connected ~path:r.path (Option.get r.fields) outer in
+        go (match value with Some value -> (w, value) :: fields | None -> fields)
       | w :: rest when is_name w ->
         r.left <- rest;
         go ((w, value r depth) :: fields)
       | w :: _ -> Scene.bad ~path:r.path w "expected a field of %s or `}`, found %s" kind.text (quote w.text)
       | [] -> Scene.bad ~path:r.path at "a `{` without its `}`"
   in
-  let node = { Scene.kind; name; fields = go [] } in
-  Scene.closing r.names node;
-  node
+  go []
+
+(* The nodes of the file, or of the body of a prototype. *)
+and contents r depth =
+  let rec go found =
+    if statement r depth then go found
+    else
+      match r.left with
+      | [] -> List.rev found
+      | { text = "IMPORT"; _ } as w :: _ ->
+        Scene.unread ~path:r.path w ~hint:(Scene_table.cure w.text) "`IMPORT` is not read"
+      | { text = "}" | "]"; _ } as w :: _ -> Scene.bad ~path:r.path w "a `%s` without its start" w.text
+      | _ -> go (node r depth :: found)
+  in
+  go []
+
+and all_changes r = List.rev_append r.changes (Scene.changes r.names (List.rev r.routes))
+
+and statement r depth =
+  match r.left with
+  | { text = "PROTO"; _ } :: name :: ({ text = "["; _ } as at) :: rest ->
+    r.left <- rest;
+    check_depth r depth at;
+    let fields = interface r (depth + 1) at [] in
+    let words = brackets r in
+    let body = { words; length = List.length words; known = r.prototypes } in
+    r.prototypes <- (name.text, Own { fields; body }) :: r.prototypes;
+    true
+  | _ -> other_statement r
+
+(* The declarations of a prototype up to the `]`. *)
+and interface r depth at found =
+  match r.left with
+  | { text = "]"; _ } :: rest ->
+    r.left <- rest;
+    found
+  | { text = "eventIn" | "eventOut" | "inputOnly" | "outputOnly"; _ } :: _ :: name :: rest ->
+    r.left <- rest;
+    interface r depth at ((name.text, None) :: found)
+  | { text = "field" | "exposedField" | "initializeOnly" | "inputOutput"; _ } :: _ :: name :: rest ->
+    r.left <- rest;
+    let default = value r depth in
+    interface r depth at ((name.text, Some default) :: found)
+  | w :: _ -> Scene.bad ~path:r.path w "expected a field or an event, found %s" (quote w.text)
+  | [] -> Scene.bad ~path:r.path at "a `[` without its `]`"
 
 and value r depth =
   match r.left with
@@ -161,7 +250,7 @@ and value r depth =
 
 and list r depth at =
   let rec nodes found =
-    if statement r then nodes found
+    if statement r depth then nodes found
     else
       match r.left with
       | { text = "]"; _ } :: rest ->
@@ -180,20 +269,10 @@ and list r depth at =
     | w :: _ -> Scene.bad ~path:r.path w "expected a number or `]`, found %s" (quote w.text)
     | [] -> Scene.bad ~path:r.path at "a `[` without its `]`"
 
-let scene ~path text =
-  let r = { path; left = tokens text; names = Scene.names (); routes = [] } in
-  let rec go found =
-    if statement r then go found
-    else
-      match r.left with
-      | [] -> List.rev found
-      | { text = "IMPORT"; _ } as w :: _ ->
-        Scene.unread ~path w ~hint:(Scene_table.cure w.text) "`IMPORT` is not read"
-      | { text = "}" | "]"; _ } as w :: _ -> Scene.bad ~path w "a `%s` without its start" w.text
-      | _ -> go (node r 0 :: found)
-  in
-  let nodes = go [] in
-  { Scene.nodes; routes = List.rev r.routes; names = Scene.known r.names }
+let scene ~path text room =
+  let r = reader ~path ~room ~prototypes:[] ~fields:None (tokens text) in
+  let nodes = contents r 0 in
+  { Scene.nodes; changes = all_changes r }
 
 let is_vrml_1 text =
   let mark = "#VRML V1" in
@@ -206,4 +285,4 @@ let read ~path text =
       (Diag.error Code.mesh_format
          (Span.of_file path)
          "VRML 1 files are not supported" ~hint:"convert the file to VRML 2 (VRML97), X3D, PLY or OFF")
-  else Scene_solid.read ~path ~size:(String.length text) (fun () -> scene ~path text)
+  else Scene_solid.read ~path ~size:(String.length text) (scene ~path text)

@@ -7,16 +7,24 @@ type element = {
   container : bool;  (* of nodes, and no node itself *)
   name : string option;
   mutable inside : (word * Scene.node) list;
+  mutable connected : (word * Scene.value) list;  (* fields with the values of a prototype's fields *)
 }
 
 type reader = {
   path : string;
   text : string;
+  room : int ref;  (* for the bodies of prototypes *)
   names : Scene.names;
-  mutable routes : Scene.route list;
+  mutable routes : (word * string * string) list;
+  mutable changes : Scene.change list;  (* by the routes of prototypes *)
+  mutable prototypes : (string * body Scene.prototype) list;
+  fields : Scene.fields option;  (* of the prototype whose body this is *)
   mutable opened : element list;  (* the innermost first; the last one is the file *)
   mutable depth : int;
 }
+
+(* The tags of a body, and the prototypes that it can use: those declared before it. *)
+and body = { tags : tag list; length : int; known : (string * body Scene.prototype) list }
 
 let attribute tag key = List.find_opt (fun a -> String.equal a.key.text key) tag.attributes
 
@@ -32,12 +40,11 @@ let needed r tag key =
 
 let containers = [ "X3D"; "Scene"; "head" ]
 
-(* The prototypes are not expanded: their instances are refused. *)
-let passed_over = [ "ProtoDeclare"; "ExternProtoDeclare"; "component"; "meta"; "EXPORT" ]
+let passed_over = [ "component"; "meta"; "EXPORT" ]
 
 let route r tag =
   ignore (needed r tag "fromNode");
-  r.routes <- { Scene.at = tag.name; node = needed r tag "toNode"; field = needed r tag "toField" } :: r.routes
+  r.routes <- (tag.name, needed r tag "toNode", needed r tag "toField") :: r.routes
 
 let unit_of r tag =
   let text = needed r tag "conversionFactor" in
@@ -54,7 +61,7 @@ let fields r tag =
   let words a =
     match Scene_table.find tag.name.text with
     | Read _ -> Scene.ok (Xml_tags.words ~path:r.path r.text a)
-    | Still | Unread _ -> []
+    | Still | Left_out | Unread _ -> []
   in
   List.map (fun a -> (a.key, Scene.Words (words a))) own
 
@@ -84,7 +91,8 @@ let finish r element =
           Scene.bad ~path:r.path w "a node that is used again, by `USE`, has no fields of its own")
     | None ->
       let nodes = List.rev_map (fun (field, node) -> (field, Scene.Nodes [ node ])) element.inside in
-      let node = { Scene.kind = tag.name; name = element.name; fields = fields r tag @ nodes } in
+      let own = fields r tag @ List.rev element.connected in
+      let node = { Scene.kind = tag.name; name = element.name; fields = own @ nodes } in
       Scene.closing r.names node;
       put r element role node
 
@@ -96,47 +104,177 @@ let close r (tag : tag) =
     finish r element
   | _ -> Scene.bad ~path:r.path tag.name "the tag %s ends no element that is open" (quote tag.name.text)
 
+let check_depth r (tag : tag) =
+  if r.depth >= Scene.max_depth then
+    Scene.bad ~path:r.path tag.name "nodes are inside of each other more than %d deep" Scene.max_depth
+
 let start r (tag : tag) =
   let container = List.mem tag.name.text containers in
   let name = if container || Option.is_some (attribute tag "USE") then None else value r tag "DEF" in
-  if r.depth >= Scene.max_depth then
-    Scene.bad ~path:r.path tag.name "nodes are inside of each other more than %d deep" Scene.max_depth;
+  check_depth r tag;
   Scene.opening r.names name;
-  let element = { tag; container; name; inside = [] } in
+  let element = { tag; container; name; inside = []; connected = [] } in
   if tag.closed then finish r element
   else (
     r.opened <- element :: r.opened;
     r.depth <- r.depth + 1)
 
-(* The tags after the end of an element that is passed over. *)
-let after r (tag : tag) rest =
+(* The tags inside of an element, and those after its end. *)
+let split r (tag : tag) rest =
   let is name (t : tag) = String.equal t.name.text name in
-  let rec go depth = function
+  let rec go depth found = function
     | [] -> Scene.bad ~path:r.path tag.name "the element %s does not end" tag.name.text
-    | t :: rest when is ("/" ^ tag.name.text) t -> if depth = 0 then rest else go (depth - 1) rest
-    | (t : tag) :: rest -> go (if is tag.name.text t && not t.closed then depth + 1 else depth) rest
+    | t :: rest when is ("/" ^ tag.name.text) t ->
+      if depth = 0 then (List.rev found, rest) else go (depth - 1) (t :: found) rest
+    | (t : tag) :: rest -> go (if is tag.name.text t && not t.closed then depth + 1 else depth) (t :: found) rest
   in
-  if tag.closed then rest else go 0 rest
+  if tag.closed then ([], rest) else go 0 [] rest
 
-let scene ~path text =
+let after r tag rest = snd (split r tag rest)
+
+(* {1 Prototypes} *)
+
+(* The elements of that name, side by side, with the tags inside of each. *)
+let elements r name tags =
+  let rec go found = function
+    | [] -> List.rev found
+    | (tag : tag) :: rest ->
+      let inside, rest = split r tag rest in
+      go (if String.equal tag.name.text name then (tag, inside) :: found else found) rest
+  in
+  go [] tags
+
+(* A field with the value of a field of the prototype, for each `connect` of an `IS`. *)
+let connections r tags =
+  match r.fields with
+  | None -> []
+  | Some fields ->
+    let one ((tag : tag), _) =
+      let word key = { text = needed r tag key; start = tag.name.start } in
+      let value = Scene.connected ~path:r.path fields (word "protoField") in
+      Option.map (fun value -> (word "nodeField", value)) value
+    in
+    List.filter_map one (elements r "connect" tags)
+
+let empty_root () =
   let file = { name = { text = ""; start = 0 }; attributes = []; closed = false } in
-  let root = { tag = file; container = true; name = None; inside = [] } in
-  let r = { path; text; names = Scene.names (); routes = []; opened = [ root ]; depth = 0 } in
+  { tag = file; container = true; name = None; inside = []; connected = [] }
+
+let all_changes r = List.rev_append r.changes (Scene.changes r.names (List.rev r.routes))
+
+(* The nodes of some tags. *)
+let rec contents r tags =
+  let around = r.opened and root = empty_root () in
+  r.opened <- [ root ];
+  r.depth <- r.depth + 1;
   let rec go = function
     | [] -> ()
     | (tag : tag) :: rest -> (
         match tag.name.text with
         | "ROUTE" -> route r tag; go (after r tag rest)
         | "unit" -> unit_of r tag; go (after r tag rest)
+        | "ProtoDeclare" -> go (declare r tag rest)
+        | "ExternProtoDeclare" ->
+          r.prototypes <- (needed r tag "name", Elsewhere) :: r.prototypes;
+          go (after r tag rest)
+        | "ProtoInstance" -> go (instance r tag rest)
+        | "IS" ->
+          let inside, rest = split r tag rest in
+          let element = List.hd r.opened in
+          element.connected <- List.rev_append (connections r inside) element.connected;
+          go rest
         | name when List.mem name passed_over -> go (after r tag rest)
         | name when String.length name > 0 && name.[0] = '/' -> close r tag; go rest
         | _ -> start r tag; go rest)
   in
-  go (Scene.ok (Xml_tags.tags ~path text));
+  go tags;
   match r.opened with
-  | [ root ] ->
-    { Scene.nodes = List.rev_map snd root.inside; routes = List.rev r.routes; names = Scene.known r.names }
-  | element :: _ -> Scene.bad ~path element.tag.name "the element %s does not end" (quote element.tag.name.text)
+  | [ _ ] ->
+    r.opened <- around;
+    r.depth <- r.depth - 1;
+    List.rev_map snd root.inside
+  | { tag; _ } :: _ -> Scene.bad ~path:r.path tag.name "the element %s does not end" (quote tag.name.text)
   | [] -> Scc_base.Bug.fail __POS__ "the file is closed"
 
-let read ~path text = Scene_solid.read ~path ~size:(String.length text) (fun () -> scene ~path text)
+(* A value: an attribute, or the nodes inside. *)
+and value_of r tag inside =
+  match attribute tag "value" with
+  | Some a -> Some (Scene.Words (Scene.ok (Xml_tags.words ~path:r.path r.text a)))
+  | None when inside = [] -> None
+  | None ->
+    check_depth r tag;
+    Scene.spend ~path:r.path r.room tag.name (List.length inside);
+    Some (Nodes (contents r inside))
+
+and declare r tag rest =
+  let inside, rest = split r tag rest in
+  let parts name = List.concat_map snd (elements r name inside) in
+  let field ((tag : tag), inside) =
+    let event = List.mem (value r tag "accessType") [ Some "inputOnly"; Some "outputOnly" ] in
+    let default = Option.value (value_of r tag inside) ~default:(Scene.Words []) in
+    (needed r tag "name", if event then None else Some default)
+  in
+  let fields = List.map field (elements r "field" (parts "ProtoInterface")) in
+  let tags = parts "ProtoBody" in
+  let body = { tags; length = List.length tags; known = r.prototypes } in
+  r.prototypes <- (needed r tag "name", Own { fields; body }) :: r.prototypes;
+  rest
+
+and instance r tag rest =
+  let inside, rest = split r tag rest in
+  let given_name = value r tag "name" in
+  (match (attribute tag "USE", Option.map (fun n -> List.assoc_opt n r.prototypes) given_name) with
+   | Some _, _ ->
+     finish r { tag; container = false; name = None; inside = []; connected = [] }
+   | None, (None | Some None) ->
+     Scene.unread ~path:r.path tag.name ~hint:(Scene_table.cure tag.name.text)
+       "no prototype of that name is declared before it"
+   | None, Some (Some Elsewhere) ->
+     Scene.unread ~path:r.path tag.name ~hint:"put the declaration of the prototype into this file"
+       "the prototype is in another file"
+   | None, Some (Some (Own { fields; body })) -> expand r tag inside fields body);
+  rest
+
+and expand r tag inside fields body =
+  let name = value r tag "DEF" in
+  let field ((tag : tag), inside) =
+    let start = match attribute tag "name" with Some a -> fst a.value | None -> tag.name.start in
+    let word = { text = needed r tag "name"; start } in
+    (word, Option.value (value_of r tag inside) ~default:(Scene.Words []))
+  in
+  Scene.opening r.names name;
+  let connected = connections r (List.concat_map snd (elements r "IS" inside)) in
+  let values = List.map field (elements r "fieldValue" inside) @ connected in
+  let fields = Scene.given ~path:r.path tag.name fields values in
+  Scene.spend ~path:r.path r.room tag.name body.length;
+  check_depth r tag;
+  let inner =
+    {
+      r with
+      names = Scene.names (); routes = []; changes = []; prototypes = body.known; fields = Some fields;
+      opened = [];
+    }
+  in
+  let node =
+    match contents inner body.tags with
+    | (node : Scene.node) :: _ -> { node with name = (if Option.is_some name then name else node.name) }
+    | [] -> Scene.bad ~path:r.path tag.name "the prototype has no node in its body"
+  in
+  r.changes <- List.rev_append (all_changes inner) r.changes;
+  Scene.instance r.names { node with name };
+  let usual = Scene_table.usual node.kind.text in
+  put r { tag; container = false; name; inside = []; connected = [] }
+    (Option.value (value r tag "containerField") ~default:usual)
+    node
+
+let scene ~path text room =
+  let r =
+    {
+      path; text; room; names = Scene.names (); routes = []; changes = []; prototypes = []; fields = None;
+      opened = []; depth = 0;
+    }
+  in
+  let nodes = contents r (Scene.ok (Xml_tags.tags ~path text)) in
+  { Scene.nodes; changes = all_changes r }
+
+let read ~path text = Scene_solid.read ~path ~size:(String.length text) (scene ~path text)

@@ -21,7 +21,8 @@ let below n = Random.State.int state (max 1 n)
 let pieces =
   [|
     "-"; "9"; "1e9"; " "; "\n"; "{"; "}"; "["; "]"; "<"; ">"; "'"; "\""; "\x00"; "nan"; "/"; "-1"; "0"; "3";
-    "\xFF"; ","; "&"; "&lt;"; "4294967295"; "2147483647"; "1e-300"; "0.5"; "USE G"; "DEF G "; "#"; "\\"; "null";
+    "\xFF"; ","; "&"; "&lt;"; "4294967295"; "2147483647"; "1e-300"; "0.5"; "USE G"; "DEF G "; " IS s "; "P { }";
+    "PROTO P [ field SFVec3f s 1 1 1 ] {"; "<ProtoInstance name='P'/>"; "#"; "\\"; "null";
     "\xFF\xFF\xFF\x7F"; "99999999999999999999"; "true"; "<g>"; "</g>"; "<!--"; "]]>"; "element face 9\n";
     "property list uchar int x\n";
   |]
