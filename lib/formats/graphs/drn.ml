@@ -5,6 +5,11 @@ open Scc_property
 let comment write text =
   write ("// " ^ String.map (function '\n' | '\r' -> ' ' | c -> c) text ^ "\n")
 
+let no_time_passes mdp =
+  let instant i = List.for_all (fun (c : Mdp.choice) -> Rat.sign c.duration = 0) (Mdp.choices mdp i) in
+  let rec from i = i = Mdp.states mdp || (instant i && from (i + 1)) in
+  from 0
+
 let write (e : Exported.t) mdp put =
   let line fmt = Printf.ksprintf (fun s -> put (s ^ "\n")) fmt in
   let l = Mdp.labelling mdp in
@@ -25,6 +30,12 @@ let write (e : Exported.t) mdp put =
        in
        comment put (Printf.sprintf "check %s: %s" c.name asked))
     e.loaded.checks;
+  (* Storm refuses questions about a reward model whose rewards are all 0. *)
+  let extra = no_time_passes mdp and states = Mdp.states mdp in
+  let and_extra n = if extra then n + 1 else n in
+  if extra then
+    comment put
+      (Printf.sprintf "state %d: not reached; it has a reward since no action of the others takes time" states);
   line "@type: MDP";
   line "@value_type: rational";
   line "@parameters";
@@ -32,15 +43,16 @@ let write (e : Exported.t) mdp put =
   line "@reward_models";
   line "time";
   line "@nr_states";
-  line "%d" (Mdp.states mdp);
+  line "%d" (and_extra states);
   line "@nr_choices";
-  line "%d" (Mdp.count mdp);
+  line "%d" (and_extra (Mdp.count mdp));
   line "@model";
-  for i = 0 to Mdp.states mdp - 1 do
+  for i = 0 to states - 1 do
     line "state %d [0]%s" i (String.concat "" (List.map (fun s -> " " ^ s) (Mdp.labels mdp i)));
     List.iter
       (fun (c : Mdp.choice) ->
          line "\taction %s [%s]" c.action (Rat.to_string c.duration);
          List.iter (fun (target, chance) -> line "\t\t%d : %s" target (Rat.to_string chance)) c.targets)
       (Mdp.choices mdp i)
-  done
+  done;
+  if extra then line "state %d [0]\n\taction unreachable [1]\n\t\t%d : 1" states states

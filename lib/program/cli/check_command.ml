@@ -220,9 +220,7 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
     | Error stop -> Ok (Check.unexplored options (l.checks @ premises) stop)
   in
   let load ~attempt = Result.bind (read ~attempt) chosen in
-  let* l, report =
-    Measured.phase measured "explore" (fun () -> Parametric_option.explored ~load l explore)
-  in
+  let* l, report = Measured.phase measured "explore" (fun () -> Parametric_option.explored ~load l explore) in
   let* covered =
     if extras.coverage then begin
       Option.iter (Watch.more watch) share;

@@ -1,6 +1,7 @@
 (* Probabilities over all starts are those of the ordinary exploration, at each start: random models with one or
-   two walkers, walls, receptors, bonds that break by chance, and free choices; each at random starts, on
-   borders of pieces too.
+   two walkers, up to three parameters, walls, receptors, bonds that break by chance or at any time, and free
+   choices; each at random starts, on borders of pieces too. Their means are those of grids, where all pieces are
+   boxes with corners on the grid.
 
    test_chance [MODELS [SEED]] *)
 
@@ -55,7 +56,7 @@ let shape =
 }
 |}
 
-let formula random ~two ~plane =
+let formula random ~two ~plane ~any =
   let state () =
     pick random
       ([ "x(w) >= 1"; "x(w) > 1/2"; "bound(w, s)"; "event bounce(w)"; "event bind"; "vx(w) > 0"; "not bound(w, s)";
@@ -71,6 +72,10 @@ let formula random ~two ~plane =
       (number random [ "0"; "1/2"; "1"; "3/2" ])
   in
   match Random.State.int random 8 with
+  | _ when any && chance random 60 ->
+    let released = pick random [ "eventually event weak"; "always not event weak"; "true U[1, 3] bound(w, s)" ] in
+    if String.contains released 'U' then Printf.sprintf "P = ? [ %s ]" released
+    else Printf.sprintf "P = ? [ %s within %s ]" released (number random [ "2"; "5/2"; "3" ])
   | 0 -> Printf.sprintf "P = ? [ always %s within %s ]" (state ()) (bound ())
   | 1 -> Printf.sprintf "P = ? [ (%s) U[<= %s] (%s) ]" (state ()) (bound ()) (state ())
   | 2 -> Printf.sprintf "P = ? [ true U[%s, %s] (%s) ]" (number random [ "1/2"; "1" ]) (bound ()) (state ())
@@ -81,18 +86,26 @@ let formula random ~two ~plane =
   | 5 -> on_the_way ()
   | _ -> Printf.sprintf "P = ? [ eventually %s within %s ]" (state ()) (bound ())
 
+let any_time = "split_step any\n"
+
 let model random =
   let two = chance random 30 and plane = chance random 25 in
+  let deep = plane && chance random 40 and apart = two && chance random 50 in
   let buffer = Buffer.create 1000 in
   let add format = Printf.bprintf buffer format in
   add "model m\ntimestep 1%s\n" (if chance random 30 then " steady" else "");
-  let bonds = chance random 30 in
-  if bonds then add "split_step 1\n";
-  add "param start in %s\n" (pick random [ "[0, 2]"; "(-1, 2]"; "[1/2, 5/2)"; "[-1, 1]" ]);
+  let bonds = chance random 40 in
+  let any = bonds && chance random 50 in
+  if bonds then add "%s" (if any then any_time else "split_step 1\n");
+  add "param start in %s\n"
+    (pick random (if any then [ "[1, 5/2]"; "(3/2, 3]" ] else [ "[0, 2]"; "(-1, 2]"; "[1/2, 5/2)"; "[-1, 1]" ]));
   if plane then add "param height in %s\n" (pick random [ "[0, 2]"; "[-1, 1/2)" ]);
+  if deep then add "param depth in %s\n" (pick random [ "[1, 3]"; "(3/2, 5/2]" ]);
+  if apart then add "param other in %s\n" (pick random [ "[-9/2, -4]"; "(-5, -4)" ]);
   add "%s" shape;
   let weak =
     if not bonds then ""
+    else if any then "omega(b, {left}). "
     else "omega(b, {left}) " ^ pick random [ "chance 1/3"; "rate 1"; "" ] ^ ". "
   in
   add "behaviour Site on Cube = <b, {left}>. %snil\n" weak;
@@ -100,10 +113,13 @@ let model random =
     (if chance random 20 then "eps(3/4). " else "")
     (pick random [ "right"; "only right" ])
     (if bonds then "omega(b, {right}). " else "");
-  let inert = pick random [ "nil"; "Ligand"; "Ligand" ] in
-  add "process w = Cube mass 1 at translate (start, %s, 0) [%s]\n" (if plane then "height" else "0") inert;
+  let inert = if any then "Ligand" else pick random [ "nil"; "Ligand"; "Ligand" ] in
+  add "process w = Cube mass 1 at translate (start, %s, %s) [%s]\n" (if plane then "height" else "0")
+    (if deep then "depth" else "0") inert;
   if two then add "process v = Cube mass %s at translate (%s, 0, %s) velocity (%s, 0, 0) [nil]\n"
-      (pick random [ "1"; "2" ]) (pick random [ "-7/2"; "-4" ]) (pick random [ "0"; "0"; "1" ])
+      (pick random [ "1"; "2" ])
+      (if apart then "other" else pick random [ "-7/2"; "-4" ])
+      (pick random [ "0"; "0"; "1" ])
       (pick random [ "1"; "0" ]);
   add "fixed s = Cube at translate (%s, %s, 0) [Site]\n" (pick random [ "5"; "11/2" ]) (pick random [ "0"; "1" ]);
   add "fixed east = Cube scaled (1, 9, 9)%s at translate (%s, 0, 0)\n"
@@ -113,10 +129,13 @@ let model random =
     (if two then "-7" else pick random [ "-3"; "-4"; "-7/2" ]);
   add "motion w = %s\n" (law random ~plane);
   if two && chance random 50 then add "motion v = %s\n" (law random ~plane:false);
-  add "check c : %s\n" (formula random ~two ~plane);
+  add "check c : %s\n" (formula random ~two ~plane ~any);
   Buffer.contents buffer
 
 (* {1 Both ways} *)
+
+(* Bonds that may break at any time may do so at these instants. *)
+let at_instants = Str.global_replace (Str.regexp_string any_time) "split_step 1/2\n"
 
 let load ?(overrides = []) text =
   let read_file _ = Error "no file" in
@@ -125,7 +144,11 @@ let load ?(overrides = []) text =
 let bounds = { Bounds.default with states = Given 4_000; depth = Given 60 }
 let options = { Setup.default with bounds }
 
-type answer = Values of (Rat.t * Rat.t) list | Truth of bool option | Nothing
+module Side = struct
+  type t = Scc_property.Property.side = Least | Greatest
+end
+
+type answer = Values of (Side.t * (Rat.t * Rat.t)) list | Truth of bool option | Nothing
 
 let outcome (r : Check.report) = List.hd r.outcomes
 
@@ -141,15 +164,16 @@ let single text overrides =
           | Holds { bounds = []; _ } -> Truth (Some true)
           | Violated _ -> Truth (Some false)
           | Measured { values; _ } ->
-            let ends (_, (m : Scc_ctl.Eval.measured)) =
-              (Option.get (Scc_chance.Answer.lower m.least), Option.get (Scc_chance.Answer.upper m.most))
+            let ends (side, (m : Scc_ctl.Eval.measured)) =
+              let known = Option.get in
+              (side, (known (Scc_chance.Answer.lower m.least), known (Scc_chance.Answer.upper m.most)))
             in
             Values (List.map ends values)
           | Holds _ | Depends _ | Undecided _ -> Nothing))
 
-let at point (_, (c : Scc_regions.Chances.t)) =
+let at point (side, (c : Scc_regions.Chances.t)) =
   let part = List.find (fun (p : Scc_regions.Chances.part) -> Union.mem p.set point) c.parts in
-  (part.value.least, part.value.most)
+  (side, (part.value.least, part.value.most))
 
 let over_starts (report : Check.report) point =
   match (outcome report).verdict with
@@ -162,25 +186,27 @@ let over_starts (report : Check.report) point =
 
 let told = function
   | Values list ->
-    String.concat "; " (List.map (fun (a, b) -> Rat.to_string a ^ " .. " ^ Rat.to_string b) list)
+    String.concat "; " (List.map (fun (_, (a, b)) -> Rat.to_string a ^ " .. " ^ Rat.to_string b) list)
   | Truth (Some b) -> string_of_bool b
   | Truth None -> "not known"
   | Nothing -> "nothing"
 
 (* Each knows the value, or bounds of it: they must be of one value. Exact values of one start are those of all.
-*)
-let agree one all =
+   If bonds break at any time there, and [one] has them break at some instants, the least value is at most that of
+   [one], and the greatest at least. *)
+let agree ~any one all =
   match (one, all) with
   | Values one, Values all ->
-    List.for_all2
-      (fun (a, b) (c, d) -> Rat.compare a d <= 0 && Rat.compare c b <= 0)
-      one all
-  | Truth (Some a), Truth (Some b) -> Bool.equal a b
+    let same ((side : Side.t), (a, b)) (_, (c, d)) =
+      (Rat.compare a d <= 0 || (any && side = Least)) && (Rat.compare c b <= 0 || (any && side = Greatest))
+    in
+    List.for_all2 same one all
+  | Truth (Some a), Truth (Some b) -> if any then a || not b else Bool.equal a b
   | Truth _, Truth None | Truth None, Truth _ | Nothing, _ -> true
   | _ -> false
 
 let exact = function
-  | Values list -> List.for_all (fun (a, b) -> Rat.equal a b) list
+  | Values list -> List.for_all (fun (_, (a, b)) -> Rat.equal a b) list
   | Truth b -> Option.is_some b
   | Nothing -> false
 
@@ -214,19 +240,71 @@ let points random (l : Loaded.t) (report : Check.report) =
   in
   List.filter in_range (List.init 12 (fun _ -> random_point ()) @ List.concat_map of_set sets)
 
+(* {1 Means} *)
+
+(* Boxes whose corners are multiples of 1/4. *)
+let parts_in_a_unit = 4
+
+let on_the_grid (p : Scc_regions.Chances.part) =
+  let holds (c : Constraint.t) =
+    match List.filter (fun a -> Z.sign a <> 0) (Array.to_list c.normal) with
+    | [ a ] -> Z.divisible (Z.mul c.right (Z.of_int parts_in_a_unit)) a
+    | _ -> false
+  in
+  List.for_all (fun piece -> List.for_all holds (Polyhedron.constraints piece)) (Union.pieces p.set)
+
+let middles (r : Scc_calculus.Ranges.range) =
+  let width = Rat.make Z.one (Z.of_int parts_in_a_unit) in
+  let rec go x = if Rat.compare x r.high.value >= 0 then [] else x :: go (Rat.add x width) in
+  go (Rat.add r.low.value (Rat.div width (Rat.of_int 2)))
+
+let rec products = function
+  | [] -> [ [] ]
+  | first :: rest ->
+    let tails = products rest in
+    List.concat_map (fun x -> List.map (List.cons x) tails) first
+
+(* The mean is that of the values of single starts, each in the middle of a cell. [None] if it does not apply. *)
+let mean_of_grid text (l : Loaded.t) (side, (c : Scc_regions.Chances.t)) =
+  let starts = products (List.map middles (Array.to_list l.model.ranges)) in
+  if List.length starts > 36 || not (List.for_all on_the_grid c.parts) then None
+  else
+    let name i = l.model.ranges.(i).Scc_calculus.Ranges.name in
+    let value start =
+      match single text (List.mapi (fun i x -> (name i, x)) start) with
+      | Values list -> (
+          match List.assoc side list with a, b when Rat.equal a b -> Some a | _ -> None)
+      | Truth _ | Nothing -> None
+    in
+    let add sum x = Option.bind sum (fun sum -> Option.map (Rat.add sum) (value x)) in
+    Option.map
+      (fun sum -> Rat.div sum (Rat.of_int (List.length starts)))
+      (List.fold_left add (Some Rat.zero) starts)
+
 type count = {
   mutable models : int;
   mutable starts : int;
   mutable exactly : int;
   mutable pieces : int;
+  mutable means : int;
   mutable kinds : (string * int) list;
 }
 
-let count = { models = 0; starts = 0; exactly = 0; pieces = 0; kinds = [] }
+let count = { models = 0; starts = 0; exactly = 0; pieces = 0; means = 0; kinds = [] }
 
 let bump kind =
   let n = Option.value (List.assoc_opt kind count.kinds) ~default:0 in
   count.kinds <- (kind, n + 1) :: List.remove_assoc kind count.kinds
+
+let try_mean text number l starts =
+  match (mean_of_grid text l starts, Scc_regions.Chances.mean (snd starts)) with
+  | None, _ -> ()
+  | Some expected, Some { least; most } when Rat.equal least expected && Rat.equal most expected ->
+    count.means <- count.means + 1
+  | Some expected, found ->
+    let found = Option.fold ~none:"none" ~some:(fun (v : Piecewise.value) -> Rat.to_string v.least) found in
+    Alcotest.failf "model %d of seed %d: the mean of a grid is %s, over all %s\n%s" number seed
+      (Rat.to_string expected) found text
 
 let try_model number =
   let random = Random.State.make [| seed; number |] in
@@ -253,27 +331,32 @@ let try_model number =
             | Holds _ | Violated _ | Depends _ -> "decided"
             | Undecided (r :: _) -> Verdict.reason_to_string r
             | Undecided [] -> "undecided");
+        let any = not (String.equal text (at_instants text)) in
         let try_point point =
           let name i = l.model.ranges.(i).Scc_calculus.Ranges.name in
           let overrides = List.mapi (fun i x -> (name i, x)) (Array.to_list point) in
-          let one = single text overrides and all = over_starts report point in
+          let one = single (at_instants text) overrides and all = over_starts report point in
           count.starts <- count.starts + 1;
           if exact one && exact all then count.exactly <- count.exactly + 1;
-          if not (agree one all) then
+          if not (agree ~any one all) then
             Alcotest.failf "model %d of seed %d, %s: of one start %s, over all %s\n%s" number seed
               (Verdict.values_to_string overrides) (told one) (told all) text
         in
-        List.iter try_point (points random l report))
+        List.iter try_point (points random l report);
+        match (outcome report).verdict with
+        | Measured { reasons = []; starts; _ } when not any -> List.iter (try_mean text number l) starts
+        | _ -> ())
 
 let all () =
   let models = argument 1 40 in
   for i = 1 to models do
     try_model i
   done;
-  let { models; starts; exactly; pieces; _ } = count in
-  Printf.printf "%d models at %d starts, at %d both exact; %d values\n" models starts exactly pieces;
+  let { models; starts; exactly; pieces; means; _ } = count in
+  Printf.printf "%d models at %d starts, at %d both exact; %d values; %d means\n" models starts exactly pieces
+    means;
   List.iter (fun (kind, n) -> Printf.printf "  %4d %s\n" n kind) (List.sort compare count.kinds);
-  if count.exactly * 2 < count.starts then Alcotest.fail "too little is known"
+  if count.exactly * 2 < count.starts || count.means * 4 < models then Alcotest.fail "too little is known"
 
 (* The arguments are a number of models and a seed. *)
 let () =

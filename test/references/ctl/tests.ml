@@ -7,4 +7,5 @@ let () =
       Test_long.suite;
       Test_laws.suite;
       Test_means.suite;
-      Test_layers.suite ]
+      Test_layers.suite;
+      Test_enumeration.suite ]

@@ -213,6 +213,15 @@ let drn () =
   has "without instants it says so" plain
     "// labels that change while time passes, and tell of the states alone: x_p_le_3, check_near\n"
 
+(* Storm refuses questions about a reward model whose rewards are all 0. *)
+let no_time () =
+  let e = Graphs.explored "process p = Cube mass 1 [nil]\ncheck near : E = ? [ time U x(p) <= 3 ]\n" in
+  let drn = Graphs.written (Drn.write e (Mdp.make (Graphs.labelling e))) in
+  let why = "it has a reward since no action of the others takes time" in
+  has "a state more" drn ("// state 1: not reached; " ^ why ^ "\n@type: MDP\n");
+  has "counted" drn "@nr_states\n2\n@nr_choices\n2\n";
+  has "with a reward" drn "\taction rest [0]\n\t\t0 : 1\nstate 1 [0]\n\taction unreachable [1]\n\t\t1 : 1\n"
+
 let truncated () =
   let options = { Setup.default with bounds = { Bounds.default with states = Given 3 } } in
   let e =
@@ -337,7 +346,11 @@ let () =
       ( "names",
         [ case "examples" names; Scc_test_support.Property.case names_are_safe ] );
       ("predicates", [ case "of checks" predicates; case "questions" asked ]);
-      ("mdp", [ case "explicit files" explicit; case "drn" drn; case "truncated" truncated ]);
+      ( "mdp",
+        [
+          case "explicit files" explicit; case "drn" drn; case "no time passes" no_time;
+          case "truncated" truncated;
+        ] );
       ("dot", [ case "folding" folding; case "colours" colours; case "escapes" escapes ]);
       ("large", [ case "300 000 states" large ]);
       ("itf", [ case "states" itf ]);
