@@ -319,3 +319,8 @@ So do triangles of faces that are not flat, with a warning:
 
   $ echo 'compound C = decompose "bent_lid.off" mass 1' > lid.sc; scc check lid.sc 2>&1 | grep SC0323
   lid.sc:1:24: warning[SC0323]: triangles: 1 face was not planar, with corners up to 0.471 off the plane
+
+Faces that surround nothing, and no faces:
+
+  $ printf 'OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n' > flat.off; scc decompose --union flat.off
+  $ printf 'OFF\n0 0 0\n' > empty.off; scc decompose --union empty.off
