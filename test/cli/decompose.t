@@ -319,3 +319,14 @@ So do triangles of faces that are not flat, with a warning:
 
   $ echo 'compound C = decompose "bent_lid.off" mass 1' > lid.sc; scc check lid.sc 2>&1 | grep SC0323
   lid.sc:1:24: warning[SC0323]: triangles: 1 face was not planar, with corners up to 0.471 off the plane
+
+Faces that surround nothing, and no faces:
+
+  $ printf 'OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n' > flat.off; scc decompose --union flat.off
+  error[SC0301]: the faces surround nothing: each is there from both sides, or is turned inward
+    hint: to mend it, add --orient
+  [3]
+  $ printf 'OFF\n0 0 0\n' > empty.off; scc decompose --union empty.off
+  error[SC0301]: there is no face, so no solid is enclosed
+    hint: of points alone scc shape --hull makes a solid, their convex hull
+  [3]

@@ -69,7 +69,7 @@ let report (c : Context.t) solid (set : Polyhedron.ifs) fault =
   | Pieces (Apart (f, g) | Island (f, g)) ->
     told (Templates.face_span places f) ~notes:(also f g)
   | Pieces (Outward f) -> told (Templates.face_span places f)
-  | Too_many _ -> told whole
+  | Nothing | Too_many _ -> told whole
 
 (* A compound is connected. *)
 let one_group (c : Context.t) solid parts =

@@ -27,17 +27,17 @@ let structure (set : Polyhedron.ifs) faults =
 (* Solids with more parts take hours. *)
 let greatest = 1_000_000
 
-let diagnostics (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list = function
+let diagnostics ~union (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list = function
   | Unsound (Structure faults) -> structure set faults
   | fault ->
     let hint =
       match fault with
       | Pieces (Apart _ | Island _) ->
         Some "each of several solids needs a file of its own, or add --union for all of them"
-      | Pieces (Outward _) -> Some "to mend it, add --orient"
-      | Unsound (Cut _) -> Some "if solids overlap there, add --union"
+      | Pieces (Outward _) | Nothing -> Some "to mend it, add --orient"
+      | Unsound (Cut _) when not union -> Some "if solids overlap there, add --union"
       | Too_many most when most < greatest -> Some "--parts sets how many there may be"
-      | Unsound (Structure _) | Too_many _ -> None
+      | Unsound (Structure _ | Cut _) | Too_many _ -> None
     in
     let code, text = Decomposed.message set fault in
     [ Diag.error code Span.none ?hint "%s" text ]
@@ -112,7 +112,7 @@ let work console ~mend ~names ~union ~most path =
     | None -> (set, mended)
   in
   let cut = if union then Decomposed.united else Decomposed.make in
-  let* t = Result.map_error (diagnostics set) (cut ~progress:(show console) ~names ~most set) in
+  let* t = Result.map_error (diagnostics ~union set) (cut ~progress:(show console) ~names ~most set) in
   Ok (t, mended)
 
 let report console ~mended ~mass output path (t : Parts.t) =

@@ -2,7 +2,7 @@ open Scc_exact
 open Scc_geometry
 
 type progress = Looking of int | Cutting of int | Making of int * int | Naming of int
-type fault = Unsound of Sound.fault | Pieces of Shells.fault | Too_many of int
+type fault = Unsound of Sound.fault | Pieces of Shells.fault | Nothing | Too_many of int
 
 let most_parts = 10_000
 
@@ -19,6 +19,7 @@ let message (set : Polyhedron.ifs) : fault -> Scc_base.Code.t * string =
       Printf.sprintf "the faces `%s` and `%s` have the point %s in common, which is at no edge or corner of both"
         (name f) (name g) (Vec.to_string x) )
   | Pieces fault -> Shells.message set fault
+  | Nothing -> (Code.no_solid, "the faces surround nothing: each is there from both sides, or is turned inward")
   | Too_many most ->
     ( Code.too_deep,
       Printf.sprintf "the solid takes more than %s, or more than %d cells on the way to them"
@@ -98,6 +99,7 @@ let arranged ~progress ~names ~most set =
   match United.parts ~tick set with
   | exception Too_long -> Error (Too_many most)
   | None -> Error (Unsound (Option.value (Sound.faults set) ~default:(Sound.Structure [ Inward ])))
+  | Some ([], _) -> Error Nothing
   | Some (list, surface) -> (
       match Drawn.make surface with
       | Some drawn when Volumes.equal surface list ->
@@ -110,7 +112,7 @@ let united ?(progress = ignore) ?(names = false) ?(most = most_parts) set =
   match make ~progress ~names ~most set with
   | Error (Unsound _ | Pieces _) -> arranged ~progress ~names ~most set
   | Ok _ as parts -> parts
-  | Error (Too_many _) as fault -> fault
+  | Error (Nothing | Too_many _) as fault -> fault
 
 let convex_whole (t : Parts.t) =
   let corners (_, (p : Polyhedron.t)) = List.map snd (Array.to_list p.vertices) in

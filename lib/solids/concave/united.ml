@@ -200,11 +200,11 @@ let solids ~tick polygons =
 
 let parts ~tick set =
   let*? outlines = outlines set in
-  if not (closed outlines) then None
+  if outlines = [] || not (closed outlines) then None
   else
     let*? polygons = Option.all (pieces set) (Array.to_list set.ifs_faces) in
     match solids ~tick (List.concat polygons) with
-    | [] -> None
+    | [] -> Some ([], set)
     | list ->
       let table = faces_by_plane set polygons in
       Some (list, named set table (conforming (List.concat_map (by_face table) (uncovered list))))

@@ -8,6 +8,7 @@ val parts : tick:(unit -> unit) -> Polyhedron.ifs -> (Polyhedron.t list * Polyhe
     stay, and what is in two solids is in their union. The set is the surface of the parts: convex polygons,
     each edge of which is an edge of others. A polygon has the name of the first face of the set in which it lies
     and which looks the same way; further ones of a face [f] are [f_2], [f_3], …. A vertex has the name of a
-    vertex there, or else [w1], [w2], …. [None] if the faces are not closed: each edge needs as many
-    faces that run along it one way as the other way, by places. Also [None] if faces are not flat or not simple,
-    or if they surround nothing. [tick] is called again and again, and may raise. *)
+    vertex there, or else [w1], [w2], …. There are no parts if the faces surround
+    nothing. [None] if there are no faces, or if they are not closed: each edge needs as many
+    faces that run along it one way as the other way, by places. Also [None] if faces are not flat or not simple.
+    [tick] is called again and again, and may raise. *)

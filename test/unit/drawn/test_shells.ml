@@ -37,6 +37,7 @@ let verdict (set : Polyhedron.ifs) =
   | Error (Pieces (Apart (f, g))) -> Printf.sprintf "%s apart from %s" (face f) (face g)
   | Error (Pieces (Island (f, g))) -> Printf.sprintf "%s in a hollow of %s" (face f) (face g)
   | Error (Pieces (Outward f)) -> face f ^ " outward"
+  | Error Nothing -> "nothing at all"
   | Error (Too_many _) -> "too many"
   | Error (Unsound (Cut (f, g, x))) ->
     Printf.sprintf "%s and %s at %s" (fst set.ifs_faces.(f)) (fst set.ifs_faces.(g)) (Vec.to_string x)
