@@ -61,6 +61,45 @@ The same as by single checks, and the same bytes however many processes work at 
   $ sed -n 2p one.jsonl
   {"point":0,"parameters":{"p":"1/4","n":"1/1"},"refused":null,"checks":[{"name":"ruin","verdict":"measured","values":[{"over":"least","low":"9/13","high":"9/13"},{"over":"greatest","low":"9/13","high":"9/13"}],"reasons":[]},{"name":"never","verdict":"measured","values":[{"over":"least","low":"infinite","high":"infinite"},{"over":"greatest","low":"infinite","high":"infinite"}],"reasons":[]},{"name":"likely","verdict":"holds","values":[],"reasons":[]}]}
 
+Some of the checks alone; and numbers that are rounded outwards, as the names of their columns say.
+
+  $ scc sweep walk.sc -D p=1/3,2/3 -D n=2 --check ruin --check likely | cut -d, -f 1-7
+  point,p,n,check,verdict,least from,least to
+  0,1/3,2,ruin,measured,4/5,4/5
+  0,1/3,2,likely,holds,,
+  1,2/3,2,ruin,measured,1/5,1/5
+  1,2/3,2,likely,violated,,
+  $ scc sweep walk.sc -D p=2/5 -D n=2,3 --decimals 4
+  point,p,n,check,verdict,least from (rounded down to 4 decimals),least to (rounded up to 4 decimals),greatest from (rounded down to 4 decimals),greatest to (rounded up to 4 decimals),why
+  0,2/5,2,ruin,measured,0.6923,0.6924,0.6923,0.6924,
+  0,2/5,2,never,measured,infinite,infinite,infinite,infinite,
+  0,2/5,2,likely,holds,,,,,
+  1,2/5,3,ruin,measured,0.8104,0.8105,0.8104,0.8105,
+  1,2/5,3,never,measured,infinite,infinite,infinite,infinite,
+  1,2/5,3,likely,holds,,,,,
+  $ scc sweep walk.sc -D p=2/5 -D n=2 --check ruin --format jsonl | head -1 | grep -o '"checks":.*'
+  "checks":["ruin"],"grid":[{"name":"p","values":["2/5"]},{"name":"n","values":["2/1"]}]}
+  $ scc sweep walk.sc -D p=2/5 -D n=2 --check ruins --check likely
+  command line: error[SC0201]: the model has no check `ruins`
+    hint: did you mean `ruin`?
+  [64]
+  $ scc sweep walk.sc -D p=2/5 --decimals 4 --format jsonl 2>&1 | head -1
+  scc: --decimals is for csv: the numbers of jsonl are exact
+  $ scc sweep walk.sc -D p=1/4:3/4:1/8 -D n=1..4 --check ruin --format jsonl --resume one.jsonl 2>&1 | cut -c 1-60
+  one.jsonl: error[SC0804]: this file is not of the same sweep
+  $ scc sweep walk.sc
+  scc: required option --define is missing
+  Usage: scc sweep [OPTION]… MODEL
+  Try 'scc sweep --help' or 'scc --help' for more information.
+  [64]
+  $ for m in '--check ruin' '--check never' '--check ruin'; do
+  >   scc sweep walk.sc -D p=1/4:3/4:1/8 -D n=1..4 --store kept $m > /dev/null; echo $?
+  > done
+  0
+  kept: error[SC0911]: it keeps something else: --check is ruin there, and never here
+  3
+  0
+
 An interrupted one goes on where it ended.
 
   $ head -c 3000 one.jsonl > part.jsonl

@@ -194,6 +194,15 @@ class Results(Commands):
         mean = WALK + "check mean : E = ? [ time U x(p) = 1 ]\n"
         self.assertEqual(check(mean, states=100)["mean"].value, None)
 
+    def test_curve(self):
+        checked = check(WALK + "check other : P = ? [ eventually x(p) >= 9 within 1 ]\n", curve="far")
+        rows = [(point.time, point.after, point.value) for point in checked["far"].curve]
+        expected = [(0, 0), (2, Fraction(1, 4)), (4, Fraction(3, 8))]
+        self.assertEqual(rows, [((Fraction(t), Fraction(t)), False, Fraction(p)) for t, p in expected])
+        self.assertEqual(checked["far"].curve[-1].value, checked["far"].value)
+        self.assertEqual(checked["other"].curve, ())
+        self.assertEqual(pickle.loads(pickle.dumps(checked)), checked)
+
     def test_estimate(self):
         far = estimate(WALK, runs=200)["far"]
         self.assertTrue(far.low <= Fraction(3, 8) <= far.high)
@@ -272,6 +281,11 @@ class Results(Commands):
 
 
 class Errors(Commands):
+    def test_no_grid(self):
+        for define, expected in (({}, "needs a parameter"), ({"speed": []}, "speed has no values")):
+            with self.assertRaisesRegex(ValueError, expected):
+                sweep(MODEL, define)
+
     def test_places(self):
         for function, options in ((check, {}), (estimate, {}), (trace, {}), (view, {}),
                                   (simulate, {"runs": 1, "observe": "time", "every": 1, "until": 1})):

@@ -52,6 +52,9 @@ let padded ~places x =
   signed_if_any x r (scaled r.digits places)
 
 let fixed ~places x = stripped (padded ~places x)
+let rounded_to round ~places x = fixed ~places (value (at_exponent round x (-places)))
+let rounded_down = rounded_to Rat.floor
+let rounded_up = rounded_to above
 
 (* [digits] of the number, of which the first is of 10^n. *)
 let with_power r ~digits n = (scaled r.digits (digits - 1), "e" ^ string_of_int n)

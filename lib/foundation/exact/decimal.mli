@@ -5,6 +5,13 @@ val fixed : places:int -> Rat.t -> string
 (** [fixed ~places x] is [x] rounded to [places] places after the point, without zeros at the end: ["12.35"],
     ["-3"], ["0"]. *)
 
+val rounded_down : places:int -> Rat.t -> string
+(** [rounded_down ~places x] is the greatest decimal with [places] places after the point that is at most [x],
+    without zeros at the end, as {!fixed} writes it. *)
+
+val rounded_up : places:int -> Rat.t -> string
+(** [rounded_up ~places x] is the least decimal with [places] places after the point that is at least [x]. *)
+
 val padded : places:int -> Rat.t -> string
 (** [padded ~places x] is [x] rounded to [places] places after the point, with zeros at the end: ["12.350000"]. *)
 

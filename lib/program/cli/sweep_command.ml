@@ -10,10 +10,12 @@ type form = Csv | Jsonl
 type options = {
   path : string;
   grid : Grid.t;
+  checks : string list;
   budget : Budget.t;
   jobs : int;
   part : Task_part.t option;
   form : form;
+  decimals : int option;
   output : string option;
   resume : string option;
   store : string option;
@@ -29,6 +31,7 @@ let check o source k =
   let options = Check_options.options ~jobs:o.jobs watch o.budget ~progress:ignore in
   let found =
     let* l = Input.model console ~source ~overrides:(Grid.point o.grid k) ~narrowed:[] o.path in
+    let* l = Chosen_checks.only l o.checks in
     let* () = Verdicts.refused l ~prove:false in
     let* initial = Loaded.initial l in
     let run () = Verdicts.report options l ~initial ~exactly:false ~premises:l.premises l.checks in
@@ -57,7 +60,11 @@ let bounds (b : Budget.t) =
 
 (* What is wrong with the command line is so at every point. *)
 let first_point console source o =
-  match Input.model console ~source ~overrides:(Grid.point o.grid 0) ~narrowed:[] o.path with
+  let read () =
+    let* l = Input.model console ~source ~overrides:(Grid.point o.grid 0) ~narrowed:[] o.path in
+    Chosen_checks.only l o.checks
+  in
+  match read () with
   | Ok l -> Ok (Some l)
   | Error diagnostics when List.exists (fun (d : Diag.t) -> Span.equal d.span Span.command_line) diagnostics ->
     Error diagnostics
@@ -99,6 +106,7 @@ let identity o ~digest =
   let bound name = ("--" ^ name, Option.value (List.assoc_opt name (bounds o.budget)) ~default:"default") in
   let options =
     (("what is kept", "points of scc sweep") :: List.map axis o.grid)
+    @ (match o.checks with [] -> [] | names -> [ ("--check", String.concat ", " names) ])
     @ List.map bound [ "depth"; "time"; "states"; "seconds"; "memory"; "bits" ]
   in
   Kept.identity ~digest ~parameters:[] options
@@ -121,7 +129,8 @@ let sweep console o ~interrupted =
     | Some l -> Table.origin l.origin
     | None -> (None, "md5:" ^ Digest.to_hex (Digest.string (Source.text source)))
   in
-  let table = { Table.name; digest; grid = o.grid; bounds = bounds o.budget; diffuses = diffuses source } in
+  let { grid; checks; decimals; _ } = o and bounds = bounds o.budget in
+  let table = { Table.name; digest; grid; bounds; checks; decimals; diffuses = diffuses source } in
   let from, last = Task_part.range o.part ~count:(Z.to_int (Grid.size o.grid)) in
   let count = last - from in
   let* there, before =
@@ -189,6 +198,13 @@ let grid =
   in
   Arg.(non_empty & opt_all axis_conv [] & info [ "D"; "define" ] ~docv:"NAME=VALUES" ~doc)
 
+let checks = Chosen_checks.option ~doc:"Checks only the property $(docv). May be given several times."
+
+let decimals =
+  Options.maybe (Options.integer ~least:0 ~most:1000 "number of decimals") [ "decimals" ] ~docv:"K"
+    "Writes measured numbers in CSV with $(docv) decimals, instead of exactly as texts $(b,p/q). The lower end is \
+     rounded down and the upper one up, so that the number is between them; the names of the columns say so."
+
 let form =
   Options.default (Arg.enum [ ("csv", Csv); ("jsonl", Jsonl) ]) Csv [ "format" ] ~docv:"FORMAT"
     "$(b,csv) (RFC 4180), a line for each point and check, or $(b,jsonl), a JSON object for each point."
@@ -219,7 +235,7 @@ let twice grid =
   go grid
 
 let options =
-  let make path grid budget jobs part form output resume store plot =
+  let make path grid checks budget jobs part form decimals output resume store plot =
     let size = Grid.size grid in
     let axes = if Option.is_some plot then Picture.axes grid else Ok [] in
     match (twice grid, Resume.conflict ~resume ~store ~part ~lines:(form = Jsonl), axes) with
@@ -229,13 +245,16 @@ let options =
     | None, Some text, _ -> Error text
     | None, None, _ when Option.is_some resume && Option.is_some plot -> Error "--resume does not go with --plot"
     | None, None, _ when Option.is_some plot && Option.is_some part -> Error "--plot does not go with --part"
+    | None, None, _ when Option.is_some decimals && form = Jsonl ->
+      Error "--decimals is for csv: the numbers of jsonl are exact"
     | None, None, Error text -> Error ("--plot: " ^ text)
-    | None, None, Ok _ -> Ok { path; grid; budget; jobs; part; form; output; resume; store; plot }
+    | None, None, Ok _ ->
+      Ok { path; grid; checks; budget; jobs; part; form; decimals; output; resume; store; plot }
   in
   Term.(
     term_result' ~usage:true
-      (const make $ Options.model_file $ grid $ Check_options.budget $ Run_options.jobs
-       $ Task_part.option ~what:"points" $ form
+      (const make $ Options.model_file $ grid $ checks $ Check_options.budget $ Run_options.jobs
+       $ Task_part.option ~what:"points" $ form $ decimals
        $ Options.output "Writes to $(docv) instead of standard output." $ resume $ store_option $ plot))
 
 let command =

@@ -29,10 +29,9 @@ let word (a : answer) =
 (* {1 For people} *)
 
 let places = 6
-let scale = Rat.make (Z.pow (Z.of_int 10) places) Z.one
 let decimal = Decimal.fixed ~places
-let down r = decimal (Rat.div (Rat.make (Rat.floor (Rat.mul r scale)) Z.one) scale)
-let up r = decimal (Rat.neg (Rat.div (Rat.make (Rat.floor (Rat.mul (Rat.neg r) scale)) Z.one) scale))
+let down = Decimal.rounded_down ~places
+let up = Decimal.rounded_up ~places
 
 let mean_text = function Some mean -> decimal mean ^ ", " | None -> ""
 

@@ -6,7 +6,15 @@ open Scc_runs
 open Scc_reports
 open Json_format
 
-type t = { name : string option; digest : string; grid : Grid.t; bounds : (string * string) list; diffuses : bool }
+type t = {
+  name : string option;
+  digest : string;
+  grid : Grid.t;
+  bounds : (string * string) list;
+  checks : string list;
+  decimals : int option;
+  diffuses : bool;
+}
 
 let origin (o : Origin.t) = (o.name, o.digest)
 
@@ -18,22 +26,30 @@ let csv_line fields =
   Buffer.contents b
 
 let sides = [ "least"; "greatest" ]
-let number_columns = List.concat_map (fun side -> [ side ^ " from"; side ^ " to" ]) sides
+
+let number_columns t =
+  let rounded way =
+    Option.fold ~none:"" ~some:(fun k -> Printf.sprintf " (rounded %s to %d decimals)" way k) t.decimals
+  in
+  List.concat_map (fun side -> [ side ^ " from" ^ rounded "down"; side ^ " to" ^ rounded "up" ]) sides
 
 let csv_header t =
   csv_line
     (("point" :: List.map (fun (a : Grid.axis) -> a.name) t.grid)
      @ (if t.diffuses then [ "kick" ] else [])
-     @ [ "check"; "verdict" ] @ number_columns @ [ "why" ])
+     @ [ "check"; "verdict" ] @ number_columns t @ [ "why" ])
 
-let number_fields (c : Outcome.check) =
+let number_fields t (c : Outcome.check) =
+  let text exactly rounded = function
+    | None -> ""
+    | Some x -> ( match t.decimals with None -> exactly x | Some places -> rounded ~places x)
+  in
   let field side =
     match List.find_opt (fun (n : Outcome.number) -> String.equal n.over side) c.numbers with
     | None -> [ ""; "" ]
     | Some { infinite = true; _ } -> [ "infinite"; "infinite" ]
     | Some n ->
-      let text = Option.fold ~none:"" ~some:Rat.to_string in
-      [ text n.low; text n.high ]
+      [ text Rat.to_string Decimal.rounded_down n.low; text Rat.to_string Decimal.rounded_up n.high ]
   in
   List.concat_map field sides
 
@@ -42,11 +58,11 @@ let csv t k outcome =
   let start = start @ if t.diffuses then [ Lattices.kicks (Outcome.lattices outcome) ] else [] in
   match (outcome : Outcome.t) with
   | Refused { code; message } ->
-    let nothing = List.map (fun _ -> "") number_columns in
+    let nothing = List.map (fun _ -> "") (number_columns t) in
     csv_line (start @ [ ""; "invalid" ] @ nothing @ [ Printf.sprintf "%s: %s" code message ])
   | Checked { checks; _ } ->
     let line (c : Outcome.check) =
-      csv_line (start @ [ c.name; c.verdict ] @ number_fields c @ [ String.concat "; " c.reasons ])
+      csv_line (start @ [ c.name; c.verdict ] @ number_fields t c @ [ String.concat "; " c.reasons ])
     in
     String.concat "" (List.map line checks)
 
@@ -67,6 +83,9 @@ let header_format =
        field "model" (nullable text) (fun t -> t.name);
        field "digest" Shared.digest (fun t -> t.digest);
        field "bounds" (entries text) (fun t -> t.bounds) ~about:"The bounds that were given, by their options.";
+       maybe "checks" (list ~least:1 text)
+         (fun t -> match t.checks with [] -> None | _ :: _ -> Some t.checks)
+         ~about:"The names of the checks that were chosen; without it, all.";
        field "grid" (list ~least:1 axis) (fun t -> t.grid)
          ~about:"The points are all combinations, numbered from 0; the last parameter goes fastest.";
      ])

@@ -8,6 +8,8 @@ type t = {
   digest : string;
   grid : Grid.t;
   bounds : (string * string) list;
+  checks : string list;  (** the names of those that were chosen; none: all *)
+  decimals : int option;  (** of numbers in CSV: ends of intervals are rounded outwards *)
   diffuses : bool;  (** true if some body may diffuse: then there is a column of the lengths of kicks *)
 }
 

@@ -5,9 +5,8 @@ open Scc_chance
 let digits = 6
 
 let scale = Rat.make (Z.pow (Z.of_int 10) digits) Z.one
-let decimal n = Decimal.fixed ~places:digits (Rat.div (Rat.make n Z.one) scale)
-let below x = decimal (Rat.floor (Rat.mul x scale))
-let above x = decimal (Z.neg (Rat.floor (Rat.neg (Rat.mul x scale))))
+let below = Decimal.rounded_down ~places:digits
+let above = Decimal.rounded_up ~places:digits
 
 let longest = 24
 

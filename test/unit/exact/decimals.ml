@@ -8,6 +8,8 @@ let answer line =
       let x = Q.of_string number and digits = int_of_string digits in
       match what with
       | "fixed" -> Decimal.fixed ~places:digits x
+      | "down" -> Decimal.rounded_down ~places:digits x
+      | "up" -> Decimal.rounded_up ~places:digits x
       | "padded" -> Decimal.padded ~places:digits x
       | "significant" -> Decimal.significant ~digits x
       | "above" -> Decimal.significant_above ~digits x

@@ -43,6 +43,14 @@ def padded(x, places):
     return f"{placed(x, places):.{places}f}"
 
 
+def down(x, places):
+    return fixed(Fraction(x.numerator * 10**places // x.denominator, 10**places), places)
+
+
+def up(x, places):
+    return fixed(-Fraction(-x.numerator * 10**places // x.denominator, 10**places), places)
+
+
 def with_power(number, digits):
     sign, found, _ = number.as_tuple()
     found = "".join(map(str, found)).ljust(digits, "0")

@@ -35,7 +35,7 @@ def questions(count):
             Fraction(10**9), Fraction(10**9) - Fraction(1, 10**7), Fraction(1, 1000) - Fraction(1, 10**12)]
     for i in range(count):
         x = hand[i] if i < len(hand) else number()
-        for what in ("fixed", "padded", "significant", "marked", "exact"):
+        for what in ("fixed", "padded", "down", "up", "significant", "marked", "exact"):
             yield what, draw.randrange(1, 13), x
         yield "above", draw.randrange(1, 13), abs(x)
 

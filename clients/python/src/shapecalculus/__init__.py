@@ -63,13 +63,13 @@ from .requests import Body, Fixed, Request, Touch
 from .results import Estimate, Estimated, Moment, Simulated, SimulatedRun, Swept, Traced, TraceStep, Viewed
 from .runs import Run
 from .sweeps import Record, sweep_records
-from .where import Bound, Checked, Polyhedron, Region, Verdict, Where, wheres
+from .where import Bound, Checked, CurvePoint, Polyhedron, Region, Verdict, Where, wheres
 
 __version__ = "0.1.0"
 
 __all__ = [
-    "Batch", "Body", "Bond", "Bound", "Check", "Checked", "CommandFailed", "Condition", "Contact", "DeclaredLeaf",
-    "Description", "Diagnostic", "Estimate", "Estimated", "Evaluation", "Fault", "Feature", "Fixed",
+    "Batch", "Body", "Bond", "Bound", "Check", "Checked", "CommandFailed", "Condition", "Contact", "CurvePoint",
+    "DeclaredLeaf", "Description", "Diagnostic", "Estimate", "Estimated", "Evaluation", "Fault", "Feature", "Fixed",
     "FormulaRefused", "Future", "InternalError", "InvalidParams", "InvalidRequest", "Label", "Leaf",
     "LimitExceeded", "MassProperties", "Meeting", "MethodNotFound", "Model", "ModelRefused", "Moment", "Motion",
     "MovementStep", "NoTransitions", "NotInContact", "NotPossible", "Oracle", "OracleError", "PROTOCOL", "Pair",

@@ -151,7 +151,12 @@ def define(model: Source, value: Optional[Mapping[str, Setting]]) -> List[str]:
 def grid(model: Source, value: Mapping[str, Values]) -> List[str]:
     """Parameters, with the values of each: those with which the model was loaded, but for what is given."""
     words: List[str] = []
-    for name, values in {**{name: [x] for name, x in _loaded(model).items()}, **value}.items():
+    given: Mapping[str, Values] = {**{name: [x] for name, x in _loaded(model).items()}, **value}
+    if not given:
+        raise ValueError("a sweep needs a parameter with its values, as in {'n': [1, 2, 5]} or {'n': '1..10'}")
+    for name, values in given.items():
+        if len(values) == 0:
+            raise ValueError("the parameter %s has no values: a sweep needs one or more" % name)
         said = values if isinstance(values, str) else ",".join(str(numbers.to_json(x)) for x in values)
         words += _one("--define", "%s=%s" % (name, said))
     return words

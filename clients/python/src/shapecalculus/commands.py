@@ -320,6 +320,8 @@ def sweep(
     seconds: Optional[Number] = None,
     states: Optional[int] = None,
     time: Optional[Number] = None,
+    check: Optional[Texts] = None,
+    decimals: Optional[int] = None,
     format: str = "jsonl",
     jobs: Optional[int] = None,
     output: Optional[Path] = None,
@@ -345,6 +347,9 @@ def sweep(
     ``seconds``: Explores for at most S seconds of the clock. No default.
     ``states``: Keeps at most N states. The default is 200000.
     ``time``: Expands only states that can be reached by the model time T; 0 is the first instant. No default.
+    ``check``: Checks only the property NAME. May be given several times.
+    ``decimals``: Writes measured numbers in CSV with K decimals, instead of exactly as texts p/q. The lower end
+      is rounded down and the upper one up, so that the number is between them; the names of the columns say so.
     ``format``: csv (RFC 4180), a line for each point and check, or jsonl, a JSON object for each point.
     ``jobs``: How many processes work at the runs.
     ``output``: Writes to FILE instead of standard output. - stands for standard output.
@@ -371,6 +376,8 @@ def sweep(
         *words.seconds("--seconds", seconds),
         *words.integer("--states", states),
         *words.number("--time", time),
+        *words.texts("--check", check),
+        *words.integer("--decimals", decimals),
         *words.text("--format", format),
         *words.integer("--jobs", jobs),
         *words.path("--output", output),

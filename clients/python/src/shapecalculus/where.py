@@ -183,11 +183,40 @@ def _between(json: Json) -> Tuple[Ends, Ends]:
     return numbers.fraction(json["low"]), frames.maybe(json["high"])
 
 
+def _single(*betweens: Optional[Tuple[Ends, Ends]]) -> Ends:
+    """The number that all these ends are; None if they are several, or none."""
+    ends = {end for between in betweens if between is not None for end in between}
+    return ends.pop() if len(ends) == 1 else None
+
+
+@dataclass(frozen=True)
+class CurvePoint:
+    """A row of a curve: the answer for all ends of the bound of time from ``time`` on (if ``after``: after it) up to the
+    time of the next row. ``time`` has two ends, between which it is; they are equal if it is rational. ``least`` and
+    ``greatest`` are as those of a verdict."""
+
+    time: Tuple[Fraction, Fraction]
+    after: bool
+    least: Optional[Tuple[Ends, Ends]]
+    greatest: Optional[Tuple[Ends, Ends]]
+
+    @classmethod
+    def from_json(cls, json: Json) -> CurvePoint:
+        ends = {value["over"]: _between(value) for value in json["values"]}
+        time = (numbers.fraction(json["time"]["low"]), numbers.fraction(json["time"]["high"]))
+        return cls(time, json.get("after", False), ends.get("least"), ends.get("greatest"))
+
+    @property
+    def value(self) -> Ends:
+        """The number, if it is one; else None."""
+        return _single(self.least, self.greatest)
+
+
 @dataclass(frozen=True)
 class Verdict:
     """Of one check. ``bounds``: those up to which it holds, or those by which it is undecided.
     ``reasons``: why it is undecided. ``least`` and ``greatest``: of a check that asks for a number, between which ends
-    it is, over all schedulers."""
+    it is, over all schedulers. ``curve``: its rows, if ``check`` was called with ``curve`` for this check."""
 
     name: str
     formula: str
@@ -198,6 +227,7 @@ class Verdict:
     least: Optional[Tuple[Ends, Ends]]
     greatest: Optional[Tuple[Ends, Ends]]
     witness: Optional[Json]
+    curve: Tuple[CurvePoint, ...] = ()
 
     @classmethod
     def from_json(cls, json: Json) -> Verdict:
@@ -214,13 +244,13 @@ class Verdict:
             ends.get("least"),
             ends.get("greatest"),
             json["witness"],
+            tuple(CurvePoint.from_json(point) for point in json.get("curve", [])),
         )
 
     @property
     def value(self) -> Ends:
         """The number that was asked for, if it is one; else None."""
-        ends = {end for between in (self.least, self.greatest) if between is not None for end in between}
-        return ends.pop() if len(ends) == 1 else None
+        return _single(self.least, self.greatest)
 
     def row(self) -> Dict[str, Any]:
         low, high = self.least or (None, None), self.greatest or (None, None)
