@@ -252,12 +252,12 @@ let scene root file =
 let check_head root =
   let* asset = J.needed "asset" root in
   let* version = Result.bind (J.needed "version" asset) J.text in
-  let* () = Gltf_table.check ~kind:"asset" asset in
   let* least = Option.fold ~none:(Ok "2.0") ~some:J.text (J.member "minVersion" asset) in
   if not (String.length version >= 2 && String.equal (String.sub version 0 2) "2.") then
     J.fail root "only version 2 of glTF is read, not %s" (quote version)
   else if not (String.equal least "2.0") then J.fail asset "only version 2.0 of glTF is read, not %s" (quote least)
   else
+    let* () = Gltf_table.check ~kind:"asset" asset in
     let* () = Gltf_table.check ~kind:"glTF" root in
     let* needed = J.items "extensionsRequired" root in
     let one e =

@@ -113,12 +113,16 @@ type source = {
 let promise ~path e k =
   error ~path e.at "the header promises %d of `%s`, but the file has only %d" e.count e.name k
 
+(* Values at the end of the lines of faces, after those that the header declares, are left out with a warning. In
+   lines of other elements they may be coordinates. *)
 let ascii ~path text position =
   let position = ref position and line = ref [] and last = ref { text = ""; start = 0 } in
+  let of_face = ref false and beyond = ref None in
   let start e k =
     match next_line text !position with
     | None -> promise ~path e k
     | Some (words, next) ->
+      of_face := String.equal e.name "face";
       line := words;
       position := next;
       Ok ()
@@ -139,13 +143,21 @@ let ascii ~path text position =
   let finish () =
     match !line with
     | [] -> Ok ()
+    | w :: _ when !of_face ->
+      if Option.is_none !beyond then beyond := Some w;
+      Ok ()
     | w :: _ -> error ~path w "expected the end of the line after the values of the element"
+  in
+  let warning (w : word) =
+    let span = Span.make ~file:path ~start:w.start ~stop:(w.start + String.length w.text) in
+    Diag.warning Code.mesh_left_out span
+      "values of faces after those that the header declares, here the first, are left out"
   in
   let skip _ = Result.map ignore (word ()) in
   let rest () =
     match next_line text !position with
     | Some (w :: _, _) -> error ~path w "expected the end of the file after the elements that the header promises"
-    | Some ([], _) | None -> Ok []
+    | Some ([], _) | None -> Ok (Option.to_list (Option.map warning !beyond))
   in
   { start; real; integer; skip; finish; place = (fun () -> !last); rest }
 

@@ -212,6 +212,7 @@ let plys =
     ("more lines", ply (plain ^ "0 0 0\n"), "SC0320 18:1");
     ("lines that end with a return, and data that begin with a line feed", returns, "(0, 0, 0) (10, 1, 2) solid");
     ("a longer line", ply (with_vertex " 7"), "SC0320 10:7");
+    ("a longer line of a face", ply (String.trim plain ^ " 7\n"), full ^ " SC0324");
     ("fewer lines", ply ~counts:(4, 5) plain, "SC0320 7:14");
     ("an index that is no integer", ply ~face:"property list uchar float vertex_indices" plain, "SC0320 14:1");
     ("an unknown type", ply ~vertex:"property half x" plain, "SC0320 4:10");
