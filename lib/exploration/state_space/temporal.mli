@@ -35,7 +35,8 @@ val probability : t -> int -> Property.side -> Scc_ctl.Eval.measured
 (** [probability t i side] is the least or greatest probability of the runs from the initial state that satisfy the
     operator F, G or U at the top of formula [i]. *)
 
-val curve : t -> int -> Property.side -> (Scc_ctl.Timeline.moment * Scc_ctl.Eval.measured) list option
+val curve :
+  t -> int -> Property.side -> ((Scc_ctl.Timeline.moment * Scc_ctl.Eval.measured) list, string) result option
 (** [curve t i side] is {!probability} for all ends of the bound of time of formula [i] ({!Scc_ctl.Eval.curve}). *)
 
 val explain : t -> int -> Explanation.t

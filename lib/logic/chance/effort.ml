@@ -26,3 +26,5 @@ let default =
     interrupted = (fun () -> false);
     half = (fun () () -> false);
   }
+
+let most_layers e = 16 * e.layers

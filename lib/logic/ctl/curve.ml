@@ -7,8 +7,8 @@ let start q w s = next q w (place w s Rat.zero)
 let first_of q : Timeline.moment = { offset = Algebraic.of_rat (Rat.max Rat.zero q.bound.low); attained = true }
 
 (* Where runs may come back to a node in no time, all places are looked at one by one. *)
-let arrivals q w starts =
-  match Layers.until q w starts with
+let arrivals ~most q w starts =
+  match Layers.until ~most q w starts with
   | Some layers -> Layers.arrivals q w layers
   | None ->
     let places = (build ~choices:(choices q w) starts).places in
@@ -17,12 +17,12 @@ let arrivals q w starts =
     let all = List.concat_map of_place (List.init (Growable.length places) (Growable.get places)) in
     List.sort_uniq Timeline.compare_moment all
 
-let moments q s =
+let moments ~most q s =
   let first = first_of q and w = window q in
   if is_open w then None
   else
     let after m = Timeline.compare_moment first m < 0 in
-    Some (first :: List.filter after (arrivals q w [ start q w s ]))
+    Some (first :: List.filter after (arrivals ~most q w [ start q w s ]))
 
 (* Between a moment and the next one at another time. *)
 let rec between (m : Timeline.moment) later ~high =

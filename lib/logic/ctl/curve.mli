@@ -4,10 +4,11 @@
 open Scc_exact
 open Scc_chance
 
-val moments : Decisions.question -> int -> Timeline.moment list option
-(** [moments q s] is the times T, up to the end of the bound of [q], at which the probability from node [s] may
-    change: the first is the beginning of the bound. At a moment that is not attained it changes right after it. It
-    is [None] if the bound has no end. *)
+val moments : most:int -> Decisions.question -> int -> Timeline.moment list option
+(** [moments ~most q s] is the times T, up to the end of the bound of [q], at which the probability from node [s]
+    may change: the first is the beginning of the bound. At a moment that is not attained it changes right after
+    it. It is [None] if the bound has no end. It may raise {!Layers.Too_many} where there are more than [most]
+    instants. *)
 
 val horizons : Timeline.moment list -> high:Rat.t -> (Timeline.moment * Rat.t) list
 (** [horizons moments ~high] is a time T for each moment, as of {!moments}: the moment itself if it is attained and

@@ -232,9 +232,11 @@ let curve t side f node =
     let low = question false (fun v -> v.lower) and high_end = question true (fun v -> v.upper) in
     let exact = all_known t f g in
     let merged a b = List.sort_uniq Timeline.compare_moment (a @ b) in
-    let moments =
-      let*? low = Curve.moments low node in
-      if exact then Some low else Option.map (merged low) (Curve.moments high_end node)
+    let most = Effort.most_layers t.effort in
+    let moments () =
+      let moments q = Curve.moments ~most q node in
+      let*? low = moments low in
+      if exact then Some low else Option.map (merged low) (moments high_end)
     in
     let points moments =
       let at = Curve.horizons moments ~high in
@@ -246,7 +248,9 @@ let curve t side f node =
       in
       List.map2 (fun (m, _) v -> (m, v)) at (List.map2 measured least most)
     in
-    Option.map points moments
+    match moments () with
+    | found -> Option.map (fun moments -> Ok (points moments)) found
+    | exception Layers.Too_many over -> Some (Error (Layers.too_many ~most ~over high))
 
 let rec decided t (f : Timed_formula.t) position =
   match f with

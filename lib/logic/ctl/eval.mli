@@ -85,10 +85,12 @@ val probability : t -> decide:bool -> Timed_formula.side -> Timed_formula.t -> P
     operator of [f], whatever its quantifier. The operator is F, G or U (a bug otherwise). With [decide] the
     computation stops once the test of a [Chance] quantifier is decided. *)
 
-val curve : t -> Timed_formula.side -> Timed_formula.t -> int -> (Timeline.moment * measured) list option
+val curve :
+  t -> Timed_formula.side -> Timed_formula.t -> int -> ((Timeline.moment * measured) list, string) result option
 (** [curve e side f s] is {!probability} from node [s], for all ends T of the bound of [f] up to the one that it
     has: the times at which it may change, increasing, each with the value from there on. At a moment that is not
-    attained it changes right after it. It is [None] if the bound has no end. *)
+    attained it changes right after it. It is [None] if the bound has no end, and an error with the reason if there
+    are too many times. *)
 
 (** {1 The one operator behind F, G and U} *)
 

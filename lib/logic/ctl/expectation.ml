@@ -143,10 +143,12 @@ let by_equations e side number time start =
 
 (* Each run ends, since it never comes back to a node in no time. *)
 let value_at e side number time =
+  let most = Effort.most_layers (Eval.effort e) in
   let ends = { reason = None; unexplored = []; lowest = None } in
   let start = Go { node = 0; elapsed = Some Rat.zero } in
   let choices = steps (Eval.graph e) ends number time ~shift:(Some Rat.zero) in
-  match Layers.means (Eval.graph e) side ~choices time [ start ] with
+  match Layers.means ~most (Eval.graph e) side ~choices time [ start ] with
+  | exception Layers.Too_many over -> unknown ends (Some (Layers.too_many ~most ~over time))
   | None -> by_equations e side number time start
   | Some _ when Option.is_some ends.reason || ends.unexplored <> [] -> unknown ends ends.reason
   | Some layers -> known (Layered.value (Layered.solve layers (Eval.effort e)) start)

@@ -207,6 +207,12 @@ let look t seen layer =
 
 exception Too_many of Rat.t
 
+let too_many ~most ~over time =
+  Printf.sprintf
+    "up to time %s there are more than %d instants at which something happens, of which time %s is one; ask for \
+     an earlier time"
+    (Rat.to_string time) most (Rat.to_string over)
+
 let forwards t ~most seen =
   List.iter (enter t) t.starts;
   let rec go index done_ =
@@ -313,9 +319,9 @@ let make graph side ~earning ~choices ~most window starts =
 let until ?(most = max_int) (q : question) window starts =
   make q.graph q.side ~most ~earning:false ~choices:(Decisions.choices q window) window starts
 
-let means graph side ~choices time starts =
+let means ?(most = max_int) graph side ~choices time starts =
   let window = { low = Algebraic.of_rat time; high = Some (Algebraic.of_rat time) } in
-  make graph side ~most:max_int ~earning:true ~choices window starts
+  make graph side ~most ~earning:true ~choices window starts
 
 (* {1 Places} *)
 

@@ -31,18 +31,21 @@ type t
 exception Too_many of Rat.t
 (** There are more layers than allowed. The first ones, as many as allowed, are of times up to this. *)
 
+val too_many : most:int -> over:Rat.t -> Rat.t -> string
+(** [too_many ~most ~over time] says that there are too many layers up to [time], where {!Too_many} had [over]. *)
+
 val until : ?most:int -> Decisions.question -> Decisions.window -> Decisions.next list -> t option
 (** [until ?most q w starts] is the layers of all places of the question [q] that can be reached from the
     starts. It is [None] if the window has no end, or if some of these runs may come back to a node in no time.
     It may raise {!Too_many} where there are more than [most] layers (default: no limit). *)
 
 val means :
-  Timed_graph.t -> Timed_formula.side -> choices:(Decisions.place -> Decisions.branch list list) -> Rat.t ->
-  Decisions.next list -> t option
-(** [means graph side ~choices time starts] is the layers of all places up to [time]. Each run ends by a branch to
-    [Goal], with the reward of that branch, or by one to [Fail], with none. The choices of a node may depend on the
-    time only where its flow does not end before [time]. It is [None] if some run may come back to a node in no
-    time. *)
+  ?most:int -> Timed_graph.t -> Timed_formula.side ->
+  choices:(Decisions.place -> Decisions.branch list list) -> Rat.t -> Decisions.next list -> t option
+(** [means ?most graph side ~choices time starts] is the layers of all places up to [time]. Each run ends by a
+    branch to [Goal], with the reward of that branch, or by one to [Fail], with none. The choices of a node may
+    depend on the time only where its flow does not end before [time]. It is [None] if some run may come back to a
+    node in no time. It may raise {!Too_many} as {!until} does. *)
 
 val side : t -> Timed_formula.side
 (** [side t] is whether choices make values least or greatest. *)

@@ -82,7 +82,7 @@ let rec by_layers q effort w starts ~most_of ~most =
   | exception Layers.Too_many time ->
     let found = enclosed q effort w starts time ~most_of:(Lazy.force most_of) in
     let narrow = List.for_all (fun s -> is_narrow (found s)) starts in
-    if narrow || most >= 16 * effort.Effort.layers || effort.interrupted () then Some found
+    if narrow || most >= Effort.most_layers effort || effort.interrupted () then Some found
     else by_layers q effort w starts ~most_of ~most:(4 * most)
 
 let solve q effort w starts =

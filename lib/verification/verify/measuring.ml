@@ -28,27 +28,30 @@ let of_sides temporal sides find =
   | _ -> List.map (fun s -> (s, find s)) sides
 
 (* All sides at each moment, without those at which nothing changes. *)
-let points temporal i sides : Verdict.point list =
-  let of_side (s, curve) = Option.map (fun c -> (s, c)) curve in
-  match List.filter_map of_side (of_sides temporal sides (Temporal.curve temporal i)) with
-  | (_, first) :: _ as curves ->
+let points temporal i sides : (Verdict.point list, string) result =
+  let of_side (s, curve) = Option.map (Result.map (fun c -> (s, c))) curve in
+  let sides = of_sides temporal sides (Temporal.curve temporal i) in
+  let* curves = Result.all Fun.id (List.filter_map of_side sides) in
+  match curves with
+  | (_, first) :: _ ->
     let columns = List.map (fun (s, curve) -> Array.of_list (List.map (fun (_, m) -> (s, m)) curve)) curves in
     let point k (moment, _) : Verdict.point = { moment; answer = List.map (fun column -> column.(k)) columns } in
     let same (a : Verdict.point) (b : Verdict.point) =
       List.for_all2 (fun (_, m) (_, n) -> Likelihoods.equal m n) a.answer b.answer
     in
     let add done_ p = match done_ with last :: _ when same last p -> done_ | _ -> p :: done_ in
-    List.rev (List.fold_left add [] (List.mapi point first))
-  | [] -> []
+    Ok (List.rev (List.fold_left add [] (List.mapi point first)))
+  | [] -> Ok []
 
 let probability (r : Unsettled.t) temporal i sides ~curve =
   match Unsettled.evaluated r (fun () -> of_sides temporal sides (Temporal.probability temporal i)) with
   | Error why -> Verdict.Undecided why
   | Ok values ->
     let reasons = reasons r values (fun () -> Temporal.possible_doubts temporal i) in
-    (match Unsettled.evaluated r (fun () -> if curve then points temporal i sides else []) with
+    (match Unsettled.evaluated r (fun () -> if curve then points temporal i sides else Ok []) with
      | Error why -> Undecided why
-     | Ok curve -> Measured { values; reasons; witness = witness r temporal i; curve; starts = [] })
+     | Ok (Error why) -> Undecided [ Undefined why ]
+     | Ok (Ok curve) -> Measured { values; reasons; witness = witness r temporal i; curve; starts = [] })
 
 (* As far as what is known above and below tells. *)
 let compared bound m ~reasons : Verdict.t =

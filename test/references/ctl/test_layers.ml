@@ -152,7 +152,7 @@ let shows c =
 let curve c =
   let q = question c in
   let high = Option.get c.bound.high in
-  let moments = Option.get (Curve.moments q 0) in
+  let moments = Option.get (Curve.moments ~most:max_int q 0) in
   let at = Curve.horizons moments ~high in
   let rows = List.combine (List.map fst at) (Curve.values q Effort.default 0 (List.map snd at)) in
   let counts time ((m : Timeline.moment), _) =
@@ -176,8 +176,8 @@ let law name ?(count = 1500) ~truncated f =
 
 let many () = Alcotest.(check bool) "most cases have layers" true (!by_layers > 1500)
 
-(* The numbers of a long run are longer than allowed, and are enclosed. *)
-let long () =
+(* At each whole time a coin ends the run, or not; the predicate holds at its end. *)
+let coin ?effort () =
   let half = Rat.make Z.one (Z.of_int 2) in
   let graph : Timed_graph.t =
     {
@@ -192,7 +192,11 @@ let long () =
     { Eval.at = (fun _ s -> Truth.of_bool (s = 2)); along = (fun _ _ e -> Timeline.constant e Truth.False);
       steady = (fun _ -> true) }
   in
-  let e = Eval.create (Timed_graph.index graph) predicates in
+  Eval.create ?effort (Timed_graph.index graph) predicates
+
+(* The numbers of a long run are longer than allowed, and are enclosed. *)
+let long () =
+  let e = coin () in
   let found n =
     let f = Timed_formula.Finally (Exists, { low = Rat.zero; high = Some (Rat.of_int n) }, Predicate 0) in
     (Eval.probability e ~decide:false Greatest f (Positions.start 0)).least
@@ -205,6 +209,32 @@ let long () =
     let width = Rat.sub high low in
     Alcotest.(check bool) "narrow" true (Rat.compare width (Rat.make Z.one (Z.shift_left Z.one 100)) < 0)
   | _ -> Alcotest.fail "no interval"
+
+(* Means and curves up to a time with more instants than are worked through end with a reason. *)
+let far () =
+  let e = coin ~effort:{ Effort.default with layers = 2 } () in
+  let value s _ = Ok (Rat.of_int s) in
+  let mean n =
+    match Expectation.find e Least (Value_at (value, Rat.of_int n)) with
+    | Known { least; _ } -> Answer.to_string least
+    | Unknown { reason; _ } -> Option.get reason
+  and curve n =
+    let f = Timed_formula.Finally (Exists, { low = Rat.zero; high = Some (Rat.of_int n) }, Predicate 0) in
+    match Option.get (Eval.curve e Greatest f 0) with
+    | Ok points -> string_of_int (List.length points)
+    | Error reason -> reason
+  in
+  let reason n =
+    Printf.sprintf
+      "up to time %d there are more than 32 instants at which something happens, of which time 31 is one; ask for \
+       an earlier time"
+      n
+  in
+  let check = Alcotest.(check string) in
+  check "a mean" "2047/1024" (mean 9);
+  check "a curve" "10" (curve 9);
+  check "a mean, far away" (reason 1_000_000_000) (mean 1_000_000_000);
+  check "a curve, far away" (reason 1_000_000_000) (curve 1_000_000_000)
 
 let suite =
   ("layers",
@@ -219,5 +249,6 @@ let suite =
          law "runs" ~truncated:false shows;
          law "curves" ~count:300 ~truncated:false curve;
        ] );
-     ("by hand", [ Alcotest.test_case "long numbers" `Quick long ]);
+     ( "by hand",
+       [ Alcotest.test_case "long numbers" `Quick long; Alcotest.test_case "too many instants" `Quick far ] );
    ])
