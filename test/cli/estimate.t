@@ -163,7 +163,7 @@ Runs that do not end.
 
 It is stopped with what it has.
 
-  $ python3 -B interrupt.py 1 scc estimate $M/brownian.sc --check by_ten --width 1/10000 --most 100000000 > stopped.txt
+  $ python3 -B interrupt.py 0.3 scc estimate $M/brownian.sc --check by_ten --width 1/10000 --most 100000000 > stopped.txt
   scc: stopped; what is said rests on the runs that were made
   [4]
   $ grep -o "^by_ten: estimated:" stopped.txt

@@ -133,7 +133,7 @@ class Terminal(unittest.TestCase):
         self.assertNotIn("states", session.seen)
 
     def test_no_progress_without_terminal(self):
-        command = [SCC, "check", model("bonds"), *LARGE, "--seconds", "2"]
+        command = [SCC, "check", model("bonds"), *LARGE, "--seconds", "2", "--jobs", "1"]
         done = subprocess.run(command, capture_output=True, text=True, timeout=HANG)
         self.assertEqual((done.returncode, done.stderr), (4, ""))
         self.assertIn("holds up to the bound: ", done.stdout)
@@ -147,7 +147,7 @@ class Terminal(unittest.TestCase):
     def test_coverage_within_seconds(self):
         """Its own exploration, which counts, keeps the limit as that of the checks does: it ends. How far both come by then
         is the machine's affair."""
-        command = [SCC, "check", ENDLESS, "--coverage", "--seconds", "3"]
+        command = [SCC, "check", ENDLESS, "--coverage", "--seconds", "1"]
         done = subprocess.run(command, capture_output=True, text=True, timeout=HANG)
         self.assertIn(done.returncode, (0, 4), done.stderr)
         self.assertEqual(done.returncode == 0, "2 properties: 2 hold\n" in done.stdout, done.stdout)

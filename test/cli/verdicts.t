@@ -382,7 +382,7 @@ An evaluation that takes too long leaves its own formula open, and no other.
   [4]
   $ grep '^far' ended
   far: undecided: its evaluation on what was explored ended at the limit of 1 second
-  $ python3 -B interrupt.py 1 scc check far.sc | grep ': '
+  $ python3 -B interrupt.py 0.3 scc check far.sc | grep ': '
   near: holds (exhaustive)
   far: undecided: its evaluation on what was explored ended at the interruption
   explored: 5 states, 5 transitions, depth 4, model time 9; complete
