@@ -139,8 +139,9 @@ class Every(Commands):
         self.assertEqual([run.number for run in whole.runs], [0, 1, 2, 3, 4])
 
     def test_sweep(self):
-        self.each(sweep, WALK + "param a = 1\n", {"define": {"a": "1..2"}, "format": "csv", "part": "2/2"},
-                  needed=("define",), leave=("resume",))
+        self.each(sweep, WALK + "param a = 1\n", {
+            "define": {"a": "1..2"}, "format": "csv", "part": "2/2", "check": ["far"],
+            "decimals": {"=": 1, "decimals": 3, "format": "csv"}}, needed=("define",), leave=("resume",))
         kept = self.path("kept.jsonl")
         first = sweep(WALK + "param a = 1\n", {"a": [1, 2]}, output=kept)
         self.assertEqual(sweep(WALK + "param a = 1\n", {"a": [1, 2]}, resume=kept), first)
