@@ -144,7 +144,7 @@ let section ~path node (frame : frame) at scale turn curve =
 (* {1 Faces} *)
 
 (* Corners without those that are equal to the next one: scales of 0 bring points together. *)
-let simple f =
+let simple (f : int array) =
   let n = Array.length f in
   let kept = List.filter (fun k -> f.(k) <> f.((k + 1) mod n)) (List.init n Fun.id) in
   Array.of_list (List.map (fun k -> f.(k)) kept)
@@ -162,7 +162,7 @@ let side points f =
     let middles = Vec.sub (Vec.middle (p 0) (p 2)) (Vec.middle (p 1) (p 3)) in
     ([ [| f.(0); f.(1); f.(2) |]; [| f.(0); f.(2); f.(3) |] ], Rat.root (Vec.norm2 middles))
 
-let caps ~path node rings =
+let caps ~path node (rings : int array array) =
   let last = Array.length rings - 1 in
   let shown name = F.truth ~path node name in
   let start = shown "beginCap" and stop = shown "endCap" in
