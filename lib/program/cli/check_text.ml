@@ -276,24 +276,25 @@ let is_anything (o : Verdict.outcome) (_, m) =
   | How_likely _ -> String.equal (Likelihoods.measured m) "in [0, 1]"
   | Expected _ | Whether -> false
 
-(* What a number that was asked for came to. *)
-let worth (o : Verdict.outcome) =
+(* A number that was asked for, and is known by an interval alone: whether the interval tells something. *)
+let interval ~tells (o : Verdict.outcome) =
   match o.verdict with
-  | Measured { reasons = []; _ } -> Some `Number
-  | Measured { values; starts = []; _ } when List.for_all (is_anything o) values -> Some `Anything
-  | Measured _ -> Some `Interval
-  | Depends { holds = None; _ } -> Some `Number
-  | Depends _ | Holds _ | Violated _ | Undecided _ -> None
+  | Measured { reasons = _ :: _; starts = _ :: _; _ } -> tells
+  | Measured { reasons = _ :: _; starts = []; values; _ } ->
+    Bool.equal tells (not (List.for_all (is_anything o) values))
+  | Measured { reasons = []; _ } | Depends _ | Holds _ | Violated _ | Undecided _ -> false
 
 let tally console outcomes =
   let verdicts = List.map (fun (o : Verdict.outcome) -> o.verdict) outcomes in
   let count f = List.length (List.filter f verdicts) in
-  let worth what = List.length (List.filter (fun o -> worth o = Some what) outcomes) in
+  let intervals ~tells = List.length (List.filter (interval ~tells) outcomes) in
   let exhaustive = count Verdict.exhaustive in
   let bounded = count (function Verdict.Holds { bounds = _ :: _; _ } -> true | _ -> false) in
   let fails d = Option.equal Bool.equal (Verdict.everywhere d) (Some false) in
   let violated = count (function Verdict.Violated _ -> true | Depends d -> fails d | _ -> false) in
-  let undecided = count (function Verdict.Undecided _ -> true | _ -> false) + worth `Anything in
+  let is_number (d : Verdict.dependence) = Option.is_none d.holds in
+  let is_known = function Verdict.Measured { reasons = []; _ } -> true | Depends d -> is_number d | _ -> false in
+  let undecided = count (function Verdict.Undecided _ -> true | _ -> false) + intervals ~tells:false in
   let part n style text =
     if n = 0 then [] else [ Console.styled console style (Printf.sprintf "%d %s" n text) ]
   in
@@ -301,8 +302,8 @@ let tally console outcomes =
     part exhaustive Good (if exhaustive = 1 then "holds" else "hold")
     @ part bounded Doubtful (if bounded = 1 then "holds up to the bound" else "hold up to the bound")
     @ part violated Bad "violated"
-    @ part (worth `Number) Good "measured"
-    @ part (worth `Interval) Doubtful "within an interval"
+    @ part (count is_known) Good "measured"
+    @ part (intervals ~tells:true) Doubtful "within an interval"
     @ part undecided Doubtful "undecided"
   in
   match verdicts with
