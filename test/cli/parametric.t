@@ -358,12 +358,12 @@ What depends on the state is found when it comes up: here at x = 0, for k = 1/2.
      |
    4 | motion p = choose { (1, 0, 0) weight 1, (-1, 0, 0) weight (k - 1/2)*(k - 1/2) + x*x }
      |                                                            ^
-    hint: `-D k=VALUE` gives it a value; ranges may stand in places and delays, in sums and multiples
+    hint: `-D k=VALUE` gives it a value; ranges may stand in places and delays, in sums and multiples, and in weights and chances with `--parametric k`
   refused.sc:4:70: error[SC0218]: `k` is known by its range alone, and cannot stand here: the velocities and weights of a law of motion are numbers
      |
    4 | motion p = choose { (1, 0, 0) weight 1, (-1, 0, 0) weight (k - 1/2)*(k - 1/2) + x*x }
      |                                                                      ^
-    hint: `-D k=VALUE` gives it a value; ranges may stand in places and delays, in sums and multiples
+    hint: `-D k=VALUE` gives it a value; ranges may stand in places and delays, in sums and multiples, and in weights and chances with `--parametric k`
   [3]
   $ scc check refused.sc --parametric k -D k=1/3
   command line: error[SC0209]: the model has no parameter `k` with a range

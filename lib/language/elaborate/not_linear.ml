@@ -7,7 +7,9 @@ let hint names =
   | name :: _ ->
     Some
       (Printf.sprintf
-         "`-D %s=VALUE` gives it a value; ranges may stand in places and delays, in sums and multiples" name)
+         "`-D %s=VALUE` gives it a value; ranges may stand in places and delays, in sums and multiples, and in \
+          weights and chances with `--parametric %s`"
+         name name)
 
 let listed names = String.concat ", " (List.map (Printf.sprintf "`%s`") names)
 
