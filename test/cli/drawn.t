@@ -69,6 +69,7 @@ What is wrong with a file is told where the model names it.
      |
    1 | compound Chair = decompose "crossing.off" mass 1 process p = Chair [nil]
      |                            ^^^^^^^^^^^^^^
+    hint: write `union` after the file: solids that overlap, share faces or touch become one
   [3]
   $ bad crossing.off 'scaled (1, 1, 1/2) mass 1' 2>&1 | head -n 1
   bad.sc:1:28: error[SC0337]: the faces `f0` and `f5` have the point (2, 1, 0) in common, which is at no edge or corner of both
@@ -77,6 +78,7 @@ What is wrong with a file is told where the model names it.
      |
    1 | compound Chair = decompose "outward.off" mass 1 process p = Chair [nil]
      |                            ^^^^^^^^^^^^^
+    hint: write `orient` after the file: faces are turned over so that all look out of the solid
   [3]
   $ bad ell.off '' 2>&1 | head -n 1
   bad.sc:1:10: error[SC0208]: this compound has no mass
