@@ -81,6 +81,34 @@ The mean in JSON:
   $ scc check cleft.sc --json | grep -c '"mean"'
   3
 
+A drawing has a region for each value. Where parameters are projected, the value may depend on them.
+
+  $ scc check cleft.sc --check binds --draw values.svg > /dev/null
+  $ grep '<title>binds' values.svg | sort -u
+      <title>binds: 0
+      <title>binds: 1/16
+      <title>binds: 3/8
+      <title>binds: 5/16
+      <title>binds: 5/64
+  $ scc check cleft.sc --check binds --check likely --draw line.svg --slice h=0 > /dev/null
+  [1]
+  $ grep -A2 '<title>likely' line.svg | sort -u
+      <title>likely: fails
+      <title>likely: holds
+  --
+  binds: 0
+  binds: 1/16
+  binds: 3/8
+  binds: 5/16
+  where 1 &lt;= d &lt; 2
+  where 2 &lt;= d &lt; 3
+  where d &lt; 1
+  where d = 3
+  $ scc check cleft.sc --check binds --draw shadow.svg --axes d > /dev/null
+  $ grep '<title>binds' shadow.svg | sort -u
+      <title>binds: 0
+      <title>binds: depends on h
+
 Without a bound of time the value is known between two bounds, piece by piece:
 
   $ cat > walk.sc << 'END'

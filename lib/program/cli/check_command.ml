@@ -129,6 +129,24 @@ let named_where verdicts (report : Check.report) =
   | [] -> []
   | where -> List.map2 (fun (o : Verdict.outcome) w -> (o.check.name, w)) verdicts where
 
+(* Claims, and probabilities as functions of the start, to be drawn. *)
+let drawn verdicts named =
+  let numbers (o : Verdict.outcome) =
+    match o.verdict with
+    | Measured { starts = (_, first) :: rest; _ }
+      when List.for_all (fun (_, c) -> Scc_regions.Chances.equal first c) rest ->
+      [ (o.check.name, first) ]
+    | Measured { starts; _ } ->
+      let named (side, c) = (Printf.sprintf "%s (%s)" o.check.name (Scc_explain.Likelihoods.side side), c) in
+      List.map named starts
+    | Holds _ | Violated _ | Depends _ | Undecided _ -> []
+  in
+  let is_claim (name, _) =
+    let same (o : Verdict.outcome) = String.equal o.check.name name in
+    match List.find_opt same verdicts with Some o -> numbers o = [] | None -> true
+  in
+  (List.filter is_claim named, List.concat_map numbers verdicts)
+
 (* The file to draw to, and what. *)
 let view (extras : Check_extras.t) (l : Loaded.t) =
   match extras.draw with
@@ -177,7 +195,11 @@ let write_outputs console (extras : Check_extras.t) path (l : Loaded.t) report v
   let named = named_where verdicts report and ranges = l.model.ranges in
   Option.iter (fun path -> output (write_file path (Scc_regions.Smt.script ranges named))) extras.smt;
   Option.iter (fun path -> output (write_invariant console path l report)) extras.invariant;
-  Option.iter (fun (path, view) -> output (write_file path (Scc_regions.Drawing.svg ranges view named))) view;
+  let draw (path, view) =
+    let claims, values = drawn verdicts named in
+    output (write_file path (Scc_regions.Drawing.svg ~values ranges view claims))
+  in
+  Option.iter draw view;
   !code
 
 let read console (extras : Check_extras.t) (given : Options.definitions) path ~attempt =

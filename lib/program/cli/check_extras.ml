@@ -107,7 +107,7 @@ let smt =
 let draw =
   Options.maybe Options.named [ "draw" ] ~docv:"FILE"
     "Like $(b,--where), but draws the sets to $(docv), in SVG: the line of one parameter or the plane of two, \
-     divided into regions by the properties that hold there."
+     divided into regions by the properties that hold there, and by the values of probabilities."
 
 let axes =
   Options.default Arg.(list string) [] [ "axes" ] ~docv:"X,Y"

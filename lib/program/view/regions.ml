@@ -11,6 +11,7 @@ let outcome : Plane.outcome -> string = function
   | Varies -> "varies"
   | Unknown -> "unknown"
   | Fails -> "fails"
+  | Value _ -> Scc_base.Bug.fail __POS__ "a number where claims alone are shown"
 
 let is_line (view : Plane.view) = Option.is_none view.up
 let axes (view : Plane.view) = view.across :: Option.to_list view.up

@@ -331,11 +331,11 @@ let remark =
 (* Identifiers are to differ between pictures on one page. *)
 let prefix_of texts = "w" ^ String.sub (Digest.to_hex (Digest.string (String.concat "\n" texts))) 0 8
 
-let svg ranges view checks =
+let svg ?(values = []) ranges view checks =
   let frame = frame ranges view in
-  let names = List.map fst checks in
-  let regions = Plane.regions ranges view (List.map snd checks) in
-  let legends = Legend.make ranges view names regions in
+  let regions = Plane.regions ~values:(List.map snd values) ranges view (List.map snd checks) in
+  let legends = Legend.make ~values ranges view (List.map fst checks) regions in
+  let names = List.map fst checks @ List.map fst values in
   let caption = Legend.caption ranges view in
   let prefix = prefix_of (caption :: names @ List.map (fun (l : Legend.t) -> l.told) legends) in
   let all = List.mapi (drawn frame prefix) (List.combine legends regions) in

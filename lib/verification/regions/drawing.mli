@@ -5,7 +5,7 @@
 
 open Scc_calculus
 
-val svg : Ranges.t -> Plane.view -> (string * Where.t) list -> string
-(** A whole file, light or dark as the viewer prefers. The checks have different names, and these ranges. All
-    computations are exact; places in the picture are rounded to 1/100 of a pixel, as the file says. The same
-    input gives the same bytes. *)
+val svg : ?values:(string * Chances.t) list -> Ranges.t -> Plane.view -> (string * Where.t) list -> string
+(** A whole file, light or dark as the viewer prefers. The checks, and the probabilities in [values], have
+    different names, and these ranges. All computations are exact; places in the picture are rounded to 1/100 of a
+    pixel, as the file says. The same input gives the same bytes. *)

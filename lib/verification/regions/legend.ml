@@ -29,17 +29,34 @@ let letter i =
 
 (* {1 Words} *)
 
-let of_one ~on : Plane.outcome -> string = function
-  | Holds -> "holds"
-  | Fails -> "fails"
-  | Unknown -> "not known"
-  | Varies -> "depends on " ^ on
+(* A claim, or a probability as a function. *)
+type subject = Claim | Number of Chances.t
 
-let of_several ~on names outcomes =
+let of_one ~on subject (outcome : Plane.outcome) =
+  match (outcome, subject) with
+  | Value i, Number c -> Words.value (List.nth c.parts i).value
+  | Value _, Claim -> Scc_base.Bug.fail __POS__ "a claim with a number"
+  | Holds, _ -> "holds"
+  | Fails, _ -> "fails"
+  | Unknown, _ -> "not known"
+  | Varies, _ -> "depends on " ^ on
+
+let of_several ~on names subjects outcomes =
+  let number name subject (outcome : Plane.outcome) =
+    match outcome with
+    | Value _ -> [ name ^ " = " ^ of_one ~on subject outcome ]
+    | Holds | Fails | Unknown | Varies -> []
+  in
+  let rec numbers names subjects outcomes =
+    match (names, subjects, outcomes) with
+    | n :: names, s :: subjects, o :: outcomes -> number n s o @ numbers names subjects outcomes
+    | _ -> []
+  in
   let those wanted = List.concat (List.map2 (fun n o -> if o = wanted then [ n ] else []) names outcomes) in
   let with_ suffix = List.map (fun name -> name ^ suffix) in
   match
     those Plane.Holds @ with_ (" (depends on " ^ on ^ ")") (those Varies) @ with_ " (not known)" (those Unknown)
+    @ numbers names subjects outcomes
   with
   | [] -> "none"
   | some -> String.concat ", " some
@@ -54,23 +71,28 @@ let where shown set =
 
 let extent (view : Plane.view) = if view.up = None then 1 else 2
 
-let share ranges (view : Plane.view) (r : Plane.region) =
+(* Among probabilities, the share of a region is not named one. *)
+let share ~plain ranges (view : Plane.view) (r : Plane.region) =
   if Rat.sign r.share = 0 then Words.without_extent (extent view)
-  else if view.fixed = [] && projected ranges view = [] then "probability " ^ Words.number r.share
+  else if plain && view.fixed = [] && projected ranges view = [] then "probability " ^ Words.number r.share
   else Words.number r.share ^ if view.up = None then " of the length" else " of the area"
 
-let make ranges view names regions =
+let make ?(values = []) ranges view names regions =
+  let subjects = List.map (fun _ -> Claim) names @ List.map (fun (_, c) -> Number c) values in
+  let names = names @ List.map fst values in
   let on = String.concat ", " (List.map (fun (r : Ranges.range) -> r.name) (projected ranges view)) in
   let shown = shown ranges view in
   let fails (r : Plane.region) = List.for_all (fun o -> o = Plane.Fails) r.outcomes in
   let entry i (r : Plane.region) =
-    let each = List.map2 (fun name o -> name ^ ": " ^ of_one ~on o) names r.outcomes in
-    let name =
-      match r.outcomes with
-      | [ only ] -> of_one ~on only
-      | several -> of_several ~on names several
+    let each =
+      List.map2 (fun name told -> name ^ ": " ^ told) names (List.map2 (of_one ~on) subjects r.outcomes)
     in
-    let share = share ranges view r in
+    let name =
+      match (subjects, r.outcomes) with
+      | [ subject ], [ only ] -> of_one ~on subject only
+      | _, several -> of_several ~on names subjects several
+    in
+    let share = share ~plain:(values = []) ranges view r in
     {
       letter = letter i;
       colour = (if fails r then nothing else colour i);

@@ -11,8 +11,10 @@ type t = {
   told : string;  (** in full, as shown under the pointer *)
 }
 
-val make : Ranges.t -> Plane.view -> string list -> Plane.region list -> t list
-(** [make ranges view names regions] has an entry for each region, where [names] are those of the checks. *)
+val make :
+  ?values:(string * Chances.t) list -> Ranges.t -> Plane.view -> string list -> Plane.region list -> t list
+(** [make ?values ranges view names regions] has an entry for each region, where [names] are those of the checks,
+    and [values] the probabilities with their names. *)
 
 val caption : Ranges.t -> Plane.view -> string
 (** The parameters that are fixed, and those that are projected: ["z = 1, any w in [0, 1]"]; [""] if there are

@@ -64,7 +64,7 @@ let seen ranges view u =
   in
   Union.map ~dimension:2 one u
 
-type outcome = Holds | Varies | Unknown | Fails
+type outcome = Holds | Varies | Unknown | Fails | Value of int
 
 let outcomes ranges view ~box (w : Where.t) =
   let holds = seen ranges view w.holds and fails = seen ranges view w.fails in
@@ -77,6 +77,16 @@ let outcomes ranges view ~box (w : Where.t) =
     let rest = List.fold_left (fun left (_, u) -> Union.difference left u) box decided in
     decided @ [ (Unknown, rest) ]
 
+(* Where one number alone is seen, and where several are. *)
+let of_values ranges view ~box (c : Chances.t) =
+  let sets = List.map (fun (p : Chances.part) -> seen ranges view p.set) c.parts in
+  let others i = List.filteri (fun j _ -> j <> i) sets in
+  let only i set = (Value i, List.fold_left Union.difference set (others i)) in
+  if hidden ranges view = [] then List.mapi (fun i set -> (Value i, set)) sets
+  else
+    let single = List.mapi only sets in
+    single @ [ (Varies, List.fold_left (fun left (_, set) -> Union.difference left set) box single) ]
+
 type region = { outcomes : outcome list; set : Union.t; share : Rat.t }
 
 let area u =
@@ -84,12 +94,11 @@ let area u =
   | Some area -> area
   | None -> Scc_base.Bug.fail __POS__ "an area takes few corners"
 
-let regions ranges view checks =
+let regions ?(values = []) ranges view checks =
   let box = seen ranges view (Union.of_polyhedron (Ranges.box ranges)) in
   let whole = area box in
   let part (before, set) (outcome, u) = (outcome :: before, Union.inter set u) in
-  let further parts check =
-    let sets = outcomes ranges view ~box check in
+  let further parts sets =
     let parted = List.concat_map (fun p -> List.map (part p) sets) parts in
     List.filter (fun (_, set) -> not (Union.is_empty set)) parted
   in
@@ -97,5 +106,6 @@ let regions ranges view checks =
     let set = Where.tidy set in
     { outcomes = List.rev outcomes; set; share = Rat.div (area set) whole }
   in
+  let all = List.map (outcomes ranges view ~box) checks @ List.map (of_values ranges view ~box) values in
   let order a b = compare a.outcomes b.outcomes in
-  List.sort order (List.map region (List.fold_left further [ ([], box) ] checks))
+  List.sort order (List.map region (List.fold_left further [ ([], box) ] all))

@@ -22,15 +22,17 @@ val hidden : Ranges.t -> view -> int list
 
 type outcome =
   | Holds
-  | Varies  (** it holds for some values of the projected parameters, and fails for others *)
+  | Varies  (** for some values of the projected parameters it holds or is one number, and not so for others *)
   | Unknown
   | Fails
+  | Value of int  (** of a probability: its number among {!Chances.t.parts} *)
 
 type region = {
-  outcomes : outcome list;  (** of the checks, in their order *)
+  outcomes : outcome list;  (** of the checks, in their order, and then of the probabilities *)
   set : Union.t;  (** in the plane, by pieces as {!Where.tidy} gives; a line is one of height 1, from 0 to 1 *)
   share : Rat.t;  (** of its area in that of the ranges shown *)
 }
 
-val regions : Ranges.t -> view -> Where.t list -> region list
-(** All regions that are not empty. They are disjoint and cover the ranges shown. The checks have these ranges. *)
+val regions : ?values:Chances.t list -> Ranges.t -> view -> Where.t list -> region list
+(** All regions that are not empty. They are disjoint and cover the ranges shown. The checks, and the probabilities
+    in [values], have these ranges. *)

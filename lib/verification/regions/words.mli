@@ -16,6 +16,9 @@ val without_extent : int -> string
 (** The remark for a piece of a smaller dimension than the number of parameters: ["no length"] for 1, ["no
     area"] for 2, ["no volume"] for more. *)
 
+val value : Piecewise.value -> string
+(** A number, or what is known of it: ["3/8"], ["from 0 to 3/8, not known better"]. *)
+
 val chances : Chances.t -> string
 (** A probability over all starts in one line: its extremes and its mean, as
     ["0 to 3/8, for x in [0, 4\]; mean 3/16 = 0.1875"]. *)

@@ -90,7 +90,7 @@ let any_time = "split_step any\n"
 
 let model random =
   let two = chance random 30 and plane = chance random 25 in
-  let deep = plane && chance random 40 and apart = two && chance random 50 in
+  let deep = plane && chance random 40 and apart = two && chance random 30 in
   let buffer = Buffer.create 1000 in
   let add format = Printf.bprintf buffer format in
   add "model m\ntimestep 1%s\n" (if chance random 30 then " steady" else "");
@@ -142,8 +142,13 @@ let load ?(overrides = []) text =
   let read_file _ = Error "no file" in
   Loaded.load ~read_file ~overrides (Scc_base.Source.make ~name:"m.sc" text)
 
-let bounds = { Bounds.default with states = Given 4_000; depth = Given 60 }
-let options = { Setup.default with bounds }
+let options_of states =
+  { Setup.default with bounds = { Bounds.default with states = Given states; depth = Given 60 } }
+let options = options_of 4_000
+
+(* Of two walkers with starts of their own, values have pieces by the hundred. *)
+let over_zones ranges =
+  if Option.is_some (Scc_calculus.Ranges.find ranges "other") then options_of 150 else options
 
 module Side = struct
   type t = Scc_property.Property.side = Least | Greatest
@@ -318,6 +323,7 @@ let try_model number =
   | Ok l -> (
       let { Loaded.semantics; declared; checks; _ } = l in
       let uncertain = Option.get l.uncertain in
+      let options = over_zones l.model.ranges in
       match Zone_check.run options semantics uncertain ~declared ~exactly:true ~premises:[] checks with
       | Error _ -> bump "ill-formed"
       | Ok report ->

@@ -51,6 +51,7 @@ let outcome : Plane.outcome -> string = function
   | Varies -> "varies"
   | Unknown -> "unknown"
   | Fails -> "fails"
+  | Value i -> string_of_int i
 
 let described shown (r : Plane.region) =
   let where = String.concat " or " (List.map (Words.piece shown) (Union.pieces r.set)) in

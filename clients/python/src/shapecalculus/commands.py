@@ -71,7 +71,7 @@ def check(
     ``define``: Gives the parameter NAME of the model the value VALUE, a rational. If the parameter has a range,
       it can be narrowed instead: to [1,3], or to [1,3), where a round bracket excludes an end. Repeatable.
     ``draw``: Like --where, but draws the sets to FILE, in SVG: the line of one parameter or the plane of two,
-      divided into regions by the properties that hold there.
+      divided into regions by the properties that hold there, and by the values of probabilities.
     ``full``: Prints runs in full: every step and every body, and numbers with all their digits; in JSON all
       steps of the way to an unexplored state. Without it long numbers are decimals: after ~ the nearest one
       with so many digits, with an error of at most half a unit of the last digit; without ~ the number itself.
