@@ -79,7 +79,7 @@ process b = solids.Cube(1) mass 1 at translate (1, 0, 0) [B]
 bond <bond, {{a.right, b.left}}>
 bond <m, {{c.right, a.left}}>
 """
-    within = rng.choice([1, 2, 3])
+    within = rng.choice([0, 1, 2, 3])
     questions = [
         ("P", f"eventually behaviour(a) = Won within {within}"),
         (rng.choice(["Pmin", "Pmax"]), f"eventually behaviour(a) = Won within {within + 1}"),
@@ -162,7 +162,7 @@ def run(scc, path, *words):
 
 
 def ends_of(report):
-    """The ends of all pieces and sets, as rational numbers near them."""
+    """The ends of all pieces and sets; where they are not rational, numbers on both sides of them."""
     found = []
     for p in report["properties"]:
         d = p.get("dependence")
@@ -177,8 +177,9 @@ def differences(scc, path, report, low, high, rng, count):
     """How functions and plain values differ at some values: texts, and how many were compared."""
     wrong, compared = [], 0
     tiny = (high - low) / 1000
-    points = {e + d for e in ends_of(report) for d in (-tiny, 0, tiny)}
-    points = set(rng.sample(sorted(points), min(count, len(points))))
+    ends = {e for e in ends_of(report) if low < e < high}
+    near = sorted(e + d for e in ends for d in (-tiny, tiny))
+    points = set(rng.sample(sorted(ends), min(2 * count, len(ends)))) | set(rng.sample(near, min(count, len(near))))
     points |= {low + (high - low) * Fraction(rng.randint(1, 99), 100) for _ in range(count)}
     for x in sorted(p for p in points if low < p < high):
         plain = {p["name"]: p for p in run(scc, path, "-D", f"k={x}")["properties"]}

@@ -42,21 +42,17 @@ let of_one ~on subject (outcome : Plane.outcome) =
   | Varies, _ -> "depends on " ^ on
 
 let of_several ~on names subjects outcomes =
-  let number name subject (outcome : Plane.outcome) =
+  let number name (subject, (outcome : Plane.outcome)) =
     match outcome with
     | Value _ -> [ name ^ " = " ^ of_one ~on subject outcome ]
     | Holds | Fails | Unknown | Varies -> []
   in
-  let rec numbers names subjects outcomes =
-    match (names, subjects, outcomes) with
-    | n :: names, s :: subjects, o :: outcomes -> number n s o @ numbers names subjects outcomes
-    | _ -> []
-  in
+  let numbers = List.concat (List.map2 number names (List.combine subjects outcomes)) in
   let those wanted = List.concat (List.map2 (fun n o -> if o = wanted then [ n ] else []) names outcomes) in
   let with_ suffix = List.map (fun name -> name ^ suffix) in
   match
     those Plane.Holds @ with_ (" (depends on " ^ on ^ ")") (those Varies) @ with_ " (not known)" (those Unknown)
-    @ numbers names subjects outcomes
+    @ numbers
   with
   | [] -> "none"
   | some -> String.concat ", " some
