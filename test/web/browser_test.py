@@ -158,11 +158,15 @@ def models(scc, every):
 OPENED = 'scc.open(arguments[0]); const { legs, time } = scc.state(); return [legs, time];'
 
 
+# How runs end that decide a check; others are runs from a start about which a verdict is.
+DECISIVE = ('state', 'instant', 'rests', 'stops', 'repeats', 'passes', 'goes_on')
+
+
 def ends(b, model, data):
     """A run that is shown for a violated check is opened at the instant that the text about its end names."""
     for at, entry in enumerate(b.js('return scc.runs()')):
         run = data['runs'][entry['index']]
-        if not run['check'] or run['check']['verdict'] != 'violated' or run['finish'] == 'quiescent':
+        if not run['check'] or run['check']['verdict'] != 'violated' or run['finish'] not in DECISIVE:
             continue
         legs, time = b.js(OPENED, at)
         name = f'{os.path.basename(model)}, end of {run["name"]}'

@@ -499,6 +499,7 @@ def without_webgl(scc):
     try:
         b.open(scc.view(HEXOKINASE))
         check('why there is no scene', 'cannot be drawn' in b.text('scene-why'), b.text('scene-why'))
+        b.js('scc.go(0)')
         b.keys(Keys.ARROW_RIGHT)
         same('all else is there', b.state()['legs'], 1)
     finally:
