@@ -233,3 +233,29 @@ A bound of time that is over decides where nothing later is explored, beside che
   e: holds (exhaustive, all u in [0, 1])
   f: violated for u = 1/2
   explored: 49 states, 56 transitions, depth 40; not complete: stopped by the depth bound 40
+
+A bound that is passed far away: what spins is shown there while few turns come before.
+
+  $ cat > turns.sc <<'EOF'
+  > shape Cube = box(1,1,1)
+  > dynamics constant_spin
+  > param until = 20
+  > process p = Cube mass 1 velocity (1,0,0) spin (0,0,1) [nil]
+  > check near : eventually y(p) >= 1 within until
+  > EOF
+  $ scc check turns.sc | grep -A 6 'a run'
+    a run that violates it:
+      then time passes beyond the bound, which ends at time 20
+      y(p) >= 1 fails: y(p) = 0
+      there:
+        p at (20, 0, 0) turned ~(0.717928, 0.000000, 0.000000, 0.282072) [nil], velocity (1, 0, 0), spin (0, 0, 1)
+  
+  explored: 1 state, 0 transitions, depth 0, model time 0; complete
+  $ scc check turns.sc -D until=1e24 | grep -A 6 'a run'
+    a run that violates it:
+      then time passes beyond the bound, which ends at time 1000000000000000000000000; until then bodies turn too often for the state there to be shown
+      y(p) >= 1 fails: y(p) = 0
+      before that, in the last state:
+        p at (0, 0, 0) [nil], velocity (1, 0, 0), spin (0, 0, 1)
+  
+  explored: 1 state, 0 transitions, depth 0, model time 0; complete

@@ -104,7 +104,8 @@ let state_lines ~full ~about c (w : Witness.t) =
   if (not full) && told aside s > shown_processes then []
   else
     let heading =
-      if Witness.at_rational_instant w then "there:"
+      if Witness.is_before_bound w then "before that, in the last state:"
+      else if Witness.at_rational_instant w then "there:"
       else "there, nearly (at a rational instant close by):"
     in
     heading :: List.map (fun l -> "  " ^ l) (Run_text.state ~full ~aside m s)

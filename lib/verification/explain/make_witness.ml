@@ -187,7 +187,9 @@ let of_run context graph temporal (run : Scc_ctl.Run.t) =
       | During { moment; sample } -> during context followed.last moment sample
       | Rests -> Rests { puts_off = None }
       | Stops -> Stops
-      | Passes offset -> Passes { choice = Option.map fst (time_choice context followed.last); offset }
+      | Passes offset ->
+        let choice = Option.map fst (time_choice context followed.last) in
+        Witness.passes (Network_lts.semantics context) ~choice offset followed.last
     in
     witness context followed finish []
 

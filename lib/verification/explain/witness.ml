@@ -17,7 +17,7 @@ type finish =
   | Rests of { puts_off : Transition.label option }
   | Stops
   | Repeats of { cycle : int; moved : moved; puts_off : Transition.label option }
-  | Passes of { choice : int option; offset : Algebraic.t }
+  | Passes of { choice : int option; offset : Algebraic.t; shown : bool }
   | Goes_on of { cycle : int }
 
 type argument = {
@@ -51,6 +51,16 @@ type t = {
 
 type halt = Dead_end | One_instant
 
+let most_turns = Rat.of_int 1_000
+
+let passes semantics ~choice offset (last : State.t) =
+  let until = snd (Algebraic.enclose offset ~width:Rat.one) in
+  let turns (p : State.process) =
+    if Turn.spinning p then Rat.div until (Turn.length (Semantics.model semantics) p.spin) else Rat.zero
+  in
+  let all = Array.fold_left (fun n p -> Rat.add n (turns p)) Rat.zero last.processes in
+  Passes { choice; offset; shown = Rat.compare all most_turns <= 0 }
+
 let semantics given w = match w.fixed with Some f -> f.semantics | None -> given
 
 (* Model time when the step of this index begins. *)
@@ -69,24 +79,26 @@ let halt w =
 
 let instant w =
   match w.finish with
-  | During { offset; _ } | Passes { offset; _ } -> Algebraic.add_rat (time w) offset
-  | At_state | Rests _ | Stops | Repeats _ | Goes_on _ -> Algebraic.of_rat (time w)
+  | During { offset; _ } | Passes { offset; shown = true; _ } -> Algebraic.add_rat (time w) offset
+  | At_state | Rests _ | Stops | Repeats _ | Passes _ | Goes_on _ -> Algebraic.of_rat (time w)
 
 let at_rational_instant w =
   match w.finish with
-  | During { offset; _ } | Passes { offset; _ } -> Option.is_some (Algebraic.to_rat offset)
-  | At_state | Rests _ | Stops | Repeats _ | Goes_on _ -> true
+  | During { offset; _ } | Passes { offset; shown = true; _ } -> Option.is_some (Algebraic.to_rat offset)
+  | At_state | Rests _ | Stops | Repeats _ | Passes _ | Goes_on _ -> true
+
+let is_before_bound w = match w.finish with Passes { shown; _ } -> not shown | _ -> false
 
 let offset w =
   match w.finish with
-  | During { offset; _ } | Passes { offset; _ } -> (
+  | During { offset; _ } | Passes { offset; shown = true; _ } -> (
       match Algebraic.to_rat offset with
       | Some r -> Some r
       | None ->
         let width = Rat.make Z.one (Z.pow (Z.of_int 10) 12) in
         let low, high = Algebraic.enclose offset ~width in
         Some (Rat.middle low high))
-  | At_state | Rests _ | Stops | Repeats _ | Goes_on _ -> None
+  | At_state | Rests _ | Stops | Repeats _ | Passes _ | Goes_on _ -> None
 
 let step_line model number s =
   Printf.sprintf "%d. %s, at time %s" (number + 1)
@@ -137,9 +149,10 @@ let finish_lines model w =
         (cycle + 1);
     ]
   | Stops -> [ "then the run ends: neither time nor anything else can go on, and the model is given up there" ]
-  | Passes { offset; _ } ->
+  | Passes { offset; shown; _ } ->
     let bound = Algebraic.to_string (Algebraic.add_rat (time w) offset) in
-    [ Printf.sprintf "then time passes beyond the bound, which ends at time %s" bound ]
+    let too_far = if shown then "" else "; until then bodies turn too often for the state there to be shown" in
+    [ Printf.sprintf "then time passes beyond the bound, which ends at time %s%s" bound too_far ]
   | Repeats { cycle; moved; puts_off } ->
     let again =
       if cycle + 1 = List.length w.steps then Printf.sprintf "and step %d again, for ever" (cycle + 1)

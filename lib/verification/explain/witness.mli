@@ -35,9 +35,10 @@ type finish =
   | Repeats of { cycle : int; moved : moved; puts_off : Transition.label option }
   (** the steps from the index [cycle] on are repeated for ever. Each time everything is [moved] from its
       place. On the way, a weak split that is enabled is put off each time. *)
-  | Passes of { choice : int option; offset : Algebraic.t }
+  | Passes of { choice : int option; offset : Algebraic.t; shown : bool }
   (** The bound of time of the property is passed in the middle of this time transition, or of the ray: at this
-      instant, from the start of it. *)
+      instant, from the start of it. It is not [shown] if bodies turn too often until then; the run then leads to
+      the last state. *)
   | Goes_on of { cycle : int }
   (** over zones (rule Zones): the state is in the set of states in which the step of the index [cycle] began.
       Some run goes on for ever from the set. No single state was found that comes back. *)
@@ -76,6 +77,10 @@ type halt =
   | Dead_end  (** the run is over in a state without transitions *)
   | One_instant  (** the run goes round for ever within one instant *)
 
+val passes : Semantics.t -> choice:int option -> Algebraic.t -> State.t -> finish
+(** [passes c ~choice offset last] is the end of a run that passes a bound at this offset from its last state. It is
+    shown if the bodies take at most 1 000 turns until then: turns are made one by one, in ever longer numbers. *)
+
 val halt : t -> halt option
 (** The way in which time ends on the run; [None] if time goes on. *)
 
@@ -94,9 +99,12 @@ val instant : t -> Algebraic.t
 val at_rational_instant : t -> bool
 (** [at_rational_instant w] is true if the run ends at a rational instant, so that {!offset} is exact. *)
 
+val is_before_bound : t -> bool
+(** [is_before_bound w] is true if [w] passes a bound that is not shown. *)
+
 val offset : t -> Rat.t option
 (** The time to let pass after the steps, for a schedule. At an irrational instant it is a rational within
-    10^-12 of it. [None] if the run does not end [During] a time transition, or [Passes] a bound in one. *)
+    10^-12 of it. [None] if the run does not end [During] a time transition, or [Passes] a bound in one that is shown. *)
 
 val there : Semantics.t -> t -> State.t
 (** The state at the instant that the witness is about, or at the rational one close to it ({!offset}). *)

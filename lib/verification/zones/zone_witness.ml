@@ -181,7 +181,7 @@ let finish (r : Zone_established.t) (w : Shown_run.t) : Witness.finish =
     let is_time (_, (t : Transition.t)) = Transition.is_time t.label in
     let successors = match Network.successors r.semantics last with Ok list -> numbered list | Error _ -> [] in
     let offset = Algebraic.of_rat (Rat.sub bound (Zone_established.clock r n)) in
-    Passes { choice = Option.map fst (List.find_opt is_time successors); offset }
+    Witness.passes r.semantics ~choice:(Option.map fst (List.find_opt is_time successors)) offset last
   | Goes_on cycle -> Goes_on { cycle }
   | Repeats cycle -> (
       let from = Zone_established.state r cycle in
