@@ -78,8 +78,9 @@ type halt =
   | One_instant  (** the run goes round for ever within one instant *)
 
 val passes : Semantics.t -> choice:int option -> Algebraic.t -> State.t -> finish
-(** [passes c ~choice offset last] is the end of a run that passes a bound at this offset from its last state. It is
-    shown if the bodies take at most 1 000 turns until then: turns are made one by one, in ever longer numbers. *)
+(** [passes c ~choice offset last] is the end of a run that passes a bound at this offset from its last state. The
+    bound is shown if bodies make at most 1 000 turns until then. Turns are computed one by one, and the numbers of
+    orientations grow with each. *)
 
 val halt : t -> halt option
 (** The way in which time ends on the run; [None] if time goes on. *)
@@ -104,7 +105,7 @@ val is_before_bound : t -> bool
 
 val offset : t -> Rat.t option
 (** The time to let pass after the steps, for a schedule. At an irrational instant it is a rational within
-    10^-12 of it. [None] if the run does not end [During] a time transition, or [Passes] a bound in one that is shown. *)
+    10^-12 of it. [None] if the run neither ends [During] a time transition nor [Passes] a bound that is shown. *)
 
 val there : Semantics.t -> t -> State.t
 (** The state at the instant that the witness is about, or at the rational one close to it ({!offset}). *)
