@@ -6,8 +6,8 @@
  *   a bond, which has no leaf
  */
 const Changes = (() => {
-  /** So many are listed, and the places of so many bodies are looked at. */
-  const listed = 12, looked = 200;
+  /** So many are listed; the places of so many bodies are compared, for not all that turn get elsewhere. */
+  const listed = 12, compared = 40;
 
   /** @param {Rational[]} v */
   const vector = (v) => `(${v.map(Exactly.text).join(", ")})`;
@@ -57,35 +57,43 @@ const Changes = (() => {
     return all;
   }
 
+  /** @param {Moving} body */
+  const moves = ({ process }) => process.turn !== undefined || process.velocity.some((v) => !/^-?0(\/|$)/.test(v));
+
   /**
-   * Where bodies are before and after some time has passed.
+   * Where bodies are before and after some time has passed, and whether there are more that move than were compared.
    * @param {Course} course @param {number} legs that are over @param {Rational} from @param {Rational} to
-   * @returns {Change[]}
+   * @returns {{ changes: Change[], more: boolean }}
    */
   function byTime(course, legs, from, to) {
-    if (Rational.cmp(from, to) >= 0) return [];
+    if (Rational.cmp(from, to) >= 0) return { changes: [], more: false };
+    let more = false;
     const at = (/** @type {Rational} */ time) => {
-      const bodies = course.bodiesAfter(legs, time).filter((b) => b.process.turn || b.process.velocity.some((v) => Number(v.split("/")[0]) !== 0));
-      return new Map(bodies.slice(0, looked).flatMap((body) =>
+      const bodies = course.bodiesAfter(legs, time).filter(moves);
+      more = bodies.length > compared;
+      return new Map(bodies.slice(0, compared).flatMap((body) =>
         body.process.leaves.map((place) => [place.leaf, vector(course.position(body, place))])));
     };
     const before = at(from);
-    return [...at(to)].flatMap(([leaf, after]) => {
+    const changes = [...at(to)].flatMap(([leaf, after]) => {
       const was = before.get(leaf);
       return was === undefined || was === after ? []
         : [{ leaf, name: course.leaves[leaf].name, what: "place", before: was, after }];
     });
+    return { changes, more };
   }
 
   /**
-   * What has changed since the state before: by the last step, or since it by the time that has passed.
-   * @param {Player} player @returns {Change[]}
+   * What has changed since the state before: by the last step, or since it by the time that has passed. Events come
+   * first.
+   * @param {Player} player
    */
   function now(player) {
     const { course, legs, time } = player, leg = course.legs[legs - 1];
     if (player.between) return byTime(course, legs, player.instant(legs), time);
-    if (!leg) return [];
-    return [...byTime(course, legs - 1, leg.start, player.instant(legs)), ...byEvent(player.data, course, legs)];
+    if (!leg) return { changes: [], more: false };
+    const { changes, more } = byTime(course, legs - 1, leg.start, player.instant(legs));
+    return { changes: [...byEvent(player.data, course, legs), ...changes], more };
   }
 
   /**
@@ -93,9 +101,9 @@ const Changes = (() => {
    * @param {Player} player
    */
   function show(player) {
-    const all = now(player);
-    if (all.length === 0) return null;
-    const rest = all.length - listed;
+    const { changes, more } = now(player);
+    if (changes.length === 0) return null;
+    const rest = changes.length - listed;
     const item = (/** @type {Change} */ { leaf, name, what, before, after }) => {
       const text = Dom.clip(name, 200);
       return Dom.make("li", { test: "change" }, [
@@ -109,8 +117,8 @@ const Changes = (() => {
     return Dom.make("div", { class: "changes" }, [
       Dom.make("h3", { text: player.between ? "Since the last event" : "Changed by this step" }),
       Dom.make("ul", { class: "plain" }, [
-        ...all.slice(0, listed).map(item),
-        ...(rest > 0 ? [Dom.make("li", { class: "quiet", text: `and ${rest} more` })] : []),
+        ...changes.slice(0, listed).map(item),
+        ...(rest > 0 || more ? [Dom.make("li", { class: "quiet", text: more ? "and others" : `and ${rest} more` })] : []),
       ]),
     ]);
   }

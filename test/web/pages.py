@@ -123,6 +123,14 @@ def deciding(b, scc):
     lines = b.js(changes)
     check('a bond is made', any(line.endswith('bond none → made') for line in lines), lines)
     check('velocities before and after', any(' velocity (' in line for line in lines), lines)
+    many = scc.file('.sc')
+    with open(many, 'w') as f:
+        f.write('import <solids>\nfor i in 1..50 { process c[i] = solids.Cube(1) mass 1 velocity (i, 0, 0) at '
+                'translate (0, 2*i, 0) [nil] }\ncheck far : eventually x(c[50]) >= 900 within 3\n')
+    b.open(scc.view(many))
+    lines = b.js('return [...document.querySelectorAll(".changes li")].map((line) => line.textContent)')
+    same('of many bodies some are listed', (len(lines), lines[0], lines[-1]),
+         (13, 'c[1] place (0, 2, 0) → (3, 2, 0)', 'and others'))
     b.open(scc.view('specs/models/meeting.sc'))
     same('the start of a violated check', (b.state()['run'], b.state()['bodies']['p']['position']),
          ('meets', ['0', '-5/2', '0']))

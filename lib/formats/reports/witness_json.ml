@@ -49,9 +49,10 @@ let finish_format =
   |> from finish
   |> about
     "state: to the state after the steps; instant: to an instant in a passing of time; rests: time passes for \
-     ever; stops: nothing more can happen; repeats: the steps from `cycle` on, for ever; passes: to the end of a \
-     bound of time, which it passes; goes_on: for ever as well, from a state that is like the one before the step \
-     `cycle` but for numbers, but no run was found that comes back to a state."
+     ever; stops: nothing more can happen; repeats: the steps from `cycle` on, for ever; passes: to the end \
+     of a bound of time, which it passes, or to the state before it if bodies turn too often until then; \
+     goes_on: for ever as well, from a state that is like the one before the step `cycle` but for numbers, \
+     but no run was found that comes back to a state."
 
 let cycle (w : Witness.t) =
   match w.finish with
