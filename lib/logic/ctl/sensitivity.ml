@@ -79,10 +79,25 @@ let map f (pieces : Parametric.piece list) =
 
 let unknown = Unknown "not all of what it depends on is known"
 
+let rec has_chance (f : Timed_formula.t) =
+  let of_quantifier : Timed_formula.quantifier -> bool = function Chance _ -> true | All | Exists -> false in
+  match f with
+  | Predicate _ -> false
+  | Not f -> has_chance f
+  | And fs | Or fs -> List.exists has_chance fs
+  | Next (q, f) | Finally (q, _, f) | Globally (q, _, f) -> of_quantifier q || has_chance f
+  | Until (q, _, f, g) -> of_quantifier q || has_chance f || has_chance g
+
+(* {!Eval} has the truth of a probability at one value of the parameter, which says nothing of the others. *)
+let within_another = Unknown "a probability within another operator may hold for some values alone"
+
+let of_operands fs found = if List.exists has_chance fs then Error within_another else found ()
+
 let probability e k side f =
   match Eval.as_until e f with
   | None -> Scc_base.Bug.fail __POS__ "a probability of what is no until"
   | Some (u, flipped) ->
+    of_operands [ u.left; u.right ] @@ fun () ->
     let side = if flipped then Timed_formula.other_side side else side in
     let left = Eval.value e u.left and right = Eval.value e u.right in
     let question generous (f, g) =
@@ -102,7 +117,11 @@ let probability e k side f =
         (fun pieces -> if flipped then complement pieces else pieces)
         (solve e k built ~choices problem)
 
+let operands (what : Expectation.what) =
+  match what with Time_until g | Counts_until (_, g) -> [ g ] | Value_at _ -> []
+
 let mean e k side what =
+  of_operands (operands what) @@ fun () ->
   match Expectation.process e side what with
   | Error why -> Error (Unknown why)
   | Ok { choices; built; added } ->
@@ -113,23 +132,13 @@ let mean e k side what =
 
 (* {1 Tests} *)
 
-let rec has_chance (f : Timed_formula.t) =
-  let of_quantifier : Timed_formula.quantifier -> bool = function Chance _ -> true | All | Exists -> false in
-  match f with
-  | Predicate _ -> false
-  | Not f -> has_chance f
-  | And fs | Or fs -> List.exists has_chance fs
-  | Next (q, f) | Finally (q, _, f) | Globally (q, _, f) -> of_quantifier q || has_chance f
-  | Until (q, _, f, g) -> of_quantifier q || has_chance f || has_chance g
-
 let rec where e k ~probability (f : Timed_formula.t) =
   match f with
   | Not f -> Result.map Dependence.complement (where e k ~probability f)
   | And fs -> all e k ~probability ( && ) true fs
   | Or fs -> all e k ~probability ( || ) false fs
-  | Until (Chance c, _, g, h) when not (has_chance g || has_chance h) -> test k ~probability c f
-  | (Finally (Chance c, _, g) | Globally (Chance c, _, g)) when not (has_chance g) -> test k ~probability c f
-  | _ when has_chance f -> Error (Unknown "a probability within another operator may hold for some values alone")
+  | Until (Chance c, _, _, _) | Finally (Chance c, _, _) | Globally (Chance c, _, _) -> test k ~probability c f
+  | _ when has_chance f -> Error within_another
   | _ -> (
       match Eval.truth e f (Positions.start 0) with
       | Some truth -> Ok (Dependence.everywhere truth)
