@@ -2,25 +2,85 @@ open Scc_base
 open Scc_data
 open Scc_exact
 
-(* A triangle of the surface so far, counter-clockwise from outside, with the plane n . x = d. It keeps the points
-   that are strictly in front of it and seen through it from the middle, and the farthest of these. *)
+(* {1 Heights, in floats where these are certain}
+
+   Let m bound the coordinates, and u be 2^-53. In floats a coordinate is off by at most 2 m u. The difference of
+   two is at most 2 m, and off by 6 m u: by both of them, and its own rounding. A product of two differences is at
+   most 4 m^2, and off by 28 m^2 u. A coordinate of the normal is at most 8 m^2, and off by 64 m^2 u. Its product
+   with a difference is at most 16 m^3, and off by 192 m^3 u. The sum of three is off by 656 m^3 u, with its two
+   roundings. With terms of order u^2 that is less than 2^-43 m^3. *)
+
+type points = {
+  exact : Ivec.t array;
+  xs : float array;
+  ys : float array;
+  zs : float array;
+  error : float;  (* of heights *)
+}
+
+(* Of coordinates in floats, so that their third power is a float. What is cut off is far less than m u. *)
+let most_bits = 300
+
+let points_of exact =
+  let larger m (v : Ivec.t) = List.fold_left (fun m c -> Int.max m (Z.numbits c)) m [ v.x; v.y; v.z ] in
+  let bits = Array.fold_left larger 1 exact in
+  let cut = Int.max 0 (bits - most_bits) in
+  let floats axis = Array.map (fun v -> Z.to_float (Z.shift_right (axis v) cut)) exact in
+  let m = ldexp 1. (bits - cut) in
+  {
+    exact;
+    xs = floats (fun v -> v.Ivec.x);
+    ys = floats (fun v -> v.Ivec.y);
+    zs = floats (fun v -> v.Ivec.z);
+    error = 0x1p-43 *. m *. m *. m;
+  }
+
+(* A triangle of the surface so far, counter-clockwise from outside. It keeps the points that are strictly in front
+   of it and seen through it from the middle, and the farthest of these. *)
 type facet = {
   a : int;
   b : int;
   c : int;
-  n : Ivec.t;
-  d : Z.t;
+  nx : float;
+  ny : float;
+  nz : float;
+  plane : (Ivec.t * Z.t) Lazy.t;  (* n . x = d *)
   mutable outside : int list;
   mutable far : int;
-  mutable height : Z.t;
   mutable there : bool;  (* still a part of the surface *)
 }
 
-let facet (p : Ivec.t array) a b c =
-  let n = Ivec.cross (Ivec.sub p.(b) p.(a)) (Ivec.sub p.(c) p.(a)) in
-  { a; b; c; n; d = Ivec.dot n p.(a); outside = []; far = 0; height = Z.zero; there = true }
+let facet p a b c =
+  let plane =
+    lazy
+      (let at = p.exact.(a) in
+       let n = Ivec.cross (Ivec.sub p.exact.(b) at) (Ivec.sub p.exact.(c) at) in
+       (n, Ivec.dot n at))
+  in
+  let bx = p.xs.(b) -. p.xs.(a) and by = p.ys.(b) -. p.ys.(a) and bz = p.zs.(b) -. p.zs.(a) in
+  let cx = p.xs.(c) -. p.xs.(a) and cy = p.ys.(c) -. p.ys.(a) and cz = p.zs.(c) -. p.zs.(a) in
+  let nx = (by *. cz) -. (bz *. cy) and ny = (bz *. cx) -. (bx *. cz) and nz = (bx *. cy) -. (by *. cx) in
+  { a; b; c; nx; ny; nz; plane; outside = []; far = 0; there = true }
 
-let height f p = Z.sub (Ivec.dot f.n p) f.d
+(* In floats, off by at most [p.error]. *)
+let near_height p f i =
+  (f.nx *. (p.xs.(i) -. p.xs.(f.a))) +. (f.ny *. (p.ys.(i) -. p.ys.(f.a))) +. (f.nz *. (p.zs.(i) -. p.zs.(f.a)))
+
+let height p f i =
+  let n, d = Lazy.force f.plane in
+  Z.sub (Ivec.dot n p.exact.(i)) d
+
+let side_of p f i =
+  let near = near_height p f i in
+  if near > p.error then 1 else if near < -.p.error then -1 else Z.sign (height p f i)
+
+let compare_heights p f i j =
+  let near = near_height p f i -. near_height p f j in
+  (* a rounding more, of less than the errors of both *)
+  if near > 4. *. p.error then 1
+  else if near < -4. *. p.error then -1
+  else Z.compare (height p f i) (height p f j)
+
 let edges_of f = [ (f.a, f.b); (f.b, f.c); (f.c, f.a) ]
 
 (* {1 Four points that are not in one plane} *)
@@ -35,10 +95,11 @@ let first_four p =
   let*? b = find n (fun i -> not (Ivec.equal p.(i) p.(a))) in
   let across i = Ivec.cross (Ivec.sub p.(b) p.(a)) (Ivec.sub p.(i) p.(a)) in
   let*? c = find n (fun i -> not (Ivec.is_zero (across i))) in
-  let f = facet p a b c in
-  let*? d = find n (fun i -> Z.sign (height f p.(i)) <> 0) in
+  let normal = across c in
+  let ahead i = Z.sign (Ivec.dot normal (Ivec.sub p.(i) p.(a))) in
+  let*? d = find n (fun i -> ahead i <> 0) in
   (* d is to be behind the triangle of the others *)
-  Some (if Z.sign (height f p.(d)) < 0 then (a, b, c, d) else (a, c, b, d))
+  Some (if ahead d < 0 then (a, b, c, d) else (a, c, b, d))
 
 (* All points, four times as far apart, about the middle of these four, which is inside of the solid for good. *)
 let about_the_middle p (a, b, c, d) =
@@ -53,29 +114,35 @@ let about_the_middle p (a, b, c, d) =
 
 (* Of two points at one place the first one is taken. *)
 let put points f i =
-  let h = height f points.(i) in
-  if Z.sign h > 0 then begin
-    let c = if f.outside = [] then 1 else Z.compare h f.height in
-    if c > 0 || (c = 0 && i < f.far) then begin
-      f.far <- i;
-      f.height <- h
-    end;
+  if side_of points f i > 0 then begin
+    let c = if f.outside = [] then 1 else compare_heights points f i f.far in
+    if c > 0 || (c = 0 && i < f.far) then f.far <- i;
     f.outside <- i :: f.outside
   end
 
 (* Facets around a new corner, by angle about the line to it from the middle: from the plane of [sides.(i)] to that
    of the next one. In [upper] are those less than half a turn from the first. All angles between neighbours are
    less than that, as the middle is inside. *)
-type fan = { facets : facet array; sides : Ivec.t array; upper : bool array }
+type fan = { apex : int; facets : facet array; line : int array; upper : bool array }
+
+(* The sign of the volume of the middle and three points: 1 if they are counter-clockwise, seen from outside. In
+   floats it is less in error than a height is. *)
+let turn p i j k =
+  let nx = (p.ys.(i) *. p.zs.(j)) -. (p.zs.(i) *. p.ys.(j))
+  and ny = (p.zs.(i) *. p.xs.(j)) -. (p.xs.(i) *. p.zs.(j))
+  and nz = (p.xs.(i) *. p.ys.(j)) -. (p.ys.(i) *. p.xs.(j)) in
+  let near = (nx *. p.xs.(k)) +. (ny *. p.ys.(k)) +. (nz *. p.zs.(k)) in
+  if near > p.error then 1
+  else if near < -.p.error then -1
+  else Z.sign (Ivec.dot (Ivec.cross p.exact.(i) p.exact.(j)) p.exact.(k))
 
 let fan points p border =
-  let line = Array.of_list border in
-  let sides = Array.map (fun (v, _) -> Ivec.cross points.(p) points.(v)) line in
-  let upper = Array.mapi (fun i (v, _) -> i = 0 || Z.sign (Ivec.dot sides.(0) points.(v)) > 0) line in
-  { facets = Array.map (fun (v, w) -> facet points v w p) line; sides; upper }
+  let facets = Array.of_list (List.map (fun (v, w) -> facet points v w p) border) in
+  let line = Array.of_list (List.map fst border) in
+  { apex = p; facets; line; upper = Array.mapi (fun i v -> i = 0 || turn points p line.(0) v > 0) line }
 
-let through fan point =
-  let left i = Z.sign (Ivec.dot fan.sides.(i) point) >= 0 in
+let through points fan k =
+  let left i = turn points fan.apex fan.line.(i) k >= 0 in
   let begins_before =
     if left 0 then fun i -> fan.upper.(i) && left i else fun i -> fan.upper.(i) || left i
   in
@@ -102,7 +169,7 @@ let seen points edges f p =
       let look (border, rest) (v, w) =
         let g = Int_pairs.find edges (w, v) in
         if not g.there then (border, rest)
-        else if Z.sign (height g points.(p)) > 0 then begin
+        else if side_of points g p > 0 then begin
           g.there <- false;
           (border, g :: rest)
         end
@@ -135,7 +202,7 @@ let add points edges f =
   List.iter (fun f -> List.iter (Int_pairs.remove edges) (edges_of f)) gone;
   let fan = fan points p (in_order border) in
   Array.iter (enter edges) fan.facets;
-  List.iter (fun f -> List.iter (fun i -> put points (through fan points.(i)) i) f.outside) gone;
+  List.iter (fun f -> List.iter (fun i -> put points (through points fan i) i) f.outside) gone;
   Array.to_list fan.facets
 
 (* {1 All of them}
@@ -145,21 +212,20 @@ let add points edges f =
 
 let start points (a, b, c, d) =
   let facets = [ facet points a b c; facet points a d b; facet points b d c; facet points c d a ] in
-  let sides f = List.map (fun (v, w) -> Ivec.cross points.(v) points.(w)) (edges_of f) in
-  let cones = List.map (fun f -> (f, sides f)) facets in
-  let place i point =
-    let within (_, sides) = List.for_all (fun side -> Z.sign (Ivec.dot side point) >= 0) sides in
-    match List.find_opt within cones with
-    | Some (f, _) -> put points f i
+  let place i =
+    match List.find_opt (fun f -> List.for_all (fun (v, w) -> turn points v w i >= 0) (edges_of f)) facets with
+    | Some f -> put points f i
     | None -> Bug.fail __POS__ "a point is seen through no facet of a tetrahedron"
   in
-  Array.iteri place points;
+  for i = 0 to Array.length points.exact - 1 do
+    place i
+  done;
   facets
 
 let triangles positions =
   let points, _ = Ivec.of_vecs positions in
   let*? four = first_four points in
-  let points = about_the_middle points four in
+  let points = points_of (about_the_middle points four) in
   let edges = Int_pairs.create 1024 in
   let first = start points four in
   List.iter (enter edges) first;

@@ -79,8 +79,8 @@ let flat_face dual list =
   | _ -> None
 
 let beside t f =
-  let of_corner c = Ints.of_list (Growable.get t.corners c).planes in
-  Ints.elements (Ints.remove f (Ints.fold (fun c all -> Ints.union (of_corner c) all) t.at.(f) Ints.empty))
+  let planes c all = List.rev_append (Growable.get t.corners c).planes all in
+  List.filter (fun g -> not (Int.equal g f)) (List.sort_uniq Int.compare (Ints.fold planes t.at.(f) []))
 
 (* The faces of the hull of the points [list] from whose front the point [f] is seen, in floats. [None] where
    this is not certain, as with four points in a plane. Coordinates are integers of at most 41 bits, so that
@@ -223,9 +223,14 @@ let keep ~most set =
   let is_there f = not (Ints.is_empty t.at.(f)) in
   let there () = List.filter is_there (List.init (Array.length t.flat) Fun.id) in
   let heap = Heap.create ~near:(fun c -> c.grows) ~compare:compare_candidates in
+  (* those with a candidate in the heap, of now or before: what a face grows by grows with what goes beside it, so
+     that a candidate that has changed is looked at again when it comes first *)
+  let proposed = Array.make (Array.length t.flat) false in
   let propose f =
+    let fresh = without t f in
     let add fresh = Heap.add heap { face = f; grows = growth t f fresh; change = t.changes.(f); fresh } in
-    Option.iter add (without t f)
+    proposed.(f) <- Option.is_some fresh;
+    Option.iter add fresh
   in
   let rec go count =
     if count <= most then Ok (there ())
@@ -235,9 +240,11 @@ let keep ~most set =
       | Some c when is_there c.face && Int.equal c.change t.changes.(c.face) ->
         let list = drop t c.face c.fresh in
         List.iter (fun g -> t.changes.(g) <- t.changes.(g) + 1) list;
-        List.iter propose list;
+        List.iter (fun g -> if not proposed.(g) then propose g) list;
         go (count - 1)
-      | Some _ -> go count
+      | Some c ->
+        if is_there c.face then propose c.face;
+        go count
   in
   let first = there () in
   if List.compare_length_with first most > 0 then List.iter propose first;
