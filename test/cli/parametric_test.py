@@ -19,7 +19,8 @@ import tempfile
 from fractions import Fraction
 
 WEIGHTS = ["k", "1 - k", "1 + k", "2 - k", "k*k", "k*(1 - k)", "1/(1 + k)", "k/(2 - k)", "1", "2", "3"]
-CHANCES = ["k", "(1 - k)", "(k/2)", "(1 - k*k)", "(k/(1 + k))", "1/2", "1/3"]
+CHANCES = ["k", "(1 - k)", "(k/2)", "(1 - k*k)", "(k/(1 + k))", "1/2", "1/3",
+           "(k*k + (1 - k)*(1 - k))", "(2*k*(1 - k))"]  # both are 1/2 at k = 1/2, and on one side of it elsewhere
 RANGES = [("0", "1"), ("0", "1/2"), ("1/5", "9/10")]
 BOUNDS = ["1/10", "1/4", "1/3", "1/2", "3/4", "9/10", "1", "0"]
 

@@ -291,19 +291,20 @@ let functions w (e : Equations.t) ~row =
 (* Where a gain changes its sign. Its denominator has no root within the range. *)
 let changes w gain = Real_roots.changes (Rational_function.numerator gain) ~low:w.p.low ~high:w.p.high
 
-(* The part around a value in which no gain changes its sign; [None] if one does just there. *)
+(* The part around a value in which no gain changes its sign. [None] if a gain is 0 just there, and not everywhere: a
+   scheduler that is best at this value may then be worse than another on both sides of it. *)
 let stays w ~from ~until v gains =
   let near (l, h) root =
-    match Algebraic.compare_rat root v with
-    | 0 -> raise Exit
-    | c when c < 0 -> ((if Algebraic.compare root l > 0 then root else l), h)
-    | _ -> (l, if Algebraic.compare root h < 0 then root else h)
+    if Algebraic.compare_rat root v < 0 then ((if Algebraic.compare root l > 0 then root else l), h)
+    else (l, if Algebraic.compare root h < 0 then root else h)
   in
-  match List.fold_left (fun ends g -> List.fold_left near ends (changes w g)) (from, until) gains with
-  | ends -> Some ends
-  | exception Exit -> None
+  let ties g =
+    (not (Rational_function.equal g Rational_function.zero)) && Rational_function.passes g v Rat.zero
+  in
+  if List.exists ties gains then None
+  else Some (List.fold_left (fun ends g -> List.fold_left near ends (changes w g)) (from, until) gains)
 
-(* The piece around a value. A value at which a gain changes its sign is followed by a smaller one. *)
+(* The piece around a value. A value at which a gain is 0 is followed by a smaller one. *)
 let rec piece w ~from ~until v tries =
   let e = equations w v in
   let { Exact_solver.row; _ } = solver (Exact_solver.solve e w.effort) in

@@ -25,6 +25,12 @@ let weights =
       div one (add one k);
     |]
 
+(* All are 1 at 1/2, where all choices are alike. The others are less on both sides of it, or more. *)
+let alike =
+  let twice f = Rational_function.mul (constant (whole 2)) f in
+  let both_sides = Rational_function.(add (mul k k) (mul rest rest)) in
+  Rational_function.[| one; twice (twice (mul k rest)); twice both_sides |]
+
 type parametric = { case : case; weighed : (int * (int * Rational_function.t) list) list array }
 
 (* The process of the case has the value of each weight at 2/7. *)
@@ -112,6 +118,16 @@ let process =
   let* goal = array_size (pure n) (frequency [ (3, pure false); (1, pure true) ]) in
   pure (of_weights states goal)
 
+(* One or two states with choices that are alike at 1/2, between a goal and a state that is never left. *)
+let ties =
+  let open Gen in
+  let branch n = pair (int_bound (n - 1)) (map (Array.get alike) (int_bound (Array.length alike - 1))) in
+  let* n = int_range 3 4 in
+  let choice = pair (int_bound 1) (list_size (int_range 2 4) (branch n)) in
+  let state s = if s = 1 || s = 2 then pure [ (0, [ (s, k) ]) ] else list_size (int_range 2 3) choice in
+  let* states = flatten_a (Array.init n state) in
+  pure (of_weights states (Array.init n (fun s -> s = 1)))
+
 let print p =
   let branch (t, f) = Printf.sprintf "%d: %s" t (Rational_function.to_string ~variable:"k" f) in
   let choice (r, l) = Printf.sprintf "(%d) %s" r (String.concat "; " (List.map branch l)) in
@@ -125,6 +141,10 @@ let test ~count name ~print gen law = Property.case (QCheck2.Test.make ~count ~n
 
 let random =
   test ~count:250 "values as functions" ~print process (fun p -> both (agrees p))
+
+let tied =
+  test ~count:250 "values as functions, where choices are alike at the first value" ~print ties
+    (fun p -> both (agrees p))
 
 (* {1 Closed forms} *)
 
@@ -290,7 +310,7 @@ let interpolated =
 let () =
   Alcotest.run "parametric"
     [
-      ("functions", [ random; interpolated ]);
+      ("functions", [ random; tied; interpolated ]);
       ( "closed forms",
         [
           Alcotest.test_case "Parametric: gambler's ruin" `Quick ruin;
