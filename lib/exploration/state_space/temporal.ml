@@ -105,10 +105,7 @@ let truth t i = Scc_ctl.Eval.truth t.eval t.asked.formulas.(i) origin
 
 let done_with t i = Scc_ctl.Eval.done_with t.eval t.uses i
 
-let explain t i =
-  match Explanation.explain t.eval t.asked.formulas.(i) origin with
-  | Some e -> e
-  | None -> Scc_base.Bug.fail __POS__ "an undecided formula is explained"
+let explain t i = Explanation.explain t.eval t.asked.formulas.(i) origin
 
 let is_chain t = Timed_graph.is_chain (Scc_ctl.Eval.graph t.eval)
 let probability t i side = Scc_ctl.Eval.probability t.eval ~decide:false side t.asked.formulas.(i) origin

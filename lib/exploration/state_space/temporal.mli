@@ -40,7 +40,8 @@ val curve :
 (** [curve t i side] is {!probability} for all ends of the bound of time of formula [i] ({!Scc_ctl.Eval.curve}). *)
 
 val explain : t -> int -> Explanation.t
-(** The explanation of a formula that is decided in the initial state. An undecided formula is a bug. *)
+(** The explanation of a formula that is decided in the initial state.
+    @raise Scc_ctl.Explanation.Not_known as {!Scc_ctl.Explanation.explain} *)
 
 val doubts : t -> int -> Scc_ctl.Doubts.t
 (** The unexplored nodes and undefined predicates that keep a formula undecided in the initial state. *)

@@ -109,10 +109,12 @@ let next e (f : Timed_formula.t) position holds ~quantifier explain =
     Run { run; way = Own; parts = [ explain f (Positions.start run.last) ]; along = None }
   | Exists, false | All, true | Chance _, _ -> Everywhere (lazy (visited e position))
 
-(* Recursion is as deep as the formula. *)
+exception Not_known
+
+(* Recursion is as deep as the formula. What was known once may need more effort now than is left. *)
 let rec of_known e spot (formula : Timed_formula.t) position : t =
   match Eval.truth e formula position with
-  | None -> Bug.fail __POS__ "what is not decided is explained"
+  | None -> raise Not_known
   | Some holds ->
     let explain = of_known e spot in
     let deciding fs = List.filter (fun f -> definitely e f position holds) fs in
@@ -137,8 +139,7 @@ let rec of_known e spot (formula : Timed_formula.t) position : t =
     in
     { formula; position; holds; because }
 
-let explain e f position =
-  match Eval.truth e f position with None -> None | Some _ -> Some (of_known e None f position)
+let explain e f position = of_known e None f position
 
 let goes_on (run : Run.t) =
   match (run.steps, run.finish) with

@@ -43,8 +43,12 @@ and along = { claim : Timed_formula.t; claimed : bool; course : Course.t; stretc
 
 and stretch = { place : Course.place; why : t Lazy.t }
 
-val explain : Eval.t -> Timed_formula.t -> Positions.position -> t option
-(** [explain e f p] is why [f] holds at position [p], or why it does not; [None] if it is undecided. *)
+exception Not_known
+(** A truth that is not known, or was known, and needs more effort now than is left. *)
+
+val explain : Eval.t -> Timed_formula.t -> Positions.position -> t
+(** [explain e f p] is why [f] holds at position [p], or why it does not.
+    @raise Not_known if that is undecided, also when parts that are lazy are looked at. *)
 
 val goes_on : Run.t -> bool
 (** [goes_on run] is true if the run should be appended to a run that leads to its start. It is false if the run

@@ -57,8 +57,7 @@ let evaluated (r : Unsettled.t) temporal i : Verdict.t =
   | Error why -> Undecided why
   | Ok None -> Undecided (formula_doubts r temporal i)
   | Ok (Some truth) -> (
-      let explained () = Make_witness.of_explanation r.context r.graph temporal (Temporal.explain temporal i) in
-      match (truth, Unsettled.run r explained) with
+      match (truth, Unsettled.explained r temporal i) with
       | true, witness -> Holds { bounds = []; witness }
       | false, witness -> Violated { witness })
 

@@ -7,8 +7,7 @@ let intervals temporal i = List.map (told "probability") (Temporal.probabilities
 
 (* Without the reasons for a claim that nobody has made. *)
 let witness (r : Unsettled.t) temporal i =
-  Unsettled.run r (fun () -> Make_witness.of_explanation r.context r.graph temporal (Temporal.explain temporal i))
-  |> Option.map (fun w -> { w with Witness.argument = None })
+  Unsettled.explained r temporal i |> Option.map (fun w -> { w with Witness.argument = None })
 
 let reasons_of (r : Unsettled.t) doubts =
   match Unsettled.evaluated r doubts with

@@ -17,6 +17,15 @@ type t = {
 
 let run r make = Lost.run r.lost (Network_lts.semantics r.context) make
 
+(* An explanation repeats what was decided. If that comes to nothing, the time for it was over. *)
+let explained r temporal i =
+  let make () =
+    try Make_witness.of_explanation r.context r.graph temporal (Temporal.explain temporal i)
+    with Scc_ctl.Explanation.Not_known ->
+      raise (Limits.Over (Option.value (r.surroundings.stop ()) ~default:Limits.Seconds))
+  in
+  run r make
+
 let cause r reason = Bounds.cause r.bounds r.model ~horizon:r.horizon reason
 
 let bounds : _ Explore.reason list = [ Depth; Time; Instant; States; Bits; Seconds; Memory; Interrupted ]

@@ -19,6 +19,9 @@ type t = {
 val run : t -> (unit -> Scc_explain.Witness.t option) -> Scc_explain.Witness.t option
 (** A run that is shown. [None] if it is lost ({!Lost.run}). *)
 
+val explained : t -> Temporal.t -> int -> Scc_explain.Witness.t option
+(** The run that explains a formula that is decided. [None] if it is lost, or there is none. *)
+
 val reasons : t -> int Seq.t -> Transition.fault Explore.reason list
 (** The reasons why these states were not expanded: all faults, and each other reason once, in the order of the
     states. *)
