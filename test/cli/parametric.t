@@ -35,8 +35,8 @@ otherwise, between two walls.
       (k^4 - 3k^3 + 4k^2 - 3k + 1)/(k^4 - 2k^3 + 4k^2 - 3k + 1)
       derivative: (k^6 - 4k^4 + 6k^3 - 3k^2)/(k^8 - 4k^7 + 12k^6 - 22k^5 + 30k^4 - 28k^3 + 17k^2 - 6k + 1)
       falls for k in (0, 1)
-      least: towards 0, as k goes to 1
-      greatest: towards 1, as k goes to 0
+      least over k: towards 0, as k goes to 1
+      greatest over k: towards 1, as k goes to 0
   
   by_four: -2k^4 + 7k^3 - 5k^2 + 1, for k in (0, 1)
     P = ? [ eventually gone(walker) within 4 ]
@@ -45,8 +45,8 @@ otherwise, between two walls.
       derivative: -8k^3 + 21k^2 - 10k
       falls for k in (0, 5/8)
       rises for k in (5/8, 1)
-      least: 923/2048 at k = 5/8
-      greatest: towards 1, as k goes to 0 or 1
+      least over k: 923/2048 at k = 5/8
+      greatest over k: towards 1, as k goes to 0 or 1
   
   how_long: (-k^3 + 4k^2 - 2k + 2)/(k^4 - 2k^3 + 4k^2 - 3k + 1), for k in (0, 1)
     E = ? [ time U gone(walker) ]
@@ -55,8 +55,8 @@ otherwise, between two walls.
       derivative: (k^6 - 8k^5 + 10k^4 - 10k^3 + 5k^2 - 8k + 4)/(k^8 - 4k^7 + 12k^6 - 22k^5 + 30k^4 - 28k^3 + 17k^2 - 6k + 1)
       rises for k in (0, root of k^6 - 8k^5 + 10k^4 - 10k^3 + 5k^2 - 8k + 4 in (1/2, 3/5), about 0.548654)
       falls for k in (root of k^6 - 8k^5 + 10k^4 - 10k^3 + 5k^2 - 8k + 4 in (1/2, 3/5), about 0.548654, 1)
-      least: towards 2, as k goes to 0
-      greatest: about 6.097601289 at k = root of k^6 - 8k^5 + 10k^4 - 10k^3 + 5k^2 - 8k + 4 in (1/2, 3/5), about 0.548654
+      least over k: towards 2, as k goes to 0
+      greatest over k: about 6.097601289 at k = root of k^6 - 8k^5 + 10k^4 - 10k^3 + 5k^2 - 8k + 4 in (1/2, 3/5), about 0.548654
   
   drift: 3k - 3/2, for k in (0, 1)
     E = ? [ x(walker) at 3/2 ]
@@ -64,8 +64,8 @@ otherwise, between two walls.
       3k - 3/2
       derivative: 3
       rises for k in (0, 1)
-      least: towards -3/2, as k goes to 0
-      greatest: towards 3/2, as k goes to 1
+      least over k: towards -3/2, as k goes to 0
+      greatest over k: towards 3/2, as k goes to 1
   
   may_end: holds (exhaustive)
     AG EF gone(walker)
@@ -87,8 +87,8 @@ otherwise, between two walls.
       (k^4 - 3k^3 + 4k^2 - 3k + 1)/(k^4 - 2k^3 + 4k^2 - 3k + 1)
       derivative: (k^6 - 4k^4 + 6k^3 - 3k^2)/(k^8 - 4k^7 + 12k^6 - 22k^5 + 30k^4 - 28k^3 + 17k^2 - 6k + 1)
       falls for k in (0, 1)
-      least: towards 0, as k goes to 1
-      greatest: towards 1, as k goes to 0
+      least over k: towards 0, as k goes to 1
+      greatest over k: towards 1, as k goes to 0
   
   two: violated for some k in (0, 1)
     P >= 1/4 [ eventually event absorb(walker, ruin) ] and P < 3/4 [ eventually gone(walker) within 4 ]
@@ -105,8 +105,8 @@ otherwise, between two walls.
       derivative: (k^6 - 8k^5 + 10k^4 - 10k^3 + 5k^2 - 8k + 4)/(k^8 - 4k^7 + 12k^6 - 22k^5 + 30k^4 - 28k^3 + 17k^2 - 6k + 1)
       rises for k in (0, root of k^6 - 8k^5 + 10k^4 - 10k^3 + 5k^2 - 8k + 4 in (1/2, 3/5), about 0.548654)
       falls for k in (root of k^6 - 8k^5 + 10k^4 - 10k^3 + 5k^2 - 8k + 4 in (1/2, 3/5), about 0.548654, 1)
-      least: towards 2, as k goes to 0
-      greatest: about 6.097601289 at k = root of k^6 - 8k^5 + 10k^4 - 10k^3 + 5k^2 - 8k + 4 in (1/2, 3/5), about 0.548654
+      least over k: towards 2, as k goes to 0
+      greatest over k: about 6.097601289 at k = root of k^6 - 8k^5 + 10k^4 - 10k^3 + 5k^2 - 8k + 4 in (1/2, 3/5), about 0.548654
   
   deep: undecided: a probability within another operator may hold for some values alone
     AG P > 1/8 [ eventually event absorb(walker, ruin) ]
@@ -235,8 +235,8 @@ Something is left to choose: whether the bond is released as Quick or as Slow.
         derivative: 3k^2 - 6k + 3
       is constant for k in (0, 1/3)
       rises for k in (1/3, 1)
-      least: 19/27 at k = 1/3
-      greatest: towards 1, as k goes to 1
+      least over k: 19/27 at k = 1/3
+      greatest over k: towards 1, as k goes to 1
   
   most: violated for some k in (0, 1), at split step 1
     Pmax <= 3/4 [ eventually behaviour(a) = Won within 3 ]
@@ -248,8 +248,8 @@ Something is left to choose: whether the bond is released as Quick or as Slow.
         derivative: 3k^2 - 6k + 3
       is constant for k in (0, 1/3)
       rises for k in (1/3, 1)
-      least: 19/27 at k = 1/3
-      greatest: towards 1, as k goes to 1
+      least over k: 19/27 at k = 1/3
+      greatest over k: towards 1, as k goes to 1
   
   sum: 2, for k in (0, 1), at split step 1
     Emin = ? [ event weak U behaviour(a) = Won ]
@@ -352,8 +352,8 @@ What depends on the state is found when it comes up: here at x = 0, for k = 1/2.
     P = ? [ eventually x(p) > 1 within 2 ]
     as a function of k
   $ scc check refused.sc --parametric j
-  command line: error[SC0209]: the model has no parameter `j` with a range
-    hint: declare it as in `param j in (0, 1)`
+  command line: error[SC0209]: the model has no parameter `j`
+    hint: did you mean `k`?
   refused.sc:4:60: error[SC0218]: `k` is known by its range alone, and cannot stand here: the velocities and weights of a law of motion are numbers
      |
    4 | motion p = choose { (1, 0, 0) weight 1, (-1, 0, 0) weight (k - 1/2)*(k - 1/2) + x*x }
@@ -366,8 +366,8 @@ What depends on the state is found when it comes up: here at x = 0, for k = 1/2.
     hint: `-D k=VALUE` gives it a value; ranges may stand in places and delays, in sums and multiples, and in weights and chances with `--parametric k`
   [3]
   $ scc check refused.sc --parametric k -D k=1/3
-  command line: error[SC0209]: the model has no parameter `k` with a range
-    hint: declare it as in `param k in (0, 1)`
+  command line: error[SC0209]: the parameter `k` has one value, and no range
+    hint: declare it as in `param k in (0, 1)`, and give it no value
   [64]
   $ scc check refused.sc --parametric k --where
   scc: --where does not go with --parametric

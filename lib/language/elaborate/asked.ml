@@ -19,9 +19,12 @@ let found t range =
 
 let parameter t = t.parameter
 
-let check t report =
+let check t report ~known ~hint =
   match (t.given, t.parameter) with
   | Some { name; _ }, None when not (Report.failed report) ->
-    Report.error report Code.unknown_parameter Span.none "the model has no parameter `%s` with a range" name
-      ~hint:(Printf.sprintf "declare it as in `param %s in (0, 1)`" name)
+    if known name then
+      Report.error report Code.unknown_parameter Span.none "the parameter `%s` has one value, and no range" name
+        ~hint:(Printf.sprintf "declare it as in `param %s in (0, 1)`, and give it no value" name)
+    else
+      Report.error report Code.unknown_parameter Span.none "the model has no parameter `%s`" name ?hint:(hint name)
   | _ -> ()

@@ -19,5 +19,6 @@ val found : t -> Ranges.range -> Open_number.t
 val parameter : t -> Open_number.t option
 (** [parameter t] is the parameter, once it is found. *)
 
-val check : t -> Report.t -> unit
-(** [check t report] reports SC0209 if the parameter was not found. *)
+val check : t -> Report.t -> known:(string -> bool) -> hint:(string -> string option) -> unit
+(** [check t report ~known ~hint] reports SC0209 if the parameter was not found. [known] is true of the names of
+    parameters, and [hint] is a hint for a name that is unknown. *)

@@ -81,4 +81,4 @@ let check t report at =
         ~hint:"call an import otherwise, with `as`"
   in
   List.iter check t.given;
-  Asked.check t.asked report
+  Asked.check t.asked report ~known:(fun name -> List.exists (List.mem name) t.known) ~hint:(hint t)

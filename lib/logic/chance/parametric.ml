@@ -291,8 +291,8 @@ let functions w (e : Equations.t) ~row =
 (* Where a gain changes its sign. Its denominator has no root within the range. *)
 let changes w gain = Real_roots.changes (Rational_function.numerator gain) ~low:w.p.low ~high:w.p.high
 
-(* The part around a value in which no gain changes its sign. [None] if a gain is 0 just there, and not everywhere: a
-   scheduler that is best at this value may then be worse than another on both sides of it. *)
+(* The part around a value in which no gain changes its sign. [None] if a gain is 0 just there, and not
+   everywhere: a scheduler that is best at this value may then be worse than another on both sides of it. *)
 let stays w ~from ~until v gains =
   let near (l, h) root =
     if Algebraic.compare_rat root v < 0 then ((if Algebraic.compare root l > 0 then root else l), h)

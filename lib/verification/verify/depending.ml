@@ -100,15 +100,19 @@ let where (range : Ranges.range) set =
   | [] -> [ "holds nowhere in this range" ]
   | all -> "holds where" :: indent (List.map text all)
 
-let level : Dependence.level -> string = function
-  | Exactly x -> Likelihoods.number x
-  | Between (low, high) -> "about " ^ Decimal.padded ~places:9 (Rat.middle low high)
-  | Unbounded -> "beyond all bounds"
-
 let extreme (range : Ranges.range) what (e : Dependence.extreme) =
   let places = String.concat " or " (List.map (point range) e.at) in
-  if e.attained then Printf.sprintf "%s: %s at %s = %s" what (level e.level) range.name places
-  else Printf.sprintf "%s: towards %s, as %s goes to %s" what (level e.level) range.name places
+  let told level =
+    if e.attained then Printf.sprintf "%s at %s = %s" level range.name places
+    else Printf.sprintf "towards %s, as %s goes to %s" level range.name places
+  in
+  let text =
+    match e.level with
+    | Exactly x -> told (Likelihoods.number x)
+    | Between (low, high) -> told ("about " ^ Decimal.padded ~places:9 (Rat.middle low high))
+    | Unbounded -> Printf.sprintf "beyond all bounds, as %s goes to %s" range.name places
+  in
+  Printf.sprintf "%s over %s: %s" what range.name text
 
 let trend (range : Ranges.range) (low, high, t) =
   let word = match (t : Dependence.trend) with Rises -> "rises" | Falls -> "falls" | Constant -> "is constant" in

@@ -223,6 +223,13 @@ let number values = function
     let told (s, c) = Likelihoods.side s ^ " " ^ Scc_regions.Words.chances c in
     String.concat "; " (List.map told starts)
 
+let reasons_to_string reasons =
+  let add texts reason =
+    let text = reason_to_string reason in
+    if List.mem text texts then texts else text :: texts
+  in
+  String.concat "; " (List.rev (List.fold_left add [] reasons))
+
 let to_string = function
   | Holds { bounds = []; _ } -> "holds (exhaustive)"
   | Holds { bounds; _ } ->
@@ -231,9 +238,9 @@ let to_string = function
   | Measured ({ reasons = []; _ } as m) -> number m.values m.starts
   | Measured ({ reasons; _ } as m) ->
     Printf.sprintf "%s, as far as is known: %s" (number m.values m.starts)
-      (String.concat "; " (List.map reason_to_string reasons))
+      (reasons_to_string reasons)
   | Depends d -> Depending.to_string d.parameter ~values:d.values ~holds:d.holds
-  | Undecided reasons -> "undecided: " ^ String.concat "; " (List.map reason_to_string reasons)
+  | Undecided reasons -> "undecided: " ^ reasons_to_string reasons
 
 (* Of what is violated for some values alone, for which. *)
 let values_of o =

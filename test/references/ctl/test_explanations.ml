@@ -329,22 +329,6 @@ let explained c =
     (everywhere c);
   true
 
-(* The time is over once the truth is known: it is explained as before, or not at all. *)
-let too_late c =
-  let over = ref false in
-  let interrupted () = !over in
-  let effort = { Scc_chance.Effort.default with interrupted; half = (fun () -> interrupted) } in
-  let e = Small.evaluator ~effort c.graph and p = Positions.start 0 in
-  let truth = Eval.truth e c.formula p in
-  over := true;
-  (match Explanation.explain e c.formula p with
-   | x -> ensure c "another truth" (Option.equal Bool.equal truth (Some x.holds))
-   | exception Explanation.Not_known -> ());
-  true
-
-let late name ~depth count =
-  QCheck2.Test.make ~count ~name ~print (case_gen ~unsure:false ~truncated:false ~depth) too_late
-
 let explanations name ~unsure ~truncated ~depth count =
   QCheck2.Test.make ~count ~name ~print (case_gen ~unsure ~truncated ~depth) explained
 
@@ -403,7 +387,6 @@ let suite =
            explanations "nested operators" ~unsure:false ~truncated:false ~depth:3 1200;
            explanations "nested deeper" ~unsure:false ~truncated:false ~depth:4 400;
            explanations "undecided predicates, truncated graphs" ~unsure:true ~truncated:true ~depth:2 1200;
-           late "when the time is over" ~depth:2 1200;
          ] );
      ( "doubts",
        Scc_test_support.Property.cases

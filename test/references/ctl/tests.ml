@@ -2,6 +2,7 @@ let () =
   Scc_test_support.Suites.run
     [ Test_ctl.suite;
       Test_explanations.suite;
+      Test_late.suite;
       Test_tables.suite;
       Test_reasons.suite;
       Test_long.suite;

@@ -60,8 +60,8 @@ let nearly_flat digits =
   let large = Rat.make (Z.add (Z.pow (Z.of_int 10) digits) Z.one) Z.one in
   let at (i, j) hair =
     let i = Rat.of_int i and j = Rat.of_int j in
-    let z = Rat.add (Rat.mul large (Rat.add (Rat.mul (Rat.of_int 3) i) (Rat.mul (Rat.of_int 7) j))) (Rat.of_int hair) in
-    Vec.make (Rat.mul large i) (Rat.mul large j) z
+    let slanted = Rat.add (Rat.mul (Rat.of_int 3) i) (Rat.mul (Rat.of_int 7) j) in
+    Vec.make (Rat.mul large i) (Rat.mul large j) (Rat.add (Rat.mul large slanted) (Rat.of_int hair))
   in
   G.map2 at G.(pair (int_range 0 5) (int_range 0 5)) (G.int_range (-1) 1)
 
