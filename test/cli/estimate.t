@@ -336,3 +336,24 @@ A check that is decided by a model time has runs of its own, which no other chec
   
   soon: estimated: 1, from 0.07071 to 1 with confidence 99/100, 2 runs
   [2]
+
+An approximate interval of a mean, where it is asked for, and the spread of the runs is known well enough:
+
+  $ scc estimate $M/ruin.sc --check how_long --runs 500 --seed 7 --normal
+  how_long: estimated: 5.372, about from 4.905634 to 5.838366: with confidence 99/100 if the mean of the runs is normal, 500 runs
+  $ scc estimate $M/ruin.sc --check how_long --runs 40 --seed 7 --normal
+  how_long: estimated: 5.525, at least 3.637215 with confidence 99/100, 40 runs
+    25 runs have another value than the most frequent one: --normal needs 30 of them
+  [2]
+  $ scc estimate two.sc --property 'E = ? [ 1 / (1 + z(w)) at 0 ]' --normal
+  property1: estimated: 1, from 1 to 1 with confidence 99/100, 128 runs
+  $ scc estimate two.sc --normal --confidence 9999999999999/10000000000000
+  scc: --normal takes a confidence of at most 1 - 10^-12
+  Usage: scc estimate [OPTION]… MODEL
+  Try 'scc estimate --help' or 'scc --help' for more information.
+  [64]
+  $ scc estimate $M/far.sc --levels 'x(walker) >= 1..19' --normal
+  scc: --normal is about means, and --levels about probabilities
+  Usage: scc estimate [OPTION]… MODEL
+  Try 'scc estimate --help' or 'scc --help' for more information.
+  [64]

@@ -25,6 +25,7 @@ type options = {
   store : string option;
   levels : string option;
   effort : int option;
+  normal : bool;
 }
 
 (* {1 What is asked} *)
@@ -200,20 +201,9 @@ let text console lattices (r : Estimate_report.t) =
   let lattice = Option.to_list (Option.map (fun line -> line ^ "\n") (Scc_elaborate.Lattices.line lattices)) in
   String.concat "\n" (lattice @ List.map answer r.answers @ List.map left reasons)
 
-(* What is said of the levels is advice then. *)
-let whole_splitting (a : Estimation.answer) =
-  match a.splitting with Some s -> s.left = 0 | None -> false
-
-let exit_code (answers : Estimation.answer list) ending : Exit_code.t =
-  let code (a : Estimation.answer) : Exit_code.t =
-    match (a.verdict, a.reasons) with
-    | Holds, _ | Estimated, [] -> Holds
-    | Estimated, _ when whole_splitting a -> Holds
-    | Violated, _ -> Violated
-    | (Undecided | Sampled), _ | Estimated, _ :: _ -> Undecided
-  in
+let exit_code answers ending : Exit_code.t =
   match ending with
-  | Whole -> Exit_code.worst (List.map code answers)
+  | Whole -> Exit_code.worst (List.map Estimate_report.exit_code answers)
   | Interrupted -> Stopped
   | Lost { fault; _ } -> Kept_runs.loss ~fault
 
@@ -254,7 +244,7 @@ let estimate console o watch =
   let* paths, left_out = paths model asked ~by_name in
   let most = Option.value o.most ~default:default_most and width = Option.value o.width ~default:default_width in
   let size = match o.runs with Some n -> Estimation.Exactly n | None -> At_most most in
-  let aim = { Estimation.confidence = o.confidence; width; size; free = o.free } in
+  let aim = { Estimation.confidence = o.confidence; width; size; free = o.free; normal = o.normal } in
   let stopped () = Option.is_some (Watch.stop watch ()) in
   let identity = identity o model paths in
   let* answers, ending, unkept =
@@ -353,11 +343,20 @@ let effort =
   Options.maybe count [ "effort" ] ~docv:"N"
     "With $(b,--levels), makes $(docv) runs from each level in each repetition. The default is 100."
 
+let normal =
+  Options.flag [ "normal" ]
+    "Gives a mean an approximate interval where no range of its number is known: that of a mean with the normal \
+     distribution. Nothing bounds its error, and the report says so. It needs 30 runs with another value than the \
+     most frequent one."
+
+(* Each look has a share of what may be missed, and more than 10^-8 of it. *)
+let least_miss_if_normal = Rat.div Normal_mean.least_miss (Rat.make Z.one (Z.pow (Z.of_int 10) 8))
+
 let least_width = Rat.make Z.one (Z.of_int 10_000)
 
 let options =
   let make path given checks properties runs most confidence width free steps until seconds seed jobs store levels
-      effort =
+      effort normal =
     if Rat.compare confidence Rat.one >= 0 then Error "a confidence is below 1"
     else if Option.is_some levels && (Option.is_some until || free = Sample.Evenly) then
       Error "--levels cannot be combined with --until or --free evenly: write `within` in the property"
@@ -365,6 +364,9 @@ let options =
       Error "--levels cannot be combined with --most or --width: --runs says how many repetitions are made"
     else if Option.is_some runs && (Option.is_some most || Option.is_some width) then
       Error "--runs cannot be combined with --most or --width: it makes so many runs, whatever they tell"
+    else if normal && Option.is_some levels then Error "--normal is about means, and --levels about probabilities"
+    else if normal && Rat.compare (Rat.sub Rat.one confidence) least_miss_if_normal < 0 then
+      Error "--normal takes a confidence of at most 1 - 10^-12"
     else if Option.is_some effort && Option.is_none levels then
       Error "--effort is the number of runs from each level: it needs --levels"
     else if Option.fold ~none:false ~some:(fun w -> Rat.compare w least_width < 0) width then
@@ -373,14 +375,14 @@ let options =
       Ok
         {
           path; given; checks; properties; runs; most; confidence; width; free; steps; until; seconds; seed; jobs;
-          store; levels; effort;
+          store; levels; effort; normal;
         }
   in
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.overrides $ checks $ properties $ runs $ most $ confidence $ width
        $ free $ steps $ until $ Run_options.seconds $ Run_options.seed $ Run_options.jobs
-       $ store_option $ levels $ effort))
+       $ store_option $ levels $ effort $ normal))
 
 let command =
   let told =

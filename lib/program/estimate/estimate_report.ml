@@ -26,6 +26,16 @@ let word (a : answer) =
       | None -> "undecided"
       | Some (_, test) -> "undecided whether it is " ^ Scc_chance.Answer.bound_to_string test)
 
+(* What is said of the levels is advice then. *)
+let whole_splitting a = match a.splitting with Some s -> s.left = 0 | None -> false
+
+let exit_code a : Exit_code.t =
+  match (a.verdict, a.reasons) with
+  | Holds, _ | Estimated, [] -> Holds
+  | Estimated, _ when whole_splitting a -> Holds
+  | Violated, _ -> Violated
+  | (Undecided | Sampled), _ | Estimated, _ :: _ -> Undecided
+
 (* {1 For people} *)
 
 let places = 6
@@ -87,6 +97,9 @@ let line (a : answer) ~confidence =
       | None, None -> "anything"
     in
     Printf.sprintf "%s%s %s, %s" (mean_text mean) ends sure runs
+  | Approximate { mean; low; high } ->
+    Printf.sprintf "%s, about from %s to %s: %s if the mean of the runs is normal, %s" (decimal mean) (down low)
+      (up high) sure runs
   | Sample { mean; deviation } ->
     let spread =
       match deviation with
@@ -133,6 +146,18 @@ let value =
         ~about:
           "Of a number that is always in a range which is known. The mean over the runs is null if not all have \
            come to a number. An end is null if the range has no such end.";
+      variant "normal"
+        (function Approximate { mean; low; high } -> Some (mean, (low, high)) | _ -> None)
+        (all
+           [
+             field "mean" number fst;
+             field "low" number (fun (_, (low, _)) -> low);
+             field "high" number (fun (_, (_, high)) -> high);
+           ])
+        Fun.id
+        ~about:
+          "With --normal, of a number without a known range: the interval is approximate, and its confidence is \
+           that of a mean with the normal distribution.";
       variant "sample"
         (function Sample { mean; deviation } -> Some (mean, deviation) | _ -> None)
         (all [ field "mean" number fst; field "deviation" (nullable number) snd ])

@@ -17,6 +17,10 @@ val word : Estimation.answer -> string
 (** The verdict in words: ["estimated"], ["estimated to hold"], ["estimated to be violated"],
     ["sampled"], ["undecided"], or ["undecided whether it is >= 1/2"] for a comparison. *)
 
+val exit_code : Estimation.answer -> Exit_code.t
+(** [Holds] of an estimate without reasons for doubt, and of a comparison that is estimated to hold; [Violated] of
+    one that is not; else [Undecided]. *)
+
 val line : Estimation.answer -> confidence:Scc_exact.Rat.t -> string
 (** The text after name and verdict: the interval, rounded outwards, and the number of runs. *)
 

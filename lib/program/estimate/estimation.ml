@@ -3,11 +3,12 @@ open Scc_property
 open Scc_chance
 
 type size = Exactly of int | At_most of int
-type aim = { confidence : Rat.t; width : Rat.t; size : size; free : Sample.free }
+type aim = { confidence : Rat.t; width : Rat.t; size : size; free : Sample.free; normal : bool }
 
 type value =
   | Probability of Rat.t * Rat.t
   | Mean of { mean : Rat.t option; low : Rat.t option; high : Rat.t option }
+  | Approximate of { mean : Rat.t; low : Rat.t; high : Rat.t }
   | Sample of { mean : Rat.t; deviation : Rat.t option }
   | Infinite
   | Unknown
@@ -96,6 +97,19 @@ let in_common q (low, high) =
     q.high <- high';
     (low', high')
 
+(* Where an end is missing that would be proved. *)
+let approximated t q range =
+  t.aim.normal && Range.both range = None && Tally.open_ended q.tally = 0
+  && Normal_mean.others q.tally >= Normal_mean.needed
+
+let approximate q (range : Range.t) ~look =
+  match Normal_mean.interval q.tally ~miss:look with
+  | None -> Unknown
+  | Some (mean, error) ->
+    let low = Option.fold ~none:Fun.id ~some:Rat.max range.low (Rat.sub mean error) in
+    let high = Option.fold ~none:Fun.id ~some:Rat.min range.high (Rat.add mean error) in
+    Approximate { mean; low; high }
+
 let value t q =
   let look = share t and open_ended = Tally.open_ended q.tally in
   match q.asked.question with
@@ -107,6 +121,7 @@ let value t q =
     Probability (low, high)
   | Amounts _ when q.tally.never > 0 -> Infinite
   | Amounts _ when q.tally.no_value > 0 -> Unknown
+  | Amounts (_, range) when approximated t q range -> approximate q range ~look
   | Amounts (_, range) when not (Range.is_unknown range) ->
     let low, high = in_common q (Tally.mean q.tally range ~look ~miss:(miss t)) in
     let mean = if open_ended > 0 then None else Option.map fst (Tally.spread q.tally) in
@@ -135,6 +150,7 @@ let known t q (side : Property.side) (test : Answer.bound) value : Answer.t opti
   match value with
   | Probability (low, high) -> sided (Some low) (Some high)
   | Mean { low; high; _ } -> sided low high
+  | Approximate { low; high; _ } -> sided (Some low) (Some high)
   | Infinite when (not t.chosen) || side = Greatest -> Some Infinite
   | Infinite | Sample _ | Unknown -> None
 
@@ -147,14 +163,15 @@ let extent q value =
     Rat.mul (Rat.of_int 2) (Rat.abs (Rat.sub mean x))
   in
   match value with
-  | Probability (low, high) | Mean { low = Some low; high = Some high; _ } -> Some (Rat.sub high low)
+  | Probability (low, high) | Mean { low = Some low; high = Some high; _ } | Approximate { low; high; _ } ->
+    Some (Rat.sub high low)
   | Mean { low = Some x; high = None; _ } | Mean { low = None; high = Some x; _ } -> Some (around (range q) x)
   | Mean { low = None; high = None; _ } | Sample _ | Infinite | Unknown -> None
 
 (* How wide the interval may be. *)
 let allowed t value =
   match value with
-  | Mean { mean = Some about; _ } -> Rat.mul t.aim.width (Rat.abs about)
+  | Mean { mean = Some about; _ } | Approximate { mean = about; _ } -> Rat.mul t.aim.width (Rat.abs about)
   | Mean { mean = None; low; high } ->
     let size = Option.fold ~none:Rat.zero ~some:Rat.abs in
     Rat.mul t.aim.width (Rat.max (size low) (size high))
@@ -163,6 +180,7 @@ let allowed t value =
 let is_narrow t q value =
   match (value, extent q value) with
   | Infinite, _ -> true
+  | Mean _, _ when t.aim.normal && Range.both (range q) = None -> false
   | _, Some extent -> Rat.compare extent (allowed t value) <= 0
   | _, None -> false
 
@@ -173,7 +191,8 @@ let is_hopeless t q value =
   | (Probability _ | Mean _), Some (low, high) when k > 0 ->
     let share = Clopper_pearson.lower ~n ~k ~miss:(Rat.mul Rat.half (share t)) in
     Rat.compare (Rat.mul share (Rat.sub high low)) (allowed t value) > 0
-  | (Probability _ | Mean _), _ -> false
+  | (Probability _ | Mean _ | Approximate _), _ -> false
+  | Sample _, _ when t.aim.normal -> false
   | Infinite, _ -> k > 0
   | (Sample _ | Unknown), _ -> true
 
@@ -211,8 +230,12 @@ let open_reasons { tally; left_out; _ } =
        | Some why -> [ of_runs tally tally.no_value ~one:"does" ~many:"do" ^ " not tell: " ^ why ]);
     ]
 
+let too_alike q =
+  Printf.sprintf "%d runs have another value than the most frequent one: --normal needs %d of them"
+    (Normal_mean.others q.tally) Normal_mean.needed
+
 (* The end that is missing, whatever the number of runs. *)
-let one_sided value =
+let one_sided t q value =
   let no end_ moves =
     [
       Printf.sprintf
@@ -222,9 +245,12 @@ let one_sided value =
     ]
   in
   match value with
+  | Mean { low = None; _ } | Mean { high = None; _ }
+    when t.aim.normal && Tally.open_ended q.tally = 0 ->
+    [ too_alike q ]
   | Mean { high = None; _ } -> no ("greatest", "upper") "raise"
   | Mean { low = None; _ } -> no ("least", "lower") "lower"
-  | Mean _ | Probability _ | Sample _ | Infinite | Unknown -> []
+  | Mean _ | Approximate _ | Probability _ | Sample _ | Infinite | Unknown -> []
 
 (* A bound that only a probability of 0 or 1 meets: an interval of runs that has one of them has others, too. *)
 let never_holds q =
@@ -235,6 +261,7 @@ let never_holds q =
 
 let asked_for t q value =
   match (value, t.aim.size) with
+  | Sample _, _ when t.aim.normal -> [ too_alike q ]
   | Sample _, _ ->
     [
       "no range of this number is known, and so no interval: a value too rare to be among the runs may move the \
@@ -258,8 +285,8 @@ let look t q ~last =
     match value with
     | _ when narrow -> []
     | Unknown when still_open <> [] -> still_open
-    | Probability _ | Mean _ | Infinite when hopeless -> still_open
-    | Probability _ | Mean _ | Infinite | Sample _ | Unknown -> still_open @ asked_for t q value
+    | Probability _ | Mean _ | Approximate _ | Infinite when hopeless -> still_open
+    | Probability _ | Mean _ | Approximate _ | Infinite | Sample _ | Unknown -> still_open @ asked_for t q value
   in
   let settle verdict ~reasons = q.answer <- Some (answer t q value verdict ~reasons) in
   match Path.test q.asked with
@@ -269,9 +296,9 @@ let look t q ~last =
       match value with
       | Sample _ -> settle Sampled ~reasons:(wide ())
       | Unknown -> settle Undecided ~reasons:(wide ())
-      | Probability _ | Mean _ | Infinite ->
+      | Probability _ | Mean _ | Approximate _ | Infinite ->
         let reasons = if fixed && not hopeless then open_reasons q else wide () in
-        settle Estimated ~reasons:(one_sided value @ reasons))
+        settle Estimated ~reasons:(one_sided t q value @ reasons))
   | Some (side, test) -> (
       match Option.bind (known t q side test value) (fun known -> Answer.holds known test) with
       | Some holds -> settle (if holds then Holds else Violated) ~reasons:[]
@@ -280,13 +307,13 @@ let look t q ~last =
           if t.chosen then [ "choices that nothing draws were taken evenly, which the bound is not about" ] else []
         in
         let within =
-          match one_sided value with
+          match one_sided t q value with
           | [] when never_holds q -> asked_for t q value
           | [] -> [ "the bound is within the interval" ]
           | some -> some
         in
         if narrow then settle Undecided ~reasons:(even @ within)
-        else if hopeless || last then settle Undecided ~reasons:(even @ one_sided value @ wide ()))
+        else if hopeless || last then settle Undecided ~reasons:(even @ one_sided t q value @ wide ()))
 
 let judge t ~last =
   t.looks <- t.looks + 1;

@@ -13,6 +13,7 @@ type aim = {
   width : Rat.t;  (** of the interval of a probability; for a mean, as a share of the mean *)
   size : size;
   free : Sample.free;
+  normal : bool;  (** means without a known range may be approximated ({!Normal_mean}) *)
 }
 
 (** The result for a number. *)
@@ -21,6 +22,8 @@ type value =
   | Mean of { mean : Rat.t option; low : Rat.t option; high : Rat.t option }
   (** for a number whose range has an end; [mean] is that over the runs, if each has a number. There is a bound for
       each end of the range. *)
+  | Approximate of { mean : Rat.t; low : Rat.t; high : Rat.t }
+  (** for a number whose range lacks an end, if that was asked for: not proved ({!Normal_mean}) *)
   | Sample of { mean : Rat.t; deviation : Rat.t option }
   (** for a number without a known range: statistics of the runs, from which nothing follows *)
   | Infinite  (** some runs never reach the event on which the number depends *)

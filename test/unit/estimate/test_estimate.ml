@@ -91,11 +91,12 @@ let estimate aim path p g =
 let missed p (a : Estimation.answer) =
   match a.value with
   | Probability (low, high) -> Rat.compare p low < 0 || Rat.compare p high > 0
-  | Mean _ | Sample _ | Infinite | Unknown -> Alcotest.fail "no probability"
+  | Mean _ | Approximate _ | Sample _ | Infinite | Unknown -> Alcotest.fail "no probability"
 
 let counted what ~count size p () =
   let miss = fraction 1 20 in
-  let aim = { Estimation.confidence = Rat.sub Rat.one miss; width = fraction 1 5; size; free = Sample.Apart } in
+  let confidence = Rat.sub Rat.one miss in
+  let aim = { Estimation.confidence; width = fraction 1 5; size; free = Sample.Apart; normal = false } in
   let path = path "P = ? [ eventually x(a) >= 1 ]" in
   let rec go i g wrong =
     if i = count then wrong
@@ -133,7 +134,7 @@ let intervals ~count n p () =
 let decided () =
   let miss = fraction 1 20 and count = 400 in
   let confidence = Rat.sub Rat.one miss in
-  let aim = { Estimation.confidence; width = fraction 1 20; size = At_most 2000; free = Apart } in
+  let aim = { Estimation.confidence; width = fraction 1 20; size = At_most 2000; free = Apart; normal = false } in
   List.iter
     (fun (bound, p, right) ->
        let path = path (Printf.sprintf "P >= %s [ eventually x(a) >= 1 ]" bound) in
@@ -156,7 +157,7 @@ let no_runs () =
     List.iter
       (fun size ->
          let confidence = fraction 19 20 in
-         let aim = { Estimation.confidence; width = fraction 1 20; size; free = Apart } in
+         let aim = { Estimation.confidence; width = fraction 1 20; size; free = Apart; normal = false } in
          let t = Estimation.start aim [ path text ] in
          Estimation.judge t ~last:true;
          let told = List.map (Estimate_report.line ~confidence) (Estimation.answers t) in
@@ -328,7 +329,8 @@ let open_runs () =
   let answer property outcomes =
     let e = Load.exactly (Load.text (body ^ "check c : " ^ property ^ "\n")) in
     let path = Result.get_ok (Path.of_check e.model (List.hd e.checks)) in
-    let aim = { Estimation.confidence = fraction 19 20; width = fraction 1 20; size = Exactly 9; free = Evenly } in
+    let confidence = fraction 19 20 and size = Estimation.Exactly 9 in
+    let aim = { Estimation.confidence; width = fraction 1 20; size; free = Evenly; normal = false } in
     let t = Estimation.start aim [ path ] in
     let add o = Estimation.add t { Sample.outcomes = [ o ]; chosen = false; interrupted = true } in
     List.iter add outcomes;

@@ -159,6 +159,7 @@ def estimate(
     jobs: Optional[int] = None,
     levels: Optional[Union[Number, Path]] = None,
     most: Optional[int] = None,
+    normal: bool = False,
     property: Optional[Texts] = None,
     runs: Optional[int] = None,
     seconds: Optional[Number] = None,
@@ -185,6 +186,9 @@ def estimate(
     ``levels``: Estimates a rare event by splitting, at the levels of LEVELS: 'x(p) >= 1, 2, 3' or 'x(p) >=
       1..9'. See RARE EVENTS.
     ``most``: Makes at most N runs; the default is 10000. Not with --runs.
+    ``normal``: Gives a mean an approximate interval where no range of its number is known: that of a mean with
+      the normal distribution. Nothing bounds its error, and the report says so. It needs 30 runs with another
+      value than the most frequent one.
     ``property``: Estimates PROPERTY, a property that is not in the model: P = ? [ eventually f ]. May be given
       several times.
     ``runs``: Makes N runs, and evaluates once: the intervals are narrower than after as many runs by --width.
@@ -217,6 +221,7 @@ def estimate(
         *words.integer("--jobs", jobs),
         *words.other("--levels", levels),
         *words.integer("--most", most),
+        *words.flag("--normal", normal),
         *words.texts("--property", property),
         *words.integer("--runs", runs),
         *words.seconds("--seconds", seconds),

@@ -126,7 +126,8 @@ class Simulated(Result):
 @dataclass(frozen=True)
 class Estimate:
     """One property. ``verdict``: ``"estimated"``, ``"sampled"``, ``"estimated_holds"``, ``"estimated_violated"`` or ``"undecided"``.
-    ``kind``: ``"probability"``, ``"mean"``, ``"sample"`` (no interval follows), ``"infinite"``, or None where there is
+    ``kind``: ``"probability"``, ``"mean"``, ``"normal"`` (a mean whose interval is
+    approximate), ``"sample"`` (no interval follows), ``"infinite"``, or None where there is
     no value. The number is between ``low`` and ``high`` with the confidence of the estimates; of a mean one of them
     is None if the number has no least or no greatest value. ``mean`` and ``deviation`` are those of the runs. ``counts``: how the runs ended."""
 
