@@ -83,7 +83,6 @@ type work = {
   context : Instant.context;
   zones : keeps_time:bool -> (Zone.t list, Start.fault) Stdlib.result;
   ranges : Ranges.t;
-  space : Piecewise.space;
   mutable explored : Chance_graph.t list;
   mutable stop : Scc_graph_search.Limits.stop option;
 }
@@ -129,7 +128,7 @@ let pieces w graph { negated; _ } ~chance side =
   let choice = if negated then flipped side else side in
   let chance = if chance then `Mean else (choice :> [ `Mean | `Least | `Greatest ]) in
   let mode = { Chance_value.choice; chance } in
-  let f = Chance_value.solve graph mode w.space in
+  let f = Chance_value.solve graph mode ~parameters:(Array.length w.ranges) in
   let known = function
     | p, Some (v : Piecewise.value) ->
       if negated then (p, { Piecewise.least = Rat.sub Rat.one v.most; most = Rat.sub Rat.one v.least }) else (p, v)
@@ -276,8 +275,7 @@ let check (options : Setup.t) semantics context u ~declared (check : Property.ch
   let m = Semantics.model semantics in
   let initial = Network.started semantics declared in
   let zones ~keeps_time = Start.zones context u ~initial ~keeps_time in
-  let space = Piecewise.space (Ranges.box m.ranges) in
-  let w = { options; context; zones; ranges = m.ranges; space; explored = []; stop = None } in
+  let w = { options; context; zones; ranges = m.ranges; explored = []; stop = None } in
   let without reason faults =
     let stopped_by = match reason with Verdict.Truncated t -> [ t ] | _ -> [] in
     let stats = { (stats w ~faults) with complete = false; stopped_by } in

@@ -1,7 +1,7 @@
 (* Probabilities over all starts are those of the ordinary exploration, at each start: random models with one or
-   two walkers, up to three parameters, walls, receptors, bonds that break by chance or at any time, and free
-   choices; each at random starts, on borders of pieces too. Their means are those of grids, where all pieces are
-   boxes with corners on the grid.
+   two walkers, up to three parameters that delays and predicates may mention, walls, receptors, bonds that break
+   by chance or at any time, and free choices. Each is asked at random starts, on borders of pieces too. Their
+   means are those of grids, where all pieces are boxes with corners on the grid.
 
    test_chance [MODELS [SEED]] *)
 
@@ -60,7 +60,8 @@ let formula random ~two ~plane ~any =
   let state () =
     pick random
       ([ "x(w) >= 1"; "x(w) > 1/2"; "bound(w, s)"; "event bounce(w)"; "event bind"; "vx(w) > 0"; "not bound(w, s)";
-         "x(w) <= 0"; "behaviour(s) = Site"; "energy > 1"; "event bounce(w, east)" ]
+         "x(w) <= 0"; "behaviour(s) = Site"; "energy > 1"; "event bounce(w, east)"; "x(w) > start";
+         "x(w) = start" ]
        @ (if two then [ "x(v) > x(w)"; "event bounce(v, w)" ] else [])
        @ if plane then [ "y(w) > 1"; "y(w) <= x(w)" ] else [])
   in
@@ -111,7 +112,7 @@ let model random =
   in
   add "behaviour Site on Cube = <b, {left}>. %snil\n" weak;
   add "behaviour Ligand on Cube = %s<~b, {%s}>. %snil\n"
-    (if chance random 20 then "eps(3/4). " else "")
+    (if chance random 25 then pick random [ "eps(3/4). "; "eps(1 + start / 2). " ] else "")
     (pick random [ "right"; "only right" ])
     (if bonds then "omega(b, {right}). " else "");
   let inert = if any then "Ligand" else pick random [ "nil"; "Ligand"; "Ligand" ] in
