@@ -252,7 +252,7 @@ let on_all a (least, most) =
   in
   if holds most then Some true else if fails least then Some false else None
 
-let memo table key make =
+let memo (table : (int, _) Hashtbl.t) key make =
   match Hashtbl.find_opt table key with
   | Some x -> x
   | None ->
