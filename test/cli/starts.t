@@ -62,10 +62,9 @@ Probabilities over all starts (rule Starts): functions of the parameters, consta
   
   mean: undecided: a mean over the runs is not computed over starts
     E = ? [ z(ligand) at 1 ]
-    not known anywhere
-    probability at least 0, and at most 1
+    its value is not known for any start
   
-  explored: 354 states, 663 transitions, depth 13; not complete: every property was decided before
+  explored: 354 states, 663 transitions, depth 13; not complete
   4 properties: 2 violated, 1 measured, 1 undecided
   [1]
 
@@ -164,7 +163,7 @@ A weight that is negative for some start, and one that is not constant:
   ruined: undecided: the law of motion of walker cannot be evaluated: a weight is negative, for start = 5/2
     P = ? [ eventually event absorb(walker, ruin) ]
   
-  explored: 0 states, 0 transitions, depth 0; not complete: every property was decided before
+  explored: 0 states, 0 transitions, depth 0; not complete
   1 property: 1 undecided
   [2]
   $ cat > sloped.sc << 'END'
@@ -184,7 +183,7 @@ A weight that is negative for some start, and one that is not constant:
   ruined: undecided: a weight in the law of `walker` depends on the place or the time, and not by conditions alone
     P = ? [ eventually event absorb(walker, ruin) ]
   
-  explored: 0 states, 0 transitions, depth 0; not complete: every property was decided before
+  explored: 0 states, 0 transitions, depth 0; not complete
   1 property: 1 undecided
   [2]
 

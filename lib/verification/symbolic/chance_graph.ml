@@ -9,6 +9,7 @@ type limits = {
   depth : int;
   zones : int;
   stop : unit -> bool;
+  attempt : 'a. (unit -> 'a) -> 'a option;
   progress : zones:int -> waiting:int -> depth:int -> unit;
 }
 
@@ -63,8 +64,9 @@ let later t layer (zone : Zone.t) =
     | Some node -> node
     | None ->
       let node = { zone = own; sets = []; trees = []; values = [] } in
-      Keys.add layer.index key node;
-      layer.nodes <- node :: layer.nodes;
+      Scc_base.Critical.run (fun () ->
+          Keys.add layer.index key node;
+          layer.nodes <- node :: layer.nodes);
       node
   in
   if not (List.exists (Polyhedron.included own.set) node.sets) then
@@ -191,7 +193,13 @@ let rec explore_from t limits ~depth ~after_step layer =
     t.deepest <- Int.min depth limits.depth;
     let next = { within = new_layer (); after_step } in
     let of_node node =
-      let of_set set = (set, expand t limits next ~depth { node.zone with Zone.set }) in
+      let of_set set =
+        match limits.attempt (fun () -> expand t limits next ~depth { node.zone with Zone.set }) with
+        | Some tree -> (set, tree)
+        | None ->
+          t.met <- { t.met with stopped = true };
+          (set, Open)
+      in
       limits.progress ~zones:t.size ~waiting:(List.length next.within.nodes) ~depth;
       node.trees <- List.map of_set node.sets
     in

@@ -13,6 +13,7 @@ type limits = {
   depth : int;  (** the greatest number of layers before that of a zone that is expanded *)
   zones : int;  (** the greatest number of zones that are expanded *)
   stop : unit -> bool;  (** called before each zone; true stops the exploration *)
+  attempt : 'a. (unit -> 'a) -> 'a option;  (** expands a zone; [None] if that is given up, which stops it, too *)
   progress : zones:int -> waiting:int -> depth:int -> unit;
 }
 
