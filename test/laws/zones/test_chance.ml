@@ -62,7 +62,7 @@ let formula random ~two ~plane ~any =
     pick random
       ([ "x(w) >= 1"; "x(w) > 1/2"; "bound(w, s)"; "event bounce(w)"; "event bind"; "vx(w) > 0"; "not bound(w, s)";
          "x(w) <= 0"; "behaviour(s) = Site"; "energy > 1"; "event bounce(w, east)"; "x(w) > start";
-         "x(w) = start" ]
+         "x(w) = start"; "behaviour(w) = Ready" ]
        @ (if two then [ "x(v) > x(w)"; "event bounce(v, w)" ] else [])
        @ if plane then [ "y(w) > 1"; "y(w) <= x(w)" ] else [])
   in
@@ -112,8 +112,9 @@ let model random =
     else "omega(b, {left}) " ^ pick random [ "chance 1/3"; "rate 1"; "" ] ^ ". "
   in
   add "behaviour Site on Cube = <b, {left}>. %snil\n" weak;
-  add "behaviour Ligand on Cube = %s<~b, {%s}>. %snil\n"
-    (if chance random 25 then pick random [ "eps(3/4). "; "eps(1 + start / 2). " ] else "")
+  add "behaviour Ligand on Cube = %sReady\n"
+    (if chance random 25 then pick random [ "eps(3/4). "; "eps(1 + start / 2). " ] else "");
+  add "behaviour Ready on Cube = <~b, {%s}>. %snil\n"
     (pick random [ "right"; "only right" ])
     (if bonds then "omega(b, {right}). " else "");
   let inert = if any then "Ligand" else pick random [ "nil"; "Ligand"; "Ligand" ] in
