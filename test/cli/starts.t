@@ -36,9 +36,9 @@ Probabilities over all starts (rule Starts): functions of the parameters, consta
   
   binds: 0 to 3/8, for d in [0, 3], h in [0, 2]; mean 1/12, about 0.08333
     P = ? [ eventually bound(ligand, receptor) within 2 ]
-    h > 3/2, d < 2: 0
-    2 <= d < 3, h > 1/2: 0
-    d = 3 (no area): 0
+    h > 3/2: 0
+    d >= 2, 1/2 < h <= 3/2: 0
+    d = 3, h <= 1/2 (no area): 0
     1/2 < h <= 3/2, d < 2: 1/16
     2 <= d < 3, h < 1/2: 1/16
     h = 1/2, 2 <= d < 3 (no area): 5/64
@@ -62,10 +62,9 @@ Probabilities over all starts (rule Starts): functions of the parameters, consta
   
   mean: undecided: a mean over the runs is not computed over starts
     E = ? [ z(ligand) at 1 ]
-    not known anywhere
-    probability at least 0, and at most 1
+    its value is not known for any start
   
-  explored: 486 states, 924 transitions, depth 13; not complete: every property was decided before
+  explored: 354 states, 663 transitions, depth 13; not complete
   4 properties: 2 violated, 1 measured, 1 undecided
   [1]
 
@@ -137,7 +136,7 @@ Without a bound of time the value is known between two bounds, piece by piece:
     start = 0 (no length): from 93/125 to 1, not known better
     mean at least 24/125 = 0.192, and at most 347/375, about 0.9253
   
-  explored: 48 states, 70 transitions, depth 12; not complete: stopped by the depth bound 12
+  explored: 27 states, 40 transitions, depth 12; not complete: stopped by the depth bound 12
   1 property: 1 within an interval
   [2]
 
@@ -164,7 +163,7 @@ A weight that is negative for some start, and one that is not constant:
   ruined: undecided: the law of motion of walker cannot be evaluated: a weight is negative, for start = 5/2
     P = ? [ eventually event absorb(walker, ruin) ]
   
-  explored: 0 states, 0 transitions, depth 0; not complete: every property was decided before
+  explored: 0 states, 0 transitions, depth 0; not complete
   1 property: 1 undecided
   [2]
   $ cat > sloped.sc << 'END'
@@ -184,7 +183,7 @@ A weight that is negative for some start, and one that is not constant:
   ruined: undecided: a weight in the law of `walker` depends on the place or the time, and not by conditions alone
     P = ? [ eventually event absorb(walker, ruin) ]
   
-  explored: 0 states, 0 transitions, depth 0; not complete: every property was decided before
+  explored: 0 states, 0 transitions, depth 0; not complete
   1 property: 1 undecided
   [2]
 

@@ -285,8 +285,9 @@ let property_members =
     maybe "where" Where_json.format (fun j ->
         match j.outcome.verdict with
         | Measured _ | Depends _ -> None
+        | Undecided _ when Verdict.asks_number j.outcome.check -> None
         | Holds _ | Violated _ | Undecided _ -> j.holds_where)
-      ~about:"With --where: for which values of the parameters it holds.";
+      ~about:"With --where, unless a number is asked for: for which values of the parameters it holds.";
   ]
 
 (* Which members go with a verdict: as keywords, and as what is wrong. *)

@@ -141,8 +141,8 @@ let counted (check : Scc_property.Property.check) (w : Witness.t) =
   else Printf.sprintf "%s, of probability %s" counts (Likelihoods.number chance)
 
 (* For which values it holds; or, of a probability, what it is for which. *)
-let where_lines (v : Verdict.t) w =
-  match v with
+let where_lines (o : Verdict.outcome) w =
+  match o.verdict with
   | Measured { starts = (_, first) :: rest; _ }
     when List.for_all (fun (_, c) -> Scc_regions.Chances.equal first c) rest ->
     Scc_regions.Words.chances_lines first
@@ -151,6 +151,7 @@ let where_lines (v : Verdict.t) w =
       (Likelihoods.side side ^ " probability") :: List.map (fun l -> "  " ^ l) (Scc_regions.Words.chances_lines c)
     in
     List.concat_map of_side starts
+  | Undecided _ when Verdict.asks_number o.check -> [ "its value is not known for any start" ]
   | Holds _ | Violated _ | Measured _ | Depends _ | Undecided _ -> Scc_regions.Words.lines w
 
 let function_lines ~full = function
@@ -204,7 +205,7 @@ let property console ~full ?(runs = true) ?where c ~from (o : Verdict.outcome) =
     |> Option.fold ~none:[] ~some:(fun text -> [ Printf.sprintf "  likely cure: %s\n" text ])
   in
   let show (what, lines) = Printf.sprintf "  %s\n" what :: indented 4 lines in
-  let where = match where with None -> [] | Some w -> indented 2 (where_lines v w) in
+  let where = match where with None -> [] | Some w -> indented 2 (where_lines o w) in
   String.concat "" ((head :: none) @ cure @ where @ List.concat_map show run)
 
 let zeno ~full c w =

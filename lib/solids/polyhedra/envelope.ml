@@ -60,7 +60,8 @@ let seem_convex p q =
 (* If the union of p and q is a polyhedron, the join may still have some faces more. A convex set in finitely many
    faces is in one of them, so each piece of what is too much lies in a face that has nothing of the union. *)
 let merge p q =
-  if Polyhedron.included p q then Some q
+  if Polyhedron.not_convex p q then None
+  else if Polyhedron.included p q then Some q
   else if Polyhedron.included q p then Some p
   else if apart p q || not (seem_convex p q) then None
   else

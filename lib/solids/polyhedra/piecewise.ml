@@ -21,13 +21,7 @@ let compare_atoms a b =
 module Values = Hashtbl.Make (struct
     type t = value option
     let equal = Option.equal (fun a b -> Rat.equal a.least b.least && Rat.equal a.most b.most)
-    let hash = function None -> 0 | Some v -> (Rat.hash v.least * 31) + Rat.hash v.most + 1
-  end)
-
-module Atoms = Hashtbl.Make (struct
-    type t = atom
-    let equal = equal_atom
-    let hash a = (((Rat.hash a.bound * 31) + a.normal) * 2) + Bool.to_int a.strict
+    let hash = function None -> 0 | Some v -> (Rat.hash v.least * 31) + (Rat.hash v.most * 2) + 1
   end)
 
 module Tests = Hashtbl.Make (struct
@@ -38,28 +32,28 @@ module Tests = Hashtbl.Make (struct
 
 type operation = Restrict | First | Add | Least | Greatest | Ends
 
+module Pairs = Hashtbl.Make (struct
+    type t = int * int
+    let equal (f, g) (f', g') = Int.equal f f' && Int.equal g g'
+    let hash (f, g) = (f * 65599) + g
+  end)
+
 type space = {
-  domain : Polyhedron.t;
   normals : (string, int) Hashtbl.t;
-  known : bool option Atoms.t;  (** what is known of atoms on the domain *)
   leaves : t Values.t;
   tests : t Tests.t;
-  results : (operation * int * int, t) Hashtbl.t;
+  results : (operation * t Pairs.t) list;
   mutable made : int;
 }
 
-let space domain =
+let space () =
   {
-    domain;
     normals = Hashtbl.create 64;
-    known = Atoms.create 64;
     leaves = Values.create 64;
     tests = Tests.create 1024;
-    results = Hashtbl.create 1024;
+    results = List.map (fun o -> (o, Pairs.create 64)) [ Restrict; First; Add; Least; Greatest; Ends ];
     made = 0;
   }
-
-let dimension s = Polyhedron.dimension s.domain
 
 (* {1 Nodes} *)
 
@@ -109,21 +103,6 @@ let to_constraint a =
   let scale = Q.den a.bound in
   Constraint.make (Array.map (Z.mul scale) a.form) (if a.strict then Less else At_most) (Q.num a.bound)
 
-let truth s a =
-  if Array.length a.form <> Polyhedron.dimension s.domain then None
-  else
-    match Atoms.find_opt s.known a with
-    | Some known -> known
-    | None ->
-      let c = to_constraint a in
-      let known =
-        if Polyhedron.implies s.domain c then Some true
-        else if Polyhedron.is_empty (Polyhedron.add s.domain c) then Some false
-        else None
-      in
-      Atoms.add s.known a known;
-      known
-
 (* A half-space as an atom, and whether it is where the atom holds: otherwise it is where that fails. *)
 let atom s (c : Constraint.t) =
   match Constraint.first_variable c with
@@ -143,9 +122,7 @@ let guard_half s yes (c : Constraint.t) =
   | Some false -> no
   | None -> (
       let a, positive = atom s c in
-      match truth s a with
-      | Some holds -> if Bool.equal holds positive then yes else no
-      | None -> if positive then test s a yes no else test s a no yes)
+      if positive then test s a yes no else test s a no yes)
 
 (* {1 Operations} *)
 
@@ -159,9 +136,10 @@ let branches a t =
   | Test _ | Leaf _ -> (past a.normal t, t)
 
 let combine s operation of_values =
+  let results = List.assoc operation s.results in
   let rec apply f g =
-    let key = (operation, f.id, g.id) in
-    match Hashtbl.find_opt s.results key with
+    let key = (f.id, g.id) in
+    match Pairs.find_opt results key with
     | Some t -> t
     | None ->
       let t =
@@ -170,7 +148,7 @@ let combine s operation of_values =
         | Test (a, _, _), Leaf _ | Leaf _, Test (a, _, _) -> on a f g
         | Test (a, _, _), Test (b, _, _) -> on (if compare_atoms a b <= 0 then a else b) f g
       in
-      Hashtbl.add s.results key t;
+      Pairs.add results key t;
       t
   and on a f g =
     let f_yes, f_no = branches a f and g_yes, g_no = branches a g in
@@ -217,6 +195,90 @@ let map s of_value f =
 
 let scale s k = map s (fun v -> { least = Rat.mul k v.least; most = Rat.mul k v.most })
 let sum s terms = List.fold_left (fun all (k, f) -> add s all (scale s k f)) (constant s zero) terms
+
+(* {1 Other variables} *)
+
+(* [yes] where the atom holds, and [no] elsewhere. *)
+let choose s a yes no =
+  let known = Pairs.create 16 in
+  let is_before t = match t.node with Leaf _ -> true | Test (b, _, _) -> compare_atoms a b <= 0 in
+  let rec go yes no =
+    let key = (yes.id, no.id) in
+    match Pairs.find_opt known key with
+    | Some t -> t
+    | None ->
+      let t = if yes == no then no else made yes no in
+      Pairs.add known key t;
+      t
+  and made yes no =
+    match (yes.node, no.node) with
+    | _ when is_before yes && is_before no -> test s a (fst (branches a yes)) (snd (branches a no))
+    | Test (b, _, _), Test (c, _, _) -> by (if compare_atoms b c <= 0 then b else c) yes no
+    | Test (b, _, _), Leaf _ | Leaf _, Test (b, _, _) -> by b yes no
+    | Leaf _, Leaf _ -> Scc_base.Bug.fail __POS__ "a value comes after no test"
+  (* An atom that comes before. *)
+  and by b yes no =
+    let yes_yes, yes_no = branches b yes and no_yes, no_no = branches b no in
+    test s b (if Int.equal b.normal a.normal then yes_yes else go yes_yes no_yes) (go yes_no no_no)
+  in
+  go yes no
+
+(* A form of atoms over other variables: a number, or [by] times the form of other atoms, and a number. *)
+type moved = Number of Rat.t | Form of { normal : int; form : Z.t array; by : Rat.t; plus : Rat.t }
+
+let moved s ~dimension forms form =
+  let all = Linear.make ~constant:Rat.zero (Array.map Q.of_bigint form) in
+  let all = Linear.compose all ~dimension forms in
+  if Linear.is_constant all then Number all.constant
+  else
+    let a, _ = atom s (Constraint.of_form all Less) in
+    let i = Option.get (Constraint.first_variable (to_constraint a)) in
+    let by = Rat.div (Linear.coefficient all i) (Q.of_bigint a.form.(i)) in
+    Form { normal = a.normal; form = a.form; by; plus = all.constant }
+
+let below a x =
+  let order = Rat.compare x a.bound in
+  if a.strict then order < 0 else order <= 0
+
+(* Whether an atom holds everywhere or nowhere between two ends. *)
+let on_all a (least, most) =
+  let holds = function
+    | Some (Polyhedron.Bound { value; attained }) -> below { a with strict = a.strict && attained } value
+    | Some Unbounded | None -> false
+  in
+  let fails = function
+    | Some (Polyhedron.Bound { value; attained }) -> not (below { a with strict = a.strict || not attained } value)
+    | Some Unbounded | None -> false
+  in
+  if holds most then Some true else if fails least then Some false else None
+
+let memo (table : (int, _) Hashtbl.t) key make =
+  match Hashtbl.find_opt table key with
+  | Some x -> x
+  | None ->
+    let x = make () in
+    Hashtbl.add table key x;
+    x
+
+let preimage s ~dimension forms set =
+  let ends = Hashtbl.create 8 and moves = Hashtbl.create 8 and seen = Hashtbl.create 64 in
+  let ends_of a () =
+    let f = Linear.make ~constant:Rat.zero (Array.map Q.of_bigint a.form) in
+    (Polyhedron.infimum set f, Polyhedron.supremum set f)
+  in
+  let rec go t = match t.node with Leaf _ -> t | Test (a, yes, no) -> memo seen t.id (on a yes no)
+  and on a yes no () =
+    match on_all a (memo ends a.normal (ends_of a)) with
+    | Some holds -> go (if holds then yes else no)
+    | None -> (
+        match memo moves a.normal (fun () -> moved s ~dimension forms a.form) with
+        | Number x -> go (if below a x then yes else no)
+        | Form { normal; form; by; plus } ->
+          let bound = Rat.div (Rat.sub a.bound plus) by in
+          if Rat.sign by > 0 then choose s { a with normal; form; bound } (go yes) (go no)
+          else choose s { normal; form; bound; strict = not a.strict } (go no) (go yes))
+  in
+  go
 
 (* {1 Reading} *)
 

@@ -11,13 +11,9 @@ type value = { least : Rat.t; most : Rat.t }
 type space
 (** Where diagrams are made, with all nodes that were made. Diagrams of different spaces are not mixed. *)
 
-val space : Polyhedron.t -> space
-(** [space domain] is a space for functions over the variables of [domain]: a constraint that holds on all of the
-    domain, or nowhere in it, is decided at once, so that values outside of it have no meaning. Functions over more
-    variables may be made in it as well. *)
-
-val dimension : space -> int
-(** The number of variables of the domain. *)
+val space : unit -> space
+(** A space without functions. The functions of a space may be over different numbers of variables; those that are
+    combined are over the same ones. *)
 
 type t
 (** A function. Equal functions need not be the same diagram. *)
@@ -46,6 +42,10 @@ val greatest : space -> t -> t -> t
 val ends : space -> t -> t -> t
 (** [ends s f g] is the function whose value has the lower end of that of [f] and the upper end of that of [g]. It
     has a value where both have. *)
+
+val preimage : space -> dimension:int -> Linear.t array -> Polyhedron.t -> t -> t
+(** [preimage s ~dimension forms set f] is the function x -> f(forms(x)) over [dimension] variables, where
+    forms(x) is in [set]. Elsewhere its values have no meaning. *)
 
 val pieces : Polyhedron.t -> t -> (Polyhedron.t * value option) list
 (** [pieces p f] is the function on [p]: disjoint polyhedra, none empty, whose union is [p], with the value there.

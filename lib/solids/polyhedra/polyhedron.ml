@@ -1,6 +1,15 @@
 open Scc_exact
 
-type body = { constraints : Constraint.t list; simplex : Simplex.t; minimal : Minimal.t Lazy.t }
+(* A corner of the closure, and the constraints that are tight there, taken as not strict. *)
+type corner = { at : Rat.t array; tight : Constraint.t list }
+
+type body = {
+  constraints : Constraint.t list;
+  simplex : Simplex.t;
+  minimal : Minimal.t Lazy.t;
+  corner : corner Lazy.t;
+  others : corner list Lazy.t;  (** so that each constraint is tight at one of all *)
+}
 
 (* No body: no point. The constraints are those of the simplex that no later one makes superfluous at a glance, the
    last one first. *)
@@ -8,8 +17,33 @@ type t = { dimension : int; body : body option }
 
 let empty dimension = { dimension; body = None }
 
+(* {1 Corners} *)
+
+let corner_of halves at = { at; tight = List.filter (fun c -> Constraint.mem (Constraint.tight c) at) halves }
+
+(* Equalities are two inequalities. *)
+let halves form = List.map Constraint.closed (List.concat_map Constraint.halves (Minimal.constraints form))
+
+let other_corners dimension halves first =
+  let closed = Option.get (Simplex.of_constraints dimension halves) in
+  let is_met corners c = List.exists (fun k -> List.exists (fun d -> d == c) k.tight) corners in
+  let add corners c =
+    if is_met corners c then corners
+    else
+      match Simplex.add closed (Constraint.tight c) with
+      | Some face -> corner_of halves (Simplex.closed_point face) :: corners
+      | None -> corners
+  in
+  List.fold_left add [ first ] halves |> List.filter (fun k -> k != first)
+
+let body dimension constraints simplex minimal =
+  let halves = lazy (halves (Lazy.force minimal)) in
+  let corner = lazy (corner_of (Lazy.force halves) (Simplex.closed_point simplex)) in
+  let others = lazy (other_corners dimension (Lazy.force halves) (Lazy.force corner)) in
+  Some { constraints; simplex; minimal; corner; others }
+
 let with_constraints dimension simplex constraints =
-  { dimension; body = Some { constraints; simplex; minimal = lazy (Minimal.make simplex constraints) } }
+  { dimension; body = body dimension constraints simplex (lazy (Minimal.make simplex constraints)) }
 
 let universe n = with_constraints n (Simplex.universe n) []
 
@@ -41,7 +75,7 @@ let of_constraints n constraints = add_all (universe n) constraints
 
 let of_minimal dimension (form : Minimal.t) =
   let constraints = Minimal.constraints form in
-  { dimension; body = Some { constraints; simplex = form.simplex; minimal = lazy form } }
+  { dimension; body = body dimension constraints form.simplex (lazy form) }
 
 let minimal p =
   match p.body with
@@ -133,6 +167,22 @@ let included p q =
     (* a point that is at hand refutes most inclusions *)
     List.for_all (Simplex.satisfies body.simplex) constraints
     && List.for_all (Simplex.implies body.simplex) constraints
+
+(* Some of the corners is outside of the closure of the other polyhedron, which has a point beyond a face there. *)
+let sticks_out corners other =
+  let closed = List.map Constraint.closed (Minimal.constraints (Lazy.force other.minimal)) in
+  let is_outside k = List.exists (fun c -> not (Constraint.mem c k.at)) closed in
+  let crosses c = not (Constraint.mem c (Lazy.force other.corner).at && Simplex.implies other.simplex c) in
+  List.exists (fun k -> is_outside k && List.exists crosses k.tight) corners
+
+let not_convex p q =
+  match (p.body, q.body) with
+  | Some a, Some b ->
+    sticks_out [ Lazy.force a.corner ] b
+    || sticks_out [ Lazy.force b.corner ] a
+    || sticks_out (Lazy.force a.others) b
+    || sticks_out (Lazy.force b.others) a
+  | None, _ | _, None -> false
 
 let equal p q = p == q || (included p q && included q p)
 

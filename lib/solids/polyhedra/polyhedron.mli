@@ -93,6 +93,11 @@ val implies : t -> Constraint.t -> bool
 val included : t -> t -> bool
 (** [included p q] is true if each point of [p] is a point of [q]. *)
 
+val not_convex : t -> t -> bool
+(** [not_convex p q] is true if a corner of one shows at a glance that the union of both is not convex. The corner
+    is outside of the closure of the other one, which has a point beyond a face at the corner. So the way from the
+    corner to that point begins outside of both closures. If it is false, nothing follows. *)
+
 val equal : t -> t -> bool
 (** [equal p q] is true if both have the same points. *)
 

@@ -9,6 +9,7 @@ type limits = {
   depth : int;
   zones : int;
   stop : unit -> bool;
+  attempt : 'a. (unit -> 'a) -> 'a option;
   progress : zones:int -> waiting:int -> depth:int -> unit;
 }
 
@@ -38,6 +39,7 @@ type t = {
   events : Property.event array;
   claims : Chance_claims.t;
   sees_speed : bool;  (** a predicate depends on velocities *)
+  parameters : Parameters_seen.t;
   mutable root : tree;
   mutable layers : layer list;  (** the last first *)
   mutable size : int;
@@ -55,19 +57,21 @@ type next = { within : layer; after_step : layer }
 
 let later t layer (zone : Zone.t) =
   let zone = if t.sees_speed then zone else Chance_steps.without_old_velocities t.context zone in
-  let key = Key.make zone in
+  let own, forms = Zone_form.canonical (Parameters_seen.forget t.parameters zone) in
+  let key = Key.make own in
   let node =
     match Keys.find_opt layer.index key with
     | Some node -> node
     | None ->
-      let node = { zone; sets = []; trees = []; values = [] } in
-      Keys.add layer.index key node;
-      layer.nodes <- node :: layer.nodes;
+      let node = { zone = own; sets = []; trees = []; values = [] } in
+      Scc_base.Critical.run (fun () ->
+          Keys.add layer.index key node;
+          layer.nodes <- node :: layer.nodes);
       node
   in
-  if not (List.exists (Polyhedron.included zone.set) node.sets) then
-    node.sets <- Union.add_merged zone.set node.sets;
-  Later (node, zone.set)
+  if not (List.exists (Polyhedron.included own.set) node.sets) then
+    node.sets <- Union.add_merged own.set node.sets;
+  Later { node; set = own.set; forms }
 
 (* {1 Next steps} *)
 
@@ -189,18 +193,24 @@ let rec explore_from t limits ~depth ~after_step layer =
     t.deepest <- Int.min depth limits.depth;
     let next = { within = new_layer (); after_step } in
     let of_node node =
-      let of_set set = (set, expand t limits next ~depth { node.zone with Zone.set }) in
+      let of_set set =
+        match limits.attempt (fun () -> expand t limits next ~depth { node.zone with Zone.set }) with
+        | Some tree -> (set, tree)
+        | None ->
+          t.met <- { t.met with stopped = true };
+          (set, Open)
+      in
       limits.progress ~zones:t.size ~waiting:(List.length next.within.nodes) ~depth;
       node.trees <- List.map of_set node.sets
     in
     List.iter of_node nodes;
     explore_from t limits ~depth:(depth + 1) ~after_step next.within
 
-let explore context question limits zones =
+let explore_by parameters context question limits zones =
   let claims = Chance_claims.make context question in
   let t =
     {
-      context; claims;
+      context; claims; parameters;
       sees_speed = Chance_claims.see_speed claims;
       events = Chance_claims.events claims;
       root = Lost; layers = []; size = 0; deepest = 0; transitions = 0; chain = true;
@@ -212,6 +222,12 @@ let explore context question limits zones =
   t.root <- cells (List.map start (List.concat_map (Chance_steps.settled context) zones));
   explore_from t limits ~depth:0 ~after_step:(new_layer ()) first;
   t
+
+(* A fault is shown with the start that leads to it, which all parameters tell. *)
+let explore context (question : Chance_claims.question) limits zones =
+  let by parameters = explore_by parameters context question limits zones in
+  try by (Parameters_seen.make context [ question.claim; question.goal ] zones)
+  with Law_cells.Bad_law _ | Chance_steps.Bad _ -> by (Parameters_seen.all context)
 
 let root t = t.root
 let layers t = List.map (fun layer -> layer.nodes) t.layers

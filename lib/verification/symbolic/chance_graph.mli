@@ -2,9 +2,9 @@
     operator "f until g" of state predicates, with a bound of time or without.
 
     Zones are explored in layers, by the number of transitions that lead to them; what follows the end of a
-    movement step comes after all other zones of that step. Sets of states that are known by the same forms over
-    the parameters are one node of their layer. No zone is dropped because another one includes it, unless the
-    forms are equal: then what follows is the same for each value of the parameters. *)
+    movement step comes after all other zones of that step. Sets of states with the same forms over their own
+    variables are one node of their layer, whatever values of the parameters lead to them. What follows is the same
+    for equal states. *)
 
 open Scc_state_sets
 
@@ -13,6 +13,7 @@ type limits = {
   depth : int;  (** the greatest number of layers before that of a zone that is expanded *)
   zones : int;  (** the greatest number of zones that are expanded *)
   stop : unit -> bool;  (** called before each zone; true stops the exploration *)
+  attempt : 'a. (unit -> 'a) -> 'a option;  (** expands a zone; [None] if that is given up, which stops it, too *)
   progress : zones:int -> waiting:int -> depth:int -> unit;
 }
 

@@ -14,9 +14,10 @@ type tree =
   | Free of (Polyhedron.t * tree) list  (** ways to go on, each for the states of a set *)
   | Stopping of Polyhedron.t * tree
   (** one way to go on for each value of one more variable, the last one, that is in the set *)
-  | Later of node * Polyhedron.t
+  | Later of { node : node; set : Polyhedron.t; forms : Linear.t array }
+  (** the states of a node in a set; the forms are its variables over those from here *)
 
-(** Zones of one kind with the same forms. Each set of a node is expanded by itself. *)
+(** Zones of one kind with the same forms over their own variables. Each set of a node is expanded by itself. *)
 and node = {
   zone : Zone.t;
   mutable sets : Polyhedron.t list;

@@ -50,10 +50,10 @@ let rec of_tree space mode ~within tree =
     in
     List.fold_left option (Piecewise.nowhere space) options
   | Stopping (set, tree) -> over_last space mode.choice set (of_ ~within:set tree)
-  | Later (node, set) ->
+  | Later { node; set; forms } ->
     let holds (s, _) = s == set || Polyhedron.included set s in
     (match List.find_opt holds node.values with
-     | Some (_, f) -> f
+     | Some (_, f) -> Piecewise.preimage space ~dimension:(Polyhedron.dimension within) forms set f
      | None -> Scc_base.Bug.fail __POS__ "states that were not explored")
 
 (* The last one needs no test. *)
@@ -64,13 +64,14 @@ and of_cells space mode ~within = function
     let here = Piecewise.within space (new_constraints ~within set) (of_tree space mode ~within:set tree) in
     Piecewise.first space here (of_cells space mode ~within rest)
 
-let solve graph mode space =
+let solve graph mode ~parameters =
+  let space = Piecewise.space () in
   let layers = Chance_graph.layers graph in
   let of_node node =
     node.values <- List.map (fun (set, tree) -> (set, of_tree space mode ~within:set tree)) node.trees
   in
   List.iter (List.iter of_node) layers;
-  let within = Polyhedron.universe (Piecewise.dimension space) in
+  let within = Polyhedron.universe parameters in
   let root = of_tree space mode ~within (Chance_graph.root graph) in
   List.iter (List.iter (fun node -> node.values <- [])) layers;
   root

@@ -8,7 +8,7 @@ type mode = {
   chance : [ `Mean | `Least | `Greatest ];
 }
 
-val solve : Chance_graph.t -> mode -> Piecewise.space -> Piecewise.t
-(** [solve t mode space] is the value of the runs that satisfy the until, 1 if they do and 0 if they do not, as
-    a function of the parameters, whose values are the domain of [space]. Its ends are those for unknown states
+val solve : Chance_graph.t -> mode -> parameters:int -> Piecewise.t
+(** [solve t mode ~parameters] is the value of the runs that satisfy the until, 1 if they do and 0 if they do not,
+    as a function of the starts, which are values of so many parameters. Its ends are those for unknown states
     that fail, and that satisfy it. *)

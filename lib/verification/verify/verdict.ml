@@ -280,6 +280,11 @@ let unshown o =
   (match o.lost with [] -> "" | _ :: _ -> "; its run could not be rebuilt: this is a fault of scc")
   ^ Option.fold ~none:"" ~some:left_out o.left_out
 
+let asks_number (c : Scc_property.Property.check) =
+  match c.asked with
+  | How_likely _ | Expected (_, _, None) -> true
+  | Whether | Expected (_, _, Some _) -> false
+
 let outcome_to_string o =
   let everywhere = Option.fold ~none:"" ~some:over_to_string o.scale.over in
   let verdict =

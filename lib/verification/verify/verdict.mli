@@ -171,6 +171,10 @@ val rest_to_string : rest -> string
 val to_string : t -> string
 (** A verdict as ["holds (exhaustive)"], ["holds up to the bound: ..."], ["violated"] or ["undecided: ..."]. *)
 
+val asks_number : Scc_property.Property.check -> bool
+(** [asks_number c] is true if [c] asks how likely something is, or for a mean ([= ?]): no values of the parameters
+    are those for which it holds. *)
+
 val outcome_to_string : outcome -> string
 (** The verdict of an outcome as a text, with the runs it rests on and its scale, unless it is undecided.
     Convergence and lost runs are always added. *)

@@ -2,6 +2,7 @@ open Scc_base
 open Scc_exact
 open Scc_polyhedra
 open Scc_chance
+open Scc_graph_search
 open Scc_calculus
 open Scc_state_sets
 open Scc_semantics
@@ -83,14 +84,30 @@ type work = {
   context : Instant.context;
   zones : keeps_time:bool -> (Zone.t list, Start.fault) Stdlib.result;
   ranges : Ranges.t;
-  space : Piecewise.space;
   mutable explored : Chance_graph.t list;
   mutable stop : Scc_graph_search.Limits.stop option;
 }
 
 exception Ill_formed of Start.fault
 
+(* What is given up here has no part that could be reported. *)
+let sure w stage f =
+  match w.options.Setup.surroundings.attempt.run stage f with
+  | Ok x -> x
+  | Error stop -> raise (Limits.Over stop)
+
+let zones w ~keeps_time =
+  match sure w Exploring (fun () -> w.zones ~keeps_time) with
+  | Ok zones -> zones
+  | Error fault -> raise (Ill_formed fault)
+
 let default_zones = 50_000
+
+(* Values take a part of the time that the zones take: a quarter of the seconds is left for them. *)
+let stop_of (around : Limits.surroundings) =
+  let half = around.half () in
+  let quarter = lazy (around.half ()) in
+  fun () -> if Option.is_none (half.stop ()) then None else (Lazy.force quarter).stop ()
 
 let limits w : Chance_graph.limits =
   let { Setup.bounds; surroundings; _ } = w.options in
@@ -98,12 +115,20 @@ let limits w : Chance_graph.limits =
   let progress ~zones ~waiting ~depth =
     surroundings.progress { states = zones; transitions = 0; waiting; depth; model_time = Rat.zero }
   in
+  let is_over = stop_of surroundings in
   let stop () =
-    w.stop <- surroundings.stop ();
+    if Option.is_none w.stop then w.stop <- is_over ();
     Option.is_some w.stop
   in
+  let attempt f =
+    match surroundings.attempt.run Exploring f with
+    | Ok x -> Some x
+    | Error stop ->
+      w.stop <- Some stop;
+      None
+  in
   let zones = Option.value (Bounds.value bounds.states) ~default:default_zones in
-  { horizon = Bounds.value bounds.time; depth; zones; stop; progress }
+  { horizon = Bounds.value bounds.time; depth; zones; stop; attempt; progress }
 
 let explore w (until : Chance_claims.question) =
   let m = Semantics.model w.context.semantics in
@@ -111,12 +136,9 @@ let explore w (until : Chance_claims.question) =
   let bounded = Option.is_some (Bounds.value w.options.bounds.time) in
   let named = [ Property.State until.claim; State until.goal ] in
   let keeps_time = timed || bounded || m.keeps_time || List.exists Formula.mentions_time named in
-  match w.zones ~keeps_time with
-  | Error fault -> raise (Ill_formed fault)
-  | Ok zones ->
-    let graph = Chance_graph.explore w.context until (limits w) zones in
-    w.explored <- graph :: w.explored;
-    graph
+  let graph = Chance_graph.explore w.context until (limits w) (zones w ~keeps_time) in
+  w.explored <- graph :: w.explored;
+  graph
 
 let box w = Ranges.box w.ranges
 
@@ -129,7 +151,7 @@ let pieces w graph { negated; _ } ~chance side =
   let choice = if negated then flipped side else side in
   let chance = if chance then `Mean else (choice :> [ `Mean | `Least | `Greatest ]) in
   let mode = { Chance_value.choice; chance } in
-  let f = Chance_value.solve graph mode w.space in
+  let f = Chance_value.solve graph mode ~parameters:(Array.length w.ranges) in
   let known = function
     | p, Some (v : Piecewise.value) ->
       if negated then (p, { Piecewise.least = Rat.sub Rat.one v.most; most = Rat.sub Rat.one v.least }) else (p, v)
@@ -168,16 +190,13 @@ let now w p =
   let formula = Property.State p in
   let events = Array.of_list (Formula.events formula) in
   let truth = Atoms.truth (Atoms.context w.context ~events) p in
-  match w.zones ~keeps_time:true with
-  | Error fault -> raise (Ill_formed fault)
-  | Ok zones ->
-    let look zone = truth { Atoms.zone; passing = false; quiescent = [] } in
-    let all = List.concat_map look zones in
-    let those wanted =
-      let is (p, truth) = if Scc_ctl.Truth.equal truth wanted then Some p else None in
-      Union.of_polyhedra (Array.length w.ranges) (List.filter_map is all)
-    in
-    { holds = those True; fails = those False }
+  let look zone = truth { Atoms.zone; passing = false; quiescent = [] } in
+  let all = List.concat_map look (zones w ~keeps_time:true) in
+  let those wanted =
+    let is (p, truth) = if Scc_ctl.Truth.equal truth wanted then Some p else None in
+    Union.of_polyhedra (Array.length w.ranges) (List.filter_map is all)
+  in
+  { holds = those True; fails = those False }
 
 let rec sets w = function
   | Now p -> now w p
@@ -276,8 +295,7 @@ let check (options : Setup.t) semantics context u ~declared (check : Property.ch
   let m = Semantics.model semantics in
   let initial = Network.started semantics declared in
   let zones ~keeps_time = Start.zones context u ~initial ~keeps_time in
-  let space = Piecewise.space (Ranges.box m.ranges) in
-  let w = { options; context; zones; ranges = m.ranges; space; explored = []; stop = None } in
+  let w = { options; context; zones; ranges = m.ranges; explored = []; stop = None } in
   let without reason faults =
     let stopped_by = match reason with Verdict.Truncated t -> [ t ] | _ -> [] in
     let stats = { (stats w ~faults) with complete = false; stopped_by } in
@@ -287,9 +305,9 @@ let check (options : Setup.t) semantics context u ~declared (check : Property.ch
     let d = Transition.diagnostic ~at m fault in
     without (Verdict.Fault d.message) [ d ]
   in
-  match options.surroundings.attempt.run Exploring (fun () -> answer w check) with
-  | Ok (verdict, where) -> Ok { verdict; where; stats = stats w ~faults:[] }
-  | Error stop -> without (Truncated (Bounds.stopped options.bounds stop)) []
+  match sure w Concluding (fun () -> answer w check) with
+  | verdict, where -> Ok { verdict; where; stats = stats w ~faults:[] }
+  | exception Limits.Over stop -> without (Truncated (Bounds.stopped options.bounds stop)) []
   | exception Ill_formed fault -> Error fault
   | exception Not_asked reason -> without (Undefined reason) []
   | exception Instant.Not_affine reason -> without (Fault reason) []

@@ -283,7 +283,8 @@ let untold (check : Property.check) : Verdict.outcome =
 
 let nothing : Check.report =
   {
-    outcomes = []; stats = { Stats.none with complete = true }; uneventful = false; slices = []; zeno = None;
+    outcomes = []; stats = { Stats.none with decided_early = false; complete = true };
+    uneventful = false; slices = []; zeno = None;
     lost = []; left_out = None; stores = []; where = []; invariants = []; numbers = (fun () -> []);
   }
 

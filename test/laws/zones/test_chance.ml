@@ -1,12 +1,13 @@
 (* Probabilities over all starts are those of the ordinary exploration, at each start: random models with one or
-   two walkers, up to three parameters, walls, receptors, bonds that break by chance or at any time, and free
-   choices; each at random starts, on borders of pieces too. Their means are those of grids, where all pieces are
-   boxes with corners on the grid.
+   two walkers, up to three parameters that delays and predicates may mention, walls, receptors, bonds that break
+   by chance or at any time, and free choices. Each is asked at random starts, on borders of pieces too. Their
+   means are those of grids, where all pieces are boxes with corners on the grid.
 
    test_chance [MODELS [SEED]] *)
 
 open Scc_exact
 open Scc_polyhedra
+open Scc_graph_search
 open Scc_verify
 open Scc_zones
 module Loaded = Scc_loading.Loaded
@@ -60,7 +61,8 @@ let formula random ~two ~plane ~any =
   let state () =
     pick random
       ([ "x(w) >= 1"; "x(w) > 1/2"; "bound(w, s)"; "event bounce(w)"; "event bind"; "vx(w) > 0"; "not bound(w, s)";
-         "x(w) <= 0"; "behaviour(s) = Site"; "energy > 1"; "event bounce(w, east)" ]
+         "x(w) <= 0"; "behaviour(s) = Site"; "energy > 1"; "event bounce(w, east)"; "x(w) > start";
+         "x(w) = start"; "behaviour(w) = Ready" ]
        @ (if two then [ "x(v) > x(w)"; "event bounce(v, w)" ] else [])
        @ if plane then [ "y(w) > 1"; "y(w) <= x(w)" ] else [])
   in
@@ -110,8 +112,9 @@ let model random =
     else "omega(b, {left}) " ^ pick random [ "chance 1/3"; "rate 1"; "" ] ^ ". "
   in
   add "behaviour Site on Cube = <b, {left}>. %snil\n" weak;
-  add "behaviour Ligand on Cube = %s<~b, {%s}>. %snil\n"
-    (if chance random 20 then "eps(3/4). " else "")
+  add "behaviour Ligand on Cube = %sReady\n"
+    (if chance random 25 then pick random [ "eps(3/4). "; "eps(1 + start / 2). " ] else "");
+  add "behaviour Ready on Cube = <~b, {%s}>. %snil\n"
     (pick random [ "right"; "only right" ])
     (if bonds then "omega(b, {right}). " else "");
   let inert = if any then "Ligand" else pick random [ "nil"; "Ligand"; "Ligand" ] in
@@ -149,6 +152,19 @@ let options = options_of 4_000
 (* Of two walkers with starts of their own, values have pieces by the hundred. *)
 let over_zones ranges =
   if Option.is_some (Scc_calculus.Ranges.find ranges "other") then options_of 150 else options
+
+(* Work that is given up after so many zones. *)
+let given_up_after zones (options : Setup.t) =
+  let left = ref zones in
+  let run (type a) (stage : Limits.stage) (f : unit -> a) : (a, Limits.stop) result =
+    match stage with
+    | Concluding | Reporting -> Ok (f ())
+    | Exploring | Proving ->
+      decr left;
+      if !left < 0 then Error Seconds else Ok (f ())
+  in
+  let bounds = { options.bounds with seconds = Given 1. } in
+  { options with bounds; surroundings = { options.surroundings with attempt = { run } } }
 
 module Side = struct
   type t = Scc_property.Property.side = Least | Greatest
@@ -324,6 +340,8 @@ let try_model number =
       let { Loaded.semantics; declared; checks; _ } = l in
       let uncertain = Option.get l.uncertain in
       let options = over_zones l.model.ranges in
+      let zones = 1 + Random.State.int random 100 in
+      let options = if chance random 15 then given_up_after zones options else options in
       match Zone_check.run options semantics uncertain ~declared ~exactly:true ~premises:[] checks with
       | Error _ -> bump "ill-formed"
       | Ok report ->

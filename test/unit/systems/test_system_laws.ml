@@ -141,10 +141,50 @@ let algebra =
         let more = List.filter (Polyhedron.implies p) (Polyhedron.constraints (Polyhedron.closure q)) in
         let other = Polyhedron.of_constraints 3 (more @ List.rev (Polyhedron.constraints p)) in
         List.equal Constraint.equal (Polyhedron.constraints p) (Polyhedron.constraints other));
+    law "two that a plane makes of one are one again" (fun (p, q) ->
+        let cut (c : Constraint.t) =
+          let parts = List.map (fun d -> Polyhedron.add p d) [ c; List.hd (Constraint.negation c) ] in
+          c.relation = Equal
+          || (match parts with
+              | [ a; b ] ->
+                let whole x y = Option.fold ~none:false ~some:(Polyhedron.equal p) (Envelope.merge x y) in
+                whole a b && whole b a
+              | _ -> false)
+        in
+        List.for_all cut (Polyhedron.constraints q));
     law "an interior point is inside" (fun (p, _) ->
         match Polyhedron.interior_point p with
         | Some point -> mem (Polyhedron.relative_interior p) point
         | None -> Polyhedron.is_empty p) ]
+
+(* {1 Functions of other variables} *)
+
+let value_at x f =
+  match Piecewise.pieces (Polyhedron.of_point x) f with
+  | [ (_, v) ] -> Option.map (fun (v : Piecewise.value) -> v.least) v
+  | _ -> Alcotest.fail "a point in several pieces"
+
+(* Sums of numbers where some constraints hold. *)
+let functions =
+  let form n = Gen.(map2 (fun k a -> Linear.make ~constant:k a) fraction (array_size (pure n) fraction)) in
+  let parts = Gen.(list_size (1 -- 4) (list_size (1 -- 3) (constraint_ 2))) in
+  let probe = Gen.(list_size (pure 8) (array_size (pure 3) fraction)) in
+  let gen = Gen.(quad parts (pair (form 3) (form 3)) (polyhedron 2) probe) in
+  [ Test.make ~name:"a function of forms" ~count:500 gen (fun (parts, (a, b), set, probe) ->
+        let s = Piecewise.space () in
+        let number k = Piecewise.constant s { least = Rat.of_int k; most = Rat.of_int k } in
+        let part k constraints =
+          (Rat.one, Piecewise.first s (Piecewise.within s constraints (number (k + 1))) (number 0))
+        in
+        let f = Piecewise.sum s (List.mapi part parts) in
+        let g = Piecewise.preimage s ~dimension:3 [| a; b |] set f in
+        let agree x =
+          let y = [| Linear.eval a x; Linear.eval b x |] in
+          (not (mem set y)) || Option.equal Rat.equal (value_at x g) (value_at y f)
+        in
+        let onto = Polyhedron.preimage set ~dimension:3 [| a; b |] in
+        let own = List.filter_map Fun.id Polyhedron.[ point onto; interior_point onto ] in
+        List.for_all agree (own @ probe)) ]
 
 (* {1 Projections, against fibres} *)
 
@@ -244,5 +284,5 @@ let () =
   let cases = Scc_test_support.Property.cases in
   Alcotest.run "laws of systems"
     [ ("sets", cases set_laws); ("glances", Alcotest.test_case "by hand" `Quick glances_by_hand :: cases glances);
-      ("algebra", cases algebra); ("projections", cases projections);
+      ("algebra", cases algebra); ("functions", cases functions); ("projections", cases projections);
       ("brute force", cases brute_force); ("volumes", cases volumes) ]
