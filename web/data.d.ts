@@ -124,6 +124,8 @@ interface DataRun {
   leaves?: DataLeaf[];
   /** A run from a start in the drawing of regions. */
   sample?: boolean;
+  /** A run that does otherwise than the one before it, which a check has: so many steps are the same at first. */
+  contrast?: number;
 }
 
 /** Where checks hold, in the plane of two parameters, or on the line of one (then the second coordinate is from 0 to 1). */

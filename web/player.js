@@ -73,7 +73,7 @@ class Player {
 
   /** @param {PageData} data @returns {PlayedRun[]} */
   static beginnings(data) {
-    const first = data.runs.find((run) => run.start !== null && run.check === null && !run.sample);
+    const first = data.runs.find((run) => run.start !== null && run.check === null && !run.sample && run.contrast === undefined);
     const start = first && first.start ? first.start : 0;
     return data.runs.flatMap((run, index) =>
       run.start === null ? [{ ...run, start, steps: [], rest: "0/1", index, way: null, bare: true }] : []);

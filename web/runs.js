@@ -33,7 +33,7 @@ const Runs = (() => {
 
   function show() {
     entries = player.data.runs.flatMap((run, index) =>
-      run.sample && index !== player.run.index ? [] : [{
+      isAside(run, index) ? [] : [{
         name: run.name,
         check: run.check,
         run: /** @type {PlayedRun} */ (player.base(index)),
@@ -47,6 +47,15 @@ const Runs = (() => {
     note.textContent = player.run.bare ? `${bare} This is the beginning.` : "";
     reasons(entries[chosen]);
     mark();
+  }
+
+  /**
+   * What is listed only while it is shown, or what it belongs to.
+   * @param {DataRun} run @param {number} index
+   */
+  function isAside(run, index) {
+    if (index === player.run.index) return false;
+    return run.sample || (run.contrast !== undefined && player.run.index !== index - 1);
   }
 
   /** @param {Entry} entry @param {number} index */
@@ -77,6 +86,7 @@ const Runs = (() => {
 
   /** @param {Entry} entry */
   function said(entry) {
+    if (entry.run.contrast !== undefined && !entry.run.way) return "does otherwise";
     if (!entry.check) return entry.run.way ? "by choices" : "run";
     return entry.check.verdict.replace(/-/g, " ");
   }
@@ -154,12 +164,31 @@ const Runs = (() => {
             text: `Steps of a run of the ${Live.on ? "document" : "file"}: ${run.way.legs}. Steps by your choices after them: ${run.way.choices.length}.`,
           })
         : null,
+      otherwise(run),
       values === "" ? null : Dom.make("p", {}, ["where ", Dom.make("bdi", { text: values })]),
       lines("What is so there", run.facts || []),
       run.argument ? Dom.make("h3", { text: "Because" }) : null,
       run.argument ? tree(run.argument) : null,
       lines("How it ends", (run.ending || []).filter((line) => !(run.facts || []).includes(line))),
     );
+  }
+
+  /**
+   * From the run of a check to one that does otherwise, and back: where they part.
+   * @param {PlayedRun} run
+   */
+  function otherwise(run) {
+    if (run.way) return null;
+    const [first, second] = run.contrast === undefined
+      ? [run, player.base(run.index + 1)] : [player.base(run.index - 1), run];
+    if (!first || !second || second.contrast === undefined) return null;
+    const shared = second.contrast, other = run === first ? second : first;
+    const steps = shared === 0 ? "No step is the same" : shared === 1 ? "The first step is the same" : `The first ${shared} steps are the same`;
+    return Dom.make("p", { class: "contrast" }, [
+      Dom.make("span", { text: run === first ? "" : `This run does otherwise than ${Dom.clip(first.name, 200)}. ${steps}. ` }),
+      Dom.button(run === first ? "Show the nearest run that does otherwise" : "Back to the run of the check",
+        () => player.open(other, shared), { test: "contrast" }),
+    ]);
   }
 
   /** @param {string} head @param {string[]} texts */

@@ -67,7 +67,7 @@ let at_its_end () =
     {
       initial = loaded.declared; steps = []; last;
       finish = During { choice = None; offset; open_piece = false; from = offset };
-      facts = []; argument = None; fixed = None;
+      facts = []; argument = None; fixed = None; otherwise = None;
     }
   in
   let broken = Scc_calculus.State.mapi (fun _ p -> waits p) loaded.declared in

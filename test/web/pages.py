@@ -139,6 +139,28 @@ def deciding(b, scc):
     same('and follows', b.driver.find_element('id', 'about').text, 'y = 0, z = 0')
 
 
+def contrast(b, scc):
+    """From the run of a check to the nearest one that does otherwise, at the step after which they part, and back."""
+    b.open(scc.view('specs/models/ruin.sc'))
+    names = lambda: b.js('return [...document.querySelectorAll("[data-run]")].map((card) => card.dataset.run)')
+    check('the page opens on the violated check', 'ends, otherwise' in names(), names())
+    b.js('scc.open(scc.runs().findIndex((run) => run.name === "rich"))')
+    check('it is listed beside that alone', 'ends, otherwise' not in names(), names())
+    check('none where every run does so', b.js('return document.querySelector("[data-testid=contrast]")') is None)
+    b.js('scc.open(scc.runs().findIndex((run) => run.name === "ends"))')
+    check('listed beside its check', 'ends, otherwise' in names(), names())
+    press = 'document.querySelector("[data-testid=contrast]").click()'
+    b.js(press)
+    runs = b.js('return scc.data.runs')
+    [(k, other)] = [(k, run) for k, run in enumerate(runs) if run.get('contrast') is not None]
+    same('where they part', (b.state()['run'], b.state()['legs']), ('ends, otherwise', other['contrast']))
+    shared = lambda run: [step['label'] for step in run['steps'][:other['contrast']]]
+    same('steps in common', shared(other), shared(runs[k - 1]))
+    check('it gets there', 'gone(walker) holds' in b.find('why').text, b.find('why').text)
+    b.js(press)
+    same('and back', (b.state()['run'], b.state()['legs']), ('ends', other['contrast']))
+
+
 def starts(b, scc):
     """Where a check holds: another start leads to the run from there."""
     b.open(scc.view('specs/models/meeting.sc'))
@@ -514,4 +536,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, reasons, deciding, starts, onwards, by_keys, links, plots, upright, glass, hostile, far_away, motion, no_states_beyond, large]
+PARTS = [by_mouse, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, glass, hostile, far_away, motion, no_states_beyond, large]

@@ -107,6 +107,8 @@ let done_with t i = Scc_ctl.Eval.done_with t.eval t.uses i
 
 let explain t i = Explanation.explain t.eval t.asked.formulas.(i) origin
 
+let contrast t explanation = Scc_ctl.Contrast.explain t.eval explanation
+
 let is_chain t = Timed_graph.is_chain (Scc_ctl.Eval.graph t.eval)
 let probability t i side = Scc_ctl.Eval.probability t.eval ~decide:false side t.asked.formulas.(i) origin
 

@@ -43,6 +43,9 @@ val explain : t -> int -> Explanation.t
 (** The explanation of a formula that is decided in the initial state.
     @raise Scc_ctl.Explanation.Not_known as {!Scc_ctl.Explanation.explain} *)
 
+val contrast : t -> Explanation.t -> (Explanation.t * int) option
+(** {!Scc_ctl.Contrast.explain} on the graph. *)
+
 val doubts : t -> int -> Scc_ctl.Doubts.t
 (** The unexplored nodes and undefined predicates that keep a formula undecided in the initial state. *)
 

@@ -164,7 +164,7 @@ let options console (budget : Budget.t) (extras : Check_extras.t) ~watch ~measur
   {
     (Check_options.starting ~attempt console watch budget) with
     reductions = (if parametric then Parametric_option.reductions else Fun.id) extras.reductions;
-    order = extras.order; compact; prove = extras.prove; curve = extras.curve;
+    order = extras.order; compact; prove = extras.prove; contrast = extras.contrast; curve = extras.curve;
     expanding = Expanded.expanding expanded; compacting = Expanded.compacting expanded;
   }
 

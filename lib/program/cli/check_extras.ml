@@ -18,6 +18,7 @@ type t = {
   prove : bool;
   invariant : string option;
   parametric : string option;
+  contrast : bool;
   curve : string option;
   plot : string option;
   full : bool;
@@ -170,23 +171,29 @@ let curve =
      an operator with a bound of time. A table lists all times up to the end of this bound at which the \
      probability changes, and its value from there on. All of them come of one exploration."
 
+let contrast =
+  Options.flag [ "contrast" ]
+    "Shows with the run of a verdict another one, which does otherwise and parts from it as late as possible. So \
+     where a run never comes to what was to come, it shows one that does, and the step that decides. For checks with \
+     an operator about all runs or some run, but for `possibly` and `always` of predicates, which end early."
+
 let plot =
   Options.maybe Options.named [ "curve-plot" ] ~docv:"FILE"
     "Draws the curve of $(b,--curve) as an SVG picture to $(docv)."
 
 let term =
   let make checks witness coverage stats sarif reductions order compact where smt draw axes slice prove invariant
-      parametric curve plot full jobs store =
+      parametric contrast curve plot full jobs store =
     let prove = prove || Option.is_some invariant in
     {
       checks; witness; coverage; stats; sarif; reductions; order; compact; where; smt; draw; axes; slice; prove;
-      invariant; parametric; curve; plot; full; jobs; store;
+      invariant; parametric; contrast; curve; plot; full; jobs; store;
     }
   in
   Term.(
     const make $ checks
     $ witness $ coverage $ stats $ sarif $ reductions $ order $ compact $ where $ smt $ draw $ axes
-    $ slice $ prove $ invariant $ parametric $ curve $ plot
+    $ slice $ prove $ invariant $ parametric $ contrast $ curve $ plot
     $ Options.full
       "Prints runs in full: every step and every body, and numbers with all their digits; in JSON all steps of \
        the way to an unexplored state."

@@ -18,6 +18,7 @@ type t = {
   prove : bool;  (** search for an invariant first *)
   invariant : string option;  (** a file for the invariant *)
   parametric : string option;  (** a parameter of which answers are functions *)
+  contrast : bool;  (** with each run one that does otherwise *)
   curve : string option;  (** a check, whose probability is reported for all shorter times, too *)
   plot : string option;  (** a file for a plot of this curve *)
   full : bool;  (** report runs in full *)

@@ -204,9 +204,16 @@ let property console ~full ?(runs = true) ?where c ~from (o : Verdict.outcome) =
     Scc_estimate.Cure.of_outcome (Semantics.model c) ~from o
     |> Option.fold ~none:[] ~some:(fun text -> [ Printf.sprintf "  likely cure: %s\n" text ])
   in
+  let other =
+    match v with
+    | Holds { witness = Some { otherwise = Some o; _ }; _ } | Violated { witness = Some { otherwise = Some o; _ } } ->
+      let from = if o.shared = 0 then "from the start" else Printf.sprintf "after step %d" o.shared in
+      [ (Printf.sprintf "the nearest run that does otherwise, which parts from it %s:" from, witness o.run) ]
+    | Holds _ | Violated _ | Measured _ | Depends _ | Undecided _ -> []
+  in
   let show (what, lines) = Printf.sprintf "  %s\n" what :: indented 4 lines in
   let where = match where with None -> [] | Some w -> indented 2 (where_lines o w) in
-  String.concat "" ((head :: none) @ cure @ where @ List.concat_map show run)
+  String.concat "" ((head :: none) @ cure @ where @ List.concat_map show (run @ other))
 
 let zeno ~full c w =
   let lines = witness ~full ~about:(Only []) c w in

@@ -145,13 +145,18 @@ let of_check making world (l : Loaded.t) ~interrupted (outcome : Verdict.outcome
   match (Verdict.shown outcome.verdict, outcome.scale.over) with
   | None, Some { example = _ :: _ as values; _ } ->
     let* run = from_start making l values ~name ~interrupted in
-    Ok (Runs.about run about ~ending:[ Check_text.no_run outcome.check.formula ])
-  | None, _ -> Ok (Runs.none ~name about)
+    Ok [ Runs.about run about ~ending:[ Check_text.no_run outcome.check.formula ] ]
+  | None, _ -> Ok [ Runs.none ~name about ]
   | Some w, _ -> (
-      let told world = Runs.of_witness making.states world ~most:making.most ~name (Some about) w in
+      let told world ~name about w = Runs.of_witness making.states world ~most:making.most ~name about w in
+      let other world (o : Scc_explain.Witness.otherwise) =
+        { (told world ~name:(name ^ ", otherwise") None o.run) with contrast = Some o.shared }
+      in
       match w.fixed with
-      | None -> Ok (told world)
-      | Some f -> Ok (with_leaves making (Semantics.model f.semantics) (told (world_of making f.semantics))))
+      | None -> Ok (told world ~name (Some about) w :: Option.to_list (Option.map (other world) w.otherwise))
+      | Some f ->
+        let world = world_of making f.semantics in
+        Ok [ with_leaves making (Semantics.model f.semantics) (told world ~name (Some about) w) ])
 
 let report console o (l : Loaded.t) checks watch =
   let exactly = Array.length l.model.ranges > 0 in
@@ -159,7 +164,7 @@ let report console o (l : Loaded.t) checks watch =
   | [] -> Ok ([], [])
   | _ ->
     let* initial = Loaded.initial l in
-    let options = Check_options.starting console watch o.budget in
+    let options = { (Check_options.starting console watch o.budget) with contrast = true } in
     let run () = Verdicts.report options l ~initial ~exactly ~premises:[] checks in
     let* report =
       match (Watch.attempt watch).run Reporting run with
@@ -223,7 +228,7 @@ let checked console o making world (l : Loaded.t) watch ~interrupted =
   let* runs = Result.all (of_check making world l ~interrupted) outcomes in
   let limits = { Replay.steps = Some first_steps; time = None; instant = Replay.default_instant } in
   let* first = run_by_choices making world ~name:"first choices" First limits ~interrupted in
-  let runs = runs @ [ first ] in
+  let runs = List.concat runs @ [ first ] in
   let* drawn, more = regions making l outcomes where ~before:(List.length runs) ~interrupted in
   Ok (runs @ more, drawn)
 

@@ -30,6 +30,7 @@ type t = {
   values : (string * Rat.t) list;
   leaves : Bodies.t list option;
   sample : bool;
+  contrast : int option;
 }
 
 (* {1 JSON} *)
@@ -99,13 +100,17 @@ let format =
              maybe "sample" (constant (`Bool true)) (fun (r, _) -> if r.sample then Some () else None)
                ~about:"A run from a start in the drawing of regions.";
              values ~sample:true;
+             maybe "contrast" natural (fun (r, _) -> r.contrast)
+               ~about:
+                 "A run that does otherwise than the one before it in the list, which a check has: so many steps at \
+                  their beginning are the same.";
            ])
         (fun r -> Option.map (fun c -> (r, c)) r.course)
         ignore;
     ]
   |> Rows.named "run"
 
-let run name check course = { name; check; course; values = []; leaves = None; sample = false }
+let run name check course = { name; check; course; values = []; leaves = None; sample = false; contrast = None }
 let none ~name about = run name (Some about) None
 
 let about run check ~ending =

@@ -48,6 +48,8 @@ type t = {
   values : (string * Rat.t) list;  (** of the parameters that have ranges *)
   leaves : Bodies.t list option;  (** if they differ from those of the document *)
   sample : bool;  (** it starts in the drawing of regions *)
+  contrast : int option;
+  (** it does otherwise than the run of a check, which comes before it: so many steps at their beginning are the same *)
 }
 
 val format : (t, unit) Json_format.t

@@ -114,6 +114,7 @@ let witness context (run : Followed.t) finish facts : Witness.t =
     facts;
     argument = None;
     fixed = None;
+    otherwise = None;
   }
 
 let during context state (moment : Timeline.moment) sample : Witness.finish =
@@ -200,3 +201,23 @@ let of_explanation context graph temporal e =
        let facts = Wording.facts context graph temporal ~last:w.last e in
        { w with Witness.facts; argument = Wording.argument context graph temporal e })
     (Explanation.chain e)
+
+(* A step of the graph may be several of a run: those in common are counted again. *)
+let with_contrast context graph temporal e (w : Witness.t) =
+  let shared (other : Witness.t) =
+    let rec count n (a : Witness.step list) (b : Witness.step list) =
+      match (a, b) with
+      | x :: a, y :: b when Int.equal x.choice y.choice && Rat.equal x.time y.time -> count (n + 1) a b
+      | _ -> n
+    in
+    count 0 w.steps other.steps
+  in
+  let made (explanation, _) =
+    Option.map
+      (fun run ->
+         let other = of_run context graph temporal run in
+         let facts = Wording.facts context graph temporal ~last:other.last explanation in
+         { Witness.shared = shared other; run = { other with facts } })
+      (Explanation.chain explanation)
+  in
+  { w with otherwise = Option.bind (Temporal.contrast temporal e) made }

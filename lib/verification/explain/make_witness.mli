@@ -22,6 +22,11 @@ val of_explanation : Network_lts.context -> State_graph.t -> Temporal.t -> Expla
 (** The run with which the explanation begins, and the whole explanation in words. [None] if the explanation
     has no run. *)
 
+val with_contrast :
+  Network_lts.context -> State_graph.t -> Temporal.t -> Explanation.t -> Witness.t -> Witness.t
+(** [with_contrast c g t e w] is the run [w] of the explanation [e] with the run that does otherwise, if there is
+    one ({!Witness.otherwise}). *)
+
 (** {1 Runs that come back} *)
 
 val moved : State.t -> State.t -> Vec.t option

@@ -47,7 +47,10 @@ type t = {
   facts : string list;
   argument : argument option;
   fixed : fixed option;
+  otherwise : otherwise option;
 }
+
+and otherwise = { shared : int; run : t }
 
 type halt = Dead_end | One_instant
 

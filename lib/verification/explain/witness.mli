@@ -70,6 +70,14 @@ type t = {
   facts : string list;  (** what holds there, and with which values, a sentence each *)
   argument : argument option;  (** of a formula with operators within operators *)
   fixed : fixed option;  (** where parameters of the model have ranges *)
+  otherwise : otherwise option;
+}
+
+(** A run that does otherwise, and parts from this one as late as possible ({!Scc_ctl.Contrast}), if it was asked
+    for. *)
+and otherwise = {
+  shared : int;  (** the number of steps that it has in common with this run, at its beginning *)
+  run : t;
 }
 
 (** The way in which time ends on a run, if it does. *)

@@ -297,6 +297,7 @@ let unsettled (options : Setup.t) context graph ~horizon : Unsettled.t =
     graph;
     horizon;
     lost = Lost.make options.bounds options.surroundings.attempt;
+    contrast = options.contrast;
   }
 
 (* The name alone would not do: it is also that of what has to come true for the check to say anything. *)

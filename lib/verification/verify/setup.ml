@@ -10,6 +10,7 @@ type t = {
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;
   prove : bool;
+  contrast : bool;
   curve : string option;
   parameter : Open_number.t option;
   expanding : about:string -> State_graph.expanding;
@@ -25,6 +26,7 @@ let default =
     surroundings = Limits.quiet;
     observe = None;
     prove = false;
+    contrast = false;
     curve = None;
     parameter = None;
     expanding = (fun ~about:_ -> State_graph.here);

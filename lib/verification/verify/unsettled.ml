@@ -13,14 +13,20 @@ type t = {
   graph : Graph.t;
   horizon : Rat.t option;
   lost : Lost.t;
+  contrast : bool;
 }
 
 let run r make = Lost.run r.lost (Network_lts.semantics r.context) make
 
 (* An explanation repeats what was decided. If that comes to nothing, the time for it was over. *)
 let explained r temporal i =
+  let made () =
+    let e = Temporal.explain temporal i in
+    let contrasted w = if r.contrast then Make_witness.with_contrast r.context r.graph temporal e w else w in
+    Option.map contrasted (Make_witness.of_explanation r.context r.graph temporal e)
+  in
   let make () =
-    try Make_witness.of_explanation r.context r.graph temporal (Temporal.explain temporal i)
+    try made ()
     with Scc_ctl.Explanation.Not_known ->
       raise (Limits.Over (Option.value (r.surroundings.stop ()) ~default:Limits.Seconds))
   in

@@ -14,6 +14,7 @@ type t = {
   graph : State_graph.t;
   horizon : Rat.t option;  (** the time beyond which no property looks *)
   lost : Lost.t;
+  contrast : bool;  (** {!Setup.contrast} *)
 }
 
 val run : t -> (unit -> Scc_explain.Witness.t option) -> Scc_explain.Witness.t option

@@ -158,6 +158,7 @@ let make given u ~declared ~sliced (run : Concrete.t) (place : Search_sets.place
       facts = Facts.at ~arrived c last extent offset prop;
       argument = None;
       fixed = Some { values = named m run.values; semantics = c };
+      otherwise = None;
     }
 
 (* {1 Runs that decide formulas} *)
@@ -209,4 +210,5 @@ let of_run given u ~declared (w : Shown_run.t) : Witness.t =
       facts = Zone_reasons.facts r w.claim;
       argument = Zone_reasons.argument m r w.claim;
       fixed = Some { values = named m values; semantics = c };
+      otherwise = None;
     }

@@ -3,6 +3,7 @@ let () =
     [ Test_ctl.suite;
       Test_explanations.suite;
       Test_late.suite;
+      Test_contrast.suite;
       Test_tables.suite;
       Test_reasons.suite;
       Test_long.suite;

@@ -32,7 +32,7 @@ let unsettled path limits : Unsettled.t =
   let graph = Graph.run limits Limits.quiet context in
   {
     bounds = Bounds.default; surroundings = Limits.quiet; model = e.model; context; graph; horizon = None;
-    lost = Lost.make Bounds.default Limits.quiet.attempt;
+    lost = Lost.make Bounds.default Limits.quiet.attempt; contrast = false;
   }
 
 (* Faults are told of as often as they come up, other reasons once. *)

@@ -24,6 +24,7 @@ def check(
     time: Optional[Number] = None,
     axes: Optional[Texts] = None,
     check: Optional[Texts] = None,
+    contrast: bool = False,
     coverage: bool = False,
     curve: Optional[str] = None,
     curve_plot: Optional[Path] = None,
@@ -60,6 +61,10 @@ def check(
     ``time``: Expands only states that can be reached by the model time T; 0 is the first instant. No default.
     ``axes``: The one or two parameters to --draw; by default the first ones.
     ``check``: Decides only the check NAME, as if the model had no others. May be given several times.
+    ``contrast``: Shows with the run of a verdict another one, which does otherwise and parts from it as late as
+      possible. So where a run never comes to what was to come, it shows one that does, and the step that
+      decides. For checks with an operator about all runs or some run, but for `possibly` and `always` of
+      predicates, which end early.
     ``coverage``: Lists the summands of behaviours that never fired, the behaviours that were never reached, and
       the channels and rules that were never used. It explores the whole model once more, even if all is
       decided, and counts during this exploration, within the same bounds; half of the seconds are kept for it.
@@ -125,6 +130,7 @@ def check(
         *words.number("--time", time),
         *words.listed("--axes", axes),
         *words.texts("--check", check),
+        *words.flag("--contrast", contrast),
         *words.flag("--coverage", coverage),
         *words.text("--curve", curve),
         *words.path("--curve-plot", curve_plot),
