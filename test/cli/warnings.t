@@ -77,3 +77,42 @@ A template of a model, and a model.
   compare m.sc m.sc
   lines.obj:9:1: warning[SC0324]: lines and points are left out
   lines.obj:9:1: warning[SC0324]: lines and points are left out
+
+Points without faces, beside faces; alone they are a cloud.
+
+  $ cat > points.wrl <<'END'
+  > #VRML V2.0 utf8
+  > Shape { geometry PointSet { coord Coordinate { point [ 0 0 0 ] } } }
+  > Shape { geometry Box {} }
+  > END
+  $ cat > points.x3d <<'END'
+  > <X3D><Scene><Shape><Box/></Shape>
+  > <Shape><PointSet><Coordinate point="9 9 9"/></PointSet></Shape></Scene></X3D>
+  > END
+  $ sed '3d' points.wrl > cloud.wrl
+  $ python3 - <<'END'
+  > import base64, json, struct
+  > data = struct.pack("<12f12H", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3)
+  > faces, points = {"attributes": {"POSITION": 0}, "indices": 1}, {"attributes": {"POSITION": 0}, "mode": 0}
+  > def write(name, primitives):
+  >     json.dump({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "meshes": [{"primitives": primitives}],
+  >                "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+  >                              {"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"}],
+  >                "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 24}],
+  >                "buffers": [{"byteLength": 72, "uri": "data:;base64," + base64.b64encode(data).decode()}]},
+  >               open(name, "w"))
+  > write("points.gltf", [faces, points])
+  > write("cloud.gltf", [points])
+  > END
+  $ for file in points.wrl points.x3d points.gltf cloud.wrl cloud.gltf
+  > do
+  >   echo $file; scc shape --weld $file 2>&1 | grep SC0324 || true
+  > done
+  points.wrl
+  points.wrl:2:18: warning[SC0324]: points without faces, such as those of this PointSet, bound no solid
+  points.x3d
+  points.x3d:2:9: warning[SC0324]: points without faces, such as those of this PointSet, bound no solid
+  points.gltf
+  points.gltf:1:1: warning[SC0324]: meshes[0].primitives[1]: points without faces bound no solid
+  cloud.wrl
+  cloud.gltf

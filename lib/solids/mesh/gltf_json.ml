@@ -7,6 +7,7 @@ let fail v fmt =
   let tell what = error_at ~path:v.path 0 "%s%s" (if String.equal v.at "" then "" else v.at ^ ": ") what in
   Printf.ksprintf tell fmt
 
+let place v = v.at
 let max_depth = 100
 
 (* The deepest nesting of brackets outside of strings. *)
