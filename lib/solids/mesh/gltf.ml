@@ -79,6 +79,7 @@ type file = {
   seen : bool array;
   soup : Soup.t;
   mutable alone : string option;  (* where the first points without faces are *)
+  mutable hidden : string option;  (* a node of which nothing is shown *)
 }
 
 let points = 0
@@ -201,7 +202,12 @@ let rec node file depth at name =
     let* hidden = is_hidden n in
     let* shape = weights n in
     let* children = J.items "children" n in
-    if hidden || Mat.equal at.Affine.linear nothing then Ok ()
+    if hidden || Mat.equal at.Affine.linear nothing then (
+      if Option.is_none file.hidden then
+        file.hidden <- Some (J.place n ^ if hidden then " is hidden" else " is scaled to a point");
+      Ok ())
+    else if Rat.sign (Mat.det at.Affine.linear) = 0 && Option.is_some (J.member "mesh" n) then
+      J.fail n "a scale of 0 makes everything flat"
     else if Affine.too_long at then
       J.fail n "the numbers of the places of nodes inside of each other get too long"
     else
@@ -324,7 +330,8 @@ let read ~files ~path text =
   let* data = Gltf_data.make ~files ~path ~binary ~budget ~quantized root in
   let* meshes = J.items "meshes" root in
   let* nodes = J.items "nodes" root in
-  let file = { data; meshes; nodes; seen = Array.make (Array.length nodes) false; soup = Soup.create (); alone = None } in
+  let seen = Array.make (Array.length nodes) false in
+  let file = { data; meshes; nodes; seen; soup = Soup.create (); alone = None; hidden = None } in
   let* others = scene root file in
   let* moving = moving root in
   let warning what =
@@ -332,4 +339,11 @@ let read ~files ~path text =
       ~hint:"nothing has to be done if this is what is meant" "%s" what
   in
   let set = Soup.solid file.soup in
-  Ok (set, List.map warning (others @ points_alone file set @ moving @ of_whole_file root))
+  let* () =
+    match file.hidden with
+    | _ when Array.length set.ifs_vertices > 0 -> Ok ()
+    | Some why -> J.fail root "the scene shows no faces: %s" why
+    | None -> J.fail root "the scene shows no faces: there is no mesh in it"
+  in
+  let odd = Option.to_list (Gltf_data.odd file.data) in
+  Ok (set, List.map warning (others @ points_alone file set @ odd @ moving @ of_whole_file root))

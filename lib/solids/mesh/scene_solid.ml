@@ -194,6 +194,7 @@ let moving ~path (file : file) =
   let moves change =
     match change.target with
     | Instance -> true
+    | Nobody _ -> false
     | Field (node, field) -> (
         match Scene_table.find node.kind.text with
         | Read { read; _ } -> List.mem (set field) read
@@ -207,6 +208,17 @@ let moving ~path (file : file) =
         ~hint:"nothing has to be done if the start is what is meant"
         "the scene changes while time passes, and is read as it is at its start";
     ]
+
+let lost ~path (file : file) =
+  let one change =
+    match change.target with
+    | Nobody name ->
+      Some
+        (Diag.warning Code.mesh_left_out (at ~path change.at)
+           "no node has the name %s of this route, which is left out" (Text.quote name))
+    | Instance | Field _ -> None
+  in
+  Option.to_list (List.find_map one file.changes)
 
 let thin t =
   let one (w : Text.word) =
@@ -243,7 +255,7 @@ let read ~path ~size scene =
     in
     List.iter (show t 0 { map = Affine.identity; levels = [] } ~name:None) file.nodes;
     if t.points = [] then nothing t;
-    (Text.labelled t.points t.faces, nearly t @ thin t @ points_alone t @ moving ~path file)
+    (Text.labelled t.points t.faces, nearly t @ thin t @ points_alone t @ moving ~path file @ lost ~path file)
   in
   match work () with
   | result -> Ok result
