@@ -73,15 +73,15 @@ let parse ~path text =
       let what = String.sub text i (min 10 (stop - i)) in
       error_at ~path 0 "this is not JSON: in line %d of it, %s is outside of strings" lines (quote what)
     | None ->
-    match Yojson.Raw.from_string text with
-    | `Assoc _ as value -> (
-        match twice value with
-        | None -> Ok { path; at = ""; value }
-        | Some name -> error_at ~path 0 "an object has the member %s twice" (quote name))
-    | _ -> error_at ~path 0 "expected a JSON object"
-    | exception Yojson.Json_error why ->
-      let line = String.map (fun c -> if c < ' ' || c > '~' then ' ' else c) why in
-      error_at ~path 0 "this is not JSON: %s" (if String.length line > 100 then String.sub line 0 100 else line)
+      match Yojson.Raw.from_string text with
+      | `Assoc _ as value -> (
+          match twice value with
+          | None -> Ok { path; at = ""; value }
+          | Some name -> error_at ~path 0 "an object has the member %s twice" (quote name))
+      | _ -> error_at ~path 0 "expected a JSON object"
+      | exception Yojson.Json_error why ->
+        let line = String.map (fun c -> if c < ' ' || c > '~' then ' ' else c) why in
+        error_at ~path 0 "this is not JSON: %s" (if String.length line > 100 then String.sub line 0 100 else line)
 
 let shown name = if String.length name > 40 then String.sub name 0 40 else name
 

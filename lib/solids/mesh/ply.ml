@@ -134,6 +134,11 @@ let whole ~path kind w =
     error ~path w "%s is beyond the type of its property, which goes from %d to %d" (quote w.text) least most
   | None -> error ~path w "expected an integer, found %s" (quote w.text)
 
+let left_out_at ~path (w : word) what =
+  Diag.warning Code.mesh_left_out
+    (Span.make ~file:path ~start:w.start ~stop:(w.start + String.length w.text))
+    "%s" what
+
 let ascii ~path text position =
   let position = ref position and line = ref [] and last = ref { text = ""; start = 0 } in
   let of_face = ref false and beyond = ref None and odd = ref None in
@@ -170,10 +175,10 @@ let ascii ~path text position =
       Ok ()
     | w :: _ -> error ~path w "expected the end of the line after the values of the element"
   in
-  let warning (w : word) =
-    let span = Span.make ~file:path ~start:w.start ~stop:(w.start + String.length w.text) in
-    Diag.warning Code.mesh_left_out span
-      "values of faces after those that the header declares, here the first, are left out"
+  let warnings () =
+    let one found what = Option.to_list (Option.map (fun w -> left_out_at ~path w what) found) in
+    one !beyond "values of faces after those that the header declares, here the first, are left out"
+    @ one !odd "values beyond the types of their properties, here the first, are left out"
   in
   (* What is not read changes nothing. *)
   let skip kind =
@@ -184,16 +189,10 @@ let ascii ~path text position =
     in
     Result.map note (word ())
   in
-  let told_odd (w : word) =
-    let span = Span.make ~file:path ~start:w.start ~stop:(w.start + String.length w.text) in
-    Diag.warning Code.mesh_left_out span
-      "values beyond the types of their properties, here the first, are left out"
-  in
   let rest () =
     match next_line text !position with
     | Some (w :: _, _) -> error ~path w "expected the end of the file after the elements that the header promises"
-    | Some ([], _) | None -> 
-      Ok (Option.to_list (Option.map warning !beyond) @ Option.to_list (Option.map told_odd !odd))
+    | Some ([], _) | None -> Ok (warnings ())
   in
   { start; real; integer; skip; finish; place = (fun () -> !last); rest }
 

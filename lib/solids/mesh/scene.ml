@@ -65,7 +65,7 @@ let changes names routes =
 type fields = (string * value option) list
 type 'body prototype = Elsewhere | Inside | Own of { fields : fields; body : 'body }
 
-let within name known = if List.mem_assoc name known then known else (name, Inside) :: known
+let within (name : string) known = if List.mem_assoc name known then known else (name, Inside) :: known
 
 let inside ~path w name = bad ~path w "the prototype %s is used inside of itself" (Text.quote name)
 

@@ -18,8 +18,8 @@ let single q =
 
 let decimal q = Rat.round_to q ~quantum:(Rat.make Z.one (Z.of_int 10_000_000))
 
-(* No multiple of a right angle but 0 can be written. Most files have 32-bit numbers. Seven digits make 1.5707963 of
-   a right angle, whose nearest 32-bit number is another one. *)
+(* No multiple of a right angle but 0 can be written. Most files have 32-bit numbers. Seven digits make 1.5707963
+   of a right angle, whose nearest 32-bit number is another one. *)
 let written multiple angle =
   Rat.sign multiple <> 0
   && (Rat.equal (single angle) (single multiple) || Rat.equal angle (decimal multiple))

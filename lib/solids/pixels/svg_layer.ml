@@ -59,7 +59,7 @@ let over above below =
   end
 
 (* Over a pixel of a layer, once for each key. *)
-let composed ~cost layer known key ~source below =
+let composed ~cost layer known (key : int * int) ~source below =
   match Hashtbl.find_opt known key with
   | Some found -> found
   | None ->
@@ -77,7 +77,7 @@ let painter ~cost layer source =
     let known = Hashtbl.create 16 in
     fun k ->
       let below = get layer k in
-      set layer k (composed ~cost layer known below.id ~source:(fun () -> source) below)
+      set layer k (composed ~cost layer known (0, below.id) ~source:(fun () -> source) below)
   end
 
 let faded (alpha : Rat.t) p =
