@@ -327,6 +327,8 @@ Faces that surround nothing, and no faces:
     hint: to mend it, add --orient
   [3]
   $ printf 'OFF\n0 0 0\n' > empty.off; scc decompose --union empty.off
-  error[SC0301]: there is no face, so no solid is enclosed
-    hint: of points alone scc shape --hull makes a solid, their convex hull
+  empty.off:1:1: error[SC0320]: the file has no faces and no points
+     |
+   1 | OFF
+     | ^
   [3]

@@ -147,7 +147,8 @@ A template of a model, and a polyhedron file.
       {"name": "f2", "corners": ["v0", "v3", "v2"]},
       {"name": "f3", "corners": ["v1", "v2", "v3"]}
     ],
-    "edges": 6
+    "edges": 6,
+    "diagnostics": []
   }
 
 What is not accepted is told in both ways, and the exit code is 3.
@@ -263,7 +264,8 @@ What is not accepted is told in both ways, and the exit code is 3.
       {"name": "f1", "corners": ["v0", "v1", "v3"]},
       {"name": "f2", "corners": ["v0", "v3", "v2"]}
     ],
-    "edges": 6
+    "edges": 6,
+    "diagnostics": []
   }
   [3]
   $ scc shape ../../specs/conformance/invalid/SC0307-dent.sc:S | head -n 20

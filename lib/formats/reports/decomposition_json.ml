@@ -4,7 +4,14 @@ open Scc_json
 open Scc_runs
 open Json_format
 
-type t = { name : string; exit : int; mended : (string * string) list; parts : Parts.t }
+type t = {
+  name : string;
+  exit : int;
+  source : Diag_json.source;
+  diagnostics : Scc_base.Diag.t list;
+  mended : (string * string) list;
+  parts : Parts.t;
+}
 
 let vertex = fields [ field "name" text fst; field "position" Shared.vector snd ]
 
@@ -52,6 +59,9 @@ let format =
        field "parts" (array ~least:1 part) (fun t -> t.parts.parts)
          ~about:"Convex, without common inner points; together they are the solid.";
        field "joints" (list joint) joints ~about:"Pairs of faces that touch, as few as join all parts.";
+       field "diagnostics" Diag_json.formats (fun t -> (t.source, t.diagnostics))
+         ~about:"Warnings of what is read otherwise, or not, in the files.";
      ])
 
-let document ~name ~exit ~mended parts = write format { name; exit; mended; parts }
+let document ~name ~exit ~source ~diagnostics ~mended parts =
+  write format { name; exit; source; diagnostics; mended; parts }

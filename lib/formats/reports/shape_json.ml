@@ -7,6 +7,8 @@ open Json_format
 type t = {
   name : string;
   exit : int;
+  source : Diag_json.source;
+  diagnostics : Scc_base.Diag.t list;
   mended : (string * string) list;
   snap : (Rat.t * Scc_snap.Snap.snapped) option;
   outer : Scc_snap.Outer.t option;
@@ -178,7 +180,9 @@ let format =
        maybe "simplified" simplified (fun t -> t.outer)
          ~about:"What --faces did to the hull; there with that option alone.";
        within (fun t -> t.report) geometry;
+       field "diagnostics" Diag_json.formats (fun t -> (t.source, t.diagnostics))
+         ~about:"Warnings of what is read otherwise, or not, in the files.";
      ])
 
-let document ~name ~exit ?(mended = []) ?snap ?outer report =
-  write format { name; exit; mended; snap; outer; report }
+let document ~name ~exit ~source ~diagnostics ?(mended = []) ?snap ?outer report =
+  write format { name; exit; source; diagnostics; mended; snap; outer; report }

@@ -24,6 +24,8 @@ val report_members : (Solid_report.t, unit) Json_format.members
 val document :
   name:string ->
   exit:int ->
+  source:Scc_runs.Diag_json.source ->
+  diagnostics:Scc_base.Diag.t list ->
   ?mended:(string * string) list ->
   ?snap:Scc_exact.Rat.t * Scc_snap.Snap.snapped ->
   ?outer:Scc_snap.Outer.t ->

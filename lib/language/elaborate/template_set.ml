@@ -99,6 +99,6 @@ let find ~read_file ~overrides ~asked_at model name =
       (fun (p : Program.t) -> Overrides.check p.overrides report asked_at)
       (Program.read c ~overrides ~narrowed:[] model);
     match named c report 0 c.root (reference asked_at name) with
-    | Some set when not (Report.failed report) -> Ok set
+    | Some set when not (Report.failed report) -> Ok (set, Report.warnings report)
     | _ -> Error (Report.errors report)
   end

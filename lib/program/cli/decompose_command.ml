@@ -128,7 +128,8 @@ let report console ~mended ~mass output path (t : Parts.t) =
     Console.answer_and_write console write
       ~text:(fun () -> text ~name:(Visible.line path) ~mended t)
       ~json:(fun () ->
-          Scc_reports.Decomposition_json.document ~name:path ~exit:(Exit_code.to_int Holds) ~mended t)
+          Scc_reports.Decomposition_json.document ~name:path ~exit:(Exit_code.to_int Holds)
+            ~source:(Console.source console) ~diagnostics:(Console.kept console) ~mended t)
   in
   Ok Exit_code.Holds
 

@@ -261,6 +261,8 @@ let estimate console o watch =
       answers;
       left_out;
       interrupted = (match ending with Whole -> false | Interrupted | Lost _ -> true);
+      source = Console.source console;
+      diagnostics = Console.kept console;
     }
   in
   Console.answer console

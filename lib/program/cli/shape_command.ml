@@ -16,7 +16,10 @@ let template console ~overrides path name =
   let* source = Input.warned console path in
   let* tree = Scc_notation.Notation.model source in
   let read_file = Input.mesh_reader console path in
-  Scc_elaborate.Template_set.find ~read_file ~overrides ~asked_at:Span.command_line tree name
+  let asked_at = Span.command_line in
+  let* set, warnings = Scc_elaborate.Template_set.find ~read_file ~overrides ~asked_at tree name in
+  Console.report console warnings;
+  Ok set
 
 let mesh console path =
   let* source = Input.warned console path in
@@ -157,7 +160,9 @@ let report console argument code ~mended ~gone ?snapped ?outer r write =
   let exit = Exit_code.to_int code in
   Console.answer_and_write console write
     ~text:(fun () -> told ^ Solid_report.to_text ~name:(Visible.line argument) r ^ advice r)
-    ~json:(fun () -> Scc_reports.Shape_json.document ~name:argument ~exit ~mended ?snap:snapped ?outer r)
+    ~json:(fun () ->
+        Scc_reports.Shape_json.document ~name:argument ~exit ~source:(Console.source console)
+          ~diagnostics:(Console.kept console) ~mended ?snap:snapped ?outer r)
 
 let write console ~round output code set =
   match output with

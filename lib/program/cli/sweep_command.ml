@@ -58,14 +58,16 @@ let bounds (b : Budget.t) =
       some "memory" string_of_int b.memory; some "bits" string_of_int b.bits;
     ]
 
-(* What is wrong with the command line is so at every point. *)
+(* What is wrong with the command line is so at every point; warnings are told of the first one alone. *)
 let first_point console source o =
   let read () =
     let* l = Input.model console ~source ~overrides:(Grid.point o.grid 0) ~narrowed:[] o.path in
     Chosen_checks.only l o.checks
   in
   match read () with
-  | Ok l -> Ok (Some l)
+  | Ok l ->
+    Console.report console l.warnings;
+    Ok (Some l)
   | Error diagnostics when List.exists (fun (d : Diag.t) -> Span.equal d.span Span.command_line) diagnostics ->
     Error diagnostics
   | Error _ -> Ok None

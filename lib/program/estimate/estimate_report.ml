@@ -13,6 +13,8 @@ type t = {
   answers : answer list;
   left_out : (string * string) list;
   interrupted : bool;
+  source : Scc_runs.Diag_json.source;
+  diagnostics : Scc_base.Diag.t list;
 }
 
 let word (a : answer) =
@@ -247,4 +249,6 @@ let format =
        field "properties" (list answer) (fun (t, _) -> t.answers);
        field "left_out" (list left_out) (fun (t, _) -> t.left_out)
          ~about:"Checks of the model that ask for no probability and no mean, or about other runs.";
+       field "diagnostics" Scc_runs.Diag_json.formats (fun (t, _) -> (t.source, t.diagnostics))
+         ~about:"Warnings about the model and its files.";
      ])

@@ -11,6 +11,8 @@ type t = {
   answers : Estimation.answer list;
   left_out : (string * string) list;  (** checks, and why they are not estimated *)
   interrupted : bool;
+  source : Scc_runs.Diag_json.source;
+  diagnostics : Scc_base.Diag.t list;  (** warnings about the model *)
 }
 
 val word : Estimation.answer -> string

@@ -72,7 +72,15 @@ let place node =
 
 (* {1 Meshes} *)
 
-type file = { data : Gltf_data.t; meshes : J.t array; nodes : J.t array; seen : bool array; soup : Soup.t }
+type file = {
+  data : Gltf_data.t;
+  meshes : J.t array;
+  nodes : J.t array;
+  seen : bool array;
+  soup : Soup.t;
+  mutable alone : string option;  (* where the first points without faces are *)
+  mutable hidden : string option;  (* a node of which nothing is shown *)
+}
 
 let points = 0
 let triangles = 4
@@ -131,7 +139,8 @@ let primitive file at ~weights p =
   let* () = Gltf_table.check ~kind:"attributes" attributes in
   let* () = check_compressed file p attributes in
   if mode <> points && (mode < triangles || mode > fan) then
-    J.fail p "the mesh is made of lines (mode %d), and a solid is made of triangles" mode
+    if mode > fan then J.fail p "there is no mode %d: modes are 0 to 6" mode
+    else J.fail p "the mesh is made of lines (mode %d), and a solid is made of triangles" mode
   else
     match J.member "POSITION" attributes with
     | None -> J.fail p "the vertices have no positions"
@@ -148,6 +157,7 @@ let primitive file at ~weights p =
       if mode = triangles && n mod 3 <> 0 then J.fail p "%d corners are not whole triangles" n
       else
         let numbers = Array.map (fun v -> Soup.number file.soup (Affine.apply at v)) positions in
+        if mode = points && Option.is_none file.alone then file.alone <- Some (J.place p);
         (* A mirror turns counter-clockwise into clockwise. *)
         let mirrored = Affine.mirrors at in
         each_triangle mode corners (fun a b c ->
@@ -192,7 +202,12 @@ let rec node file depth at name =
     let* hidden = is_hidden n in
     let* shape = weights n in
     let* children = J.items "children" n in
-    if hidden || Mat.equal at.Affine.linear nothing then Ok ()
+    if hidden || Mat.equal at.Affine.linear nothing then (
+      if Option.is_none file.hidden then
+        file.hidden <- Some (J.place n ^ if hidden then " is hidden" else " is scaled to a point");
+      Ok ())
+    else if Rat.sign (Mat.det at.Affine.linear) = 0 && Option.is_some (J.member "mesh" n) then
+      J.fail n "a scale of 0 makes everything flat"
     else if Affine.too_long at then
       J.fail n "the numbers of the places of nodes inside of each other get too long"
     else
@@ -295,6 +310,12 @@ let moving root =
   let* found = Result.all any (Array.to_list animations) in
   Ok (if List.mem true found then [ "the file has animations, and is read as it is without them" ] else [])
 
+(* Points are a cloud if there is nothing else. *)
+let points_alone file (set : Scc_geometry.Polyhedron.ifs) =
+  match file.alone with
+  | Some at when Array.length set.ifs_faces > 0 -> [ at ^ ": points without faces bound no solid" ]
+  | Some _ | None -> []
+
 let of_whole_file root =
   match Gltf_table.undeclared root with
   | Some name -> [ "the extension " ^ quote name ^ " of the whole file is left out" ]
@@ -309,11 +330,20 @@ let read ~files ~path text =
   let* data = Gltf_data.make ~files ~path ~binary ~budget ~quantized root in
   let* meshes = J.items "meshes" root in
   let* nodes = J.items "nodes" root in
-  let file = { data; meshes; nodes; seen = Array.make (Array.length nodes) false; soup = Soup.create () } in
+  let seen = Array.make (Array.length nodes) false in
+  let file = { data; meshes; nodes; seen; soup = Soup.create (); alone = None; hidden = None } in
   let* others = scene root file in
   let* moving = moving root in
   let warning what =
     Scc_base.Diag.warning Scc_base.Code.mesh_left_out (Scc_base.Span.of_file path)
       ~hint:"nothing has to be done if this is what is meant" "%s" what
   in
-  Ok (Soup.solid file.soup, List.map warning (others @ moving @ of_whole_file root))
+  let set = Soup.solid file.soup in
+  let* () =
+    match file.hidden with
+    | _ when Array.length set.ifs_vertices > 0 -> Ok ()
+    | Some why -> J.fail root "the scene shows no faces: %s" why
+    | None -> J.fail root "the scene shows no faces: there is no mesh in it"
+  in
+  let odd = Option.to_list (Gltf_data.odd file.data) in
+  Ok (set, List.map warning (others @ points_alone file set @ odd @ moving @ of_whole_file root))

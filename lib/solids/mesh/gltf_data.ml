@@ -9,6 +9,7 @@ type t = {
   accessors : J.t array;
   budget : int ref;
   quantized : bool;
+  mutable odd : string option;
 }
 
 let spend t at n =
@@ -78,7 +79,9 @@ let make ~files ~path ~binary ~budget ~quantized root =
   let* views = J.items "bufferViews" root in
   let* accessors = J.items "accessors" root in
   let buffers = Array.mapi (fun i b -> lazy (buffer ~named:(named ~files ~path ~budget) ~binary i b)) buffers in
-  Ok { buffers; views; accessors; budget; quantized }
+  Ok { buffers; views; accessors; budget; quantized; odd = None }
+
+let odd t = t.odd
 
 (* {1 Views} *)
 
@@ -215,12 +218,37 @@ let all_of accessor ~read ~offset ~count ~zero =
   | Some _ -> read accessor ~offset ~count
   | None -> Ok (Array.make count zero)
 
+(* The bounds that an accessor states are redundant, and many programs round them: they contradict the data if they
+   are off by a thousandth of the greatest coordinate. Those of normalized integers are stated in several ways. *)
+let check_bounds t a all =
+  let size (v : Vec.t) = Rat.max (Rat.abs v.x) (Rat.max (Rat.abs v.y) (Rat.abs v.z)) in
+  let greatest = Array.fold_left (fun r v -> Rat.max r (size v)) Rat.zero all in
+  let near = Rat.div greatest (Rat.of_int 1000) in
+  let one name pick =
+    match J.member name a with
+    | None -> Ok ()
+    | Some stated ->
+      let* stated = J.numbers 3 stated in
+      let of_data part = Array.fold_left (fun q v -> pick q (part v)) (part all.(0)) all in
+      let found = [| of_data (fun (v : Vec.t) -> v.x); of_data (fun v -> v.y); of_data (fun v -> v.z) |] in
+      let off p q = Rat.compare (Rat.abs (Rat.sub p q)) near > 0 in
+      if Array.exists Fun.id (Array.map2 off found stated) then
+        t.odd <- Some (Printf.sprintf "%s: `%s` is not that of the data, and is left out" (J.place a) name);
+      Ok ()
+  in
+  let* normalized = J.truth "normalized" a in
+  if normalized || Array.length all = 0 then Ok ()
+  else
+    let* () = one "min" Rat.min in
+    one "max" Rat.max
+
 let positions t name =
   let* a, count, offset = accessor t name ~kind:"VEC3" in
   let* coordinate = coordinate t a in
   let read = points t ~coordinate in
   let* all = all_of a ~read ~offset ~count ~zero:Vec.zero in
-  with_sparse t a ~read ~count all
+  let* all = with_sparse t a ~read ~count all in
+  Result.map (fun () -> all) (check_bounds t a all)
 
 let has_data t name =
   let* a, _ = J.nth t.accessors ~what:"accessor" name in

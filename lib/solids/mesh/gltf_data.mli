@@ -27,6 +27,9 @@ val spend : t -> Gltf_json.t -> int -> (unit, Diag.t) result
 val positions : t -> Gltf_json.t -> (Vec.t array, Diag.t) result
 (** The points of the accessor whose index the value is: triples of numbers, exactly. *)
 
+val odd : t -> string option
+(** What an accessor states about its data that is not so, if there was one among the positions that were read. *)
+
 val has_data : t -> Gltf_json.t -> (unit, Diag.t) result
 (** A fault if the accessor whose index the value is has no view, so that its data are compressed elsewhere. *)
 

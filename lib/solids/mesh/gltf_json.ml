@@ -7,6 +7,7 @@ let fail v fmt =
   let tell what = error_at ~path:v.path 0 "%s%s" (if String.equal v.at "" then "" else v.at ^ ": ") what in
   Printf.ksprintf tell fmt
 
+let place v = v.at
 let max_depth = 100
 
 (* The deepest nesting of brackets outside of strings. *)
@@ -39,18 +40,48 @@ let rec twice (value : Yojson.Raw.t) =
   | `List values -> List.find_map twice values
   | _ -> None
 
+(* What the parser reads beyond JSON: comments, names without quotes, numbers that are none. *)
+let foreign text =
+  let n = String.length text in
+  let letter c = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c = '_' in
+  let digit c = c >= '0' && c <= '9' in
+  let rec word_end i = if i < n && letter text.[i] then word_end (i + 1) else i in
+  let rec go i inside =
+    if i >= n then None
+    else
+      match text.[i] with
+      | '\\' when inside -> go (i + 2) inside
+      | '"' -> go (i + 1) (not inside)
+      | _ when inside -> go (i + 1) inside
+      | c when digit c || String.contains " \t\n\r{}[]:,+-." c -> go (i + 1) inside
+      | c when letter c ->
+        let stop = word_end i in
+        let word = String.sub text i (stop - i) in
+        let power = (word = "e" || word = "E") && i > 0 && (digit text.[i - 1] || text.[i - 1] = '.') in
+        if power || List.mem word [ "true"; "false"; "null" ] then go stop inside else Some i
+      | _ -> Some i
+  in
+  go 0 false
+
 let parse ~path text =
   if depth text > max_depth then error_at ~path 0 "the JSON is nested more than %d deep" max_depth
   else
-    match Yojson.Raw.from_string text with
-    | `Assoc _ as value -> (
-        match twice value with
-        | None -> Ok { path; at = ""; value }
-        | Some name -> error_at ~path 0 "an object has the member %s twice" (quote name))
-    | _ -> error_at ~path 0 "expected a JSON object"
-    | exception Yojson.Json_error why ->
-      let line = String.map (fun c -> if c < ' ' || c > '~' then ' ' else c) why in
-      error_at ~path 0 "this is not JSON: %s" (if String.length line > 100 then String.sub line 0 100 else line)
+    match foreign text with
+    | Some i ->
+      let lines = List.length (String.split_on_char '\n' (String.sub text 0 i)) in
+      let stop = Option.value (String.index_from_opt text i '\n') ~default:(String.length text) in
+      let what = String.sub text i (min 10 (stop - i)) in
+      error_at ~path 0 "this is not JSON: in line %d of it, %s is outside of strings" lines (quote what)
+    | None ->
+      match Yojson.Raw.from_string text with
+      | `Assoc _ as value -> (
+          match twice value with
+          | None -> Ok { path; at = ""; value }
+          | Some name -> error_at ~path 0 "an object has the member %s twice" (quote name))
+      | _ -> error_at ~path 0 "expected a JSON object"
+      | exception Yojson.Json_error why ->
+        let line = String.map (fun c -> if c < ' ' || c > '~' then ' ' else c) why in
+        error_at ~path 0 "this is not JSON: %s" (if String.length line > 100 then String.sub line 0 100 else line)
 
 let shown name = if String.length name > 40 then String.sub name 0 40 else name
 

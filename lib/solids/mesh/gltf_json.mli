@@ -10,6 +10,9 @@ val parse : path:string -> string -> (t, Diag.t) result
 (** The object of the whole file. Nesting is at most 100 deep, which bounds the stack. A name that an object has
     twice is a fault. *)
 
+val place : t -> string
+(** Where a value is, as in ["nodes[0].mesh"]. *)
+
 val fail : t -> ('a, unit, string, ('b, Diag.t) result) format4 -> 'a
 (** [fail v format …] is a fault at this value (SC0320). *)
 

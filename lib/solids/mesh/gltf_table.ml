@@ -25,7 +25,7 @@ let kinds =
     kind "mesh" "primitives weights" "name"; kind "primitive" "attributes indices mode targets" "material";
     kind "attributes" "POSITION" "NORMAL TANGENT";
     kind "target" "POSITION" "NORMAL TANGENT";
-    kind "accessor" "bufferView byteOffset componentType normalized count type sparse" "name min max";
+    kind "accessor" "bufferView byteOffset componentType normalized count type sparse min max" "name";
     kind "sparse" "count indices values" ""; kind "sparseIndices" "bufferView byteOffset componentType" "";
     kind "sparseValues" "bufferView byteOffset" "";
     kind "bufferView" "buffer byteOffset byteLength byteStride" "name target";
@@ -103,6 +103,17 @@ let check_extensions all =
   in
   Result.map ignore (Result.all one (J.keys all))
 
+(* In the words of the specification. *)
+let noun kind =
+  match kind with
+  | "glTF" -> "a glTF file"
+  | "asset" | "accessor" | "attributes" | "animation" -> "an " ^ kind
+  | "sparseIndices" -> "indices of a sparse accessor"
+  | "sparseValues" -> "values of a sparse accessor"
+  | "goal" -> "the target of a channel"
+  | "target" -> "a morph target"
+  | _ -> "a " ^ kind
+
 let check ~kind v =
   let one name =
     match (name, J.member name v) with
@@ -114,7 +125,7 @@ let check ~kind v =
         match property kind name with
         | Some (Read | Still) -> Ok ()
         | Some (Refused what) -> J.fail value "%s is not read" what
-        | None -> J.fail v "%s is no property of a glTF %s that is known here" (Text.quote name) kind)
+        | None -> J.fail v "%s is no property of %s that is known here" (Text.quote name) (noun kind))
   in
   let* () = J.is_object v in
   Result.map ignore (Result.all one (J.keys v))

@@ -63,8 +63,10 @@ let unknown ~path text =
     say "the format of this mesh file is not known"
       ~hint:("the formats are told by the ending of the name: " ^ known)
 
-let check_denominator ~path (set, warnings) =
-  if Polyhedron.too_fine set then
+let check ~path ((set : Polyhedron.ifs), warnings) =
+  if Array.length set.ifs_vertices = 0 && Array.length set.ifs_faces = 0 then
+    Error (Diag.error Code.bad_mesh (Span.of_file path) "the file has no faces and no points")
+  else if Polyhedron.too_fine set then
     Error
       (Diag.error Code.number_too_large
          (Span.of_file path)
@@ -80,5 +82,5 @@ let read ~files ~path text =
     | found -> found
   in
   match reader with
-  | Some read -> Result.bind (read ~files ~path text) (check_denominator ~path)
+  | Some read -> Result.bind (read ~files ~path text) (check ~path)
   | None -> unknown ~path text

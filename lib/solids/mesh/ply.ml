@@ -115,9 +115,33 @@ let promise ~path e k =
 
 (* Values at the end of the lines of faces, after those that the header declares, are left out with a warning. In
    lines of other elements they may be coordinates. *)
+(* The values of an integer type. *)
+let range = function
+  | Signed n -> (-(1 lsl ((8 * n) - 1)), (1 lsl ((8 * n) - 1)) - 1)
+  | Unsigned n -> (0, (1 lsl (8 * n)) - 1)
+  | Real _ -> (min_int, max_int)
+
+let fits kind i =
+  let least, most = range kind in
+  least <= i && i <= most
+
+let whole ~path kind w =
+  let digits = String.for_all (function '0' .. '9' | '+' | '-' -> true | _ -> false) w.text in
+  match if digits then int_of_string_opt w.text else None with
+  | Some i when fits kind i -> Ok i
+  | Some _ ->
+    let least, most = range kind in
+    error ~path w "%s is beyond the type of its property, which goes from %d to %d" (quote w.text) least most
+  | None -> error ~path w "expected an integer, found %s" (quote w.text)
+
+let left_out_at ~path (w : word) what =
+  Diag.warning Code.mesh_left_out
+    (Span.make ~file:path ~start:w.start ~stop:(w.start + String.length w.text))
+    "%s" what
+
 let ascii ~path text position =
   let position = ref position and line = ref [] and last = ref { text = ""; start = 0 } in
-  let of_face = ref false and beyond = ref None in
+  let of_face = ref false and beyond = ref None and odd = ref None in
   let start e k =
     match next_line text !position with
     | None -> promise ~path e k
@@ -135,10 +159,13 @@ let ascii ~path text position =
       last := w;
       Ok w
   in
-  let real _ = Result.bind (word ()) (coordinate ~path) in
+  let real = function
+    | Real _ -> Result.bind (word ()) (coordinate ~path)
+    | (Signed _ | Unsigned _) as kind -> Result.map Rat.of_int (Result.bind (word ()) (whole ~path kind))
+  in
   let integer = function
     | Real _ -> error ~path !last "expected a property of an integer type"
-    | Signed _ | Unsigned _ -> Result.bind (word ()) (integer ~path ~what:"an integer")
+    | (Signed _ | Unsigned _) as kind -> Result.bind (word ()) (whole ~path kind)
   in
   let finish () =
     match !line with
@@ -148,16 +175,24 @@ let ascii ~path text position =
       Ok ()
     | w :: _ -> error ~path w "expected the end of the line after the values of the element"
   in
-  let warning (w : word) =
-    let span = Span.make ~file:path ~start:w.start ~stop:(w.start + String.length w.text) in
-    Diag.warning Code.mesh_left_out span
-      "values of faces after those that the header declares, here the first, are left out"
+  let warnings () =
+    let one found what = Option.to_list (Option.map (fun w -> left_out_at ~path w what) found) in
+    one !beyond "values of faces after those that the header declares, here the first, are left out"
+    @ one !odd "values beyond the types of their properties, here the first, are left out"
   in
-  let skip _ = Result.map ignore (word ()) in
+  (* What is not read changes nothing. *)
+  let skip kind =
+    let note w =
+      match int_of_string_opt w.text with
+      | Some i when Option.is_none !odd && not (fits kind i) -> odd := Some w
+      | Some _ | None -> ()
+    in
+    Result.map note (word ())
+  in
   let rest () =
     match next_line text !position with
     | Some (w :: _, _) -> error ~path w "expected the end of the file after the elements that the header promises"
-    | Some ([], _) | None -> Ok (Option.to_list (Option.map warning !beyond))
+    | Some ([], _) | None -> Ok (warnings ())
   in
   { start; real; integer; skip; finish; place = (fun () -> !last); rest }
 

@@ -4,7 +4,9 @@ type node = { kind : Text.word; name : string option; fields : (Text.word * valu
 and value = Words of Text.word list | Nodes of node list
 
 type change = { at : Text.word; target : target }
-and target = Field of node * string | Instance
+and target = Field of node * string | Instance | Nobody of string
+
+type route = { place : Text.word; from : string; node : string; field : string }
 
 type file = { nodes : node list; changes : change list }
 
@@ -49,18 +51,23 @@ let instance names node =
   Option.iter (fun name -> Hashtbl.replace names.instances name ()) node.name
 
 let changes names routes =
-  let one (at, name, field) =
-    match Hashtbl.find_opt names.complete name with
-    | None -> None
-    | Some _ when Hashtbl.mem names.instances name -> Some { at; target = Instance }
-    | Some node -> Some { at; target = Field (node, field) }
+  let one { place = at; from; node; field } =
+    match Hashtbl.find_opt names.complete node with
+    | None -> { at; target = Nobody node }
+    | Some _ when not (Hashtbl.mem names.complete from) -> { at; target = Nobody from }
+    | Some _ when Hashtbl.mem names.instances node -> { at; target = Instance }
+    | Some found -> { at; target = Field (found, field) }
   in
-  List.filter_map one routes
+  List.map one routes
 
 (* {1 Prototypes} *)
 
 type fields = (string * value option) list
-type 'body prototype = Elsewhere | Own of { fields : fields; body : 'body }
+type 'body prototype = Elsewhere | Inside | Own of { fields : fields; body : 'body }
+
+let within (name : string) known = if List.mem_assoc name known then known else (name, Inside) :: known
+
+let inside ~path w name = bad ~path w "the prototype %s is used inside of itself" (Text.quote name)
 
 let given ~path (kind : Text.word) fields values =
   let known ((w : Text.word), _) =

@@ -12,10 +12,14 @@ type node = {
     that is used several times is shared. *)
 and value = Words of Text.word list | Nodes of node list
 
-(** What changes while time passes: a field of a node, or something of an instance of a prototype. *)
+(** What a route changes while time passes: a field of a node, something of an instance of a prototype, or nothing,
+    as no node has this name. *)
 type change = { at : Text.word; target : target }
 
-and target = Field of node * string | Instance
+and target = Field of node * string | Instance | Nobody of string
+
+(** A route, with its place, from a node to a field of a node. *)
+type route = { place : Text.word; from : string; node : string; field : string }
 
 type file = { nodes : node list; changes : change list }
 
@@ -53,17 +57,23 @@ val used : path:string -> names -> Text.word -> node
 val instance : names -> node -> unit
 (** [instance names node] is called instead of {!closing} for an instance of a prototype. *)
 
-val changes : names -> (Text.word * string * string) list -> change list
-(** The changes by routes: each with its place, the name of its target and a field of it. Routes to unknown names
-    are left out. *)
+val changes : names -> route list -> change list
+(** The changes by routes. *)
 
 (** {1 Prototypes} *)
 
 type fields = (string * value option) list
 (** The values of fields, by name; [None] for events. *)
 
-(** What is declared, in another file or in this one, with its body. *)
-type 'body prototype = Elsewhere | Own of { fields : fields; body : 'body }
+(** What is declared: in another file, around this place, or in this file before it, with its body. *)
+type 'body prototype = Elsewhere | Inside | Own of { fields : fields; body : 'body }
+
+val within : string -> (string * 'body prototype) list -> (string * 'body prototype) list
+(** [within name known] are the prototypes that the body of [name] can use, if those in [known] are declared before
+    it. *)
+
+val inside : path:string -> Text.word -> string -> 'a
+(** A prototype of that name is used inside of itself: raises {!Refused}. *)
 
 val given : path:string -> Text.word -> fields -> (Text.word * value) list -> fields
 (** [given ~path kind fields values] are the fields of a prototype with the values of an instance. A value for what

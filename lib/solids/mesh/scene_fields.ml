@@ -14,8 +14,20 @@ let refuse_unread ~path = function
     in
     List.iter one nodes
 
+(* How something looks has no shapes in it. *)
+let check_still ~path (node : node) (w : Text.word) value =
+  let one (inner : node) =
+    match Scene_table.find inner.kind.text with
+    | Read { role = Geometry | Shape | Group | Transform | Switch | Levels; _ } | Left_out ->
+      bad ~path inner.kind "a %s is no %s of a %s, and would not be seen" inner.kind.text (Text.quote w.text)
+        node.kind.text
+    | Read { role = Points; _ } | Still | Unread _ -> ()
+  in
+  match value with Words _ -> () | Nodes nodes -> List.iter one nodes
+
 let check ~path node ~read ~still =
   let one ((w : Text.word), value) =
+    if List.mem w.text still && w.text <> "proxy" then check_still ~path node w value;
     let harmless = match value with Nodes nodes -> List.for_all is_still nodes | Words _ -> false in
     if not (List.mem w.text read || List.mem w.text still || harmless) then begin
       refuse_unread ~path value;

@@ -63,6 +63,7 @@ type t = {
   mutable faces : (string option * int array) list;
   mutable near : (Rat.t * Text.word) option;  (* the greatest distance, and whose it is *)
   mutable left_out : Text.word option;  (* the first geometry without thickness *)
+  mutable alone : Text.word option;  (* the first points without faces *)
   mutable hidden : Text.word option;  (* a node that shows nothing of what is in it *)
 }
 
@@ -83,6 +84,7 @@ let geometry t place ~name node =
   in
   let greatest = match t.near with Some (d, _) -> d | None -> Rat.zero in
   if Rat.compare off greatest > 0 then t.near <- Some (off, node.kind);
+  if shape.faces = [] && Array.length shape.points > 0 && Option.is_none t.alone then t.alone <- Some node.kind;
   t.count <- first + Array.length shape.points;
   t.points <- Array.fold_left (fun all v -> Affine.apply place.map v :: all) t.points shape.points;
   t.faces <- List.fold_left (fun all f -> (name, corners f) :: all) t.faces shape.faces
@@ -192,6 +194,7 @@ let moving ~path (file : file) =
   let moves change =
     match change.target with
     | Instance -> true
+    | Nobody _ -> false
     | Field (node, field) -> (
         match Scene_table.find node.kind.text with
         | Read { read; _ } -> List.mem (set field) read
@@ -206,6 +209,17 @@ let moving ~path (file : file) =
         "the scene changes while time passes, and is read as it is at its start";
     ]
 
+let lost ~path (file : file) =
+  let one change =
+    match change.target with
+    | Nobody name ->
+      Some
+        (Diag.warning Code.mesh_left_out (at ~path change.at)
+           "no node has the name %s of this route, which is left out" (Text.quote name))
+    | Instance | Field _ -> None
+  in
+  Option.to_list (List.find_map one file.changes)
+
 let thin t =
   let one (w : Text.word) =
     Diag.warning Code.mesh_left_out (at ~path:t.path w)
@@ -213,6 +227,14 @@ let thin t =
       "lines and letters, such as this %s, bound no solid, and are left out" w.text
   in
   Option.to_list (Option.map one t.left_out)
+
+(* Points are a cloud if there is nothing else. *)
+let points_alone t =
+  let one (w : Text.word) =
+    Diag.warning Code.mesh_left_out (at ~path:t.path w) ~hint:"a hull takes them in, and --weld drops them"
+      "points without faces, such as those of this %s, bound no solid" w.text
+  in
+  if t.faces = [] then [] else Option.to_list (Option.map one t.alone)
 
 let nothing t =
   match (t.hidden, t.left_out) with
@@ -227,13 +249,13 @@ let read ~path ~size scene =
     let file = scene room in
     let t =
       {
-        path; room; count = 0; points = []; faces = []; near = None; left_out = None;
+        path; room; count = 0; points = []; faces = []; near = None; left_out = None; alone = None;
         hidden = None;
       }
     in
     List.iter (show t 0 { map = Affine.identity; levels = [] } ~name:None) file.nodes;
     if t.points = [] then nothing t;
-    (Text.labelled t.points t.faces, nearly t @ thin t @ moving ~path file)
+    (Text.labelled t.points t.faces, nearly t @ thin t @ points_alone t @ moving ~path file @ lost ~path file)
   in
   match work () with
   | result -> Ok result

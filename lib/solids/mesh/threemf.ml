@@ -20,6 +20,7 @@ type package = {
   mutable depth : int;  (* of parts that are read because of others *)
   mutable unit_ : string option;  (* of the first part *)
   mutable left_out : Scc_base.Diag.t option;
+  mutable flat : Scc_base.Diag.t option;  (* of a triangle without area *)
 }
 
 type model = { x : X.t; path : string; package : package; things : (string, thing) Hashtbl.t }
@@ -35,6 +36,14 @@ let leave_out_unknown m what = leave_out m (what ^ " is left out: it is not know
 let leave_out_support m id =
   leave_out m ~hint:"nothing has to be done if it is made for printing alone"
     (Printf.sprintf "the object %s is a support, and is left out" (Text.quote id))
+
+(* It has no area, so that a solid is the same without it. *)
+let leave_out_flat m =
+  if Option.is_none m.package.flat then
+    m.package.flat <-
+      Some
+        (Scc_base.Diag.warning Scc_base.Code.mesh_left_out (Scc_base.Span.of_file m.path)
+           "%s: a triangle has two equal corners, and is left out" (X.place m.x))
 
 let refuse m what = X.fail m.x "%s are not read: export the model as triangles alone" what
 
@@ -88,6 +97,7 @@ let triangles m ~count =
     let a = corner "v1" in
     let b = corner "v2" in
     let c = corner "v3" in
+    if a = b || b = c || c = a then leave_out_flat m;
     found := (a, b, c) :: !found;
     none m "triangle"
   in
@@ -234,6 +244,7 @@ let rec build m depth at { id; thing; place } =
   spend m 1;
   if depth > max_depth then X.fail m.x "components are inside of each other more than %d deep" max_depth;
   let at = Affine.compose at place in
+  if Rat.sign (Mat.det at.Affine.linear) = 0 then X.fail m.x "the transform makes everything flat";
   if Affine.too_long at then X.fail m.x "the numbers of components inside of each other get too long";
   if thing.other then X.fail m.x "the object %s is of the type `other`, and is not to be built" (Text.quote id);
   if thing.support then leave_out_support m id
@@ -265,7 +276,11 @@ let root package x tag =
   let items = ref 0 in
   ignore (model package ~built:(build_items items) x tag);
   if !items = 0 then X.fail x "nothing is to be built: there is no item";
-  Soup.solid package.soup
+  let set = Soup.solid package.soup in
+  if Array.length set.ifs_vertices = 0 then
+    X.fail x "nothing that is built has a mesh%s"
+      (Option.fold ~none:"" ~some:(fun (d : Scc_base.Diag.t) -> ": " ^ d.message) package.left_out);
+  set
 
 (* {1 The package} *)
 
@@ -301,7 +316,7 @@ let read ~path text =
   let package =
     {
       path; archive; parts = Hashtbl.create 16; soup = Soup.create (); budget = 100_000; depth = 0; unit_ = None;
-      left_out = None;
+      left_out = None; flat = None;
     }
   in
   Hashtbl.replace package.parts (String.lowercase_ascii name) None;
@@ -310,4 +325,4 @@ let read ~path text =
     root package
   in
   let* set = part name first in
-  Ok (set, Option.to_list package.left_out)
+  Ok (set, Option.to_list package.left_out @ Option.to_list package.flat)

@@ -2,13 +2,27 @@ open Scc_exact
 
 let right = Rat.mul Rat.half Angle.pi
 let near = Rat.make Z.one (Z.of_int 20_000)
-let single = Rat.power_of_two (-22)
 let quantum = Rat.power_of_two (-30)
 
 (* Each of the four numbers of the quaternion is within 2^-31 + 2^-38 of its place, so that the quaternion, whose
    length is at least 7/10, is off by less than 2^-29 of its length. The rotation is off by at most four times
    that. *)
 let rounded = Rat.power_of_two (-27)
+
+(* The nearest number of 24 bits to a number that is not 0, as 32-bit numbers have them. *)
+let single q =
+  let size = Rat.abs q in
+  let power = Z.numbits size.num - Z.numbits size.den in
+  let power = if Rat.compare size (Rat.power_of_two power) < 0 then power - 1 else power in
+  Rat.round_to q ~quantum:(Rat.power_of_two (power - 23))
+
+let decimal q = Rat.round_to q ~quantum:(Rat.make Z.one (Z.of_int 10_000_000))
+
+(* No multiple of a right angle but 0 can be written. Most files have 32-bit numbers. Seven digits make 1.5707963
+   of a right angle, whose nearest 32-bit number is another one. *)
+let written multiple angle =
+  Rat.sign multiple <> 0
+  && (Rat.equal (single angle) (single multiple) || Rat.equal angle (decimal multiple))
 
 let exactly quaternion = Option.map (fun m -> (m, Rat.zero)) (Mat.of_quaternion quaternion)
 
@@ -41,9 +55,10 @@ let rotation (axis : Vec.t) angle =
   else
     let length = Rat.root (Vec.norm2 axis) in
     let k = Rat.round_to (Rat.div angle right) ~quantum:Rat.one in
-    let off = Rat.abs (Rat.sub angle (Rat.mul k right)) in
+    let multiple = Rat.mul k right in
+    let off = Rat.abs (Rat.sub angle multiple) in
     if Rat.compare off near <= 0 then
-      let off = if Rat.compare off single <= 0 then Rat.zero else off in
+      let off = if written multiple angle then Rat.zero else off in
       Option.map
         (fun (m, distance) -> (m, Rat.add off distance))
         (quarters axis length (Z.to_int (Z.logand k.num (Z.of_int 3))))

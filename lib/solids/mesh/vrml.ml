@@ -41,7 +41,7 @@ type reader = {
   room : int ref;  (* for the bodies of prototypes *)
   mutable left : word list;
   names : Scene.names;
-  mutable routes : (word * string * string) list;
+  mutable routes : Scene.route list;
   mutable changes : Scene.change list;  (* by the routes of prototypes *)
   mutable prototypes : (string * body Scene.prototype) list;
   fields : Scene.fields option;  (* of the prototype whose body this is *)
@@ -61,7 +61,8 @@ let is_bracket w = match w.text with "{" | "}" | "[" | "]" -> true | _ -> false
 let is_plain w =
   match w.text.[0] with
   | '0' .. '9' | '+' | '-' | '.' | '"' -> true
-  | _ -> String.equal w.text "TRUE" || String.equal w.text "FALSE"
+  | _ ->
+    List.mem w.text [ "TRUE"; "FALSE" ] || List.mem (String.lowercase_ascii w.text) [ "nan"; "inf"; "infinity" ]
 
 let is_name w = not (is_plain w || is_bracket w)
 
@@ -91,10 +92,15 @@ let brackets r =
 
 (* {1 Statements that are no nodes} *)
 
-let route r (at : word) (target : word) =
-  match String.split_on_char '.' target.text with
-  | [ node; field ] -> r.routes <- (at, node, field) :: r.routes
-  | _ -> Scene.bad ~path:r.path target "expected a node and its field, found %s" (quote target.text)
+let route r (at : word) (source : word) (target : word) =
+  let parts (w : word) =
+    match String.split_on_char '.' w.text with
+    | [ node; field ] -> (node, field)
+    | _ -> Scene.bad ~path:r.path w "expected a node and its field, found %s" (quote w.text)
+  in
+  let from, _ = parts source in
+  let node, field = parts target in
+  r.routes <- { Scene.place = at; from; node; field } :: r.routes
 
 (* [false] if there is none. *)
 let other_statement r =
@@ -104,8 +110,8 @@ let other_statement r =
     true
   in
   match r.left with
-  | ({ text = "ROUTE"; _ } as at) :: _ :: { text = "TO"; _ } :: target :: rest ->
-    after rest (fun () -> route r at target)
+  | ({ text = "ROUTE"; _ } as at) :: source :: { text = "TO"; _ } :: target :: rest ->
+    after rest (fun () -> route r at source target)
   | { text = "EXTERNPROTO"; _ } :: name :: rest ->
     after rest (fun () ->
         ignore (brackets r);
@@ -152,11 +158,13 @@ and any r depth at kind name =
   | Some Elsewhere ->
     Scene.unread ~path:r.path kind ~hint:"put the declaration of the prototype into this file"
       "the prototype %s is in another file" (quote kind.text)
+  | Some Inside -> Scene.inside ~path:r.path kind kind.text
   | Some (Own { fields; body }) ->
     Scene.opening r.names name;
     let fields = Scene.given ~path:r.path kind fields (own_fields r depth at kind) in
     Scene.spend ~path:r.path r.room kind body.length;
-    let inner = reader ~path:r.path ~room:r.room ~prototypes:body.known ~fields:(Some fields) body.words in
+    let prototypes = Scene.within kind.text body.known in
+    let inner = reader ~path:r.path ~room:r.room ~prototypes ~fields:(Some fields) body.words in
     let node =
       match contents inner (depth + 1) with
       | (node : Scene.node) :: _ -> { node with name = (if Option.is_some name then name else node.name) }

@@ -15,12 +15,13 @@ type reader = {
   text : string;
   room : int ref;  (* for the bodies of prototypes *)
   names : Scene.names;
-  mutable routes : (word * string * string) list;
+  mutable routes : Scene.route list;
   mutable changes : Scene.change list;  (* by the routes of prototypes *)
   mutable prototypes : (string * body Scene.prototype) list;
   fields : Scene.fields option;  (* of the prototype whose body this is *)
   mutable opened : element list;  (* the innermost first; the last one is the file *)
   mutable depth : int;
+  mutable containers : string list;  (* those that were there *)
 }
 
 (* The tags of a body, and the prototypes that it can use: those declared before it. *)
@@ -43,8 +44,8 @@ let containers = [ "X3D"; "Scene"; "head" ]
 let passed_over = [ "component"; "meta"; "EXPORT" ]
 
 let route r tag =
-  ignore (needed r tag "fromNode");
-  r.routes <- (tag.name, needed r tag "toNode", needed r tag "toField") :: r.routes
+  let from = needed r tag "fromNode" and node = needed r tag "toNode" and field = needed r tag "toField" in
+  r.routes <- { Scene.place = tag.name; from; node; field } :: r.routes
 
 let unit_of r tag =
   let text = needed r tag "conversionFactor" in
@@ -108,8 +109,31 @@ let check_depth r (tag : tag) =
   if r.depth >= Scene.max_depth then
     Scene.bad ~path:r.path tag.name "nodes are inside of each other more than %d deep" Scene.max_depth
 
+(* Each at its place, and once. *)
+let check_container r (tag : tag) =
+  let name = tag.name.text in
+  let around = List.map (fun e -> e.tag.name.text) r.opened in
+  let fits =
+    match (name, around) with
+    | "X3D", [ "" ] | ("Scene" | "head"), ([ "" ] | [ "X3D"; "" ]) -> Option.is_none r.fields
+    | _ -> false
+  in
+  if not fits then Scene.bad ~path:r.path tag.name "the element %s does not stand here" name;
+  if List.mem name r.containers then Scene.bad ~path:r.path tag.name "the element %s is there twice" name;
+  r.containers <- name :: r.containers
+
+(* Scripts and shaders have a text; nothing else has. *)
+let characters r (tag : tag) =
+  let script = function
+    | { tag; container = false; _ } :: _ -> Scene_table.find tag.name.text = Still
+    | _ -> false
+  in
+  if not (script r.opened) then
+    Scene.bad ~path:r.path tag.name "text stands between elements here, where X3D has none: values are attributes"
+
 let start r (tag : tag) =
   let container = List.mem tag.name.text containers in
+  if container then check_container r tag;
   let name = if container || Option.is_some (attribute tag "USE") then None else value r tag "DEF" in
   check_depth r tag;
   Scene.opening r.names name;
@@ -178,6 +202,7 @@ let rec contents r tags =
           r.prototypes <- (needed r tag "name", Elsewhere) :: r.prototypes;
           go (after r tag rest)
         | "ProtoInstance" -> go (instance r tag rest)
+        | name when String.equal name Xml_tags.characters -> characters r tag; go rest
         | "IS" ->
           let inside, rest = split r tag rest in
           let element = List.hd r.opened in
@@ -232,10 +257,13 @@ and instance r tag rest =
    | None, Some (Some Elsewhere) ->
      Scene.unread ~path:r.path tag.name ~hint:"put the declaration of the prototype into this file"
        "the prototype is in another file"
-   | None, Some (Some (Own { fields; body })) -> expand r tag inside fields body);
+   | None, Some (Some Inside) -> Scene.inside ~path:r.path tag.name (Option.value given_name ~default:"")
+   | None, Some (Some (Own { fields; body })) ->
+     let prototype = { tag.name with text = Option.value given_name ~default:"" } in
+     expand r tag ~prototype inside fields body);
   rest
 
-and expand r tag inside fields body =
+and expand r tag ~prototype inside fields body =
   let name = value r tag "DEF" in
   let field ((tag : tag), inside) =
     let start = match attribute tag "name" with Some a -> fst a.value | None -> tag.name.start in
@@ -245,13 +273,14 @@ and expand r tag inside fields body =
   Scene.opening r.names name;
   let connected = connections r (List.concat_map snd (elements r "IS" inside)) in
   let values = List.map field (elements r "fieldValue" inside) @ connected in
-  let fields = Scene.given ~path:r.path tag.name fields values in
+  let fields = Scene.given ~path:r.path prototype fields values in
   Scene.spend ~path:r.path r.room tag.name body.length;
   check_depth r tag;
   let inner =
     {
       r with
-      names = Scene.names (); routes = []; changes = []; prototypes = body.known; fields = Some fields;
+      names = Scene.names (); routes = []; changes = []; prototypes = Scene.within prototype.text body.known;
+      fields = Some fields;
       opened = [];
     }
   in
@@ -271,7 +300,7 @@ let scene ~path text room =
   let r =
     {
       path; text; room; names = Scene.names (); routes = []; changes = []; prototypes = []; fields = None;
-      opened = []; depth = 0;
+      opened = []; depth = 0; containers = [];
     }
   in
   let nodes = contents r (Scene.ok (Xml_tags.tags ~path text)) in

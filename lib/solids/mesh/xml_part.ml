@@ -11,6 +11,8 @@ let refuse ~path ~part line what =
 
 let fail t fmt = Printf.ksprintf (fun what -> refuse ~path:t.path ~part:t.part (fst (Xmlm.pos t.input)) what) fmt
 
+let place t = Printf.sprintf "%s, line %d" t.part (fst (Xmlm.pos t.input))
+
 let told (e : Xmlm.error) =
   match e with
   | `Unknown_entity_ref name -> Printf.sprintf "%s is no entity of XML itself" (Text.quote name)

@@ -8,6 +8,9 @@ exception Refused of Diag.t
 
 type t
 
+val place : t -> string
+(** The part and the line, in words. *)
+
 val fail : t -> ('a, unit, string, 'b) format4 -> 'a
 (** Raises {!Refused}, at the current line. *)
 

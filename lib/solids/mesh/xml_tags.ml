@@ -38,12 +38,20 @@ let rec attributes ~path name text acc i =
       attributes ~path name text ({ key; value = (quote_at + 1, close) } :: acc) (close + 1)
     | None -> error_at ~path i "expected an attribute with a quoted value"
 
+let characters = "#text"
+
 (* Tags in order, closing ones with a leading slash in their names; comments and declarations left out. *)
 let tags ~path text =
-  let rec go acc i =
-    match String.index_from_opt text i '<' with
-    | None -> Ok (List.rev acc)
+  let with_text acc i stop =
+    let start = skip text is_space i in
+    if start >= stop then acc
+    else { name = { text = characters; start }; attributes = []; closed = true } :: acc
+  in
+  let rec go acc from =
+    match String.index_from_opt text from '<' with
+    | None -> Ok (List.rev (with_text acc from (String.length text)))
     | Some i -> (
+        let acc = with_text acc from i in
         let after what close =
           match find text close (i + 1) with
           | Some j -> go acc (j + String.length close)
@@ -54,7 +62,10 @@ let tags ~path text =
           && String.equal (String.sub text i (String.length part)) part
         in
         if starts "<!--" then after "a comment" "-->"
-        else if starts "<![CDATA[" then after "a CDATA section" "]]>"
+        else if starts "<![CDATA[" then
+          match find text "]]>" (i + 1) with
+          | Some stop -> go (with_text acc (i + 9) stop) (stop + 3)
+          | None -> error_at ~path i "a CDATA section does not end"
         else if starts "<!" then
           (match (String.index_from_opt text i '>', String.index_from_opt text i '[') with
            | Some stop, Some bracket when bracket < stop ->

@@ -10,6 +10,9 @@ type tag = {
   closed : bool;  (** the element ends with this tag *)
 }
 
+val characters : string
+(** The name of what {!tags} gives for characters between tags that are not blank: no element has it. *)
+
 val tags : path:string -> string -> (tag list, Diag.t) result
 (** All tags in order, without comments, instructions, declarations and CDATA. A document type with declarations of
     its own is refused, and so is what has no end (SC0320). *)

@@ -94,6 +94,7 @@ let of_hsl h s l =
   together [ level 0; level 8; level 4 ]
 
 let applied text name inner =
+  if not (List.mem name [ "rgb"; "rgba"; "hsl"; "hsla" ]) then unread text;
   match (name, arguments text inner) with
   | ("rgb" | "rgba"), r :: g :: b :: rest ->
     let level = level text (Rat.of_int 255) in

@@ -42,6 +42,8 @@ type scene = {
   tree : Svg_tree.t;
   raster : Raster.t;
   corners : Svg_polygon.budget;
+  mutable layer : Svg_layer.t;  (** what is painted on *)
+  mutable fading : ((int * int) * string) option;  (** a gradient whose opacity is not the same everywhere *)
   mutable drawn : int;  (** how many elements *)
   mutable area : int;  (** how many pixels were looked at *)
   mutable at : int * int;  (** the place of the element that is being drawn *)
@@ -123,10 +125,11 @@ let add scene found clip rule polygons =
 let rec style_above scene (node : Svg_tree.node) =
   match node.parent with
   | None -> Svg_style.initial
-  | Some parent ->
-    count scene;
-    let style = Svg_style.of_properties (style_above scene parent) (Svg_tree.declared scene.tree parent) in
-    { style with displayed = true }
+  | Some parent -> { (style_at scene parent) with displayed = true }
+
+and style_at scene node =
+  count scene;
+  Svg_style.of_properties (style_above scene node) (Svg_tree.declared scene.tree node)
 
 let rec clipped scene here =
   match here.style.own.clip with
@@ -165,31 +168,43 @@ and clip_piece scene around found (node : Svg_tree.node) =
 
 (* {1 Elements} *)
 
+(* What [draw] paints is one layer, as opaque as the element says. *)
+let layered scene here draw =
+  let opacity = here.style.own.opacity in
+  if Rat.compare opacity Rat.one >= 0 then draw ()
+  else begin
+    let outer = scene.layer in
+    let inner = Svg_layer.above outer in
+    scene.layer <- inner;
+    draw ();
+    scene.layer <- outer;
+    Svg_layer.put ~cost:(look scene) inner ~onto:outer opacity
+  end
+
 let paint scene here node =
   let s = here.style and budget = scene.corners in
-  let { Raster.colours; alphas; _ } = scene.raster in
   let outline = Svg_shape.outline here.view node in
   let gradient id =
     match Hashtbl.find_opt scene.tree.ids id with
-    | Some { name = "linearGradient" | "radialGradient"; _ } -> true
+    | Some ({ name = "linearGradient" | "radialGradient"; _ } as gradient) ->
+      let found = Svg_gradient.opacity scene.tree ~style:(style_at scene) gradient in
+      Option.iter (fun (low, high) -> if Rat.compare low high < 0 then scene.fading <- Some (scene.at, id)) found;
+      Some found
     | Some { name = "pattern"; _ } -> raise (Unread "patterns")
-    | _ -> false
+    | _ -> None
   in
   let put colour rule polygons =
-    inside scene rule polygons (fun k ->
-        if within here.clip k then begin
-          colours.(k) <- colour;
-          Bytes.set_uint8 alphas k 255
-        end)
+    let painter = Svg_layer.painter ~cost:(look scene) scene.layer colour in
+    inside scene rule polygons (fun k -> if within here.clip k then painter k)
   in
   let fill () =
     if node.name <> "line" then
       Option.iter
         (fun colour -> put colour s.rule (Svg_polygon.filled ~budget here.map outline))
-        (Svg_style.painted s s.fill s.fill_opacity ~has:gradient)
+        (Svg_style.painted s s.fill s.fill_opacity ~gradient)
   in
   let stroke () =
-    match Svg_style.painted s s.stroke s.stroke_opacity ~has:gradient with
+    match Svg_style.painted s s.stroke s.stroke_opacity ~gradient with
     | None -> ()
     | Some colour ->
       let put pen = put colour Fill.Nonzero (Svg_stroke.triangles ~budget here.map pen outline) in
@@ -200,7 +215,7 @@ let paint scene here node =
   in
   if s.displayed && s.shown then begin
     if s.markers then raise (Unread "markers");
-    if s.stroke_first then begin stroke (); fill () end else begin fill (); stroke () end
+    layered scene here (fun () -> if s.stroke_first then (stroke (); fill ()) else (fill (); stroke ()))
   end
 
 (* Inside of a viewport at a rectangle, if something can be seen of it. *)
@@ -246,7 +261,9 @@ let check_content scene (node : Svg_tree.node) =
 let rec element scene around (node : Svg_tree.node) =
   match Svg_table.element node.name with
   | Silent -> ()
-  | Group -> children scene (clipped scene (enter scene around node)) node
+  | Group ->
+    let here = clipped scene (enter scene around node) in
+    layered scene here (fun () -> children scene here node)
   | Shape ->
     paint scene (clipped scene (enter scene around node)) node;
     check_content scene node
@@ -255,8 +272,11 @@ let rec element scene around (node : Svg_tree.node) =
       let here = clipped scene (enter scene around node) in
       match used scene here node with
       | None -> ()
-      | Some (here, ({ name = "symbol" | "svg"; _ } as target)) -> shown_at scene here target ~size:node
-      | Some (here, target) -> element scene here target)
+      | Some (inner, target) ->
+        layered scene here (fun () ->
+            match target.name with
+            | "symbol" | "svg" -> shown_at scene inner target ~size:node
+            | _ -> element scene inner target))
   | Refused cure ->
     scene.at <- node.at;
     refuse node.name cure
@@ -273,7 +293,8 @@ and shown_at scene around node ~size =
   let y = at Svg_shape.down "y" ~default:Rat.zero in
   let width = side Svg_shape.across "width" around.view.width in
   let height = side Svg_shape.down "height" around.view.height in
-  Option.iter (fun here -> children scene here node) (viewport scene here node { x; y; width; height })
+  let draw inner = layered scene here (fun () -> children scene inner node) in
+  Option.iter draw (viewport scene here node { x; y; width; height })
 
 (* How the view box is fitted into the drawing changes its shape only if it is stretched or cut. *)
 let check_ratio root =
@@ -284,6 +305,20 @@ let check_ratio root =
     if List.mem "none" words || List.mem "slice" words then
       raise (Unread (Printf.sprintf "preserveAspectRatio %S of the whole drawing" text))
 
+(* The layer as the picture. *)
+let finish scene =
+  let pixel k =
+    match Svg_layer.seen scene.layer k with
+    | Transparent -> ()
+    | Seen colour ->
+      scene.raster.colours.(k) <- colour;
+      Bytes.set_uint8 scene.raster.alphas k 255
+    | Open ->
+      let id = match scene.fading with Some (at, id) -> scene.at <- at; id | None -> "" in
+      raise (Unread (Printf.sprintf "the gradient %S: its stops are on both sides of half opaque" id))
+  in
+  for k = 0 to Bytes.length scene.raster.alphas - 1 do pixel k done
+
 let draw ~resolution ~path tree =
   let root = tree.Svg_tree.root in
   let raster, map, view =
@@ -291,13 +326,17 @@ let draw ~resolution ~path tree =
         check_ratio root;
         frame ~resolution ~path root)
   in
-  let scene = { tree; raster; corners = ref max_corners; drawn = 0; area = 0; at = root.at } in
+  let layer = Svg_layer.whole (Bytes.length raster.alphas) in
+  let corners = ref max_corners in
+  let scene = { tree; raster; corners; layer; fading = None; drawn = 0; area = 0; at = root.at } in
   let around = { style = Svg_style.initial; map = Plane_map.identity; clip = None; view; depth = 0; used = [] } in
   match
     let here = enter scene around root in
     if not (Plane_map.is_identity here.map) then
       raise (Unread "a transform of the whole drawing: put a `g` into it");
-    children scene (clipped scene { here with map }) root
+    let here = clipped scene { here with map } in
+    layered scene here (fun () -> children scene here root);
+    finish scene
   with
   | () -> raster
   | exception ((Bad _ | Unread _) as fault) -> raise (Svg_tree.Fault (scene.at, fault))

@@ -1,5 +1,6 @@
 (** Drawings in SVG: the filled areas and the strokes of shapes, in groups and where they are used, with
-    transforms, style sheets and clip paths, one over the other. A pixel is painted if its centre is inside.
+    transforms, style sheets and clip paths, one over the other ({!Svg_layer}). A pixel is painted if its centre is
+    inside, and seen if it is at least half opaque in the end.
     That is decided exactly, for outlines whose curves are within 1/64 of a pixel ({!Svg_polygon},
     {!Svg_stroke}). Visible features that are not supported are refused: text, pictures, patterns, masks,
     filters, markers, declarations of a document type. *)

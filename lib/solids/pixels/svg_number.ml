@@ -20,6 +20,8 @@ let ended c =
   skip c;
   c.at >= String.length c.text
 
+let is_small x = x >= 'a' && x <= 'z'
+
 let digits c =
   let start = c.at in
   let rec go () = match peek c with Some '0' .. '9' -> c.at <- c.at + 1; go () | _ -> () in
@@ -36,6 +38,11 @@ let number c =
   let after = match peek c with Some '.' -> c.at <- c.at + 1; digits c | _ -> 0 in
   if before + after = 0 then begin
     c.at <- start;
+    (match String.index_from_opt c.text start '(' with
+     | Some i when i > start && String.for_all is_small (String.sub c.text start (i - start)) ->
+       let name = String.sub c.text start (i - start) in
+       raise (Unread (Printf.sprintf "the function %s() in %S: write its value" name c.text))
+     | Some _ | None -> ());
     bad "a number is missing at %S" (String.sub c.text start (min 12 (String.length c.text - start)))
   end;
   let mantissa = String.sub c.text start (c.at - start) in

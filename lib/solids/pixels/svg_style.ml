@@ -19,11 +19,10 @@ type t = {
   markers : bool;
   shown : bool;
   displayed : bool;
-  opacity : Rat.t;
   own : own;
 }
 
-and own = { clip : string option; clipped : bool; fixed_width : bool }
+and own = { clip : string option; clipped : bool; fixed_width : bool; opacity : Rat.t }
 
 let black = { Css_colour.rgb = 0; alpha = Rat.one }
 
@@ -46,8 +45,7 @@ let initial =
     markers = false;
     shown = true;
     displayed = true;
-    opacity = Rat.one;
-    own = { clip = None; clipped = true; fixed_width = false };
+    own = { clip = None; clipped = true; fixed_width = false; opacity = Rat.one };
   }
 
 let bad format = Printf.ksprintf (fun m -> raise (Bad m)) format
@@ -152,7 +150,7 @@ let given style name value =
   | "marker" | "marker-start" | "marker-mid" | "marker-end" -> { style with markers = value <> "none" }
   | "visibility" -> { style with shown = value = "visible" }
   | "display" -> { style with displayed = style.displayed && value <> "none" }
-  | "opacity" -> { style with opacity = Rat.mul style.opacity (share value) }
+  | "opacity" -> { style with own = { style.own with opacity = share value } }
   | "clip-path" -> { style with own = { style.own with clip = clip value } }
   | "overflow" -> { style with own = { style.own with clipped = value <> "visible" && value <> "auto" } }
   | "vector-effect" -> { style with own = { style.own with fixed_width = value <> "none" } }
@@ -182,15 +180,20 @@ let of_properties around properties =
 
 (* {1 Painting} *)
 
-let painted style paint opacity ~has =
-  let seen alpha = Rat.compare (Rat.mul style.opacity (Rat.mul opacity alpha)) Rat.half >= 0 in
+let painted style paint opacity ~gradient =
+  let source ?upper rgb alpha =
+    Svg_layer.source ?upper:(Option.map (Rat.mul opacity) upper) ~rgb (Rat.mul opacity alpha)
+  in
   let rec of_paint = function
     | Css_colour.Nothing -> None
     | Current -> of_paint (Colour style.colour)
-    | Colour { rgb; alpha } -> if seen alpha then Some rgb else None
-    | Server (id, _) when has id -> if seen Rat.one then Some 0 else None
-    | Server (_, Some instead) -> of_paint instead
-    | Server (id, None) -> bad "the reference \"#%s\" to no gradient" id
+    | Colour { rgb; alpha } -> source rgb alpha
+    | Server (id, instead) -> (
+        match (gradient id, instead) with
+        | Some (Some (low, high)), _ -> source ~upper:high 0 low
+        | Some None, _ -> None
+        | None, Some instead -> of_paint instead
+        | None, None -> bad "the reference \"#%s\" to no gradient" id)
   in
   of_paint paint
 

@@ -20,7 +20,6 @@ type t = {
   markers : bool;
   shown : bool;  (** visible *)
   displayed : bool;  (** of elements that are not, nothing inside is either *)
-  opacity : Rat.t;  (** of all elements around together *)
   own : own;
 }
 
@@ -29,6 +28,7 @@ and own = {
   clip : string option;  (** the id of a clip path *)
   clipped : bool;  (** nothing is drawn beyond a viewport *)
   fixed_width : bool;  (** the width of strokes is not in units of the drawing *)
+  opacity : Rat.t;  (** of the element as a group *)
 }
 
 val initial : t
@@ -40,10 +40,14 @@ val of_properties : t -> (string * string) list -> t
     ({!Svg_declarations.of_element}) within an element of the style [around]. Raises {!Svg_number.Bad} and
     {!Svg_number.Unread}. *)
 
-val painted : t -> Css_colour.paint -> Rat.t -> has:(string -> bool) -> int option
-(** [painted style paint opacity ~has] is the colour, 0xRRGGBB, in which the paint is seen at this opacity: if
-    it is at least half opaque together with all around it. [has] is true for ids of gradients, which count as
-    opaque and black. Raises {!Svg_number.Bad} for another id without a paint in its place. *)
+val share : string -> Rat.t
+(** The share from 0 to 1 of a text, a number or a percentage. Raises {!Svg_number.Bad}. *)
+
+val painted :
+  t -> Css_colour.paint -> Rat.t -> gradient:(string -> (Rat.t * Rat.t) option option) -> Svg_layer.source option
+(** [painted style paint opacity ~gradient] is the paint at this opacity, if anything is seen of it. [gradient] is
+    [None] for an id of no gradient, and otherwise {!Svg_gradient.opacity}. Gradients count as black. Raises
+    {!Svg_number.Bad} for an id of no gradient without a paint in its place. *)
 
 val stroke : t -> length:(string -> Rat.t) -> Svg_stroke.t option
 (** [stroke style ~length] is the pen of the style, if it has a width; [length] reads lengths. Raises

@@ -46,7 +46,7 @@ let read =
     "fill fill-rule fill-opacity color opacity visibility display stroke stroke-width stroke-opacity \
      stroke-linecap stroke-linejoin stroke-miterlimit stroke-dasharray stroke-dashoffset paint-order \
      vector-effect marker marker-start marker-mid marker-end clip-path clip-rule overflow mask filter transform \
-     transform-origin transform-box"
+     transform-origin transform-box stop-color stop-opacity"
 
 (* Of texts, gradients and filters, and of how well something is painted. *)
 let still =
@@ -93,6 +93,9 @@ let unused =
     ("a", "href target rel download hreflang ping referrerpolicy type");
     ("svg", "version baseProfile zoomAndPan contentScriptType contentStyleType timelineBegin playbackorder \
              snapshotTime xmlns");
+    ("stop", "offset");
+    ("linearGradient", "x1 y1 x2 y2 gradientUnits gradientTransform spreadMethod href xlink:href");
+    ("radialGradient", "cx cy r fx fy fr gradientUnits gradientTransform spreadMethod href xlink:href");
   ]
 
 let of_all =

@@ -52,7 +52,7 @@ let beside =
   [
     "stroke-width"; "stroke-opacity"; "stroke-dasharray"; "stroke-dashoffset"; "stroke-linecap"; "stroke-linejoin";
     "stroke-miterlimit"; "color"; "transform-origin"; "transform-box"; "overflow"; "paint-order";
-    "preserveAspectRatio"; "vector-effect";
+    "preserveAspectRatio"; "vector-effect"; "stop-color"; "stop-opacity";
   ]
 
 (* By the specifications these may change what is painted, of themselves or with others: none may be still. *)

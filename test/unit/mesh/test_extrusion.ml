@@ -2,6 +2,7 @@
 open Scc_base
 open Scc_exact
 open Test_scenes
+open Test_turn
 
 let extruded fields = node "Shape" [ ("geometry", N [ node "Extrusion" fields ]) ]
 

@@ -130,7 +130,7 @@ let refusals =
      "SC0321");
     ("an event with a value", brick_vrml "Brick { go 1 }", "SC0321");
     ("a fault in a value", brick_vrml "Brick { s 1 2 }", "SC0320");
-    ("inside of itself", vrml "PROTO P [ ] { Group { children P { } } }\nP { }", "SC0321");
+    ("inside of itself", vrml "PROTO P [ ] { Group { children P { } } }\nP { }", "SC0320");
     ("before its declaration", vrml "P { }\nPROTO P [ ] { Group { } }", "SC0321");
     ("a body without nodes", vrml "PROTO P [ ] { }\nP { }", "SC0320");
     ("IS of an unknown field", vrml "PROTO P [ ] { Transform { scale IS s } }\nP { }", "SC0320");

@@ -276,41 +276,7 @@ let check_set (kind, fields, points) =
   in
   Alcotest.test_case kind `Quick test
 
-(* {1 Rotations} *)
-
-(* A rotation in floats, by the formula of Rodrigues. *)
-let rotated (ax, ay, az) angle (x, y, z) =
-  let l = sqrt ((ax *. ax) +. (ay *. ay) +. (az *. az)) in
-  let ax = ax /. l and ay = ay /. l and az = az /. l in
-  let c = cos angle and s = sin angle in
-  let d = (ax *. x) +. (ay *. y) +. (az *. z) in
-  ( (x *. c) +. (s *. ((ay *. z) -. (az *. y))) +. (ax *. d *. (1. -. c)),
-    (y *. c) +. (s *. ((az *. x) -. (ax *. z))) +. (ay *. d *. (1. -. c)),
-    (z *. c) +. (s *. ((ax *. y) -. (ay *. x))) +. (az *. d *. (1. -. c)) )
-
-let rotations =
-  let open QCheck2 in
-  let part = Gen.map (fun n -> Rat.make (Z.of_int n) (Z.of_int 1000)) (Gen.int_range (-5000) 5000) in
-  let quarters k = Rat.make (Z.of_int (k * 15708)) (Z.of_int 10000) in
-  let angle = Gen.oneof [ part; Gen.map quarters (Gen.int_range (-9) 9) ] in
-  Test.make ~name:"rotations are within their bound of the rotations by floats" ~count:2000
-    (Gen.pair (Gen.triple part part part) angle)
-    (fun ((x, y, z), angle) ->
-       let axis = Vec.make x y z in
-       match Turn.rotation axis angle with
-       | None -> Vec.is_zero axis
-       | Some (m, bound) ->
-         let f = Rat.to_float in
-         let far (p, q, r) =
-           let v = Mat.apply m (Vec.of_ints p q r) in
-           let a, b, c = rotated (f x, f y, f z) (f angle) (float p, float q, float r) in
-           let d u w = (f u -. w) ** 2. in
-           sqrt (d v.x a +. d v.y b +. d v.z c)
-         in
-         let identity = Mat.equal (Mat.mul m (Mat.transpose m)) Mat.identity in
-         let near p = far p <= f bound +. 3e-7 in
-         let units = [ (1, 0, 0); (0, 1, 0); (0, 0, 1) ] in
-         identity && Rat.equal (Mat.det m) Rat.one && (Vec.is_zero axis || List.for_all near units))
+(* {1 Distances} *)
 
 let heights =
   Printf.sprintf "#VRML V2.0 utf8\nShape { geometry ElevationGrid { xDimension 2 zDimension 2 height [ %s ] } }"
@@ -391,6 +357,6 @@ let suite =
       ("nodes", Alcotest.test_case "the table" `Quick complete
                 :: List.map (fun r -> Alcotest.test_case r.kind `Quick (check_row r)) rows);
       ("places", List.map check_place places @ List.map check_set sets);
-      ("rotations", [ Scc_test_support.Property.case rotations; Alcotest.test_case "distances" `Quick distances ]);
+      ("distances", [ Alcotest.test_case "distances" `Quick distances ]);
       ("refusals", List.map check_refusal refusals);
     ] )
