@@ -238,15 +238,8 @@ let property_members =
     field "reasons" (list reason) (fun j -> List.map (fun r -> (j, r)) (reasons j.outcome.verdict))
       ~about:"Why it is undecided, or why a number that was asked for is not better known.";
     field "witness" (nullable Witness_json.format) (fun j -> Option.map (witness_of j) (run j.outcome.verdict));
-    maybe "otherwise"
-      (fields
-         [
-           field "shared" natural (fun (_, (o : Witness.otherwise)) -> o.shared)
-             ~about:"The number of steps that it has in common with the witness, at its beginning.";
-           field "witness" Witness_json.format (fun (j, (o : Witness.otherwise)) -> witness_of j o.run);
-         ])
-      (fun j ->
-         Option.bind (run j.outcome.verdict) (fun (w : Witness.t) -> Option.map (fun o -> (j, o)) w.otherwise))
+    maybe "otherwise" Witness_json.otherwise
+      (fun j -> Option.bind (Option.map (witness_of j) (run j.outcome.verdict)) Witness_json.contrast)
       ~about:"With --contrast: a run that does otherwise than the witness, and parts from it as late as possible.";
     of_outcome
       (all

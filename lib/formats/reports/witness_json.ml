@@ -160,3 +160,18 @@ let format =
         ~about:"Of parameters that have ranges: those of this run.";
     ]
   |> from made |> about "A run: its steps, then where it leads." |> named ~file "witness"
+
+(* {1 A run that does otherwise} *)
+
+let contrast t =
+  Option.map
+    (fun (o : Witness.otherwise) -> (o.shared, { t with witness = o.run }))
+    t.witness.Witness.otherwise
+
+let otherwise =
+  fields
+    [
+      field "shared" natural fst
+        ~about:"The number of steps that it has in common with the witness, at its beginning.";
+      field "witness" format snd;
+    ]

@@ -17,6 +17,12 @@ type t = {
 val format : (t, unit) Json_format.t
 (** The format of a witness. *)
 
+val contrast : t -> (int * t) option
+(** [contrast w] is {!Witness.otherwise} of the witness: the number of steps in common, and the other run. *)
+
+val otherwise : (int * t, unit) Json_format.t
+(** The format of {!contrast}. *)
+
 val argument_format : (Witness.argument, unit) Json_format.t
 (** The format of the argument by which a witness proves a property. *)
 

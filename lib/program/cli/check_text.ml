@@ -206,7 +206,8 @@ let property console ~full ?(runs = true) ?where c ~from (o : Verdict.outcome) =
   in
   let other =
     match v with
-    | Holds { witness = Some { otherwise = Some o; _ }; _ } | Violated { witness = Some { otherwise = Some o; _ } } ->
+    | Holds { witness = Some { otherwise = Some o; _ }; _ }
+    | Violated { witness = Some { otherwise = Some o; _ } } ->
       let from = if o.shared = 0 then "from the start" else Printf.sprintf "after step %d" o.shared in
       [ (Printf.sprintf "the nearest run that does otherwise, which parts from it %s:" from, witness o.run) ]
     | Holds _ | Violated _ | Measured _ | Depends _ | Undecided _ -> []

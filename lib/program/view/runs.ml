@@ -102,8 +102,8 @@ let format =
              values ~sample:true;
              maybe "contrast" natural (fun (r, _) -> r.contrast)
                ~about:
-                 "A run that does otherwise than the one before it in the list, which a check has: so many steps at \
-                  their beginning are the same.";
+                 "A run that does otherwise than the one before it in the list, which a check has: so many steps \
+                  at their beginning are the same.";
            ])
         (fun r -> Option.map (fun c -> (r, c)) r.course)
         ignore;

@@ -49,7 +49,8 @@ type t = {
   leaves : Bodies.t list option;  (** if they differ from those of the document *)
   sample : bool;  (** it starts in the drawing of regions *)
   contrast : int option;
-  (** it does otherwise than the run of a check, which comes before it: so many steps at their beginning are the same *)
+  (** it does otherwise than the run of a check, which comes before it; so many steps at their beginning are the
+      same *)
 }
 
 val format : (t, unit) Json_format.t

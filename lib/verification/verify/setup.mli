@@ -17,7 +17,8 @@ type t = {
   prove : bool;
   (** an invariant is searched for before anything is explored, in half of the time (rule Invariants).
       Otherwise, over zones, one is searched for only where exploration leaves a check open. *)
-  contrast : bool;  (** with the run of a verdict comes one that does otherwise ({!Scc_explain.Witness.otherwise}) *)
+  contrast : bool;
+  (** with the run of a verdict comes one that does otherwise ({!Scc_explain.Witness.otherwise}) *)
   curve : string option;
   (** the check with this name, which asks for a probability within a time, is answered for all shorter times, too
   *)

@@ -63,7 +63,7 @@ def check(
     ``check``: Decides only the check NAME, as if the model had no others. May be given several times.
     ``contrast``: Shows with the run of a verdict another one, which does otherwise and parts from it as late as
       possible. So where a run never comes to what was to come, it shows one that does, and the step that
-      decides. For checks with an operator about all runs or some run, but for `possibly` and `always` of
+      decides. For checks with an operator about all runs or some run, but for possibly and always of
       predicates, which end early.
     ``coverage``: Lists the summands of behaviours that never fired, the behaviours that were never reached, and
       the channels and rules that were never used. It explores the whole model once more, even if all is
