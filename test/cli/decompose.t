@@ -241,6 +241,19 @@ each needs a compound of its own.
   $ scc decompose crossing.off --union | head -n 2
   crossing.off: 8 plane faces, 5 reflex edges, volume 51/2
   3 convex parts, 2 joints
+
+What is inside of another solid counts for nothing, whatever its form. So the union of a cube and an L in it is a convex
+solid:
+
+  $ { printf 'OFF\n20 14 0\n'; sed -n 3,14p ell.off; for z in -1 8; do printf "%s $z\n" '-1 -1' '8 -1' '8 8' '-1 8'; done; sed 1,14d ell.off; } > inside.off
+  $ printf '4 12 15 14 13\n4 16 17 18 19\n4 12 16 19 15\n4 13 14 18 17\n4 12 13 17 16\n4 15 19 18 14\n' >> inside.off
+  $ scc decompose inside.off --union
+  inside.off: 6 plane faces, 0 reflex edges, volume 729
+  1 convex part, 0 joints
+    p1: 8 corners, 6 faces, volume 729
+
+Solids in one piece are cut as without the option:
+
   $ scc decompose ell.off --union | head -n 2
   ell.off: 8 plane faces, 1 reflex edge, volume 6
   2 convex parts, 1 joint
@@ -286,7 +299,7 @@ In a model the word `union` does what the option does. Faces keep their names:
      |
    2 | process p = C [<a, {other, only f1, [v0, v1]}>. nil]
      |                     ^^^^^
-  note: its faces are f6, f4, f7, f5, f6_2, f7_2, f5_2, f2, f0, f0_2, f1, f3, f3_2, f3_3; its vertices w1, v6, w2, w3, w4, v5, w5, w6, v7, w7, v0, v3, v2, w8, v1, w9, w10
+  note: its faces are f0, f0_2, f1, f2, f3, f3_2, f3_3, f4, f5, f5_2, f6, f6_2, f7; its vertices w1, v2, w2, w3, v0, w4, v1, w5, v3, w6, w7, w8, v5, v6, w9, v7, w10
   [3]
   $ scc fmt union.sc | head -n 1
   compound C = decompose "crossing.off" union mass 1
@@ -299,7 +312,7 @@ Two cubes that share a face are one box. Cubes with an edge in common are not co
   $ echo 'shape Box = mesh "face.off" union' > box.sc; scc shape box.sc:Box | head -n 3
   box.sc:Box
   vertices: 8, edges: 12, faces: 6
-  names of faces: f2, f6, f10, f7, f11, f9
+  names of faces: f2, f0, f4, f1, f5, f9
   $ echo 'shape Box = mesh "edge.off" union' > box.sc; scc check box.sc
   box.sc:1:18: error[SC0307]: the union of what is in the mesh `edge.off` is not convex
      |
