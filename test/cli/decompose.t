@@ -252,6 +252,35 @@ solid:
   1 convex part, 0 joints
     p1: 8 corners, 6 faces, volume 729
 
+Of four cubes in each other, of which the second and the fourth are hollows, two solids are made, each with its hollow:
+
+  $ cat > nested.awk <<'EOF'
+  > BEGIN {
+  >   print "OFF\n32 24 0"
+  >   for (k = 4; k; k--)
+  >     for (i = 0; i < 8; i++) print (i % 2 ? k : -k), (int(i / 2) % 2 ? k : -k), (i > 3 ? k : -k)
+  >   n = split("0 2 3 1,4 5 7 6,0 1 5 4,2 6 7 3,0 4 6 2,1 3 7 5", faces, ",")
+  >   for (k = 0; k < 32; k += 8)
+  >     for (j = 1; j <= n; j++) {
+  >       split(faces[j], c, " ")
+  >       print 4, c[1] + k, c[k % 16 ? 4 : 2] + k, c[3] + k, c[k % 16 ? 2 : 4] + k
+  >     }
+  > }
+  > EOF
+  $ awk -f nested.awk > nested.off; scc decompose --union nested.off | head -n 2
+  nested.off: 24 plane faces, 24 reflex edges, volume 352
+  12 convex parts, 10 joints
+
+A pyramid stands on its tip, in the middle of a triangle of a slab:
+
+  $ printf 'OFF\n12 11 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n0 0 1\n3 0 1\n3 3 1\n0 3 1\n2 1 1\n1 0 2\n3 0 2\n2 3 2\n' > tip.off
+  $ printf '4 0 3 2 1\n3 4 5 6\n3 4 6 7\n4 0 4 7 3\n4 1 2 6 5\n4 0 1 5 4\n4 3 7 6 2\n3 9 10 11\n3 8 10 9\n3 8 11 10\n3 8 9 11\n' >> tip.off
+  $ scc decompose --union tip.off
+  tip.off: 10 plane faces, 0 reflex edges, volume 10
+  2 convex parts, 0 joints
+    p1: 8 corners, 6 faces, volume 9
+    p2: 4 corners, 4 faces, volume 1
+
 Solids in one piece are cut as without the option:
 
   $ scc decompose ell.off --union | head -n 2

@@ -4,10 +4,10 @@ open Scc_geometry
 open Scc_decompose
 
 type t = private {
-  face : int;  (** what the polygon is a piece of *)
+  face : int;  (** The number of what the polygon is a piece of. *)
   plane : Plane.t;
-  corners : Homogeneous.t array;  (** counter-clockwise as seen from in front of the plane *)
-  ids : int array;  (** a number for each corner, the same at the same place *)
+  corners : Homogeneous.t array;  (** Counter-clockwise as seen from in front of the plane. *)
+  ids : int array;  (** A number for each corner, the same at the same place. *)
   box : Float_box.t;
 }
 
@@ -20,9 +20,9 @@ type segment
 
 type met = {
   segments : segment list;
-  over : int list;  (** the polygons of the same plane that have an area in common with this one, in order *)
+  over : int list;  (** The polygons of the same plane that have an area in common with this one, in order. *)
   touched : bool;
-  (** true if another polygon may have more in common with this one than edges and corners of both *)
+  (** True if another polygon may have more in common with this one than edges and corners of both. *)
 }
 
 val met : tick:(unit -> unit) -> t array -> met array
