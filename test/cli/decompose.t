@@ -241,6 +241,48 @@ each needs a compound of its own.
   $ scc decompose crossing.off --union | head -n 2
   crossing.off: 8 plane faces, 5 reflex edges, volume 51/2
   3 convex parts, 2 joints
+
+What is inside of another solid counts for nothing, whatever its form. So the union of a cube and an L in it is a convex
+solid:
+
+  $ { printf 'OFF\n20 14 0\n'; sed -n 3,14p ell.off; for z in -1 8; do printf "%s $z\n" '-1 -1' '8 -1' '8 8' '-1 8'; done; sed 1,14d ell.off; } > inside.off
+  $ printf '4 12 15 14 13\n4 16 17 18 19\n4 12 16 19 15\n4 13 14 18 17\n4 12 13 17 16\n4 15 19 18 14\n' >> inside.off
+  $ scc decompose inside.off --union
+  inside.off: 6 plane faces, 0 reflex edges, volume 729
+  1 convex part, 0 joints
+    p1: 8 corners, 6 faces, volume 729
+
+Of four cubes in each other, of which the second and the fourth are hollows, two solids are made, each with its hollow:
+
+  $ cat > nested.awk <<'EOF'
+  > BEGIN {
+  >   print "OFF\n32 24 0"
+  >   for (k = 4; k; k--)
+  >     for (i = 0; i < 8; i++) print (i % 2 ? k : -k), (int(i / 2) % 2 ? k : -k), (i > 3 ? k : -k)
+  >   n = split("0 2 3 1,4 5 7 6,0 1 5 4,2 6 7 3,0 4 6 2,1 3 7 5", faces, ",")
+  >   for (k = 0; k < 32; k += 8)
+  >     for (j = 1; j <= n; j++) {
+  >       split(faces[j], c, " ")
+  >       print 4, c[1] + k, c[k % 16 ? 4 : 2] + k, c[3] + k, c[k % 16 ? 2 : 4] + k
+  >     }
+  > }
+  > EOF
+  $ awk -f nested.awk > nested.off; scc decompose --union nested.off | head -n 2
+  nested.off: 24 plane faces, 24 reflex edges, volume 352
+  12 convex parts, 10 joints
+
+A pyramid stands on its tip, in the middle of a triangle of a slab:
+
+  $ printf 'OFF\n12 11 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n0 0 1\n3 0 1\n3 3 1\n0 3 1\n2 1 1\n1 0 2\n3 0 2\n2 3 2\n' > tip.off
+  $ printf '4 0 3 2 1\n3 4 5 6\n3 4 6 7\n4 0 4 7 3\n4 1 2 6 5\n4 0 1 5 4\n4 3 7 6 2\n3 9 10 11\n3 8 10 9\n3 8 11 10\n3 8 9 11\n' >> tip.off
+  $ scc decompose --union tip.off
+  tip.off: 10 plane faces, 0 reflex edges, volume 10
+  2 convex parts, 0 joints
+    p1: 8 corners, 6 faces, volume 9
+    p2: 4 corners, 4 faces, volume 1
+
+Solids in one piece are cut as without the option:
+
   $ scc decompose ell.off --union | head -n 2
   ell.off: 8 plane faces, 1 reflex edge, volume 6
   2 convex parts, 1 joint
@@ -286,7 +328,7 @@ In a model the word `union` does what the option does. Faces keep their names:
      |
    2 | process p = C [<a, {other, only f1, [v0, v1]}>. nil]
      |                     ^^^^^
-  note: its faces are f6, f4, f7, f5, f6_2, f7_2, f5_2, f2, f0, f0_2, f1, f3, f3_2, f3_3; its vertices w1, v6, w2, w3, w4, v5, w5, w6, v7, w7, v0, v3, v2, w8, v1, w9, w10
+  note: its faces are f0, f0_2, f1, f2, f3, f3_2, f3_3, f4, f5, f5_2, f6, f6_2, f7; its vertices w1, v2, w2, w3, v0, w4, v1, w5, v3, w6, w7, w8, v5, v6, w9, v7, w10
   [3]
   $ scc fmt union.sc | head -n 1
   compound C = decompose "crossing.off" union mass 1
@@ -299,7 +341,7 @@ Two cubes that share a face are one box. Cubes with an edge in common are not co
   $ echo 'shape Box = mesh "face.off" union' > box.sc; scc shape box.sc:Box | head -n 3
   box.sc:Box
   vertices: 8, edges: 12, faces: 6
-  names of faces: f2, f6, f10, f7, f11, f9
+  names of faces: f2, f0, f4, f1, f5, f9
   $ echo 'shape Box = mesh "edge.off" union' > box.sc; scc check box.sc
   box.sc:1:18: error[SC0307]: the union of what is in the mesh `edge.off` is not convex
      |

@@ -86,6 +86,7 @@ let writer path =
 
 let line : Decomposed.progress -> string = function
   | Looking faces -> "looking at " ^ Plural.count faces "face" "faces"
+  | Uniting n -> "uniting: " ^ Plural.count n "pair of faces looked at" "pairs of faces looked at"
   | Cutting n -> "cutting: " ^ Plural.count n "cell looked at" "cells looked at"
   | Making (k, of_) -> Printf.sprintf "making part %d of %d" k of_
   | Naming left -> "naming faces: " ^ Plural.count left "part left" "parts left"

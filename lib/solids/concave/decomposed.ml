@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_geometry
 
-type progress = Looking of int | Cutting of int | Making of int * int | Naming of int
+type progress = Looking of int | Uniting of int | Cutting of int | Making of int * int | Naming of int
 type fault = Unsound of Sound.fault | Pieces of Shells.fault | Nothing | Too_many of int
 
 let most_parts = 10_000
@@ -48,69 +48,80 @@ let prism (set : Polyhedron.ifs) =
 
 exception Too_long
 
-let cells ~most progress (drawn : Drawn.t) =
+(* To call at each cell, until there are too many. *)
+let budget ~most progress =
   let ticks = cells_for_part * most in
   let left = ref ticks in
-  let tick () =
+  fun () ->
     decr left;
     if !left < 0 then raise_notrace Too_long;
     progress (Cutting (ticks - !left))
-  in
+
+let cells ~tick progress (drawn : Drawn.t) =
   let surface = List.concat_map (fun (r : Drawn.region) -> r.pieces) (Array.to_list drawn.regions) in
-  match Scc_decompose.Decompose.parts ~tick surface with
-  | exception Too_long -> Error (Too_many most)
-  | list when List.length list > most -> Error (Too_many most)
-  | list ->
-    let count = List.length list in
-    let make k cell =
-      progress (Making (k + 1, count));
-      Refined.of_cell cell
-    in
-    Ok (List.mapi make list)
+  let list = Scc_decompose.Decompose.parts ~tick surface in
+  let count = List.length list in
+  let make k cell =
+    progress (Making (k + 1, count));
+    Refined.of_cell cell
+  in
+  List.mapi make list
 
 let convex (set : Polyhedron.ifs) = Refined.solid (List.map snd (Array.to_list set.ifs_vertices))
 
 (* A convex solid is one part. A prism over a polygon has the parts of [Prism], any other solid those of
-   [Decompose]. *)
-let parts ~most ?(progress = ignore) set =
-  progress (Looking (Array.length set.Polyhedron.ifs_faces));
-  let* drawn = surface set in
-  let* list =
-    if Drawn.reflex_edges drawn = 0 then Ok [ convex set ]
-    else match prism set with Some list -> Ok list | None -> cells ~most progress drawn
-  in
-  if Volumes.equal set list then Ok (list, drawn)
-  else Scc_base.Bug.fail __POS__ "parts that are not the solid"
+   [Decompose]. A solid that touches itself may look like one of the first two. *)
+let of_solid ~tick progress set drawn =
+  let whole list = if Volumes.equal set list then Some list else None in
+  let simple = if Drawn.reflex_edges drawn = 0 then Some [ convex set ] else prism set in
+  match Option.bind simple whole with
+  | Some list -> list
+  | None -> (
+      match whole (cells ~tick progress drawn) with
+      | Some list -> list
+      | None -> Scc_base.Bug.fail __POS__ "parts that are not the solid")
+
+let at_most most list = if List.compare_length_with list most > 0 then Error (Too_many most) else Ok list
+
+let named ~progress ?names ~most drawn list =
+  let tick ~left = progress (Naming left) in
+  Option.to_result ~none:(Too_many most) (Parts.make ~tick ?names ~limit:most drawn list)
 
 let make ?(progress = ignore) ?names ?(most = most_parts) set =
-  let* list, drawn = parts ~most ~progress set in
-  let tick ~left = progress (Naming left) in
-  let* t = Option.to_result ~none:(Too_many most) (Parts.make ~tick ?names ~limit:most drawn list) in
-  if groups t = 1 then Ok t else Scc_base.Bug.fail __POS__ "parts that are not joined"
-
-let arranged ~progress ~names ~most set =
-  let ticks = cells_for_part * most in
-  let left = ref ticks in
-  let tick () =
-    decr left;
-    if !left < 0 then raise_notrace Too_long;
-    progress (Cutting (ticks - !left))
-  in
-  match United.parts ~tick set with
+  progress (Looking (Array.length set.Polyhedron.ifs_faces));
+  let* drawn = surface set in
+  match of_solid ~tick:(budget ~most progress) progress set drawn with
   | exception Too_long -> Error (Too_many most)
+  | list ->
+    let* list = at_most most list in
+    let* t = named ~progress ?names ~most drawn list in
+    if groups t = 1 then Ok t else Scc_base.Bug.fail __POS__ "parts that are not joined"
+
+let drawn_surface set =
+  match Drawn.make set with Some drawn -> drawn | None -> Scc_base.Bug.fail __POS__ "a surface without faces"
+
+let of_union ~progress ~names ~most set =
+  let pairs = ref 0 in
+  let tick () =
+    incr pairs;
+    progress (Uniting !pairs)
+  in
+  match United.surface ~tick set with
   | None -> Error (Unsound (Option.value (Sound.faults set) ~default:(Sound.Structure [ Inward ])))
-  | Some ([], _) -> Error Nothing
-  | Some (list, surface) -> (
-      match Drawn.make surface with
-      | Some drawn when Volumes.equal surface list ->
-        let tick ~left = progress (Naming left) in
-        Option.to_result ~none:(Too_many most) (Parts.make ~tick ~names ~limit:most drawn list)
-      | _ -> Scc_base.Bug.fail __POS__ "parts of a union that their surface does not bound")
+  | Some { ifs_faces = [||]; _ } -> Error Nothing
+  | Some surface -> (
+      let tick = budget ~most progress in
+      let parts solid = of_solid ~tick progress solid (drawn_surface solid) in
+      match List.concat_map parts (Shells.solids surface) with
+      | exception Too_long -> Error (Too_many most)
+      | list ->
+        let* list = at_most most list in
+        named ~progress ~names ~most (drawn_surface surface) list)
 
 (* A solid that does not touch itself is its own union. *)
 let united ?(progress = ignore) ?(names = false) ?(most = most_parts) set =
   match make ~progress ~names ~most set with
-  | Error (Unsound _ | Pieces _) -> arranged ~progress ~names ~most set
+  | Error (Unsound _ | Pieces _) -> of_union ~progress ~names ~most set
   | Ok _ as parts -> parts
   | Error (Nothing | Too_many _) as fault -> fault
 

@@ -23,6 +23,7 @@ val surface : Polyhedron.ifs -> (Drawn.t, fault) result
 (** The progress of a decomposition: its last step. *)
 type progress =
   | Looking of int  (** the number of faces that are checked *)
+  | Uniting of int  (** the number of pairs and pieces of faces considered so far *)
   | Cutting of int  (** the number of cells and pairs of cells considered so far *)
   | Making of int * int  (** the number of the part being made, and the number of all parts *)
   | Naming of int  (** the number of parts left whose faces need names *)
@@ -35,9 +36,10 @@ val make : ?progress:(progress -> unit) -> ?names:bool -> ?most:int -> Polyhedro
 
 val united :
   ?progress:(progress -> unit) -> ?names:bool -> ?most:int -> Polyhedron.ifs -> (Parts.t, fault) result
-(** The union of solids that overlap or touch ({!United}) in convex parts, which need not be connected. Faces are
-    those of the union, named as {!United.parts} says. With [names], parts are cut further so that these are exact;
-    it is false by default. A set that bounds no union has the faults of {!Sound.faults}. *)
+(** The union of solids that overlap or touch ({!United}) in convex parts, which need not be connected. Each of its
+    solids is cut by itself, as {!make} does. Faces are those of the union, named as {!United.surface} says. With
+    [names], parts are cut further so that these are exact; it is false by default. A set that bounds no union has
+    the faults of {!Sound.faults}. *)
 
 val convex_whole : Parts.t -> Polyhedron.ifs option
 (** The surface of the union of all parts, if that is convex, with the names of its faces and corners. *)

@@ -42,6 +42,18 @@ let convex_corners set face n =
 
 let convex_pieces set face n = Option.map (List.map (Array.map (place set))) (convex_corners set face n)
 
+(* By pairs, as few sums have long numbers then. *)
+let rec sum = function
+  | [] -> Rat.zero
+  | [ x ] -> x
+  | list ->
+    let rec pairs found = function
+      | x :: y :: rest -> pairs (Rat.add x y :: found) rest
+      | [ x ] -> x :: found
+      | [] -> found
+    in
+    sum (pairs [] list)
+
 let volume (set : Polyhedron.ifs) =
   let of_face (_, face) =
     let a = place set face.(0) in
@@ -52,8 +64,7 @@ let volume (set : Polyhedron.ifs) =
     done;
     !sum
   in
-  let six = Array.fold_left (fun sum face -> Rat.add sum (of_face face)) Rat.zero set.ifs_faces in
-  Rat.div six (Rat.of_int 6)
+  Rat.div (sum (List.map of_face (Array.to_list set.ifs_faces))) (Rat.of_int 6)
 
 (* {1 Edges} *)
 

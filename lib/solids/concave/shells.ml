@@ -115,3 +115,43 @@ let turned_over (set : Polyhedron.ifs) shells =
 let oriented set =
   let shells = all set in
   if Array.length shells > 1 && in_place set then turned_over set shells else (set, [])
+
+(* {1 Solids by themselves} *)
+
+(* With the vertices that the faces use. *)
+let part (set : Polyhedron.ifs) faces : Polyhedron.ifs =
+  let numbers = Hashtbl.create 64 and used = Growable.create () in
+  let number v =
+    match Hashtbl.find_opt numbers v with
+    | Some k -> k
+    | None ->
+      let k = Growable.length used in
+      Growable.push used set.ifs_vertices.(v);
+      Hashtbl.replace numbers v k;
+      k
+  in
+  let face f = (fst set.ifs_faces.(f), Array.map number (snd set.ifs_faces.(f))) in
+  let ifs_faces = Array.of_list (List.map face (List.sort Int.compare faces)) in
+  { ifs_vertices = Array.init (Growable.length used) (Growable.get used); ifs_faces }
+
+let solids set =
+  let shells = all set in
+  if Array.length shells = 1 then [ set ]
+  else
+    let outer = Array.map (outward set) shells and faces = Array.map (fun s -> s.faces) shells in
+    (* Solids around a hollow are within each other, with the innermost one in a hollow of the next. *)
+    let innermost s =
+      let solids = List.filter (fun t -> outer.(t)) (around set shells s) in
+      match List.find_opt (fun t -> List.for_all (fun u -> boxed shells.(t) shells.(u)) solids) solids with
+      | Some t -> t
+      | None -> Scc_base.Bug.fail __POS__ "a hollow of no solid"
+    in
+    let hollow s _ =
+      if not outer.(s) then begin
+        let t = innermost s in
+        faces.(t) <- faces.(t) @ shells.(s).faces
+      end
+    in
+    Array.iteri hollow shells;
+    let kept = List.filter (fun s -> outer.(s)) (List.init (Array.length shells) Fun.id) in
+    List.map (fun s -> part set faces.(s)) kept

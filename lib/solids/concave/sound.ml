@@ -84,7 +84,16 @@ let beside f g =
   in
   one_side 0 0 && edges 0
 
-let clip = Clipped.clip
+(* What the convex polygon has where the height is not negative. *)
+let clip height polygon =
+  let n = Array.length polygon in
+  let step k =
+    let a = polygon.(k) and b = polygon.((k + 1) mod n) in
+    let h = height a and i = height b in
+    let here = if Rat.sign h >= 0 then [ a ] else [] in
+    if Rat.sign h * Rat.sign i < 0 then here @ [ Vec.axpy (Rat.div h (Rat.sub h i)) (Vec.sub b a) a ] else here
+  in
+  Array.of_list (List.concat (List.init n step))
 
 (* Two convex polygons: points of which what they have in common is the hull. *)
 let common one m other =

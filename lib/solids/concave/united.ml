@@ -2,209 +2,211 @@ open Scc_data
 open Scc_exact
 open Scc_geometry
 open Scc_decompose
-module Points = Hashtbl.Make (Vec)
+module Places = Hashtbl.Make (Homogeneous)
 
 let place (set : Polyhedron.ifs) v = snd set.ifs_vertices.(v)
 
-(* {1 What faces surround} *)
+(* {1 Places by numbers} *)
 
-let numbered points =
-  let table = Points.create 256 and list = Growable.create () in
-  let number x =
-    match Points.find_opt table x with
-    | Some k -> k
-    | None ->
-      let k = Points.length table in
-      Points.add table x k;
-      Growable.push list x;
-      k
-  in
-  let numbers = List.map (Array.map number) points in
-  (Array.init (Growable.length list) (Growable.get list), numbers)
+type places = { numbers : int Places.t; all : (Homogeneous.t * Float_box.t) Growable.t }
 
-let closed polygons =
-  let _, cycles = numbered polygons in
+let number t x =
+  match Places.find_opt t.numbers x with
+  | Some k -> k
+  | None ->
+    let k = Growable.length t.all in
+    Places.add t.numbers x k;
+    Growable.push t.all (x, Boxed.of_points [| Homogeneous.to_vec x |]);
+    k
+
+let at t k = fst (Growable.get t.all k)
+let box t k = snd (Growable.get t.all k)
+
+(* {1 What is given} *)
+
+let in_range (set : Polyhedron.ifs) =
+  let inside v = v >= 0 && v < Array.length set.ifs_vertices in
+  Array.for_all (fun (_, face) -> Array.length face > 2 && Array.for_all inside face) set.ifs_faces
+
+let closed cycles =
   let balance = Hashtbl.create 256 in
   let add key d = Hashtbl.replace balance key (d + Option.value ~default:0 (Hashtbl.find_opt balance key)) in
   let edge (u, v) = if u < v then add (u, v) 1 else add (v, u) (-1) in
-  List.iter (fun cycle -> List.iter edge (Scc_polygon.Polygon.edges cycle)) cycles;
+  Array.iter (fun cycle -> List.iter edge (Scc_polygon.Polygon.edges cycle)) cycles;
   Hashtbl.fold (fun _ d all -> d = 0 && all) balance true
 
-let outlines (set : Polyhedron.ifs) =
-  let inside v = v >= 0 && v < Array.length set.ifs_vertices in
-  let fine (_, face) = Array.length face > 2 && Array.for_all inside face in
-  if Array.for_all fine set.ifs_faces then
-    Some (List.map (fun (_, face) -> Array.map (place set) face) (Array.to_list set.ifs_faces))
-  else None
-
-let pieces (set : Polyhedron.ifs) (_, face) =
+let convex_pieces (set : Polyhedron.ifs) (_, face) =
   let n = Drawn.normal set face in
   let flat v = Rat.sign (Vec.dot n (Vec.sub (place set v) (place set face.(0)))) = 0 in
-  if Vec.is_zero n || not (Array.for_all flat face) then None else Drawn.convex_pieces set face n
+  if Vec.is_zero n || not (Array.for_all flat face) then None else Drawn.convex_corners set face n
 
-let mean corners =
-  Vec.scale (Rat.div Rat.one (Rat.of_int (List.length corners))) (List.fold_left Vec.add Vec.zero corners)
+(* {1 What is inside and what is outside} *)
 
-(* Near the mean of the corners, with short numbers; [None] if there are no floats near it. *)
-let near_mean corners =
-  let over f = List.fold_left (fun sum (p : Homogeneous.t) -> sum +. f p.near) 0. corners in
-  let count = float_of_int (List.length corners) in
-  let x = over (fun near -> near.nx) /. count and y = over (fun near -> near.ny) /. count in
-  let z = over (fun near -> near.nz) /. count in
-  if Float.is_finite x && Float.is_finite y && Float.is_finite z then
-    Some (Vec.make (Q.of_float x) (Q.of_float y) (Q.of_float z))
-  else None
-
-let within (cell : Cell.t) x =
-  let place = Homogeneous.of_vec x in
-  List.for_all (fun (f : Cell.facet) -> Plane.side f.plane place < 0) cell
-
-(* An inner point. *)
-let middle cell =
-  let corners = Cell.corners cell in
-  match near_mean corners with
-  | Some x when within cell x -> x
-  | _ -> mean (List.map Homogeneous.to_vec corners)
-
-(* {1 The surface of parts} *)
-
-let normal_of corners =
-  Ivec.primitive (fst (Ivec.of_vec (Drawn.area_vector (Array.get corners) (Array.length corners))))
-
-let plane_of corners = Plane.make (normal_of corners) (Homogeneous.of_vec corners.(0))
-
-type side = { part : int; normal : Vec.t; corners : Vec.t array; box : Float_box.t; plane : Plane.t }
-
-let sides part (p : Polyhedron.t) =
-  let side (_, face) =
-    let corners = Array.map (fun v -> snd p.vertices.(v)) face in
-    let normal = Ivec.to_vec (normal_of corners) in
-    { part; normal; corners; box = Boxed.of_points corners; plane = plane_of corners }
-  in
-  List.map side (Array.to_list p.faces)
-
-module Planes = Hashtbl.Make (Plane)
-
-(* Each face without what faces of other parts cover. *)
-let uncovered parts =
-  let all = List.concat (List.mapi sides parts) in
-  let by_plane = Planes.create 256 in
-  List.iter (fun s -> Planes.add by_plane s.plane s) all;
-  let rest s =
-    let covers o = o.part <> s.part && Float_box.meet o.box s.box in
-    let others = List.filter covers (Planes.find_all by_plane (Plane.opposite s.plane)) in
-    let without pieces o =
-      let turned = Array.of_list (List.rev (Array.to_list o.corners)) in
-      List.concat_map (fun piece -> Clipped.difference s.normal piece turned) pieces
+(* Two polygons with an edge that no other one has divide the same parts of space, if all that they have in common
+   with others are edges and corners of both. *)
+let patches (sheets : Sheets.t array) (met : Sheets.met array) =
+  let joined = Union_find.create (Array.length sheets) and at = Hashtbl.create 1024 in
+  let owners key = Option.value ~default:[] (Hashtbl.find_opt at key) in
+  let enter k (s : Sheets.t) =
+    let edge (u, v) =
+      let key = (Int.min u v, Int.max u v) in
+      Hashtbl.replace at key (k :: owners key)
     in
-    List.fold_left without [ s.corners ] others
+    List.iter edge (Scc_polygon.Polygon.edges s.ids)
   in
-  List.concat_map rest all
+  Array.iteri enter sheets;
+  let join _ = function
+    | [ i; j ] when not (met.(i).touched || met.(j).touched) -> ignore (Union_find.union joined i j)
+    | _ -> ()
+  in
+  Hashtbl.iter join at;
+  joined
 
-(* Corners of others on an edge become corners of it. *)
-let conforming polygons =
-  let points, cycles = numbered polygons in
+type space = { sheets : Sheets.t array; met : Sheets.met array; tree : Scc_broad_phase.Box_tree.t }
+
+(* How often the place beyond a point of the surface is surrounded, on the way up. *)
+let above space x =
+  let own = Boxed.of_points [| Homogeneous.to_vec x |] in
+  let side f = Array.init 3 (f own) in
+  let high = side Float_box.high and sum = ref 0 in
+  high.(2) <- infinity;
+  let ray = Float_box.make ~low:(side Float_box.low) ~high in
+  let add k = sum := !sum + Sheets.over space.sheets.(k) x in
+  Scc_broad_phase.Box_tree.iter_meeting space.tree ray add;
+  !sum
+
+(* For a piece of a polygon that no other one cuts: true if it is in the surface of the union. Where several
+   polygons cover it, it is a piece of the first one. The place above is in front if the polygon looks upward. *)
+let shows space k polygon =
+  let s = space.sheets.(k) and x = Sheets.inner polygon in
+  let same j = Plane.equal space.sheets.(j).plane s.plane in
+  let here = List.filter (fun j -> Sheets.holds space.sheets.(j) x) space.met.(k).over in
+  (not (List.exists (fun j -> j < k && same j) here))
+  &&
+  let times = List.fold_left (fun sum j -> if same j then sum + 1 else sum - 1) 1 here in
+  let upward = [ s.plane.c; s.plane.a; s.plane.b ] in
+  let up = List.fold_left (fun sign z -> if sign <> 0 then sign else Z.sign z) 0 upward in
+  let there = above space x in
+  let behind, front = if up > 0 then (there + times, there) else (there, there - times) in
+  behind > 0 && front <= 0
+
+(* {1 What is left of faces} *)
+
+(* The greatest pieces of a polygon all of which is shown. *)
+let left ~tick space k =
+  let pieces = Sheets.pieces ~tick space.sheets.(k) space.met.(k) in
+  let shown = Array.map (fun _ -> true) pieces in
+  for i = Array.length pieces - 1 downto 0 do
+    let p = pieces.(i) in
+    if p.leaf then shown.(i) <- shows space k p.polygon;
+    if p.parent >= 0 && not shown.(i) then shown.(p.parent) <- false
+  done;
+  let greatest i (p : Sheets.piece) =
+    if shown.(i) && (p.parent < 0 || not shown.(p.parent)) then Some p.polygon else None
+  in
+  List.filter_map Fun.id (Array.to_list (Array.mapi greatest pieces))
+
+type rest = Whole | Pieces of Homogeneous.t array list
+
+(* Of each polygon. *)
+let rests ~tick sheets =
+  let met = Sheets.met ~tick sheets and tree = Scc_broad_phase.Box_tree.create () in
+  Array.iteri (fun k (s : Sheets.t) -> Scc_broad_phase.Box_tree.insert tree k s.box) sheets;
+  let space = { sheets; met; tree } and patches = patches sheets met in
+  let of_patch = Hashtbl.create 64 in
+  let shown k =
+    let root = Union_find.find patches k in
+    match Hashtbl.find_opt of_patch root with
+    | Some shown -> shown
+    | None ->
+      tick ();
+      let shown = shows space root sheets.(root).corners in
+      Hashtbl.replace of_patch root shown;
+      shown
+  in
+  let rest k (s : Sheets.t) =
+    if met.(k).touched then
+      match left ~tick space k with [ one ] when one == s.corners -> Whole | list -> Pieces list
+    else if shown k then Whole
+    else Pieces []
+  in
+  (Array.mapi rest sheets, Array.map (fun (m : Sheets.met) -> m.touched) met)
+
+(* {1 The surface} *)
+
+(* Corners on an edge of others become corners of it. They are those of polygons that others touch. *)
+let conforming places corners cycles =
   let tree = Scc_broad_phase.Box_tree.create () in
-  Array.iteri (fun k x -> Scc_broad_phase.Box_tree.insert tree k (Boxed.of_points [| x |])) points;
+  List.iter (fun k -> Scc_broad_phase.Box_tree.insert tree k (box places k)) corners;
   let on_edge (u, v) =
-    let a = points.(u) and way = Vec.sub points.(v) points.(u) and found = ref [] in
-    let look k =
-      let to_k = Vec.sub points.(k) a in
-      if k <> u && k <> v && Vec.is_zero (Vec.cross way to_k) then
-        let t = Rat.div (Vec.dot way to_k) (Vec.norm2 way) in
-        if Rat.sign t > 0 && Rat.compare t Rat.one < 0 then found := (t, k) :: !found
-    in
-    Scc_broad_phase.Box_tree.iter_meeting tree (Boxed.of_points [| a; points.(v) |]) look;
-    u :: List.map snd (List.sort (fun (s, _) (t, _) -> Rat.compare s t) !found)
+    let a = at places u and b = at places v and found = ref [] in
+    let look k = if k <> u && k <> v && Sheets.on_edge a b (at places k) then found := k :: !found in
+    Scc_broad_phase.Box_tree.iter_meeting tree (Float_box.hull [| box places u; box places v |]) look;
+    u :: List.sort (fun k l -> Sheets.farther a b (at places k) (at places l)) !found
   in
   let whole cycle = Array.of_list (List.concat_map on_edge (Scc_polygon.Polygon.edges cycle)) in
-  {
-    Polyhedron.ifs_vertices = Array.mapi (fun k x -> (Printf.sprintf "v%d" k, x)) points;
-    ifs_faces = Array.of_list (List.mapi (fun k cycle -> (Printf.sprintf "f%d" k, whole cycle)) cycles);
-  }
-
-(* {1 Names} *)
-
-type face = { name : string; around : Float_box.t; places : Homogeneous.t array; outline : Vec.t array }
-
-(* The convex pieces of the faces by their planes, the first one first. *)
-let faces_by_plane (set : Polyhedron.ifs) polygons =
-  let table = Planes.create 256 in
-  let enter (name, _) pieces =
-    let piece p =
-      let around = Boxed.of_points p and places = Array.map Homogeneous.of_vec p in
-      Planes.add table (plane_of p) { name; around; places; outline = p }
-    in
-    List.iter piece pieces
-  in
-  List.iter2 enter (List.rev (Array.to_list set.ifs_faces)) (List.rev polygons);
-  table
-
-let sharing table polygon =
-  let plane = plane_of polygon and box = Boxed.of_points polygon in
-  let places = Array.map Homogeneous.of_vec polygon in
-  let shares f = Float_box.meet box f.around && Planar.share plane f.places places in
-  List.filter shares (Planes.find_all table plane)
-
-(* In pieces, each of them in one face. *)
-let by_face table polygon =
-  match sharing table polygon with
-  | [] -> Scc_base.Bug.fail __POS__ "a face of a union that is in no face"
-  | [ _ ] -> [ polygon ]
-  | several ->
-    let n = Ivec.to_vec (normal_of polygon) in
-    let cut (found, rest) f =
-      let one (found, kept) piece =
-        if List.memq f (sharing table piece) then
-          (Clipped.common n piece f.outline :: found, Clipped.difference n piece f.outline @ kept)
-        else (found, piece :: kept)
-      in
-      List.fold_left one (found, []) rest
-    in
-    fst (List.fold_left cut ([], [ polygon ]) several)
+  List.map (fun (face, cycle) -> (face, whole cycle)) cycles
 
 (* Pieces of a face have its name, a number at the end of all but one of them. *)
-let named (set : Polyhedron.ifs) table (surface : Polyhedron.ifs) =
-  let fresh = Fresh.besides set and given = Hashtbl.create 256 and at = Points.create 256 in
-  Array.iter (fun (name, x) -> if not (Points.mem at x) then Points.add at x name) set.ifs_vertices;
-  let vertex (_, x) = ((match Points.find_opt at x with Some name -> name | None -> Fresh.next fresh "w"), x) in
-  let face (_, corners) =
-    let name = (List.hd (sharing table (Array.map (place surface) corners))).name in
-    if Hashtbl.mem given name then (Fresh.next fresh ~from:2 (name ^ "_"), corners)
+let named (set : Polyhedron.ifs) places at_vertex polygons : Polyhedron.ifs =
+  let fresh = Fresh.besides set and given = Hashtbl.create 256 and names = Hashtbl.create 256 in
+  let enter v k = if not (Hashtbl.mem names k) then Hashtbl.replace names k (fst set.ifs_vertices.(v)) in
+  Array.iteri enter at_vertex;
+  let numbers = Hashtbl.create 256 and vertices = Growable.create () in
+  let vertex k =
+    match Hashtbl.find_opt numbers k with
+    | Some v -> v
+    | None ->
+      let v = Growable.length vertices in
+      let name = match Hashtbl.find_opt names k with Some name -> name | None -> Fresh.next fresh "w" in
+      Growable.push vertices (name, Homogeneous.to_vec (at places k));
+      Hashtbl.replace numbers k v;
+      v
+  in
+  let face (f, cycle) =
+    let name = fst set.ifs_faces.(f) and corners = Array.map vertex cycle in
+    if Hashtbl.mem given f then (Fresh.next fresh ~from:2 (name ^ "_"), corners)
     else begin
-      Hashtbl.replace given name ();
+      Hashtbl.replace given f ();
       (name, corners)
     end
   in
-  { Polyhedron.ifs_vertices = Array.map vertex surface.ifs_vertices; ifs_faces = Array.map face surface.ifs_faces }
+  let ifs_faces = Array.of_list (List.map face polygons) in
+  { ifs_vertices = Array.init (Growable.length vertices) (Growable.get vertices); ifs_faces }
 
-(* {1 All} *)
-
-let solids ~tick polygons =
-  let with_normal p = (Drawn.area_vector (Array.get p) (Array.length p), p) in
-  let signed = Array.of_list (List.map with_normal polygons) in
-  let tree = Scc_broad_phase.Box_tree.create () in
-  Array.iteri (fun k (_, p) -> Scc_broad_phase.Box_tree.insert tree k (Boxed.of_points p)) signed;
-  (* Only what the box around a ray upwards meets can be over a point. *)
-  let inside cell =
-    let x = middle cell and found = ref [] in
-    let own = Boxed.of_points [| x |] in
-    let side f = Array.init 3 (f own) in
-    let high = side Float_box.high in
-    high.(2) <- infinity;
-    let ray = Float_box.make ~low:(side Float_box.low) ~high in
-    Scc_broad_phase.Box_tree.iter_meeting tree ray (fun k -> found := signed.(k) :: !found);
-    Within.winding !found x > 0
-  in
-  List.map Refined.of_cell (Decompose.surrounded ~tick ~inside polygons)
-
-let parts ~tick set =
-  let*? outlines = outlines set in
-  if outlines = [] || not (closed outlines) then None
+let surface ~tick (set : Polyhedron.ifs) =
+  if Array.length set.ifs_faces = 0 || not (in_range set) then None
   else
-    let*? polygons = Option.all (pieces set) (Array.to_list set.ifs_faces) in
-    match solids ~tick (List.concat polygons) with
-    | [] -> Some ([], set)
-    | list ->
-      let table = faces_by_plane set polygons in
-      Some (list, named set table (conforming (List.concat_map (by_face table) (uncovered list))))
+    let places = { numbers = Places.create 1024; all = Growable.create () } in
+    let at_vertex = Array.map (fun (_, x) -> number places (Homogeneous.of_vec x)) set.ifs_vertices in
+    let cycles = Array.map (fun (_, face) -> Array.map (fun v -> at_vertex.(v)) face) set.ifs_faces in
+    if not (closed cycles) then None
+    else
+      let*? pieces = Option.all (convex_pieces set) (Array.to_list set.ifs_faces) in
+      let sheet face corners =
+        Sheets.make ~face ~ids:(Array.map (fun v -> at_vertex.(v)) corners) (at places) (box places)
+      in
+      let sheets = Array.of_list (List.concat (List.mapi (fun f list -> List.map (sheet f) list) pieces)) in
+      let rests, touched = rests ~tick sheets in
+      let whole = Array.map (fun _ -> true) set.ifs_faces in
+      let look k (s : Sheets.t) = match rests.(k) with Whole -> () | Pieces _ -> whole.(s.face) <- false in
+      Array.iteri look sheets;
+      let polygons k (s : Sheets.t) =
+        match rests.(k) with
+        | Whole -> [ s.ids ]
+        | Pieces list -> List.map (Array.map (number places)) list
+      in
+      let left = List.mapi polygons (Array.to_list sheets) in
+      let corners = List.concat (List.filteri (fun k _ -> touched.(k)) left) in
+      let corners = List.sort_uniq Int.compare (List.concat_map Array.to_list corners) in
+      let started = Array.map (fun _ -> false) set.ifs_faces in
+      let of_face k list =
+        let f = sheets.(k).face in
+        if not whole.(f) then List.map (fun cycle -> (f, cycle)) list
+        else if started.(f) then []
+        else begin
+          started.(f) <- true;
+          [ (f, cycles.(f)) ]
+        end
+      in
+      Some (named set places at_vertex (conforming places corners (List.concat (List.mapi of_face left))))

@@ -2,13 +2,16 @@
 
 open Scc_geometry
 
-val parts : tick:(unit -> unit) -> Polyhedron.ifs -> (Polyhedron.t list * Polyhedron.ifs) option
-(** [parts ~tick set] are convex parts, without common inner points, of the points that the faces surround at
-    least once. A face counts once on each way out of the solid, and takes one away on each way in. So hollows
-    stay, and what is in two solids is in their union. The set is the surface of the parts: convex polygons,
-    each edge of which is an edge of others. A polygon has the name of the first face of the set in which it lies
-    and which looks the same way; further ones of a face [f] are [f_2], [f_3], …. A vertex has the name of a
-    vertex there, or else [w1], [w2], …. There are no parts if the faces surround
-    nothing. [None] if there are no faces, or if they are not closed: each edge needs as many
-    faces that run along it one way as the other way, by places. Also [None] if faces are not flat or not simple.
-    [tick] is called again and again, and may raise. *)
+val surface : tick:(unit -> unit) -> Polyhedron.ifs -> Polyhedron.ifs option
+(** [surface ~tick set] is the surface of the points that the faces surround at least once. A face counts once on
+    each way out of the solid, and takes one away on each way in. So hollows stay, and what is in two solids is in
+    their union. Its faces are sound ({!Sound}), but for edges that more than two of them may have.
+
+    A face that others neither cut nor cover is there as it was, with corners of others on its edges. What is left
+    of another face is convex polygons: the first has its name, further ones of a face [f] are [f_2], [f_3], ….
+    Where several faces cover each other and look the same way, what is there belongs to the first one. A vertex
+    has the name of a vertex there, or else [w1], [w2], …. There are no faces if those of the set surround nothing.
+
+    [None] if there are no faces, or if they are not closed: each edge needs as many faces that run along it one
+    way as the other way, by places. Also [None] if faces are not flat or not simple. [tick] is called again and
+    again, and may raise. *)

@@ -34,7 +34,3 @@ let surface (set : Polyhedron.ifs) faces p =
     if meets (Drawn.normal set face) corners p then not odd else odd
   in
   List.fold_left crossed false faces
-
-let winding polygons p =
-  let crossed sum ((n : Vec.t), corners) = if meets n corners p then sum + Rat.sign n.z else sum in
-  List.fold_left crossed 0 polygons

@@ -7,7 +7,3 @@ val surface : Polyhedron.ifs -> int list -> Vec.t -> bool
 (** [surface set faces x] is true if the point [x], which is on none of the faces, is inside the closed surface
     that they form. The faces are flat and simple, and each edge is shared with another of them. Near linear
     time; the orientation of the faces does not matter. *)
-
-val winding : (Vec.t * Vec.t array) list -> Vec.t -> int
-(** [winding polygons x] is how often a closed surface surrounds the point [x], which is on none of its polygons.
-    Each polygon is flat and simple, and comes with its outward normal of any length. *)

@@ -27,9 +27,3 @@ val parts : tick:(unit -> unit) -> Cell.t -> (Plane.t * Homogeneous.t array) lis
     Here each piece of an edge gets the plane that seems best, and a cut goes through the whole cell. As a rule
     that makes fewer parts, often fewer than reflex edges, as one plane goes through several edges. The only
     bound that is known here is the number of cells that all these planes make. *)
-
-val surrounded :
-  tick:(unit -> unit) -> inside:(Cell.t -> bool) -> Cell.t -> (Plane.t * Homogeneous.t array) list -> Cell.t list
-(** Space, cut by the planes of convex polygons until no polygon is left in a cell, which may cross each other. The
-    list has those cells for which [inside] is true. All polygons are inside the cell, a box. [tick] is called at
-    each cell. *)

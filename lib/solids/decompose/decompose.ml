@@ -20,10 +20,6 @@ let surface polygon =
   let corners = Array.map Homogeneous.of_vec polygon in
   (Plane.make (normal polygon) corners.(0), corners)
 
-let cells polygons cut =
-  let box = around polygons in
-  (box, cut box (List.map surface polygons))
-
 let fewest = function
   | [] -> []
   | first :: rest ->
@@ -31,9 +27,5 @@ let fewest = function
     List.fold_left fewer first rest
 
 let parts ?(tick = ignore) polygons =
-  let box, ways = cells polygons (Cut.parts ~tick) in
-  fewest (List.map (Union.merge ~tick box) ways)
-
-let surrounded ~tick ~inside polygons =
-  let box, list = cells polygons (Cut.surrounded ~tick ~inside) in
-  Union.merge ~tick box list
+  let box = around polygons in
+  fewest (List.map (Union.merge ~tick box) (Cut.parts ~tick box (List.map surface polygons)))

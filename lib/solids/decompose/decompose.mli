@@ -6,7 +6,3 @@ val parts : ?tick:(unit -> unit) -> Vec.t array list -> Cell.t list
 (** Convex parts of a solid ({!Cut}, {!Union}). The list is the surface of a closed solid without
     self-intersections, as convex polygons, counter-clockwise as seen from outside. The parts have no common inner
     points, and their union is the solid. [tick] is called again and again, and may raise. *)
-
-val surrounded : tick:(unit -> unit) -> inside:(Cell.t -> bool) -> Vec.t array list -> Cell.t list
-(** Convex parts of what polygons surround, which may cross each other. They are convex. A cell that none of them
-    cuts belongs to the whole if [inside] is true for it ({!Cut.surrounded}). *)
