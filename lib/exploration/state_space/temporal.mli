@@ -44,7 +44,9 @@ val explain : t -> int -> Explanation.t
     @raise Scc_ctl.Explanation.Not_known as {!Scc_ctl.Explanation.explain} *)
 
 val contrast : t -> Explanation.t -> (Explanation.t * int) option
-(** {!Scc_ctl.Contrast.explain} on the graph. *)
+(** [contrast t e] is a run of the graph that does otherwise than the run of the explanation [e], as an explanation
+    of the opposite, with the number of steps of the graph that both share ({!Scc_ctl.Contrast.explain}). It is
+    [None] if there is none, or [e] has no run. *)
 
 val doubts : t -> int -> Scc_ctl.Doubts.t
 (** The unexplored nodes and undefined predicates that keep a formula undecided in the initial state. *)

@@ -347,11 +347,9 @@ let effort =
 
 let normal =
   Options.flag [ "normal" ]
-    "Gives a mean an approximate interval where no range of its number is known: that of a mean with the normal \
-     distribution. Nothing bounds its error, and the report says so. It needs 30 runs with another value than the \
-     most frequent one."
+    "Gives a mean without a proved interval an approximate one, of the normal distribution, and says so. It needs \
+     30 runs with another value than the most frequent one."
 
-(* Each look has a share of what may be missed, and more than 10^-8 of it. *)
 let least_miss_if_normal = Rat.div Normal_mean.least_miss (Rat.make Z.one (Z.pow (Z.of_int 10) 8))
 
 let least_width = Rat.make Z.one (Z.of_int 10_000)

@@ -192,9 +192,8 @@ def estimate(
     ``levels``: Estimates a rare event by splitting, at the levels of LEVELS: 'x(p) >= 1, 2, 3' or 'x(p) >=
       1..9'. See RARE EVENTS.
     ``most``: Makes at most N runs; the default is 10000. Not with --runs.
-    ``normal``: Gives a mean an approximate interval where no range of its number is known: that of a mean with
-      the normal distribution. Nothing bounds its error, and the report says so. It needs 30 runs with another
-      value than the most frequent one.
+    ``normal``: Gives a mean without a proved interval an approximate one, of the normal distribution, and says
+      so. It needs 30 runs with another value than the most frequent one.
     ``property``: Estimates PROPERTY, a property that is not in the model: P = ? [ eventually f ]. May be given
       several times.
     ``runs``: Makes N runs, and evaluates once: the intervals are narrower than after as many runs by --width.
