@@ -10,10 +10,10 @@
  *   layer: that of its glass, or -1 if it is opaque.
  */
 class Bodies {
-  /** @param {PageData} data @param {any} scene of three.js */
-  constructor(data, scene) {
+  /** @param {PageData} data @param {Gl} gl */
+  constructor(data, gl) {
     this.data = data;
-    this.scene = scene;
+    this.gl = gl;
     /** @type {DataLeaf[]} */
     this.leaves = [];
     /** @type {ReturnType<typeof Shapes.part>[][]} of each leaf */
@@ -120,10 +120,7 @@ class Bodies {
 
   /** All kinds are made anew when they are asked for next. */
   #forget() {
-    for (const kind of this.kinds.values()) {
-      for (const object of kind.objects) object.parent.remove(object);
-      kind.dispose();
-    }
+    this.gl.remove(...[...this.kinds.values()].flatMap((kind) => kind.things));
     this.kinds.clear();
     this.whole = [];
     this.opens.clear();
@@ -140,7 +137,7 @@ class Bodies {
     if (known) return known;
     const made = make();
     this.kinds.set(name, made);
-    for (const object of made.objects) this.scene.add(object);
+    this.gl.add(...made.things);
     return made;
   }
 
@@ -160,7 +157,7 @@ class Bodies {
       const made = new Kind(Shapes.body(this.models[leaf], this.sizes[leaf] / 4), {
         ...(fixed ? { opacity: 0.3, lineOpacity: 0.45, layer } : { shadow: true, lineOpacity: 0.85 }), stripes: absorbs, line: 1.3,
       });
-      made.ink.value.setRGB(...this.colors.line);
+      made.ink.value = this.colors.line;
       return made;
     });
     this.whole[leaf] = kind;
@@ -189,7 +186,7 @@ class Bodies {
           const shape = Shapes.feature(this.models[leaf][part], kind, index, this.sizes[leaf], co, rank, count);
           const style = { stripes: co, other: this.colors.plate, flat: kind === "face", pull: 1, line: 1.5, order: 1 };
           const one = new Kind(shape, style);
-          one.ink.value.setRGB(...this.colors.plate);
+          one.ink.value = this.colors.plate;
           return one;
         }),
         tint: [...(this.channels.get(channel) || [1, 1, 1]), 0],

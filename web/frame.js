@@ -57,8 +57,8 @@ const Frame = (() => {
     const seen = points.map((p) => [Shapes.dot(p, right), Shapes.dot(p, up), Shapes.dot(p, back)]);
     // Words and buttons have some room at the border.
     const room = Math.min(56, 0.16 * Math.min(width, height));
-    const tall = Math.tan((20 * Math.PI) / 180) * Math.max(0.3, 1 - (2 * room) / Math.max(1, height));
-    const wide = (Math.tan((20 * Math.PI) / 180) * Math.max(1, width - 2 * room)) / Math.max(1, height);
+    const tall = Camera.slope * Math.max(0.3, 1 - (2 * room) / Math.max(1, height));
+    const wide = (Camera.slope * Math.max(1, width - 2 * room)) / Math.max(1, height);
     const middle = range(seen).low.map((l, i) => (l + range(seen).high[i]) / 2);
     let distance = 1e-6;
     for (let round = 0; round < 4; round++) {

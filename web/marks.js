@@ -5,8 +5,8 @@ class Marks {
   /** @param {Scene} scene @param {HTMLElement} box */
   constructor(scene, box) {
     this.scene = scene;
-    this.floor = new Floor(scene.scene);
-    this.trails = new Trails(scene.data, scene.bodies, scene.scene);
+    this.floor = new Floor(scene.gl);
+    this.trails = new Trails(scene.data, scene.bodies, scene.gl);
     this.overlay = new Overlay(box);
     this.entries = this.#legend();
   }
@@ -54,7 +54,7 @@ class Marks {
     const { overlay, floor } = this, { bodies, orbit, options } = this.scene;
     overlay.begin(width, height, Math.min(2, window.devicePixelRatio || 1), bodies.colors);
     const project = this.scene.projector(width, height);
-    overlay.axes(orbit.camera.matrixWorld.elements);
+    overlay.axes(orbit.camera.world);
     const tools = this.#tools(), long = floor.step / orbit.pixel;
     if (options.grid) overlay.scale(long, floor.decimal(1n), tools.right > width - long - 30 ? tools.height : 0);
     if (options.legend && this.entries.length > 1) overlay.legend(this.entries);
@@ -76,7 +76,7 @@ class Marks {
     }
     if (options.grid) {
       const { x, y, z } = bodies.colors;
-      for (const n of floor.numbers(this.scene.clip(), width, height, tools.height))
+      for (const n of floor.numbers((p) => orbit.camera.at(p), width, height, tools.height))
         if (!this.#covered(n.x, n.y)) {
           const color = Colors.css(Colors.mix([x, y, z][n.axis], bodies.colors.grid, 0.35));
           overlay.word(n.text, n.x, n.y, { size: 10.5, color, within: true });

@@ -7,7 +7,7 @@
  */
 class Scene {
   /** @type {string | null} */
-  static why = typeof THREE === "undefined" ? "this file was written without the library three.js, which draws it" : null;
+  static why = null;
 
   /** @param {HTMLElement} box @param {PageData} data @param {{ onPick?: (found: Chosen | null) => void }} callbacks */
   constructor(box, data, callbacks) {
@@ -27,7 +27,6 @@ class Scene {
     this.fitted = false;
     /** Whether the camera was moved by hand since all bodies were last brought into view. */
     this.moved = false;
-    this.size = "";
     /**
      * How high the floor is.
      * @type {Rational}
@@ -44,20 +43,20 @@ class Scene {
     this.canvas = document.createElement("canvas");
     // These are there wherever something can be drawn at all.
     const none = /** @type {any} */ (null);
-    this.renderer = none;
+    /** @type {Gl} */
+    this.gl = none;
     /** @type {Orbit} */
     this.orbit = none;
     /** @type {Bodies} */
     this.bodies = none;
     /** @type {Marks} */
     this.marks = none;
-    if (Scene.why) return;
-    const context = Scene.#context(this.canvas);
-    if (!context) {
-      Scene.why = "this browser offers no WebGL here";
+    const gl = Gl.on(this.canvas, () => this.refresh());
+    if (!gl) {
+      Scene.why = "this browser offers no WebGL 2 here";
       return;
     }
-    this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, context });
+    this.gl = gl;
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "application");
     this.canvas.setAttribute("aria-roledescription", "scene");
@@ -67,22 +66,11 @@ class Scene {
     Object.assign(this.canvas.style,
       { position: "absolute", inset: "0", width: "100%", height: "100%", touchAction: "none" });
     box.append(this.canvas);
-    this.scene = new THREE.Scene();
     this.orbit = new Orbit(this.canvas, () => this.refresh());
-    this.bodies = new Bodies(data, this.scene);
+    this.bodies = new Bodies(data, gl);
     this.marks = new Marks(this, box);
     this.#listen();
     new ResizeObserver(() => this.refresh()).observe(box);
-  }
-
-  /** @param {HTMLCanvasElement} canvas @returns {RenderingContext | null} */
-  static #context(canvas) {
-    const wanted = { alpha: true, antialias: true, stencil: true, premultipliedAlpha: true };
-    try {
-      return canvas.getContext("webgl", wanted);
-    } catch (_) {
-      return null;
-    }
   }
 
   get dark() { return this.options.theme === "dark"; }
@@ -125,23 +113,18 @@ class Scene {
     bodies.finish();
     this.marks.words(width, height);
     this.work = performance.now() - began;
-    this.renderer.render(this.scene, orbit.camera);
+    this.gl.draw(orbit.camera.clip);
   }
 
   /** @param {number} width @param {number} height */
   #shared(width, height) {
-    const ratio = Math.min(2, window.devicePixelRatio || 1);
-    if (this.size !== `${width} ${height} ${ratio}`) {
-      this.size = `${width} ${height} ${ratio}`;
-      this.renderer.setPixelRatio(ratio);
-      this.renderer.setSize(width, height, false);
-    }
+    this.gl.size(width, height, Math.min(2, window.devicePixelRatio || 1));
     const { marks: { floor }, orbit } = this;
-    Kind.shared.size.value.set(width, height);
+    Kind.shared.size.value = [width, height];
     Kind.shared.near.value = orbit.parallel ? 0 : orbit.camera.near;
     Kind.shared.ground.value = floor.ground + 1e-3 * floor.step;
-    Kind.shared.up.value.set(...orbit.way(0, 1, 0));
-    Kind.shared.light.value.set(...orbit.way(0.33, 0.8, 0.5));
+    Kind.shared.up.value = orbit.way(0, 1, 0);
+    Kind.shared.light.value = orbit.way(0.33, 0.8, 0.5);
     Kind.shared.shadow.value = this.options.grid && orbit.height > 0 ? this.bodies.colors.shadow : 0;
   }
 
@@ -153,22 +136,14 @@ class Scene {
         if (place.leaf === this.followed) this.orbit.goTo(course.position(body, place));
   }
 
-  /** @returns {(p: number[]) => number[]} from points relative to the target to clip space */
-  clip() {
-    const camera = this.orbit.camera;
-    const inverse = new THREE.Matrix4().getInverse(camera.matrixWorld);
-    const m = new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, inverse).elements;
-    return (p) => [0, 1, 2, 3].map((i) => m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i]);
-  }
-
   /**
    * From points relative to the target to pixels.
    * @param {number} width @param {number} height
    */
   projector(width, height) {
-    const clip = this.clip();
+    const { camera } = this.orbit;
     return (/** @type {number[]} */ p) => {
-      const [x, y, z, w] = clip(p);
+      const [x, y, z, w] = camera.at(p);
       return { x: (0.5 + x / w / 2) * width, y: (0.5 - y / w / 2) * height, depth: z / w, seen: w > 0 };
     };
   }
@@ -293,7 +268,7 @@ class Scene {
     this.draw();
     const at = this.orbit.at.map(Rational.toNumber);
     const { x, y } = this.projector(width, height)(point.map((c, i) => c - at[i]));
-    const gl = this.renderer.getContext(), color = new Uint8Array(4), scale = this.canvas.width / width;
+    const { gl } = this.gl, color = new Uint8Array(4), scale = this.canvas.width / width;
     gl.readPixels(Math.round(x * scale), Math.round((height - y) * scale), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, color);
     const found = this.pick(x, y);
     return { color: [...color], name: found && this.bodies.leaves[found.leaf].name };
@@ -347,7 +322,6 @@ class Scene {
       const found = this.pick(to.x, to.y, e.pointerType === "touch" ? 16 : 8);
       if (this.callbacks.onPick) this.callbacks.onPick(found);
     });
-    this.canvas.addEventListener("webglcontextrestored", () => this.refresh());
   }
 
   /** @param {{ x: number, y: number }} pointer */
@@ -365,11 +339,9 @@ class Scene {
    * @returns {Chosen | null}
    */
   pick(x, y, near = 8) {
-    const width = this.box.clientWidth, height = this.box.clientHeight, camera = this.orbit.camera;
-    const end = (/** @type {number} */ z) =>
-      new THREE.Vector3((2 * x) / width - 1, 1 - (2 * y) / height, z).unproject(camera);
-    const a = end(-1), b = end(1);
-    const hit = Pick.first(this.bodies.shown, [a.x, a.y, a.z], [b.x - a.x, b.y - a.y, b.z - a.z]);
+    const width = this.box.clientWidth, height = this.box.clientHeight;
+    const { from, way } = this.orbit.camera.ray((2 * x) / width - 1, 1 - (2 * y) / height);
+    const hit = Pick.first(this.bodies.shown, from, way);
     if (!hit) return null;
     const { kind, index } = Pick.feature(hit.shown, hit.part, hit.face, this.projector(width, height), x, y, near);
     return { leaf: hit.shown.leaf, part: hit.part, kind, index };

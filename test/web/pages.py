@@ -501,6 +501,27 @@ def large(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
+def lost_context(b, scc):
+    """When the graphics card forgets all, the page goes on, and the scene comes back as it was."""
+    b.open(scc.view(HEXOKINASE))
+    b.js('scc.open(scc.runs().length - 1); scc.go(1)')
+    at = [float(Fraction(x)) for x in b.state()['bodies']['atp']['position']]
+    before = b.js('return scc.sight(arguments[0])', at)
+    check('a body is seen', before['color'][3] == 255, before)
+    b.js("""
+      const canvas = document.querySelector("#scene canvas");
+      window.lose = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+      for (const what of ["lost", "restored"]) canvas.addEventListener("webglcontext" + what, () => { window.context = what; });
+      window.lose.loseContext();""")
+    b.wait('return window.context === "lost"')
+    b.js('scc.go(2)')
+    same('the page goes on without it', b.state()['legs'], 2)
+    b.js('scc.go(1); window.lose.restoreContext()')
+    b.wait('return window.context === "restored"')
+    same('all is drawn anew', b.js('return scc.sight(arguments[0])', at), before)
+    same('the console is told nothing else', [said for said in b.complaints() if 'CONTEXT_LOST' not in said], [])
+
+
 def without_webgl(scc):
     """Where no scene can be drawn, the page says why, and all else is there."""
     b = browser.Browser(flags=browser.WITHOUT_SCENES)
@@ -514,4 +535,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, reasons, deciding, starts, onwards, by_keys, links, plots, upright, glass, hostile, far_away, motion, no_states_beyond, large]
+PARTS = [by_mouse, reasons, deciding, starts, onwards, by_keys, links, plots, upright, glass, hostile, far_away, motion, lost_context, no_states_beyond, large]
