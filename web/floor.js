@@ -8,15 +8,16 @@ class Floor {
   static program = {
     vertex: `
       uniform mat4 camera; uniform float ground; uniform float step; uniform float reach;
-      uniform vec3 first; uniform vec3 second; uniform vec3 up; in vec3 position; out vec2 vAt;
+      uniform vec3 first; uniform vec3 second; uniform vec3 up; in vec3 position; out vec2 vAt; out vec3 vWorld;
       void main() {
         vAt = position.xz * reach;
-        vec3 at = vAt.x * step * first + vAt.y * step * second + ground * up;
-        gl_Position = camera * vec4(at, 1.0);
+        vWorld = vAt.x * step * first + vAt.y * step * second + ground * up;
+        gl_Position = camera * vec4(vWorld, 1.0);
       }`,
     fragment: `
       uniform float reach; uniform vec2 shift; uniform vec2 origin; uniform vec3 grid;
-      uniform vec3 firstInk; uniform vec3 secondInk; in vec2 vAt; out vec4 color;
+      uniform vec3 firstInk; uniform vec3 secondInk; uniform float shadow; in vec2 vAt; in vec3 vWorld; out vec4 color;
+      ${Shaders.shaded}
       float lines(vec2 p, float width) {
         vec2 f = fwidth(p);
         vec2 near = clamp(0.5 * width + 0.5 - abs(fract(p - 0.5) - 0.5) / f, 0.0, 1.0) * (1.0 - smoothstep(0.15, 0.5, f));
@@ -29,17 +30,19 @@ class Floor {
         vec2 axes = clamp(1.4 - abs(vAt - origin) / fwidth(vAt), 0.0, 1.0);
         if (axes.y > 0.0) { ink = mix(ink, firstInk, axes.y); seen = max(seen, 0.9 * axes.y); }
         if (axes.x > 0.0) { ink = mix(ink, secondInk, axes.x); seen = max(seen, 0.9 * axes.x); }
-        color = vec4(ink, seen * (1.0 - smoothstep(0.45, 1.0, length(vAt) / reach)));
+        float dark = shadow > 0.0 ? shadow * shaded(vWorld, up) : 0.0, whole = 1.0 - (1.0 - seen) * (1.0 - dark);
+        color = vec4(ink * seen / max(whole, 1e-4), whole * (1.0 - smoothstep(0.45, 1.0, length(vAt) / reach)));
       }`,
   };
 
   /** @param {Gl} gl */
   constructor(gl) {
+    this.shadow = { value: 0 };
     this.uniforms = {
-      ground: { value: 0 }, step: { value: 1 }, reach: { value: Floor.reach }, shift: { value: [0, 0] },
+      ...Kind.shared, shadow: this.shadow, ground: { value: 0 }, step: { value: 1 }, reach: { value: Floor.reach }, shift: { value: [0, 0] },
       origin: { value: [0, 0] }, grid: { value: [0, 0, 0] },
-      // The axes of the floor, their colours, and which way is up.
-      first: { value: [0, 0, 0] }, second: { value: [0, 0, 0] }, up: { value: [0, 0, 0] },
+      // The axes of the floor, and their colours.
+      first: { value: [0, 0, 0] }, second: { value: [0, 0, 0] },
       firstInk: { value: [0, 0, 0] }, secondInk: { value: [0, 0, 0] },
     };
     const corners = [-1, 0, -1, -1, 0, 1, 1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0, -1];
@@ -101,7 +104,6 @@ class Floor {
     const inks = upright.floor.map((axis) => [colors.x, colors.y, colors.z][axis]);
     [u.first.value, u.second.value] = upright.floor.map(unit);
     [u.firstInk.value, u.secondInk.value] = inks;
-    u.up.value = unit(upright.up);
     this.thing.visible = shown;
   }
 

@@ -53,19 +53,22 @@ class Mesh {
  * @typedef {{ vertex: string, fragment: string }} GlProgram
  * @typedef {{ [name: string]: { value: number | ArrayLike<number> } }} GlUniforms
  *
- * How something is drawn. blend: it lets through what is behind it; unseen: its depth alone is written; over: it is not
- * hidden by anything; flat: it leaves the depth as it is; both: both sides are seen; once: no place of the picture
- * twice, among all that are so; offset: of its depth, by slope and by units.
- * @typedef {{ program: GlProgram, uniforms: GlUniforms, blend?: boolean, unseen?: boolean, over?: boolean,
- *   flat?: boolean, both?: boolean, once?: boolean, offset?: [number, number] }} GlPaint
+ * How something is drawn. blend: it lets through what is behind it; over: it is not
+ * hidden by anything; flat: it leaves the depth as it is; both: both sides are seen; offset: of its depth, by slope and
+ * by units.
+ * @typedef {{ program: GlProgram, uniforms: GlUniforms, blend?: boolean, over?: boolean, flat?: boolean, both?: boolean,
+ *   offset?: [number, number] }} GlPaint
  *
- * What is drawn: first all that is opaque, then the others, each in their order.
- * @typedef {{ mesh: Mesh, paint: GlPaint, order: number, visible: boolean }} GlThing
+ * What is drawn: first all that is opaque, then the others, each in their order. casts: it has a shadow.
+ * @typedef {{ mesh: Mesh, paint: GlPaint, order: number, visible: boolean, casts?: boolean }} GlThing
  */
 
 class Gl {
   /** Where programs find their inputs. */
   static at = { position: 0, normal: 1, pattern: 2, other: 3, side: 4, color: 5, row0: 6, row1: 7, row2: 8, tint: 9 };
+
+  /** How many pixels a picture of shadows has along a side. */
+  static grain = 1024;
 
   static head = "#version 300 es\nprecision highp float;\n";
 
@@ -75,7 +78,7 @@ class Gl {
    */
   static on(canvas, restored) {
     try {
-      const gl = canvas.getContext("webgl2", { alpha: true, antialias: true, stencil: true, premultipliedAlpha: true });
+      const gl = canvas.getContext("webgl2", { alpha: true, antialias: true, premultipliedAlpha: true });
       return gl ? new Gl(canvas, gl, restored) : null;
     } catch (_) {
       return null;
@@ -99,6 +102,8 @@ class Gl {
 
   /** The card holds nothing yet. */
   #begin() {
+    /** @type {{ frame: WebGLFramebuffer, texture: WebGLTexture } | null} */
+    this.shadows = null;
     /** @type {WeakMap<Store, { buffer: WebGLBuffer, size: number }>} */
     this.buffers = new WeakMap();
     /** @type {WeakMap<Mesh, { array: WebGLVertexArrayObject, index: WebGLBuffer | null }>} */
@@ -221,7 +226,9 @@ class Gl {
         [gl.FLOAT]: (value) => gl.uniform1f(at, value),
         [gl.FLOAT_VEC2]: (value) => gl.uniform2fv(at, value),
         [gl.FLOAT_VEC3]: (value) => gl.uniform3fv(at, value),
+        [gl.FLOAT_VEC4]: (value) => gl.uniform4fv(at, value),
         [gl.FLOAT_MAT4]: (value) => gl.uniformMatrix4fv(at, false, value),
+        [gl.SAMPLER_2D_SHADOW]: () => gl.bindTexture(gl.TEXTURE_2D, this.#shadows().texture),
       };
       inputs.push({ name: about.name, set: ways[about.type] });
     }
@@ -229,17 +236,15 @@ class Gl {
   }
 
   /** @param {GlPaint} paint */
-  #set({ blend, unseen, over, flat, both, once, offset }) {
+  #set({ blend, over, flat, both, offset }) {
     const { gl } = this;
     /** @param {number} what @param {unknown} on */
     const able = (what, on) => (on ? gl.enable(what) : gl.disable(what));
     able(gl.BLEND, blend);
     able(gl.DEPTH_TEST, !over);
     able(gl.CULL_FACE, !both);
-    able(gl.STENCIL_TEST, once);
     able(gl.POLYGON_OFFSET_FILL, offset);
     gl.depthMask(!flat && !over);
-    gl.colorMask(!unseen, !unseen, !unseen, !unseen);
     if (offset) gl.polygonOffset(...offset);
   }
 
@@ -251,30 +256,65 @@ class Gl {
     const { gl } = this;
     if (gl.isContextLost()) return;
     if (!this.sorted) {
-      const rank = (/** @type {GlThing} */ { paint }) => (paint.blend || paint.unseen ? 1 : 0);
-      this.things.sort((a, b) => rank(a) - rank(b) || a.order - b.order);
+      this.things.sort((a, b) => Number(a.paint.blend || 0) - Number(b.paint.blend || 0) || a.order - b.order);
       this.sorted = true;
     }
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.depthMask(true);
-    gl.colorMask(true, true, true, true);
     gl.clearColor(0, 0, 0, 0);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.depthFunc(gl.LEQUAL);
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    gl.stencilFunc(gl.NOTEQUAL, 1, 255);
-    gl.stencilOp(gl.KEEP, gl.KEEP, gl.REPLACE);
-    const seen = { value: camera };
-    for (const { mesh, paint, visible } of this.things) {
-      if (!visible || mesh.count === 0 || mesh.copies === 0) continue;
-      const { program, inputs } = this.#program(paint.program);
-      gl.useProgram(program);
-      for (const { name, set } of inputs) set((name === "camera" ? seen : paint.uniforms[name]).value);
-      this.#set(paint);
-      this.#bind(mesh);
-      if (mesh.index) gl.drawElementsInstanced(gl.TRIANGLES, mesh.count, gl.UNSIGNED_INT, 0, mesh.copies);
-      else gl.drawArraysInstanced(gl.TRIANGLES, 0, mesh.count, mesh.copies);
-    }
+    for (const { mesh, paint, visible } of this.things) if (visible) this.#one(mesh, paint, camera);
     gl.bindVertexArray(null);
+  }
+
+  /** @param {Mesh} mesh @param {GlPaint} paint @param {ArrayLike<number>} camera */
+  #one(mesh, paint, camera) {
+    if (mesh.count === 0 || mesh.copies === 0) return;
+    const { gl } = this, { program, inputs } = this.#program(paint.program);
+    gl.useProgram(program);
+    for (const { name, set } of inputs) set(name === "camera" ? camera : paint.uniforms[name]?.value);
+    this.#set(paint);
+    this.#bind(mesh);
+    if (mesh.index) gl.drawElementsInstanced(gl.TRIANGLES, mesh.count, gl.UNSIGNED_INT, 0, mesh.copies);
+    else gl.drawArraysInstanced(gl.TRIANGLES, 0, mesh.count, mesh.copies);
+  }
+
+  /** The depths of all that casts shadows, as the light sees it. */
+  #shadows() {
+    if (this.shadows) return this.shadows;
+    const { gl } = this, texture = /** @type {WebGLTexture} */ (gl.createTexture());
+    const frame = /** @type {WebGLFramebuffer} */ (gl.createFramebuffer());
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.DEPTH_COMPONENT24, Gl.grain, Gl.grain);
+    for (const [name, value] of [
+      [gl.TEXTURE_MIN_FILTER, gl.LINEAR], [gl.TEXTURE_MAG_FILTER, gl.LINEAR], [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
+      [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE], [gl.TEXTURE_COMPARE_MODE, gl.COMPARE_REF_TO_TEXTURE],
+    ]) gl.texParameteri(gl.TEXTURE_2D, name, value);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, texture, 0);
+    gl.drawBuffers([gl.NONE]);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    this.shadows = { frame, texture };
+    return this.shadows;
+  }
+
+  /**
+   * Which shadows there are, until the next time.
+   * @param {ArrayLike<number>} light from the world to clip space, as the light sees it @param {GlProgram} program
+   */
+  shade(light, program) {
+    const { gl } = this;
+    if (gl.isContextLost()) return;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.#shadows().frame);
+    gl.viewport(0, 0, Gl.grain, Gl.grain);
+    gl.depthMask(true);
+    gl.clear(gl.DEPTH_BUFFER_BIT);
+    gl.depthFunc(gl.LEQUAL);
+    for (const { mesh, paint: { uniforms }, visible, casts } of this.things)
+      if (visible && casts) this.#one(mesh, { program, uniforms, both: true }, light);
+    gl.bindVertexArray(null);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 }

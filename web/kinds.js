@@ -4,38 +4,82 @@
 const Shaders = (() => {
   const rows = "uniform mat4 camera; in vec3 position; in vec4 row0; in vec4 row1; in vec4 row2; in vec4 tint;";
 
-  const faces = `
-    ${rows} in vec3 normal; in float pattern; uniform float flatten; uniform float ground; uniform vec3 up;
-    out vec3 vNormal; out vec4 vTint; out float vPattern;
-    void main() {
-      vec4 p = vec4(position, 1.0);
-      vec3 world = vec3(dot(row0, p), dot(row1, p), dot(row2, p));
-      vNormal = vec3(dot(row0.xyz, normal), dot(row1.xyz, normal), dot(row2.xyz, normal));
-      vTint = tint;
-      vPattern = pattern;
-      if (flatten > 0.5) world = mix(world, vec3(ground), up);
-      gl_Position = camera * vec4(world, 1.0);
+  const world = "vec4 p = vec4(position, 1.0); vec3 world = vec3(dot(row0, p), dot(row1, p), dot(row2, p));";
+
+  // What is cut away of a wall: faces that are between an eye and its heart.
+  const cut = `
+    uniform vec4 heart;
+    bool gone(vec3 world, vec3 n, vec4 eye) {
+      vec4 q = vec4(heart.xyz, 1.0);
+      vec3 middle = heart.w > 0.5 ? vec3(dot(row0, q), dot(row1, q), dot(row2, q)) : heart.xyz;
+      return heart.w >= 0.0 && dot(n, middle - world) * dot(n, eye.xyz - eye.w * world) < 0.0;
+    }
+    const vec4 nowhere = vec4(2.0, 2.0, 2.0, 1.0);`;
+
+  const turned = "vec3 n = vec3(dot(row0.xyz, normal), dot(row1.xyz, normal), dot(row2.xyz, normal));";
+
+  // How much of a place is in shadow, of what is straight above it and near: the place has a plane with a normal.
+  const shaded = `
+    uniform highp sampler2DShadow shades; uniform mat4 shade; uniform vec3 up; uniform vec2 span; uniform float soft;
+    float shaded(vec3 at, vec3 n) {
+      float rise = dot(n, up);
+      vec3 seen = 0.5 * (shade * vec4(at, 1.0)).xyz + 0.5;
+      if (rise < 0.05 || any(greaterThan(abs(seen.xy - 0.5), vec2(0.49)))) return 0.0;
+      // Where the plane goes on, it has no shadow of its own.
+      vec2 slope = (mat3(shade) * n).xy * span.x / rise;
+      float lit = 0.0, near = 0.002 * span.x * (1.0 + length(slope));
+      for (int i = 0; i < 12; i++) {
+        float r = soft * sqrt((float(i) + 0.5) / 12.0), turn = 2.39996 * float(i);
+        vec2 d = r * vec2(cos(turn), sin(turn));
+        lit += texture(shades, vec3(seen.xy + 0.5 * d / span.x, seen.z + 0.5 * (dot(slope, d) - near) / span.y));
+      }
+      return min(1.0, 1.6 * rise) * (1.0 - lit / 12.0);
     }`;
 
   const face = {
-    vertex: faces,
-    // Light from above and from the right of the front, so that each side of a cube has its own shade.
-    fragment: `
-    uniform float stripes; uniform float opacity; uniform float flatness; uniform vec3 ink;
-    uniform vec3 light; in vec3 vNormal; in vec4 vTint; in float vPattern; out vec4 color;
+    vertex: `
+    ${rows} in vec3 normal; in float pattern; uniform vec4 eye;
+    ${cut}
+    out vec3 vWorld; out vec3 vNormal; out vec4 vTint; out float vPattern;
     void main() {
-      float shine = 0.56 + 0.48 * (0.5 + 0.5 * dot(normalize(vNormal), light));
+      ${world}
+      ${turned}
+      vNormal = n;
+      vWorld = world;
+      vTint = tint;
+      vPattern = pattern;
+      gl_Position = camera * vec4(world, 1.0);
+      if (gone(world, n, eye)) gl_Position = nowhere;
+      // The other side of a face hides the lines around it.
+      else if (heart.w >= 0.0 && dot(n, eye.xyz - eye.w * world) < 0.0) gl_Position.z -= 4e-4 * gl_Position.w;
+    }`,
+    // Light from above and from the right of the front, so that each side of a cube has its own shade. The other side of
+    // a face is seen of walls alone, where they are cut.
+    fragment: `
+    uniform float stripes; uniform float opacity; uniform float flatness; uniform vec3 ink; uniform vec3 light;
+    uniform float shadow; in vec3 vWorld; in vec3 vNormal; in vec4 vTint; in float vPattern; out vec4 color;
+    ${shaded}
+    void main() {
+      vec3 n = normalize(vNormal);
+      float shine = 0.56 + 0.48 * (0.5 + 0.5 * dot(n, light));
       vec3 base = vTint.rgb;
       if (stripes > 0.5 && fract(vPattern) < 0.5) base = mix(base, ink, 0.72);
-      color = vec4(base * mix(shine, 1.0, flatness), opacity * (1.0 - vTint.a));
+      shine = gl_FrontFacing ? mix(shine, 1.0, flatness) : 0.85;
+      if (gl_FrontFacing && flatness < 1.0) shine *= 1.0 - shadow * shaded(vWorld, n);
+      color = vec4(base * shine, opacity * (1.0 - vTint.a));
     }`,
   };
 
-  const shadow = {
-    vertex: faces,
-    fragment: `
-    uniform float opacity; out vec4 color;
-    void main() { color = vec4(0.0, 0.0, 0.0, opacity); }`,
+  const depth = {
+    vertex: `
+    ${rows} in vec3 normal; uniform vec3 up;
+    ${cut}
+    void main() {
+      ${world}
+      ${turned}
+      gl_Position = gone(world, n, vec4(up, 0.0)) ? nowhere : camera * vec4(world, 1.0);
+    }`,
+    fragment: "void main() {}",
   };
 
   const line = {
@@ -66,7 +110,7 @@ const Shaders = (() => {
     void main() { color = vec4(mix(ink, vColor.rgb, own), opacity * vColor.a); }`,
   };
 
-  return { face, shadow, line };
+  return { face, depth, line, shaded };
 })();
 
 /**
@@ -76,27 +120,31 @@ const Shaders = (() => {
  */
 class Kind {
   /**
-   * What all of them share: the size of the picture, how near is too near, where the floor is, which way is up, and from
-   * where the light comes.
+   * What all of them share: the size of the picture, how near is too near, the eye (a place, or with a last 0 a
+   * direction), from where the light comes, and shadows: which way is up, their matrix, half of the width and of the
+   * height that they are of, how soft and how dark they are.
    */
   static shared = {
     size: { value: [1, 1] },
     near: { value: 0 },
-    ground: { value: 0 },
-    up: { value: [0, 1, 0] },
+    eye: { value: [0, 0, 0, 1] },
     light: { value: [0, 1, 0] },
-    shadow: { value: 0.1 },
+    up: { value: [0, 1, 0] },
+    shade: { value: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] },
+    span: { value: [1, 1] },
+    soft: { value: 0 },
+    shadow: { value: 0 },
   };
 
-  /** After all layers of glass. */
+  /** After all that is not seen through others. */
   static last = 1e6;
 
   /**
-   * @typedef {{ opacity?: number, stripes?: boolean, flat?: boolean, line?: number, lineOpacity?: number, own?: boolean,
-   *   ghost?: number, shadow?: boolean, pull?: number, order?: number, other?: number[], layer?: number }} KindStyle
-   *   opacity below 1: as of glass, of which the nearest surface alone is seen, and through it glass of lower layers; stripes: of the colour `other`; flat: without
-   *   shades; line: width in pixels; own: lines of the colour that is pushed; ghost: how much is seen of lines and faces
-   *   through what is in front of them.
+   * @typedef {{ stripes?: boolean, flat?: boolean, line?: number, lineOpacity?: number, own?: boolean, ghost?: number,
+   *   casts?: boolean, pull?: number, order?: number, other?: number[], heart?: { value: number[] } }} KindStyle
+   *   stripes: of the colour `other`; flat: without shades; line: width in pixels; own: lines of the colour that is
+   *   pushed; ghost: how much is seen of lines and faces through what is in front of them; casts: it has a shadow; heart:
+   *   it is a wall, of which faces between the eye and this place are cut away (last 1: of the body, 0: of the world).
    * @param {{ faces?: { positions: number[], normals: number[], patterns: number[] }, lines?: number[] }} shape
    * @param {KindStyle} style
    */
@@ -119,35 +167,24 @@ class Kind {
 
   /** @param {{ positions: number[], normals: number[], patterns: number[] }} faces @param {number} order */
   #faces({ positions, normals, patterns }, order) {
-    const style = this.style, opacity = style.opacity ?? 1, pull = style.pull || 0;
+    const { style } = this, pull = style.pull || 0, wall = style.heart !== undefined;
     const store = (/** @type {number[]} */ numbers, /** @type {number} */ at, /** @type {number} */ size) =>
       new Store(Float32Array.from(numbers), [[at, size]]);
     const mesh = new Mesh([
       store(positions, Gl.at.position, 3), store(normals, Gl.at.normal, 3), store(patterns, Gl.at.pattern, 1), this.rows, this.tints,
     ]);
-    const { ground, up, light, shadow } = Kind.shared;
-    /** @param {Partial<GlPaint>} [more] @param {number} [seen] @returns {GlPaint} */
-    const paint = (more, seen = opacity) => ({
+    /** @param {number} opacity @param {Partial<GlPaint>} [more] @returns {GlPaint} */
+    const paint = (opacity, more) => ({
       program: Shaders.face,
       uniforms: {
-        stripes: { value: style.stripes ? 1 : 0 }, ink: { value: style.other || [1, 1, 1] }, opacity: { value: seen },
-        flatness: { value: style.flat ? 1 : 0 }, flatten: { value: 0 }, ground, up, light,
+        ...Kind.shared, stripes: { value: style.stripes ? 1 : 0 }, ink: { value: style.other || [1, 1, 1] },
+        opacity: { value: opacity }, flatness: { value: style.flat ? 1 : wall ? 0.6 : 0 }, heart: style.heart || { value: [0, 0, 0, -1] },
       },
-      offset: [1 - pull, 1 - pull],
+      offset: [1 - pull, 1 - pull], both: wall,
       ...more,
     });
-    if (opacity < 1) {
-      const first = order + 3 + 3 * (style.layer ?? 0);
-      this.#add(mesh, paint({ unseen: true }), first);
-      this.#add(mesh, paint({ blend: true, flat: true }), first + 1);
-    } else this.#add(mesh, paint(), order);
-    if (style.ghost) this.#add(mesh, paint({ blend: true, over: true }, style.ghost), Kind.last + order);
-    // Each place of the floor is darkened once.
-    if (style.shadow)
-      this.#add(mesh, {
-        program: Shaders.shadow, uniforms: { flatten: { value: 1 }, ground, up, opacity: shadow },
-        blend: true, flat: true, both: true, once: true,
-      }, -5);
+    this.#add(mesh, paint(1), order, style.casts);
+    if (style.ghost) this.#add(mesh, paint(style.ghost, { blend: true, over: true }), Kind.last + order);
   }
 
   /** @param {ReturnType<typeof Kind.ribbons>} ribbons @param {number} order */
@@ -155,8 +192,7 @@ class Kind {
     const style = this.style, opacity = style.lineOpacity ?? 1, pull = 4e-5 * (1 + (style.pull || 0));
     const mesh = new Mesh([ribbons.store, this.rows, this.tints], ribbons.index);
     const paint = { width: style.line ?? 1.25, own: style.own, ink: this.ink };
-    this.#add(mesh, Kind.line({ ...paint, opacity, fade: style.own !== true, pull }),
-      style.opacity ? order + 4 + 3 * (style.layer ?? 0) : order);
+    this.#add(mesh, Kind.line({ ...paint, opacity, fade: style.own !== true, pull }), order);
     if (style.ghost)
       this.#add(mesh, { ...Kind.line({ ...paint, opacity: style.ghost }), over: true }, Kind.last + order);
   }
@@ -201,9 +237,9 @@ class Kind {
     return { store: new Store(data, [[position, 3], [other, 3], [side, 1], [color, 4]]), index };
   }
 
-  /** @param {Mesh} mesh @param {GlPaint} paint @param {number} order */
-  #add(mesh, paint, order) {
-    this.things.push({ mesh, paint, order, visible: false });
+  /** @param {Mesh} mesh @param {GlPaint} paint @param {number} order @param {boolean} [casts] */
+  #add(mesh, paint, order, casts) {
+    this.things.push({ mesh, paint, order, visible: false, casts });
   }
 
   clear() {

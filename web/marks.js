@@ -23,6 +23,7 @@ class Marks {
   place({ course, legs, time }) {
     const { orbit, bodies, options, floorAt } = this.scene;
     this.floor.place(orbit, floorAt, bodies.colors, options.grid);
+    this.floor.shadow.value = orbit.height > 0 ? bodies.colors.shadow : 0;
     this.trails.update(course, legs, time, orbit, options.trails);
   }
 
@@ -77,7 +78,7 @@ class Marks {
     if (options.grid) {
       const { x, y, z } = bodies.colors;
       for (const n of floor.numbers((p) => orbit.camera.at(p), width, height, tools.height))
-        if (!this.#covered(n.x, n.y)) {
+        if (this.scene.pick(n.x, n.y, 0) === null) {
           const color = Colors.css(Colors.mix([x, y, z][n.axis], bodies.colors.grid, 0.35));
           overlay.word(n.text, n.x, n.y, { size: 10.5, color, within: true });
         }
@@ -87,21 +88,22 @@ class Marks {
       overlay.word(this.#told(pointed), this.scene.pointer.x, this.scene.pointer.y - 18, { ...style, size: 11.5, force: true, within: true });
   }
 
+  /**
+   * How much of a picture is under the legend and under the buttons, unless that is a good part of it.
+   * @param {number} width @param {number} height
+   */
+  taken(width, height) {
+    const legend = this.scene.options.legend && this.entries.length > 1 ? this.overlay.long(this.entries) : 0;
+    const below = this.#tools().height;
+    return { left: legend < 0.3 * width ? legend : 0, below: below < 0.3 * height ? below : 0 };
+  }
+
   /** How much of the picture is under the buttons below: from below, and from the left. */
   #tools() {
     const parent = this.scene.box.parentElement, bar = parent && parent.querySelector("[role=toolbar]");
     const box = this.scene.box.getBoundingClientRect(), of = bar && bar.getBoundingClientRect();
     if (!of || of.height === 0 || of.top < box.top + box.height / 2) return { height: 0, right: 0 };
     return { height: Math.max(0, box.bottom - of.top), right: of.right - box.left };
-  }
-
-  /**
-   * Whether a body that is not seen through is at a pixel.
-   * @param {number} x @param {number} y
-   */
-  #covered(x, y) {
-    const found = this.scene.pick(x, y, 0);
-    return found !== null && !this.scene.bodies.leaves[found.leaf].fixed;
   }
 
   /**
