@@ -41,15 +41,22 @@ const Frame = (() => {
   const size = ({ low, high }) => Math.hypot(...high.map((h, i) => h - low[i]));
 
   /**
-   * All that moves, and what is fixed, unless it is much larger: a wall around others may be larger than any other one.
+   * All that moves, and what is fixed, unless it is much larger: of that, what is beside those that move. A wall around
+   * others may be larger than any other one.
    * @param {Box[]} all @param {ReturnType<typeof Walls.find>} walls
    */
   function whole(all, walls) {
     const moving = all.filter((b) => !b.fixed);
     const main = moving.length ? moving : all;
     const around = range(main.flatMap((b) => [b.low, b.high])), wide = size(around);
-    const near = all.filter((b) => b.fixed && size(b) <= (walls.get(b.leaf) ? 12 : 4) * wide);
-    const points = [...main, ...near].flatMap((b) => b.points);
+    const points = main.flatMap((b) => b.points);
+    for (const b of all) {
+      if (!b.fixed) continue;
+      const low = b.low.map((l, i) => Math.max(l, around.low[i] - wide / 4));
+      const high = b.high.map((h, i) => Math.min(h, around.high[i] + wide / 4));
+      if (size(b) <= (walls.get(b.leaf) ? 12 : 4) * wide) points.push(...b.points);
+      else if (low.every((l, i) => l <= high[i])) points.push(/** @type {Triple} */ (low), /** @type {Triple} */ (high));
+    }
     const box = range(points);
     if (!box.low.every(Number.isFinite) || !box.high.every(Number.isFinite)) return null;
     return { points, ...box, size: size(box) };

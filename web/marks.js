@@ -29,15 +29,15 @@ class Marks {
 
   /** What colours and patterns mean. */
   #legend() {
-    /** @type {{ text: string, color: number[], shape: "body" | "name" | "co" | "fixed" }[]} */
+    /** @type {{ text: string, color: number[], shape: "body" | "name" | "co", leaf?: number }[]} */
     const entries = [];
     const seen = new Set();
-    for (const { name, color, fixed, absorbs } of this.scene.bodies.families) {
+    for (const [leaf, { name, color, fixed, absorbs }] of this.scene.bodies.families.entries()) {
       const key = `${name} ${fixed} ${absorbs}`;
       if (seen.has(key)) continue;
       seen.add(key);
       const text = absorbs ? `${name} (absorbs)` : fixed ? `${name} (fixed)` : name;
-      entries.push({ text, color, shape: fixed ? "fixed" : "body" });
+      entries.push({ text, color, shape: "body", leaf });
     }
     const open = this.scene.data.behaviours.flatMap((b) => b.open);
     for (const [channel, color] of this.scene.bodies.channels)
@@ -58,7 +58,8 @@ class Marks {
     overlay.axes(orbit.camera.world);
     const tools = this.#tools(), long = floor.step / orbit.pixel;
     if (options.grid) overlay.scale(long, floor.decimal(1n), tools.right > width - long - 30 ? tools.height : 0);
-    if (options.legend && this.entries.length > 1) overlay.legend(this.entries);
+    if (options.legend && this.entries.length > 1) 
+      overlay.legend(this.entries.map((e) => (e.leaf === undefined ? e : { ...e, color: bodies.tints[e.leaf] })));
     const at = (/** @type {Shown} */ s) => project(Pick.toWorld(s.matrix, bodies.centres[s.leaf]));
     const chosen = bodies.chosen ? bodies.byLeaf.get(bodies.chosen.leaf) : undefined;
     const named = options.names ? bodies.shown : chosen ? [chosen] : [];

@@ -127,7 +127,7 @@ class Overlay {
 
   /**
    * What colours and patterns mean.
-   * @param {{ text: string, color: number[], shape: "body" | "name" | "co" | "fixed" }[]} entries
+   * @param {{ text: string, color: number[], shape: "body" | "name" | "co" }[]} entries
    */
   legend(entries) {
     const pen = this.pen, step = 17;
@@ -147,7 +147,7 @@ class Overlay {
     const pen = this.pen, r = 5;
     pen.fillStyle = Colors.css(color);
     pen.fillRect(x - r, y - r, 2 * r, 2 * r);
-    pen.strokeStyle = shape === "body" || shape === "fixed" ? this.colors.quiet : this.colors.text;
+    pen.strokeStyle = shape === "body" ? this.colors.quiet : this.colors.text;
     pen.lineWidth = 1;
     pen.strokeRect(x - r, y - r, 2 * r, 2 * r);
     if (shape !== "co") return;

@@ -240,7 +240,7 @@ class Scene {
     let seen = Frame.whole(here, this.walls);
     const later = Frame.whole(this.fitted ? here : here.concat(this.#later(course, base)), this.walls);
     if (!seen || !later) return null;
-    if (later.size < 2.5 * seen.size) seen = later;
+    if (later.size < 4 * seen.size) seen = later;
     return { seen, far, based };
   }
 
@@ -322,7 +322,7 @@ class Scene {
   }
 
   /**
-   * What is at a point of space, for tests: the colour of its pixel, and the body that is picked there.
+   * What is at a point of space, for tests: its pixel, the colour there, and the body that is picked.
    * @param {number[]} point
    */
   sight(point) {
@@ -333,7 +333,7 @@ class Scene {
     const { gl } = this.gl, color = new Uint8Array(4), scale = this.canvas.width / width;
     gl.readPixels(Math.round(x * scale), Math.round((height - y) * scale), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, color);
     const found = this.pick(x, y);
-    return { color: [...color], name: found && this.bodies.leaves[found.leaf].name };
+    return { at: [x, y], color: [...color], name: found && this.bodies.leaves[found.leaf].name };
   }
 
   /** @param {{ [key: string]: any }} camera */

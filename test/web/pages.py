@@ -336,7 +336,7 @@ def upright(b, scc):
         look = b.js('return scc.look()')
         same(f'{axis} is up', (b.find('up').text, look['up']), (f'Up: {axis}', axis))
         ball = Fraction(b.state()['bodies']['ball']['position'][at])
-        check(f'the floor is below the body along {axis}', ball - 6 <= Fraction(look['floor']) < ball, (ball, look))
+        check(f'the floor is below the body along {axis}', ball - 8 <= Fraction(look['floor']) < ball, (ball, look))
         check(f'one looks from above, along {axis}', 0 < look['from'][at] < 1, look)
     b.find('projection').click()
     link, floor = b.js('return scc.link()'), look['floor']
@@ -365,6 +365,42 @@ def walls(b, scc):
         same(f'are opaque, in {model}', {s['color'][3] for s in seen.values()}, {255})
         middle = b.js('return [...Array(9).keys()].map((i) => scc.sight([i - 4, 0, 0])).filter((s) => s.name === arguments[0])', room)
         check(f'the {room} itself is picked where nothing else is, in {model}', middle)
+    same('the console is told nothing', b.complaints(), [])
+
+
+def camera_of(b):
+    return json.loads(unquote(b.js('return scc.link()').split('camera=', 1)[1].split('&')[0]))
+
+
+def framed(b, scc):
+    """The bodies are brought into view beside the legend and above the buttons, until the user moves the camera."""
+    b.open(scc.view('specs/models/glycolysis.sc', '--graph', '4', '--seconds', '5'))
+    spots = """
+      const box = document.getElementById("scene").getBoundingClientRect();
+      const bar = document.getElementById("scene-tools").getBoundingClientRect();
+      return [Object.values(scc.floats()).map((p) => scc.sight(p).at), box.width, bar.top - box.top];"""
+
+    def check_all(what):
+        all_, width, below = b.js(spots)
+        check(f'{what}: all bodies are within the picture', all(90 < x < width and 0 < y < below for x, y in all_), (all_, width, below))
+        check(f'{what}: they take a good part of it', max(x for x, _ in all_) - min(x for x, _ in all_) > 0.3 * width, all_)
+
+    def sized(*size):
+        b.size(*size)
+        b.js('return new Promise((done) => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(done)), 400))')
+
+    check_all('at first')
+    first = camera_of(b)
+    sized(900, 900)
+    check_all('in a narrow page')
+    moved = camera_of(b)
+    check('the camera has moved', moved != first, moved)
+    b.js('document.querySelector("#scene canvas").focus()')
+    b.keys('z')
+    mine = camera_of(b)
+    check('a key moves it', mine != moved, mine)
+    sized(1400, 900)
+    same('then it stays', camera_of(b), mine)
     same('the console is told nothing', b.complaints(), [])
 
 
@@ -542,4 +578,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, reasons, deciding, starts, onwards, by_keys, links, plots, upright, walls, hostile, far_away, motion, lost_context, no_states_beyond, large]
+PARTS = [by_mouse, reasons, deciding, starts, onwards, by_keys, links, plots, upright, walls, framed, hostile, far_away, motion, lost_context, no_states_beyond, large]
