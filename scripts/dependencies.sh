@@ -6,7 +6,7 @@
 
 build_packages='ocaml-nox ocaml-dune menhir libmenhir-ocaml-dev libzarith-ocaml-dev
   libcmdliner-ocaml-dev libyojson-ocaml-dev libsha-ocaml-dev libbase64-ocaml-dev
-  libsqlite3-ocaml-dev libcohttp-lwt-ocaml-dev libzip-ocaml-dev libxmlm-ocaml-dev libjs-three libjs-codemirror'
+  libsqlite3-ocaml-dev libcohttp-lwt-ocaml-dev libzip-ocaml-dev libxmlm-ocaml-dev libjs-codemirror'
 test_packages='libalcotest-ocaml-dev libqcheck-core-ocaml-dev ocp-indent python3 python3-jsonschema
   python3-pytest python3-venv graphviz libxml2-utils zsh fish
   chromium chromium-driver python3-selenium node-typescript e2fsprogs'
@@ -52,12 +52,9 @@ from_npm() {
   return $code
 }
 
-# three.js draws the scenes of `scc view`, and CodeMirror is the editor of `scc serve`. They are no opam packages: npm has
-# them. Without them pages have no scene, and a plain field for the text.
+# CodeMirror is the editor of `scc serve`. It is no opam package: npm has it. Without it the desk has a plain field for the
+# text.
 require_pages() {
-  [ -r /usr/share/javascript/three/three.min.js ] || [ -r "$OPAM_SWITCH_PREFIX/share/scc-three/three.min.js" ] ||
-    from_npm three 0.111.0 build "$OPAM_SWITCH_PREFIX/share/scc-three" ||
-    echo 'scc: three.js could not be had (by npm): the pages of scc view will have no scene' >&2
   [ -r /usr/share/javascript/codemirror/lib/codemirror.js ] ||
     [ -r "$OPAM_SWITCH_PREFIX/share/scc-codemirror/lib/codemirror.js" ] ||
     from_npm codemirror 5.65.0 . "$OPAM_SWITCH_PREFIX/share/scc-codemirror" ||

@@ -6,22 +6,29 @@
  * What there is to draw is laid out when it changes; from then on, only what moves is placed anew.
  *
  * @typedef {{ leaf: number, parts: ReturnType<typeof Shapes.part>[], matrix: Float64Array, size: number, moves: boolean,
- *   body: Moving, place: DataPlace, drawn: { kind: Kind, k: number }[], layer: number }} Shown  A leaf as it is drawn;
- *   layer: that of its glass, or -1 if it is opaque.
+ *   body: Moving, place: DataPlace, drawn: { kind: Kind, k: number }[], heart?: { value: number[] } }} Shown  A leaf as it is drawn;
+ *   heart: that of a wall, see {@link KindStyle}.
  */
 class Bodies {
-  /** @param {PageData} data @param {any} scene of three.js */
-  constructor(data, scene) {
+  /** @param {PageData} data @param {Gl} gl */
+  constructor(data, gl) {
     this.data = data;
-    this.scene = scene;
+    this.gl = gl;
     /** @type {DataLeaf[]} */
     this.leaves = [];
     /** @type {ReturnType<typeof Shapes.part>[][]} of each leaf */
     this.models = [];
     /** @type {number[]} */
     this.sizes = [];
-    /** The sizes of fixed bodies, which are of glass, in increasing order: larger ones are drawn later. */
-    this.glass = /** @type {number[]} */ ([]);
+    /** The size of the middle one of those that move. */
+    this.usual = 0;
+    /**
+     * Leaves that are walls, each with its heart.
+     * @type {Map<number, { value: number[] }>}
+     */
+    this.walls = new Map();
+    /** The heart of walls that are not around others by themselves: the middle of all that moves. */
+    this.heart = { value: [0, 0, 0, 0] };
     /** @type {[number, number, number][]} */
     this.centres = [];
     /** @type {ReturnType<typeof Colors.ofLeaves>} */
@@ -90,14 +97,31 @@ class Bodies {
     this.leaves = leaves;
     this.models = leaves.map((leaf) => leaf.parts.map((p) => Shapes.part(this.data, p)));
     this.sizes = this.models.map((parts) => Math.max(...parts.map((p) => p.radius)));
-    this.glass = [...new Set(this.sizes.filter((_, i) => leaves[i].fixed))].sort((a, b) => a - b);
+    const moving = this.sizes.filter((_, leaf) => !leaves[leaf].fixed).sort((a, b) => a - b);
+    this.usual = moving.length ? moving[moving.length >> 1] : 0;
     this.centres = this.models.map((parts) => Shapes.middle(parts.flatMap((p) => p.points)));
     this.families = Colors.ofLeaves(this.data, leaves);
-    this.tints = this.families.map((f) => [...f.color, 0]);
+    this.walls = new Map();
+    this.#paint();
     this.shapes = Bodies.#numbers(leaves.map((leaf) =>
       JSON.stringify([leaf.fixed, leaf.absorbs, leaf.parts.map((p) => [p.solid, p.offset])])));
     this.#forget();
     return true;
+  }
+
+  /** @param {ReturnType<typeof Walls.find>} walls */
+  setWalls(walls) {
+    this.walls = new Map([...walls].map(([leaf, heart]) => [leaf, heart ? { value: [...heart, 1] } : this.heart]));
+    this.#paint();
+    this.#forget();
+  }
+
+  /** What is fixed is near to the colour of the page, and walls are even more. */
+  #paint() {
+    this.tints = this.families.map(({ color, fixed }, leaf) => {
+      const faint = this.walls.has(leaf) ? 0.75 : fixed ? 0.3 : 0;
+      return [...Colors.mix(color, this.colors.wall, faint), 0];
+    });
   }
 
   /** @param {string[]} texts @returns {number[]} the same number for the same text */
@@ -115,15 +139,13 @@ class Bodies {
   /** @param {boolean} dark */
   setTheme(dark) {
     this.colors = Colors.theme(dark);
+    this.#paint();
     this.#forget();
   }
 
   /** All kinds are made anew when they are asked for next. */
   #forget() {
-    for (const kind of this.kinds.values()) {
-      for (const object of kind.objects) object.parent.remove(object);
-      kind.dispose();
-    }
+    this.gl.remove(...[...this.kinds.values()].flatMap((kind) => kind.things));
     this.kinds.clear();
     this.whole = [];
     this.opens.clear();
@@ -140,27 +162,21 @@ class Bodies {
     if (known) return known;
     const made = make();
     this.kinds.set(name, made);
-    for (const object of made.objects) this.scene.add(object);
+    this.gl.add(...made.things);
     return made;
   }
-
-  /**
-   * Larger glass is drawn later: the near wall of a room veils a smaller fixed body inside, and does not hide it.
-   * @param {number} leaf
-   */
-  #layer(leaf) { return this.leaves[leaf].fixed ? this.glass.indexOf(this.sizes[leaf]) : -1; }
 
   /** @param {number} leaf @returns {Kind} */
   #body(leaf) {
     const known = this.whole[leaf];
     if (known) return known;
-    const { fixed, absorbs } = this.leaves[leaf];
-    const kind = this.#kind(`body ${this.shapes[leaf]}`, () => {
-      const layer = this.#layer(leaf);
+    const { absorbs } = this.leaves[leaf], heart = this.walls.get(leaf);
+    const around = !heart ? "" : heart === this.heart ? "wall" : `wall ${heart.value}`;
+    const kind = this.#kind(`body ${this.shapes[leaf]} ${around}`, () => {
       const made = new Kind(Shapes.body(this.models[leaf], this.sizes[leaf] / 4), {
-        ...(fixed ? { opacity: 0.3, lineOpacity: 0.45, layer } : { shadow: true, lineOpacity: 0.85 }), stripes: absorbs, line: 1.3,
+        ...(heart ? { heart, lineOpacity: 0.6 } : { lineOpacity: 0.85 }), casts: true, stripes: absorbs, line: 1.3,
       });
-      made.ink.value.setRGB(...this.colors.line);
+      made.ink.value = this.colors.line;
       return made;
     });
     this.whole[leaf] = kind;
@@ -189,7 +205,7 @@ class Bodies {
           const shape = Shapes.feature(this.models[leaf][part], kind, index, this.sizes[leaf], co, rank, count);
           const style = { stripes: co, other: this.colors.plate, flat: kind === "face", pull: 1, line: 1.5, order: 1 };
           const one = new Kind(shape, style);
-          one.ink.value.setRGB(...this.colors.plate);
+          one.ink.value = this.colors.plate;
           return one;
         }),
         tint: [...(this.channels.get(channel) || [1, 1, 1]), 0],
@@ -251,7 +267,7 @@ class Bodies {
         const leaf = place.leaf;
         const shown = (this.shown[n] = {
           leaf, parts: this.models[leaf], size: this.sizes[leaf], moves, body, place, drawn: [],
-          layer: this.#layer(leaf),
+          heart: this.walls.get(leaf),
           matrix: this.shown[n] ? this.shown[n].matrix : new Float64Array(12),
         });
         n++;

@@ -5,52 +5,53 @@ class Floor {
   /** How many steps of it are seen around what is looked at. */
   static reach = 15;
 
-  /** @param {any} scene of three.js */
-  constructor(scene) {
+  static program = {
+    vertex: `
+      uniform mat4 camera; uniform float ground; uniform float step; uniform float reach;
+      uniform vec3 first; uniform vec3 second; uniform vec3 up; in vec3 position; out vec2 vAt; out vec3 vWorld;
+      void main() {
+        vAt = position.xz * reach;
+        vWorld = vAt.x * step * first + vAt.y * step * second + ground * up;
+        gl_Position = camera * vec4(vWorld, 1.0);
+      }`,
+    fragment: `
+      uniform float reach; uniform vec2 shift; uniform vec2 origin; uniform vec3 grid;
+      uniform vec3 firstInk; uniform vec3 secondInk; uniform float shadow; in vec2 vAt; in vec3 vWorld; out vec4 color;
+      ${Shaders.shaded}
+      float lines(vec2 p, float width) {
+        vec2 f = fwidth(p);
+        vec2 near = clamp(0.5 * width + 0.5 - abs(fract(p - 0.5) - 0.5) / f, 0.0, 1.0) * (1.0 - smoothstep(0.15, 0.5, f));
+        return max(near.x, near.y);
+      }
+      void main() {
+        vec2 p = vAt + shift;
+        float seen = max(0.28 * lines(p, 1.0), 0.5 * lines(p / 5.0, 1.2));
+        vec3 ink = grid;
+        vec2 axes = clamp(1.4 - abs(vAt - origin) / fwidth(vAt), 0.0, 1.0);
+        if (axes.y > 0.0) { ink = mix(ink, firstInk, axes.y); seen = max(seen, 0.9 * axes.y); }
+        if (axes.x > 0.0) { ink = mix(ink, secondInk, axes.x); seen = max(seen, 0.9 * axes.x); }
+        float dark = shadow > 0.0 ? shadow * shaded(vWorld, up) : 0.0, whole = 1.0 - (1.0 - seen) * (1.0 - dark);
+        color = vec4(ink * seen / max(whole, 1e-4), whole * (1.0 - smoothstep(0.45, 1.0, length(vAt) / reach)));
+      }`,
+  };
+
+  /** @param {Gl} gl */
+  constructor(gl) {
+    this.shadow = { value: 0 };
     this.uniforms = {
-      ground: { value: 0 }, step: { value: 1 }, reach: { value: Floor.reach }, shift: { value: new THREE.Vector2() },
-      origin: { value: new THREE.Vector2() }, grid: { value: new THREE.Color() },
-      // The axes of the floor, their colours, and which way is up.
-      first: { value: new THREE.Vector3() }, second: { value: new THREE.Vector3() }, up: { value: new THREE.Vector3() },
-      firstInk: { value: new THREE.Color() }, secondInk: { value: new THREE.Color() },
+      ...Kind.shared, shadow: this.shadow, ground: { value: 0 }, step: { value: 1 }, reach: { value: Floor.reach }, shift: { value: [0, 0] },
+      origin: { value: [0, 0] }, grid: { value: [0, 0, 0] },
+      // The axes of the floor, and their colours.
+      first: { value: [0, 0, 0] }, second: { value: [0, 0, 0] },
+      firstInk: { value: [0, 0, 0] }, secondInk: { value: [0, 0, 0] },
     };
-    const material = new THREE.ShaderMaterial({
-      extensions: { derivatives: true },
-      uniforms: this.uniforms,
-      vertexShader: `
-        uniform float ground; uniform float step; uniform float reach; uniform vec3 first; uniform vec3 second; uniform vec3 up;
-        varying vec2 vAt;
-        void main() {
-          vAt = position.xz * reach;
-          vec3 at = vAt.x * step * first + vAt.y * step * second + ground * up;
-          gl_Position = projectionMatrix * viewMatrix * vec4(at, 1.0);
-        }`,
-      fragmentShader: `
-        uniform float reach; uniform vec2 shift; uniform vec2 origin; uniform vec3 grid;
-        uniform vec3 firstInk; uniform vec3 secondInk; varying vec2 vAt;
-        float lines(vec2 p, float width) {
-          vec2 f = fwidth(p);
-          vec2 near = clamp(0.5 * width + 0.5 - abs(fract(p - 0.5) - 0.5) / f, 0.0, 1.0) * (1.0 - smoothstep(0.15, 0.5, f));
-          return max(near.x, near.y);
-        }
-        void main() {
-          vec2 p = vAt + shift;
-          float seen = max(0.28 * lines(p, 1.0), 0.5 * lines(p / 5.0, 1.2));
-          vec3 color = grid;
-          vec2 axes = clamp(1.4 - abs(vAt - origin) / fwidth(vAt), 0.0, 1.0);
-          if (axes.y > 0.0) { color = mix(color, firstInk, axes.y); seen = max(seen, 0.9 * axes.y); }
-          if (axes.x > 0.0) { color = mix(color, secondInk, axes.x); seen = max(seen, 0.9 * axes.x); }
-          gl_FragColor = vec4(color, seen * (1.0 - smoothstep(0.45, 1.0, length(vAt) / reach)));
-        }`,
-      transparent: true, depthWrite: false, side: THREE.DoubleSide,
-    });
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.Float32BufferAttribute([-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1], 3));
-    geometry.setIndex([0, 1, 2, 0, 2, 3]);
-    this.object = new THREE.Mesh(geometry, material);
-    this.object.frustumCulled = false;
-    this.object.renderOrder = -8;
-    scene.add(this.object);
+    const corners = [-1, 0, -1, -1, 0, 1, 1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0, -1];
+    const mesh = new Mesh([new Store(Float32Array.from(corners), [[Gl.at.position, 3]])]);
+    /** @type {GlThing} */
+    this.thing = {
+      mesh, paint: { program: Floor.program, uniforms: this.uniforms, blend: true, flat: true, both: true }, order: -8, visible: true,
+    };
+    gl.add(this.thing);
     this.step = 1;
     this.ground = 0;
     this.upright = Orbit.uprights.y;
@@ -96,14 +97,14 @@ class Floor {
     const near = (/** @type {number} */ i) => Math.max(-1e4, Math.min(1e4, -Number(this.whole[i]) - this.rest[i]));
     u.ground.value = this.ground;
     u.step.value = this.step;
-    u.shift.value.set(...[0, 1].map((i) => Number(((this.whole[i] % 5n) + 5n) % 5n) + this.rest[i]));
-    u.origin.value.set(near(0), near(1));
-    u.grid.value.setRGB(...colors.grid);
-    const axes = upright.floor.map((axis) => ({ axis, ink: [colors.x, colors.y, colors.z][axis] }));
-    [u.first, u.second].forEach((way, i) => way.value.set(0, 0, 0).setComponent(axes[i].axis, 1));
-    [u.firstInk, u.secondInk].forEach((color, i) => color.value.setRGB(...axes[i].ink));
-    u.up.value.set(0, 0, 0).setComponent(upright.up, 1);
-    this.object.visible = shown;
+    u.shift.value = [0, 1].map((i) => Number(((this.whole[i] % 5n) + 5n) % 5n) + this.rest[i]);
+    u.origin.value = [near(0), near(1)];
+    u.grid.value = colors.grid;
+    const unit = (/** @type {number} */ axis) => [0, 1, 2].map((i) => (i === axis ? 1 : 0));
+    const inks = upright.floor.map((axis) => [colors.x, colors.y, colors.z][axis]);
+    [u.first.value, u.second.value] = upright.floor.map(unit);
+    [u.firstInk.value, u.secondInk.value] = inks;
+    this.thing.visible = shown;
   }
 
   /**

@@ -1,8 +1,13 @@
 "use strict";
 
+/**
+ * A leaf at its place: its corners, or of one of very many the ends of a box around it.
+ * @typedef {{ leaf: number, points: Triple[], low: number[], high: number[], fixed: boolean, matrix: Float64Array }} Box
+ * @typedef {ReturnType<typeof Shapes.part>} Part
+ */
+
 /** What a picture is to hold, and from where it does. */
 const Frame = (() => {
-  /** @typedef {{ points: [number, number, number][], low: number[], high: number[], fixed: boolean }} Box */
 
   /**
    * Where each body is from a place that is told exactly, in floats: the picture need not be exact.
@@ -10,11 +15,14 @@ const Frame = (() => {
    * @returns {Box[]}
    */
   function boxes(bodies, course, present, base) {
-    const from = Motion.target({ n: base, d: 1n }), out = new Float64Array(12);
+    const from = Motion.target({ n: base, d: 1n }), many = present.length > 500;
     return present.flatMap((body) => body.process.leaves.map((place) => {
-      course.place(body, place, from, out);
-      const points = bodies.models[place.leaf].flatMap((p) => p.points).map((p) => Pick.toWorld(out, p));
-      return { points, ...range(points), fixed: bodies.leaves[place.leaf].fixed };
+      const { leaf } = place, { fixed } = bodies.leaves[leaf], matrix = new Float64Array(12), r = bodies.sizes[leaf];
+      course.place(body, place, from, matrix);
+      const ends = (/** @type {number} */ s) => /** @type {Triple} */ ([matrix[0] + s * r, matrix[1] + s * r, matrix[2] + s * r]);
+      const points = many && !fixed ? [ends(-1), ends(1)]
+        : bodies.models[leaf].flatMap((p) => p.points).map((p) => Pick.toWorld(matrix, p));
+      return { leaf, points, ...range(points), fixed, matrix };
     }));
   }
 
@@ -33,15 +41,22 @@ const Frame = (() => {
   const size = ({ low, high }) => Math.hypot(...high.map((h, i) => h - low[i]));
 
   /**
-   * All that moves, and what is fixed, unless it is much larger.
-   * @param {Box[]} all
+   * All that moves, and what is fixed, unless it is much larger: of that, what is beside those that move. A wall around
+   * others may be larger than any other one.
+   * @param {Box[]} all @param {ReturnType<typeof Walls.find>} walls
    */
-  function whole(all) {
+  function whole(all, walls) {
     const moving = all.filter((b) => !b.fixed);
     const main = moving.length ? moving : all;
     const around = range(main.flatMap((b) => [b.low, b.high])), wide = size(around);
-    const near = all.filter((b) => b.fixed && size(b) <= 4 * wide);
-    const points = [...main, ...near].flatMap((b) => b.points);
+    const points = main.flatMap((b) => b.points);
+    for (const b of all) {
+      if (!b.fixed) continue;
+      const low = b.low.map((l, i) => Math.max(l, around.low[i] - wide / 4));
+      const high = b.high.map((h, i) => Math.min(h, around.high[i] + wide / 4));
+      if (size(b) <= (walls.get(b.leaf) ? 12 : 4) * wide) points.push(...b.points);
+      else if (low.every((l, i) => l <= high[i])) points.push(/** @type {Triple} */ (low), /** @type {Triple} */ (high));
+    }
     const box = range(points);
     if (!box.low.every(Number.isFinite) || !box.high.every(Number.isFinite)) return null;
     return { points, ...box, size: size(box) };
@@ -49,17 +64,18 @@ const Frame = (() => {
 
   /**
    * From where an orbit sees all points, as large as may be.
-   * @param {[number, number, number][]} points @param {Orbit} orbit @param {number} width @param {number} height
+   * @param {Triple[]} points @param {Orbit} orbit @param {number} width @param {number} height
+   * @param {{ left: number, below: number }} taken how much of the picture is covered
    */
-  function fit(points, orbit, width, height) {
+  function fit(points, orbit, width, height, { left, below }) {
     const back = orbit.direction;
     const right = Shapes.unit(Shapes.cross(orbit.way(0, 1, 0), back)), up = Shapes.cross(back, right);
     const seen = points.map((p) => [Shapes.dot(p, right), Shapes.dot(p, up), Shapes.dot(p, back)]);
-    // Words and buttons have some room at the border.
-    const room = Math.min(56, 0.16 * Math.min(width, height));
-    const tall = Math.tan((20 * Math.PI) / 180) * Math.max(0.3, 1 - (2 * room) / Math.max(1, height));
-    const wide = (Math.tan((20 * Math.PI) / 180) * Math.max(1, width - 2 * room)) / Math.max(1, height);
-    const middle = range(seen).low.map((l, i) => (l + range(seen).high[i]) / 2);
+    // Words have some room at the border.
+    const room = Math.min(30, 0.1 * Math.min(width, height));
+    const tall = Camera.slope * Math.max(0.3, 1 - (2 * room + below) / Math.max(1, height));
+    const wide = (Camera.slope * Math.max(1, width - 2 * room - left)) / Math.max(1, height);
+    const { low, high } = range(seen), middle = low.map((l, i) => (l + high[i]) / 2);
     let distance = 1e-6;
     for (let round = 0; round < 4; round++) {
       distance = 1e-6;
@@ -81,9 +97,12 @@ const Frame = (() => {
         middle[i] += (low + high) / 2;
       }
     }
+    const pixel = (2 * distance * Camera.slope) / Math.max(1, height);
+    middle[0] -= (left * pixel) / 2;
+    middle[1] -= (below * pixel) / 2;
     const at = [0, 1, 2].map((i) => middle[0] * right[i] + middle[1] * up[i] + middle[2] * back[i]);
     return { at, distance: 1.02 * distance };
   }
 
-  return { boxes, whole, fit };
+  return { boxes, range, whole, fit, size };
 })();

@@ -2,44 +2,95 @@
 
 /** The programs that draw what {@link Kind} has. */
 const Shaders = (() => {
-  const rows = "attribute vec4 row0; attribute vec4 row1; attribute vec4 row2; attribute vec4 tint;";
+  const rows = "uniform mat4 camera; in vec3 position; in vec4 row0; in vec4 row1; in vec4 row2; in vec4 tint;";
 
-  const faceVertex = `
-    ${rows} attribute float pattern; uniform float flatten; uniform float ground; uniform vec3 up;
-    varying vec3 vNormal; varying vec4 vTint; varying float vPattern;
+  const world = "vec4 p = vec4(position, 1.0); vec3 world = vec3(dot(row0, p), dot(row1, p), dot(row2, p));";
+
+  // What is cut away of a wall: faces that are between an eye and its heart.
+  const cut = `
+    uniform vec4 heart;
+    bool gone(vec3 world, vec3 n, vec4 eye) {
+      vec4 q = vec4(heart.xyz, 1.0);
+      vec3 middle = heart.w > 0.5 ? vec3(dot(row0, q), dot(row1, q), dot(row2, q)) : heart.xyz;
+      return heart.w >= 0.0 && dot(n, middle - world) * dot(n, eye.xyz - eye.w * world) < 0.0;
+    }
+    const vec4 nowhere = vec4(2.0, 2.0, 2.0, 1.0);`;
+
+  const turned = "vec3 n = vec3(dot(row0.xyz, normal), dot(row1.xyz, normal), dot(row2.xyz, normal));";
+
+  // How much of a place is in shadow, of what is straight above it and near: the place has a plane with a normal.
+  const shaded = `
+    uniform highp sampler2DShadow shades; uniform mat4 shade; uniform vec3 up; uniform vec2 span; uniform float soft;
+    float shaded(vec3 at, vec3 n) {
+      float rise = dot(n, up);
+      vec3 seen = 0.5 * (shade * vec4(at, 1.0)).xyz + 0.5;
+      if (rise < 0.05 || any(greaterThan(abs(seen.xy - 0.5), vec2(0.49)))) return 0.0;
+      // Where the plane goes on, it has no shadow of its own.
+      vec2 slope = (mat3(shade) * n).xy * span.x / rise;
+      float lit = 0.0, near = 0.002 * span.x * (1.0 + length(slope));
+      for (int i = 0; i < 12; i++) {
+        float r = soft * sqrt((float(i) + 0.5) / 12.0), turn = 2.39996 * float(i);
+        vec2 d = r * vec2(cos(turn), sin(turn));
+        lit += texture(shades, vec3(seen.xy + 0.5 * d / span.x, seen.z + 0.5 * (dot(slope, d) - near) / span.y));
+      }
+      return min(1.0, 1.6 * rise) * (1.0 - lit / 12.0);
+    }`;
+
+  const face = {
+    vertex: `
+    ${rows} in vec3 normal; in float pattern; uniform vec4 eye;
+    ${cut}
+    out vec3 vWorld; out vec3 vNormal; out vec4 vTint; out float vPattern;
     void main() {
-      vec4 p = vec4(position, 1.0);
-      vec3 world = vec3(dot(row0, p), dot(row1, p), dot(row2, p));
-      vNormal = vec3(dot(row0.xyz, normal), dot(row1.xyz, normal), dot(row2.xyz, normal));
+      ${world}
+      ${turned}
+      vNormal = n;
+      vWorld = world;
       vTint = tint;
       vPattern = pattern;
-      if (flatten > 0.5) world = mix(world, vec3(ground), up);
-      gl_Position = projectionMatrix * viewMatrix * vec4(world, 1.0);
-    }`;
-
-  // Light from above and from the right of the front, so that each side of a cube has its own shade.
-  const faceFragment = `
-    uniform float stripes; uniform float opacity; uniform float flatness; uniform vec3 other;
-    uniform vec3 light; varying vec3 vNormal; varying vec4 vTint; varying float vPattern;
+      gl_Position = camera * vec4(world, 1.0);
+      if (gone(world, n, eye)) gl_Position = nowhere;
+      // The other side of a face hides the lines around it.
+      else if (heart.w >= 0.0 && dot(n, eye.xyz - eye.w * world) < 0.0) gl_Position.z -= 4e-4 * gl_Position.w;
+    }`,
+    // Light from above and from the right of the front, so that each side of a cube has its own shade. The other side of
+    // a face is seen of walls alone, where they are cut.
+    fragment: `
+    uniform float stripes; uniform float opacity; uniform float flatness; uniform vec3 ink; uniform vec3 light;
+    uniform float shadow; in vec3 vWorld; in vec3 vNormal; in vec4 vTint; in float vPattern; out vec4 color;
+    ${shaded}
     void main() {
-      float shine = 0.56 + 0.48 * (0.5 + 0.5 * dot(normalize(vNormal), light));
+      vec3 n = normalize(vNormal);
+      float shine = 0.56 + 0.48 * (0.5 + 0.5 * dot(n, light));
       vec3 base = vTint.rgb;
-      if (stripes > 0.5 && fract(vPattern) < 0.5) base = mix(base, other, 0.72);
-      gl_FragColor = vec4(base * mix(shine, 1.0, flatness), opacity * (1.0 - vTint.a));
-    }`;
+      if (stripes > 0.5 && fract(vPattern) < 0.5) base = mix(base, ink, 0.72);
+      shine = gl_FrontFacing ? mix(shine, 1.0, flatness) : 0.85;
+      if (gl_FrontFacing && flatness < 1.0) shine *= 1.0 - shadow * shaded(vWorld, n);
+      color = vec4(base * shine, opacity * (1.0 - vTint.a));
+    }`,
+  };
 
-  const shadowFragment = `
-    uniform vec3 color; uniform float opacity;
-    void main() { gl_FragColor = vec4(color, opacity); }`;
+  const depth = {
+    vertex: `
+    ${rows} in vec3 normal; uniform vec3 up;
+    ${cut}
+    void main() {
+      ${world}
+      ${turned}
+      gl_Position = gone(world, n, vec4(up, 0.0)) ? nowhere : camera * vec4(world, 1.0);
+    }`,
+    fragment: "void main() {}",
+  };
 
-  // Lines of so many pixels. What is behind the camera is cut off first.
-  const lineVertex = `
-    ${rows} attribute vec3 other; attribute float side; attribute vec4 color4;
+  const line = {
+    // Lines of so many pixels. What is behind the camera is cut off first.
+    vertex: `
+    ${rows} in vec3 other; in float side; in vec4 color;
     uniform vec2 size; uniform float width; uniform float near; uniform float pull; uniform float fade;
-    varying vec4 vColor;
+    out vec4 vColor;
     vec4 place(vec3 q) {
       vec4 p = vec4(q, 1.0);
-      return projectionMatrix * viewMatrix * vec4(dot(row0, p), dot(row1, p), dot(row2, p), 1.0);
+      return camera * vec4(dot(row0, p), dot(row1, p), dot(row2, p), 1.0);
     }
     void main() {
       vec4 a = place(position), b = place(other);
@@ -51,16 +102,15 @@ const Shaders = (() => {
       d = length(d) > 0.0 ? normalize(d) : vec2(0.0);
       a.xy += (side * vec2(-d.y, d.x) - 0.5 * d) * width * a.w / size;
       a.z -= pull * a.w;
-      vColor = vec4(mix(tint.rgb, color4.rgb, color4.a), seen * (1.0 - tint.a));
+      vColor = vec4(mix(tint.rgb, color.rgb, color.a), seen * (1.0 - tint.a));
       gl_Position = a;
-    }`;
+    }`,
+    fragment: `
+    uniform vec3 ink; uniform float opacity; uniform float own; in vec4 vColor; out vec4 color;
+    void main() { color = vec4(mix(ink, vColor.rgb, own), opacity * vColor.a); }`,
+  };
 
-  const lineFragment = `
-    uniform vec3 color; uniform float opacity; uniform float own;
-    varying vec4 vColor;
-    void main() { gl_FragColor = vec4(mix(color, vColor.rgb, own), opacity * vColor.a); }`;
-
-  return { faceVertex, faceFragment, shadowFragment, lineVertex, lineFragment };
+  return { face, depth, line, shaded };
 })();
 
 /**
@@ -70,27 +120,31 @@ const Shaders = (() => {
  */
 class Kind {
   /**
-   * What all of them share: the size of the picture, how near is too near, where the floor is, which way is up, and from
-   * where the light comes.
+   * What all of them share: the size of the picture, how near is too near, the eye (a place, or with a last 0 a
+   * direction), from where the light comes, and shadows: which way is up, their matrix, half of the width and of the
+   * height that they are of, how soft and how dark they are.
    */
   static shared = {
-    size: { value: typeof THREE === "undefined" ? null : new THREE.Vector2(1, 1) },
+    size: { value: [1, 1] },
     near: { value: 0 },
-    ground: { value: 0 },
-    up: { value: typeof THREE === "undefined" ? null : new THREE.Vector3(0, 1, 0) },
-    light: { value: typeof THREE === "undefined" ? null : new THREE.Vector3(0, 1, 0) },
-    shadow: { value: 0.1 },
+    eye: { value: [0, 0, 0, 1] },
+    light: { value: [0, 1, 0] },
+    up: { value: [0, 1, 0] },
+    shade: { value: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] },
+    span: { value: [1, 1] },
+    soft: { value: 0 },
+    shadow: { value: 0 },
   };
 
-  /** After all layers of glass. */
+  /** After all that is not seen through others. */
   static last = 1e6;
 
   /**
-   * @typedef {{ opacity?: number, stripes?: boolean, flat?: boolean, line?: number, lineOpacity?: number, own?: boolean,
-   *   ghost?: number, shadow?: boolean, pull?: number, order?: number, other?: number[], layer?: number }} KindStyle
-   *   opacity below 1: as of glass, of which the nearest surface alone is seen, and through it glass of lower layers; stripes: of the colour `other`; flat: without
-   *   shades; line: width in pixels; own: lines of the colour that is pushed; ghost: how much is seen of lines and faces
-   *   through what is in front of them.
+   * @typedef {{ stripes?: boolean, flat?: boolean, line?: number, lineOpacity?: number, own?: boolean, ghost?: number,
+   *   casts?: boolean, pull?: number, order?: number, other?: number[], heart?: { value: number[] } }} KindStyle
+   *   stripes: of the colour `other`; flat: without shades; line: width in pixels; own: lines of the colour that is
+   *   pushed; ghost: how much is seen of lines and faces through what is in front of them; casts: it has a shadow; heart:
+   *   it is a wall, of which faces between the eye and this place are cut away (last 1: of the body, 0: of the world).
    * @param {{ faces?: { positions: number[], normals: number[], patterns: number[] }, lines?: number[] }} shape
    * @param {KindStyle} style
    */
@@ -99,96 +153,65 @@ class Kind {
     this.capacity = 0;
     this.count = 0;
     this.changed = false;
-    this.rows = new Float32Array(0);
-    this.tints = new Float32Array(0);
-    /** @type {any[]} */
-    this.objects = [];
-    /** @type {any[]} */
-    this.geometries = [];
+    const { row0, row1, row2, tint } = Gl.at;
+    this.rows = new Store(new Float32Array(0), [[row0, 4], [row1, 4], [row2, 4]], true);
+    this.tints = new Store(new Float32Array(0), [[tint, 4]], true);
+    /** @type {GlThing[]} */
+    this.things = [];
     /** The colour of lines, where it is not that of each body. */
-    this.ink = { value: new THREE.Color(0x000000) };
+    this.ink = { value: [0, 0, 0] };
     const order = style.order ?? 0;
     if (shape.faces && shape.faces.positions.length) this.#faces(shape.faces, order);
     if (shape.lines && shape.lines.length) this.#lines(Kind.ribbons(shape.lines), order + 1);
   }
 
   /** @param {{ positions: number[], normals: number[], patterns: number[] }} faces @param {number} order */
-  #faces(faces, order) {
-    const style = this.style, opacity = style.opacity ?? 1, glass = opacity < 1;
-    const geometry = new THREE.InstancedBufferGeometry();
-    geometry.setAttribute("position", new THREE.Float32BufferAttribute(faces.positions, 3));
-    geometry.setAttribute("normal", new THREE.Float32BufferAttribute(faces.normals, 3));
-    geometry.setAttribute("pattern", new THREE.Float32BufferAttribute(faces.patterns, 1));
-    this.geometries.push(geometry);
-    const material = (/** @type {{ [key: string]: any }} */ more, /** @type {{ [key: string]: any }} */ uniforms) =>
-      new THREE.ShaderMaterial({
-        vertexShader: Shaders.faceVertex,
-        fragmentShader: Shaders.faceFragment,
-        uniforms: {
-          stripes: { value: style.stripes ? 1 : 0 }, other: { value: new THREE.Vector3(...(style.other || [1, 1, 1])) },
-          opacity: { value: opacity }, flatness: { value: style.flat ? 1 : 0 }, flatten: { value: 0 },
-          ground: Kind.shared.ground, up: Kind.shared.up, light: Kind.shared.light, ...uniforms,
-        },
-        polygonOffset: true, polygonOffsetFactor: 1 - (style.pull || 0), polygonOffsetUnits: 1 - (style.pull || 0),
-        ...more,
-      });
-    if (glass) {
-      const first = order + 3 + 3 * (style.layer ?? 0);
-      this.#add(geometry, new THREE.Mesh(geometry, material({ colorWrite: false, transparent: true }, {})), first);
-      this.#add(geometry, new THREE.Mesh(geometry, material({ transparent: true, depthWrite: false }, {})), first + 1);
-    } else this.#add(geometry, new THREE.Mesh(geometry, material({}, {})), order);
-    if (style.ghost)
-      this.#add(geometry, new THREE.Mesh(geometry, material(
-        { transparent: true, depthTest: false, depthWrite: false }, { opacity: { value: style.ghost } })), Kind.last + order);
-    if (style.shadow) {
-      // Each place of the floor is darkened once.
-      const shadow = new THREE.ShaderMaterial({
-        vertexShader: Shaders.faceVertex, fragmentShader: Shaders.shadowFragment,
-        uniforms: {
-          flatten: { value: 1 }, ground: Kind.shared.ground, up: Kind.shared.up, opacity: Kind.shared.shadow,
-          color: { value: new THREE.Color(0x000000) },
-        },
-        transparent: true, depthWrite: false, side: THREE.DoubleSide,
-        stencilWrite: true, stencilRef: 1, stencilFunc: THREE.NotEqualStencilFunc, stencilZPass: THREE.ReplaceStencilOp,
-      });
-      this.#add(geometry, new THREE.Mesh(geometry, shadow), -5);
-    }
+  #faces({ positions, normals, patterns }, order) {
+    const { style } = this, pull = style.pull || 0, wall = style.heart !== undefined;
+    const store = (/** @type {number[]} */ numbers, /** @type {number} */ at, /** @type {number} */ size) =>
+      new Store(Float32Array.from(numbers), [[at, size]]);
+    const mesh = new Mesh([
+      store(positions, Gl.at.position, 3), store(normals, Gl.at.normal, 3), store(patterns, Gl.at.pattern, 1), this.rows, this.tints,
+    ]);
+    /** @param {number} opacity @param {Partial<GlPaint>} [more] @returns {GlPaint} */
+    const paint = (opacity, more) => ({
+      program: Shaders.face,
+      uniforms: {
+        ...Kind.shared, stripes: { value: style.stripes ? 1 : 0 }, ink: { value: style.other || [1, 1, 1] },
+        opacity: { value: opacity }, flatness: { value: style.flat ? 1 : wall ? 0.6 : 0 }, heart: style.heart || { value: [0, 0, 0, -1] },
+      },
+      offset: [1 - pull, 1 - pull], both: wall,
+      ...more,
+    });
+    this.#add(mesh, paint(1), order, style.casts);
+    if (style.ghost) this.#add(mesh, paint(style.ghost, { blend: true, over: true }), Kind.last + order);
   }
 
   /** @param {ReturnType<typeof Kind.ribbons>} ribbons @param {number} order */
   #lines(ribbons, order) {
-    const style = this.style, opacity = style.lineOpacity ?? 1;
-    const geometry = new THREE.InstancedBufferGeometry();
-    Kind.fill(geometry, ribbons);
-    this.geometries.push(geometry);
-    const line = Kind.line({
-      width: style.line ?? 1.25, own: style.own, opacity, fade: style.own !== true,
-      pull: 4e-5 * (1 + (style.pull || 0)),
-    });
-    line.uniforms.color = this.ink;
-    this.#add(geometry, new THREE.Mesh(geometry, line), style.opacity ? order + 4 + 3 * (style.layer ?? 0) : order);
-    if (!style.ghost) return;
-    const ghost = Kind.line({ width: style.line ?? 1.25, own: style.own, opacity: style.ghost });
-    ghost.uniforms.color = this.ink;
-    ghost.depthTest = false;
-    this.#add(geometry, new THREE.Mesh(geometry, ghost), Kind.last + order);
+    const style = this.style, opacity = style.lineOpacity ?? 1, pull = 4e-5 * (1 + (style.pull || 0));
+    const mesh = new Mesh([ribbons.store, this.rows, this.tints], ribbons.index);
+    const paint = { width: style.line ?? 1.25, own: style.own, ink: this.ink };
+    this.#add(mesh, Kind.line({ ...paint, opacity, fade: style.own !== true, pull }), order);
+    if (style.ghost)
+      this.#add(mesh, { ...Kind.line({ ...paint, opacity: style.ghost }), over: true }, Kind.last + order);
   }
 
   /**
-   * @param {{ width: number, own?: boolean, opacity?: number, pull?: number, fade?: boolean }} style
-   * @returns {any} a material for lines
+   * How lines are drawn.
+   * @param {{ width: number, ink: { value: number[] }, own?: boolean, opacity?: number, pull?: number, fade?: boolean }} style
+   * @returns {GlPaint}
    */
-  static line({ width, own, opacity, pull, fade }) {
-    return new THREE.ShaderMaterial({
-      vertexShader: Shaders.lineVertex,
-      fragmentShader: Shaders.lineFragment,
+  static line({ width, ink, own, opacity, pull, fade }) {
+    const { size, near } = Kind.shared;
+    return {
+      program: Shaders.line,
       uniforms: {
-        color: { value: new THREE.Color(0x000000) }, own: { value: own ? 1 : 0 }, opacity: { value: opacity ?? 1 },
-        width: { value: width }, pull: { value: pull || 0 }, fade: { value: fade ? 1 : 0 },
-        size: Kind.shared.size, near: Kind.shared.near,
+        ink, own: { value: own ? 1 : 0 }, opacity: { value: opacity ?? 1 }, width: { value: width },
+        pull: { value: pull || 0 }, fade: { value: fade ? 1 : 0 }, size, near,
       },
-      transparent: true, depthWrite: false, side: THREE.DoubleSide,
-    });
+      blend: true, flat: true, both: true,
+    };
   }
 
   /**
@@ -196,41 +219,27 @@ class Kind {
    * @param {ArrayLike<number>} lines @param {ArrayLike<number>} [colors] red, green, blue of each point
    */
   static ribbons(lines, colors) {
-    const n = lines.length / 6;
-    const position = new Float32Array(12 * n), other = new Float32Array(12 * n), side = new Float32Array(4 * n);
-    const color = new Float32Array(16 * n), index = new Uint32Array(6 * n);
+    const n = lines.length / 6, wide = 11, data = new Float32Array(4 * wide * n), index = new Uint32Array(6 * n);
     for (let i = 0; i < n; i++) {
       for (let k = 0; k < 4; k++) {
-        const here = 6 * i + (k < 2 ? 0 : 3), there = 6 * i + (k < 2 ? 3 : 0);
+        const here = 6 * i + (k < 2 ? 0 : 3), there = 6 * i + (k < 2 ? 3 : 0), at = wide * (4 * i + k);
         for (let c = 0; c < 3; c++) {
-          position[12 * i + 3 * k + c] = lines[here + c];
-          other[12 * i + 3 * k + c] = lines[there + c];
-          if (colors) color[16 * i + 4 * k + c] = colors[here + c];
+          data[at + c] = lines[here + c];
+          data[at + 3 + c] = lines[there + c];
+          if (colors) data[at + 7 + c] = colors[here + c];
         }
-        if (colors) color[16 * i + 4 * k + 3] = 1;
-        side[4 * i + k] = k % 2 ? -1 : 1;
+        data[at + 6] = k % 2 ? -1 : 1;
+        if (colors) data[at + 10] = 1;
       }
       index.set([4 * i, 4 * i + 1, 4 * i + 2, 4 * i, 4 * i + 2, 4 * i + 3], 6 * i);
     }
-    return { position, other, side, color, index };
+    const { position, other, side, color } = Gl.at;
+    return { store: new Store(data, [[position, 3], [other, 3], [side, 1], [color, 4]]), index };
   }
 
-  /** @param {any} geometry @param {ReturnType<typeof Kind.ribbons>} ribbons */
-  static fill(geometry, { position, other, side, color, index }) {
-    geometry.setAttribute("position", new THREE.BufferAttribute(position, 3));
-    geometry.setAttribute("other", new THREE.BufferAttribute(other, 3));
-    geometry.setAttribute("side", new THREE.BufferAttribute(side, 1));
-    geometry.setAttribute("color4", new THREE.BufferAttribute(color, 4));
-    geometry.setIndex(new THREE.BufferAttribute(position.length / 3 < 65536 ? Uint16Array.from(index) : index, 1));
-  }
-
-  /** @param {any} geometry @param {any} object @param {number} order */
-  #add(geometry, object, order) {
-    object.frustumCulled = false;
-    object.matrixAutoUpdate = false;
-    object.renderOrder = order;
-    object.visible = false;
-    this.objects.push(object);
+  /** @param {Mesh} mesh @param {GlPaint} paint @param {number} order @param {boolean} [casts] */
+  #add(mesh, paint, order, casts) {
+    this.things.push({ mesh, paint, order, visible: false, casts });
   }
 
   clear() {
@@ -248,7 +257,8 @@ class Kind {
     if (this.count === this.capacity) this.#grow();
     const k = this.count++;
     this.move(k, m);
-    for (let i = 0; i < 4; i++) this.tints[4 * k + i] = tint[i];
+    for (let i = 0; i < 4; i++) this.tints.data[4 * k + i] = tint[i];
+    this.tints.changed = true;
     return k;
   }
 
@@ -257,7 +267,7 @@ class Kind {
    * @param {number} k which one @param {Float64Array | number[]} m
    */
   move(k, m) {
-    const r = this.rows, at = 12 * k;
+    const r = this.rows.data, at = 12 * k;
     r[at] = m[3]; r[at + 1] = m[4]; r[at + 2] = m[5]; r[at + 3] = m[0];
     r[at + 4] = m[6]; r[at + 5] = m[7]; r[at + 6] = m[8]; r[at + 7] = m[1];
     r[at + 8] = m[9]; r[at + 9] = m[10]; r[at + 10] = m[11]; r[at + 11] = m[2];
@@ -265,37 +275,35 @@ class Kind {
   }
 
   #grow() {
-    const old = { rows: this.rows, tints: this.tints };
     this.capacity = Math.max(4, 2 * this.capacity);
-    this.rows = new Float32Array(12 * this.capacity);
-    this.tints = new Float32Array(4 * this.capacity);
-    this.rows.set(old.rows);
-    this.tints.set(old.tints);
-    this.buffer = new THREE.InstancedInterleavedBuffer(this.rows, 12, 1);
-    this.colors = new THREE.InstancedBufferAttribute(this.tints, 4, false, 1);
-    this.buffer.setUsage(THREE.DynamicDrawUsage);
-    this.colors.setUsage(THREE.DynamicDrawUsage);
-    for (const g of this.geometries) {
-      for (let i = 0; i < 3; i++)
-        g.setAttribute("row" + i, new THREE.InterleavedBufferAttribute(this.buffer, 4, 4 * i));
-      g.setAttribute("tint", this.colors);
+    for (const [store, size] of /** @type {[Store, number][]} */ ([[this.rows, 12], [this.tints, 4]])) {
+      const more = new Float32Array(size * this.capacity);
+      more.set(store.data);
+      store.fill(more);
     }
+  }
+
+  /**
+   * Other lines in the place of the former ones.
+   * @param {number[]} lines @param {number[]} [colors]
+   */
+  draw(lines, colors) {
+    const { mesh } = this.things[0], { store, index } = Kind.ribbons(lines, colors);
+    mesh.stores[0].fill(store.data);
+    mesh.fill(index);
+    mesh.count = index.length;
   }
 
   /** Ready to be drawn. */
   finish() {
     if (!this.changed) return;
     this.changed = false;
-    for (const g of this.geometries) g.maxInstancedCount = this.count;
-    for (const o of this.objects) o.visible = this.count > 0;
-    if (this.count > 0) {
-      this.buffer.needsUpdate = true;
-      this.colors.needsUpdate = true;
+    this.rows.changed = true;
+    this.rows.used = 12 * this.count;
+    this.tints.used = 4 * this.count;
+    for (const thing of this.things) {
+      thing.visible = this.count > 0;
+      thing.mesh.copies = this.count;
     }
-  }
-
-  dispose() {
-    for (const g of this.geometries) g.dispose();
-    for (const o of this.objects) o.material.dispose();
   }
 }

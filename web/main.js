@@ -96,19 +96,16 @@ const Main = (() => {
    */
   function stage(data) {
     const box = Dom.get("scene");
-    let why = "the library that draws it is not in this file";
+    let why = /** @type {string | null} */ (null);
     try {
-      if (typeof Scene !== "undefined") {
-        const scene = new Scene(box, data, {
-          onPick: (/** @type {Chosen | null} */ found) => {
-            if (found) Tabs.show("details");
-            Details.select(found);
-          },
-        });
-        const said = Scene.why;
-        if (!said) return scene;
-        why = String(said);
-      }
+      const scene = new Scene(box, data, {
+        onPick: (/** @type {Chosen | null} */ found) => {
+          if (found) Tabs.show("details");
+          Details.select(found);
+        },
+      });
+      why = Scene.why;
+      if (!why) return scene;
     } catch (error) {
       why = String(error instanceof Error ? error.message : error);
     }

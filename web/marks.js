@@ -5,8 +5,8 @@ class Marks {
   /** @param {Scene} scene @param {HTMLElement} box */
   constructor(scene, box) {
     this.scene = scene;
-    this.floor = new Floor(scene.scene);
-    this.trails = new Trails(scene.data, scene.bodies, scene.scene);
+    this.floor = new Floor(scene.gl);
+    this.trails = new Trails(scene.data, scene.bodies, scene.gl);
     this.overlay = new Overlay(box);
     this.entries = this.#legend();
   }
@@ -23,20 +23,21 @@ class Marks {
   place({ course, legs, time }) {
     const { orbit, bodies, options, floorAt } = this.scene;
     this.floor.place(orbit, floorAt, bodies.colors, options.grid);
+    this.floor.shadow.value = orbit.height > 0 ? bodies.colors.shadow : 0;
     this.trails.update(course, legs, time, orbit, options.trails);
   }
 
   /** What colours and patterns mean. */
   #legend() {
-    /** @type {{ text: string, color: number[], shape: "body" | "name" | "co" | "fixed" }[]} */
+    /** @type {{ text: string, color: number[], shape: "body" | "name" | "co", leaf?: number }[]} */
     const entries = [];
     const seen = new Set();
-    for (const { name, color, fixed, absorbs } of this.scene.bodies.families) {
+    for (const [leaf, { name, color, fixed, absorbs }] of this.scene.bodies.families.entries()) {
       const key = `${name} ${fixed} ${absorbs}`;
       if (seen.has(key)) continue;
       seen.add(key);
       const text = absorbs ? `${name} (absorbs)` : fixed ? `${name} (fixed)` : name;
-      entries.push({ text, color, shape: fixed ? "fixed" : "body" });
+      entries.push({ text, color, shape: "body", leaf });
     }
     const open = this.scene.data.behaviours.flatMap((b) => b.open);
     for (const [channel, color] of this.scene.bodies.channels)
@@ -54,10 +55,11 @@ class Marks {
     const { overlay, floor } = this, { bodies, orbit, options } = this.scene;
     overlay.begin(width, height, Math.min(2, window.devicePixelRatio || 1), bodies.colors);
     const project = this.scene.projector(width, height);
-    overlay.axes(orbit.camera.matrixWorld.elements);
+    overlay.axes(orbit.camera.world);
     const tools = this.#tools(), long = floor.step / orbit.pixel;
     if (options.grid) overlay.scale(long, floor.decimal(1n), tools.right > width - long - 30 ? tools.height : 0);
-    if (options.legend && this.entries.length > 1) overlay.legend(this.entries);
+    if (options.legend && this.entries.length > 1) 
+      overlay.legend(this.entries.map((e) => (e.leaf === undefined ? e : { ...e, color: bodies.tints[e.leaf] })));
     const at = (/** @type {Shown} */ s) => project(Pick.toWorld(s.matrix, bodies.centres[s.leaf]));
     const chosen = bodies.chosen ? bodies.byLeaf.get(bodies.chosen.leaf) : undefined;
     const named = options.names ? bodies.shown : chosen ? [chosen] : [];
@@ -76,8 +78,8 @@ class Marks {
     }
     if (options.grid) {
       const { x, y, z } = bodies.colors;
-      for (const n of floor.numbers(this.scene.clip(), width, height, tools.height))
-        if (!this.#covered(n.x, n.y)) {
+      for (const n of floor.numbers((p) => orbit.camera.at(p), width, height, tools.height))
+        if (this.scene.pick(n.x, n.y, 0) === null) {
           const color = Colors.css(Colors.mix([x, y, z][n.axis], bodies.colors.grid, 0.35));
           overlay.word(n.text, n.x, n.y, { size: 10.5, color, within: true });
         }
@@ -87,21 +89,22 @@ class Marks {
       overlay.word(this.#told(pointed), this.scene.pointer.x, this.scene.pointer.y - 18, { ...style, size: 11.5, force: true, within: true });
   }
 
+  /**
+   * How much of a picture is under the legend and under the buttons, unless that is a good part of it.
+   * @param {number} width @param {number} height
+   */
+  taken(width, height) {
+    const legend = this.scene.options.legend && this.entries.length > 1 ? this.overlay.long(this.entries) : 0;
+    const below = this.#tools().height;
+    return { left: legend < 0.3 * width ? legend : 0, below: below < 0.3 * height ? below : 0 };
+  }
+
   /** How much of the picture is under the buttons below: from below, and from the left. */
   #tools() {
     const parent = this.scene.box.parentElement, bar = parent && parent.querySelector("[role=toolbar]");
     const box = this.scene.box.getBoundingClientRect(), of = bar && bar.getBoundingClientRect();
     if (!of || of.height === 0 || of.top < box.top + box.height / 2) return { height: 0, right: 0 };
     return { height: Math.max(0, box.bottom - of.top), right: of.right - box.left };
-  }
-
-  /**
-   * Whether a body that is not seen through is at a pixel.
-   * @param {number} x @param {number} y
-   */
-  #covered(x, y) {
-    const found = this.scene.pick(x, y, 0);
-    return found !== null && !this.scene.bodies.leaves[found.leaf].fixed;
   }
 
   /**

@@ -37,12 +37,9 @@ class Orbit {
      * @type {{ frame: number } | null}
      */
     this.flight = null;
-    this.perspective = new THREE.PerspectiveCamera(40, 1, 0.1, 1000);
-    this.orthographic = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 1000);
+    this.camera = new Camera();
     this.#listen();
   }
-
-  get camera() { return this.parallel ? this.orthographic : this.perspective; }
 
   get upright() { return Orbit.uprights[this.up]; }
 
@@ -141,12 +138,12 @@ class Orbit {
 
   /**
    * Moves the target by floats, exactly.
-   * @param {{ x: number, y: number, z: number }} by
+   * @param {number[]} by
    */
   pan(by) {
     this.stop();
     const step = 2 ** Math.floor(Math.log2(this.distance) - 14);
-    const moved = [by.x, by.y, by.z].map((x, i) =>
+    const moved = by.map((x, i) =>
       Rational.add(this.at[i], Rational.fromNumber(Math.round(x / step) * step)));
     this.setTarget(moved);
     this.changed();
@@ -154,23 +151,14 @@ class Orbit {
 
   /** @param {number} width @param {number} height of the picture @param {number} radius of what there is to see */
   place(width, height, radius) {
-    const camera = this.camera, aspect = width / Math.max(1, height);
-    camera.position.set(...this.direction).multiplyScalar(this.distance);
-    camera.up.set(...this.way(0, 1, 0));
-    camera.lookAt(0, 0, 0);
-    if (this.parallel) {
-      const half = this.distance * Math.tan((20 * Math.PI) / 180);
-      const depth = 4 * (this.distance + radius);
-      const [near, far] = [-depth, depth];
-      Object.assign(camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half, near, far });
-    } else
-      Object.assign(camera, { aspect, near: this.distance / 100, far: 4 * (this.distance + radius) });
-    camera.updateProjectionMatrix();
-    camera.updateMatrixWorld();
+    const aspect = width / Math.max(1, height), depth = 4 * (this.distance + radius);
+    this.camera.stand(this.direction, this.distance, this.way(0, 1, 0));
+    if (this.parallel) this.camera.see(true, this.distance * Camera.slope, aspect, -depth, depth);
+    else this.camera.see(false, Camera.slope, aspect, this.distance / 100, depth);
   }
 
   /** How long a pixel is, at the target. @returns {number} */
-  get pixel() { return (2 * this.distance * Math.tan((20 * Math.PI) / 180)) / Math.max(1, this.canvas.clientHeight); }
+  get pixel() { return (2 * this.distance * Camera.slope) / Math.max(1, this.canvas.clientHeight); }
 
   /** @param {number} dx @param {number} dy in pixels */
   around(dx, dy) {
@@ -181,9 +169,8 @@ class Orbit {
 
   /** @param {number} dx @param {number} dy in pixels */
   shift(dx, dy) {
-    const e = this.camera.matrixWorld.elements;
-    const right = new THREE.Vector3(e[0], e[1], e[2]), up = new THREE.Vector3(e[4], e[5], e[6]);
-    this.pan(right.multiplyScalar(-dx * this.pixel).add(up.multiplyScalar(dy * this.pixel)));
+    const { world } = this.camera;
+    this.pan([0, 1, 2].map((i) => (dy * world[4 + i] - dx * world[i]) * this.pixel));
   }
 
   /**

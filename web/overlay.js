@@ -117,8 +117,17 @@ class Overlay {
   }
 
   /**
+   * How wide a legend is.
+   * @param {{ text: string }[]} entries
+   */
+  long(entries) {
+    this.pen.font = `11px ${this.font}`;
+    return 30 + Math.max(...entries.slice(0, 100).map(({ text }) => this.pen.measureText(Overlay.clip(text)).width));
+  }
+
+  /**
    * What colours and patterns mean.
-   * @param {{ text: string, color: number[], shape: "body" | "name" | "co" | "fixed" }[]} entries
+   * @param {{ text: string, color: number[], shape: "body" | "name" | "co" }[]} entries
    */
   legend(entries) {
     const pen = this.pen, step = 17;
@@ -136,11 +145,9 @@ class Overlay {
   /** @param {number} x @param {number} y @param {number[]} color @param {string} shape */
   #swatch(x, y, color, shape) {
     const pen = this.pen, r = 5;
-    pen.globalAlpha = shape === "fixed" ? 0.5 : 1;
     pen.fillStyle = Colors.css(color);
     pen.fillRect(x - r, y - r, 2 * r, 2 * r);
-    pen.globalAlpha = 1;
-    pen.strokeStyle = shape === "body" || shape === "fixed" ? this.colors.quiet : this.colors.text;
+    pen.strokeStyle = shape === "body" ? this.colors.quiet : this.colors.text;
     pen.lineWidth = 1;
     pen.strokeRect(x - r, y - r, 2 * r, 2 * r);
     if (shape !== "co") return;

@@ -25,12 +25,11 @@ const Pick = (() => {
   }
 
   /**
-   * Where a ray enters a convex part: its face, and how far along the ray.
-   * @param {ReturnType<typeof Shapes.part>} part @param {[number, number, number]} from
-   * @param {[number, number, number]} way
+   * Where a ray enters a convex part, and where it leaves it: the faces, and how far along the ray.
+   * @param {Part} part @param {Triple} from @param {Triple} way
    */
   function enter(part, from, way) {
-    let first = -Infinity, last = Infinity, face = -1;
+    let first = -Infinity, last = Infinity, face = -1, other = -1;
     for (const [i, f] of part.faces.entries()) {
       const q = part.points[f.corners[0]];
       const height = Shapes.dot(f.normal, Shapes.sub(from, q)), fall = Shapes.dot(f.normal, way);
@@ -41,9 +40,24 @@ const Pick = (() => {
       const t = -height / fall;
       if (fall < 0) {
         if (t > first) { first = t; face = i; }
-      } else last = Math.min(last, t);
+      } else if (t < last) { last = t; other = i; }
     }
-    return face >= 0 && first <= last ? { face, t: first } : null;
+    return face >= 0 && other >= 0 && first <= last ? { face, t: first, other, last } : null;
+  }
+
+  /**
+   * The same for a part of a wall, of which one sees the faces alone that have the eye and its heart at one side.
+   * @param {Part} part @param {Triple} from @param {Triple} way @param {Triple} heart
+   */
+  function see(part, from, way, heart) {
+    const hit = enter(part, from, way);
+    if (!hit) return null;
+    const before = (/** @type {number} */ i) => {
+      const { normal, corners } = part.faces[i];
+      return Shapes.dot(normal, Shapes.sub(heart, part.points[corners[0]])) > 0;
+    };
+    if (before(hit.face)) return hit;
+    return before(hit.other) ? null : { face: hit.other, t: hit.last };
   }
 
   /**
@@ -67,7 +81,7 @@ const Pick = (() => {
   }
 
   /**
-   * What a ray hits first; through glass, what is behind it.
+   * What a ray hits first.
    * @param {Shown[]} all @param {number[]} origin @param {number[]} way of the ray, relative to the target
    */
   function first(all, origin, way) {
@@ -81,14 +95,22 @@ const Pick = (() => {
       if ((x - t * way[0]) ** 2 + (y - t * way[1]) ** 2 + (z - t * way[2]) ** 2 > 1.0001 * shown.size ** 2) continue;
       const from = toBody(m, [origin[0] - m[0], origin[1] - m[1], origin[2] - m[2]]), along = toBody(m, way);
       for (const [index, part] of shown.parts.entries()) {
-        const hit = enter(part, from, along);
+        const hit = shown.heart ? see(part, from, along, heartOf(shown)) : enter(part, from, along);
         if (!hit || !(hit.t > 0)) continue;
-        const nearer = !best || (shown.layer - best.shown.layer || hit.t - best.t) < 0;
-        if (nearer) best = { shown, part: index, face: hit.face, t: hit.t };
+        if (!best || hit.t < best.t) best = { shown, part: index, face: hit.face, t: hit.t };
       }
     }
     return best;
   }
 
-  return { first, feature, toWorld };
+  /**
+   * Where the heart of a wall is, as its leaf sees it.
+   * @param {Shown} shown @returns {Triple}
+   */
+  function heartOf({ heart, matrix: m }) {
+    const [x, y, z, own] = heart ? heart.value : [0, 0, 0, 1];
+    return own ? [x, y, z] : toBody(m, [x - m[0], y - m[1], z - m[2]]);
+  }
+
+  return { first, enter, feature, toWorld, toBody };
 })();

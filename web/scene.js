@@ -7,7 +7,7 @@
  */
 class Scene {
   /** @type {string | null} */
-  static why = typeof THREE === "undefined" ? "this file was written without the library three.js, which draws it" : null;
+  static why = null;
 
   /** @param {HTMLElement} box @param {PageData} data @param {{ onPick?: (found: Chosen | null) => void }} callbacks */
   constructor(box, data, callbacks) {
@@ -25,14 +25,21 @@ class Scene {
     this.work = 0;
     this.waiting = false;
     this.fitted = false;
+    /** The size of the picture into which all bodies were last brought. */
+    this.shape = "";
     /** Whether the camera was moved by hand since all bodies were last brought into view. */
     this.moved = false;
-    this.size = "";
     /**
      * How high the floor is.
      * @type {Rational}
      */
-    this.floorAt = typeof Rational === "undefined" ? /** @type {any} */ (null) : Rational.zero;
+    this.floorAt = Rational.zero;
+    /** The middle of what moves in the whole run. */
+    this.heart = [Rational.zero, Rational.zero, Rational.zero];
+    /** @type {Course | null} of which walls are known */
+    this.course = null;
+    /** @type {ReturnType<typeof Walls.find>} */
+    this.walls = new Map();
     /** @type {{ course: Course, legs: number, time: Rational } | null} */
     this.now = null;
     /**
@@ -44,20 +51,20 @@ class Scene {
     this.canvas = document.createElement("canvas");
     // These are there wherever something can be drawn at all.
     const none = /** @type {any} */ (null);
-    this.renderer = none;
+    /** @type {Gl} */
+    this.gl = none;
     /** @type {Orbit} */
     this.orbit = none;
     /** @type {Bodies} */
     this.bodies = none;
     /** @type {Marks} */
     this.marks = none;
-    if (Scene.why) return;
-    const context = Scene.#context(this.canvas);
-    if (!context) {
-      Scene.why = "this browser offers no WebGL here";
+    const gl = Gl.on(this.canvas, () => this.refresh());
+    if (!gl) {
+      Scene.why = "this browser offers no WebGL 2 here";
       return;
     }
-    this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, context });
+    this.gl = gl;
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "application");
     this.canvas.setAttribute("aria-roledescription", "scene");
@@ -67,22 +74,14 @@ class Scene {
     Object.assign(this.canvas.style,
       { position: "absolute", inset: "0", width: "100%", height: "100%", touchAction: "none" });
     box.append(this.canvas);
-    this.scene = new THREE.Scene();
     this.orbit = new Orbit(this.canvas, () => this.refresh());
-    this.bodies = new Bodies(data, this.scene);
+    this.bodies = new Bodies(data, gl);
     this.marks = new Marks(this, box);
     this.#listen();
-    new ResizeObserver(() => this.refresh()).observe(box);
-  }
-
-  /** @param {HTMLCanvasElement} canvas @returns {RenderingContext | null} */
-  static #context(canvas) {
-    const wanted = { alpha: true, antialias: true, stencil: true, premultipliedAlpha: true };
-    try {
-      return canvas.getContext("webgl", wanted);
-    } catch (_) {
-      return null;
-    }
+    new ResizeObserver(() => {
+      if (this.fitted && this.shape !== `${box.clientWidth} ${box.clientHeight}`) this.restart();
+      this.refresh();
+    }).observe(box);
   }
 
   get dark() { return this.options.theme === "dark"; }
@@ -94,7 +93,49 @@ class Scene {
   show(course, legs, time) {
     this.now = { course, legs, time };
     if (!Scene.why && this.bodies.setLeaves(course.leaves)) this.marks.learn();
+    if (!Scene.why && course !== this.course) this.#around(course);
     this.refresh();
+  }
+
+  /**
+   * What is a wall in a run, and the middle of what moves in it.
+   * @param {Course} course
+   */
+  #around(course) {
+    const first = course.bodiesAt(Rational.zero), { base, based } = this.#near(course, first);
+    const here = Frame.boxes(this.bodies, course, first, base), walls = Walls.find(this.bodies, here);
+    const same = JSON.stringify([...walls]) === JSON.stringify([...this.walls]);
+    if (!same || course.leaves !== this.course?.leaves) this.bodies.setWalls(walls);
+    const moving = here.concat(this.#later(course, base)).filter((b) => !b.fixed);
+    const { low, high } = Frame.range((moving.length ? moving : here).flatMap((b) => [b.low, b.high]));
+    this.heart = low.map((l, i) => based((l + high[i]) / 2, i));
+    this.walls = walls;
+    this.course = course;
+  }
+
+  /**
+   * So far from the origin that floats from there would lose what is between bodies, one counts from a body.
+   * @param {Course} course @param {Moving[]} present
+   */
+  #near(course, present) {
+    const first = present.length ? course.position(present[0], present[0].process.leaves[0]) : [];
+    const far = first.some((x) => Math.abs(Rational.toNumber(x)) > 1e6);
+    const base = far ? first.map((x) => x.n / x.d) : [0n, 0n, 0n];
+    const based = (/** @type {number} */ x, /** @type {number} */ i) =>
+      Rational.add({ n: base[i], d: 1n }, Rational.fromNumber(x));
+    return { far, base, based };
+  }
+
+  /**
+   * Where all that moves is at some instants of a run.
+   * @param {Course} course @param {bigint[]} base
+   */
+  #later(course, base) {
+    const instants = course.leaves.length > 500 ? [0, 4, 8] : [0, 1, 2, 3, 4, 5, 6, 7, 8];
+    return instants.flatMap((i) => {
+      const at = Rational.mul(course.duration, Rational.make(BigInt(i), 8n));
+      return Frame.boxes(this.bodies, course, course.bodiesAt(at), base).filter((b) => !b.fixed);
+    });
   }
 
   /** Draws when the browser is next ready to. */
@@ -125,24 +166,37 @@ class Scene {
     bodies.finish();
     this.marks.words(width, height);
     this.work = performance.now() - began;
-    this.renderer.render(this.scene, orbit.camera);
+    this.gl.shade(Kind.shared.shade.value, Shaders.depth);
+    this.gl.draw(orbit.camera.clip);
   }
 
   /** @param {number} width @param {number} height */
   #shared(width, height) {
-    const ratio = Math.min(2, window.devicePixelRatio || 1);
-    if (this.size !== `${width} ${height} ${ratio}`) {
-      this.size = `${width} ${height} ${ratio}`;
-      this.renderer.setPixelRatio(ratio);
-      this.renderer.setSize(width, height, false);
-    }
-    const { marks: { floor }, orbit } = this;
-    Kind.shared.size.value.set(width, height);
+    this.gl.size(width, height, Math.min(2, window.devicePixelRatio || 1));
+    const { orbit } = this;
+    Kind.shared.size.value = [width, height];
     Kind.shared.near.value = orbit.parallel ? 0 : orbit.camera.near;
-    Kind.shared.ground.value = floor.ground + 1e-3 * floor.step;
-    Kind.shared.up.value.set(...orbit.way(0, 1, 0));
-    Kind.shared.light.value.set(...orbit.way(0.33, 0.8, 0.5));
-    Kind.shared.shadow.value = this.options.grid && orbit.height > 0 ? this.bodies.colors.shadow : 0;
+    Kind.shared.up.value = orbit.way(0, 1, 0);
+    Kind.shared.light.value = orbit.way(0.33, 0.8, 0.5);
+    const eye = orbit.direction;
+    Kind.shared.eye.value = orbit.parallel ? [...eye, 0] : [...eye.map((x) => x * orbit.distance), 1];
+    this.bodies.heart.value = [...this.heart.map((x, i) => Rational.toNumber(Rational.sub(x, orbit.at[i]))), 0];
+    this.#shade();
+  }
+
+  /** Shadows are straight below what has them, as far as the floor is seen. */
+  #shade() {
+    const { orbit, bodies } = this, { upright, distance } = orbit, wide = 1.7 * distance, { shared } = Kind;
+    const { up, floor: [first, second] } = upright, high = 2 * Math.max(wide, this.#extent());
+    const m = new Array(16).fill(0);
+    m[4 * first] = 1 / wide;
+    m[4 * second + 1] = 1 / wide;
+    m[4 * up + 2] = -1 / high;
+    m[15] = 1;
+    shared.shade.value = m;
+    shared.span.value = [wide, high];
+    shared.soft.value = Math.max(0.003 * wide, Math.min(0.03 * wide, 0.3 * bodies.usual));
+    shared.shadow.value = 0.3;
   }
 
   /** @param {Course} course @param {Moving[]} present */
@@ -153,22 +207,14 @@ class Scene {
         if (place.leaf === this.followed) this.orbit.goTo(course.position(body, place));
   }
 
-  /** @returns {(p: number[]) => number[]} from points relative to the target to clip space */
-  clip() {
-    const camera = this.orbit.camera;
-    const inverse = new THREE.Matrix4().getInverse(camera.matrixWorld);
-    const m = new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, inverse).elements;
-    return (p) => [0, 1, 2, 3].map((i) => m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i]);
-  }
-
   /**
    * From points relative to the target to pixels.
    * @param {number} width @param {number} height
    */
   projector(width, height) {
-    const clip = this.clip();
+    const { camera } = this.orbit;
     return (/** @type {number[]} */ p) => {
-      const [x, y, z, w] = clip(p);
+      const [x, y, z, w] = camera.at(p);
       return { x: (0.5 + x / w / 2) * width, y: (0.5 - y / w / 2) * height, depth: z / w, seen: w > 0 };
     };
   }
@@ -189,23 +235,12 @@ class Scene {
   #seen(now) {
     const { course, legs, time } = now;
     const present = course.bodiesAfter(legs, time);
-    // So far from the origin that floats from there would lose what is between bodies, one counts from a body.
-    const first = present.length ? course.position(present[0], present[0].process.leaves[0]) : [];
-    const far = first.some((x) => Math.abs(Rational.toNumber(x)) > 1e6);
-    const base = far ? first.map((x) => x.n / x.d) : [0n, 0n, 0n];
+    const { far, base, based } = this.#near(course, present);
     const here = Frame.boxes(this.bodies, course, present, base);
-    let all = here;
-    if (!this.fitted)
-      for (let i = 0; i <= 8; i++) {
-        const at = Rational.mul(course.duration, Rational.make(BigInt(i), 8n));
-        all = all.concat(Frame.boxes(this.bodies, course, course.bodiesAt(at), base).filter((b) => !b.fixed));
-      }
-    let seen = Frame.whole(here);
-    const later = Frame.whole(all);
+    let seen = Frame.whole(here, this.walls);
+    const later = Frame.whole(this.fitted ? here : here.concat(this.#later(course, base)), this.walls);
     if (!seen || !later) return null;
-    if (later.size < 2.5 * seen.size) seen = later;
-    const based = (/** @type {number} */ x, /** @type {number} */ i) =>
-      Rational.add({ n: base[i], d: 1n }, Rational.fromNumber(x));
+    if (later.size < 4 * seen.size) seen = later;
     return { seen, far, based };
   }
 
@@ -232,7 +267,9 @@ class Scene {
     if (!of) return;
     this.moved = false;
     const { seen, far, based } = of;
-    const { at, distance } = Frame.fit(seen.points, this.orbit, this.box.clientWidth, this.box.clientHeight);
+    const { clientWidth: width, clientHeight: height } = this.box;
+    this.shape = `${width} ${height}`;
+    const { at, distance } = Frame.fit(seen.points, this.orbit, width, height, this.marks.taken(width, height));
     this.#level(of, distance);
     if (far) this.orbit.stand(at.map(based), distance);
     else this.orbit.fly(at, distance, this.still.matches || !this.fitted);
@@ -285,7 +322,7 @@ class Scene {
   }
 
   /**
-   * What is at a point of space, for tests: the colour of its pixel, and the body that is picked there.
+   * What is at a point of space, for tests: its pixel, the colour there, and the body that is picked.
    * @param {number[]} point
    */
   sight(point) {
@@ -293,10 +330,10 @@ class Scene {
     this.draw();
     const at = this.orbit.at.map(Rational.toNumber);
     const { x, y } = this.projector(width, height)(point.map((c, i) => c - at[i]));
-    const gl = this.renderer.getContext(), color = new Uint8Array(4), scale = this.canvas.width / width;
+    const { gl } = this.gl, color = new Uint8Array(4), scale = this.canvas.width / width;
     gl.readPixels(Math.round(x * scale), Math.round((height - y) * scale), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, color);
     const found = this.pick(x, y);
-    return { color: [...color], name: found && this.bodies.leaves[found.leaf].name };
+    return { at: [x, y], color: [...color], name: found && this.bodies.leaves[found.leaf].name };
   }
 
   /** @param {{ [key: string]: any }} camera */
@@ -347,7 +384,6 @@ class Scene {
       const found = this.pick(to.x, to.y, e.pointerType === "touch" ? 16 : 8);
       if (this.callbacks.onPick) this.callbacks.onPick(found);
     });
-    this.canvas.addEventListener("webglcontextrestored", () => this.refresh());
   }
 
   /** @param {{ x: number, y: number }} pointer */
@@ -365,11 +401,9 @@ class Scene {
    * @returns {Chosen | null}
    */
   pick(x, y, near = 8) {
-    const width = this.box.clientWidth, height = this.box.clientHeight, camera = this.orbit.camera;
-    const end = (/** @type {number} */ z) =>
-      new THREE.Vector3((2 * x) / width - 1, 1 - (2 * y) / height, z).unproject(camera);
-    const a = end(-1), b = end(1);
-    const hit = Pick.first(this.bodies.shown, [a.x, a.y, a.z], [b.x - a.x, b.y - a.y, b.z - a.z]);
+    const width = this.box.clientWidth, height = this.box.clientHeight;
+    const { from, way } = this.orbit.camera.ray((2 * x) / width - 1, 1 - (2 * y) / height);
+    const hit = Pick.first(this.bodies.shown, from, way);
     if (!hit) return null;
     const { kind, index } = Pick.feature(hit.shown, hit.part, hit.face, this.projector(width, height), x, y, near);
     return { leaf: hit.shown.leaf, part: hit.part, kind, index };

@@ -10,14 +10,15 @@ class Trails {
   /** How many pieces of lines there are at most. */
   static most = 60000;
 
-  /** @param {PageData} data @param {Bodies} bodies @param {any} scene of three.js */
-  constructor(data, bodies, scene) {
+  /** @param {PageData} data @param {Bodies} bodies @param {Gl} gl */
+  constructor(data, bodies, gl) {
     this.data = data;
     this.bodies = bodies;
     const made = () => {
       const kind = new Kind({ lines: [0, 0, 0, 0, 0, 0] }, { own: true, line: 2, lineOpacity: 0.75 });
       kind.push([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], [0, 0, 0, 0]);
-      for (const object of kind.objects) scene.add(object);
+      kind.finish();
+      gl.add(...kind.things);
       return kind;
     };
     this.past = made();
@@ -42,7 +43,7 @@ class Trails {
    * @param {boolean} shown
    */
   update(course, legs, time, orbit, shown) {
-    for (const kind of [this.past, this.present]) for (const o of kind.objects) o.visible = shown && kind === this.past;
+    for (const kind of [this.past, this.present]) for (const o of kind.things) o.visible = shown && kind === this.past;
     if (!shown) return;
     let away = Trails.#between(this.base, orbit.target);
     if (course !== this.course || Math.hypot(...away) > 1e4 * orbit.distance) {
@@ -57,12 +58,14 @@ class Trails {
       const middle = (low + high) >> 1;
       if (this.ends[middle] <= legs) low = middle + 1; else high = middle;
     }
-    for (const o of this.past.objects) o.visible = low > 0;
-    for (const g of this.past.geometries) g.setDrawRange(0, 6 * low);
+    for (const thing of this.past.things) {
+      thing.visible = low > 0;
+      thing.mesh.count = 6 * low;
+    }
     const matrix = [...away, 1, 0, 0, 0, 1, 0, 0, 0, 1];
     this.past.move(0, matrix);
     this.present.move(0, matrix);
-    for (const kind of [this.past, this.present]) kind.buffer.needsUpdate = true;
+    for (const kind of [this.past, this.present]) kind.rows.changed = true;
     this.#present(course, time, away);
   }
 
@@ -121,7 +124,7 @@ class Trails {
       for (const place of this.#places(s.index)) this.#pieces(course, s, place, from, to, lines, colors);
       while (this.ends.length < lines.length / 6) this.ends.push(s.to);
     }
-    Trails.#fill(this.past, lines, colors);
+    this.past.draw(lines, colors);
   }
 
   /**
@@ -155,19 +158,7 @@ class Trails {
       lines.push(from[0], from[1], from[2], to[0] - away[0], to[1] - away[1], to[2] - away[2]);
       colors.push(c[0], c[1], c[2], c[0], c[1], c[2]);
     }
-    for (const o of this.present.objects) o.visible = lines.length > 0;
-    if (lines.length) Trails.#fill(this.present, lines, colors);
-  }
-
-  /**
-   * New lines in the place of the former ones.
-   * @param {Kind} kind @param {number[]} lines @param {number[]} colors
-   */
-  static #fill(kind, lines, colors) {
-    const geometry = kind.geometries[0];
-    geometry.dispose();
-    if (lines.length) Kind.fill(geometry, Kind.ribbons(lines, colors));
-    geometry.maxInstancedCount = 1;
-    geometry.setDrawRange(0, lines.length);
+    for (const thing of this.present.things) thing.visible = lines.length > 0;
+    if (lines.length) this.present.draw(lines, colors);
   }
 }

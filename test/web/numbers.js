@@ -5,8 +5,9 @@
 const readline = require("readline");
 const { load } = require("./load.js");
 
-const scripts = ["rational.js", "twofold.js", "motion.js", "course.js"];
-const { Rational, Motion, Course } = load(process.argv[2], scripts, ["Rational", "Motion", "Course"]);
+const scripts = ["rational.js", "twofold.js", "motion.js", "course.js", "camera.js", "polygon.js"];
+const { Rational, Motion, Course, Camera, Polygon } =
+  load(process.argv[2], scripts, ["Rational", "Motion", "Course", "Camera", "Polygon"]);
 
 /** A float as its bits, so that nothing is lost on the way. */
 function bits(x) {
@@ -42,6 +43,18 @@ const answers = {
           turned: Array.from(out.slice(3), bits),
         };
       })]);
+    });
+  },
+  triangles: (corners) => Polygon.triangles(corners),
+  // Where in the picture, and how deep, are both ends of a ray, and the point that is looked at.
+  camera: (back, distance, up, lens, [x, y]) => {
+    const camera = new Camera();
+    camera.stand(back, distance, up);
+    camera.see(...lens);
+    const { from, way } = camera.ray(x, y);
+    return [from, from.map((p, i) => p + way[i]), [0, 0, 0], up].map((p) => {
+      const [a, b, c, w] = camera.at(p);
+      return [a / w, b / w, c / w];
     });
   },
 };

@@ -2,9 +2,12 @@
 
 Scenes are made at random, a page of data for each, with turning and straight processes, merges and splits, states that
 are told by what has changed and states that are not, far from the origin and near it.
+
+Polygons are cut into triangles, and cameras see what is on their rays.
 """
 
 import json
+import math
 import random
 import struct
 import subprocess
@@ -218,6 +221,83 @@ def course_case():
     return ["course", data, run, questions], check
 
 
+def star():
+    """A polygon around the origin, seen from there as a whole, with even coordinates."""
+    rays = {(1, 0): 9, (0, 1): 9, (-1, 0): 9, (0, -1): 9}
+    for _ in range(draw.randrange(0, 30)):
+        x, y = draw.randrange(-9, 10), draw.randrange(-9, 10)
+        if (x, y) != (0, 0):
+            by = math.gcd(x, y)
+            rays[x // by, y // by] = draw.randrange(1, 12)
+    return [(2 * x * far, 2 * y * far) for (x, y), far in
+            sorted(rays.items(), key=lambda ray: math.atan2(ray[0][1], ray[0][0]))]
+
+
+def spiral():
+    """A corridor of width 2 that winds inwards."""
+    turns, out, back, at, way = draw.randrange(2, 9), [], [], [0, 0], 0
+    for k in range(turns, 0, -1):
+        dx, dy = [(1, 0), (0, 1), (-1, 0), (0, -1)][way]
+        out.append(tuple(at))
+        # The wall of the corridor that is at its left.
+        back.append((at[0] + 2 * (-dy + (dx if out[1:] else 0)), at[1] + 2 * (dx + (dy if out[1:] else 0))))
+        at = [at[0] + 8 * k * dx, at[1] + 8 * k * dy]
+        way = (way + 1) % 4
+    dx, dy = [(1, 0), (0, 1), (-1, 0), (0, -1)][(way + 3) % 4]
+    return [*out, tuple(at), (at[0] - 2 * dy, at[1] + 2 * dx), *back[::-1]]
+
+
+def twice(*corners):
+    return sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(corners, corners[1:] + corners[:1]))
+
+
+def polygon_case():
+    corners = draw.choice([star, spiral])()
+    full = []
+    for a, b in zip(corners, corners[1:] + corners[:1]):
+        full += [a] + [((a[0] + b[0]) // 2, (a[1] + b[1]) // 2)] * (draw.random() < 0.2)
+    first = draw.randrange(len(full))
+    full = full[first:] + full[:first]
+    if draw.random() < 0.5:
+        full.reverse()
+
+    # All triangles have the sense of the polygon, and together its area: then they cover it once.
+    def check(found):
+        areas = [twice(*(full[i] for i in triangle)) for triangle in found]
+        assert sum(areas) == twice(*full), (sum(areas), twice(*full))
+        assert all((area > 0) == (twice(*full) > 0) for area in areas), areas
+
+    return ["triangles", full], check
+
+
+def crossing_case():
+    """A polygon that crosses itself: there is an answer, of its corners."""
+    full = [(draw.randrange(5), draw.randrange(5)) for _ in range(draw.randrange(0, 12))]
+
+    def check(found):
+        assert len(found) <= max(0, len(full) - 2) and all(0 <= i < len(full) for t in found for i in t), found
+
+    return ["triangles", full], check
+
+
+def camera_case():
+    turn, height, distance = draw.uniform(-4, 4), draw.uniform(-1.5, 1.5), 10 ** draw.uniform(-5, 5)
+    back = [math.cos(height) * math.sin(turn), math.sin(height), math.cos(height) * math.cos(turn)]
+    parallel = draw.random() < 0.5
+    near, far = (-9 * distance, 7 * distance) if parallel else (distance / 100, 7 * distance)
+    x, y = draw.uniform(-1, 1), draw.uniform(-1, 1)
+    lens = [parallel, draw.uniform(0.1, 1) * (distance if parallel else 1), draw.uniform(0.3, 3), near, far]
+
+    def check(found):
+        first, last, middle, up = found
+        for got, told in [(first, (x, y, -1)), (last, (x, y, 1)), (middle[:2], (0, 0))]:
+            assert all(abs(a - b) < 1e-6 for a, b in zip(got, told)), (got, told)
+        if distance > 2:
+            assert abs(up[0]) < 1e-6 and up[1] > 0, up
+
+    return ["camera", back, distance, [0, 1, 0], lens, [x, y]], check
+
+
 def equals(value):
     def check(found):
         assert found == value, (found, value)
@@ -248,6 +328,9 @@ def cases(count):
         yield ["decimal", text(x), digits], equals([shown, decimals.is_it(x, shown)])
     for _ in range(count):
         yield course_case()
+        yield polygon_case()
+        yield crossing_case()
+        yield camera_case()
 
 
 def main():
@@ -266,7 +349,7 @@ def main():
             print("wrong:", json.dumps(question, default=text)[:2000], answer[:2000], wrong)
             print("0 passed, 1 failed")
             sys.exit(1)
-    print(f"{len(asked)} cases of the page's numbers and courses are as fractions say")
+    print(f"{len(asked)} cases of the page's numbers, courses, triangles and cameras are as they must be")
     print("1 passed, 0 failed")
 
 

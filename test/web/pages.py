@@ -358,7 +358,7 @@ def upright(b, scc):
         look = b.js('return scc.look()')
         same(f'{axis} is up', (b.find('up').text, look['up']), (f'Up: {axis}', axis))
         ball = Fraction(b.state()['bodies']['ball']['position'][at])
-        check(f'the floor is below the body along {axis}', ball - 6 <= Fraction(look['floor']) < ball, (ball, look))
+        check(f'the floor is below the body along {axis}', ball - 8 <= Fraction(look['floor']) < ball, (ball, look))
         check(f'one looks from above, along {axis}', 0 < look['from'][at] < 1, look)
     b.find('projection').click()
     link, floor = b.js('return scc.link()'), look['floor']
@@ -371,15 +371,58 @@ def upright(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
-def glass(b, scc):
-    """What is fixed in a room is seen and picked through its near wall, and so is what moves."""
+def walls(b, scc):
+    """Of a room the near walls are cut away: what is in it is seen as any other body, and so is the far wall."""
     b.open(scc.view('specs/models/crowds/pore.sc', '-D', 'n=4', '--graph', '4', '--seconds', '5'))
-    if b.find('grid').get_attribute('aria-pressed') == 'true':
-        b.find('grid').click()
     wall, post, moving = b.js('return [[5, 1.3, 0.5], [0, 1.3, 0.5], [-4, -1, 0.5]].map((at) => scc.sight(at))')
-    same('bodies are picked through glass', [s['name'] for s in (wall, post, moving)], ['room', 'upper', 'p[3]'])
-    opacities = [s['color'][3] for s in (wall, post, moving)]
-    check('glass behind glass is seen, and what is opaque', opacities[0] + 20 < opacities[1] < opacities[2] == 255, opacities)
+    same('what is picked in a room', [s['name'] for s in (wall, post, moving)], ['room', 'upper', 'p[3]'])
+    same('nothing is seen through another one', [s['color'][3] for s in (wall, post, moving)], [255] * 3)
+    lights = [max(s['color'][:3]) for s in (wall, post)]
+    check('a body in the room is not of the colour of its wall', lights[0] > lights[1] + 20, lights)
+    for model, room, bodies in [('glycolysis', 'cell', ['e[1]', 'e[2]', 'atp[1]', 'glucose[2]']), ('brownian', 'box', ['pocket', 'ligand'])]:
+        b.open(scc.view(f'specs/models/{model}.sc', '--graph', '4', '--seconds', '5'))
+        at = b.js('return Object.fromEntries(Object.entries(scc.floats()))')
+        seen = {name: b.js('return scc.sight(arguments[0])', at[name]) for name in bodies}
+        same(f'bodies in the {room} of {model}', {name: s['name'] for name, s in seen.items()}, {name: name for name in bodies})
+        same(f'are opaque, in {model}', {s['color'][3] for s in seen.values()}, {255})
+        middle = b.js('return [...Array(9).keys()].map((i) => scc.sight([i - 4, 0, 0])).filter((s) => s.name === arguments[0])', room)
+        check(f'the {room} itself is picked where nothing else is, in {model}', middle)
+    same('the console is told nothing', b.complaints(), [])
+
+
+def camera_of(b):
+    return json.loads(unquote(b.js('return scc.link()').split('camera=', 1)[1].split('&')[0]))
+
+
+def framed(b, scc):
+    """The bodies are brought into view beside the legend and above the buttons, until the user moves the camera."""
+    b.open(scc.view('specs/models/glycolysis.sc', '--graph', '4', '--seconds', '5'))
+    spots = """
+      const box = document.getElementById("scene").getBoundingClientRect();
+      const bar = document.getElementById("scene-tools").getBoundingClientRect();
+      return [Object.values(scc.floats()).map((p) => scc.sight(p).at), box.width, bar.top - box.top];"""
+
+    def check_all(what):
+        all_, width, below = b.js(spots)
+        check(f'{what}: all bodies are within the picture', all(90 < x < width and 0 < y < below for x, y in all_), (all_, width, below))
+        check(f'{what}: they take a good part of it', max(x for x, _ in all_) - min(x for x, _ in all_) > 0.3 * width, all_)
+
+    def sized(*size):
+        b.size(*size)
+        b.js('return new Promise((done) => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(done)), 400))')
+
+    check_all('at first')
+    first = camera_of(b)
+    sized(900, 900)
+    check_all('in a narrow page')
+    moved = camera_of(b)
+    check('the camera has moved', moved != first, moved)
+    b.js('document.querySelector("#scene canvas").focus()')
+    b.keys('z')
+    mine = camera_of(b)
+    check('a key moves it', mine != moved, mine)
+    sized(1400, 900)
+    same('then it stays', camera_of(b), mine)
     same('the console is told nothing', b.complaints(), [])
 
 
@@ -523,6 +566,27 @@ def large(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
+def lost_context(b, scc):
+    """When the graphics card forgets all, the page goes on, and the scene comes back as it was."""
+    b.open(scc.view(HEXOKINASE))
+    b.js('scc.open(scc.runs().length - 1); scc.go(1)')
+    at = [float(Fraction(x)) for x in b.state()['bodies']['atp']['position']]
+    before = b.js('return scc.sight(arguments[0])', at)
+    check('a body is seen', before['color'][3] == 255, before)
+    b.js("""
+      const canvas = document.querySelector("#scene canvas");
+      window.lose = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+      for (const what of ["lost", "restored"]) canvas.addEventListener("webglcontext" + what, () => { window.context = what; });
+      window.lose.loseContext();""")
+    b.wait('return window.context === "lost"')
+    b.js('scc.go(2)')
+    same('the page goes on without it', b.state()['legs'], 2)
+    b.js('scc.go(1); window.lose.restoreContext()')
+    b.wait('return window.context === "restored"')
+    same('all is drawn anew', b.js('return scc.sight(arguments[0])', at), before)
+    same('the console is told nothing else', [said for said in b.complaints() if 'CONTEXT_LOST' not in said], [])
+
+
 def without_webgl(scc):
     """Where no scene can be drawn, the page says why, and all else is there."""
     b = browser.Browser(flags=browser.WITHOUT_SCENES)
@@ -536,4 +600,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, glass, hostile, far_away, motion, no_states_beyond, large]
+PARTS = [by_mouse, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, hostile, far_away, motion, lost_context, no_states_beyond, large]

@@ -8,7 +8,20 @@
 /** A solid in space: its faces and edges, their names, and what is wrong at its place. */
 class SolidScene {
   /** @type {string | null} */
-  static why = typeof THREE === "undefined" ? "this file was written without the library three.js, which draws it" : null;
+  static why = null;
+
+  static program = {
+    vertex: `
+      uniform mat4 camera; in vec3 position; in vec4 color; out vec3 vColor;
+      void main() { vColor = color.rgb; gl_Position = camera * vec4(position, 1.0); }`,
+    // What is inside is seen through holes: it is grey, and darker.
+    fragment: `
+      in vec3 vColor; out vec4 color;
+      void main() {
+        float grey = dot(vColor, vec3(0.33));
+        color = vec4(gl_FrontFacing ? vColor : mix(vec3(grey), vColor, 0.3) * 0.62, 1.0);
+      }`,
+  };
 
   /** Of what is chosen: red is what is wrong. */
   static gold = [0.95, 0.7, 0.12];
@@ -38,18 +51,22 @@ class SolidScene {
     this.triangles = [];
     this.canvas = document.createElement("canvas");
     const none = /** @type {any} */ (null);
-    this.renderer = none;
+    /** @type {Gl} */
+    this.gl = none;
     /** @type {Orbit} */
     this.orbit = none;
     /** @type {Overlay} */
     this.overlay = none;
-    if (SolidScene.why) return;
-    const context = SolidScene.#context(this.canvas);
-    if (!context) {
-      SolidScene.why = "this browser offers no WebGL here";
+    /** @type {Store} */
+    this.faces = none;
+    /** @type {Kind} */
+    this.lines = none;
+    const gl = Gl.on(this.canvas, () => this.refresh());
+    if (!gl) {
+      SolidScene.why = "this browser offers no WebGL 2 here";
       return;
     }
-    this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, context });
+    this.gl = gl;
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "application");
     this.canvas.setAttribute("aria-label",
@@ -62,15 +79,6 @@ class SolidScene {
     this.#build();
     this.#listen();
     new ResizeObserver(() => this.refresh()).observe(box);
-  }
-
-  /** @param {HTMLCanvasElement} canvas @returns {RenderingContext | null} */
-  static #context(canvas) {
-    try {
-      return canvas.getContext("webgl", { alpha: true, antialias: true });
-    } catch (_) {
-      return null;
-    }
   }
 
   /**
@@ -110,10 +118,8 @@ class SolidScene {
   #triangles(corners) {
     const at = corners.map((v) => this.corners[v].map(Rational.toNumber)), n = SolidScene.normal(at);
     const axis = [0, 1, 2].reduce((best, i) => (Math.abs(n[i]) > Math.abs(n[best]) ? i : best), 0);
-    const flat = at.map((p) => new THREE.Vector2(p[(axis + 1) % 3], p[(axis + 2) % 3]));
-    /** @type {number[][]} */
-    const found = corners.length < 3 ? [] : THREE.ShapeUtils.triangulateShape(flat, []);
-    return found.map((t) => t.map((i) => corners[i]));
+    const flat = at.map((p) => /** @type {[number, number]} */ ([p[(axis + 1) % 3], p[(axis + 2) % 3]]));
+    return Polygon.triangles(flat).map((t) => t.map((i) => corners[i]));
   }
 
   /**
@@ -135,21 +141,16 @@ class SolidScene {
   #build() {
     this.triangles = this.data.faces.flatMap(({ corners }, face) =>
       this.#triangles(corners).map((t) => ({ face, corners: t })));
-    const geometry = (/** @type {number} */ points) => {
-      const g = new THREE.BufferGeometry();
-      g.setAttribute("position", new THREE.BufferAttribute(new Float32Array(3 * points), 3));
-      return g;
-    };
-    const faces = geometry(3 * this.triangles.length);
-    faces.setAttribute("color", new THREE.BufferAttribute(new Float32Array(9 * this.triangles.length), 3));
-    this.mesh = new THREE.Mesh(faces, new THREE.MeshBasicMaterial({
-      vertexColors: THREE.VertexColors, side: THREE.DoubleSide,
-      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
-    }));
-    this.lines = new THREE.LineSegments(geometry(2 * this.edges.length), new THREE.LineBasicMaterial());
-    for (const drawn of [this.mesh, this.lines]) drawn.frustumCulled = false;
-    this.scene = new THREE.Scene();
-    this.scene.add(this.mesh, this.lines);
+    const { position, color } = Gl.at;
+    this.faces = new Store(new Float32Array(18 * this.triangles.length), [[position, 3], [color, 3]]);
+    this.gl.add({
+      mesh: new Mesh([this.faces]), order: 0, visible: true,
+      paint: { program: SolidScene.program, uniforms: {}, both: true, offset: [1, 1] },
+    });
+    this.lines = new Kind({ lines: [0, 0, 0, 0, 0, 0] }, { line: 1.3 });
+    this.lines.push([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], [0, 0, 0, 0]);
+    this.lines.finish();
+    this.gl.add(...this.lines.things);
   }
 
   /** @param {string} theme */
@@ -200,44 +201,41 @@ class SolidScene {
   draw() {
     const width = this.box.clientWidth, height = this.box.clientHeight;
     if (width === 0 || height === 0) return;
-    const { orbit, renderer } = this, ratio = Math.min(2, window.devicePixelRatio || 1);
-    renderer.setPixelRatio(ratio);
-    renderer.setSize(width, height, false);
+    const { orbit, gl } = this, ratio = Math.min(2, window.devicePixelRatio || 1);
+    gl.size(width, height, ratio);
     this.places = this.corners.map((p) => p.map((x, i) => Rational.toNumber(Rational.sub(x, orbit.at[i]))));
     orbit.place(width, height, 4 * this.radius + Math.hypot(...(this.places[0] || [0])));
+    Kind.shared.size.value = [width, height];
+    Kind.shared.near.value = orbit.parallel ? 0 : orbit.camera.near;
     this.#fill();
-    renderer.render(this.scene, orbit.camera);
+    gl.draw(orbit.camera.clip);
     this.#words(width, height, ratio);
   }
 
   #fill() {
     const { faces } = this.marked(), spot = this.chosen || {}, [vx, vy, vz] = this.orbit.direction;
-    const position = this.mesh.geometry.attributes.position, color = this.mesh.geometry.attributes.color;
+    const { data } = this.faces;
     const bad = [0.85, 0.25, 0.2], plain = [0.36, 0.62, 0.82];
     this.triangles.forEach(({ face, corners }, t) => {
       const at = corners.map((v) => this.places[v]), n = SolidScene.normal(at), long = Math.hypot(...n) || 1;
       const light = 0.55 + 0.45 * Math.abs((n[0] * (vx + 0.2) + n[1] * (vy + 0.35) + n[2] * vz) / long / 1.1);
       const base = spot.face === face ? SolidScene.gold : faces.has(face) ? bad : plain;
       at.forEach((p, k) => {
-        position.setXYZ(3 * t + k, p[0], p[1], p[2]);
-        color.setXYZ(3 * t + k, base[0] * light, base[1] * light, base[2] * light);
+        data.set(p, 18 * t + 6 * k);
+        data.set(base.map((c) => c * light), 18 * t + 6 * k + 3);
       });
     });
-    const ends = this.lines.geometry.attributes.position;
-    this.edges.forEach(([a, b], i) => {
-      ends.setXYZ(2 * i, ...this.places[a]);
-      ends.setXYZ(2 * i + 1, ...this.places[b]);
-    });
-    for (const attribute of [position, color, ends]) attribute.needsUpdate = true;
-    this.lines.material.color.setRGB(...this.colors.line);
+    this.faces.changed = true;
+    this.lines.ink.value = this.colors.line;
+    this.lines.draw(this.edges.flatMap(([a, b]) => [...this.places[a], ...this.places[b]]));
   }
 
   /** @param {number} width @param {number} height @returns {(p: number[]) => { x: number, y: number, depth: number }} */
   projector(width, height) {
-    const { camera } = this.orbit, v = new THREE.Vector3();
+    const { camera } = this.orbit;
     return (p) => {
-      v.set(p[0], p[1], p[2]).project(camera);
-      return { x: (0.5 + v.x / 2) * width, y: (0.5 - v.y / 2) * height, depth: v.z };
+      const [x, y, z, w] = camera.at(p);
+      return { x: (0.5 + x / w / 2) * width, y: (0.5 - y / w / 2) * height, depth: z / w };
     };
   }
 
@@ -254,7 +252,7 @@ class SolidScene {
     const { overlay, data, colors } = this, spot = this.chosen || {};
     overlay.begin(width, height, ratio, colors);
     const project = this.projector(width, height), pen = overlay.pen;
-    overlay.axes(this.orbit.camera.matrixWorld.elements);
+    overlay.axes(this.orbit.camera.world);
     const red = Colors.css([0.8, 0.1, 0.1]), gold = Colors.css(SolidScene.gold);
     const stroke = (/** @type {[number, number]} */ [a, b], /** @type {string} */ color) => {
       const p = project(this.places[a]), q = project(this.places[b]);
@@ -326,11 +324,8 @@ class SolidScene {
    */
   pick(x, y) {
     const width = this.box.clientWidth, height = this.box.clientHeight, project = this.projector(width, height);
-    const ray = new THREE.Raycaster();
-    ray.setFromCamera({ x: (2 * x) / width - 1, y: 1 - (2 * y) / height }, this.orbit.camera);
-    this.mesh.geometry.boundingSphere = null;
-    const [hit] = ray.intersectObject(this.mesh);
-    const front = hit ? project(hit.point.toArray()).depth : 1;
+    const hit = this.#hit(this.orbit.camera.ray((2 * x) / width - 1, 1 - (2 * y) / height));
+    const front = hit ? project(hit.at).depth : 1;
     const near = (/** @type {number} */ depth) => depth <= front + 2e-3 * (1 - front) + 1e-6;
     const places = this.places.map(project);
     let best = -1, least = 10;
@@ -349,7 +344,25 @@ class SolidScene {
       if (d < least && near(p.depth + t * (q.depth - p.depth))) [edge, least] = [[a, b], d];
     }
     if (edge) return { edge };
-    return hit ? { face: this.triangles[Math.floor(hit.faceIndex)].face } : null;
+    return hit ? { face: hit.face } : null;
+  }
+
+  /**
+   * The first face that a ray meets, and where.
+   * @param {{ from: Triple, way: Triple }} ray
+   */
+  #hit({ from, way }) {
+    const dot = (/** @type {number[]} */ a, /** @type {number[]} */ b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let best = -1, first = Infinity;
+    for (const { face, corners: [i, j, k] } of this.triangles) {
+      const a = this.places[i];
+      const [p, q, r] = [this.places[j], this.places[k], from].map((b) => /** @type {Triple} */ (b.map((x, c) => x - a[c])));
+      const across = Camera.cross(way, q), size = dot(p, across), aside = Camera.cross(r, p);
+      const u = dot(r, across) / size, v = dot(way, aside) / size, t = dot(q, aside) / size;
+      // Where the ray is along the triangle, these are no numbers, or infinite.
+      if (u >= 0 && v >= 0 && u + v <= 1 && t > 0 && t < first) [best, first] = [face, t];
+    }
+    return best < 0 ? null : { face: best, at: from.map((x, c) => x + first * way[c]) };
   }
 
   #listen() {
@@ -365,6 +378,5 @@ class SolidScene {
       const to = at(e);
       if (e.button === 0 && Math.hypot(to.x - from.x, to.y - from.y) <= 4) this.picked(this.pick(to.x, to.y));
     });
-    this.canvas.addEventListener("webglcontextrestored", () => this.refresh());
   }
 }

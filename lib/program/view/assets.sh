@@ -1,14 +1,10 @@
 #!/bin/sh
 # Writes the parts of the pages as a module of OCaml: `assets.sh WEB`, with the folder of their sources.
 #
-# three.js draws the scene. It is where SCC_THREE says, where Debian's package libjs-three has it, or where
-# scripts/dependencies.sh put it in an opam switch; without it the page has everything but the scene, and says so.
+# CodeMirror is the editor of the desk: of its files those that web/desk-library names. It is where SCC_CODEMIRROR says,
+# where Debian's package libjs-codemirror has it, or where scripts/dependencies.sh put it in an opam switch.
 set -eu
 web=$1
-three=${SCC_THREE:-/usr/share/javascript/three/three.min.js}
-[ -r "$three" ] || three=${OPAM_SWITCH_PREFIX:-}/share/scc-three/three.min.js
-
-# CodeMirror is the editor of the desk, likewise: of its files those that web/desk-library names.
 editor=${SCC_CODEMIRROR:-/usr/share/javascript/codemirror}
 [ -r "$editor/lib/codemirror.js" ] || editor=${OPAM_SWITCH_PREFIX:-}/share/scc-codemirror
 
@@ -36,7 +32,6 @@ text page "$web/page.html"
 text style "$web/base.css" "$web/page.css"
 echo 'let scripts ='
 echo '  ['
-[ ! -r "$three" ] || script "$three"
 while read -r name; do script "$web/$name"; done < "$web/scripts"
 echo '  ]'
 echo
@@ -45,7 +40,6 @@ text solid "$web/solid.html"
 text solid_style "$web/base.css" "$web/solid.css"
 echo 'let solid_scripts ='
 echo '  ['
-[ ! -r "$three" ] || script "$three"
 while read -r name; do script "$web/$name"; done < "$web/solid-scripts"
 echo '  ]'
 echo
