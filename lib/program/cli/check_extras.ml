@@ -175,8 +175,8 @@ let contrast =
   Options.flag [ "contrast" ]
     "Shows with the run of a verdict another one, which does otherwise and parts from it as late as possible. So \
      where a run never comes to what was to come, it shows one that does, and the step that decides. For checks \
-     with an operator about all runs or some run, but for $(b,possibly) and $(b,always) of predicates, which end \
-     early."
+     with an operator about all runs or some run, at one start, but for $(b,possibly) and $(b,always) of \
+     predicates, which end early."
 
 let plot =
   Options.maybe Options.named [ "curve-plot" ] ~docv:"FILE"

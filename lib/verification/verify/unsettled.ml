@@ -20,10 +20,15 @@ let run r make = Lost.run r.lost (Network_lts.semantics r.context) make
 
 (* An explanation repeats what was decided. If that comes to nothing, the time for it was over. *)
 let explained r temporal i =
+  let contrasted e w =
+    if not r.contrast then w
+    else
+      try Make_witness.with_contrast r.context r.graph temporal e w
+      with Scc_ctl.Explanation.Not_known | Limits.Over _ -> w
+  in
   let made () =
     let e = Temporal.explain temporal i in
-    let contrasted w = if r.contrast then Make_witness.with_contrast r.context r.graph temporal e w else w in
-    Option.map contrasted (Make_witness.of_explanation r.context r.graph temporal e)
+    Option.map (contrasted e) (Make_witness.of_explanation r.context r.graph temporal e)
   in
   let make () =
     try made ()
