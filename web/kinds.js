@@ -20,20 +20,20 @@ const Shaders = (() => {
 
   // How much of a place is in shadow, of what is straight above it and near: the place has a plane with a normal.
   const shaded = `
-    uniform highp sampler2DShadow shades; uniform mat4 shade; uniform vec3 up; uniform vec2 span; uniform float soft;
+    uniform highp sampler2DShadow shades; uniform mat4 shade; uniform vec3 up; uniform vec4 span; uniform float soft;
     float shaded(vec3 at, vec3 n) {
       float rise = dot(n, up);
       vec3 seen = 0.5 * (shade * vec4(at, 1.0)).xyz + 0.5;
-      if (rise < 0.05 || any(greaterThan(abs(seen.xy - 0.5), vec2(0.49)))) return 0.0;
+      if (rise < 0.05 || any(greaterThan(abs(seen.xy - 0.5), 0.5 * span.zw))) return 0.0;
       // Where the plane goes on, it has no shadow of its own.
       vec2 slope = (mat3(shade) * n).xy * span.x / rise;
       float lit = 0.0, near = 0.002 * span.x * (1.0 + length(slope));
-      for (int i = 0; i < 12; i++) {
-        float r = soft * sqrt((float(i) + 0.5) / 12.0), turn = 2.39996 * float(i);
+      for (int i = 0; i < 6; i++) {
+        float r = soft * sqrt((float(i) + 0.5) / 6.0), turn = 2.39996 * float(i);
         vec2 d = r * vec2(cos(turn), sin(turn));
         lit += texture(shades, vec3(seen.xy + 0.5 * d / span.x, seen.z + 0.5 * (dot(slope, d) - near) / span.y));
       }
-      return min(1.0, 1.6 * rise) * (1.0 - lit / 12.0);
+      return min(1.0, 1.6 * rise) * (1.0 - lit / 6.0);
     }`;
 
   const face = {
@@ -51,7 +51,7 @@ const Shaders = (() => {
       gl_Position = camera * vec4(world, 1.0);
       if (gone(world, n, eye)) gl_Position = nowhere;
       // The other side of a face hides the lines around it.
-      else if (heart.w >= 0.0 && dot(n, eye.xyz - eye.w * world) < 0.0) gl_Position.z -= 4e-4 * gl_Position.w;
+      else if (heart.w >= 0.0 && dot(n, eye.xyz - eye.w * world) < 0.0) gl_Position.z -= 8e-5 * gl_Position.w;
     }`,
     // Light from above and from the right of the front, so that each side of a cube has its own shade. The other side of
     // a face is seen of walls alone, where they are cut.
@@ -122,7 +122,7 @@ class Kind {
   /**
    * What all of them share: the size of the picture, how near is too near, the eye (a place, or with a last 0 a
    * direction), from where the light comes, and shadows: which way is up, their matrix, half of the width and of the
-   * height that they are of, how soft and how dark they are.
+   * height that they are of and the parts of the width in which there are any, how soft and how dark they are.
    */
   static shared = {
     size: { value: [1, 1] },
@@ -131,7 +131,7 @@ class Kind {
     light: { value: [0, 1, 0] },
     up: { value: [0, 1, 0] },
     shade: { value: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] },
-    span: { value: [1, 1] },
+    span: { value: [1, 1, 0, 0] },
     soft: { value: 0 },
     shadow: { value: 0 },
   };

@@ -194,8 +194,11 @@ class Scene {
     m[4 * up + 2] = -1 / high;
     m[15] = 1;
     shared.shade.value = m;
-    shared.span.value = [wide, high];
-    shared.soft.value = Math.max(0.003 * wide, Math.min(0.03 * wide, 0.3 * bodies.usual));
+    const soft = Math.max(0.003 * wide, Math.min(0.03 * wide, 0.18 * bodies.usual));
+    const reach = [first, second].map((axis) =>
+      bodies.shown.reduce((far, s) => Math.max(far, Math.abs(s.matrix[axis]) + s.size), 0) + 2 * soft);
+    shared.span.value = [wide, high, ...reach.map((x) => Math.min(0.98, x / wide))];
+    shared.soft.value = soft;
     shared.shadow.value = 0.3;
   }
 
