@@ -107,7 +107,10 @@ let default_zones = 50_000
 let stop_of (around : Limits.surroundings) =
   let half = around.half () in
   let quarter = lazy (around.half ()) in
-  fun () -> if Option.is_none (half.stop ()) then None else (Lazy.force quarter).stop ()
+  fun () ->
+    match around.stop () with
+    | Some _ as stop -> stop
+    | None -> if Option.is_none (half.stop ()) then None else (Lazy.force quarter).stop ()
 
 let limits w : Chance_graph.limits =
   let { Setup.bounds; surroundings; _ } = w.options in

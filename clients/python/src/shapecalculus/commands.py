@@ -63,8 +63,8 @@ def check(
     ``check``: Decides only the check NAME, as if the model had no others. May be given several times.
     ``contrast``: Shows with the run of a verdict another one, which does otherwise and parts from it as late as
       possible. So where a run never comes to what was to come, it shows one that does, and the step that
-      decides. For checks with an operator about all runs or some run, but for possibly and always of
-      predicates, which end early.
+      decides. For checks with an operator about all runs or some run, at one start, but for possibly and always
+      of predicates, which end early.
     ``coverage``: Lists the summands of behaviours that never fired, the behaviours that were never reached, and
       the channels and rules that were never used. It explores the whole model once more, even if all is
       decided, and counts during this exploration, within the same bounds; half of the seconds are kept for it.
