@@ -39,6 +39,7 @@ A run that does otherwise comes with the run of a verdict, and parts from it as 
   > check soon  : eventually gone(walker) within 3
   > check stays : EG[0, 3] not gone(walker)
   > check never : EF[0, 1] gone(walker)
+  > check right : eventually x(walker) > 1/2 and x(walker) < 1 within 5/2
   > END
   $ scc check within.sc --contrast
   semantics 3: timestep 1
@@ -95,8 +96,31 @@ A run that does otherwise comes with the run of a verdict, and parts from it as 
     EF[0, 1] gone(walker)
     no run shows it: everything that counts was explored
   
+  right: violated
+    eventually x(walker) > 1/2 and x(walker) < 1 within 5/2
+    a run that violates it:
+      1. walker draws the velocity (-1, 0, 0), with probability 3/5, at time 0
+      2. time passes by 1, to time 1
+      3. walker draws the velocity (1, 0, 0), with probability 2/5, at time 1
+      4. time passes by 1, to time 2
+      5. walker draws the velocity (-1, 0, 0), with probability 3/5, at time 2
+      and the steps from 2 on again, for ever
+      x(walker) > 1/2 fails: x(walker) = 0
+      x(walker) < 1 holds: x(walker) = 0
+      there:
+        walker at (0, 0, 0) [nil], velocity (-1, 0, 0)
+        fixed: ruin and riches
+    the nearest run that does otherwise, which parts from it at the start:
+      1. walker draws the velocity (1, 0, 0), with probability 2/5, at time 0
+      then time passes: right after time 1/2, for example at time 3/4
+      x(walker) > 1/2 holds: x(walker) = 3/4
+      x(walker) < 1 holds: x(walker) = 3/4
+      there:
+        walker at (3/4, 0, 0) [nil], velocity (1, 0, 0)
+        fixed: ruin and riches
+  
   explored: 16 states, 19 transitions, depth 5, model time 2; not complete: every property was decided before
-  3 properties: 1 holds, 2 violated
+  4 properties: 1 holds, 3 violated
   [1]
   $ scc check within.sc --contrast --json | grep -A1 '"otherwise"'
         "otherwise": {
@@ -104,6 +128,9 @@ A run that does otherwise comes with the run of a verdict, and parts from it as 
   --
         "otherwise": {
           "shared": 2,
+  --
+        "otherwise": {
+          "shared": 0,
   $ scc check within.sc --json | grep -c '"otherwise"'
   0
   [1]

@@ -22,9 +22,17 @@ let shifted (b : Timed_formula.bound) clock =
 
 let in_time (b : Timed_formula.bound) = Option.fold ~none:true ~some:(fun h -> Rat.sign h >= 0) b.high
 
-let is_decided e f =
-  let v = Eval.value e f in
-  v.lower == v.upper
+(* How many steps may be shared: until some place of the run where it is not known that a run may go on otherwise
+   from there. To come to g, f has to hold; not to come to it, g has to fail within the bound. *)
+let sound e (u : Eval.until) run ~comes =
+  let course = Course.make e [ u.left; u.right ] run in
+  let is f wanted (place : Course.place) = Eval.truth e f place.position = Some wanted in
+  let all = List.init (Array.length course.places) Fun.id in
+  let places, fits = if comes then (all, is u.left true) else (Course.within course u.bound, is u.right false) in
+  let bad k = not (fits course.places.(k)) in
+  match List.find_opt bad places with
+  | Some k -> course.places.(k).step
+  | None -> List.length run.steps
 
 (* [holds] of what the run shows: of "all" that it is not so, of "some" that it is. *)
 let find e formula (run : Run.t) ~holds =
@@ -34,7 +42,6 @@ let find e formula (run : Run.t) ~holds =
       let holds = Bool.equal holds (not flipped) in
       match (u.quantifier, holds) with
       | Chance _, _ | All, true | Exists, false -> None
-      | (All, false | Exists, true) when not (is_decided e u.left && is_decided e u.right) -> None
       | All, false | Exists, true ->
         let quantifier = Timed_formula.dual u.quantifier in
         let nodes = nodes (Eval.graph e) run in
@@ -61,7 +68,8 @@ let find e formula (run : Run.t) ~holds =
           let steps = List.filteri (fun i _ -> i < shared) run.steps in
           { run = Run.append { run with steps; last = start.node; finish = At_state } rest; shared }
         in
-        Option.map continued (Option.bind (from 0) (fun found -> last 0 found (Array.length nodes))))
+        let most = sound e u run ~comes:(not holds) in
+        Option.map continued (Option.bind (from 0) (fun found -> last 0 found (most + 1))))
 
 let explain e (x : Explanation.t) =
   match x.because with

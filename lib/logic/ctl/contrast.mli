@@ -9,7 +9,7 @@ type t = {
 val find : Eval.t -> Timed_formula.t -> Run.t -> holds:bool -> t option
 (** [find e f run ~holds] is the run for the top operator of [f]: "all" that does not hold, or "some" that does
     ([holds]), as [run] shows, which begins at a node. [None] if no run does otherwise, or none is known, or the
-    operator is another one, or one of its operands is undecided somewhere. *)
+    operator is another one. *)
 
 val explain : Eval.t -> Explanation.t -> (Explanation.t * int) option
 (** [explain e x] is the run that does otherwise than the one of [x], with reasons for its end, as an explanation

@@ -208,7 +208,7 @@ let property console ~full ?(runs = true) ?where c ~from (o : Verdict.outcome) =
     match v with
     | Holds { witness = Some { otherwise = Some o; _ }; _ }
     | Violated { witness = Some { otherwise = Some o; _ } } ->
-      let from = if o.shared = 0 then "from the start" else Printf.sprintf "after step %d" o.shared in
+      let from = if o.shared = 0 then "at the start" else Printf.sprintf "after step %d" o.shared in
       [ (Printf.sprintf "the nearest run that does otherwise, which parts from it %s:" from, witness o.run) ]
     | Holds _ | Violated _ | Measured _ | Depends _ | Undecided _ -> []
   in

@@ -65,6 +65,20 @@ let alike () =
     (fun numbers -> List.iter (none numbers) [ Exactly 1; Exactly 20; Exactly 4_000; At_most 10; At_most 3_000 ])
     [ (fun _ -> fraction 7 3); (fun i -> Rat.of_int (if i mod 200 = 199 then 1000 else 0)) ]
 
+(* Runs that were interrupted are the long ones: the others alone have no interval. *)
+let interrupted () =
+  let outcome i = if i mod 50 = 49 then Sample.Too_long Interruption else Number (Rat.of_int (i mod 7)) in
+  let confidence = fraction 19 20 and size = Estimation.Exactly 500 in
+  let aim = { Estimation.confidence; width = fraction 1 2; size; free = Apart; normal = true } in
+  let t = Estimation.start aim [ path place ] in
+  for i = 0 to 499 do
+    Estimation.add t { Sample.outcomes = [ outcome i ]; chosen = false; interrupted = false }
+  done;
+  Estimation.judge t ~last:true;
+  let a = List.hd (Estimation.answers t) in
+  Alcotest.(check bool) "sampled, and why" true
+    (a.verdict = Sampled && a.reasons <> [] && match a.value with Sample _ -> true | _ -> false)
+
 (* A range with one end bounds the interval, and one with both is that of the proved bounds. *)
 let ranges () =
   let value text numbers = (estimate ~size:(Exactly 4_000) text numbers).value in
@@ -95,6 +109,7 @@ let () =
           case "Normal: coverage by counting, once" `Quick (coverage (Exactly 400));
           case "coverage by counting, again and again" `Quick (coverage (At_most 400));
           case "Normal: values that are alike" `Quick alike;
+          case "runs that are left out" `Quick interrupted;
           case "ranges" `Quick ranges;
           case "comparisons" `Quick decided;
         ] );
