@@ -56,6 +56,11 @@ class Bodies {
     this.byLeaf = new Map();
     /** @type {Chosen | null} */
     this.chosen = null;
+    /**
+     * What is marked of them.
+     * @type {{ lit: number[], ends: Marking["ends"] }}
+     */
+    this.marked = { lit: [], ends: [] };
     /** @type {Chosen | null} what the pointer is on */
     this.hovered = null;
     /**
@@ -284,8 +289,40 @@ class Bodies {
         }
     }
     this.shown.length = n;
+    this.#marked();
     if (this.hovered) this.#outline(this.hovered, "hover", [...this.colors.hover, 0]);
     if (this.chosen) this.#outline(this.chosen, "chosen", [...this.colors.chosen, 0]);
+  }
+
+  /**
+   * Marks these leaves, and the ends of these bonds.
+   * @param {{ lit: number[], ends: Marking["ends"] }} marked
+   */
+  mark({ lit, ends }) {
+    if (JSON.stringify(this.marked) === JSON.stringify({ lit, ends })) return;
+    this.marked = { lit, ends };
+    this.relay();
+  }
+
+  #marked() {
+    const { lit, made, split } = this.colors;
+    for (const leaf of this.marked.lit) {
+      const at = this.byLeaf.get(leaf);
+      if (at) this.#draw(at, this.#halo(leaf), [...lit, 0]);
+    }
+    for (const end of this.marked.ends) {
+      const at = this.byLeaf.get(end.leaf);
+      if (at) this.#draw(at, this.#mark("bond", end.leaf, end.site, true), [...(end.made ? made : split), 0]);
+    }
+  }
+
+  /**
+   * A seam around a leaf: wide lines behind its edges, which its faces hide.
+   * @param {number} leaf
+   */
+  #halo(leaf) {
+    return this.#kind(`halo ${this.shapes[leaf]}`, () =>
+      new Kind({ lines: Surface.edges(this.models[leaf]) }, { own: true, line: 9, pull: -20, order: -3 }));
   }
 
   /** @param {Chosen} chosen @param {string} what @param {number[]} tint */

@@ -2,8 +2,8 @@
 
 /**
  * What a step of a run changes: places, velocities, spins, behaviours and bonds, before it and after it.
- * @typedef {{ leaf: number | null, name: string, what: string, before: string, after: string }} Change  of a body, or of
- *   a bond, which has no leaf
+ * @typedef {{ leaf: number | null, name: string, what: string, before: string, after: string, ends?: DataBond["ends"] }} Change
+ *   of a body, or of a bond, which has no leaf and ends
  */
 const Changes = (() => {
   /** So many are listed; the places of so many bodies are compared, for not all that turn get elsewhere. */
@@ -24,7 +24,7 @@ const Changes = (() => {
 
   /** @param {DataProcess[]} processes */
   const bonds = (processes) =>
-    new Set(processes.flatMap((p) => p.bonds.map((b) => `${b.name}: ${b.ends.map((end) => end.text).join(" and ")}`)));
+    new Map(processes.flatMap((p) => p.bonds.map((b) => [`${b.name}: ${b.ends.map((end) => end.text).join(" and ")}`, b.ends])));
 
   /**
    * What an event changes, by the processes that it ends and those that it begins.
@@ -52,8 +52,10 @@ const Changes = (() => {
       add("spin", spin(a.process), spin(b.process));
     }
     const [held, holds] = [bonds(ended), bonds(begun)];
-    for (const name of holds) if (!held.has(name)) all.push({ leaf: null, name, what: "bond", before: "none", after: "made" });
-    for (const name of held) if (!holds.has(name)) all.push({ leaf: null, name, what: "bond", before: "there", after: "split" });
+    for (const [name, ends] of holds)
+      if (!held.has(name)) all.push({ leaf: null, name, what: "bond", before: "none", after: "made", ends });
+    for (const [name, ends] of held)
+      if (!holds.has(name)) all.push({ leaf: null, name, what: "bond", before: "there", after: "split", ends });
     return all;
   }
 

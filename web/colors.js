@@ -55,11 +55,13 @@ const Colors = (() => {
     return dark
       ? {
           line: rgb(0x070a0e), plate: rgb(0x10151c), bond: rgb(0xffffff), chosen: rgb(0xffd23f), hover: rgb(0xcfe3ff),
+          lit: rgb(0xb58cff), before: rgb(0xa7b4c4), made: rgb(0x4ade80), split: rgb(0xff6b6b), other: rgb(0x4fd8e8),
           velocity: rgb(0x6cb6ff), spin: rgb(0xff8ec2), grid: rgb(0x8fa0b4), x: rgb(0xff7b6b), y: rgb(0x6fd08c),
           z: rgb(0x76a9ff), wall: rgb(0x2a3340), shadow: 0.5, text: "#e3e8ef", quiet: "#93a1b3", halo: "#12161d",
         }
       : {
           line: rgb(0x1b2430), plate: rgb(0x1b2430), bond: rgb(0x05070c), chosen: rgb(0xd0104c), hover: rgb(0x0b4fb3),
+          lit: rgb(0x7c3aed), before: rgb(0x6a7686), made: rgb(0x0f9d58), split: rgb(0xd0104c), other: rgb(0x00809c),
           velocity: rgb(0x0a5fd0), spin: rgb(0xc0247f), grid: rgb(0x8492a4), x: rgb(0xc9382b), y: rgb(0x1f8a43),
           z: rgb(0x2a63d6), wall: rgb(0xf4f6f9), shadow: 0.16, text: "#1d2430", quiet: "#5f6b7b", halo: "#ffffff",
         };

@@ -25,6 +25,7 @@ const Main = (() => {
       link: () => Links.text(),
       work: () => (scene ? scene.work : null),
       look: () => (scene ? scene.look() : null),
+      marks: () => (scene ? marks(player, scene) : null),
       sight: (/** @type {number[]} */ point) => (scene ? scene.sight(point) : null),
       open: (/** @type {number} */ index) => player.open(player.runs[index]),
       go: (/** @type {number} */ legs, /** @type {string | undefined} */ time) =>
@@ -71,6 +72,20 @@ const Main = (() => {
       }
     }
     return all;
+  }
+
+  /**
+   * What is marked in the scene, by names.
+   * @param {Player} player @param {Scene} scene
+   */
+  function marks(player, scene) {
+    const { lit, words, ends, before } = scene.marked, name = (/** @type {number} */ leaf) => player.course.leaves[leaf].name;
+    return {
+      lit: lit.map(name),
+      words: words.map(({ leaf, text }) => `${name(leaf)}: ${text}`),
+      ends: ends.map(({ leaf, site, made }) => `${name(leaf)} ${site.join(" ")} ${made ? "made" : "split"}`),
+      before: before.map(({ course, body, place }) => [name(place.leaf), ...course.position(body, place).map(Rational.text)]),
+    };
   }
 
   /** @param {PageData} data */
@@ -155,6 +170,7 @@ const Main = (() => {
     if (scene) {
       let start = Exactly.values(player.run.values);
       const draw = () => {
+        scene.mark(Marked.now(player, scene.bodies.colors));
         scene.show(player.course, player.legs, player.time);
         const now = Exactly.values(player.run.values);
         if (now !== start) scene.restart();

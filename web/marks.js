@@ -62,19 +62,29 @@ class Marks {
       overlay.legend(this.entries.map((e) => (e.leaf === undefined ? e : { ...e, color: bodies.tints[e.leaf] })));
     const at = (/** @type {Shown} */ s) => project(Pick.toWorld(s.matrix, bodies.centres[s.leaf]));
     const chosen = bodies.chosen ? bodies.byLeaf.get(bodies.chosen.leaf) : undefined;
-    const named = options.names ? bodies.shown : chosen ? [chosen] : [];
+    const { lit, words: changed } = this.scene.marked, called = new Set([...lit, ...changed.map((c) => c.leaf)]);
+    const marked = bodies.shown.filter((s) => called.has(s.leaf));
+    const named = options.names ? bodies.shown : chosen && !called.has(chosen.leaf) ? [chosen, ...marked] : marked;
     /** @type {{ shown: Shown, x: number, y: number, depth: number }[]} */
     const places = [];
     for (const shown of named) {
       const p = at(shown);
       if (p.seen && p.x > -50 && p.y > -20 && p.x < width + 50 && p.y < height + 20) places.push({ shown, ...p });
     }
-    places.sort((a, b) => (b.shown === chosen ? 1 : 0) - (a.shown === chosen ? 1 : 0) || a.depth - b.depth);
+    const first = (/** @type {Shown} */ s) => (s === chosen ? 2 : called.has(s.leaf) ? 1 : 0);
+    places.sort((a, b) => first(b.shown) - first(a.shown) || a.depth - b.depth);
     const style = { size: 12, strong: true, color: bodies.colors.text };
     let said = 0;
     for (const { shown, x, y } of places.slice(0, 1000)) {
       if (said >= 250) break;
       if (overlay.word(this.scene.bodies.leaves[shown.leaf].name, x, y, { ...style, force: shown === chosen })) said++;
+      for (const { leaf, text } of changed)
+        if (leaf === shown.leaf)
+          [14, -14, 28].some((by) => overlay.word(text, x, y + by, { ...style, size: 11, color: Colors.css(bodies.colors.made) }));
+    }
+    for (const { text, at: place, color } of this.scene.ghosts.words) {
+      const p = project(place);
+      if (p.seen) overlay.word(text, p.x, p.y, { ...style, size: 11, color: Colors.css(color) });
     }
     if (options.grid) {
       const { x, y, z } = bodies.colors;

@@ -167,6 +167,7 @@ const Runs = (() => {
       otherwise(run),
       values === "" ? null : Dom.make("p", {}, ["where ", Dom.make("bdi", { text: values })]),
       lines("What is so there", run.facts || []),
+      marked(run),
       run.argument ? Dom.make("h3", { text: "Because" }) : null,
       run.argument ? tree(run.argument) : null,
       lines("How it ends", (run.ending || []).filter((line) => !(run.facts || []).includes(line))),
@@ -188,6 +189,22 @@ const Runs = (() => {
       Dom.make("span", { text: run === first ? "" : `This run does otherwise than ${Dom.clip(first.name, 200)}. ${steps}. ` }),
       Dom.button(run === first ? "Show the nearest run that does otherwise" : "Back to the run of the check",
         () => player.open(other, shared), { test: "contrast" }),
+    ]);
+  }
+
+  /**
+   * The bodies that the reasons name, as in the scene.
+   * @param {PlayedRun} run
+   */
+  function marked(run) {
+    const { leaves } = player.course, lit = run === player.run ? Marked.named(run, leaves) : [];
+    if (lit.length === 0) return null;
+    const some = lit.slice(0, 40).map((leaf) =>
+      Dom.button(Dom.clip(leaves[leaf].name, 80), () => Details.select({ leaf }), { class: "link" }));
+    return Dom.make("p", { class: "marked", test: "marked" }, [
+      "Marked in the scene: ",
+      ...some.flatMap((one, i) => (i === 0 ? [one] : [", ", one])),
+      lit.length > some.length ? ` and ${lit.length - some.length} more` : null,
     ]);
   }
 

@@ -16,7 +16,7 @@ class Scene {
     this.callbacks = callbacks;
     /** @type {{ [option: string]: any }} */
     this.options = {
-      names: false, velocities: false, spins: false, trails: false, grid: true, legend: true, projection: "perspective",
+      names: false, velocities: false, spins: false, trails: false, grid: true, legend: true, marks: true, projection: "perspective",
       up: "y", theme: "light",
     };
     /** @type {number | null} */
@@ -59,6 +59,12 @@ class Scene {
     this.bodies = none;
     /** @type {Marks} */
     this.marks = none;
+    /** @type {Ghosts} */
+    this.ghosts = none;
+    /** What is marked, if marks are wanted; and bodies of another run. */
+    this.marking = Marked.none;
+    /** @type {Ghost[]} */
+    this.others = [];
     const gl = Gl.on(this.canvas, () => this.refresh());
     if (!gl) {
       Scene.why = "this browser offers no WebGL 2 here";
@@ -77,6 +83,7 @@ class Scene {
     this.orbit = new Orbit(this.canvas, () => this.refresh());
     this.bodies = new Bodies(data, gl);
     this.marks = new Marks(this, box);
+    this.ghosts = new Ghosts(data, this.bodies, gl);
     this.#listen();
     new ResizeObserver(() => {
       if (this.fitted && this.shape !== `${box.clientWidth} ${box.clientHeight}`) this.restart();
@@ -156,6 +163,8 @@ class Scene {
     const { orbit, bodies, options } = this;
     const present = now.course.bodiesAfter(now.legs, now.time);
     this.#goAlong(now.course, present);
+    const marking = this.marked;
+    bodies.mark(marking);
     bodies.update(now.course, present, orbit.target);
     orbit.place(width, height, this.#extent());
     this.marks.place(now);
@@ -164,10 +173,23 @@ class Scene {
     if (this.pointer) this.#hover(this.pointer);
     if (!bodies.last.bodies) bodies.update(now.course, present, orbit.target);
     bodies.finish();
+    this.ghosts.draw([...marking.before, ...this.others], orbit.target);
     this.marks.words(width, height);
     this.work = performance.now() - began;
     this.gl.shade(Kind.shared.shade.value, Shaders.depth);
     this.gl.draw(orbit.camera.clip);
+  }
+
+  /** What is marked now. */
+  get marked() { return this.options.marks ? this.marking : Marked.none; }
+
+  /**
+   * Marks bodies and changes.
+   * @param {Marking} marking
+   */
+  mark(marking) {
+    this.marking = marking;
+    this.refresh();
   }
 
   /** @param {number} width @param {number} height */

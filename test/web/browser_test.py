@@ -204,10 +204,11 @@ def main():
         print(lacking)
         sys.exit(3)
     import pages
+    import scenes
     told(models, scc, int(sys.argv[3]) if len(sys.argv) > 3 else 1)
     b = browser.Browser()
     try:
-        for part in pages.PARTS:
+        for part in pages.PARTS + scenes.PARTS:
             told(part, b, scc)
     finally:
         b.quit()
