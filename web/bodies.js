@@ -322,7 +322,7 @@ class Bodies {
    */
   #halo(leaf) {
     return this.#kind(`halo ${this.shapes[leaf]}`, () =>
-      new Kind({ lines: Surface.edges(this.models[leaf]) }, { own: true, line: 9, pull: -20, order: -3 }));
+      new Kind({ lines: Surface.edges(this.models[leaf]) }, { own: true, line: 9, pull: -50, order: -3 }));
   }
 
   /** @param {Chosen} chosen @param {string} what @param {number[]} tint */

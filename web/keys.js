@@ -10,6 +10,7 @@ const Keys = (() => {
     [", .", "a little back, on in time"],
     ["+ −", "faster, slower"],
     ["[ ]", "previous, next run"],
+    ["k j", "compare, switch between the runs; to where they part"],
     ["x", "choices: arrows and Enter take one"],
     ["e", "list of events"],
     ["b", "list of bodies"],
@@ -123,6 +124,8 @@ const Keys = (() => {
     "-": () => player.hasten(player.speed / 2),
     "[": () => Runs.step(-1),
     "]": () => Runs.step(1),
+    k: () => Compare.change(),
+    j: () => Compare.difference(),
     x: () => Choices.focus(),
     e: () => focus("events-list"),
     b: () => {

@@ -21,7 +21,7 @@ const Links = (() => {
     scene = shown;
     read();
     player.on("move", later);
-    document.addEventListener("plots", later);
+    for (const event of ["plots", "compare"]) document.addEventListener(event, later);
     Details.onSelect(later);
     for (const event of ["pointerup", "wheel", "keyup"]) {
       Dom.get("scene-panel").addEventListener(event, later, { passive: true });
@@ -71,6 +71,8 @@ const Links = (() => {
             .join("."),
       );
     }
+    const other = Compare.other();
+    if (other && !other.run.way) parts.push(`with=${other.run.index}`);
     for (const text of Plots.own()) parts.push(`plot=${encodeURIComponent(text)}`);
     if (scene) parts.push(`camera=${encodeURIComponent(JSON.stringify(scene.camera()))}`);
     return parts.join("&");
@@ -106,6 +108,12 @@ const Links = (() => {
     place(said);
     if (Live.on) Plots.add(plots);
     else if (plots.length > 0) notice("formulas can be plotted where a page is served (scc serve)");
+    const beside = said.get("with");
+    if (beside !== undefined) {
+      const run = /^[0-9]{1,9}$/.test(beside) ? player.base(Number(beside)) : undefined;
+      if (run && !run.bare) Compare.choose(run);
+      else notice("the second run of the address is not in this file");
+    }
     const chosen = said.get("select");
     if (chosen !== undefined) pick(chosen);
     const camera = said.get("camera");

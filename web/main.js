@@ -25,6 +25,8 @@ const Main = (() => {
       link: () => Links.text(),
       work: () => (scene ? scene.work : null),
       look: () => (scene ? scene.look() : null),
+      compare: (/** @type {number | null} */ index) => Compare.choose(index === null ? null : player.runs[index]),
+      compared: () => Compare.say(),
       marks: () => (scene ? marks(player, scene) : null),
       sight: (/** @type {number[]} */ point) => (scene ? scene.sight(point) : null),
       open: (/** @type {number} */ index) => player.open(player.runs[index]),
@@ -158,6 +160,7 @@ const Main = (() => {
     Tabs.start();
     Rules.start(data);
     const scene = stage(data);
+    Compare.start(player, scene);
     Timeline.start(player);
     Runs.start(player);
     Choices.start(player);

@@ -121,6 +121,33 @@ class Player {
     return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
   }
 
+  /**
+   * Another run of the same document, without a clock of its own.
+   * @param {Player} player @param {PlayedRun} run @returns {Player}
+   */
+  static beside(player, run) {
+    const { data } = player;
+    const made = /** @type {Player} */ (Object.create(Player.prototype));
+    Object.assign(made, {
+      data, run, course: new Course(data, run), runs: player.runs, bare: player.bare, listeners: {}, playing: false, speed: 1,
+      legs: 0, time: Rational.zero, clock: 0, held: 0, moves: 0,
+    });
+    made.measure();
+    return made;
+  }
+
+  /**
+   * Goes to the time of another player: of several states of an instant, to the one after as many legs, if there is one.
+   * @param {Player} player
+   */
+  beside({ legs, time }) {
+    if (Rational.cmp(time, this.course.duration) > 0) time = this.course.duration;
+    let high = this.after(time), low = high;
+    if (Rational.cmp(this.instant(high), time) === 0)
+      while (low > 0 && Rational.cmp(this.instant(low - 1), time) === 0) low--;
+    this.place(Math.max(low, Math.min(high, legs)), time);
+  }
+
   /** The state that the legs taken lead to. */
   get state() {
     return this.legs === 0 ? this.run.start : this.course.legs[this.legs - 1].after;
@@ -207,6 +234,14 @@ class Player {
   seek(time) {
     if (Rational.cmp(time, this.course.duration) > 0) time = this.course.duration;
     if (Rational.sign(time) < 0) time = Rational.zero;
+    this.go(this.after(time), time);
+  }
+
+  /**
+   * How many legs lead to the last state of a time.
+   * @param {Rational} time
+   */
+  after(time) {
     let low = 0;
     let high = this.course.legs.length;
     while (low < high) {
@@ -214,7 +249,7 @@ class Player {
       if (Rational.cmp(this.instant(middle), time) <= 0) low = middle;
       else high = middle - 1;
     }
-    this.go(low, time);
+    return low;
   }
 
   /** Whether a stop comes after this one. */

@@ -208,8 +208,10 @@ const Plots = (() => {
   function chart(plot, width) {
     const { from, to } = Timeline.range;
     const strokes = Values.points(player, plot, from, to, width);
+    const other = plot < player.data.plots.length ? Compare.other() : null;
+    const others = other ? Values.points(other, plot, from, to, width) : [];
     let [low, high] = [Infinity, -Infinity];
-    for (const stroke of strokes)
+    for (const stroke of [...strokes, ...others])
       for (const [, value] of stroke) {
         low = Math.min(low, value);
         high = Math.max(high, value);
@@ -260,6 +262,14 @@ const Plots = (() => {
         }),
       );
     }
+    // Those of a second run are below.
+    const beside = others.map((stroke) =>
+      "M" + stroke.map(([time, value]) => `${x(time).toFixed(2)} ${y(value).toFixed(2)}`).join("L") + (stroke.length > 1 ? "" : "h0"));
+    if (beside.length > 0)
+      picture.append(Dom.draw("path", {
+        class: "plot-line other", d: beside.join(""), "stroke-width": 2, "stroke-dasharray": "6 4", fill: "none", stroke: "#00809c",
+        "stroke-linecap": "round",
+      }));
     const path = strokes
       .filter((stroke) => stroke.length > 1)
       .map(

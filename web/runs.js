@@ -189,6 +189,8 @@ const Runs = (() => {
       Dom.make("span", { text: run === first ? "" : `This run does otherwise than ${Dom.clip(first.name, 200)}. ${steps}. ` }),
       Dom.button(run === first ? "Show the nearest run that does otherwise" : "Back to the run of the check",
         () => player.open(other, shared), { test: "contrast" }),
+      " ",
+      Dom.button("Compare both", () => Compare.choose(other), { test: "contrast-compare" }),
     ]);
   }
 

@@ -167,19 +167,46 @@ const Timeline = (() => {
       if (!kinds.has(kind)) kinds.set(kind, colour(`--k-${kind}`) || colour("--accent"));
       return kinds.get(kind);
     };
-    ticks(pen, width, floor, tint);
+    const other = Compare.other(), band = floor - 8;
+    ticks(pen, width, floor, other ? 0.62 * band : band, tint);
+    if (other) beside(pen, width, floor, colour("--other"));
+  }
+
+  /**
+   * The events of a second run, above those of the first one, and where both part.
+   * @param {CanvasRenderingContext2D} pen @param {number} width @param {number} floor @param {string} tint
+   */
+  function beside(pen, width, floor, tint) {
+    const other = Compare.other(), parts = Compare.when(), band = floor - 8;
+    if (!other) return;
+    pen.fillStyle = tint;
+    for (const { time } of Compare.events(other)) {
+      const at = Rational.toNumber(time);
+      if (at >= range.from && at <= range.to) pen.fillRect(Math.round(x(at, width)) - 2, 6, 5, 0.26 * band);
+    }
+    if (!parts) return;
+    const at = Math.round(x(Rational.toNumber(parts), width));
+    if (at < 0 || at > width) return;
+    pen.strokeStyle = tint;
+    pen.setLineDash([4, 3]);
+    pen.beginPath();
+    pen.moveTo(at + 0.5, 0);
+    pen.lineTo(at + 0.5, floor + 5);
+    pen.stroke();
+    pen.setLineDash([]);
+    pen.font = "600 12px system-ui, sans-serif";
+    pen.fillText("≠", Math.max(8, Math.min(width - 8, at + (at > width - 20 ? -9 : 9))), 13);
   }
 
   /**
    * Draws the events that are seen: ticks; or where there are more than can be told apart, how many there are of each
    * kind (the height is the root of how many).
-   * @param {CanvasRenderingContext2D} pen @param {number} width @param {number} floor
+   * @param {CanvasRenderingContext2D} pen @param {number} width @param {number} floor @param {number} band their height
    * @param {(kind: string) => string} tint
    */
-  function ticks(pen, width, floor, tint) {
+  function ticks(pen, width, floor, band, tint) {
     const seen = instants.filter((instant) => instant.time >= range.from && instant.time <= range.to);
     const kind = (/** @type {number} */ legs) => player.data.labels[player.run.steps[legs - 1].label].kind;
-    const band = floor - 8;
     if (seen.length <= width / 4) {
       const tick = seen.length > width / 12 ? 2 : 5;
       for (const { time, first, count } of seen) {
