@@ -174,11 +174,11 @@ const Compare = (() => {
 
   /**
    * Bodies of the other run that are elsewhere than in this one, or behave differently.
-   * @param {Scene} scene
+   * @param {Scene} scene @param {Player} [at] where this run is
    */
-  function ghosts(scene) {
+  function ghosts(scene, at = player) {
     if (!second) return [];
-    const { course, legs, time } = second, tint = scene.bodies.colors.other, here = place(player);
+    const { course, legs, time } = second, tint = scene.bodies.colors.other, here = place(at);
     let words = 0;
     return course.bodiesAfter(legs, time).flatMap((body) => body.process.leaves.flatMap((at) => {
       const same = here.get(at.leaf);
@@ -250,6 +250,16 @@ const Compare = (() => {
     );
   }
 
+  /**
+   * Brings the other run to the time of a player, for the scene.
+   * @param {Player} at
+   */
+  function stage(at) {
+    if (!second || !scene) return;
+    second.beside(at);
+    scene.others = ghosts(scene, at);
+  }
+
   /** What is compared, for tests. */
   function say() {
     if (!second) return null;
@@ -260,5 +270,5 @@ const Compare = (() => {
     };
   }
 
-  return { start, other, choose, change, difference, when, events, say };
+  return { start, other, choose, change, difference, when, events, stage, say };
 })();

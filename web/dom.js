@@ -90,11 +90,11 @@ const Dom = (() => {
   }
 
   /**
-   * Offers a text as a file to save.
-   * @param {string} file @param {string} type @param {string} text
+   * Offers a text, or bytes, as a file to save.
+   * @param {string} file @param {string} type @param {string | Uint8Array} content
    */
-  function save(file, type, text) {
-    const address = URL.createObjectURL(new Blob([text], { type }));
+  function save(file, type, content) {
+    const address = URL.createObjectURL(new Blob([content], { type }));
     const link = make("a", { href: address, download: file });
     document.body.append(link);
     link.click();

@@ -141,7 +141,7 @@ class Gl {
 
   /** @param {number} width @param {number} height in pixels of the page @param {number} ratio pixels of the picture in one */
   size(width, height, ratio) {
-    const wide = Math.floor(width * ratio), high = Math.floor(height * ratio);
+    const wide = Math.floor(width * ratio + 1e-6), high = Math.floor(height * ratio + 1e-6);
     if (this.canvas.width === wide && this.canvas.height === high) return;
     this.canvas.width = wide;
     this.canvas.height = high;

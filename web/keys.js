@@ -21,6 +21,7 @@ const Keys = (() => {
     ["o u", "projection, which axis points up"],
     ["t", "dark, light"],
     ["c", "copy a link to what is shown"],
+    ["i", "save a picture or a film of it"],
     ["Esc", "nothing selected"],
     ["?", "this help"],
   ];
@@ -83,7 +84,7 @@ const Keys = (() => {
 
   /** @param {KeyboardEvent} event */
   function key(event) {
-    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || dialog.open) return;
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || document.querySelector("dialog[open]")) return;
     const at = /** @type {HTMLElement} */ (event.target);
     if (
       /^(INPUT|TEXTAREA|SELECT)$/.test(at.tagName) &&
@@ -136,6 +137,7 @@ const Keys = (() => {
     p: press("plots-switch"),
     t: press("theme"),
     c: press("cite"),
+    i: () => Export.open(),
     f: () => Tools.flip("fit"),
     n: () => Tools.flip("names"),
     v: () => Tools.flip("velocities"),

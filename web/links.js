@@ -3,7 +3,7 @@
 /**
  * Addresses of what is shown: the part of the page's address after # holds the run, the exact time and how
  * many legs are
- * taken, one's own choices, the camera and what is selected.
+ * taken, one's own choices, the camera and what is selected. The size of the scene is there for `scc view --camera`.
  */
 const Links = (() => {
   /** @type {Player} */
@@ -74,7 +74,10 @@ const Links = (() => {
     const other = Compare.other();
     if (other && !other.run.way) parts.push(`with=${other.run.index}`);
     for (const text of Plots.own()) parts.push(`plot=${encodeURIComponent(text)}`);
-    if (scene) parts.push(`camera=${encodeURIComponent(JSON.stringify(scene.camera()))}`);
+    if (scene) {
+      parts.push(`camera=${encodeURIComponent(JSON.stringify(scene.camera()))}`);
+      parts.push(`size=${scene.box.clientWidth}x${scene.box.clientHeight}`);
+    }
     return parts.join("&");
   }
 

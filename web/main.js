@@ -25,6 +25,9 @@ const Main = (() => {
       link: () => Links.text(),
       work: () => (scene ? scene.work : null),
       look: () => (scene ? scene.look() : null),
+      file: (/** @type {any} */ wishes) => Export.bytes(wishes),
+      command: (/** @type {any} */ wishes) => Export.command(wishes || {}),
+      schedule: () => Export.schedule(),
       compare: (/** @type {number | null} */ index) => Compare.choose(index === null ? null : player.runs[index]),
       compared: () => Compare.say(),
       marks: () => (scene ? marks(player, scene) : null),
@@ -169,6 +172,7 @@ const Main = (() => {
     Plots.start(player);
     Graph.start(player);
     Tools.start(player, scene);
+    Export.start(player, scene);
     Keys.start(player);
     if (scene) {
       let start = Exactly.values(player.run.values);

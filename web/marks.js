@@ -53,12 +53,15 @@ class Marks {
    */
   words(width, height) {
     const { overlay, floor } = this, { bodies, orbit, options } = this.scene;
-    overlay.begin(width, height, Math.min(2, window.devicePixelRatio || 1), bodies.colors);
+    const { composed, frame } = this.scene;
+    overlay.begin(width, height, frame.ratio, bodies.colors);
     const project = this.scene.projector(width, height);
-    overlay.axes(orbit.camera.world);
-    const tools = this.#tools(), long = floor.step / orbit.pixel;
-    if (options.grid) overlay.scale(long, floor.decimal(1n), tools.right > width - long - 30 ? tools.height : 0);
-    if (options.legend && this.entries.length > 1) 
+    if (!composed || composed.axes) overlay.axes(orbit.camera.world);
+    const tools = composed ? { height: 0, right: 0 } : this.#tools(), long = floor.step / orbit.pixel;
+    if (composed ? composed.bar : options.grid)
+      overlay.scale(long, floor.decimal(1n), tools.right > width - long - 30 ? tools.height : 0);
+    if (composed?.clock && this.scene.now) overlay.clock(`t = ${Marks.time(this.scene.now.time)}`);
+    if ((composed ? composed.legend : options.legend) && this.entries.length > 1)
       overlay.legend(this.entries.map((e) => (e.leaf === undefined ? e : { ...e, color: bodies.tints[e.leaf] })));
     const at = (/** @type {Shown} */ s) => project(Pick.toWorld(s.matrix, bodies.centres[s.leaf]));
     const chosen = bodies.chosen ? bodies.byLeaf.get(bodies.chosen.leaf) : undefined;
@@ -94,9 +97,18 @@ class Marks {
           overlay.word(n.text, n.x, n.y, { size: 10.5, color, within: true });
         }
     }
-    const pointed = this.scene.pointer && bodies.hovered;
+    const pointed = !composed && this.scene.pointer && bodies.hovered;
     if (this.scene.pointer && pointed)
       overlay.word(this.#told(pointed), this.scene.pointer.x, this.scene.pointer.y - 18, { ...style, size: 11.5, force: true, within: true });
+  }
+
+  /**
+   * A time in few letters.
+   * @param {Rational} time
+   */
+  static time(time) {
+    const exact = Rational.text(time).replace(/\/1$/, "");
+    return exact.length <= 12 ? exact : Rational.toNumber(time).toPrecision(6);
   }
 
   /**

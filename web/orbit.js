@@ -38,6 +38,8 @@ class Orbit {
      */
     this.flight = null;
     this.camera = new Camera();
+    /** How high the picture is. */
+    this.tall = 0;
     this.#listen();
   }
 
@@ -151,6 +153,7 @@ class Orbit {
 
   /** @param {number} width @param {number} height of the picture @param {number} radius of what there is to see */
   place(width, height, radius) {
+    this.tall = height;
     const aspect = width / Math.max(1, height), depth = 4 * (this.distance + radius);
     this.camera.stand(this.direction, this.distance, this.way(0, 1, 0));
     if (this.parallel) this.camera.see(true, this.distance * Camera.slope, aspect, -depth, depth);
@@ -158,7 +161,7 @@ class Orbit {
   }
 
   /** How long a pixel is, at the target. @returns {number} */
-  get pixel() { return (2 * this.distance * Camera.slope) / Math.max(1, this.canvas.clientHeight); }
+  get pixel() { return (2 * this.distance * Camera.slope) / Math.max(1, this.tall || this.canvas.clientHeight); }
 
   /** @param {number} dx @param {number} dy in pixels */
   around(dx, dy) {

@@ -117,6 +117,14 @@ class Overlay {
   }
 
   /**
+   * What time it is, in the corner.
+   * @param {string} text
+   */
+  clock(text) {
+    this.word(text, 14, this.height - 16, { size: 13, strong: true, align: "left", color: this.colors.text, force: true });
+  }
+
+  /**
    * How wide a legend is.
    * @param {{ text: string }[]} entries
    */

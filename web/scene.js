@@ -3,6 +3,10 @@
 /**
  * The bodies of a state, drawn in space.
  *
+ * @typedef {{ width: number, height: number, ratio: number, background: string, legend: boolean, bar: boolean, clock: boolean,
+ *   axes: boolean }} Composition  A picture for a file: its size in pixels of the page, how many of its pixels are in one,
+ *   what is behind all, and what is written on it.
+ *
  * `Scene.why` tells why nothing can be drawn, if so: then the rest of the page does without.
  */
 class Scene {
@@ -65,6 +69,11 @@ class Scene {
     this.marking = Marked.none;
     /** @type {Ghost[]} */
     this.others = [];
+    /**
+     * How the picture is drawn for a file, while it is.
+     * @type {Composition | null}
+     */
+    this.composed = null;
     const gl = Gl.on(this.canvas, () => this.refresh());
     if (!gl) {
       Scene.why = "this browser offers no WebGL 2 here";
@@ -155,9 +164,42 @@ class Scene {
     });
   }
 
+  /** How large the picture is, and how many of its pixels are in one of the page. */
+  get frame() {
+    if (this.composed) return this.composed;
+    return { width: this.box.clientWidth, height: this.box.clientHeight, ratio: Math.min(2, window.devicePixelRatio || 1) };
+  }
+
+  /**
+   * A picture of its own, with all words. Afterwards, the scene is to be restored.
+   * @param {Composition} form @returns {HTMLCanvasElement}
+   */
+  compose(form) {
+    if (form.background === "white" && this.dark) this.bodies.setTheme(false);
+    this.composed = form;
+    this.draw();
+    const { width, height } = this.canvas, made = document.createElement("canvas");
+    Object.assign(made, { width, height });
+    const pen = /** @type {CanvasRenderingContext2D} */ (made.getContext("2d"));
+    if (form.background !== "transparent") {
+      pen.fillStyle = form.background === "white" ? "#ffffff" : getComputedStyle(document.documentElement).getPropertyValue("--panel");
+      pen.fillRect(0, 0, width, height);
+    }
+    pen.drawImage(this.canvas, 0, 0);
+    pen.drawImage(this.marks.overlay.canvas, 0, 0);
+    return made;
+  }
+
+  /** Draws for the page again. */
+  restore() {
+    this.composed = null;
+    this.bodies.setTheme(this.dark);
+    this.draw();
+  }
+
   /** Draws now. */
   draw() {
-    const now = this.now, width = this.box.clientWidth, height = this.box.clientHeight;
+    const now = this.now, { width, height } = this.frame;
     if (!now || width === 0 || height === 0) return;
     const began = performance.now();
     const { orbit, bodies, options } = this;
@@ -170,7 +212,7 @@ class Scene {
     this.marks.place(now);
     this.#shared(width, height);
     bodies.arrows(/** @type {any} */ (options), orbit.distance);
-    if (this.pointer) this.#hover(this.pointer);
+    if (this.pointer && !this.composed) this.#hover(this.pointer);
     if (!bodies.last.bodies) bodies.update(now.course, present, orbit.target);
     bodies.finish();
     this.ghosts.draw([...marking.before, ...this.others], orbit.target);
@@ -194,7 +236,7 @@ class Scene {
 
   /** @param {number} width @param {number} height */
   #shared(width, height) {
-    this.gl.size(width, height, Math.min(2, window.devicePixelRatio || 1));
+    this.gl.size(width, height, this.frame.ratio);
     const { orbit } = this;
     Kind.shared.size.value = [width, height];
     Kind.shared.near.value = orbit.parallel ? 0 : orbit.camera.near;
@@ -426,7 +468,7 @@ class Scene {
    * @returns {Chosen | null}
    */
   pick(x, y, near = 8) {
-    const width = this.box.clientWidth, height = this.box.clientHeight;
+    const { width, height } = this.frame;
     const { from, way } = this.orbit.camera.ray((2 * x) / width - 1, 1 - (2 * y) / height);
     const hit = Pick.first(this.bodies.shown, from, way);
     if (!hit) return null;

@@ -36,6 +36,7 @@ KINDS = {
     "X,Y,Z": ("Union[str, Sequence[Number]]", "numbered"),
     "Q,...": ("Union[str, Sequence[Number]]", "numbered"),
     "NAME": ("str", "text"),
+    "LINK": ("str", "text"),
     "FORMULA": ("str", "text"),
     "PROPERTY": ("str", "text"),
     "NUMBER": ("str", "text"),

@@ -46,7 +46,7 @@ Near walls of a room are of glass, from any side, while something is inside:
     hint: parts of compounds are named with their body, as in --without room.south
   [64]
   $ scc view ../../specs/models/bone.sc --without marrow
-  scc: --names, --without, --from, --up and --width tell how --svg draws
+  scc: --names, --without, --camera, --from, --up and --width tell how --svg draws
   Usage: scc view [OPTION]… MODEL
   Try 'scc view --help' or 'scc --help' for more information.
   [64]
@@ -57,3 +57,58 @@ Near walls of a room are of glass, from any side, while something is inside:
   $ scc shape ell.off --svg ell.svg > /dev/null
   [3]
   $ cmp ../../specs/pictures/ell.svg ell.svg
+
+From the camera of a page, in its frame, with or without perspective. A link and what follows # in it are the same:
+
+  $ camera='camera=%7B%22at%22%3A%5B%22-105%2F256%22%2C%22241%2F512%22%2C%2269%2F256%22%5D%2C%22distance%22%3A12.764%2C%22turn%22%3A0.5%2C%22height%22%3A0.42%7D'
+  $ draw() { scc view ../../specs/models/hexokinase.sc --svg 1 -o seen.svg "$@" 2> /dev/null; sed -n 's/.*viewBox="\([^"]*\)".*/\1/p' seen.svg; }
+  $ draw --camera "$camera&size=400x300" && cp seen.svg first.svg
+  0 0 400 358
+  $ draw --camera "file:///hexokinase.html#run=0&$camera&size=400x300" && cmp first.svg seen.svg
+  0 0 400 358
+  $ draw --camera "$camera&size=400x300" --width 800
+  0 0 800 658
+  $ draw --camera "$camera"
+  0 0 800 658
+
+Who stands among the bodies sees what is before the eye alone, and behind it nothing:
+
+  $ near='camera={"at":["0","0","0"],"distance":2.5,"turn":0,"height":0.3}'
+  $ draw --camera "$near" && grep -c '<path' seen.svg
+  0 0 800 658
+  33
+  $ draw --camera 'camera={"at":["0","0","40"],"distance":1,"turn":3.14159,"height":0}' && grep -c '<path' seen.svg
+  0 0 800 658
+  1
+  $ draw --camera 'camera={"at":["0","0","40"],"distance":1,"turn":0,"height":0}' && grep -c '<path' seen.svg
+  0 0 800 658
+  27
+
+  $ scc view ../../specs/models/hexokinase.sc --svg 1 --camera 'run=0'
+  scc: option '--camera': this is no link with a camera: it has no camera: copy
+       the link of a page of scc view, or what follows # in it
+  Usage: scc view [OPTION]… MODEL
+  Try 'scc view --help' or 'scc --help' for more information.
+  [64]
+  $ scc view ../../specs/models/hexokinase.sc --svg 1 --camera 'camera={"at":["0","0","0"],"distance":-1,"turn":0,"height":0}'
+  scc: option '--camera': this is no link with a camera: its camera is not one
+       of a page of scc view
+  Usage: scc view [OPTION]… MODEL
+  Try 'scc view --help' or 'scc --help' for more information.
+  [64]
+  $ scc view ../../specs/models/hexokinase.sc --svg 1 --camera "$camera&size=0x300"
+  scc: option '--camera': this is no link with a camera: its size is not of the
+       form 800x600
+  Usage: scc view [OPTION]… MODEL
+  Try 'scc view --help' or 'scc --help' for more information.
+  [64]
+  $ scc view ../../specs/models/hexokinase.sc --svg 1 --camera "$camera" --from 0,1,0
+  scc: --camera does not go with --from and --up: it says from where the picture is seen
+  Usage: scc view [OPTION]… MODEL
+  Try 'scc view --help' or 'scc --help' for more information.
+  [64]
+  $ scc view ../../specs/models/hexokinase.sc --camera "$camera"
+  scc: --names, --without, --camera, --from, --up and --width tell how --svg draws
+  Usage: scc view [OPTION]… MODEL
+  Try 'scc view --help' or 'scc --help' for more information.
+  [64]

@@ -1,4 +1,8 @@
 """What the scene marks, compares and saves."""
+import base64
+import os
+import shlex
+import struct
 from fractions import Fraction
 
 from browser import Keys, Select
@@ -134,4 +138,219 @@ def compared(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
-PARTS = [marks, compared]
+SAVED = '''
+const done = arguments[1];
+scc.file(arguments[0]).then((bytes) => {
+  let text = "";
+  for (const byte of bytes) text += String.fromCharCode(byte);
+  done(btoa(text));
+}, (error) => done("! " + error));
+'''
+
+
+def saved(b, **wishes):
+    """The bytes of the file that is saved."""
+    text = b.driver.execute_async_script(SAVED, wishes)
+    if text.startswith('!'):
+        raise RuntimeError(text)
+    return base64.b64decode(text)
+
+
+def chunks(png):
+    """The parts of a file of PNG, by their names."""
+    found, at = {}, 8
+    while at < len(png):
+        size, = struct.unpack('>I', png[at:at + 4])
+        found.setdefault(png[at + 4:at + 8].decode(), png[at + 8:at + 8 + size])
+        at += size + 12
+    return found
+
+
+def size_of(png):
+    return struct.unpack('>II', chunks(png)['IHDR'][:8])
+
+
+#: Pixels of pictures, of which a mask says what is there: where it is opaque, or not white. How many both have, and how many
+#: one of them has alone.
+MASKS = '''
+const [one, two, width, height, done] = arguments;
+async function mask(address, there) {
+  const image = new Image();
+  image.src = address;
+  await image.decode();
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [width, height];
+  const pen = canvas.getContext("2d");
+  pen.drawImage(image, 0, 0);
+  const { data } = pen.getImageData(0, 0, width, height), all = [];
+  for (let i = 0; i < data.length; i += 4) all.push(there(data[i], data[i + 1], data[i + 2], data[i + 3]));
+  return all;
+}
+(async () => {
+  const a = await mask(one, (r, g, b, alpha) => alpha > 127), b = await mask(two, (r, g, b) => r + g + b < 744);
+  // Pixels of one of them that are more than two pixels away from the other one: lines differ in their widths.
+  const away = (one, two) => one.filter((x, i) => {
+    if (!x) return false;
+    for (let dy = -2; dy <= 2; dy++) for (let dx = -2; dx <= 2; dx++) if (two[i + dy * width + dx]) return false;
+    return true;
+  }).length;
+  done([a.filter((x, i) => x && b[i]).length, away(a, b) + away(b, a)]);
+})().catch((error) => done(String(error)));
+'''
+
+
+def blank(b, scc, body=''):
+    page = scc.file('.html')
+    with open(page, 'w', encoding='utf-8') as f:
+        f.write(f'<!DOCTYPE html><body data-ready="true">{body}')
+    b.open(page)
+
+
+def address(kind, content):
+    return f'data:{kind};base64,{base64.b64encode(content).decode()}'
+
+
+def drawn(b, scc, model, schedule=None):
+    """What the command on the page draws, as SVG."""
+    command = shlex.split(b.js('return scc.command({size: "own", pixels: arguments[0]})', b.js('return scene.clientWidth')))
+    path = scc.file('.svg')
+    command[-1] = path
+    command[2] = model
+    if '--schedule' in command:
+        command[command.index('--schedule') + 1] = schedule
+    ended = scc.run(*command[1:])
+    if ended.returncode != 0:
+        raise RuntimeError(f'{command}: {ended.stderr}')
+    with open(path, 'rb') as f:
+        return f.read()
+
+
+#: Models, scripts that lead to a state and a camera.
+SIGHTS = [
+    (HEXOKINASE, ''),
+    ('specs/models/docking.sc', 'scc.open(scc.runs().length - 1); scc.seek("7/4")'),
+    ('specs/models/latch.sc', 'document.getElementById("tool-projection").click()'),
+    ('specs/models/capsid.sc', 'document.getElementById("tool-up").click()'),
+    ('specs/models/gears.sc', 'document.getElementById("tool-up").click(); document.getElementById("tool-up").click()'),
+]
+
+
+def silhouettes(b, scc):
+    """The command on the page draws what the page shows, in the same frame: all bodies of both cover the same."""
+    for model, script in SIGHTS:
+        if not os.path.exists(model):
+            check(f'{model} is there', False)
+            continue
+        b.open(scc.view(model))
+        b.js(script)
+        b.js('for (const of of ["marks", "grid"]) document.getElementById("tool-" + of).click()')
+        wide = b.js('return scene.clientWidth')
+        svg = drawn(b, scc, model)
+        png = saved(b, kind='png', size='own', pixels=wide, background='transparent', legend=False, bar=False,
+                    clock=False, axes=False)
+        # The words below the drawing are left out.
+        width, height = size_of(png)
+        blank(b, scc)
+        both, apart = b.driver.execute_async_script(MASKS, address('image/png', png), address('image/svg+xml', svg),
+                                                     width, height)
+        check(f'{model}: one silhouette', both > 2000 and apart <= 2, (both, apart))
+
+
+def by_schedule(b, scc):
+    """A run of one's own is drawn by its schedule, and so is a state before the last one of its instant."""
+    b.open(scc.view(HEXOKINASE))
+    same('the run of a check needs none', b.js('return scc.schedule()'), None)
+    b.js('scc.go(2)')
+    run = b.js('return scc.schedule()')
+    same('a state within an instant', len(run['choices']), 2)
+    path = scc.file('.json')
+    with open(path, 'w', encoding='utf-8') as f:
+        f.write(b.js('return JSON.stringify(scc.schedule())'))
+    svg = drawn(b, scc, HEXOKINASE, path).decode()
+    check('its bond is drawn', '&lt;atp, {enzyme.floorA.top, atp.bottom}&gt;' in svg)
+    last = scc.file('.svg')
+    scc.run('view', HEXOKINASE, '--check', 'surely', '--svg', '2', '-o', last)
+    with open(last, encoding='utf-8') as f:
+        check('and it is split at the end of that instant', '&lt;atp,' not in f.read())
+
+
+def pictures(b, scc):
+    """PNG for papers and for screens, white or transparent, with what is chosen."""
+    b.prefer(color_scheme='dark')
+    b.open(scc.view(HEXOKINASE))
+    wide, high = b.js('return [scene.clientWidth, scene.clientHeight]')
+    for mm, pixels in [('85', 1004), ('180', 2126)]:
+        png = saved(b, kind='png', size=mm)
+        same(f'{mm} mm at 300 dpi', (size_of(png)[0], chunks(png).get('pHYs')), (pixels, struct.pack('>IIB', 11811, 11811, 1)))
+        check('as high as the page has it', abs(size_of(png)[1] - pixels * high / wide) <= 1)
+    bare = dict(kind='png', size='own', pixels=300, legend=False, bar=False, clock=False, axes=False)
+    corner = """
+      const [address] = arguments, done = arguments[1], image = new Image();
+      image.onload = () => {
+        const canvas = document.createElement("canvas"), pen = canvas.getContext("2d");
+        pen.drawImage(image, 0, 0);
+        done([...pen.getImageData(1, 1, 1, 1).data]);
+      };
+      image.src = address;"""
+    white, clear, page = [saved(b, **bare, background=of) for of in ('white', 'transparent', 'page')]
+    with_words = saved(b, **{**bare, 'clock': True}, background='white')
+    check('the clock is written where it is wanted', with_words != white)
+    before = b.js('return [scc.look(), document.querySelector("#scene canvas").width]')
+    same('afterwards the page is as it was', before[1], wide)
+    blank(b, scc)
+    colors = [b.driver.execute_async_script(corner, address('image/png', one)) for one in (white, clear, page)]
+    same('backgrounds', colors, [[255, 255, 255, 255], [0, 0, 0, 0], [0x16, 0x1b, 0x22, 255]])
+    b.prefer(color_scheme='light')
+
+
+FILMED = """
+  const [time] = arguments, done = arguments[1], film = document.querySelector("video");
+  film.onseeked = () => {
+    const canvas = document.createElement("canvas"), pen = canvas.getContext("2d");
+    [canvas.width, canvas.height] = [film.videoWidth, film.videoHeight];
+    pen.drawImage(film, 0, 0);
+    const data = pen.getImageData(0, 0, canvas.width, canvas.height).data;
+    done([...data.filter((_, i) => i % 4 !== 3)]);
+  };
+  film.currentTime = time;"""
+
+
+def films(b, scc):
+    """A film decodes, is as long as playing takes, and has the same bytes each time."""
+    b.open(scc.view(HEXOKINASE))
+    b.keys('+', '+', '+')
+    where, wishes = b.state(), dict(kind='film', size='own', pixels=160, rate=10)
+    film = saved(b, **wishes)
+    same('the same each time', saved(b, **wishes) == film, True)
+    same('afterwards the page is where it was', b.state(), where)
+    wide, high = b.js('return [scene.clientWidth, scene.clientHeight]')
+    blank(b, scc, f'<video muted src="{address("video/webm", film)}"></video>')
+    seen = b.wait('const film = document.querySelector("video"); return film.error ? [film.error.message] : '
+                  'film.readyState > 1 && [film.duration, film.videoWidth, film.videoHeight]')
+    # Time 2 at 1/5 a second is 10 seconds, 4 events take half a second each; all of it 8 times as fast; the end is seen
+    # for a second.
+    check('it decodes, and is so long', len(seen) == 3 and abs(seen[0] - (12 / 8 + 1)) <= 0.2, seen)
+    same('and so large', seen[1:], [160, 2 * round(160 * high / wide / 2)])
+    first, again, later = [b.driver.execute_async_script(FILMED, time) for time in (0, 0.05, 2.3)]
+    apart = lambda one, two: sum(abs(x - y) for x, y in zip(one, two)) / len(one)
+    check('its pictures move', apart(first, later) > 2 and apart(first, again) < 1, (apart(first, later), apart(first, again)))
+
+
+def dialog(b, scc):
+    """Saving by keys alone."""
+    b.open(scc.view(HEXOKINASE))
+    b.keys('i')
+    check('the dialog opens', b.find('export-dialog').is_displayed())
+    same('keys of the page do nothing then', (b.keys(Keys.HOME), b.state()['legs'])[1], 5)
+    check('how large it is', 'pixels' in b.text('export-told'), b.text('export-told'))
+    Select(b.find('export-kind')).select_by_value('svg')
+    command = b.text('export-command')
+    check('the command', command.startswith('scc view hexokinase.sc ') and ' --check surely --svg 2 ' in command, command)
+    Select(b.find('export-kind')).select_by_value('film')
+    check('how long it is', ' 13.0 s ' in b.text('export-told'), b.text('export-told'))
+    b.keys(Keys.ESCAPE)
+    check('and closes', not b.find('export-dialog').is_displayed())
+    same('the console is told nothing', b.complaints(), [])
+
+
+PARTS = [marks, compared, silhouettes, by_schedule, pictures, films, dialog]

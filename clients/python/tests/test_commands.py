@@ -157,7 +157,8 @@ class Every(Commands):
         trace(MODEL, steps=2, output=schedule)
         values = {"define": {"speed": 1}, "schedule": schedule, "trace": schedule, "plot": ["x(p)", "x(q)"],
                   "svg": Fraction(3, 2)}
-        for name, value in (("from_", (1, 1, 1)), ("up", "0,0,1"), ("width", 300), ("without", "q"), ("names", True)):
+        for name, value in (("from_", (1, 1, 1)), ("up", "0,0,1"), ("width", 300), ("without", "q"), ("names", True),
+                            ("camera", 'camera={"at":["0","0","0"],"distance":9,"turn":0,"height":1}')):
             values[name] = {"=": 1, "svg": 1, name: value}
         self.each(view, MODEL, values)
         self.assertIn("<svg", view(MODEL, svg=0, from_=(-1, "1/2", 1), up=(0, 1, 0)).content)

@@ -1,6 +1,7 @@
 open Scc_exact
 
-type t = { right : Ivec.t; up : Ivec.t; near : Ivec.t }
+type eye = { at : Vec.t; least : Rat.t }
+type t = { right : Ivec.t; up : Ivec.t; near : Ivec.t; eye : eye option }
 
 let whole v = Ivec.primitive (fst (Ivec.of_vec v))
 
@@ -14,13 +15,31 @@ let make ?(up = Vec.of_ints 0 1 0) direction =
     | Some right -> right
     | None -> Scc_base.Bug.fail __POS__ "no direction to look from"
   in
-  { right; up = Ivec.primitive (Ivec.cross near right); near }
+  { right; up = Ivec.primitive (Ivec.cross near right); near; eye = None }
+
+let with_eye t eye = { t with eye = Some eye }
 
 let turn t v = Ivec.make (Ivec.dot t.right v) (Ivec.dot t.up v) (Ivec.dot t.near v)
 
 let flat t v =
   (Vec.dot (Ivec.to_vec t.right) v, Vec.dot (Ivec.to_vec t.up) v)
 
-let lengths t =
-  let length v = Rat.root (Rat.make (Ivec.dot v v) Z.one) in
-  (length t.right, length t.up)
+let length v = Rat.root (Rat.make (Ivec.dot v v) Z.one)
+let lengths t = (length t.right, length t.up)
+let length_near t = length t.near
+
+(* How much farther in front of the eye a corner is than the least distance, times a positive number. *)
+let in_front t over =
+  match t.eye with
+  | None -> None
+  | Some eye ->
+    let from = Rat.sub (Vec.dot (Ivec.to_vec t.near) eye.at) (Rat.mul eye.least (length_near t)) in
+    let n = Z.mul (Q.num from) over and d = Q.den from in
+    Some (fun corner -> Z.sub n (Z.mul d (Ivec.dot t.near corner)))
+
+let sees_back t ~normal corner over =
+  match t.eye with
+  | None -> Z.sign (Ivec.dot normal t.near) < 0
+  | Some eye ->
+    let at, d = Ivec.of_vec eye.at in
+    Z.sign (Ivec.dot normal (Ivec.sub (Ivec.scale over at) (Ivec.scale d corner))) < 0

@@ -31,6 +31,16 @@ let make camera ~width ~margin ~top points =
   in
   { width; height; unit_length; place }
 
+let framed ~width ~height ~top ~middle:(mx, my) ~half:(half_x, half_y) ~unit_length =
+  let w = Rat.of_int width and h = Rat.of_int height in
+  let place p =
+    let x, y = Convex.place p in
+    let along d half size = Rat.div (Rat.mul d size) (Rat.mul two half) in
+    ( Rat.add (Rat.div w two) (along (Rat.sub x mx) half_x w),
+      Rat.add (Rat.of_int top) (Rat.sub (Rat.div h two) (along (Rat.sub y my) half_y h)) )
+  in
+  { width; height = height + top; unit_length; place }
+
 let bar t ~most =
   let most = Rat.div (Rat.of_int most) t.unit_length in
   let n = Decimal.order_of_magnitude most in

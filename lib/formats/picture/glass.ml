@@ -5,13 +5,13 @@ type body = { solids : int list; wall : bool; content : bool }
 let none = function [] -> true | _ :: _ -> false
 
 (* Is the second solid beyond a face of the first one that is turned away from the camera? *)
-let beyond (camera : Camera.t) (p : View.solid) (q : View.solid) =
+let beyond camera (p : View.solid) (q : View.solid) =
   let outside corners =
     let at i = p.corners.(corners.(i)) in
     let n = Ivec.cross (Ivec.sub (at 1) (at 0)) (Ivec.sub (at 2) (at 0)) in
     let height = Z.mul q.denominator (Ivec.dot n (at 0)) in
     let above c = Z.geq (Z.mul p.denominator (Ivec.dot n c)) height in
-    Z.sign (Ivec.dot n camera.near) < 0 && Array.for_all above q.corners
+    Camera.sees_back camera ~normal:n (at 0) p.denominator && Array.for_all above q.corners
   in
   Array.exists outside p.faces
 

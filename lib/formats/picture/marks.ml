@@ -44,10 +44,10 @@ let open_features (t : Paint.t) colour body placed features =
   let vertex = function
     | Feature.Vertex v ->
       let p = Placed.point placed (Solid.vertex placed.solid v) in
-      if Paint.shows t p then
-        let stroke = [ ("fill", "#ffffff"); ("stroke", hatch_colour); ("stroke-width", "1.2") ] in
-        circle (Paint.place t p) 3. stroke
-      else []
+      let stroke = [ ("fill", "#ffffff"); ("stroke", hatch_colour); ("stroke-width", "1.2") ] in
+      (match Paint.place t p with
+       | Some at when Paint.shows t p -> circle at 3. stroke
+       | Some _ | None -> [])
     | Edge _ | Face _ -> []
   in
   let edges =
@@ -70,9 +70,7 @@ let middle placed feature =
     (Rat.make Z.one (Z.of_int (List.length corners)))
     (List.fold_left Vec.add Vec.zero corners)
 
-let bond t ~told (one, feature) (two, other) =
-  let contact = Paint.place t (Vec.middle (middle one feature) (middle two other)) in
-  let ends = [ Paint.place t (Placed.centroid one); Paint.place t (Placed.centroid two) ] in
+let drawn_bond ~told contact ends =
   let data = Svg.segments (List.map (fun p -> (p, contact)) ends) in
   let line colour width more =
     Svg.tag "path" ([ ("d", data); ("fill", "none"); ("stroke", colour); ("stroke-width", width) ] @ more) []
@@ -80,6 +78,12 @@ let bond t ~told (one, feature) (two, other) =
   let dashes = [ ("stroke-dasharray", "4 3"); ("stroke-linecap", "butt") ] in
   let rim = [ ("fill", bond_colour); ("stroke", "#ffffff"); ("stroke-width", "1") ] in
   Svg.tag "g" [] (Svg.title told @ line "#ffffff" "3" [] @ line bond_colour "1.4" dashes @ circle contact 3.2 rim)
+
+let bond t ~told (one, feature) (two, other) =
+  match Paint.place t (Vec.middle (middle one feature) (middle two other)) with
+  | None -> []
+  | Some contact ->
+    drawn_bond ~told contact (List.filter_map (fun p -> Paint.place t (Placed.centroid p)) [ one; two ])
 
 (* {1 Names} *)
 

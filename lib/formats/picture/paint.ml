@@ -28,8 +28,9 @@ let stroke_of (canvas : Canvas.t) (view : View.t) =
     in
     extent fst +. extent snd
   in
-  let sum = Array.fold_left (fun sum points -> sum +. size points) 0. view.points in
-  let mean = sum /. float_of_int (max 1 (Array.length view.points)) in
+  let seen = List.filter (fun points -> Array.length points > 0) (Array.to_list view.points) in
+  let sum = List.fold_left (fun sum points -> sum +. size points) 0. seen in
+  let mean = sum /. float_of_int (max 1 (List.length seen)) in
   Float.max 0.25 (Float.min 1. (mean /. 100.))
 
 let make camera ~origin canvas hidden =
@@ -47,19 +48,19 @@ let make camera ~origin canvas hidden =
 
 (* {1 Points} *)
 
-let turned t p =
-  let v, w = Ivec.of_vec (Vec.sub p (Ivec.to_vec t.origin)) in
-  (Camera.turn t.camera v, w)
-
+(* A point of space in the picture, and its depth, if it is in front. *)
 let point t p =
-  let v, w = turned t p in
-  Convex.point v.x v.y w
+  let corner, over = Ivec.of_vec p in
+  let seen = match Camera.in_front t.camera over with None -> true | Some height -> Z.sign (height corner) > 0 in
+  if not seen then None
+  else
+    let points = View.points t.camera ~origin:t.origin [| corner |] over in
+    Some (points.flat.(0), View.depth points 0)
 
-let place t p = t.canvas.place (point t p)
+let place t p = Option.map (fun (at, _) -> t.canvas.place at) (point t p)
 
 let shows t p =
-  let v, w = turned t p in
-  Hidden.shows t.hidden (Convex.point v.x v.y w) ~depth:(Rat.make v.z w)
+  match point t p with None -> false | Some (at, depth) -> Hidden.shows t.hidden at ~depth
 
 (* {1 Colours} *)
 

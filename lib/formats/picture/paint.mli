@@ -18,8 +18,8 @@ type t = {
 val make : Camera.t -> origin:Ivec.t -> Canvas.t -> Hidden.t -> t
 (** A picture of these visible parts. Lines are thinner if solids are small on the paper. *)
 
-val place : t -> Vec.t -> Rat.t * Rat.t
-(** The place of a point of space on the paper. *)
+val place : t -> Vec.t -> (Rat.t * Rat.t) option
+(** The place of a point of space on the paper; [None] if it is not in front of the eye of the camera. *)
 
 val shows : t -> Vec.t -> bool
 (** [shows t p] is true if nothing, except glass, is in front of the point [p] of space. *)

@@ -14,6 +14,7 @@ type options = {
   bar : bool;
   title : string option;
   without : string list;
+  page : Page_camera.t option;
 }
 
 let default =
@@ -27,6 +28,7 @@ let default =
     bar = true;
     title = None;
     without = [];
+    page = None;
   }
 
 let none = function [] -> true | _ :: _ -> false
@@ -171,18 +173,29 @@ let told options bodies =
   | Some title -> title
   | None -> String.concat ", " (List.map (fun b -> b.of_model.name) bodies)
 
+let camera options =
+  match options.page with
+  | None -> Camera.make ~up:options.up options.from
+  | Some page -> Page_camera.camera page
+
+let canvas options camera ~origin hidden =
+  let width = options.width and top = Sheet.top ~title:options.title in
+  match options.page with
+  | Some page -> Page_camera.canvas page camera ~origin ~width ~top
+  | None ->
+    let points = List.concat_map Array.to_list (Array.to_list (Hidden.view hidden).points) in
+    let points = if none points then [ Convex.point Z.zero Z.zero Z.one ] else points in
+    Canvas.make camera ~width ~margin:Sheet.margin ~top points
+
 let drawn (m : Model.t) state options all =
   let bodies = List.filter is_drawn all in
   let of_body b = List.filteri (fun i _ -> Option.is_some b.solids.(i)) (Array.to_list b.placed) in
   let solids = List.concat_map of_body bodies in
-  let camera = Camera.make ~up:options.up options.from in
+  let camera = camera options in
   let whole (v : Vec.t) = Ivec.make (Rat.floor v.x) (Rat.floor v.y) (Rat.floor v.z) in
   let origin = match solids with [] -> Ivec.zero | p :: _ -> whole p.at in
   let hidden = seen m camera ~origin (Array.of_list (List.map View.of_placed solids)) bodies in
-  let points = List.concat_map Array.to_list (Array.to_list (Hidden.view hidden).points) in
-  let top = Sheet.top ~title:options.title in
-  let points = if none points then [ Convex.point Z.zero Z.zero Z.one ] else points in
-  let canvas = Canvas.make camera ~width:options.width ~margin:Sheet.margin ~top points in
+  let canvas = canvas options camera ~origin hidden in
   let paint = Paint.make camera ~origin canvas hidden in
   let families = Families.of_model m in
   let colour = colour families in

@@ -1,7 +1,7 @@
 (** Drawings of states for papers, in SVG. What is in front hides what is behind, decided exactly ({!Hidden}).
-    There is no perspective, so equal lengths in one direction are equal everywhere. Bodies of one family (shape
-    or compound of the model) have one colour; fixed ones are grey, and of glass where they would hide a body
-    entirely ({!Glass}). The same state gives the same bytes. *)
+    There is no perspective, so equal lengths in one direction are equal everywhere, unless a page had it.
+    Bodies of one family (shape or compound of the model) have one colour; fixed ones are grey, and of glass
+    where they would hide a body entirely ({!Glass}). The same state gives the same bytes. *)
 
 open Scc_exact
 open Scc_calculus
@@ -18,6 +18,7 @@ type options = {
   title : string option;
   without : string list;
   (** left out, with their marks: bodies, parts of them ([room.south]), and families of bodies *)
+  page : Page_camera.t option;  (** instead of [from] and [up]: the camera and the frame of a page *)
 }
 
 val default : options

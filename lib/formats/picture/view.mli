@@ -3,7 +3,7 @@
 open Scc_exact
 
 (** A convex polyhedron at its place in the world. *)
-type solid = {
+type solid = Front.mesh = {
   corners : Ivec.t array;  (** over [denominator] *)
   denominator : Z.t;  (** positive *)
   faces : int array array;  (** counterclockwise seen from outside *)
@@ -44,10 +44,14 @@ type points = {
   turned : Ivec.t array;  (** components along the axes of the camera, times [over] *)
   flat : Ivec.t array;  (** in the picture *)
   over : Z.t;
+  perspective : bool;
+  (** the camera has an eye. Then all is relative to the eye, a point (x, y, z) / [over] of the axes is at (x,
+      y) / -z of the picture, and its depth is [over] / -z *)
 }
 
 val points : Camera.t -> origin:Ivec.t -> Ivec.t array -> Z.t -> points
-(** [points camera ~origin corners over] is the view of the points [corners] / [over]. *)
+(** [points camera ~origin corners over] is the view of the points [corners] / [over]. They must be in front of
+    the eye of the camera, if it has one. *)
 
 val facing : body:int -> face:int -> points -> int array -> face option
 (** [facing ~body ~face points corners] is the face with these corners, which form a convex polygon of a plane,
@@ -57,7 +61,9 @@ val depth : points -> int -> Rat.t
 (** [depth points i] is the depth of the point [i], on the scale of the depths of faces. *)
 
 val make : Camera.t -> origin:Ivec.t -> solid array -> t
-(** The view of solids. [origin] becomes the point (0, 0) of the picture, at depth 0. *)
+(** The view of solids. [origin] becomes the point (0, 0) of the picture, at depth 0, unless the camera has an
+    eye. What is not in front of an eye is cut off; a solid of which nothing is left has no faces and no points.
+*)
 
 val nearer : face -> face -> Ivec.t
 (** [nearer f g] is a line: it is positive where [f] is in front of [g]. It is zero if both are in one plane. *)

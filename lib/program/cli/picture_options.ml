@@ -4,7 +4,8 @@ open Cmdliner
 
 type t = { from : Vec.t option; up : Vec.t option; width : int option }
 
-let given t = Option.is_some t.from || Option.is_some t.up || Option.is_some t.width
+let looks t = Option.is_some t.from || Option.is_some t.up
+let given t = looks t || Option.is_some t.width
 
 let direction =
   let number text = Arg.conv_parser Options.rational (String.trim text) in
@@ -41,10 +42,13 @@ let width =
 let term = Term.(const (fun from up width -> { from; up; width }) $ from $ up $ width)
 let or_default option default = Option.value ~default option
 
-let of_state t ~names ~without =
+let of_state t camera ~names ~without =
   let d = Picture.default in
-  let from = or_default t.from d.from and up = or_default t.up d.up and width = or_default t.width d.width in
-  { d with names; without; from; up; width }
+  let from = or_default t.from d.from and up = or_default t.up d.up in
+  let of_link = Option.bind camera (fun (c : Camera_link.t) -> c.width) in
+  let width = or_default t.width (or_default of_link d.width) in
+  let page = Option.map (fun (c : Camera_link.t) -> c.page) camera in
+  { d with names; without; from; up; width; page }
 
 let of_solid t : Solid_picture.options =
   let d = Solid_picture.default in

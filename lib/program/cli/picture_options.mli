@@ -11,8 +11,13 @@ val given : t -> bool
 val term : t Cmdliner.Term.t
 (** The options [--from], [--up] and [--width]. *)
 
-val of_state : t -> names:bool -> without:string list -> Scc_picture.Picture.options
-(** The options for a drawing of a state; others are those of {!Scc_picture.Picture.default}. *)
+val looks : t -> bool
+(** [looks t] is true if [--from] or [--up] is given. *)
+
+val of_state :
+  t -> Camera_link.t option -> names:bool -> without:string list -> Scc_picture.Picture.options
+(** The options for a drawing of a state, perhaps from the camera of a page; others are those of
+    {!Scc_picture.Picture.default}. *)
 
 val of_solid : t -> Scc_picture.Solid_picture.options
 (** The options for a drawing of a shape; others are those of {!Scc_picture.Solid_picture.default}. *)

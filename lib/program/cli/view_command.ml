@@ -118,18 +118,33 @@ let without =
     "With $(b,--svg): leaves out $(docv), a body, a part of one such as a wall that hides what is behind it \
      ($(b,room.south)), or a family of bodies. May be given several times."
 
+let camera =
+  let parse text =
+    match Camera_link.read text with
+    | Ok camera -> Ok camera
+    | Error why -> Error (`Msg ("this is no link with a camera: " ^ why))
+  in
+  let print ppf (_ : Camera_link.t) = Format.pp_print_string ppf "LINK" in
+  Options.maybe (Arg.conv ~docv:"LINK" (parse, print)) [ "camera" ] ~docv:"LINK"
+    "With $(b,--svg): sees what a page of $(b,scc view) shows, in the same frame and perspective. $(docv) is the \
+     link that $(i,Copy link) of the page makes, or what follows $(b,#) in it."
+
 let what =
-  let one data svg names without picture =
-    let drawing = Picture_options.of_state picture ~names ~without in
+  let one data svg names without picture camera =
+    let drawing = Picture_options.of_state picture camera ~names ~without in
     match (data, svg) with
     | true, Some _ -> Error "--data and --svg do not go together"
-    | _, None when names || without <> [] || Picture_options.given picture ->
-      Error "--names, --without, --from, --up and --width tell how --svg draws"
+    | _, None when names || without <> [] || Picture_options.given picture || Option.is_some camera ->
+      Error "--names, --without, --camera, --from, --up and --width tell how --svg draws"
+    | _ when Option.is_some camera && Picture_options.looks picture ->
+      Error "--camera does not go with --from and --up: it says from where the picture is seen"
     | true, None -> Ok (Data, drawing)
     | false, Some time -> Ok (Picture time, drawing)
     | false, None -> Ok (Page, drawing)
   in
-  Term.(term_result' ~usage:true (const one $ data_alone $ svg $ names $ without $ Picture_options.term))
+  Term.(
+    term_result' ~usage:true
+      (const one $ data_alone $ svg $ names $ without $ Picture_options.term $ camera))
 
 let options =
   let make path given output (what, drawing) check schedule graph plots =

@@ -9,7 +9,12 @@ let q = Rat.of_int
 
 (* {1 Scenes} *)
 
-type scene = { bodies : (body * Vec.t) list; from : Vec.t; far : Vec.t  (** where all of it is *) }
+type scene = {
+  bodies : (body * Vec.t) list;
+  from : Vec.t;
+  far : Vec.t;  (** where all of it is *)
+  away : Rat.t option;  (** how far the eye is along [from]; infinitely *)
+}
 
 let show s =
   let body ((b : body), at) =
@@ -18,7 +23,8 @@ let show s =
       (String.concat "" (List.map Vec.to_string [ m.r0; m.r1; m.r2 ]))
       (Vec.to_string at)
   in
-  Printf.sprintf "from %s, far %s: %s" (Vec.to_string s.from) (Vec.to_string s.far)
+  let away = match s.away with None -> "" | Some a -> Printf.sprintf " times %s" (Rat.to_string a) in
+  Printf.sprintf "from %s%s, far %s: %s" (Vec.to_string s.from) away (Vec.to_string s.far)
     (String.concat "; " (List.map body s.bodies))
 
 let stands s ((b : body), at) = placed b (Vec.add s.far at)
@@ -36,7 +42,7 @@ let direction =
   Gen.map (fun d -> if Vec.is_zero d then Vec.of_ints 1 2 3 else d) some
 
 let far = Gen.oneofl [ Vec.zero; Vec.of_ints 1_000_000 (-1_000_000) 1_000_000; halves (3, 5, 2_000_001) ]
-let make_scene bodies (from, far) = { bodies; from; far }
+let make_scene bodies (from, far) = { bodies; from; far; away = None }
 
 let crossing =
   let one = Gen.pair body (Gen.map halves Gen.(triple (-7 -- 7) (-7 -- 7) (-7 -- 7))) in
@@ -51,6 +57,11 @@ let stacked =
   let place = Gen.map (fun (x, y, z) -> Vec.of_ints x y z) Gen.(triple (-3 -- 3) (-3 -- 3) (-3 -- 3)) in
   let some = Gen.list_size Gen.(3 -- 12) (Gen.pair body place) in
   Gen.map apart (Gen.map2 make_scene some (Gen.pair direction far))
+
+(* From beside all of it, and from among it: what is behind the eye is cut off. *)
+let from_an_eye gen =
+  let away = Gen.oneofl [ q 12; Rat.make (Z.of_int 7) (Z.of_int 3); q 1; Rat.make Z.one (Z.of_int 4) ] in
+  Gen.map2 (fun s a -> { s with away = Some a }) gen away
 
 (* {1 The ray} *)
 
@@ -82,10 +93,12 @@ let exit_of (s : Naive.solid) origin towards =
 
 type answer = Nothing | Face of int * int | Unclear
 
-let frontmost ?(among = fun _ -> true) solids origin towards =
+let frontmost ?(among = fun _ -> true) ?limit solids origin towards =
+  let behind t = match limit with None -> false | Some l -> Rat.compare t l > 0 in
   let better answer (i, s) =
     match exit_of s origin towards with
     | None -> answer
+    | Some (t, _) when behind t -> answer
     | Some (t, faces) -> (
         let here = match faces with [ f ] -> Face (i, f) | _ -> Unclear in
         match answer with
@@ -100,8 +113,12 @@ let frontmost ?(among = fun _ -> true) solids origin towards =
 
 type seen = { scene : scene; camera : Camera.t; origin : Ivec.t; hidden : Hidden.t; pieces : Convex.t list array }
 
+let least = Rat.make Z.one (Z.of_int 10)
+
 let see ?glass s =
-  let camera = Camera.make s.from in
+  let straight = Camera.make s.from in
+  let from away = Camera.with_eye straight { at = Vec.axpy away (Ivec.to_vec straight.near) s.far; least } in
+  let camera = Option.fold s.away ~none:straight ~some:from in
   let origin, d = Ivec.of_vec s.far in
   let origin = if Z.equal d Z.one then origin else Ivec.zero in
   let solid id ((b : body), at) =
@@ -110,16 +127,23 @@ let see ?glass s =
   let hidden = Hidden.make ?glass (View.make camera ~origin (Array.of_list (List.mapi solid s.bodies))) in
   { scene = s; camera; origin; hidden; pieces = Hidden.all_pieces hidden }
 
-(* The point of space at a point of the picture. *)
+(* The point of space at a point of the picture, or how a ray from there goes away from an eye. *)
 let in_space v x y =
   let along axis c =
     let a = Ivec.to_vec axis in
     Vec.scale (Rat.div c (Vec.norm2 a)) a
   in
-  Vec.add (Ivec.to_vec v.origin) (Vec.add (along v.camera.right x) (along v.camera.up y))
+  Vec.add (along v.camera.right x) (along v.camera.up y)
 
 let hit ?among v x y =
-  frontmost ?among (List.map (stands v.scene) v.scene.bodies) (in_space v x y) (Ivec.to_vec v.camera.near)
+  let solids = List.map (stands v.scene) v.scene.bodies and near = Ivec.to_vec v.camera.near in
+  match v.camera.eye with
+  | None -> frontmost ?among solids (Vec.add (Ivec.to_vec v.origin) (in_space v x y)) near
+  | Some eye ->
+    (* A unit of this ray is one unit along the axis to the eye, times its length. *)
+    let towards = Vec.sub (Vec.scale (Rat.div Rat.one (Vec.norm2 near)) near) (in_space v x y) in
+    let limit = Rat.neg (Rat.mul least (Camera.length_near v.camera)) in
+    frontmost ?among ~limit solids eye.at towards
 
 let name v i =
   let f = (Hidden.view v.hidden).faces.(i) in
@@ -148,10 +172,11 @@ let corners v = List.concat_map Array.to_list (Array.to_list (Hidden.view v.hidd
 (* Points over the picture, at places that no corner is likely to have. *)
 let somewhere v numbers =
   let places = List.map Convex.place (corners v) in
-  let extent f = (List.fold_left (fun m p -> Rat.min m (f p)) (f (List.hd places)) places,
-                  List.fold_left (fun m p -> Rat.max m (f p)) (f (List.hd places)) places) in
-  let within (low, high) n = Rat.add low (Rat.mul (Rat.sub high low) (Rat.make (Z.of_int n) (Z.of_int 9973))) in
-  List.map (fun (a, b) -> (within (extent fst) a, within (extent snd) b)) numbers
+  if places = [] then [] else
+    let extent f = (List.fold_left (fun m p -> Rat.min m (f p)) (f (List.hd places)) places,
+                    List.fold_left (fun m p -> Rat.max m (f p)) (f (List.hd places)) places) in
+    let within (low, high) n = Rat.add low (Rat.mul (Rat.sub high low) (Rat.make (Z.of_int n) (Z.of_int 9973))) in
+    List.map (fun (a, b) -> (within (extent fst) a, within (extent snd) b)) numbers
 
 (* Not at the ends of the picture: there a ray only grazes what it meets. *)
 let anywhere = Gen.list_size (Gen.return 25) Gen.(pair (1 -- 9972) (1 -- 9972))
@@ -327,10 +352,21 @@ let on kind gen =
     law ~count:20 (kind ^ ": edges are drawn where their faces are seen") gen edges;
   ]
 
+let with_an_eye =
+  let gen = from_an_eye scattered and touching = from_an_eye stacked in
+  [
+    law ~count:120 "an eye: a ray tells what is drawn" gen at_random;
+    law ~count:60 "an eye, solids that touch: a ray tells what is drawn" touching at_random;
+    law ~count:60 "an eye: a ray goes through glass" gen through_glass;
+    law ~count:60 "an eye: each piece shows what a ray tells in its middle" gen in_the_middle;
+    law ~count:30 "an eye: edges are drawn where their faces are seen" gen edges;
+  ]
+
 let () =
   Alcotest.run "hidden"
     [
       ("apart", Scc_test_support.Property.cases (on "Solids apart" scattered));
       ("stacked", Scc_test_support.Property.cases (on "Solids that touch" stacked));
+      ("an eye", Scc_test_support.Property.cases with_an_eye);
       ("crossing", Scc_test_support.Property.cases (on "Solids that cross" crossing));
     ]

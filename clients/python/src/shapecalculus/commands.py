@@ -474,6 +474,7 @@ def view(
     seconds: Optional[Number] = None,
     states: Optional[int] = None,
     time: Optional[Number] = None,
+    camera: Optional[str] = None,
     check: Optional[str] = None,
     define: Optional[Mapping[str, Setting]] = None,
     data: bool = False,
@@ -502,6 +503,8 @@ def view(
     ``seconds``: Explores for at most S seconds of the clock. No default.
     ``states``: Keeps at most N states. The default is 200000.
     ``time``: Expands only states that can be reached by the model time T; 0 is the first instant. No default.
+    ``camera``: With --svg: sees what a page of scc view shows, in the same frame and perspective. LINK is the
+      link that Copy link of the page makes, or what follows # in it.
     ``check``: Shows the check NAME alone.
     ``define``: Gives the parameter NAME of the model the value VALUE, a rational. If the parameter has a range,
       it can be narrowed instead: to [1,3], or to [1,3), where a round bracket excludes an end. Repeatable.
@@ -538,6 +541,7 @@ def view(
         *words.seconds("--seconds", seconds),
         *words.integer("--states", states),
         *words.number("--time", time),
+        *words.text("--camera", camera),
         *words.text("--check", check),
         *words.define(model, define),
         *words.flag("--data", data),
