@@ -72,6 +72,71 @@ def by_mouse(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
+NODES = 'return document.querySelectorAll("[data-testid=graph] .node").length'
+
+
+def graphs(b, scc):
+    """The graph around the present state, states in a row as one, probabilities, and a map of many states."""
+    b.open(scc.view('specs/models/ruin.sc'))
+    data = b.js('scc.open(scc.runs().length - 1); scc.go(0); return scc.data')
+    b.find('graph-switch').click()
+    same('few states are all drawn', b.js(NODES), len(data['states']))
+    b.pick('graph-show', 'near')
+    for k in [1, 2]:
+        b.pick('graph-steps', str(k))
+        now = b.state()['state']
+        near = {now}
+        for ways in [lambda n: {one['to'] for one in data['states'][n]['next']},
+                     lambda n: {m for m, s in enumerate(data['states']) if any(one['to'] == n for one in s['next'])}]:
+            edge = {now}
+            for _ in range(k):
+                edge = set().union(*map(ways, edge)) - {None}
+                near |= edge
+        drawn = {int(name[6:]) for name in b.js(
+            'return [...document.querySelectorAll("[data-testid=graph] .node")].map((n) => n.dataset.testid)')}
+        same(f'the states within {k} steps', drawn, near)
+    b.js('scc.go(2)')
+    same('it follows the present state', b.js('return document.querySelector(".node.here").dataset.testid'),
+         f'state-{b.state()["state"]}')
+    b.pick('graph-show', 'all')
+    words = b.js('return [...document.querySelectorAll(".edge-text")].map((text) => text.textContent)')
+    check('probabilities are at edges', '3/5' in words and '2/5' in words, words)
+    b.find('graph-labels').click()
+    words = b.js('return [...document.querySelectorAll(".edge-text")].map((text) => text.textContent)')
+    check('and what happens there, on demand', any('walker draws' in text for text in words), words)
+    b.find('graph-legend').click()
+    legend = b.js('return document.querySelector(".graph-legend").textContent')
+    check('a legend', 'a draw by chance' in legend and 'an absorption' in legend and 'a bond' not in legend, legend)
+    # A run without choices is a row of states.
+    b.open(scc.view('specs/models/billiard.sc', '--graph', '300', '--seconds', '20'))
+    b.js('scc.open(scc.runs().length - 1); scc.go(0)')
+    b.find('graph-switch').click()
+    b.pick('graph-show', 'all')
+    pressed = b.find('graph-fold').get_attribute('aria-pressed')
+    if pressed == 'false':
+        b.find('graph-fold').click()
+    folded = b.js(NODES)
+    chains = b.js('return [...document.querySelectorAll(".node.chain title")].map((t) => t.textContent)')
+    check('states in a row are one node', chains and 'states in a row' in chains[0], chains)
+    b.find('graph-fold').click()
+    check('and each its own', b.wait(f'return document.querySelectorAll("[data-testid=graph] .node").length > {folded}'))
+    # Many states.
+    b.open(scc.view('specs/models/glycolysis.sc', '--graph', '5000', '--seconds', '60'))
+    b.js('scc.go(0)')
+    b.find('graph-switch').click()
+    check('of many, what is near', 1 < b.js(NODES) < 100, b.js(NODES))
+    b.find('graph-fold').click()
+    b.js('window.frames = 0; const tick = () => { window.frames += 1; requestAnimationFrame(tick); }; tick();')
+    b.pick('graph-show', 'all')
+    check('they are laid out beside the page', b.js('return document.querySelector("[data-testid=graph-waiting]") !== null'))
+    check('as a map', b.wait('return document.querySelector("[data-testid=graph-map]") !== null'))
+    check('on which the page goes on meanwhile', b.js('return window.frames') > 1)
+    b.js('document.querySelector("[data-testid=graph-map]").focus()')
+    b.keys(Keys.ARROW_DOWN, Keys.ENTER)
+    check('a state of the map', b.state()['state'] != 0, b.state()['state'])
+    same('the console is told nothing', b.complaints(), [])
+
+
 def reasons(b, scc):
     """A line of the tree of reasons leads to its instant."""
     b.open(scc.view('specs/models/latch.sc', '--check', 'settles'))
@@ -600,4 +665,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, hostile, far_away, motion, lost_context, no_states_beyond, large]
+PARTS = [by_mouse, graphs, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, hostile, far_away, motion, lost_context, no_states_beyond, large]
