@@ -172,5 +172,5 @@ const Sketch = (() => {
     ];
   }
 
-  return { make, told, kind, chance, legend };
+  return { make, told, kind, kinds, legend };
 })();

@@ -137,6 +137,74 @@ def graphs(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
+def events(b, scc):
+    """The list of events: passings of time folded, kinds, a search, pins, exact times; what is typed wrongly."""
+    b.open(scc.view('specs/models/billiard.sc', '--graph', '100', '--seconds', '20'))
+    data = b.js('scc.open(scc.runs().length - 1); scc.go(0); return scc.data')
+    run = data['runs'][-1]
+    kinds = [data['labels'][step['label']]['kind'] for step in run['steps']]
+    rows = 'return [...document.querySelectorAll("[data-testid=events-list] .row")].map((row) => Number(row.dataset.index))'
+    events = [0] + [k + 1 for k, kind in enumerate(kinds) if kind != 'time' or k + 1 == len(kinds)]
+    shown = b.js(rows)
+    same('without passings of time', shown, events[:len(shown)])
+    b.js('scc.go(1)')
+    same('a passing of time is shown at the event before', b.js(
+        'return document.querySelector("[data-testid=events-list] .row.here").dataset.index'), '0')
+    b.pick('events-kind', 'all')
+    shown = b.js(rows)
+    same('with them', shown, list(range(len(shown))))
+    b.pick('events-kind', 'bounce')
+    shown = b.js(rows)
+    same('of one kind', shown, [k + 1 for k, kind in enumerate(kinds) if kind == 'bounce'][:len(shown)])
+    b.pick('events-kind', '')
+    b.find('events-search').send_keys('P and Q')
+    words = [data['labels'][data_step['label']]['words'] for data_step in run['steps']]
+    found = [k + 1 for k, text in enumerate(words) if 'p and q' in text.lower()]
+    shown = b.js(rows)
+    check('a search finds some', 0 < len(found) < len(events))
+    same('a search', shown, found[:len(shown)])
+    same('how many it finds', b.text('events-found'), f'{len(found)} of {len(words) + 1}')
+    b.find('events-search').send_keys(Keys.ENTER)
+    same('Enter goes to the next one', b.state()['legs'], next(k for k in found if k > 1))
+    b.find('events-search').send_keys(' nothing')
+    check('nothing is found, and it says so', b.js('return document.querySelector("#events .empty:not([hidden])") !== null'))
+    b.js('const box = document.querySelector("[data-testid=events-search]"); box.value = ""; box.dispatchEvent(new Event("input"))')
+    at = b.state()['legs']
+    b.js('document.querySelector("[data-testid=events-list]").focus()')
+    b.keys('p')
+    b.js('scc.go(0)')
+    b.find(f'pinned-{at}').click()
+    same('a pinned event', b.state()['legs'], at)
+    b.find('pins').find_element('css selector', '.pin-button').click()
+    check('it is pinned no more', not b.find('pins').is_displayed())
+    # Long times.
+    long = scc.file('.sc')
+    with open(long, 'w', encoding='utf-8') as f:
+        f.write('import <solids>\nprocess p = solids.Cube(1) mass 1 velocity (104857601/8576123, 0, 0) [nil]\n'
+                'fixed w = solids.Cube(1) at translate (1234567/104, 0, 0)\ncheck c : possibly x(p) > 20\n')
+    b.open(scc.view(long))
+    b.js('scc.open(scc.runs().length - 1); scc.go(2)')
+    exact = b.state()['time']
+    check('a long time', len(exact) > 15, exact)
+    field = b.js('const box = document.querySelector("[data-testid=time]"); return [box.scrollWidth <= box.clientWidth, box.title]')
+    check('it is seen whole', field[0] and field[1].startswith(exact), field)
+    time_of = 'return document.querySelector("[data-testid=events-list] .row.here .time").textContent'
+    check('in the list as a decimal', b.js(time_of).startswith('≈'), b.js(time_of))
+    b.find('events-exact').click()
+    same('and whole on demand', b.js(time_of), exact)
+    for text, said in [('5,3', 'no number'), ('-1', 'begins at 0'), ('1e30', 'ends at'), ('x', 'no number'), ('1/0', 'no number')]:
+        b.js('document.querySelector("[data-testid=time]").select()')
+        b.find('time').send_keys(text, Keys.ENTER)
+        check(f'{text}: what is wrong is said', said in b.text('time-wrong') and b.find('time-wrong').is_displayed(), b.text('time-wrong'))
+    b.js('document.querySelector("[data-testid=time]").select()')
+    b.find('time').send_keys('0.1', Keys.ENTER)
+    same('a decimal is read as it is', (b.state()['time'], b.find('time-wrong').is_displayed()), ('1/10', False))
+    for low, high in [(0, 1), (1000, 1000.0000001), (1e15, 1e15 + 2), (0, 1e-9), (-3, 7)]:
+        marks = b.js('return Timeline.labels(Timeline.steps(arguments[0], arguments[1], 9)).map(([, text]) => text)', low, high)
+        check(f'ticks from {low} to {high} are different', marks and len(set(marks)) == len(marks), marks)
+    same('the console is told nothing', b.complaints(), [])
+
+
 def reasons(b, scc):
     """A line of the tree of reasons leads to its instant."""
     b.open(scc.view('specs/models/latch.sc', '--check', 'settles'))
@@ -665,4 +733,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, graphs, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, hostile, far_away, motion, lost_context, no_states_beyond, large]
+PARTS = [by_mouse, graphs, events, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, hostile, far_away, motion, lost_context, no_states_beyond, large]
