@@ -306,6 +306,28 @@ def starts(b, scc):
     moved = b.js('return document.querySelector("[data-testid=where] .sample.here").dataset.run')
     check('the arrows lead to another start', run != moved, (run, moved))
     check('a run from there is shown', b.state()['bodies'] != first['bodies'])
+    where = b.js('return scc.data.where')
+    texts = b.js("""
+      return [...document.querySelectorAll('[data-testid=where] .axis')].map((t) => {
+        const box = t.getBoundingClientRect();
+        return [t.textContent, box.left + box.width / 2, box.top + box.height / 2];
+      })""")
+    numbers = [(float(text), x, y) for text, x, y in texts if re.fullmatch(r'-?[0-9.]+', text)]
+    below = max(y for _, _, y in numbers)
+    across = [(value, x) for value, x, y in numbers if abs(y - below) < 2]
+    up = [(value, y) for value, x, y in numbers if abs(y - below) >= 2]
+    check('numbers stand along both axes', len(across) > 2 and len(up) > 2, texts)
+    check('across they grow to the right', sorted(across) == sorted(across, key=lambda one: one[1]), across)
+    check('and upwards', sorted(up) == sorted(up, key=lambda one: -one[1]), up)
+    ranges = [(float(Fraction(a['low']['value'])), float(Fraction(a['high']['value']))) for a in where['axes']]
+    check('all within the ranges', all(low <= value <= high for value, _ in across + up for low, high in [ranges[0] if (value, _) in across else ranges[1]]))
+    told = b.js("""
+      const svg = document.querySelector('[data-testid=where]'), dot = document.querySelectorAll('[data-testid=where] .sample')[arguments[0]];
+      const box = dot.getBoundingClientRect();
+      svg.dispatchEvent(new PointerEvent('pointermove', { clientX: box.left + box.width / 2, clientY: box.top + box.height / 2 }));
+      return document.querySelector('[data-testid=where-told]').textContent;""", 3)
+    sample = where['samples'][3]['at']
+    check('the start under the pointer is named', all(f'{name} = ' in told for name in sample), told)
 
 
 def onwards(b, scc):
