@@ -64,6 +64,8 @@ interface DataChoice {
   label: number;
   to: number | null;
   rules: string[];
+  /** Its probability, where chance decides. */
+  chance?: string;
 }
 
 type DataPiece =

@@ -8,19 +8,38 @@ const Events = (() => {
   let list;
   let told = 0;
   let timer = 0;
+  /**
+   * The positions of the run that are listed.
+   * @type {number[]}
+   */
+  let shown = [];
+  /** Which are listed: "" all but passings of time, "all", or those of one kind; and those whose words have this text. */
+  const wish = { kind: "", text: "", exact: false };
+  /**
+   * Positions that the user keeps in view, by runs.
+   * @type {WeakMap<PlayedRun, Set<number>>}
+   */
+  const pins = new WeakMap();
+  /** @type {{ kinds: HTMLSelectElement, found: HTMLElement, pins: HTMLElement }} */
+  let made;
 
   /** @param {Player} of */
   function start(of) {
     player = of;
+    tools(Dom.get("events"));
     list = new List(Dom.get("events"), {
       label: "Events of the run",
       height: 44,
-      row,
-      choose: (index) => {
-        player.pause();
-        player.go(index);
-      },
+      row: (index, element) => row(shown[index], element),
+      name: (index) => shown[index],
+      choose: (index) => go(shown[index]),
+      empty: "No event of the run is so.",
       test: "events-list",
+    });
+    list.box.addEventListener("keydown", (event) => {
+      if (event.key !== "p" || event.ctrlKey || event.altKey || event.metaKey) return;
+      event.stopPropagation();
+      pin(player.legs);
     });
     player.on("run", show);
     player.on("move", move);
@@ -29,9 +48,123 @@ const Events = (() => {
     move();
   }
 
-  function show() {
-    list.show(player.course.legs.length + 1, player.legs);
+  /** @param {number} legs */
+  function go(legs) {
+    player.pause();
+    player.go(legs);
   }
+
+  /** @param {HTMLElement} box */
+  function tools(box) {
+    const kinds = Dom.make("select", {
+      "aria-label": "Which events", test: "events-kind",
+      change: () => {
+        wish.kind = kinds.value;
+        show();
+      },
+    });
+    const text = Dom.make("input", {
+      type: "search", placeholder: "Search", "aria-label": "Search in events", spellcheck: "false", autocomplete: "off", test: "events-search",
+      input: () => {
+        wish.text = text.value.trim().toLowerCase();
+        show();
+      },
+      keydown: (/** @type {KeyboardEvent} */ event) => {
+        if (event.key === "Enter") go(next());
+      },
+    });
+    const exact = Dom.button("Exact", () => {
+      wish.exact = !wish.exact;
+      exact.setAttribute("aria-pressed", String(wish.exact));
+      list.refresh();
+    }, { title: "Times as exact fractions, in full", test: "events-exact", "aria-pressed": "false" });
+    made = { kinds, found: Dom.make("span", { class: "quiet", role: "status", test: "events-found" }), pins: Dom.make("div", { class: "pins", test: "pins" }) };
+    box.append(Dom.make("div", { class: "event-tools" }, [kinds, text, exact, made.found]), made.pins);
+  }
+
+  /** The position of the next one that is listed, or of the first. */
+  const next = () => shown.find((legs) => legs > player.legs) ?? shown[0] ?? player.legs;
+
+  /** Which kinds of events there are to choose. */
+  function choices() {
+    const seen = new Set(player.run.steps.map((step) => player.data.labels[step.label].kind));
+    const option = (/** @type {string} */ value, /** @type {string} */ text) => Dom.make("option", { value, text, selected: value === wish.kind });
+    if (wish.kind !== "all" && !seen.has(wish.kind)) wish.kind = "";
+    Dom.fill(made.kinds, option("", "Events"), option("all", "With time"), ...[...seen].sort().map((kind) => option(kind, Sketch.kinds[kind] || kind)));
+    made.kinds.value = wish.kind;
+  }
+
+  /**
+   * Whether a position of the run is listed.
+   * @param {number} legs
+   */
+  function listed(legs) {
+    const { kind, text } = wish, last = legs === player.course.legs.length;
+    if (legs === 0) return (kind === "" || kind === "all") && words(0).includes(text);
+    const is = label(legs);
+    if (kind === "" ? is.kind === "time" && !(last && text === "") : kind !== "all" && is.kind !== kind) return false;
+    return text === "" || `${is.words} ${is.text} ${Exactly.text(player.instant(legs))}`.toLowerCase().includes(text);
+  }
+
+  function show() {
+    choices();
+    shown = [];
+    for (let legs = 0; legs <= player.course.legs.length; legs++) if (listed(legs)) shown.push(legs);
+    list.show(shown.length, place(player.legs));
+    Dom.tell(made.found, wish.kind === "" && wish.text === "" ? "" : `${shown.length} of ${player.course.legs.length + 1}`);
+    pinned();
+  }
+
+  /**
+   * The row of a position: of what is not listed, the one before it, or -1.
+   * @param {number} legs
+   */
+  function place(legs) {
+    let low = 0, high = shown.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (shown[middle] <= legs) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+
+  /** Those that are kept in view. */
+  const kept = () => {
+    let own = pins.get(player.run);
+    if (!own) pins.set(player.run, (own = new Set()));
+    return own;
+  };
+
+  /** @param {number} legs */
+  function pin(legs) {
+    const own = kept();
+    if (!own.delete(legs)) own.add(legs);
+    pinned();
+    list.refresh();
+  }
+
+  function pinned() {
+    made.pins.hidden = kept().size === 0;
+    Dom.fill(made.pins, ...[...kept()].sort((a, b) => a - b).map((legs) => Dom.make("div", { class: `pin kind-${kind(legs)}` }, [
+      Dom.make("span", { class: "dot", "aria-hidden": "true" }),
+      Dom.button(Dom.clip(words(legs), 300), () => go(legs), { class: "link clipped", test: `pinned-${legs}` }),
+      Dom.make("span", { class: "time", text: short(player.instant(legs)), title: Exactly.both(player.instant(legs)) }),
+      unpin(legs),
+    ])));
+  }
+
+  /** @param {number} legs */
+  function unpin(legs) {
+    const is = kept().has(legs);
+    return Dom.button(is ? "×" : "Pin", (event) => {
+      event.stopPropagation();
+      pin(legs);
+    }, { class: "link pin-button", tabindex: "-1", "aria-label": is ? "Unpin" : "Pin", title: is ? "Unpin" : "Keep it in view (p)", test: `pin-${legs}` });
+  }
+
+  /** @param {number} legs */
+  const kind = (legs) => (legs === 0 ? "start" : label(legs).kind);
 
   /**
    * The words of what led to a position of the run.
@@ -49,25 +182,31 @@ const Events = (() => {
 
   /** @param {number} index @param {HTMLElement} element */
   function row(index, element) {
-    const kind = index === 0 ? "start" : label(index).kind;
     const rules = index === 0 ? [] : player.run.steps[index - 1].rules;
-    element.classList.add(`kind-${kind}`);
+    const time = player.instant(index), exact = Exactly.text(time);
+    element.classList.add(`kind-${kind(index)}`);
+    // Time has passed since the row before.
+    const before = shown[place(index) - 1];
+    element.classList.toggle("later", before !== undefined && Rational.cmp(player.instant(before), time) < 0);
     element.append(
       Dom.make("span", { class: "dot", "aria-hidden": "true" }),
       Dom.make("span", { class: "row-text" }, [Dom.name(Dom.clip(words(index), 600), "words clipped")]),
       Dom.make("span", { class: "row-side" }, [
-        Dom.make("span", { class: "time", text: Dom.clip(short(player.instant(index)), 40) }),
-        rules.length === 0
-          ? null
-          : Dom.make("span", {
-              class: "link",
-              text: rules[0],
-              click: (/** @type {Event} */ event) => {
-                event.stopPropagation();
-                player.go(index);
-                Rules.show(rules[0]);
-              },
-            }),
+        Dom.make("span", { class: wish.exact ? "time whole" : "time", text: wish.exact ? exact : short(time), title: Exactly.both(time) }),
+        wish.exact && exact.length > 20 ? null : Dom.make("span", {}, [
+          unpin(index),
+          rules.length === 0
+            ? null
+            : Dom.make("span", {
+                class: "link",
+                text: rules[0],
+                click: (/** @type {Event} */ event) => {
+                  event.stopPropagation();
+                  player.go(index);
+                  Rules.show(rules[0]);
+                },
+              }),
+        ]),
       ]),
     );
   }
@@ -79,7 +218,7 @@ const Events = (() => {
   }
 
   function move() {
-    list.mark(player.legs);
+    list.mark(place(player.legs));
     if (player.playing) {
       // While the run is played, an event is told at most every two seconds, and time as decimals.
       if (player.legs === told) return;
@@ -92,12 +231,11 @@ const Events = (() => {
     const legs = player.legs;
     const count = player.course.legs.length;
     const box = Dom.get("now");
-    const kind = legs === 0 ? "start" : label(legs).kind;
     const after = player.between && !player.playing;
     const rules = legs === 0 ? [] : player.run.steps[legs - 1].rules;
     Dom.fill(
       box,
-      Dom.make("p", { class: `now-words kind-${kind}` }, [
+      Dom.make("p", { class: `now-words kind-${kind(legs)}` }, [
         Dom.make("span", { class: "dot", "aria-hidden": "true" }),
         Dom.make("bdi", { class: "words", text: words(legs), test: "now-words" }),
       ]),

@@ -73,6 +73,8 @@ const Exactly = (() => {
    * @param {string} s @returns {Rational | null}
    */
   function read(s) {
+    const decimal = s.length > 20000 ? null : /^(-?[0-9]+)\.([0-9]+)$/.exec(s);
+    if (decimal) return Rational.make(BigInt(decimal[1] + decimal[2]), 10n ** BigInt(decimal[2].length));
     if (s.length > 20000 || !/^-?[0-9]+(\/[0-9]*[1-9][0-9]*)?$/.test(s)) return null;
     return Rational.of(s);
   }

@@ -1,284 +1,285 @@
 "use strict";
 
-/** A drawing of the state graph, in layers by the number of steps from the beginning. */
+/**
+ * The state graph: what is near the present state, or all of it. It is laid out in layers by the number of steps, beside
+ * the page where it is large; few states are drawn to be read, and many as a map.
+ */
 const Graph = (() => {
-  /** States up to which a drawing is of use. */
-  const most = 400;
-  const gap = { x: 46, y: 58 };
-  const svg = { margin: 26, node: 9 };
+  /** Nodes up to which each is drawn with its number. */
+  const readable = 400;
+  /** States up to which all of them are drawn at first. */
+  const few = 60;
   /** @type {Player} */
   let player;
   /** @type {HTMLElement} */
   let box;
+  /** @type {HTMLElement} */
+  let view;
+  /** @type {HTMLElement} */
+  let note;
+  /** What the user has chosen; null: by the size of the graph. */
+  const wish = {
+    /** @type {"near" | "all" | null} */ show: null,
+    steps: 3,
+    /** @type {boolean | null} */ fold: null,
+    labels: false,
+  };
+  /** @type {{ looked: number, states: number[] } | null} */
+  let known = null;
+  /** @type {Drawing | null} */
+  let drawing = null;
+  /** @type {Map<number, number>} the node of each state */
+  let spotOf = new Map();
+  /** @type {ReturnType<typeof Sketch.make> | null} */
+  let sketch = null;
+  /** @type {ReturnType<typeof Depths.make> | null} */
+  let map = null;
   /**
-   * The states that are drawn, by their numbers in the drawing.
-   * @type {number[]}
+   * The states that were searched, and whether they were found.
+   * @type {Map<number, boolean> | null}
    */
-  let states = [];
-  /** @type {Map<number, SVGElement>} */
-  const nodes = new Map();
-  /** @type {Map<number, {x: number, y: number}>} */
-  const places = new Map();
-  /** @type {Map<string, SVGElement>} */
-  const lines = new Map();
+  let lit = null;
   let drawn = false;
-  /** Whether what is near the run is drawn alone. */
-  let partly = false;
+  /** The state around which it is drawn. */
+  let centre = -1;
   let scale = 1;
-  /** @type {SVGElement | null} */
-  let picture = null;
+  let fitted = false;
 
   /** @param {Player} of */
   function start(of) {
     player = of;
     box = Dom.get("graph");
     player.on("run", () => {
-      if (partly) again();
-      else if (drawn) way();
+      known = null;
+      again();
     });
     player.on("move", () => drawn && here());
-    player.on("grow", again);
+    player.on("grow", () => {
+      known = null;
+      again();
+    });
   }
 
   /** More is known, or another part of it is to be drawn: at once where one sees it. */
   function again() {
     if (!drawn) return;
     drawn = false;
-    if (Dom.get("graph-panel").hidden) return;
-    const focused = [...nodes].find(([, node]) => node === document.activeElement);
-    show();
-    const node = focused && nodes.get(focused[0]);
-    if (node) /** @type {any} */ (node).focus({ preventScroll: true });
+    if (!Dom.get("graph-panel").hidden) show();
   }
 
   /** Draws it, if that was not done yet. */
   function show() {
+    if (!note) tools();
     if (!drawn) draw();
     drawn = true;
-    way();
-    here();
   }
 
+  const all = () => known || (known = Portion.all(player));
+  /** Whether what is near alone is drawn. */
+  const partly = () => (wish.show || (all().states.length > few ? "near" : "all")) === "near";
+
   /** What is said of how much is known. */
-  function known() {
-    const all = player.data.states, { graph } = player.data;
+  function told() {
+    const { data } = player, { graph } = data;
     if (graph && graph.complete) return `All ${graph.states} states that there are.`;
-    if (Live.on)
-      return `${states.length} states were looked at so far; the graph grows as you go on.` +
-        (partly ? ` The ${most} nearest to the run are drawn.` : "");
-    if (!graph) return `The file holds the ${all.length} states of its runs.`;
+    if (Live.on) return `${all().looked} states were looked at so far; the graph grows as you go on.`;
+    if (!graph) return `The file holds the ${data.states.length} states of its runs.`;
     return `${graph.states} states, of ${graph.expanded} of which all that can happen is known: ` +
       `the graph was followed up to the bound of ${graph.bound} states.`;
   }
 
-  /** Of many states that were looked at, those that are nearest to the run. */
-  function near() {
-    const all = player.data.states, wanted = new Set(states);
-    const found = new Set([player.run.start, ...player.run.steps.map((step) => step.to)].filter((n) => wanted.has(n)));
-    for (const state of found) {
-      if (found.size >= most) break;
-      for (const { to } of all[state].next || []) if (to !== null && wanted.has(to) && found.size < most) found.add(to);
-    }
-    return [...found].slice(0, most);
+  /** @type {{ [name: string]: HTMLElement }} */
+  const made = {};
+
+  function tools() {
+    note = Dom.make("p", { class: "quiet", test: "graph-note" });
+    made.show = Dom.make("select", {
+      "aria-label": "Which states", test: "graph-show",
+      change: () => {
+        wish.show = /** @type {any} */ (made.show).value;
+        other();
+      },
+    }, [Dom.make("option", { value: "near", text: "Near here" }), Dom.make("option", { value: "all", text: "All" })]);
+    made.steps = Dom.make("input", {
+      type: "number", min: 1, max: 99, value: wish.steps, "aria-label": "Steps before and after", title: "Steps before and after",
+      test: "graph-steps",
+      change: () => {
+        const wanted = Math.round(Number(/** @type {any} */ (made.steps).value));
+        wish.steps = Math.max(1, Math.min(99, wanted || wish.steps));
+        other();
+      },
+    });
+    const toggle = (/** @type {string} */ name, /** @type {string} */ text, /** @type {string} */ title, /** @type {() => void} */ flip) => {
+      made[name] = Dom.button(text, () => {
+        flip();
+        other();
+      }, { title, test: `graph-${name}`, "aria-pressed": "false" });
+      return made[name];
+    };
+    view = Dom.make("div", { class: "graph-view", keydown: walk });
+    made.legend = Dom.make("ul", {});
+    Dom.fill(
+      box,
+      Dom.make("div", { class: "graph-tools" }, [
+        made.show, made.steps,
+        toggle("fold", "Fold", "Draw states in a row as one", () => { wish.fold = !folding(); }),
+        toggle("labels", "Labels", "What happens along the edges", () => { wish.labels = !wish.labels; }),
+        Dom.button("−", () => zoom(1 / 1.25), { "aria-label": "Smaller" }),
+        Dom.button("+", () => zoom(1.25), { "aria-label": "Larger" }),
+        Dom.button("Fit", fit, {}),
+        Dom.button("SVG", () => Dom.save("graph.svg", "image/svg+xml", file()), { title: "Save the drawing", test: "graph-svg" }),
+      ]),
+      Dom.make("div", { class: "graph-tools" }, [note]),
+      Dom.make("details", { class: "graph-legend" }, [Dom.make("summary", { text: "Legend", test: "graph-legend" }), made.legend]),
+      view,
+    );
   }
+
+  /** Other choices of the user. */
+  function other() {
+    drawn = fitted = false;
+    show();
+  }
+
+  const folding = () => (wish.fold === null ? all().states.length > few : wish.fold);
 
   function draw() {
-    const all = player.data.states;
-    states = [];
-    for (const map of [nodes, places, lines]) map.clear();
-    const first = picture === null;
-    picture = null;
-    // What comes after the end of a run is no state of the graph: nothing but turning goes on there.
-    const after = new Set(player.runs.flatMap((run) => run.steps.filter((step) => step.tail).map((step) => step.to)));
-    all.forEach((state, index) => {
-      if (state.next !== null && !after.has(index)) states.push(index);
-    });
-    partly = Live.on && states.length > most;
-    const note = known();
-    if (partly) states = near();
-    if (states.length === 0 || states.length > most) {
-      const why =
-        states.length === 0
-          ? "The file holds no states of which all that can happen is known."
-          : `It is not drawn: more than ${most} states would tell little. Choices can be walked one by one.`;
-      Dom.fill(
-        box,
-        Dom.make("p", { class: "empty", text: note, test: "graph-note" }),
-        Dom.make("p", { class: "empty", text: why }),
-      );
+    const { states } = player.data, { looked, states: every } = all();
+    made.show.toggleAttribute("data-near", partly());
+    /** @type {any} */ (made.show).value = partly() ? "near" : "all";
+    /** @type {any} */ (made.steps).value = wish.steps;
+    made.steps.hidden = !partly();
+    made.fold.setAttribute("aria-pressed", String(folding()));
+    made.labels.setAttribute("aria-pressed", String(wish.labels));
+    if (looked === 0) {
+      drawing = sketch = map = null;
+      Dom.tell(note, told());
+      Dom.fill(view, Dom.make("p", { class: "empty", text: "The file holds no states of which all that can happen is known." }));
       return;
     }
-    const number = new Map(states.map((state, i) => [state, i]));
-    for (const state of states)
-      for (const choice of all[state].next || []) {
-        if (choice.to !== null && !number.has(choice.to) && states.length < 2 * most) {
-          number.set(choice.to, states.length);
-          states.push(choice.to);
-        }
-      }
-    /** @type {[number, number][]} */
-    const edges = [];
-    /** @type {Map<string, DataChoice[]>} */
-    const by = new Map();
-    for (const [from, i] of number)
-      for (const choice of all[from].next || []) {
-        const to = choice.to === null ? undefined : number.get(choice.to);
-        if (to === undefined) continue;
-        const key = `${from}-${choice.to}`;
-        if (!by.has(key)) edges.push([i, to]);
-        by.set(key, (by.get(key) || []).concat(choice));
-      }
-    const roots = player.runs.map((run) => number.get(run.start)).filter((i) => i !== undefined);
-    const { order } = Layers.place(states.length, edges, /** @type {number[]} */ (roots));
-    const widest = Math.max(...order.map((layer) => layer.length));
-    const width = 2 * svg.margin + (widest - 1) * gap.x;
-    const height = 2 * svg.margin + (order.length - 1) * gap.y;
-    order.forEach((layer, depth) =>
-      layer.forEach((node, i) => {
-        const shift = width / 2 + (i - (layer.length - 1) / 2) * gap.x;
-        places.set(states[node], { x: shift, y: svg.margin + depth * gap.y });
-      }),
-    );
-    picture = Dom.draw("svg", {
-      viewBox: `0 0 ${width} ${height}`,
-      width,
-      height,
-      role: "group",
-      "aria-label": `Graph of ${states.length} states`,
+    centre = now();
+    const far = partly() ? Portion.near(states, every, centre, wish.steps, readable) : null;
+    const starts = player.runs.map((run) => run.start);
+    const kept = new Set(far ? [...starts, centre] : starts);
+    drawing = Portion.drawing(states, far ? [...far.keys()] : every, far, folding(), kept);
+    spotOf = new Map(drawing.spots.flatMap(({ states }, i) => states.map((state) => [state, i])));
+    const count = drawing.spots.length, large = count > readable;
+    Dom.tell(note, told() + (far ? ` ${far.size} of them are within ${wish.steps} steps of here.` : "") +
+      (large ? " A map by depth: point at a dot." : ""));
+    const roots = starts.flatMap((state) => spotOf.get(state) ?? []);
+    const wanted = {
+      count, edges: drawing.edges, roots, ...(drawing.layers ? { given: drawing.layers } : {}),
+      ...(large ? { columns: Math.ceil(Math.sqrt(count * 1.5)) } : {}),
+    };
+    const of = drawing;
+    let done = false;
+    Aside.place(wanted, (placed) => {
+      done = true;
+      if (of === drawing) paint(of, placed, large);
     });
-    const edgeLayer = Dom.draw("g", { class: "edges" });
-    for (const [a, b] of edges)
-      edgeLayer.append(edge(states[a], states[b], by.get(`${states[a]}-${states[b]}`) || []));
-    const nodeLayer = Dom.draw("g", { class: "nodes" });
-    for (const layer of order) for (const i of layer) nodeLayer.append(node(states[i]));
-    picture.append(edgeLayer, nodeLayer);
-    const tools = Dom.make("div", { class: "graph-tools" }, [
-      Dom.make("p", { class: "quiet", text: note, test: "graph-note" }),
-      Dom.button("−", () => zoom(scale / 1.25), { "aria-label": "Smaller" }),
-      Dom.button("+", () => zoom(scale * 1.25), { "aria-label": "Larger" }),
-      Dom.button("Fit", fit, {}),
-      Dom.button("SVG", () => Dom.save("graph.svg", "image/svg+xml", file()), { title: "Save the drawing" }),
-    ]);
-    Dom.fill(box, tools, Dom.make("div", { class: "graph-view", keydown: walk }, [picture]));
-    if (first) fit();
-    else zoom(scale);
+    if (!done) Dom.fill(view, Dom.make("p", { class: "empty", text: `${count} states are laid out …`, test: "graph-waiting" }));
   }
 
-  /** @param {number} to */
-  function zoom(to) {
-    if (!picture) return;
-    scale = Math.max(0.15, Math.min(3, to));
+  /** @param {Drawing} of @param {ReturnType<typeof Layers.place>} placed @param {boolean} large */
+  function paint(of, placed, large) {
+    const { data } = player;
+    const focused = view.contains(document.activeElement) && document.activeElement;
+    const label = focused && focused.getAttribute("data-testid");
+    sketch = map = null;
+    if (large) {
+      map = Depths.make(data, of, placed, { lit, way, visit });
+      Dom.fill(view, map.box);
+    } else {
+      sketch = Sketch.make({ data, drawing: of, placed, labels: wish.labels, lit, visit });
+      Dom.fill(view, /** @type {any} */ (sketch.picture));
+      if (!fitted) fit();
+      else zoom(1);
+      fitted = true;
+    }
+    view.classList.toggle("map", large);
+    Dom.fill(made.legend, ...Sketch.legend(data, of, lit !== null));
+    mark();
+    const same = label && view.querySelector(`[data-testid="${label}"]`);
+    const focus = same || (label && sketch && sketch.nodes[spotOf.get(centre) ?? -1]);
+    if (focus) /** @type {any} */ (focus).focus({ preventScroll: true });
+  }
+
+  /** @param {number} factor */
+  function zoom(factor) {
+    if (map) return map.zoom(factor);
+    if (!sketch) return;
+    scale = Math.max(0.15, Math.min(3, scale * factor));
+    const [width, height] = size(sketch.picture);
+    sketch.picture.setAttribute("width", String(Math.round(width * scale)));
+    sketch.picture.setAttribute("height", String(Math.round(height * scale)));
+  }
+
+  /** @param {SVGElement} picture @returns {[number, number]} */
+  function size(picture) {
     const [, , width, height] = (picture.getAttribute("viewBox") || "0 0 1 1").split(" ").map(Number);
-    picture.setAttribute("width", String(Math.round(width * scale)));
-    picture.setAttribute("height", String(Math.round(height * scale)));
+    return [width, height];
   }
 
   function fit() {
-    if (!picture || !picture.parentElement) return;
-    const [, , width, height] = (picture.getAttribute("viewBox") || "0 0 1 1").split(" ").map(Number);
-    const view = picture.parentElement;
-    zoom(
-      Math.min(1.6, Math.max(0.5, Math.min((view.clientWidth - 4) / width, (view.clientHeight - 4) / height))),
-    );
+    if (map) return map.fit();
+    if (!sketch) return;
+    const [width, height] = size(sketch.picture);
+    // Words stay large enough to be read.
+    scale = Math.min(1.6, Math.max(wish.labels ? 1 : 0.5, Math.min((view.clientWidth - 4) / width, (view.clientHeight - 4) / height)));
+    zoom(1);
   }
 
-  /** @param {number} from @param {number} to @param {DataChoice[]} choices */
-  function edge(from, to, choices) {
-    const a = /** @type {{x: number, y: number}} */ (places.get(from));
-    const b = /** @type {{x: number, y: number}} */ (places.get(to));
-    const kinds = new Set(choices.map((choice) => player.data.labels[choice.label].kind));
-    const words = choices.map((choice) => Dom.clip(player.data.labels[choice.label].words, 200)).join("\n");
-    const r = svg.node;
-    let path;
-    if (from === to) path = `M${a.x + r} ${a.y - 3}c16 -12 16 18 0 6`;
-    else if (b.y > a.y) {
-      const middle = (a.y + b.y) / 2;
-      const bend = b.y - a.y > gap.y * 1.5 ? (b.x - a.x >= 0 ? 22 : -22) : 0;
-      path = `M${a.x} ${a.y + r}C${a.x + bend} ${middle} ${b.x + bend} ${middle} ${b.x} ${b.y - r - 3}`;
-    } else if (b.y === a.y) {
-      path = `M${a.x} ${a.y + r}C${a.x} ${a.y + 32} ${b.x} ${b.y + 32} ${b.x} ${b.y + r + 3}`;
-    } else {
-      const side = a.x >= b.x ? 26 : -26;
-      path = `M${a.x} ${a.y - r}C${a.x + side} ${a.y - 30} ${b.x + side} ${b.y + 30} ${b.x} ${b.y + r + 3}`;
-    }
-    const line = Dom.draw("path", { d: path, class: `edge kind-${[...kinds][0]}${b.y > a.y ? "" : " back"}` }, [
-      Dom.draw("title", { text: words }),
-    ]);
-    lines.set(`${from}-${to}`, line);
-    return line;
-  }
-
-  /** @param {number} state */
-  function node(state) {
-    const { x, y } = /** @type {{x: number, y: number}} */ (places.get(state));
-    const of = player.data.states[state];
-    const kind = of.next === null ? "away" : of.rests ? "rests" : of.stuck ? "stuck" : "";
-    const said =
-      `State ${state}` +
-      (of.rests
-        ? ", where nothing happens any more"
-        : of.stuck
-          ? ", stuck"
-          : of.next === null
-            ? ", not followed further"
-            : `, ${of.next.length} possible`);
-    const circle = Dom.draw(
-      "g",
-      {
-        class: `node ${kind}`,
-        role: "button",
-        tabindex: "-1",
-        "aria-label": said,
-        "data-testid": `state-${state}`,
-        transform: `translate(${x} ${y})`,
-        click: () => visit(state),
-      },
-      [
-        Dom.draw("circle", { r: svg.node }),
-        Dom.draw("text", { class: "node-text", dy: "3.2", text: String(state) }),
-        Dom.draw("title", { text: said }),
-      ],
-    );
-    nodes.set(state, circle);
-    return circle;
-  }
-
-  /** Marks the edges of the run that is shown. */
+  /** The edges of the run that is shown, by their ends. */
   function way() {
-    for (const line of lines.values()) line.classList.remove("way");
+    const found = new Set();
     let from = player.run.start;
     for (const step of player.run.steps) {
-      const line = lines.get(`${from}-${step.to}`);
-      if (line) line.classList.add("way");
+      found.add(`${spotOf.get(from)}-${spotOf.get(step.to)}`);
       from = step.to;
     }
+    return found;
   }
 
-  /** Marks the state that is shown. */
+  /** The state that is shown: after the end of a run, the one in which it ends. */
+  function now() {
+    let k = player.legs;
+    while (k > 0 && player.run.steps[k - 1].tail) k--;
+    return k > 0 ? player.run.steps[k - 1].to : player.run.start;
+  }
+
+  /** Another state is shown. */
   function here() {
-    for (const line of picture ? picture.querySelectorAll(".edge.out") : []) line.classList.remove("out");
-    for (const choice of player.data.states[player.state].next || []) {
-      const line = lines.get(`${player.state}-${choice.to}`);
+    if (Dom.get("graph-panel").hidden) {
+      // It is drawn anew when it is seen again.
+      if (partly() && now() !== centre) drawn = false;
+    } else if (partly() && now() !== centre) again();
+    else mark();
+  }
+
+  /** Marks the state that is shown, what leads out of it, and the run. */
+  function mark() {
+    const state = now(), spot = spotOf.get(state);
+    if (map) return map.here(spot);
+    if (!sketch) return;
+    const run = way();
+    for (const [ends, line] of sketch.lines) {
+      line.classList.toggle("way", run.has(ends));
+      line.classList.remove("out");
+    }
+    for (const choice of player.data.states[state].next || []) {
+      const line = choice.to === null ? undefined : sketch.lines.get(`${spot}-${spotOf.get(choice.to)}`);
       if (line) line.classList.add("out");
     }
-    let state = player.state;
-    for (let k = player.legs; k > 0 && player.run.steps[k - 1].tail; k--) {
-      state = k > 1 ? player.run.steps[k - 2].to : player.run.start;
-    }
-    const now = nodes.get(state);
-    for (const node of nodes.values()) {
-      if (node === now || !node.classList.contains("here")) continue;
-      node.classList.remove("here");
-      node.setAttribute("tabindex", "-1");
-      node.removeAttribute("aria-current");
-    }
-    if (!now || now.classList.contains("here")) return;
-    now.classList.add("here");
-    now.setAttribute("aria-current", "true");
-    now.setAttribute("tabindex", "0");
-    const view = picture && picture.parentElement;
-    const place = places.get(state);
-    if (!view || !place) return;
+    sketch.nodes.forEach((node, i) => {
+      const is = i === spot;
+      if (node.classList.contains("here") === is) return;
+      node.classList.toggle("here", is);
+      node.setAttribute("tabindex", is ? "0" : "-1");
+      if (is) node.setAttribute("aria-current", "true");
+      else node.removeAttribute("aria-current");
+    });
+    const place = spot === undefined ? undefined : sketch.places[spot];
+    if (!place) return;
     const [x, y] = [place.x * scale, place.y * scale];
     if (x < view.scrollLeft + 20 || x > view.scrollLeft + view.clientWidth - 20)
       view.scrollLeft = x - view.clientWidth / 2;
@@ -287,77 +288,82 @@ const Graph = (() => {
   }
 
   /**
-   * Goes to a state: where the run has it, or by the shortest way from its beginning.
-   * @param {number} state
+   * Goes to a state: of several in a row, to the one after that which is shown, or to the first.
+   * @param {number[]} states
    */
-  function visit(state) {
+  function visit(states) {
+    const state = states[(states.indexOf(now()) + 1) % states.length];
     player.pause();
-    const at = player.run.start === state ? 0 : player.run.steps.findIndex((step) => step.to === state) + 1;
-    if (player.run.start === state || at > 0) player.go(at);
+    const at = player.run.steps.findIndex((step) => step.to === state) + 1;
+    if (player.run.start === state) player.go(0);
+    else if (at > 0) player.go(at);
     else {
-      const all = player.data.states;
-      /** @type {Map<number, {from: number, choice: number}>} */
-      const found = new Map();
-      const queue = [player.run.start];
-      for (let i = 0; i < queue.length && !found.has(state); i++) {
-        (all[queue[i]].next || []).forEach((choice, k) => {
-          if (choice.to === null || choice.to === player.run.start || found.has(choice.to)) return;
-          found.set(choice.to, { from: queue[i], choice: k });
-          queue.push(choice.to);
-        });
-      }
-      const choices = [];
-      for (let to = state; found.has(to);) {
-        const step = /** @type {{from: number, choice: number}} */ (found.get(to));
-        choices.push(step.choice);
-        to = step.from;
-      }
-      if (choices.length > 0) player.walk(player.run.index, 0, choices.reverse());
+      const choices = shortest(player.run.start, state);
+      if (choices.length > 0) player.walk(player.run.index, 0, choices);
     }
-    const node = nodes.get(state);
+    const node = sketch && sketch.nodes[spotOf.get(state) ?? -1];
     if (node) /** @type {any} */ (node).focus({ preventScroll: true });
   }
 
   /**
-   * The arrows go to the nearest state in their direction; Enter goes there in the run.
+   * The choices of a shortest way.
+   * @param {number} from @param {number} to
+   */
+  function shortest(from, to) {
+    const { states } = player.data;
+    /** @type {Map<number, { from: number, choice: number }>} */
+    const found = new Map();
+    const queue = [from];
+    for (let i = 0; i < queue.length && !found.has(to); i++) {
+      (states[queue[i]].next || []).forEach((choice, k) => {
+        if (choice.to === null || choice.to === from || found.has(choice.to)) return;
+        found.set(choice.to, { from: queue[i], choice: k });
+        queue.push(choice.to);
+      });
+    }
+    const choices = [];
+    for (let step = found.get(to); step; step = found.get(step.from)) choices.push(step.choice);
+    return choices.reverse();
+  }
+
+  /**
+   * The arrows go to the nearest node in their direction; Enter goes there in the run.
    * @param {KeyboardEvent} event
    */
   function walk(event) {
-    const from = [...nodes].find(([, node]) => node === event.target);
-    if (!from) return;
-    if (event.key === "Enter" || event.key === " ") {
-      visit(from[0]);
-    } else {
+    const { nodes, places } = sketch || { nodes: [], places: [] };
+    const from = nodes.findIndex((node) => node === event.target);
+    if (from < 0 || !drawing) return;
+    if (event.key === "Enter" || event.key === " ") visit(drawing.spots[from].states);
+    else {
       /** @type {{[key: string]: [number, number]}} */
       const ways = { ArrowDown: [0, 1], ArrowUp: [0, -1], ArrowRight: [1, 0], ArrowLeft: [-1, 0] };
       const way = ways[event.key];
       if (!way) return;
-      const a = /** @type {{x: number, y: number}} */ (places.get(from[0]));
-      let best = -1;
-      let least = Infinity;
-      for (const [state, b] of places) {
+      const a = places[from];
+      let best = -1, least = Infinity;
+      places.forEach((b, i) => {
         const along = (b.x - a.x) * way[0] + (b.y - a.y) * way[1];
         const across = Math.abs((b.x - a.x) * way[1]) + Math.abs((b.y - a.y) * way[0]);
-        if (along > 1 && along + 2 * across < least) [best, least] = [state, along + 2 * across];
-      }
-      const node = nodes.get(best);
-      if (node) /** @type {any} */ (node).focus();
+        if (along > 1 && along + 2 * across < least) [best, least] = [i, along + 2 * across];
+      });
+      if (best >= 0) /** @type {any} */ (nodes[best]).focus();
     }
     event.preventDefault();
     event.stopPropagation();
   }
 
-  /** The drawing as a file of its own. */
+  /** The drawing as a file of its own: of a map, of what is near. */
   function file() {
-    if (!picture) return "";
-    const copy = /** @type {SVGElement} */ (picture.cloneNode(true));
+    if (!sketch) return "";
+    const copy = /** @type {SVGElement} */ (sketch.picture.cloneNode(true));
     copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
     copy.prepend(
       Dom.draw("style", {
         text:
           ".edge{fill:none;stroke:#666;stroke-width:1.2}.way{stroke-width:2.6;stroke:#0a6}" +
-          ".node circle{fill:#fff;stroke:#333}.here circle{fill:#fc6}" +
-          ".node-text{font:9px sans-serif;text-anchor:middle}",
+          ".node circle,.node rect{fill:#fff;stroke:#333}.here circle,.here rect{fill:#fc6}.lit circle,.lit rect{stroke-width:4}" +
+          ".node-text{font:9px sans-serif;text-anchor:middle}.edge-text{font:8px sans-serif;text-anchor:middle}",
       }),
     );
     return new XMLSerializer().serializeToString(copy);

@@ -9,7 +9,8 @@ class List {
   /**
    * @param {HTMLElement} box where it goes
    * @param {{label: string, height: number, row: (index: number, row: HTMLElement) => void,
-   *          choose: (index: number) => void, step?: (index: number) => void, empty?: string, test?: string}}
+   *          choose: (index: number) => void, step?: (index: number) => void, name?: (index: number) => number, empty?: string,
+   *          test?: string}}
    * options
    *        `row` fills the element of a row; `choose` is called when the user points at one, `step` when keys
    * lead
@@ -111,7 +112,7 @@ class List {
       id: `${this.id}-${index}`,
       "aria-setsize": this.count,
       "aria-posinset": index + 1,
-      "data-index": index,
+      "data-index": this.options.name ? this.options.name(index) : index,
       click: () => this.options.choose(index),
     });
     row.style.top = `${index * this.options.height}px`;

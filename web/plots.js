@@ -241,7 +241,9 @@ const Plots = (() => {
         Dom.draw("line", { class: "plot-grid", x1: x(time), x2: x(time), y1: 0, y2: height, stroke: "#8884" }),
       );
     }
-    for (const value of truth ? [0, 1] : Timeline.steps(low, high, 3)) {
+    const marks = truth ? [0, 1].map((value) => /** @type {[number, string]} */ ([value, said(truth, value)]))
+      : Timeline.labels(Timeline.steps(low, high, 3), 4);
+    for (const [value, text] of marks) {
       picture.append(
         Dom.draw("line", {
           class: "plot-grid",
@@ -255,7 +257,7 @@ const Plots = (() => {
           class: "plot-tick",
           x: Timeline.margin + 3,
           y: y(value) - 3,
-          text: truth ? said(truth, value) : Exactly.decimal(value, 4),
+          text,
           "font-size": 10,
           "font-family": "sans-serif",
           fill: "#777",
@@ -354,7 +356,7 @@ const Plots = (() => {
       picture.append(row);
     });
     const { from, to } = Timeline.range;
-    for (const time of Timeline.steps(from, to, 10)) {
+    for (const [time, text] of Timeline.labels(Timeline.steps(from, to, 10))) {
       picture.append(
         Dom.draw("text", {
           x: Timeline.x(time, width),
@@ -362,7 +364,7 @@ const Plots = (() => {
           "font-size": 11,
           "font-family": "sans-serif",
           "text-anchor": "middle",
-          text: Exactly.decimal(time),
+          text,
         }),
       );
     }

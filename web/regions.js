@@ -5,7 +5,7 @@
  * start to see the run from there.
  */
 const Regions = (() => {
-  const width = 264, left = 40, top = 8, bottom = 34;
+  const width = 248, left = 58, top = 8, bottom = 36;
   const words = /** @type {{ [outcome: string]: string }} */ (
     { holds: "holds", fails: "fails", varies: "depends on what is not shown", unknown: "not known" });
 
@@ -51,9 +51,13 @@ const Regions = (() => {
     const picture = Dom.draw("svg", {
       viewBox: `0 0 ${size.w} ${size.h}`, class: "where", role: "application", tabindex: "0", test: "where",
       "aria-label": "Where the check holds. Arrows go from start to start.",
-      click: pointAt, keydown: key,
+      click: pointAt, keydown: key, pointermove: hover,
+      pointerleave: () => {
+        for (const dot of dots) dot.classList.remove("near");
+        tell();
+      },
     }, shapes);
-    told = Dom.make("p", { class: "quiet", role: "status" });
+    told = Dom.make("p", { class: "quiet", role: "status", test: "where-told" });
     Dom.fill(Dom.get("where"), chooser(), picture, legend(), told);
     mark();
   }
@@ -88,21 +92,38 @@ const Regions = (() => {
     ];
   }
 
+  /**
+   * Round numbers of an axis, none of them twice, with what is written there.
+   * @param {number} axis
+   */
+  function marks(axis) {
+    const { low, high } = where.axes[axis];
+    const [from, to] = [low, high].map((bound) => Rational.toNumber(Rational.of(bound.value)));
+    const all = Timeline.labels(Timeline.steps(from, to, 6));
+    // Numbers so long that they would cover each other: the ends alone.
+    if (all.length > 1 && all.every(([, text]) => text.length <= 7))
+      return all.map(([value, text]) => ({ part: (value - from) / (to - from), text }));
+    return [[low, 0], [high, 1]].map(([bound, part]) => ({
+      part: Number(part), text: Dom.clip(Exactly.text(Rational.of(/** @type {DataBound} */ (bound).value)), 12),
+    }));
+  }
+
   function axes() {
-    const name = (/** @type {number} */ axis, /** @type {any} */ at) =>
-      Dom.draw("text", { ...at, class: "axis", text: Dom.clip(where.axes[axis].name, 24) });
-    const end = (/** @type {string} */ text, /** @type {any} */ at) =>
-      Dom.draw("text", { ...at, class: "axis", text: Dom.clip(Exactly.text(Rational.of(text)), 12) });
-    const base = top + height() + 14;
-    const [x, y] = where.axes;
+    const word = (/** @type {string} */ text, /** @type {any} */ at) => Dom.draw("text", { ...at, class: "axis", text });
+    const tick = (/** @type {number} */ x, /** @type {number} */ y, /** @type {string} */ way) =>
+      Dom.draw("path", { class: "tick", d: `M${x.toFixed(1)} ${y.toFixed(1)}${way}` });
+    const base = top + height(), [x, y] = where.axes;
+    /** @param {number} part */
+    const side = (part) => (part < 0.05 ? "start" : part > 0.95 ? "end" : "middle");
     return [
-      end(x.low.value, { x: left, y: base, "text-anchor": "start" }),
-      end(x.high.value, { x: left + width, y: base, "text-anchor": "end" }),
-      name(0, { x: left + width / 2, y: base + 14, "text-anchor": "middle" }),
+      Dom.draw("path", { class: "tick", d: `M${left} ${top}V${base}H${left + width}` }),
+      ...marks(0).flatMap(({ part, text }) => [
+        tick(left + part * width, base, "v4"), word(text, { x: left + part * width, y: base + 15, "text-anchor": side(part) })]),
+      word(Dom.clip(x.name, 24), { x: left + width / 2, y: base + 30, "text-anchor": "middle" }),
       ...(y ? [
-        end(y.low.value, { x: left - 4, y: top + height(), "text-anchor": "end" }),
-        end(y.high.value, { x: left - 4, y: top + 9, "text-anchor": "end" }),
-        name(1, { x: left - 4, y: top + height() / 2, "text-anchor": "end" }),
+        ...marks(1).flatMap(({ part, text }) => [
+          tick(left, base - part * height(), "h-4"), word(text, { x: left - 6, y: base - part * height() + 4, "text-anchor": "end" })]),
+        word(Dom.clip(y.name, 24), { "text-anchor": "middle", transform: `translate(11 ${top + height() / 2}) rotate(-90)` }),
       ] : []),
     ];
   }
@@ -121,8 +142,11 @@ const Regions = (() => {
     return dots;
   }
 
-  /** @param {MouseEvent} event */
-  function pointAt(event) {
+  /**
+   * The start that is nearest to the pointer.
+   * @param {MouseEvent} event
+   */
+  function nearest(event) {
     const svg = /** @type {SVGSVGElement} */ (event.currentTarget);
     const box = svg.getBoundingClientRect(), scale = svg.viewBox.baseVal.width / box.width;
     const x = (event.clientX - box.left) * scale, y = (event.clientY - box.top) * scale;
@@ -131,7 +155,42 @@ const Regions = (() => {
       const p = at(s), d = Math.hypot(p.x - x, line() ? 0 : p.y - y);
       if (d < near) { near = d; best = i; }
     });
-    open(best);
+    return { best, near, x, y };
+  }
+
+  /** @param {MouseEvent} event */
+  const pointAt = (event) => open(nearest(event).best);
+
+  /**
+   * Says which start is under the pointer, and what is so there.
+   * @param {MouseEvent} event
+   */
+  function hover(event) {
+    const { best, near } = nearest(event), sample = where.samples[best];
+    dots.forEach((dot, i) => dot.classList.toggle("near", i === best && near < 14));
+    if (!sample || near >= 14) return tell();
+    const here = outcome(sample);
+    Dom.tell(told, `${values(sample)}${here ? `: ${words[here]}` : ""}. Click to see the run from there.`);
+  }
+
+  /** @param {DataSample} s */
+  const values = (s) => Object.keys(s.at).map((name) => `${Dom.clip(name, 40)} = ${Exactly.text(Rational.of(s.at[name]))}`).join(", ");
+
+  /**
+   * What is so at a start: of the region that has it inside. At borders, which belong to one side, nothing is said.
+   * @param {DataSample} s
+   */
+  function outcome(s) {
+    const [x, y] = where.axes.map((axis) => Rational.of(s.at[axis.name]));
+    const p = [x, y || Rational.make(1n, 2n)];
+    const inside = (/** @type {[string, string][]} */ polygon) => polygon.every(([ax, ay], i) => {
+      const [bx, by] = polygon[(i + 1) % polygon.length].map(Rational.of), a = [Rational.of(ax), Rational.of(ay)];
+      const side = Rational.sub(
+        Rational.mul(Rational.sub(bx, a[0]), Rational.sub(p[1], a[1])), Rational.mul(Rational.sub(by, a[1]), Rational.sub(p[0], a[0])));
+      return Rational.sign(side) > 0;
+    });
+    const found = where.regions.find((r) => r.polygons.some(inside));
+    return found ? found.outcomes[check] : null;
   }
 
   /** @param {number} index of a sample */
@@ -170,10 +229,13 @@ const Regions = (() => {
       dot.setAttribute("class", i === now ? "sample here" : "sample");
       dot.setAttribute("r", i === now ? "5" : "2.2");
     });
-    const s = where.samples[now];
-    Dom.tell(told, s
-      ? "The run from " + Object.keys(s.at).map((name) => `${Dom.clip(name, 40)} = ${Exactly.text(Rational.of(s.at[name]))}`).join(", ")
-      : "Point at a start, one of the dots, to see the run from there.");
+    tell();
+  }
+
+  /** Says which run is shown. */
+  function tell() {
+    const s = where.samples[present()];
+    Dom.tell(told, s ? `The run from ${values(s)}` : "Point at a start, one of the dots, to see the run from there.");
   }
 
   return { start };

@@ -132,9 +132,23 @@ const Timeline = (() => {
     const step = power * ([1, 2, 5].find((lead) => lead * power >= least * (1 - 1e-9)) || 10);
     const made = [];
     for (let i = Math.ceil(from / step - 1e-9); i * step <= to + step * 1e-9 && made.length < 100; i++) {
-      made.push(i * step);
+      // Where floats are coarser than the step, one stands for several.
+      if (made[made.length - 1] !== i * step) made.push(i * step);
     }
     return made;
+  }
+
+  /**
+   * What is written at the steps of an axis: with as many digits as tell them apart, so that no two are the same.
+   * @param {number[]} values @param {number} [digits] at least
+   * @returns {[number, string][]}
+   */
+  function labels(values, digits = 6) {
+    for (let count = digits; ; count++) {
+      const texts = values.map((value) => Exactly.decimal(value, count));
+      if (count >= 17 || new Set(texts).size === texts.length)
+        return values.map((value, i) => /** @type {[number, string]} */ ([value, texts[i]])).filter(([, text], i) => i === 0 || text !== texts[i - 1]);
+    }
   }
 
   function paint() {
@@ -155,12 +169,16 @@ const Timeline = (() => {
     pen.fillRect(margin, floor, width - 2 * margin, 1);
     pen.font = "11px system-ui, sans-serif";
     pen.textAlign = "center";
-    for (const time of steps(range.from, range.to, width / 90)) {
+    // Longer words need more room.
+    let marks = labels(steps(range.from, range.to, width / 90));
+    const longest = Math.max(...marks.map(([, text]) => pen.measureText(text).width));
+    if (longest > 80) marks = labels(steps(range.from, range.to, width / (longest + 20)));
+    for (const [time, text] of marks) {
       const at = x(time, width);
       pen.fillStyle = colour("--line");
       pen.fillRect(Math.round(at), floor, 1, 5);
       pen.fillStyle = colour("--quiet");
-      pen.fillText(Exactly.decimal(time), Math.max(margin, Math.min(width - margin, at)), height - 3);
+      pen.fillText(text, Math.max(margin, Math.min(width - margin, at)), height - 3);
     }
     const kinds = new Map();
     const tint = (/** @type {string} */ kind) => {
@@ -325,7 +343,7 @@ const Timeline = (() => {
     const { instant, legs } = found;
     Dom.fill(
       hint,
-      Dom.make("strong", { text: `at ${Dom.clip(Exactly.text(player.instant(instant.first)), 30)}` }),
+      Dom.make("strong", { text: `at ${Exactly.both(player.instant(instant.first))}` }),
       " ",
       Dom.name(Dom.clip(Events.words(legs), 160)),
       instant.count > 1
@@ -350,5 +368,5 @@ const Timeline = (() => {
     }
   }
 
-  return { start, onRange, range, x, steps, zoom, look, paint, margin };
+  return { start, onRange, range, x, steps, labels, zoom, look, paint, margin };
 })();

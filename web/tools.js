@@ -76,6 +76,11 @@ const Tools = (() => {
       },
     });
     const near = Dom.make("span", { class: "near", test: "time-near" });
+    const wrong = Dom.make("span", { class: "wrong", role: "alert", hidden: true, id: "time-wrong", test: "time-wrong" });
+    time.setAttribute("aria-describedby", "time-wrong");
+    time.addEventListener("input", () => {
+      wrong.hidden = true;
+    });
     const step = Dom.make("span", { class: "quiet step", test: "step", title: "Steps taken, of all" });
     const speed = Dom.make("span", { class: "speed", test: "speed" });
     const play = press("play", "", "Play (space)", () => player.toggle());
@@ -89,7 +94,7 @@ const Tools = (() => {
         press("next", "", "One event on (right arrow)", () => player.next()),
         press("last", "", "To the end (End)", () => player.finish()),
       ]),
-      Dom.make("span", { class: "group clock" }, [Dom.make("label", { for: "time", text: "t =" }), time, near]),
+      Dom.make("span", { class: "group clock" }, [Dom.make("label", { for: "time", text: "t =" }), time, near, wrong]),
       step,
       Dom.make("span", { class: "group push" }, [
         press("slower", "−", "Slower (-)", () => player.hasten(player.speed / 2)),
@@ -105,6 +110,9 @@ const Tools = (() => {
     const show = () => {
       const exact = Exactly.text(player.time);
       if (document.activeElement !== time) time.value = player.playing ? Exactly.decimal(player.clock) : exact;
+      // As wide as the number, within reason; all of it is in its title.
+      if (!player.playing) time.style.width = `${Math.max(9, Math.min(32, exact.length + 2))}ch`;
+      time.title = player.playing ? "" : Exactly.both(player.time);
       Dom.tell(near, !player.playing && exact.includes("/") ? Exactly.told(player.time) : "");
       Dom.tell(step, `${player.legs} / ${player.course.legs.length}`);
     };
@@ -125,12 +133,19 @@ const Tools = (() => {
 
   /** @param {HTMLInputElement} input */
   function go(input) {
-    const wanted = input.value.trim().replace("−", "-");
-    const exact = Exactly.read(wanted);
-    const near = Number(wanted);
+    const wanted = input.value.trim().replace("−", "-"), near = Number(wanted);
+    const time = Exactly.read(wanted) || (wanted !== "" && Number.isFinite(near) ? Rational.fromNumber(near) : null);
+    const wrong = Dom.get("time-wrong");
     player.pause();
-    if (exact) player.seek(exact);
-    else if (wanted !== "" && Number.isFinite(near)) player.seek(Exactly.grid(near));
+    // Left as it is: what was said before stays.
+    if (wanted === Exactly.text(player.time)) return;
+    const why = wanted === "" ? null
+      : time === null ? `“${Dom.clip(wanted, 40)}” is no number, such as 5/2 or 2.5`
+        : Rational.sign(time) < 0 ? "the run begins at 0"
+          : Rational.cmp(time, player.course.duration) > 0 ? `the run ends at ${Exactly.both(player.course.duration)}` : null;
+    if (time && Rational.cmp(time, player.time) !== 0) player.seek(time);
+    Dom.tell(wrong, why || "");
+    wrong.hidden = why === null;
     input.value = Exactly.text(player.time);
   }
 

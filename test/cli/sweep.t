@@ -176,6 +176,17 @@ Pictures: curves over one parameter, cells of colours over two.
   $ grep -c '<circle' curves.svg
   6
   $ scc sweep walk.sc -D p=0:1:1/4 -D n=1..3 --plot cells.svg -o cells.csv
+
+The parameter that is named first is across, the other one upwards: the lowest row of cells has the least n.
+
+  $ grep -o 'upwards [a-z]*' cells.svg
+  upwards n
+  $ grep -o '<title>[^<]*' cells.svg | head -5
+  <title>walk
+  <title>1
+  <title>9/13
+  <title>1/3
+  <title>1/13
   $ grep -c '<title' cells.svg
   46
   $ scc sweep walk.sc -D p=1/2 --plot none.svg 2>&1 | head -1

@@ -91,6 +91,13 @@ class Browser:
     def find(self, test):
         return self.driver.find_element(By.CSS_SELECTOR, f'[data-testid="{test}"]')
 
+    def pick(self, test, value):
+        """Chooses from a list, or writes into a field, as a user does."""
+        self.js('''
+          const box = document.querySelector(`[data-testid="${arguments[0]}"]`);
+          box.value = arguments[1];
+          box.dispatchEvent(new Event("change", { bubbles: true }));''', test, value)
+
     def all(self, selector):
         return self.driver.find_elements(By.CSS_SELECTOR, selector)
 

@@ -247,7 +247,11 @@ def graph(b):
     b.find('graph-switch').click()
     note = b.text('graph-note')
     check('the graph says what it shows', 'looked at' in note, note)
-    check('and has it', len(b.all('[data-testid="graph"] .node')) > 100)
+    check('and has what is near', len(b.all('[data-testid="graph"] .node')) > 1)
+    b.pick('graph-show', 'all')
+    check('and all of it', b.wait('return document.querySelectorAll("[data-testid=graph] .node").length > 100 || '
+                                  'document.querySelector("[data-testid=graph-map]") !== null'))
+    b.pick('graph-show', 'near')
     b.keys(Keys.END)
     b.idle()
     b.js('return scc.choose(0)')

@@ -72,6 +72,139 @@ def by_mouse(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
+NODES = 'return document.querySelectorAll("[data-testid=graph] .node").length'
+
+
+def graphs(b, scc):
+    """The graph around the present state, states in a row as one, probabilities, and a map of many states."""
+    b.open(scc.view('specs/models/ruin.sc'))
+    data = b.js('scc.open(scc.runs().length - 1); scc.go(0); return scc.data')
+    b.find('graph-switch').click()
+    same('few states are all drawn', b.js(NODES), len(data['states']))
+    b.pick('graph-show', 'near')
+    for k in [1, 2]:
+        b.pick('graph-steps', str(k))
+        now = b.state()['state']
+        near = {now}
+        for ways in [lambda n: {one['to'] for one in data['states'][n]['next']},
+                     lambda n: {m for m, s in enumerate(data['states']) if any(one['to'] == n for one in s['next'])}]:
+            edge = {now}
+            for _ in range(k):
+                edge = set().union(*map(ways, edge)) - {None}
+                near |= edge
+        drawn = {int(name[6:]) for name in b.js(
+            'return [...document.querySelectorAll("[data-testid=graph] .node")].map((n) => n.dataset.testid)')}
+        same(f'the states within {k} steps', drawn, near)
+    b.js('scc.go(2)')
+    same('it follows the present state', b.js('return document.querySelector(".node.here").dataset.testid'),
+         f'state-{b.state()["state"]}')
+    b.pick('graph-show', 'all')
+    words = b.js('return [...document.querySelectorAll(".edge-text")].map((text) => text.textContent)')
+    check('probabilities are at edges', '3/5' in words and '2/5' in words, words)
+    b.find('graph-labels').click()
+    words = b.js('return [...document.querySelectorAll(".edge-text")].map((text) => text.textContent)')
+    check('and what happens there, on demand', any('walker draws' in text for text in words), words)
+    b.find('graph-legend').click()
+    legend = b.js('return document.querySelector(".graph-legend").textContent')
+    check('a legend', 'a draw by chance' in legend and 'an absorption' in legend and 'a bond' not in legend, legend)
+    # A run without choices is a row of states.
+    b.open(scc.view('specs/models/billiard.sc', '--graph', '300', '--seconds', '20'))
+    b.js('scc.open(scc.runs().length - 1); scc.go(0)')
+    b.find('graph-switch').click()
+    b.pick('graph-show', 'all')
+    pressed = b.find('graph-fold').get_attribute('aria-pressed')
+    if pressed == 'false':
+        b.find('graph-fold').click()
+    folded = b.js(NODES)
+    chains = b.js('return [...document.querySelectorAll(".node.chain title")].map((t) => t.textContent)')
+    check('states in a row are one node', chains and 'states in a row' in chains[0], chains)
+    b.find('graph-fold').click()
+    check('and each its own', b.wait(f'return document.querySelectorAll("[data-testid=graph] .node").length > {folded}'))
+    # Many states.
+    b.open(scc.view('specs/models/glycolysis.sc', '--graph', '5000', '--seconds', '60'))
+    b.js('scc.go(0)')
+    b.find('graph-switch').click()
+    check('of many, what is near', 1 < b.js(NODES) < 100, b.js(NODES))
+    b.find('graph-fold').click()
+    b.js('window.frames = 0; const tick = () => { window.frames += 1; requestAnimationFrame(tick); }; tick();')
+    b.pick('graph-show', 'all')
+    check('they are laid out beside the page', b.js('return document.querySelector("[data-testid=graph-waiting]") !== null'))
+    check('as a map', b.wait('return document.querySelector("[data-testid=graph-map]") !== null'))
+    check('on which the page goes on meanwhile', b.js('return window.frames') > 1)
+    b.js('document.querySelector("[data-testid=graph-map]").focus()')
+    b.keys(Keys.ARROW_DOWN, Keys.ENTER)
+    check('a state of the map', b.state()['state'] != 0, b.state()['state'])
+    same('the console is told nothing', b.complaints(), [])
+
+
+def events(b, scc):
+    """The list of events: passings of time folded, kinds, a search, pins, exact times; what is typed wrongly."""
+    b.open(scc.view('specs/models/billiard.sc', '--graph', '100', '--seconds', '20'))
+    data = b.js('scc.open(scc.runs().length - 1); scc.go(0); return scc.data')
+    run = data['runs'][-1]
+    kinds = [data['labels'][step['label']]['kind'] for step in run['steps']]
+    rows = 'return [...document.querySelectorAll("[data-testid=events-list] .row")].map((row) => Number(row.dataset.index))'
+    events = [0] + [k + 1 for k, kind in enumerate(kinds) if kind != 'time' or k + 1 == len(kinds)]
+    shown = b.js(rows)
+    same('without passings of time', shown, events[:len(shown)])
+    b.js('scc.go(1)')
+    same('a passing of time is shown at the event before', b.js(
+        'return document.querySelector("[data-testid=events-list] .row.here").dataset.index'), '0')
+    b.pick('events-kind', 'all')
+    shown = b.js(rows)
+    same('with them', shown, list(range(len(shown))))
+    b.pick('events-kind', 'bounce')
+    shown = b.js(rows)
+    same('of one kind', shown, [k + 1 for k, kind in enumerate(kinds) if kind == 'bounce'][:len(shown)])
+    b.pick('events-kind', '')
+    b.find('events-search').send_keys('P and Q')
+    words = [data['labels'][data_step['label']]['words'] for data_step in run['steps']]
+    found = [k + 1 for k, text in enumerate(words) if 'p and q' in text.lower()]
+    shown = b.js(rows)
+    check('a search finds some', 0 < len(found) < len(events))
+    same('a search', shown, found[:len(shown)])
+    same('how many it finds', b.text('events-found'), f'{len(found)} of {len(words) + 1}')
+    b.find('events-search').send_keys(Keys.ENTER)
+    same('Enter goes to the next one', b.state()['legs'], next(k for k in found if k > 1))
+    b.find('events-search').send_keys(' nothing')
+    check('nothing is found, and it says so', b.js('return document.querySelector("#events .empty:not([hidden])") !== null'))
+    b.js('const box = document.querySelector("[data-testid=events-search]"); box.value = ""; box.dispatchEvent(new Event("input"))')
+    at = b.state()['legs']
+    b.js('document.querySelector("[data-testid=events-list]").focus()')
+    b.keys('p')
+    b.js('scc.go(0)')
+    b.find(f'pinned-{at}').click()
+    same('a pinned event', b.state()['legs'], at)
+    b.find('pins').find_element('css selector', '.pin-button').click()
+    check('it is pinned no more', not b.find('pins').is_displayed())
+    # Long times.
+    long = scc.file('.sc')
+    with open(long, 'w', encoding='utf-8') as f:
+        f.write('import <solids>\nprocess p = solids.Cube(1) mass 1 velocity (104857601/8576123, 0, 0) [nil]\n'
+                'fixed w = solids.Cube(1) at translate (1234567/104, 0, 0)\ncheck c : possibly x(p) > 20\n')
+    b.open(scc.view(long))
+    b.js('scc.open(scc.runs().length - 1); scc.go(2)')
+    exact = b.state()['time']
+    check('a long time', len(exact) > 15, exact)
+    field = b.js('const box = document.querySelector("[data-testid=time]"); return [box.scrollWidth <= box.clientWidth, box.title]')
+    check('it is seen whole', field[0] and field[1].startswith(exact), field)
+    time_of = 'return document.querySelector("[data-testid=events-list] .row.here .time").textContent'
+    check('in the list as a decimal', b.js(time_of).startswith('≈'), b.js(time_of))
+    b.find('events-exact').click()
+    same('and whole on demand', b.js(time_of), exact)
+    for text, said in [('5,3', 'no number'), ('-1', 'begins at 0'), ('1e30', 'ends at'), ('x', 'no number'), ('1/0', 'no number')]:
+        b.js('document.querySelector("[data-testid=time]").select()')
+        b.find('time').send_keys(text, Keys.ENTER)
+        check(f'{text}: what is wrong is said', said in b.text('time-wrong') and b.find('time-wrong').is_displayed(), b.text('time-wrong'))
+    b.js('document.querySelector("[data-testid=time]").select()')
+    b.find('time').send_keys('0.1', Keys.ENTER)
+    same('a decimal is read as it is', (b.state()['time'], b.find('time-wrong').is_displayed()), ('1/10', False))
+    for low, high in [(0, 1), (1000, 1000.0000001), (1e15, 1e15 + 2), (0, 1e-9), (-3, 7)]:
+        marks = b.js('return Timeline.labels(Timeline.steps(arguments[0], arguments[1], 9)).map(([, text]) => text)', low, high)
+        check(f'ticks from {low} to {high} are different', marks and len(set(marks)) == len(marks), marks)
+    same('the console is told nothing', b.complaints(), [])
+
+
 def reasons(b, scc):
     """A line of the tree of reasons leads to its instant."""
     b.open(scc.view('specs/models/latch.sc', '--check', 'settles'))
@@ -173,6 +306,28 @@ def starts(b, scc):
     moved = b.js('return document.querySelector("[data-testid=where] .sample.here").dataset.run')
     check('the arrows lead to another start', run != moved, (run, moved))
     check('a run from there is shown', b.state()['bodies'] != first['bodies'])
+    where = b.js('return scc.data.where')
+    texts = b.js("""
+      return [...document.querySelectorAll('[data-testid=where] .axis')].map((t) => {
+        const box = t.getBoundingClientRect();
+        return [t.textContent, box.left + box.width / 2, box.top + box.height / 2];
+      })""")
+    numbers = [(float(text), x, y) for text, x, y in texts if re.fullmatch(r'-?[0-9.]+', text)]
+    below = max(y for _, _, y in numbers)
+    across = [(value, x) for value, x, y in numbers if abs(y - below) < 2]
+    up = [(value, y) for value, x, y in numbers if abs(y - below) >= 2]
+    check('numbers stand along both axes', len(across) > 2 and len(up) > 2, texts)
+    check('across they grow to the right', sorted(across) == sorted(across, key=lambda one: one[1]), across)
+    check('and upwards', sorted(up) == sorted(up, key=lambda one: -one[1]), up)
+    ranges = [(float(Fraction(a['low']['value'])), float(Fraction(a['high']['value']))) for a in where['axes']]
+    check('all within the ranges', all(low <= value <= high for value, _ in across + up for low, high in [ranges[0] if (value, _) in across else ranges[1]]))
+    told = b.js("""
+      const svg = document.querySelector('[data-testid=where]'), dot = document.querySelectorAll('[data-testid=where] .sample')[arguments[0]];
+      const box = dot.getBoundingClientRect();
+      svg.dispatchEvent(new PointerEvent('pointermove', { clientX: box.left + box.width / 2, clientY: box.top + box.height / 2 }));
+      return document.querySelector('[data-testid=where-told]').textContent;""", 3)
+    sample = where['samples'][3]['at']
+    check('the start under the pointer is named', all(f'{name} = ' in told for name in sample), told)
 
 
 def onwards(b, scc):
@@ -600,4 +755,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, hostile, far_away, motion, lost_context, no_states_beyond, large]
+PARTS = [by_mouse, graphs, events, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, hostile, far_away, motion, lost_context, no_states_beyond, large]

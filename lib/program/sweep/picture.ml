@@ -73,10 +73,11 @@ let named =
 let text r = match Decimal.exact r with Some t -> t | None -> Rat.to_string r
 let labels (a : Grid.axis) = Array.map text a.values
 
+(* The parameter that is named first is across, as where [scc check] draws regions: it changes last in the grid. *)
 let map ~rows ~columns outcomes name : Chart.map =
-  let count = Array.length columns in
-  let row j = Array.init count (fun i -> cell name outcomes.((j * count) + i)) in
-  { title = name; rows; columns; cells = Array.init (Array.length rows) row }
+  let high = Array.length rows in
+  let row j = Array.init (Array.length columns) (fun i -> cell name outcomes.((i * high) + j)) in
+  { title = name; rows; columns; cells = Array.init high row }
 
 let chart ~title grid outcomes =
   let names = names outcomes in
@@ -86,7 +87,7 @@ let chart ~title grid outcomes =
     let curves, others = List.partition (asks_number outcomes) names in
     let map = map ~rows:[| "" |] ~columns:(labels x) outcomes in
     Chart.sheet ~title ~caption ~x:x.name ~named (List.map (curve x outcomes) curves) (List.map map others)
-  | [ y; x ] ->
+  | [ x; y ] ->
     let map = map ~rows:(labels y) ~columns:(labels x) outcomes in
     let caption = Printf.sprintf "%s; upwards %s" caption y.name in
     Chart.sheet ~title ~caption ~x:x.name ~named [] (List.map map names)

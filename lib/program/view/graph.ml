@@ -26,7 +26,8 @@ let look states world ~most (n, state) =
         if is_new then Some (States.after world (n, state) (Transition.duration t) t.target) else known
       in
       let found = match target with Some k when is_new -> (k, t.target) :: found | _ -> found in
-      (found, { States.label = States.label world t.label; rules = t.rules; target } :: possible)
+      let label = States.label world t.label in
+      (found, { States.label; rules = t.rules; target; chance = t.chance } :: possible)
     in
     let found, possible = List.fold_left one ([], []) transitions in
     States.set_next states n (List.rev possible);

@@ -41,7 +41,9 @@ let live = "<meta name=\"scc-live\" content=\"ask\">\n"
 
 let write ?(served = false) ~title data put =
   let styles = [ Assets.style ] and scripts = Assets.scripts in
-  let policy = policy ~scripts ~styles ~more:(if served then own_server else "") in
+  (* The state graph is laid out in a worker, of which the text is that of a script of the page. *)
+  let more = "; worker-src blob:" ^ if served then own_server else "" in
+  let policy = policy ~scripts ~styles ~more in
   fill Assets.page ~title ~policy ~meta:(if served then live else "") ~styles ~scripts data put
 
 let solid ~title data put =

@@ -7,7 +7,7 @@ open Scc_json
 open Scc_runs
 open Json_format
 
-type possible = { label : int; rules : Rule.t list; target : int option }
+type possible = { label : int; rules : Rule.t list; target : int option; chance : Rat.t option }
 
 module Numbers = Hashtbl.Make (struct
     type t = State.t
@@ -160,7 +160,8 @@ let possible =
     [
       field "label" Rows.number (fun (p : possible) -> p.label);
       field "to" (nullable Rows.number) (fun p -> p.target) ~about:"null: where it leads is not in the document.";
-      field "rules" rules (fun p -> p.rules);
+      field "rules" rules (fun (p : possible) -> p.rules);
+      maybe "chance" Shared.rational (fun p -> p.chance) ~about:"Its probability, where chance decides.";
     ]
 
 let format =

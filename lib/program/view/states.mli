@@ -60,7 +60,12 @@ val plots : world -> Property.num list
 (** {1 What is possible there} *)
 
 (** A transition. *)
-type possible = { label : int; rules : Rule.t list; target : int option  (** if the document has it *) }
+type possible = {
+  label : int;
+  rules : Rule.t list;
+  target : int option;  (** if the document has it *)
+  chance : Rat.t option;  (** its probability, if chance decides *)
+}
 
 val set_next : t -> int -> possible list -> unit
 (** Sets the transitions of a state. *)
