@@ -274,7 +274,7 @@ let without_chance (options : Setup.t) semantics u ~declared ~exactly ~premises 
 
 (* Verdicts of checks that need probabilities, each explored by itself. *)
 let by_chance options semantics u ~declared checks =
-  let context = Instant.context semantics in
+  let context = Instant.context semantics and shared = Zone_chance.shared checks in
   let one ((check : Property.check), share) =
     let found (r : Zone_chance.result) =
       let example =
@@ -289,7 +289,7 @@ let by_chance options semantics u ~declared checks =
       in
       (outcome, r)
     in
-    Result.map found (Zone_chance.check (Setup.share options share) semantics context u ~declared check)
+    Result.map found (Zone_chance.check (Setup.share options share) shared semantics context u ~declared check)
   in
   Result.all one (Setup.shares ~size:(fun _ -> 1) ~after:0 checks)
 
