@@ -165,3 +165,11 @@ Where a model comes as a text, its imports are files of the request, or of the l
   {"jsonrpc":"2.0","id":1,"error":{"code":-32003,"message":"the model is refused: cannot read the import `a.sc`: it is not among the files of the request","data":{"diagnostics":[{"code":"SC0101","severity":"error","message":"cannot read the import `a.sc`: it is not among the files of the request","place":{"file":"<model>","start":{"offset":7,"line":1,"column":8},"end":{"offset":13,"line":1,"column":
   {"jsonrpc":"2.0","id":2,"error":{"code":-32003,"message":"the model is refused: unknown template `a.bix(1,1,1)`","data":{"diagnostics":[{"code":"SC0201","severity":"error","message":"unknown template `a.bix(1,1,1)`","place":{"file":"a.sc","start":{"offset":10,"line":1,"column":11},"end":{"offset":13,"line":1,"column":14}},"notes":[],"hint":"did you mean `box`?"}]}}}
   {"jsonrpc":"2.0","id":3,"result":{"model":"m1","digest":"md5:11c4479b2795fde47c396746b07937bc","name":null,"parameters":{},"settings":{},"rigid":false,"resolution":null,"leaves":[{"name":"p","shape":"a.A","fixed":false}],"checks":[],"warnings":[]}}
+
+A name that an import does not have: one like it, or what it has.
+
+  $ unknown() { printf '%s\nprocess p = %s mass 1 [nil]\n' "$1" "$2" > unknown.sc; scc check unknown.sc 2>&1 | grep 'error\|hint'; }
+  $ unknown 'import <solids>' 'solids.Cuboid(1, 1, 1)'
+  $ unknown 'import <solids>' 'solids.Cub(1)'
+  $ unknown '' 'solids.Cube(1)'
+  $ unknown 'import <solids> as s' 's.Cuboid(1, 1, 1)'

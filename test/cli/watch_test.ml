@@ -111,6 +111,37 @@ let within_quarter () =
   | Ok (Error Seconds) when Option.is_none (half.stop ()) -> 0
   | Ok _ | Error _ -> 1
 
+(* Of twelve seconds, and a thirteenth for conclusions, the first of two checks has half: what explores three
+   quarters of that, and what concludes the rest. The second one has what the first one leaves. *)
+let within_share stage work () =
+  let watch = Watch.start ~clock ~seconds:12. () in
+  let around = Watch.surroundings watch ~progress:ignore ~attempt:(Watch.attempt watch) in
+  now := 0.;
+  let first = around.share ~mine:1 ~all:2 in
+  let at time stage work = first.attempt.run stage (fun () -> now := time; work ()) in
+  let early = (at 4.4 Exploring ignore, first.stop ()) in
+  let result = at (match stage with Limits.Exploring -> 4.6 | _ -> 6.6) stage work in
+  let nothing = first.attempt.run stage ignore in
+  let second = around.share ~mine:1 ~all:1 in
+  now := 11.9;
+  let rest = (second.attempt.run Exploring ignore, second.attempt.run Concluding ignore) in
+  match (early, first.stop (), nothing, rest) with
+  | (Ok (), None), Some Seconds, Error Seconds, (_, Ok ()) -> code result
+  | _ -> 1
+
+(* After a signal what concludes has its second, whatever its share was. *)
+let share_after_signal () =
+  let watch = Watch.start ~clock ~seconds:12. () in
+  let around = Watch.surroundings watch ~progress:ignore ~attempt:(Watch.attempt watch) in
+  let share = around.share ~mine:1 ~all:20 in
+  now := 11.;
+  signal ();
+  code (share.attempt.run Concluding (fun () -> processor_seconds 0.3))
+
+let share_without_end () =
+  let around = Watch.surroundings (Watch.start ()) ~progress:ignore ~attempt:(Watch.attempt (Watch.start ())) in
+  match (around.share ~mine:1 ~all:3).stop () with None -> 0 | Some _ -> 1
+
 let without_end () =
   let watch = Watch.start () in
   match Watch.half watch () () with None -> 0 | Some _ -> 1
@@ -145,6 +176,10 @@ let cases =
     ("a proof in the middle", 10, within_half Proving too_long);
     ("a conclusion in the middle", 0, within_half Concluding (fun () -> processor_seconds 0.1));
     ("half of a half", 0, within_quarter);
+    ("an exploration that has a share", 10, within_share Exploring too_long);
+    ("a conclusion that has a share", 10, within_share Concluding too_long);
+    ("a conclusion with a share after a signal", 0, share_after_signal);
+    ("a share of no limit", 0, share_without_end);
     ("an exploration after a signal", 12, attempt ~before:signal Exploring for_ever);
     ("an exploration after a proof that took memory", 0, explored_after Proving);
     ("one that takes memory", 11, attempt ~memory:words Exploring allocate);

@@ -26,7 +26,7 @@ let limits =
 
 let origin : Verdict.origin -> string = function
   | By_default -> "default"
-  | By_user -> "user"
+  | By_user | By_share -> "user"
   | By_property -> "property"
   | By_system -> "system"
 

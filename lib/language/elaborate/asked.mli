@@ -21,4 +21,5 @@ val parameter : t -> Open_number.t option
 
 val check : t -> Report.t -> known:(string -> bool) -> hint:(string -> string option) -> unit
 (** [check t report ~known ~hint] reports SC0209 if the parameter was not found. [known] is true of the names of
-    parameters, and [hint] is a hint for a name that is unknown. *)
+    parameters, and [hint] is a hint for a name that is unknown. Then errors SC0218 are left out: they follow from
+    that. *)

@@ -101,7 +101,10 @@ let base report env (r : Ast.reference) =
       | None ->
         Option.iter
           (fun (q : Ast.name) ->
-             Report.error report Code.unknown_name q.at "no import is called `%s`" q.it
+             let of_library =
+               if List.mem q.it Library.names then Some (Printf.sprintf "`import <%s>` is missing" q.it) else None
+             in
+             Report.error report Code.unknown_name q.at "no import is called `%s`" q.it ?hint:of_library
                ~near:(q.it, fun () -> Env.modules env))
           r.qualifier;
         None)
@@ -175,6 +178,22 @@ let bare name =
   | Some i, None | None, Some i -> String.sub name 0 i
   | None, None -> name
 
+(* More of them would hide what is said. *)
+let most_listed = 24
+
+(* What the import has that a name is looked for in. *)
+let in_import known (r : Ast.reference) name =
+  let*? q = r.qualifier in
+  let prefix = String.sub name 0 (String.length name - String.length r.target.it) in
+  let n = String.length prefix in
+  let inside key =
+    if String.starts_with ~prefix key then Some (String.sub key n (String.length key - n)) else None
+  in
+  match List.sort_uniq String.compare (List.filter_map inside known) with
+  | [] -> None
+  | some when List.length some > most_listed -> None
+  | some -> Some (Printf.sprintf "`%s` has %s" q.it (String.concat ", " (List.map (Printf.sprintf "`%s`") some)))
+
 (* What is known under a bare name, as it would be written. *)
 let report_unknown report what keys (r : Ast.reference) (reference : reference) =
   let of_family = bare reference.label in
@@ -182,11 +201,13 @@ let report_unknown report what keys (r : Ast.reference) (reference : reference) 
   match instances with
   | [] ->
     let known = List.map bare keys in
-    let hint =
+    let near =
       match Diag.suggest of_family known with
       | Some hint -> Some hint
       | None -> Diag.suggest r.target.it known
     in
+    let hints = List.filter_map Fun.id [ near; in_import known r of_family ] in
+    let hint = match hints with [] -> None | _ -> Some (String.concat " " hints) in
     Report.error report Code.unknown_name r.target.at ?hint "unknown %s `%s`" what reference.label
   | _ :: _ ->
     Report.error report Code.unknown_name r.target.at "unknown %s `%s`; declared is %s" what reference.label

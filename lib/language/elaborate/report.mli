@@ -38,6 +38,13 @@ val warning :
 val add : t -> Diag.t -> unit
 (** Adds a diagnostic as it is, without any limit. *)
 
+val leave_out : t -> Code.t -> unit
+(** [leave_out r code] drops the diagnostics of this code, those to come as well, because they follow from another
+    error. *)
+
+val failed_besides : t -> Code.t -> bool
+(** [failed_besides r code] is true if the report has an error of another code. *)
+
 val failed : t -> bool
 (** [failed r] is true if the report has an error. *)
 

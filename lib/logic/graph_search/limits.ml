@@ -23,17 +23,18 @@ type attempt = { run : 'a. stage -> (unit -> 'a) -> ('a, stop) result }
 type surroundings = {
   stop : unit -> stop option;
   half : unit -> surroundings;
+  share : mine:int -> all:int -> surroundings;
   progress : progress -> unit;
   attempt : attempt;
 }
 
-let rec quiet =
-  {
-    stop = (fun () -> None);
-    half = (fun () -> quiet);
-    progress = (fun _ -> ());
-    attempt = { run = (fun _ f -> Ok (f ())) };
-  }
+let undivided ?(stop = fun () -> None) ?(attempt = { run = (fun _ f -> Ok (f ())) }) () =
+  let rec all =
+    { stop; attempt; progress = (fun _ -> ()); half = (fun () -> all); share = (fun ~mine:_ ~all:_ -> all) }
+  in
+  all
+
+let quiet = undivided ()
 
 exception Over of stop
 

@@ -45,9 +45,17 @@ type surroundings = {
   half : unit -> surroundings;
   (** [half ()] is the surroundings of work that begins now and may take half of the seconds that are left, so that
       time is left for later work. Work that explores or searches for a proof is given up then. *)
+  share : mine:int -> all:int -> surroundings;
+  (** [share ~mine ~all] is the surroundings of work that begins now and may take [mine] of [all] parts of the
+      seconds that are left, conclusions included. Exploring and searching for a proof have three quarters of that.
+      [mine] is positive and less than [all]. *)
   progress : progress -> unit;  (** called now and then *)
   attempt : attempt;  (** runs work that may have to be given up *)
 }
+
+val undivided : ?stop:(unit -> stop option) -> ?attempt:attempt -> unit -> surroundings
+(** Surroundings whose parts may take all that is left. No progress is shown. By default nothing stops, and no work
+    is given up. *)
 
 val quiet : surroundings
 (** The surroundings in which nothing stops, no progress is shown, and no work is given up. *)

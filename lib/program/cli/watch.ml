@@ -31,6 +31,7 @@ type t = {
   mutable last : Limits.stop option;  (** for what reports *)
   mutable stage : Limits.stage option;  (** of the attempt that is being made *)
   mutable middle : float;  (** when it is given up with seconds left, for what comes after it *)
+  mutable concluded : float;  (** the same of what concludes, as a {!position} *)
   mutable abandoned : bool;  (** it was tried *)
   mutable finished : float option;  (** the seconds that the rest has after a signal, once the work has stopped *)
 }
@@ -44,6 +45,12 @@ let passed t =
   | Some _ | None ->
     t.since <- (if over then Some (Sys.time ()) else None);
     if over then 0. else -1.
+
+(* Where the work is: the seconds of the clock until the time is over, as a negative number, and those of the
+   processor since then. *)
+let position t =
+  let passed = passed t in
+  if passed >= 0. then passed else t.clock () -. t.deadline
 
 (* What is over when so many seconds more, and such a share of the memory, are allowed. *)
 let beyond t ~passed ~taken ~(more : float) ~(share : float) : Limits.stop option =
@@ -93,7 +100,8 @@ let look t =
     let half_over =
       match stage with
       | Exploring | Proving -> t.clock () > t.middle
-      | Concluding | Reporting -> false
+      | Concluding -> (not t.signalled) && position t > t.concluded
+      | Reporting -> false
     in
     Option.iter give_up (over t stage);
     if half_over then give_up Seconds
@@ -120,6 +128,7 @@ let start ?(clock = Unix.gettimeofday) ?(signals = true) ?seconds ?memory () =
       last = None;
       stage = None;
       middle = infinity;
+      concluded = infinity;
       abandoned = false;
       finished = None;
     }
@@ -140,15 +149,36 @@ let more t seconds =
 
 let stop t () = t.over
 
-(* Of what is left until then. *)
-let middle t ~until =
+(* When a part of the work is over: what explores, by the clock, and what concludes, as a {!position}. *)
+type until = { explored : float; concluded : float }
+
+let whole = { explored = infinity; concluded = infinity }
+let is_whole until = until.explored = infinity && until.concluded = infinity
+
+(* After a part of what is left until then. *)
+let after t part ~until =
   let now = t.clock () in
-  now +. ((Float.min until t.deadline -. now) /. 2.)
+  now +. (part *. Float.max 0. (Float.min until t.deadline -. now))
 
-let stopped t ~until () : Limits.stop option =
-  match t.over with None when until < infinity && t.clock () > until -> Some Seconds | over -> over
+let middle t until = { until with explored = after t 0.5 ~until:until.explored }
 
-let half t () = stopped t ~until:(middle t ~until:infinity)
+(* Of its share, what explores has so much. *)
+let explored_share = 0.75
+
+let share t until ~mine ~all =
+  if t.deadline = infinity then until
+  else
+    let part = float_of_int mine /. float_of_int all and here = position t in
+    let left = Float.max 0. (Float.min until.concluded grace -. here) in
+    {
+      explored = after t (explored_share *. part) ~until:until.explored;
+      concluded = here +. (part *. left);
+    }
+
+let stopped t ~until:{ explored; _ } () : Limits.stop option =
+  match t.over with None when explored < infinity && t.clock () > explored -> Some Seconds | over -> over
+
+let half t () = stopped t ~until:(middle t whole)
 
 let interrupted t () = t.signalled
 
@@ -224,22 +254,32 @@ let attempted t stage f =
 
 let attempt t : Limits.attempt = { run = (fun stage f -> attempted t stage f) }
 
-(* What concludes has the time that there is. *)
+(* What is within another part ends with it. *)
 let before t until (attempt : Limits.attempt) : Limits.attempt =
   let run (type a) (stage : Limits.stage) (f : unit -> a) : (a, Limits.stop) result =
-    match stage with
-    | Concluding | Reporting -> attempt.run stage f
-    | Exploring | Proving when stopped t ~until () = Some Seconds -> Error Seconds
-    | Exploring | Proving ->
-      let outer = t.middle in
-      t.middle <- Float.min outer until;
+    let is_over =
+      match stage with
+      | Exploring | Proving -> stopped t ~until () = Some Seconds
+      | Concluding -> (not t.signalled) && position t > until.concluded
+      | Reporting -> false
+    in
+    let middle = t.middle and concluded = t.concluded in
+    let leave () =
+      t.middle <- middle;
+      t.concluded <- concluded
+    in
+    if is_over then Error Seconds
+    else begin
+      t.middle <- Float.min middle until.explored;
+      t.concluded <- Float.min concluded until.concluded;
       match attempt.run stage f with
       | result ->
-        t.middle <- outer;
+        leave ();
         result
       | exception e ->
-        t.middle <- outer;
+        leave ();
         raise e
+    end
   in
   { run }
 
@@ -247,9 +287,10 @@ let surroundings t ~progress ~attempt =
   let rec within until : Limits.surroundings =
     {
       stop = stopped t ~until;
-      half = (fun () -> within (middle t ~until));
+      half = (fun () -> within (middle t until));
+      share = (fun ~mine ~all -> within (share t until ~mine ~all));
       progress;
-      attempt = (if until < infinity then before t until attempt else attempt);
+      attempt = (if is_whole until then attempt else before t until attempt);
     }
   in
-  within infinity
+  within whole

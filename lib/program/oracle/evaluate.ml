@@ -74,11 +74,12 @@ let stop bounds ~last =
 
 let surroundings bounds : Scc_graph_search.Limits.surroundings =
   let rec until last : Scc_graph_search.Limits.surroundings =
-    let half () =
+    let after part =
       let now = bounds.now () in
-      until (now +. ((last -. now) /. 2.))
+      until (now +. (part *. (last -. now)))
     in
-    { Scc_graph_search.Limits.quiet with stop = stop bounds ~last; half }
+    let half () = after 0.5 and share ~mine ~all = after (float_of_int mine /. float_of_int all) in
+    { Scc_graph_search.Limits.quiet with stop = stop bounds ~last; half; share }
   in
   until (bounds.now () +. (share *. bounds.seconds))
 

@@ -7,6 +7,11 @@ module Truth = Scc_ctl.Truth
 
 type question = { claim : Property.prop; goal : Property.prop; bound : Property.bound }
 
+let same_question a b =
+  Formula.equal_prop a.claim b.claim && Formula.equal_prop a.goal b.goal
+  && Rat.equal a.bound.low b.bound.low
+  && Option.equal Rat.equal a.bound.high b.bound.high
+
 type t = {
   context : Instant.context;
   events : Property.event array;

@@ -8,6 +8,9 @@ open Scc_state_sets
 (** "f until g" of state predicates, with a bound of the time at which g comes. *)
 type question = { claim : Property.prop;  (** f *) goal : Property.prop;  (** g *) bound : Property.bound }
 
+val same_question : question -> question -> bool
+(** [same_question a b] is true if [a] and [b] are the same terms with the same bound. *)
+
 type t
 
 val make : Instant.context -> question -> t

@@ -14,6 +14,7 @@ type t = {
   room : int option;
   instant : int bound;
   bits : int bound;
+  shared : bool;
 }
 
 let default =
@@ -26,6 +27,7 @@ let default =
     room = None;
     instant = Default 10_000;
     bits = Default 100_000;
+    shared = false;
   }
 
 let value = function
@@ -51,7 +53,9 @@ let truncation bound make : Verdict.truncation =
 
 let stopped b (stop : Limits.stop) =
   match stop with
-  | Seconds -> truncation b.seconds (fun s -> Verdict.Seconds s)
+  | Seconds ->
+    let t = truncation b.seconds (fun s -> Verdict.Seconds s) in
+    if b.shared then { t with origin = By_share } else t
   | Memory -> (
       match b.room with
       | Some w -> { limit = Memory w; origin = By_system }

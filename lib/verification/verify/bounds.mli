@@ -18,6 +18,7 @@ type t = {
   (** words: the limit that the system sets this process, where it is met before [memory] is *)
   instant : int bound;  (** the guard against runs that go on for ever within one instant *)
   bits : int bound;  (** of a number in a state *)
+  shared : bool;  (** the seconds are shared with other checks *)
 }
 
 val default : t

@@ -219,7 +219,8 @@ let merge parts ~events_elsewhere =
 let whole options semantics ~initial checks =
   let events_elsewhere () = Joint_check.may_have_events options semantics ~initial in
   groups options semantics ~initial checks
-  |> List.map (explored options semantics ~initial)
+  |> Setup.shares ~size:(fun g -> List.length g.members) ~after:0
+  |> List.map (fun (group, share) -> explored (Setup.share options share) semantics ~initial group)
   |> merge ~events_elsewhere
 
 (* The model and where it starts, with movement steps as part of the state where they are not jumped over. *)

@@ -78,12 +78,15 @@ let check (options : Setup.t) ~capacity semantics ~initial checks : Joint_check.
   let expanding = options.compacting ~about:(Joint_check.about checks) in
   let r = Compact_search.search ~expanding limits options.surroundings context ~capacity ~rests goals in
   let ((bounds, faults) as met) = limits_met options (Semantics.model semantics) r in
-  let lost = Lost.make options.bounds options.surroundings.attempt in
-  let step (outcomes, answers) (check, plan) =
+  let step (outcomes, answers) ((check, plan), share) =
+    let shared = Setup.share options share in
+    let lost = Lost.make shared.bounds shared.surroundings.attempt in
     let v, answers = verdict context lost met plan answers in
     ((check, v, Lost.taken lost) :: outcomes, answers)
   in
-  let outcomes, _ = List.fold_left step ([], r.answers) (List.combine checks plans) in
+  let outcomes, _ =
+    List.fold_left step ([], r.answers) (Setup.shares ~size:(fun _ -> 1) ~after:0 (List.combine checks plans))
+  in
   {
     outcomes = List.rev outcomes;
     stats =

@@ -305,6 +305,23 @@ let about = function
   | [] -> "no property"
   | checks -> String.concat "; " (List.map (fun (c : Property.check) -> c.name ^ ": " ^ c.text) checks)
 
+(* Concludes about the checks in their order, each in its share of the time; [around] holds the surroundings of the
+   check whose turn it is. *)
+let conclude (options : Setup.t) (r : Unsettled.t) around sensitivity checks answers =
+  let step (outcomes, answers) ((check, plan), share) =
+    let { Setup.surroundings; bounds; _ } = Setup.share options share in
+    around := surroundings;
+    let r = { r with surroundings; lost = Lost.make bounds surroundings.attempt } in
+    let v, answers =
+      match options.parameter with
+      | None -> outcome options r (check, plan) answers
+      | Some { parameter; _ } -> functional r parameter sensitivity (check, plan) answers
+    in
+    ((check, v, Lost.taken r.lost) :: outcomes, answers)
+  in
+  let outcomes, _ = List.fold_left step ([], answers) (Setup.shares ~size:(fun _ -> 1) ~after:0 checks) in
+  List.rev outcomes
+
 (* One exploration for some checks. *)
 let check (options : Setup.t) semantics ~initial (checks : Property.check list) =
   let plans = List.map (plan_of options) checks in
@@ -329,32 +346,27 @@ let check (options : Setup.t) semantics ~initial (checks : Property.check list) 
   in
   let graph = result.graph in
   let r = unsettled options context graph ~horizon in
+  (* Of the check whose turn it is. *)
+  let around = ref options.surroundings in
+  let surroundings = { !around with stop = (fun () -> !around.stop ()); half = (fun () -> !around.half ()) } in
   let temporal =
     match temporals with
     | [] -> None
-    | _ :: _ -> Some (Temporal.on ~surroundings:options.surroundings asked_formulas ~rests graph)
+    | _ :: _ -> Some (Temporal.on ~surroundings asked_formulas ~rests graph)
   in
   let sensitivity =
     Option.map (fun t -> lazy (Temporal.sensitivity t (Option.get options.parameter).parameter)) temporal
   in
   let met = Unsettled.met r in
   let besides = besides r met in
-  let step (outcomes, answers) (check, plan) =
-    let v, answers =
-      match options.parameter with
-      | None -> outcome options r (check, plan) answers
-      | Some { parameter; _ } -> functional r parameter sensitivity (check, plan) answers
-    in
-    ((check, v, Lost.taken r.lost) :: outcomes, answers)
-  in
   let answers = { searches = result.answers; next_formula = 0; temporal } in
-  let outcomes, _ = List.fold_left step ([], answers) (List.combine checks plans) in
+  let outcomes = conclude options r around sensitivity (List.combine checks plans) answers in
   (* Where all is decided, nobody needs to know why it did not close. *)
   let bounded (_, v, _) = match Verdict.truncated v with [] -> false | _ :: _ -> true in
   let besides = if checks = [] || List.exists bounded outcomes then besides else nothing_besides in
   let zeno = zeno r result in
   {
-    outcomes = List.rev outcomes;
+    outcomes;
     stats = stats r met besides;
     zeno;
     lost = Lost.taken r.lost;

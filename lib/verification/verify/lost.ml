@@ -35,8 +35,10 @@ let run t semantics make =
     Option.iter (fun what -> if not (List.mem what t.faults) then t.faults <- what :: t.faults) (Bug.broken e);
     None
 
+let stopped t stop = Bounds.stopped t.bounds stop
+
 let taken t =
-  let taken = { faults = List.rev t.faults; left_out = Option.map (Bounds.stopped t.bounds) t.left_out } in
+  let taken = { faults = List.rev t.faults; left_out = Option.map (stopped t) t.left_out } in
   t.faults <- [];
   t.left_out <- None;
   taken

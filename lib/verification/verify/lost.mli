@@ -27,6 +27,9 @@ val run : t -> Semantics.t -> (unit -> Witness.t option) -> Witness.t option
     of scc is broken on the way ({!Scc_base.Bug.broken}), the result is [None], and the fault is recorded. All
     other exceptions pass. *)
 
+val stopped : t -> Limits.stop -> Verdict.truncation
+(** The bound that ended an attempt. *)
+
 val taken : t -> taken
 (** The causes recorded since the last call. *)
 

@@ -89,7 +89,7 @@ let function_of (r : Unsettled.t) find : ('a, Verdict.reason list) result =
   | Error why -> Error why
   | Ok (Error (Scc_ctl.Sensitivity.Unknown why)) -> Error [ Verdict.Undefined why ]
   | Ok (Error Interrupted) ->
-    let by stop = Verdict.Unevaluated (Bounds.stopped r.bounds stop) in
+    let by stop = Verdict.Unevaluated (Lost.stopped r.lost stop) in
     Error [ Option.fold ~none:(Verdict.Undefined "there was too little time") ~some:by (r.surroundings.stop ()) ]
   | Ok (Ok found) -> Ok found
 

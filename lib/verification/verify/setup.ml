@@ -32,3 +32,16 @@ let default =
     expanding = (fun ~about:_ -> State_graph.here);
     compacting = (fun ~about:_ -> State_fingerprints.here);
   }
+
+type share = { mine : int; all : int }
+
+let shares ~size ~after list =
+  let add x (all, found) =
+    let mine = size x in
+    (all + mine, (x, { mine; all = all + mine }) :: found)
+  in
+  snd (List.fold_right add list (after, []))
+
+let share t { mine; all } =
+  if mine <= 0 || mine >= all then t
+  else { t with surroundings = t.surroundings.share ~mine ~all; bounds = { t.bounds with shared = true } }

@@ -33,3 +33,13 @@ type t = {
 
 val default : t
 (** Default bounds, all reductions, by steps, in quiet surroundings. *)
+
+(** A part of the seconds that are left when some work begins: that of [mine] of [all] checks. *)
+type share
+
+val shares : size:('a -> int) -> after:int -> 'a list -> ('a * share) list
+(** [shares ~size ~after list] are the shares of work that is done in this order, where each element is about so
+    many checks, and [after] more checks come after all of them. Time that is not used goes on to later work. *)
+
+val share : t -> share -> t
+(** [share t s] is for work that begins now and has the share [s] of the seconds that are left. *)

@@ -68,7 +68,7 @@ let stopped_by causes = Verdict.distinct (List.filter_map bound causes)
 let evaluated r f =
   let why stop =
     List.map (fun t -> Verdict.Truncated t) (stopped_by (met r))
-    @ [ Verdict.Unevaluated (Bounds.stopped r.bounds stop) ]
+    @ [ Verdict.Unevaluated (Lost.stopped r.lost stop) ]
   in
   Result.map_error why (r.surroundings.attempt.run Concluding f)
 

@@ -14,7 +14,7 @@ type limit =
   | Interrupted
   | Omission of float
 
-type origin = By_default | By_user | By_property | By_system
+type origin = By_default | By_user | By_share | By_property | By_system
 type truncation = { limit : limit; origin : origin }
 
 type reason =
@@ -151,7 +151,7 @@ let resources v =
 
 let by_default = function
   | Holds { bounds; _ } ->
-    let is_default = function By_default -> true | By_user | By_property | By_system -> false in
+    let is_default = function By_default -> true | By_user | By_share | By_property | By_system -> false in
     List.exists (fun t -> is_default t.origin) bounds
   | Violated _ | Measured _ | Depends _ | Undecided _ -> false
 
@@ -184,6 +184,7 @@ let truncation_to_string t =
     match t.origin with
     | By_default -> " (a default)"
     | By_user -> ""
+    | By_share -> ", of which it had its share"
     | By_property -> " (of the properties)"
     | By_system -> " that the system sets this process (ulimit -v or -d)"
   in

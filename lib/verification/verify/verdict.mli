@@ -17,8 +17,8 @@ type limit =
   | Omission of float
   (** hash compaction: some state may have been left out unseen, with a probability of at most this *)
 
-(** The origin of a bound. *)
-type origin = By_default | By_user | By_property | By_system
+(** The origin of a bound. Of seconds with the origin [By_share] other checks had the rest. *)
+type origin = By_default | By_user | By_share | By_property | By_system
 
 type truncation = { limit : limit; origin : origin }
 

@@ -78,13 +78,35 @@ let asked f =
 
 (* {1 Explorations} *)
 
+let rec untils = function
+  | Now _ -> []
+  | Not q -> untils q
+  | All all | Some_of all -> List.concat_map untils all
+  | Operator { until; _ } -> [ until ]
+
+(* An exploration is that of all checks of a model that ask about the same until. It is kept for those to come. *)
+type shared = {
+  mutable to_come : Chance_claims.question list;
+  mutable known : (Chance_claims.question * Chance_graph.t) list;
+}
+
+let shared checks =
+  let of_check (c : Property.check) = match asked c.formula with q -> untils q | exception Not_asked _ -> [] in
+  { to_come = List.concat_map of_check checks; known = [] }
+
+let without_first is list =
+  let add (found, kept) x = if (not found) && is x then (true, kept) else (found, x :: kept) in
+  List.rev (snd (List.fold_left add (false, []) list))
+
 (* The work on a check, and what is kept of its explorations. *)
 type work = {
   options : Setup.t;
   context : Instant.context;
   zones : keeps_time:bool -> (Zone.t list, Start.fault) Stdlib.result;
   ranges : Ranges.t;
-  mutable explored : Chance_graph.t list;
+  shared : shared;
+  mutable used : Chance_graph.t list;
+  mutable explored : Chance_graph.t list;  (** those of [used] that no check has explored before *)
   mutable stop : Scc_graph_search.Limits.stop option;
 }
 
@@ -133,7 +155,7 @@ let limits w : Chance_graph.limits =
   let zones = Option.value (Bounds.value bounds.states) ~default:default_zones in
   { horizon = Bounds.value bounds.time; depth; zones; stop; attempt; progress }
 
-let explore w (until : Chance_claims.question) =
+let explored_anew w (until : Chance_claims.question) =
   let m = Semantics.model w.context.semantics in
   let timed = Rat.sign until.bound.low > 0 || Option.is_some until.bound.high in
   let bounded = Option.is_some (Bounds.value w.options.bounds.time) in
@@ -141,6 +163,21 @@ let explore w (until : Chance_claims.question) =
   let keeps_time = timed || bounded || m.keeps_time || List.exists Formula.mentions_time named in
   let graph = Chance_graph.explore w.context until (limits w) (zones w ~keeps_time) in
   w.explored <- graph :: w.explored;
+  graph
+
+(* What was given up for its time is explored anew, in the time of another check. *)
+let explore w until =
+  let s = w.shared and is_it = Chance_claims.same_question until in
+  let graph =
+    match List.find_opt (fun (q, _) -> is_it q) s.known with
+    | Some (_, graph) -> graph
+    | None -> explored_anew w until
+  in
+  s.to_come <- without_first is_it s.to_come;
+  let others = List.filter (fun (q, _) -> not (is_it q)) s.known in
+  let is_kept = List.exists is_it s.to_come && not (Chance_graph.met graph).stopped in
+  s.known <- (if is_kept then (until, graph) :: others else others);
+  w.used <- graph :: w.used;
   graph
 
 let box w = Ranges.box w.ranges
@@ -231,8 +268,8 @@ let reasons w =
         when_ met.too_many (Some states); when_ met.stopped stopped;
       ]
   in
-  let bounds = Verdict.distinct (List.concat_map of_graph w.explored) in
-  let texts = List.sort_uniq String.compare (List.concat_map Chance_graph.reasons w.explored) in
+  let bounds = Verdict.distinct (List.concat_map of_graph w.used) in
+  let texts = List.sort_uniq String.compare (List.concat_map Chance_graph.reasons w.used) in
   (bounds, List.map (fun t -> Verdict.Truncated t) bounds @ List.map (fun r -> Verdict.Undefined r) texts)
 
 let stats w ~faults : Stats.t =
@@ -294,11 +331,11 @@ let answer w (check : Property.check) =
 
 type result = { verdict : Verdict.t; where : Where.t; stats : Stats.t }
 
-let check (options : Setup.t) semantics context u ~declared (check : Property.check) =
+let check (options : Setup.t) shared semantics context u ~declared (check : Property.check) =
   let m = Semantics.model semantics in
   let initial = Network.started semantics declared in
   let zones ~keeps_time = Start.zones context u ~initial ~keeps_time in
-  let w = { options; context; zones; ranges = m.ranges; explored = []; stop = None } in
+  let w = { options; context; zones; ranges = m.ranges; shared; used = []; explored = []; stop = None } in
   let without reason faults =
     let stopped_by = match reason with Verdict.Truncated t -> [ t ] | _ -> [] in
     let stats = { (stats w ~faults) with complete = false; stopped_by } in

@@ -24,7 +24,15 @@ type result = {
   stats : Stats.t;
 }
 
+type shared
+(** The explorations of the checks of a model. *)
+
+val shared : Property.check list -> shared
+(** Those of these checks, none made yet. An exploration is kept as long as one of the checks to come asks about
+    the same until. *)
+
 val check :
-  Setup.t -> Semantics.t -> Instant.context -> Uncertain.t -> declared:State.t -> Property.check ->
+  Setup.t -> shared -> Semantics.t -> Instant.context -> Uncertain.t -> declared:State.t -> Property.check ->
   (result, Start.fault) Stdlib.result
-(** [check options semantics c u ~declared check] explores one check by itself. *)
+(** [check options shared semantics c u ~declared check] explores one check by itself, if no check before it has
+    made the exploration. The checks come in the order of [shared]. Its statistics are those of new explorations. *)

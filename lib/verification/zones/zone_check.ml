@@ -144,12 +144,13 @@ let slice m ~initial (e : Zone_explored.t) : Check.slice option =
   in
   Option.map of_part e.group.part
 
-let outcomes options semantics u ~declared (e : Zone_explored.t) =
+let outcomes options semantics u ~declared ((e : Zone_explored.t), shares) =
   let m = Semantics.model semantics in
-  let lost = Lost.make options.Setup.bounds options.surroundings.attempt in
-  let one (i, check) (answer, proof) =
+  let one ((i, check), share) (answer, proof) =
+    let shared = Setup.share options share in
+    let lost = Lost.make shared.bounds shared.surroundings.attempt in
     let where = where m.ranges answer proof in
-    let verdict = verdict options lost semantics u ~declared e check answer where in
+    let verdict = verdict shared lost semantics u ~declared e check answer where in
     let example =
       match (verdict, Union.point where.fails) with
       | Violated { witness = None }, Some values -> Zone_single.named m values
@@ -162,7 +163,7 @@ let outcomes options semantics u ~declared (e : Zone_explored.t) =
     let left_out = Verdict.if_unshown verdict left_out in
     (i, { Verdict.check; verdict; scale; rests = []; converges = None; lost = faults; left_out }, where)
   in
-  List.map2 one e.group.members (List.combine e.answers (proofs_of e.answers e.proof))
+  List.map2 one shares (List.combine e.answers (proofs_of e.answers e.proof))
 
 (* What no run meets for any values is met never: of some values nothing is told. *)
 let premises (m : Model.t) (e : Zone_explored.t) =
@@ -182,21 +183,21 @@ let later ~some_check (before : By_invariant.end_ option) : By_invariant.effort 
   | Some (Given_up _) -> Some Longer
   | Some (Proved _ | None_found _) -> None
 
-(* Explores a group; the result is called for an invariant to be searched for, where that is needed. *)
+(* Explores a group; the result searches for an invariant, where that is needed, when all are explored. *)
 let of_group (options : Setup.t) semantics context u ~declared ~initial ~exactly (group : Zone_groups.t) =
   let m = Semantics.model semantics in
   let some_check = group.members <> [] in
-  let attempt effort =
+  let attempt options effort =
     let declared = Option.value group.part ~default:declared in
     Result.to_option (By_invariant.attempt options effort semantics u ~declared (List.map snd group.members))
   in
-  let before = if options.prove && some_check then attempt Briefly else None in
+  let before = if options.prove && some_check then attempt options Briefly else None in
   let of_zones zones =
     let within = By_invariant.leaving_time options before in
     let e = explore within context group ~initial zones ~ranges:m.ranges ~exactly ~proof:before in
-    fun () ->
+    fun options ->
       match later ~some_check before with
-      | Some effort when is_open ~asked:options.prove ~exactly e -> { e with proof = attempt effort }
+      | Some effort when is_open ~asked:options.Setup.prove ~exactly e -> { e with proof = attempt options effort }
       | Some _ | None -> e
   in
   let initial = Option.value group.part ~default:initial in
@@ -218,10 +219,19 @@ let groups (options : Setup.t) context u ~initial ~premises checks =
     Start.zones context u ~initial ~keeps_time:false
     |> Result.map (fun zones -> Zone_groups.make ~bounded ~part:(part zones) ~premises checks)
 
-let report options semantics u ~declared ~initial explored : Check.report =
+(* The explorations, each with the shares of its checks. *)
+let concluding ~after explored =
+  let later (e : Zone_explored.t) (after, found) =
+    let shares = Setup.shares ~size:(fun _ -> 1) ~after e.group.members in
+    (after + List.length shares, (e, shares) :: found)
+  in
+  snd (List.fold_right later explored (after, []))
+
+let report options semantics u ~declared ~initial ~after explored : Check.report =
   let m = Semantics.model semantics in
   let sorted =
-    List.concat_map (outcomes options semantics u ~declared) explored
+    concluding ~after explored
+    |> List.concat_map (outcomes options semantics u ~declared)
     |> List.sort (fun (i, _, _) (j, _, _) -> Int.compare i j)
   in
   let by_number l = List.map snd (List.sort (fun (i, _) (j, _) -> Int.compare i j) l) in
@@ -240,25 +250,32 @@ let report options semantics u ~declared ~initial explored : Check.report =
     numbers = (fun () -> []);
   }
 
-let without_chance (options : Setup.t) semantics u ~declared ~exactly ~premises checks =
+(* [after] other checks come next. *)
+let without_chance (options : Setup.t) semantics u ~declared ~exactly ~premises ~after checks =
   let context = Instant.context semantics in
   let initial = By_invariant.initial semantics declared in
   (* All are explored before an invariant is searched for, so that no search takes the time of another check. *)
   let explored =
     let* groups = groups options context u ~initial ~premises checks in
-    Result.all (of_group options semantics context u ~declared ~initial ~exactly) groups
+    let shares = Setup.shares ~size:(fun (g : Zone_groups.t) -> List.length g.members) ~after groups in
+    let explore (group, share) =
+      of_group (Setup.share options share) semantics context u ~declared ~initial ~exactly group
+      |> Result.map (fun proved -> (proved, share))
+    in
+    Result.all explore shares
   in
   match explored with
   | Error { Start.at; reason } -> Error { at; reason }
   | Ok explored ->
-    Ok (report options semantics u ~declared ~initial (List.map (fun proved -> proved ()) explored))
+    let proved = List.map (fun (proved, share) -> proved (Setup.share options share)) explored in
+    Ok (report options semantics u ~declared ~initial ~after proved)
 
 (* {1 Chance} *)
 
 (* Verdicts of checks that need probabilities, each explored by itself. *)
 let by_chance options semantics u ~declared checks =
-  let context = Instant.context semantics in
-  let one (check : Property.check) =
+  let context = Instant.context semantics and shared = Zone_chance.shared checks in
+  let one ((check : Property.check), share) =
     let found (r : Zone_chance.result) =
       let example =
         match (r.verdict, Union.point r.where.fails) with
@@ -272,9 +289,9 @@ let by_chance options semantics u ~declared checks =
       in
       (outcome, r)
     in
-    Result.map found (Zone_chance.check options semantics context u ~declared check)
+    Result.map found (Zone_chance.check (Setup.share options share) shared semantics context u ~declared check)
   in
-  Result.all one checks
+  Result.all one (Setup.shares ~size:(fun _ -> 1) ~after:0 checks)
 
 (* Nothing is told of premises here. *)
 let untold (check : Property.check) : Verdict.outcome =
@@ -307,7 +324,9 @@ let run options semantics u ~declared ~exactly ~premises checks =
   let of_drawn, of_others = List.partition is_drawn premises in
   let* (report : Check.report) =
     if others = [] && (drawn <> [] || Zone_chance.serves_all m) then Ok nothing
-    else without_chance options semantics u ~declared ~exactly ~premises:of_others others
+    else
+      let after = List.length drawn in
+      without_chance options semantics u ~declared ~exactly ~premises:of_others ~after others
   in
   match by_chance options semantics u ~declared drawn with
   | Error { Start.at; reason } -> Error { at; reason }

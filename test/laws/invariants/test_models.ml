@@ -129,7 +129,7 @@ let explored_after () =
       let asked = ref 0 in
       let half () =
         incr asked;
-        if !asked mod 2 = 0 then Limits.quiet else { Limits.quiet with stop = (fun () -> Some Limits.Seconds) }
+        if !asked mod 2 = 0 then Limits.quiet else Limits.undivided ~stop:(fun () -> Some Limits.Seconds) ()
       in
       let surroundings = { Limits.quiet with half } in
       let bounds = { Bounds.default with depth = Given 50 } in

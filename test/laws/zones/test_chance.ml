@@ -164,7 +164,7 @@ let given_up_after zones (options : Setup.t) =
       if !left < 0 then Error Seconds else Ok (f ())
   in
   let bounds = { options.bounds with seconds = Given 1. } in
-  { options with bounds; surroundings = { options.surroundings with attempt = { run } } }
+  { options with bounds; surroundings = Limits.undivided ~attempt:{ run } () }
 
 module Side = struct
   type t = Scc_property.Property.side = Least | Greatest

@@ -28,7 +28,7 @@ let options ~states reductions =
     decr left;
     if !left < 0 then Some Scc_graph_search.Limits.Interrupted else None
   in
-  { Setup.default with surroundings = { Setup.default.surroundings with stop }; reductions }
+  { Setup.default with surroundings = Scc_graph_search.Limits.undivided ~stop (); reductions }
 
 let run ~states reductions (l : Loaded.t) =
   let u = match l.uncertain with Some u -> u | None -> Scc_symbolic.Start.known l.model l.declared in

@@ -15,7 +15,7 @@ let stopped (stop : Limits.stop) after =
     incr asked;
     if !asked > after then Some stop else None
   in
-  { Limits.quiet with stop }
+  Limits.undivided ~stop ()
 
 (* Seconds and memory are over when they were asked about so often. *)
 let options =

@@ -168,7 +168,7 @@ let bounds () =
 let interruption () =
   let polls = ref 0 in
   let stop () = incr polls; if !polls > 10 then Some Scc_graph_search.Limits.Interrupted else None in
-  let options = { Setup.default with surroundings = { Scc_graph_search.Limits.quiet with stop } } in
+  let options = { Setup.default with surroundings = Scc_graph_search.Limits.undivided ~stop () } in
   let _, report = check ~options (falls ^ "check a : always z(p) <= 0") in
   (match report.outcomes with
    | [ { verdict = v; _ } ] ->

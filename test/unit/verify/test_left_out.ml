@@ -30,7 +30,7 @@ let surroundings way number =
           ignore (f ());
           Error Interrupted)
   in
-  { Limits.quiet with attempt = { run } }
+  Limits.undivided ~attempt:{ run } ()
 
 let walls =
   {|

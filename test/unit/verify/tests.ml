@@ -8,4 +8,5 @@ let () =
       Test_unsettled.suite;
       Test_lost.suite;
       Test_left_out.suite;
-      Test_advice.suite ]
+      Test_advice.suite;
+      Test_shares.suite ]
