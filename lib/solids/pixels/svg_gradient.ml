@@ -80,7 +80,7 @@ let opacity tree ~style ~view ~box node =
   let chain = chain tree [] node in
   match Option.value (List.find_opt (function [] -> false | _ -> true) (List.map stops chain)) ~default:[] with
   | [] -> Svg_style.Unseen
-  | _ when is_ignored chain ~view ~box -> Ignored
+  | _ when Svg_tree.at node (fun () -> is_ignored chain ~view ~box) -> Ignored
   | first :: rest ->
     let first = stop tree ~style first in
     let widen (low, high) q = (Rat.min low q, Rat.max high q) in

@@ -208,6 +208,8 @@ let places () =
   is "a stop" "<stop" "<linearGradient id='g'><stop stop-opacity='x'/><stop/></linearGradient><rect \
                        fill='url(#g)' \
                        width='9' height='9'/>";
+  is "a gradient" "<radialGradient"
+    "<radialGradient id='g' r='-1'><stop/></radialGradient><rect fill='url(#g)' width='9' height='9'/>";
   is "a sheet" "<style" "<style>a{</style><g/>";
   is "letters of two bytes" "<rect" "<g id='\xc3\xa9\xc3\xa9'><rect opacity='x' width='9' height='9'/></g>"
 
