@@ -108,18 +108,18 @@ A drawing in SVG, on whose pieces one may insist; what is wrong is told where it
   solid: 96 vertices, 192 faces
   $ sed 's/<rect .*/<text>A<\/text>/' two.svg > text.svg
   $ scc inflate text.svg
-  text.svg:3:16: error[SC0341]: this is not read: the element "text": turn the text into paths (in Inkscape: Path, Object to Path)
+  text.svg:3:3: error[SC0341]: this is not read: the element "text": turn the text into paths (in Inkscape: Path, Object to Path)
      |
    3 |   <text>A</text>
-     |                ^
+     |   ^^^^^
     hint: shapes with fills and strokes are read, in groups and where they are used, with transforms and clip paths
   [3]
   $ sed 's/"4"/"four"/' two.svg > four.svg
   $ scc inflate four.svg
-  four.svg:2:35: error[SC0340]: a fault in the drawing: a number is missing at "four"
+  four.svg:2:3: error[SC0340]: a fault in the drawing: a number is missing at "four"
      |
    2 |   <circle cx="5" cy="5" r="four"/>
-     |                                   ^
+     |   ^^^^^^^
   [3]
 
 All pieces: as several surfaces, each in a file of its own, on a plate, or each as a template.

@@ -14,20 +14,8 @@ let refuse_unread ~path = function
     in
     List.iter one nodes
 
-(* How something looks has no shapes in it. *)
-let check_still ~path (node : node) (w : Text.word) value =
-  let one (inner : node) =
-    match Scene_table.find inner.kind.text with
-    | Read { role = Geometry | Shape | Group | Transform | Switch | Levels; _ } | Left_out ->
-      bad ~path inner.kind "a %s is no %s of a %s, and would not be seen" inner.kind.text (Text.quote w.text)
-        node.kind.text
-    | Read { role = Points; _ } | Still | Unread _ -> ()
-  in
-  match value with Words _ -> () | Nodes nodes -> List.iter one nodes
-
 let check ~path node ~read ~still =
   let one ((w : Text.word), value) =
-    if List.mem w.text still && w.text <> "proxy" then check_still ~path node w value;
     let harmless = match value with Nodes nodes -> List.for_all is_still nodes | Words _ -> false in
     if not (List.mem w.text read || List.mem w.text still || harmless) then begin
       refuse_unread ~path value;
@@ -79,3 +67,44 @@ let truth ~path node name =
   | None | Some [ { text = "TRUE" | "true"; _ } ] -> true
   | Some [ { text = "FALSE" | "false"; _ } ] -> false
   | Some _ -> bad ~path (place node name) "`%s` has to be TRUE or FALSE" name
+
+(* {1 What is not shown} *)
+
+(* How something looks, or a view, has no shapes in it. *)
+let check_unseen ~path (node : node) ((w : Text.word), value) =
+  let seen =
+    match Scene_table.find node.kind.text with
+    | Still -> false
+    | Read { still; _ } -> not (List.mem w.text still)
+    | Left_out | Unread _ -> true
+  in
+  let one (inner : node) =
+    match Scene_table.find inner.kind.text with
+    | Read { role = Geometry | Shape | Group | Transform | Switch | Levels; _ } | Left_out ->
+      bad ~path inner.kind "a %s is no %s of a %s, and would not be seen" inner.kind.text (Text.quote w.text)
+        node.kind.text
+    | Unread hint -> unread ~path inner.kind ~hint "the node %s is not read" (Text.quote inner.kind.text)
+    | Read { role = Points; _ } | Still -> ()
+  in
+  match value with
+  | Nodes nodes when not (seen || Scene_table.refers node.kind.text w.text) -> List.iter one nodes
+  | Nodes _ | Words _ -> ()
+
+let check_all_unseen ~path nodes =
+  (* Nodes at each place: an instance of a prototype has those of its declaration. *)
+  let known = Hashtbl.create 64 in
+  let is_new (node : node) =
+    let there = Option.value (Hashtbl.find_opt known node.kind.start) ~default:[] in
+    let is_new = not (List.memq node there) in
+    if is_new then Hashtbl.replace known node.kind.start (node :: there);
+    is_new
+  in
+  let rec go = function
+    | [] -> ()
+    | node :: rest when is_new node ->
+      List.iter (check_unseen ~path node) node.fields;
+      let inner = List.concat_map (function _, Nodes nodes -> nodes | _, Words _ -> []) node.fields in
+      go (List.rev_append inner rest)
+    | _ :: rest -> go rest
+  in
+  go nodes

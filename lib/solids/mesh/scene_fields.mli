@@ -26,3 +26,8 @@ val integer : path:string -> Scene.node -> string -> default:int -> int
 
 val truth : path:string -> Scene.node -> string -> bool
 (** A field of one truth value; true if there is none. *)
+
+val check_all_unseen : path:string -> Scene.node list -> unit
+(** A node that would be shown elsewhere, or is not read, is a fault in a field where nothing is shown: one of a
+    {!Scene_table.Still} node, or a field of another node that leaves points as they are. Those by which nodes
+    are only referred to are left out ({!Scene_table.refers}). *)

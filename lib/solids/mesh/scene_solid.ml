@@ -254,6 +254,7 @@ let read ~path ~size scene =
       }
     in
     List.iter (show t 0 { map = Affine.identity; levels = [] } ~name:None) file.nodes;
+    F.check_all_unseen ~path file.nodes;
     if t.points = [] then nothing t;
     (Text.labelled t.points t.faces, nearly t @ thin t @ points_alone t @ moving ~path file @ lost ~path file)
   in

@@ -86,6 +86,14 @@ let still =
     "TimeSensor"
   ]
 
+(* Fields that refer to nodes of any kind, which show nothing there; "*" is each that an author may declare. *)
+let referring =
+  [
+    ("Script ComposedShader PackagedShader ShaderProgram", "*"); ("TransformSensor", "targetObject");
+    ("LinePickSensor PointPickSensor PrimitivePickSensor VolumePickSensor", "pickTarget pickingGeometry");
+    ("LoadSensor", "watchList children"); ("GeoMetadata", "data"); ("Collision", "proxy");
+  ]
+
 (* {1 Nodes without thickness: lines and letters} *)
 
 let left_out = "IndexedLineSet LineSet Polyline2D Arc2D Circle2D Text"
@@ -121,6 +129,13 @@ let table =
   List.fold_left one (List.fold_left (put Still) (put Left_out By_kind.empty left_out) still) read
 
 let find kind = match By_kind.find_opt kind table with Some row -> row | None -> Unread (cure kind)
+let refers kind field =
+  let has (kinds, fields) =
+    let own = String.equal fields "*" && not (List.mem field [ "metadata"; "parts" ]) in
+    List.mem kind (words kinds) && (own || List.mem field (words fields))
+  in
+  List.exists has referring
+
 let kinds = List.map fst (By_kind.bindings table)
 
 let usual kind =

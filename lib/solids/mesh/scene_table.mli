@@ -21,6 +21,10 @@ type t =
 val find : string -> t
 (** [find kind] is how nodes of that type are treated; unknown types are [Unread]. *)
 
+val refers : string -> string -> bool
+(** [refers kind field] is true if a field of nodes of the type [kind] may have nodes of any type, of which
+    nothing is shown there. *)
+
 val cure : string -> string
 (** [cure kind] is what can be done about a node of a type that is not read. *)
 

@@ -11,7 +11,7 @@ let unread text =
 
 let ratio a b = Rat.make (Z.of_int a) (Z.of_int b)
 let between low high q = Rat.max low (Rat.min high q)
-let share q = between Rat.zero Rat.one q
+let part_of_one q = between Rat.zero Rat.one q
 
 (* Of the levels from 0 to 255. *)
 let together levels =
@@ -41,29 +41,16 @@ let hexadecimal text =
 
 (* {1 Functions} *)
 
-(* Numbers with their units, between blanks, commas and a slash. *)
+(* Three numbers and perhaps an opacity, each with its unit, and true if commas are between them. Between blanks a
+   slash is before the opacity. *)
 let arguments text inner =
-  let c = { text = inner; at = 0 } in
-  let rec unit at =
-    if at < String.length inner && (match inner.[at] with 'a' .. 'z' | '%' -> true | _ -> false) then unit (at + 1)
-    else at
-  in
-  let rec go found =
-    if ended c then List.rev found
-    else if inner.[c.at] = '/' then begin
-      c.at <- c.at + 1;
-      go found
-    end
-    else begin
-      let q = number c in
-      let stop = unit c.at in
-      let u = String.sub inner c.at (stop - c.at) in
-      c.at <- stop;
-      if List.compare_length_with found 4 >= 0 then bad text;
-      go ((q, u) :: found)
-    end
-  in
-  go []
+  let part p = with_unit p in
+  match (String.split_on_char ',' inner, String.split_on_char '/' inner) with
+  | [ _ ], [ colour; opacity ] -> (List.map part (words colour), Some (part opacity), false)
+  | [ _ ], [ colour ] -> (List.map part (words colour), None, false)
+  | [ a; b; c ], [ _ ] -> (List.map part [ a; b; c ], None, true)
+  | [ a; b; c; opacity ], [ _ ] -> (List.map part [ a; b; c ], Some (part opacity), true)
+  | _ -> bad text
 
 (* The level from 0 to [whole] of a number, or of a percentage. *)
 let level text whole (q, unit) =
@@ -72,7 +59,7 @@ let level text whole (q, unit) =
   | "%" -> Rat.mul whole (Rat.div q (Rat.of_int 100))
   | _ -> bad text
 
-let alpha text = function [] -> Rat.one | [ a ] -> share (level text Rat.one a) | _ -> bad text
+let alpha text = function None -> Rat.one | Some a -> part_of_one (level text Rat.one a)
 
 let degrees text (q, unit) =
   match unit with
@@ -94,16 +81,21 @@ let of_hsl h s l =
   together [ level 0; level 8; level 4 ]
 
 let applied text name inner =
-  if not (List.mem name [ "rgb"; "rgba"; "hsl"; "hsla" ]) then unread text;
-  match (name, arguments text inner) with
-  | ("rgb" | "rgba"), r :: g :: b :: rest ->
-    let level = level text (Rat.of_int 255) in
-    { rgb = together (List.map level [ r; g; b ]); alpha = alpha text rest }
-  | ("hsl" | "hsla"), h :: s :: l :: rest ->
-    (* A plain number is a percentage here. *)
-    let part (q, unit) = if unit = "" || unit = "%" then share (Rat.div q (Rat.of_int 100)) else bad text in
-    { rgb = of_hsl (degrees text h) (part s) (part l); alpha = alpha text rest }
-  | ("rgb" | "rgba" | "hsl" | "hsla"), _ -> bad text
+  match name with
+  | "rgb" | "rgba" -> (
+      match arguments text inner with
+      | ([ (_, r); (_, g); (_, b) ] as levels), opacity, commas when (not commas) || (r = g && g = b) ->
+        { rgb = together (List.map (level text (Rat.of_int 255)) levels); alpha = alpha text opacity }
+      | _ -> bad text)
+  | "hsl" | "hsla" -> (
+      (* Without commas a plain number is a percentage. *)
+      let part ~commas (q, unit) =
+        if unit = "%" || (unit = "" && not commas) then part_of_one (Rat.div q (Rat.of_int 100)) else bad text
+      in
+      match arguments text inner with
+      | [ h; s; l ], opacity, commas ->
+        { rgb = of_hsl (degrees text h) (part ~commas s) (part ~commas l); alpha = alpha text opacity }
+      | _ -> bad text)
   | _ -> unread text
 
 let plain text =
@@ -114,8 +106,8 @@ let plain text =
   | None when n > 0 && text.[0] = '#' -> hexadecimal text
   | None -> (
       match String.index_opt text '(' with
-      | Some i when text.[n - 1] = ')' ->
-        applied text (String.trim (String.sub text 0 i)) (String.sub text (i + 1) (n - i - 2))
+      | Some i when text.[n - 1] = ')' && String.index text ')' = n - 1 ->
+        applied text (String.sub text 0 i) (String.sub text (i + 1) (n - i - 2))
       | Some _ -> bad text
       | None -> unread text)
 

@@ -18,6 +18,7 @@ let compose m n =
   let a, b = column (n.a, n.b) and c, d = column (n.c, n.d) and e, f = apply m (n.e, n.f) in
   { a; b; c; d; e; f }
 
+let is_invertible m = not (Rat.equal (m.a * m.d) (m.b * m.c))
 let scaling x y = { identity with a = x; d = y }
 let translation e f = { identity with e; f }
 

@@ -16,6 +16,9 @@ val apply : t -> point -> point
 val is_identity : t -> bool
 (** [is_identity m] is true if [m] leaves each point where it is. *)
 
+val is_invertible : t -> bool
+(** [is_invertible m] is true if [m] maps different points to different ones. *)
+
 val compose : t -> t -> t
 (** [compose m n] is the map that applies [n], then [m]. *)
 

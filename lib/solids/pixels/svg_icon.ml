@@ -1,6 +1,8 @@
 open Scc_base
 open Scc_exact
 open Svg_number
+open Svg_scene
+open Svg_clip
 
 (* An XML file, with white space before it or not. *)
 let is text =
@@ -12,8 +14,6 @@ let is text =
 exception Refused of Diag.t
 
 let max_corners = 1_000_000
-let max_drawn = 100_000
-let max_area = 1 lsl 29
 
 (* {1 The picture} *)
 
@@ -38,134 +38,6 @@ let frame ~resolution ~path root =
     let to_pixels = Plane_map.(compose (scaling scale scale) (translation (Rat.neg box.x) (Rat.neg box.y))) in
     (Raster.create ~width ~height, to_pixels, { Svg_shape.width = box.width; height = box.height })
 
-type scene = {
-  tree : Svg_tree.t;
-  raster : Raster.t;
-  corners : Svg_polygon.budget;
-  mutable layer : Svg_layer.t;  (** what is painted on *)
-  mutable fading : ((int * int) * string) option;  (** a gradient whose opacity is not the same everywhere *)
-  mutable drawn : int;  (** how many elements *)
-  mutable area : int;  (** how many pixels were looked at *)
-  mutable at : int * int;  (** the place of the element that is being drawn *)
-}
-
-(* What is around an element: its style, its map to pixels, where is painted at all, its viewport, how deep it is,
-   and what is being used here. *)
-type around = {
-  style : Svg_style.t;
-  map : Plane_map.t;
-  clip : Bytes.t option;
-  view : Svg_shape.view;
-  depth : int;
-  used : Svg_tree.node list;
-}
-
-let look scene n =
-  scene.area <- scene.area + n;
-  if scene.area > max_area then raise (Bad "more is painted than is read of one drawing")
-
-let inside scene rule polygons f =
-  let { Raster.width; height; _ } = scene.raster in
-  look scene (Fill.cost ~width ~height polygons);
-  Fill.inside ~width ~height rule polygons f
-
-let count scene =
-  scene.drawn <- scene.drawn + 1;
-  if scene.drawn > max_drawn then raise (Bad (Printf.sprintf "more than %d elements are drawn" max_drawn))
-
-let enter scene around (node : Svg_tree.node) =
-  scene.at <- node.at;
-  count scene;
-  if around.depth >= Svg_tree.max_depth then raise (Bad "elements nested too deep");
-  let properties = Svg_tree.declared scene.tree node in
-  let style = Svg_style.of_properties around.style properties in
-  let own = Svg_transform.of_properties ~size:(around.view.width, around.view.height) properties in
-  { around with style; map = Plane_map.compose around.map own; depth = around.depth + 1 }
-
-(* {1 References} *)
-
-let referred scene text =
-  if text = "" then None
-  else if text.[0] <> '#' then raise (Unread (Printf.sprintf "the reference %S to another file" text))
-  else
-    match Hashtbl.find_opt scene.tree.ids (String.sub text 1 (String.length text - 1)) with
-    | Some node -> Some node
-    | None -> raise (Bad (Printf.sprintf "the reference %S to no element" text))
-
-(* What an element with a reference is around, which may not lead back to itself. *)
-let using here (node : Svg_tree.node) =
-  if List.memq node here.used then raise (Bad "an element that uses itself");
-  { here with used = node :: here.used }
-
-let number node read view name ~default =
-  match Svg_tree.attribute node name with None | Some "auto" -> default | Some text -> read view text
-
-(* What a use draws, and around it the place where. *)
-let used scene here node =
-  let target = referred scene (String.trim (Option.value (Svg_tree.href node) ~default:"")) in
-  let at read name = number node read here.view name ~default:Rat.zero in
-  let x = at Svg_shape.across "x" in
-  let y = at Svg_shape.down "y" in
-  let place target = ({ (using here target) with map = Plane_map.(compose here.map (translation x y)) }, target) in
-  Option.map place target
-
-(* {1 Clips} *)
-
-let within clip k = match clip with None -> true | Some mask -> Bytes.get mask k <> '\000'
-
-let mask scene =
-  let n = Bytes.length scene.raster.alphas in
-  look scene n;
-  Bytes.make n '\000'
-
-let add scene found clip rule polygons =
-  inside scene rule polygons (fun k -> if within clip k then Bytes.set found k '\001')
-
-(* The style that a clip path inherits, where it stands. *)
-let rec style_above scene (node : Svg_tree.node) =
-  match node.parent with
-  | None -> Svg_style.initial
-  | Some parent -> { (style_at scene parent) with displayed = true }
-
-and style_at scene node =
-  count scene;
-  Svg_style.of_properties (style_above scene node) (Svg_tree.declared scene.tree node)
-
-let rec clipped scene here =
-  match here.style.own.clip with
-  | None -> here
-  | Some id -> (
-      match Hashtbl.find_opt scene.tree.ids id with
-      | Some ({ name = "clipPath"; _ } as node) -> { here with clip = Some (clip_path scene here node) }
-      | _ -> raise (Bad (Printf.sprintf "the reference \"#%s\" to no clip path" id)))
-
-and clip_path scene here node =
-  let at = scene.at in
-  let inner = enter scene { (using here node) with style = style_above scene node } node in
-  (match Svg_tree.attribute node "clipPathUnits" with
-   | None | Some "userSpaceOnUse" -> ()
-   | Some _ -> raise (Unread "clip paths in units of what they clip"));
-  let inner = clipped scene inner in
-  let found = mask scene in
-  List.iter (clip_piece scene inner found) node.children;
-  scene.at <- at;
-  found
-
-and clip_piece scene around found (node : Svg_tree.node) =
-  let here () = clipped scene (enter scene around node) in
-  if Svg_table.element node.name = Shape then begin
-    let here = here () in
-    if here.style.displayed && here.style.shown then
-      Svg_polygon.filled ~budget:scene.corners here.map (Svg_shape.outline here.view node)
-      |> add scene found here.clip here.style.clip_rule
-  end
-  else if node.name = "use" then
-    match used scene (here ()) node with
-    | None -> ()
-    | Some (here, target) when Svg_table.element target.name = Shape -> clip_piece scene here found target
-    | Some _ -> raise (Unread "a use of what is no shape in a clip path")
-  else raise (Unread (Printf.sprintf "the element %S in a clip path" node.name))
-
 (* {1 Elements} *)
 
 (* What [draw] paints is one layer, as opaque as the element says. *)
@@ -187,8 +59,11 @@ let paint scene here node =
   let gradient id =
     match Hashtbl.find_opt scene.tree.ids id with
     | Some ({ name = "linearGradient" | "radialGradient"; _ } as gradient) ->
-      let found = Svg_gradient.opacity scene.tree ~style:(style_at scene) gradient in
-      Option.iter (fun (low, high) -> if Rat.compare low high < 0 then scene.fading <- Some (scene.at, id)) found;
+      let box () = Svg_box.user_space scene here node ~size:node in
+      let found = Svg_gradient.opacity scene.tree ~style:(style_at scene) ~view:here.view ~box gradient in
+      (match found with
+       | Between (low, high) when Rat.compare low high < 0 -> scene.fading <- Some (scene.at, id)
+       | Between _ | Unseen | Ignored -> ());
       Some found
     | Some { name = "pattern"; _ } -> raise (Unread "patterns")
     | _ -> None
@@ -214,34 +89,23 @@ let paint scene here node =
       Option.iter put pen
   in
   if s.displayed && s.shown then begin
-    if s.markers then raise (Unread "markers");
+    if s.markers <> (false, false, false) then raise (Unread "markers");
     layered scene here (fun () -> if s.stroke_first then (stroke (); fill ()) else (fill (); stroke ()))
   end
 
-(* Inside of a viewport at a rectangle, if something can be seen of it. *)
+(* What is around the content of a viewport at a rectangle, if something can be seen of it. *)
 let viewport scene here node (inside : Aspect.box) =
-  if Rat.sign inside.width < 0 || Rat.sign inside.height < 0 then raise (Bad "a viewport with a negative side");
-  let box = Option.map Aspect.box (Svg_tree.attribute node "viewBox") in
-  let empty (b : Aspect.box) = Rat.sign b.width = 0 || Rat.sign b.height = 0 in
-  if empty inside || (match box with Some b -> empty b | None -> false) then None
-  else begin
-    let clip =
-      if not here.style.own.clipped then here.clip
-      else begin
-        let found = mask scene in
-        Svg_path.rectangle (inside.x, inside.y) (inside.width, inside.height) (Rat.zero, Rat.zero)
-        |> Svg_polygon.filled ~budget:scene.corners here.map
-        |> add scene found here.clip Fill.Nonzero;
-        Some found
-      end
-    in
-    let map, width, height =
-      match box with
-      | None -> (Plane_map.translation inside.x inside.y, inside.width, inside.height)
-      | Some b -> (Aspect.fit (Svg_tree.attribute node "preserveAspectRatio") ~inside b, b.width, b.height)
-    in
-    Some { here with clip; map = Plane_map.compose here.map map; view = { width; height } }
-  end
+  let clip () =
+    if not here.style.own.clipped then here.clip
+    else begin
+      let found = mask scene in
+      Svg_path.rectangle (inside.x, inside.y) (inside.width, inside.height) (Rat.zero, Rat.zero)
+      |> Svg_polygon.filled ~budget:scene.corners here.map
+      |> add scene found here.clip Fill.Nonzero;
+      Some found
+    end
+  in
+  Option.map (fun inner -> { inner with clip = clip () }) (fitted here node inside)
 
 let refuse name cure = raise (Unread (Printf.sprintf "the element %S: %s" name cure))
 
@@ -262,14 +126,14 @@ let rec element scene around (node : Svg_tree.node) =
   match Svg_table.element node.name with
   | Silent -> ()
   | Group ->
-    let here = clipped scene (enter scene around node) in
+    let here = clipped scene (enter scene around node) node in
     layered scene here (fun () -> children scene here node)
   | Shape ->
-    paint scene (clipped scene (enter scene around node)) node;
+    paint scene (clipped scene (enter scene around node) node) node;
     check_content scene node
   | Viewport -> shown_at scene around node ~size:node
   | Use -> (
-      let here = clipped scene (enter scene around node) in
+      let here = clipped scene (enter scene around node) node in
       match used scene here node with
       | None -> ()
       | Some (inner, target) ->
@@ -286,15 +150,9 @@ and children scene here (node : Svg_tree.node) = if here.style.displayed then Li
 
 (* A drawing within the drawing; [size] is the element whose width and height count most. *)
 and shown_at scene around node ~size =
-  let here = clipped scene (enter scene around node) in
-  let at read name ~default = number node read around.view name ~default in
-  let side read name whole = number size read around.view name ~default:(at read name ~default:whole) in
-  let x = at Svg_shape.across "x" ~default:Rat.zero in
-  let y = at Svg_shape.down "y" ~default:Rat.zero in
-  let width = side Svg_shape.across "width" around.view.width in
-  let height = side Svg_shape.down "height" around.view.height in
+  let here = clipped ~size scene (enter scene around node) node in
   let draw inner = layered scene here (fun () -> children scene inner node) in
-  Option.iter draw (viewport scene here node { x; y; width; height })
+  Option.iter draw (viewport scene here node (rectangle here node ~size))
 
 (* How the view box is fitted into the drawing changes its shape only if it is stretched or cut. *)
 let check_ratio root =
@@ -334,7 +192,7 @@ let draw ~resolution ~path tree =
     let here = enter scene around root in
     if not (Plane_map.is_identity here.map) then
       raise (Unread "a transform of the whole drawing: put a `g` into it");
-    let here = clipped scene { here with map } in
+    let here = clipped scene { here with map } root in
     layered scene here (fun () -> children scene here root);
     finish scene
   with
@@ -358,16 +216,26 @@ let offset text (line, column) =
   in
   if n = 0 then 0 else along (start 0 line) column
 
+(* The tag at whose name, or just after it, a place is: its start with its name. *)
+let tag text at =
+  match String.rindex_from_opt text (min (offset text at) (String.length text - 1)) '<' with
+  | None -> (0, 0)
+  | Some start ->
+    let in_name i = i < String.length text && not (is_blank text.[i] || text.[i] = '>' || text.[i] = '/') in
+    let rec stop i = if in_name i then stop (i + 1) else i in
+    (start, stop (start + 1))
+
 let read ~resolution ~path text =
-  let fault code ?hint at message =
-    let at = offset text at in
-    Error (Diag.error ?hint code (Span.make ~file:path ~start:at ~stop:at) "%s" message)
+  let fault_at code ?hint (start, stop) message =
+    Error (Diag.error ?hint code (Span.make ~file:path ~start ~stop) "%s" message)
   in
+  let fault code ?hint at message = fault_at code ?hint (tag text at) message in
   match draw ~resolution ~path (Svg_tree.read text) with
   | raster -> Ok raster
   | exception Refused d -> Error d
   | exception Xmlm.Error (at, error) ->
-    fault Code.bad_picture at ("the XML is not well formed: " ^ Xmlm.error_message error)
+    let at = offset text at in
+    fault_at Code.bad_picture (at, at) ("the XML is not well formed: " ^ Xmlm.error_message error)
   | exception Svg_tree.Fault (at, Unread what) ->
     fault Code.picture_format at ("this is not read: " ^ what)
       ~hint:"shapes with fills and strokes are read, in groups and where they are used, with transforms and clip \

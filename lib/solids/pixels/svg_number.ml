@@ -3,21 +3,31 @@ open Scc_exact
 exception Bad of string
 exception Unread of string
 
-type cursor = { text : string; mutable at : int }
+type cursor = { text : string; mutable at : int; mutable first : bool  (** no comma may stand here *) }
 
+let cursor text = { text; at = 0; first = true }
 let bad format = Printf.ksprintf (fun m -> raise (Bad m)) format
 let peek c = if c.at < String.length c.text then Some c.text.[c.at] else None
 let is_blank = function ' ' | '\t' | '\n' | '\r' | '\012' -> true | _ -> false
 
-let rec skip c =
+let rec blanks c =
   match peek c with
-  | Some x when is_blank x || x = ',' ->
+  | Some x when is_blank x ->
     c.at <- c.at + 1;
-    skip c
+    blanks c
   | _ -> ()
 
+(* Between numbers there may be one comma. *)
+let skip c =
+  blanks c;
+  if (not c.first) && peek c = Some ',' then begin
+    c.at <- c.at + 1;
+    blanks c
+  end;
+  c.first <- false
+
 let ended c =
-  skip c;
+  blanks c;
   c.at >= String.length c.text
 
 let is_small x = x >= 'a' && x <= 'z'
@@ -30,6 +40,14 @@ let digits c =
 
 let sign c = match peek c with Some ('+' | '-') -> c.at <- c.at + 1 | _ -> ()
 
+let missing c =
+  let rest = String.sub c.text c.at (String.length c.text - c.at) in
+  (match String.index_opt rest '(' with
+   | Some i when i > 0 && String.for_all is_small (String.sub rest 0 i) ->
+     raise (Unread (Printf.sprintf "the function %s() in %S: write its value" (String.sub rest 0 i) c.text))
+   | Some _ | None -> ());
+  bad "a number is missing at %S" (String.sub rest 0 (min 12 (String.length rest)))
+
 let number c =
   skip c;
   let start = c.at in
@@ -38,12 +56,7 @@ let number c =
   let after = match peek c with Some '.' -> c.at <- c.at + 1; digits c | _ -> 0 in
   if before + after = 0 then begin
     c.at <- start;
-    (match String.index_from_opt c.text start '(' with
-     | Some i when i > start && String.for_all is_small (String.sub c.text start (i - start)) ->
-       let name = String.sub c.text start (i - start) in
-       raise (Unread (Printf.sprintf "the function %s() in %S: write its value" name c.text))
-     | Some _ | None -> ());
-    bad "a number is missing at %S" (String.sub c.text start (min 12 (String.length c.text - start)))
+    missing c
   end;
   let mantissa = String.sub c.text start (c.at - start) in
   let mark = c.at in
@@ -87,7 +100,7 @@ let flag c =
 let most = 1_000_000
 
 let all text =
-  let c = { text; at = 0 } in
+  let c = cursor text in
   let rec go n found =
     if ended c then List.rev found
     else if n >= most then bad "a list of more than %d numbers" most
@@ -95,11 +108,41 @@ let all text =
   in
   go 0 []
 
-let length ?whole text =
-  let c = { text; at = 0 } in
+let words text =
+  let c = cursor text in
+  let in_word i = i < String.length text && not (is_blank text.[i] || text.[i] = ',') in
+  let rec stop i = if in_word i then stop (i + 1) else i in
+  let rec go found =
+    if ended c then List.rev found
+    else begin
+      skip c;
+      let start = c.at in
+      c.at <- stop start;
+      if c.at = start then bad "a list with a comma too many: %S" text;
+      go (String.sub text start (c.at - start) :: found)
+    end
+  in
+  go []
+
+let with_unit text =
+  let c = cursor text in
   let q = number c in
+  let start = c.at in
+  if start > 0 && text.[start - 1] = '.' then bad "a number that ends with a point: %S" text;
+  let rec stop i =
+    match if i < String.length text then Char.lowercase_ascii text.[i] else ' ' with
+    | 'a' .. 'z' | '%' -> stop (i + 1)
+    | _ -> i
+  in
+  c.at <- stop start;
+  let unit = String.lowercase_ascii (String.sub text start (c.at - start)) in
+  if not (ended c) then bad "more than a number with its unit: %S" text;
+  (q, unit)
+
+let length ?whole text =
+  let q, unit = with_unit text in
   let times n d = Rat.mul q (Rat.make (Z.of_int n) (Z.of_int d)) in
-  match (String.lowercase_ascii (String.trim (String.sub text c.at (String.length text - c.at))), whole) with
+  match (unit, whole) with
   | ("" | "px"), _ -> q
   | "%", Some whole -> Rat.mul whole (Rat.div q (Rat.of_int 100))
   | "pt", _ -> times 4 3
@@ -107,4 +150,13 @@ let length ?whole text =
   | "mm", _ -> times 480 127
   | "cm", _ -> times 4800 127
   | "in", _ -> times 96 1
-  | unit, _ -> raise (Unread (Printf.sprintf "lengths in %S" unit))
+  | ("em" | "ex" | "rem" | "ch" | "vw" | "vh" | "vmin" | "vmax" | "q" | "%"), _ ->
+    raise (Unread (Printf.sprintf "lengths in %S" unit))
+  | _ -> bad "the length %S" text
+
+let share text =
+  let clamp q = Rat.max Rat.zero (Rat.min Rat.one q) in
+  match with_unit text with
+  | q, "" -> clamp q
+  | q, "%" -> clamp (Rat.div q (Rat.of_int 100))
+  | _ -> bad "the share %S" text

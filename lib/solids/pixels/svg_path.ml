@@ -73,10 +73,11 @@ let draw p c command ~x ~y last =
 
 let path text emit =
   let p = { emit; here = origin; start = origin } in
-  let c = { text; at = 0 } in
+  let c = cursor text in
   let letter () =
     let x = text.[c.at] in
     c.at <- c.at + 1;
+    c.first <- true;
     x
   in
   let rec next command last =

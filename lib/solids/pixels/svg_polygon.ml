@@ -21,22 +21,22 @@ let corner (x, y) =
   let x = grid x in
   (x, grid y)
 
-(* The polygon that is being drawn has its corners in reverse. [here] and [start] are in the drawing's units. *)
+(* The line that is being drawn has its corners in reverse. [here] and [start] are in the drawing's units. *)
 type pen = {
   map : Plane_map.t;
   budget : budget;
   mutable here : Plane_map.point;
   mutable start : Plane_map.point;
-  mutable corners : (int * int) list;
-  mutable polygons : polygon list;
+  mutable corners : Plane_map.point list;
+  mutable lines : Plane_map.point list list;
 }
 
 let draw p place =
   spend p.budget 1;
-  p.corners <- corner place :: p.corners
+  p.corners <- place :: p.corners
 
 let close p =
-  if p.corners <> [] then p.polygons <- p.corners :: p.polygons;
+  if p.corners <> [] then p.lines <- p.corners :: p.lines;
   p.corners <- []
 
 let begun p = if p.corners = [] then draw p (Plane_map.apply p.map p.here)
@@ -80,9 +80,9 @@ let arc p (arc : Svg_segment.arc) =
     go (halvings ~share map) start stop;
     p.here <- arc.stop
 
-let filled ~budget map outline =
+let lines ~budget map outline =
   let origin = (Rat.zero, Rat.zero) in
-  let p = { map; budget; here = origin; start = origin; corners = []; polygons = [] } in
+  let p = { map; budget; here = origin; start = origin; corners = []; lines = [] } in
   outline (function
       | Svg_segment.Move place ->
         close p;
@@ -92,7 +92,10 @@ let filled ~budget map outline =
       | Curve controls -> curve p controls
       | Arc a -> arc p a
       | Close ->
+        begun p;
         close p;
         p.here <- p.start);
   close p;
-  p.polygons
+  p.lines
+
+let filled ~budget map outline = List.map (List.map corner) (lines ~budget map outline)

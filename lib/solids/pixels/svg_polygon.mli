@@ -19,3 +19,6 @@ val corner : Plane_map.point -> int * int
 val filled : budget:budget -> Plane_map.t -> Svg_segment.outline -> polygon list
 (** [filled ~budget m outline] are the polygons inside the lines of an outline, each line closed. [m] is the map
     from the units of the drawing to pixels. *)
+
+val lines : budget:budget -> Plane_map.t -> Svg_segment.outline -> Plane_map.point list list
+(** [lines ~budget m outline] are the corners of {!filled} in pixels, not rounded. *)

@@ -16,13 +16,15 @@ type t = {
   dashes : string list;
   offset : string;
   stroke_first : bool;
-  markers : bool;
+  markers : bool * bool * bool;
   shown : bool;
   displayed : bool;
   own : own;
 }
 
 and own = { clip : string option; clipped : bool; fixed_width : bool; opacity : Rat.t }
+
+type gradient = Between of Rat.t * Rat.t | Unseen | Ignored
 
 let black = { Css_colour.rgb = 0; alpha = Rat.one }
 
@@ -42,7 +44,7 @@ let initial =
     dashes = [];
     offset = "0";
     stroke_first = false;
-    markers = false;
+    markers = (false, false, false);
     shown = true;
     displayed = true;
     own = { clip = None; clipped = true; fixed_width = false; opacity = Rat.one };
@@ -52,16 +54,6 @@ let bad format = Printf.ksprintf (fun m -> raise (Bad m)) format
 let unread format = Printf.ksprintf (fun m -> raise (Unread m)) format
 
 (* {1 Values} *)
-
-(* A share, as a number or in percent. *)
-let share text =
-  let c = { text; at = 0 } in
-  let q = number c in
-  let q = if String.contains text '%' then Rat.div q (Rat.of_int 100) else q in
-  Rat.max Rat.zero (Rat.min Rat.one q)
-
-let plain name text =
-  match all text with [ q ] -> q | _ -> bad "the %s %S" name text
 
 let one_of name value choices =
   match List.assoc_opt value choices with Some choice -> choice | None -> bad "the %s %S" name value
@@ -74,8 +66,7 @@ let max_dashes = 1_000
 let dashes value =
   if value = "none" then []
   else begin
-    let blank c = if is_blank c || c = ',' then ' ' else c in
-    let words = List.filter (( <> ) "") (String.split_on_char ' ' (String.map blank value)) in
+    let words = words value in
     if List.compare_length_with words max_dashes > 0 then bad "a stroke-dasharray of more than %d numbers"
         max_dashes;
     words
@@ -87,15 +78,27 @@ let join value =
   | _ -> one_of "stroke-linejoin" value [ ("miter", `Miter); ("round", `Round); ("bevel", `Bevel) ]
 
 let limit value =
-  let q = plain "stroke-miterlimit" value in
-  if Rat.compare q Rat.one < 0 then bad "a stroke-miterlimit below 1";
-  q
+  match with_unit value with
+  | q, "" -> if Rat.compare q Rat.one < 0 then bad "a stroke-miterlimit below 1" else q
+  | _ -> bad "the stroke-miterlimit %S" value
 
 let clip value =
   if value = "none" then None
   else match Css_colour.reference value with Some id -> Some id | None -> unread "the clip-path %S" value
 
 (* {1 Properties} *)
+
+(* The markers of one property, or of the shorthand, from [all]. *)
+let marked style name all =
+  let start, mid, stop = style.markers and start', mid', stop' = all in
+  let markers =
+    match name with
+    | "marker-start" -> (start', mid, stop)
+    | "marker-mid" -> (start, mid', stop)
+    | "marker-end" -> (start, mid, stop')
+    | _ -> all
+  in
+  { style with markers }
 
 (* The value of an inherited property, by what has it. *)
 let inherited name ~from style =
@@ -114,21 +117,38 @@ let inherited name ~from style =
   | "stroke-dasharray" -> Some { style with dashes = from.dashes }
   | "stroke-dashoffset" -> Some { style with offset = from.offset }
   | "paint-order" -> Some { style with stroke_first = from.stroke_first }
-  | "marker" | "marker-start" | "marker-mid" | "marker-end" -> Some { style with markers = from.markers }
+  | "marker" | "marker-start" | "marker-mid" | "marker-end" -> Some (marked style name from.markers)
   | "visibility" -> Some { style with shown = from.shown }
   | _ -> None
 
 let colour style value =
   match Css_colour.paint value with
   | Colour colour -> { style with colour }
-  | Nothing -> { style with colour = { black with alpha = Rat.zero } }
   | Current -> style
-  | Server _ -> bad "the color %S" value
+  | Nothing | Server _ -> bad "the color %S" value
 
 let order style value =
-  let words = String.split_on_char ' ' value in
+  let words = List.filter (( <> ) "") (String.split_on_char ' ' value) in
+  let once word = List.length (List.filter (String.equal word) words) <= 1 in
+  let paint word = List.mem word [ "fill"; "stroke"; "markers" ] && once word in
+  if words <> [ "normal" ] && (words = [] || not (List.for_all paint words)) then bad "the paint-order %S" value;
   let first = List.find_opt (fun w -> w = "fill" || w = "stroke") words in
   { style with stroke_first = first = Some "stroke" }
+
+let displays =
+  String.split_on_char ' '
+    "inline block inline-block list-item flow flow-root run-in compact marker table inline-table table-caption \
+     table-row-group table-header-group table-footer-group table-row table-column-group table-column table-cell \
+     flex inline-flex grid inline-grid math ruby"
+
+let display value =
+  if List.mem value displays then true
+  else if value = "none" then false
+  else unread "the display %S" value
+
+let clipped value =
+  one_of "overflow" value
+    [ ("visible", false); ("auto", false); ("hidden", true); ("scroll", true); ("clip", true) ]
 
 let given style name value =
   match name with
@@ -147,12 +167,15 @@ let given style name value =
   | "stroke-dasharray" -> { style with dashes = dashes value }
   | "stroke-dashoffset" -> { style with offset = value }
   | "paint-order" -> order style value
-  | "marker" | "marker-start" | "marker-mid" | "marker-end" -> { style with markers = value <> "none" }
-  | "visibility" -> { style with shown = value = "visible" }
-  | "display" -> { style with displayed = style.displayed && value <> "none" }
+  | "marker" | "marker-start" | "marker-mid" | "marker-end" -> 
+    let on = value <> "none" in
+    marked style name (on, on, on)
+  | "visibility" -> 
+    { style with shown = one_of name value [ ("visible", true); ("hidden", false); ("collapse", false) ] }
+  | "display" -> { style with displayed = display value && style.displayed }
   | "opacity" -> { style with own = { style.own with opacity = share value } }
   | "clip-path" -> { style with own = { style.own with clip = clip value } }
-  | "overflow" -> { style with own = { style.own with clipped = value <> "visible" && value <> "auto" } }
+  | "overflow" -> { style with own = { style.own with clipped = clipped value } }
   | "vector-effect" -> { style with own = { style.own with fixed_width = value <> "none" } }
   | ("mask" | "filter") when value <> "none" -> unread "%s" name
   | _ -> style
@@ -167,7 +190,8 @@ let property ~around style (name, value) =
       (inherited name ~from:(if word = "initial" then initial else around) style)
   | "initial" | "unset" -> style
   | "inherit" | "revert" | "revert-layer" -> unread "the value %S of %s" value name
-  | _ -> given style name value
+  | _ -> (
+      try given style name value with Bad fault -> bad "%s, as the value of %s" fault name)
 
 (* Of each property the last value. *)
 let last properties =
@@ -190,9 +214,9 @@ let painted style paint opacity ~gradient =
     | Colour { rgb; alpha } -> source rgb alpha
     | Server (id, instead) -> (
         match (gradient id, instead) with
-        | Some (Some (low, high)), _ -> source ~upper:high 0 low
-        | Some None, _ -> None
-        | None, Some instead -> of_paint instead
+        | Some (Between (low, high)), _ -> source ~upper:high 0 low
+        | Some Unseen, _ | Some Ignored, None -> None
+        | (Some Ignored | None), Some instead -> of_paint instead
         | None, None -> bad "the reference \"#%s\" to no gradient" id)
   in
   of_paint paint

@@ -17,7 +17,7 @@ type t = {
   dashes : string list;  (** lengths *)
   offset : string;  (** of dashes, a length *)
   stroke_first : bool;  (** strokes are painted before the inside *)
-  markers : bool;
+  markers : bool * bool * bool;  (** at the start, in the middle and at the end of lines *)
   shown : bool;  (** visible *)
   displayed : bool;  (** of elements that are not, nothing inside is either *)
   own : own;
@@ -40,14 +40,15 @@ val of_properties : t -> (string * string) list -> t
     ({!Svg_declarations.of_element}) within an element of the style [around]. Raises {!Svg_number.Bad} and
     {!Svg_number.Unread}. *)
 
-val share : string -> Rat.t
-(** The share from 0 to 1 of a text, a number or a percentage. Raises {!Svg_number.Bad}. *)
+(** How opaque a gradient is: between two numbers, not at all, or as if it were not there. *)
+type gradient = Between of Rat.t * Rat.t | Unseen | Ignored
 
 val painted :
-  t -> Css_colour.paint -> Rat.t -> gradient:(string -> (Rat.t * Rat.t) option option) -> Svg_layer.source option
-(** [painted style paint opacity ~gradient] is the paint at this opacity, if anything is seen of it. [gradient] is
-    [None] for an id of no gradient, and otherwise {!Svg_gradient.opacity}. Gradients count as black. Raises
-    {!Svg_number.Bad} for an id of no gradient without a paint in its place. *)
+  t -> Css_colour.paint -> Rat.t -> gradient:(string -> gradient option) -> Svg_layer.source option
+(** [painted style paint opacity ~gradient] is the paint at this opacity, if anything is seen of it. [gradient]
+    is [None] for an id of no gradient. Gradients count as black. Where a gradient is ignored or is none, the
+    paint in its place counts, and otherwise nothing. Raises {!Svg_number.Bad} for an id of no gradient without a
+    paint in its place. *)
 
 val stroke : t -> length:(string -> Rat.t) -> Svg_stroke.t option
 (** [stroke style ~length] is the pen of the style, if it has a width; [length] reads lengths. Raises

@@ -32,20 +32,14 @@ let of_attribute name values =
 
 (* {1 Functions of CSS, whose lengths and angles have units} *)
 
-(* A number and what follows it up to a comma or a blank. *)
-let argument text =
-  let c = { text; at = 0 } in
-  let q = number c in
-  (q, String.lowercase_ascii (String.trim (String.sub text c.at (String.length text - c.at))))
-
 let plain text =
-  match argument text with
+  match with_unit text with
   | q, "" -> q
   | _ -> bad "the number %S in a transform" text
 
 let angle text =
   let times n d q = Rat.mul q (Rat.make (Z.of_int n) (Z.of_int d)) in
-  match argument text with
+  match with_unit text with
   | q, "deg" -> q
   | q, "grad" -> times 9 10 q
   | q, "turn" -> times 360 1 q
@@ -54,7 +48,7 @@ let angle text =
   | _ -> bad "the angle %S in a transform of a style, which has to be in deg, grad, rad or turn" text
 
 let distance text =
-  match argument text with
+  match with_unit text with
   | q, "" when Rat.sign q <> 0 ->
     bad "the length %S without a unit in a transform of a style, which browsers ignore" text
   | _, "%" -> unread "shares (%%) in transforms"
@@ -77,12 +71,11 @@ let of_css name values =
 
 (* {1 Lists of them} *)
 
-let split text =
-  let blank = function ',' | '\t' | '\n' | '\r' -> ' ' | c -> c in
-  List.filter (fun w -> w <> "") (String.split_on_char ' ' (String.map blank text))
+(* The arguments of a function of CSS. *)
+let arguments text = List.map String.trim (String.split_on_char ',' text)
 
 let functions text each =
-  let c = { text; at = 0 } in
+  let c = cursor text in
   let rec go map =
     if ended c then map
     else
@@ -92,6 +85,7 @@ let functions text each =
           match String.index_from_opt text i ')' with
           | None -> bad "the transform %S" text
           | Some j ->
+            skip c;
             let name = String.trim (String.sub text c.at (i - c.at)) in
             c.at <- j + 1;
             go (Plane_map.compose map (each name (String.sub text (i + 1) (j - i - 1)))))
@@ -99,40 +93,48 @@ let functions text each =
   if String.equal (String.lowercase_ascii (String.trim text)) "none" then Plane_map.identity
   else go Plane_map.identity
 
+let of_text text = functions text (fun name values -> of_attribute name (all values))
+
 (* {1 The origin} *)
 
-let share whole text =
-  match argument text with
+let share ~css whole text =
+  match with_unit text with
   | q, "%" -> Rat.mul whole (Rat.div q (Rat.of_int 100))
+  | q, "" when css && Rat.sign q <> 0 ->
+    bad "the transform-origin %S without a unit in a style, which browsers ignore" text
   | _ -> length text
 
-let origin ~size:(w, h) text =
-  let half = Rat.mul Rat.half in
-  let along whole = function
-    | "center" -> half whole
-    | "left" | "top" -> zero
-    | "right" | "bottom" -> whole
-    | text -> share whole text
+let origin ~css ~size:(w, h) text =
+  let fault () = unread "the transform-origin %S" text in
+  let along whole (first, last) = function
+    | "center" -> Rat.mul Rat.half whole
+    | word when word = first -> zero
+    | word when word = last -> whole
+    | "left" | "right" | "top" | "bottom" -> fault ()
+    | text -> share ~css whole text
   in
+  let across = along w ("left", "right") and down = along h ("top", "bottom") in
   let pair x y =
-    (* Words may come in either order. *)
+    (* Two words may come in either order. *)
     match (x, y) with
-    | ("top" | "bottom"), _ | _, ("left" | "right") -> (along w y, along h x)
-    | _ -> (along w x, along h y)
+    | ("top" | "bottom"), ("left" | "right" | "center") | "center", ("left" | "right") -> (across y, down x)
+    | _ -> (across x, down y)
   in
-  match split text with
+  let blank c = if is_blank c then ' ' else c in
+  match List.filter (( <> ) "") (String.split_on_char ' ' (String.map blank text)) with
+  | [ (("top" | "bottom") as y) ] -> pair "center" y
   | [ x ] -> pair x "center"
   | [ x; y ] -> pair x y
   | [ x; y; z ] when Rat.sign (length z) = 0 -> pair x y
-  | _ -> unread "the transform-origin %S" text
+  | _ -> fault ()
 
 let of_properties ~size properties =
   let last names = List.find_opt (fun (name, _) -> List.mem name names) (List.rev properties) in
   let map =
     match last [ "transform"; "css transform" ] with
     | None -> Plane_map.identity
-    | Some ("transform", text) -> functions text (fun name values -> of_attribute name (all values))
-    | Some (_, text) -> functions text (fun name values -> of_css name (split values))
+    | Some ("transform", text) -> of_text text
+    | Some (_, text) -> functions text (fun name values -> of_css name (arguments values))
   in
   if Plane_map.is_identity map then map
   else begin
@@ -141,7 +143,7 @@ let of_properties ~size properties =
      | Some (_, other) -> unread "the transform-box %S" other);
     match last [ "transform-origin"; "css transform-origin" ] with
     | None -> map
-    | Some (_, text) ->
-      let x, y = origin ~size text in
+    | Some (css, text) ->
+      let x, y = origin ~css:(css = "css transform-origin") ~size text in
       about x y map
   end

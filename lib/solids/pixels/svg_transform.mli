@@ -2,6 +2,9 @@
 
 open Scc_exact
 
+val of_text : string -> Plane_map.t
+(** [of_text text] is the map of an attribute such as [gradientTransform]. Raises {!Svg_number.Bad}. *)
+
 val of_properties : size:Rat.t * Rat.t -> (string * string) list -> Plane_map.t
 (** [of_properties ~size properties] is the map of an element with these properties
     ({!Svg_declarations.of_element}), its origin ([transform-origin]) included. [size] is that of the view box, to

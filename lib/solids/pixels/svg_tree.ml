@@ -36,11 +36,18 @@ let plain attributes =
        if ns = "" then Some (name, v) else if ns = xlink then Some ("xlink:" ^ name, v) else None)
     attributes
 
+(* Before a signal that is a start tag is read, [at] becomes the place after its name. *)
+type input = { xml : Xmlm.input; mutable at : int * int }
+
+let signal input =
+  input.at <- Xmlm.pos input.xml;
+  Xmlm.input input.xml
+
 (* The rest of an element whose start was read is passed over. *)
 let pass_over input =
   let rec go depth =
     if depth > 0 then
-      match Xmlm.input input with
+      match signal input with
       | `El_start _ -> go (depth + 1)
       | `El_end -> go (depth - 1)
       | `Data _ | `Dtd _ -> go depth
@@ -48,7 +55,7 @@ let pass_over input =
   go 1
 
 let rec root_tag input =
-  match Xmlm.input input with
+  match signal input with
   | `Dtd (Some text) when String.contains text '[' -> raise (Unread
                                                                "document types with declarations of their own")
   | `Dtd _ -> root_tag input
@@ -56,7 +63,7 @@ let rec root_tag input =
   | _ -> raise (Unread "XML whose root is no svg element")
 
 let element input ?parent name attributes =
-  { name; attributes = plain attributes; at = Xmlm.pos input; parent; children = []; text = [] }
+  { name; attributes = plain attributes; at = input.at; parent; children = []; text = [] }
 
 (* The elements around the place, the nearest first, and how deep it is; children are in reverse until their
    parent ends. *)
@@ -64,7 +71,7 @@ let content input root =
   let count = ref 1 in
   let rec go stack depth =
     if depth > max_depth then raise (Bad "elements nested too deep");
-    match (Xmlm.input input, stack) with
+    match (signal input, stack) with
     | _, [] -> ()
     | `El_end, node :: outer ->
       node.children <- List.rev node.children;
@@ -106,14 +113,14 @@ let iter f root =
   go [ root ]
 
 let read text =
-  let input = Xmlm.make_input (`String (0, text)) in
+  let input = { xml = Xmlm.make_input (`String (0, text)); at = (1, 1) } in
   let root =
     try
       let attributes = root_tag input in
       let root = element input "svg" attributes in
       content input root;
       root
-    with (Bad _ | Unread _) as fault -> raise (Fault (Xmlm.pos input, fault))
+    with (Bad _ | Unread _) as fault -> raise (Fault (input.at, fault))
   in
   let ids = Hashtbl.create 64 and sheets = ref [] in
   iter

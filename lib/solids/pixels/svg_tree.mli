@@ -3,7 +3,7 @@
 type node = {
   name : string;
   attributes : (string * string) list;  (** those without a namespace, and [href] of XLink as ["xlink:href"] *)
-  at : int * int;  (** line and column of the end of its start tag, from 1 *)
+  at : int * int;  (** line and column after its name in its start tag, from 1 *)
   parent : node option;
   mutable children : node list;  (** elements of SVG, in their order *)
   mutable text : string list;  (** of a [style] element, in pieces, the last one first *)

@@ -245,7 +245,7 @@ let shapes () =
   area "CSS: names and words in capitals"
     "<rect width='40' height='30' style='FILL:NONE'/><rect width='9' height='9'/>"
     (box 0. 0. 9. 9.);
-  area "the colour that is current" "<g color='none'><rect width='40' height='30' fill='currentColor'/></g>\
+  area "the colour that is current" "<g color='transparent'><rect width='40' height='30' fill='currentColor'/></g>\
                                      <rect width='9' height='9'/>" (box 0. 0. 9. 9.);
   area "a stroke of no width" "<rect width='9' height='9' stroke='red' stroke-width='0'/>" (box 0. 0. 9. 9.);
   area "opacities within each other" "<g fill-opacity='.4'><rect width='9' height='9' fill-opacity='.6'/></g>"

@@ -136,6 +136,10 @@ let refusals =
     ("IS of an unknown field", vrml "PROTO P [ ] { Transform { scale IS s } }\nP { }", "SC0320");
     ( "IS of an unknown field, XML",
       xml (declared "" ("<Transform>" ^ connect "scale" "s" ^ "</Transform>") ^ instance), "SC0320" );
+    ( "a shape for a texture, in one instance of two",
+      vrml
+        ("PROTO P [ field SFNode t NULL ] { Shape { geometry Box { } appearance Appearance { texture IS t } } }\n\
+          P { } P { t " ^ unit_box ^ " } P { }"), "SC0320" );
     ("an interface that is none", vrml "PROTO P [ 7 ] { Group { } }", "SC0320");
     ("in another file", vrml "EXTERNPROTO P [ field SFFloat a ] \"p.wrl#P\"\nP { a 1 }", "SC0321");
     ("in another file, XML", xml ("<ExternProtoDeclare name='Brick' url='x.x3d'/>" ^ instance), "SC0321");

@@ -125,9 +125,39 @@ let moving =
      coord coordIndex index ccw stripCount fanCount xDimension zDimension xSpacing zSpacing height size radius \
      bottom side top bottomRadius point crossSection spine orientation beginCap endCap"
 
+(* By the specifications these may have nodes of any kind, which are not shown there. *)
+let referring =
+  [
+    "Collision.proxy"; "ComposedShader.field"; "GeoMetadata.data"; "LoadSensor.children"; "LoadSensor.watchList";
+    "PackagedShader.field"; "Script.field"; "ShaderProgram.field"; "TransformSensor.targetObject";
+  ]
+  @ List.concat_map
+    (fun kind -> [ kind ^ "PickSensor.pickTarget"; kind ^ "PickSensor.pickingGeometry" ])
+    [ "Line"; "Point"; "Primitive"; "Volume" ]
+
+(* Nothing is shown in a field: what is there is nothing that would be shown elsewhere, at any depth. *)
+let check_unseen what row f kind =
+  let inner = node kind [] in
+  let around = [ inner; node "ViewpointGroup" [ ("children", N [ inner ]) ] ] in
+  let one (inner : written) (path, text) =
+    let code = match kind with "WorldInfo" -> "" | "NurbsSet" -> "SC0321" | _ -> "SC0320" in
+    match found path text with
+    | Error (found, place) when String.equal found code && starts kind place -> ()
+    | other when code = "" || (inner.kind = kind && List.mem what referring) ->
+      same (what ^ " with a " ^ kind ^ " changes nothing") alone other
+    | other -> Alcotest.fail (Printf.sprintf "%s with a %s: %s\n%s" what kind (show other) text)
+  in
+  let shown = if List.mem row.role [ "geometry"; "coord" ] && row.mark = "read" then [] else around in
+  List.iter (fun inner -> List.iter (one inner) (beside row [ (f, N [ inner ]) ])) shown
+
 let check_field row (f, nodes) =
   let what = row.kind ^ "." ^ f in
-  let value = if nodes then N [ unreadable ] else W "\"odd\"" in
+  let is_still =
+    match Scene_table.find row.kind with Read { still; _ } -> List.mem f still | _ -> row.mark = "still"
+  in
+  let value =
+    if not nodes then W "\"odd\"" else N [ (if is_still then node "WorldInfo" [] else unreadable) ]
+  in
   (* A switch is to show the choice, and a level of detail what it has. *)
   let others = if row.kind = "Switch" && nodes then [ ("whichChoice", W "0") ] else [] in
   let files = beside row (others @ [ (f, value) ]) in
@@ -147,6 +177,7 @@ let check_field row (f, nodes) =
       | Error _ -> ()
       | Ok _ -> Alcotest.fail (what ^ " is not read: " ^ text)
   in
+  if nodes && not is_read then List.iter (check_unseen what row f) [ "Shape"; "Text"; "NurbsSet"; "WorldInfo" ];
   (* Shapes need what they are made of: only that their other fields are known is tested here. *)
   if is_read || not (List.mem row.role [ "geometry"; "coord" ]) || row.mark = "still" then List.iter one files
 
