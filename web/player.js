@@ -179,11 +179,18 @@ class Player {
    * after it.
    */
   decide() {
-    const { check, steps, finish } = this.run;
-    if (!check || check.verdict !== "violated" || !Player.decisive.includes(finish || "")) return;
+    const { check } = this.run;
+    if (check && check.verdict === "violated") this.conclude();
+  }
+
+  /** Goes where the run of a check leads: to the instant that decides, if it ends so. */
+  conclude() {
+    const { steps, finish } = this.run;
+    if (!Player.decisive.includes(finish || "")) return false;
     const tail = steps.findIndex((step) => step.tail);
     const legs = tail < 0 ? steps.length : tail;
     this.place(legs, finish === "rests" ? this.instant(legs) : this.until(legs));
+    return true;
   }
 
   /**

@@ -1,9 +1,10 @@
-"""Where the page puts bodies, against scc trace: at some instants of every model.
+"""Where the page puts bodies, against scc trace: at some instants of every model. And where the runs of its checks end,
+against what their verdicts say (ends_test.py).
 
     positions_test.py SCC WORK
 
 The exact places and rotations have to be those of the state, and the floats that are drawn the nearest ones to them,
-relative to whatever is looked at. The last line is 'N passed, N failed', of models.
+relative to whatever is looked at. The last line is 'N passed, N failed', of models and of their ends.
 """
 
 import json
@@ -13,6 +14,8 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from pathlib import Path
+
+from ends_test import ends
 
 ROOT = Path(__file__).resolve().parents[2]
 INSTANTS = 6
@@ -76,12 +79,17 @@ def faults(found, state):
 
 
 def check(scc, model, work):
-    """What is wrong with a model, in words; and at how many instants it was looked at."""
+    """What is wrong with a model, in words; at how many instants it was looked at; and what is said of its ends."""
     data = work / (model.stem + '.json')
     made = subprocess.run([scc, 'view', '--data', '--seconds', '300', '--graph', '0', str(model), '-o', str(data)],
                           capture_output=True, text=True)
     if made.returncode != 0:
-        return [made.stderr], 0
+        return [made.stderr], 0, ([], 0, 0)
+    return *bodies(scc, model, work, data), ends(ROOT, data)
+
+
+def bodies(scc, model, work, data):
+    """What is wrong with the places of bodies, in words; and at how many instants they were looked at."""
     document = json.loads(data.read_text())
     index = next(i for i, run in enumerate(document['runs']) if run['name'] == 'first choices')
     run = document['runs'][index]
@@ -107,17 +115,24 @@ def check(scc, model, work):
 
 
 def main():
+    if hasattr(sys, 'set_int_max_str_digits'):
+        sys.set_int_max_str_digits(0)  # places of bodies may be longer
     scc, work = sys.argv[1], Path(sys.argv[2])
-    models = sorted((ROOT / 'specs/models').glob('*.sc'))
+    models = sorted((ROOT / 'specs/models').glob('*.sc')) + sorted((ROOT / 'specs/models/laws').glob('*.sc'))
     with ThreadPoolExecutor(2) as pool:
         results = list(pool.map(lambda model: check(scc, model, work), models))
-    failed = 0
-    for model, (wrong, _) in zip(models, results):
-        if wrong:
-            failed += 1
-            print(f'{model.stem}: ' + '; '.join(wrong[:3]))
-    print(f'bodies were looked at at {sum(looked for _, looked in results)} instants')
-    print(f'{len(models) - failed} passed, {failed} failed')
+    failed, read, said = 0, 0, 0
+    for model, (wrong, _, (ended, known, all_facts)) in zip(models, results):
+        read, said = read + known, said + all_facts
+        for faults_of in (wrong, ended):
+            if faults_of:
+                failed += 1
+                print(f'{model.stem}: ' + '; '.join(faults_of[:3]))
+    # Facts of a form that is not read are few.
+    few = 5 * read < 4 * said
+    print(f'bodies were looked at at {sum(looked for _, looked, _ in results)} instants')
+    print(f'{read} facts of {said} were read at the ends of runs' + (': too few' if few else ''))
+    print(f'{2 * len(models) - failed} passed, {failed + few} failed')
 
 
 if __name__ == '__main__':
