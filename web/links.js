@@ -104,8 +104,7 @@ const Links = (() => {
       }
     }
     place(said);
-    if (Live.on) Plots.add(plots);
-    else if (plots.length > 0) notice("formulas can be plotted where a page is served (scc serve)");
+    Plots.add(plots);
     const chosen = said.get("select");
     if (chosen !== undefined) pick(chosen);
     const camera = said.get("camera");
