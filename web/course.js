@@ -45,7 +45,7 @@ class Course {
    * @param {number} start
    */
   #lay(start) {
-    for (const [index] of Course.#whole(this.data, start)) this.#enter(index, Rational.zero, 0);
+    for (const [index] of Course.whole(this.data, start)) this.#enter(index, Rational.zero, 0);
     for (const leg of this.legs) {
       const k = leg.index + 1;
       const state = this.data.states[leg.after];
@@ -64,7 +64,7 @@ class Course {
    * @param {number} state @param {Rational} now @param {number} k
    */
   #become(state, now, k) {
-    const whole = new Map(Course.#whole(this.data, state).map(([index, age]) => [this.#first(index), { index, age }]));
+    const whole = new Map(Course.whole(this.data, state).map(([index, age]) => [this.#first(index), { index, age }]));
     for (const [first, segments] of this.slots) {
       const s = segments[segments.length - 1];
       if (s.to >= 0) continue;
@@ -99,7 +99,7 @@ class Course {
    * The processes of a state, each with how long ago it came.
    * @param {PageData} data @param {number} state @returns {[number, Rational][]}
    */
-  static #whole(data, state) {
+  static whole(data, state) {
     let known = Course.#wholes.get(data);
     if (!known) Course.#wholes.set(data, (known = new Map()));
     const chain = [];

@@ -26,6 +26,8 @@ interface DataLeaf {
   absorbs: boolean;
   mass: string | null;
   parts: DataPart[];
+  /** From the point of reference, as declared. */
+  centroid: Vec;
 }
 
 type SiteKind = "vertex" | "edge" | "face";
@@ -37,6 +39,8 @@ interface DataBehaviour {
   text: string;
   origin: string | null;
   open: { channel: string; co: boolean; sites: DataSite[] }[];
+  /** Channels of its weak and strong splits. */
+  releases: string[];
 }
 
 interface DataPlace {

@@ -1,8 +1,8 @@
 "use strict";
 
 /**
- * Numbers and formulas that somebody writes into a served page: asked along the run that is shown, and plotted beside those
- * of the document.
+ * Numbers and formulas that somebody writes, plotted along the run that is shown beside those of the document. A page that
+ * is served asks for them; one that was opened from disk evaluates them itself, at each instant (`Meaning`).
  *
  * @typedef {{ key: string, path: number[], through: number, lasts: boolean, parameters: { [name: string]: string } | null }}
  *   Asked  What leads to a run: choices from the initial state, perhaps with other values of parameters; after the last of
@@ -61,6 +61,72 @@ const Formulas = (() => {
   function kind(plot) {
     const { plots } = player.data;
     return plot < plots.length ? "number" : all[plot - plots.length].kind;
+  }
+
+  /**
+   * Of the formulas of a page from disk, what they are for the bodies of a run.
+   * @type {WeakMap<DataLeaf[], Map<string, Compiled>>}
+   */
+  const compiled = new WeakMap();
+
+  /**
+   * @param {string} text @returns {Compiled} or an exception `Reader.Wrong`
+   */
+  function compile(text) {
+    const { data, course, run } = player, values = { ...data.parameters, ...run.values };
+    let known = compiled.get(course.leaves);
+    if (!known) compiled.set(course.leaves, (known = new Map()));
+    const key = JSON.stringify([text, values]);
+    let found = known.get(key);
+    if (!found) known.set(key, (found = Meaning.compile(data, course.leaves, values, text)));
+    return found;
+  }
+
+  /**
+   * The exact value of one's own after so many legs, at a time, in a page from disk; a truth is 1 or 0.
+   * @param {number} own @param {number} legs @param {Rational} time @returns {Rational | string} or why there is none
+   */
+  function value(own, legs, time) {
+    const { data, course, run } = player;
+    try {
+      const state = legs === 0 ? run.start : course.legs[legs - 1].after;
+      const found = compile(all[own].text).run(Meaning.view(data, course.leaves, state, course.bodiesAfter(legs, time), time));
+      return found instanceof Nothing ? found.why : typeof found === "boolean" ? (found ? Rational.one : Rational.zero) : found;
+    } catch (error) {
+      return Grow.said(error);
+    }
+  }
+
+  /**
+   * What a formula is at the instant that is shown, by the page itself.
+   * @param {string} text
+   */
+  function evaluate(text) {
+    const { data, course, legs, time, state } = player;
+    try {
+      const found = compile(text).run(Meaning.view(data, course.leaves, state, course.bodiesAfter(legs, time), time));
+      return found instanceof Nothing ? { value: null, why: found.why } : { value: typeof found === "boolean" ? found : Rational.text(found) };
+    } catch (error) {
+      if (!(error instanceof Reader.Wrong)) throw error;
+      return { wrong: error.message, at: error.at, whole: error.whole };
+    }
+  }
+
+  /**
+   * Learns what somebody's text is, in a page from disk: if it is none, it is refused.
+   * @param {Formula} formula
+   */
+  function learn(formula) {
+    try {
+      formula.kind = compile(formula.text).type === "truth" ? "state" : "number";
+    } catch (error) {
+      if (!(error instanceof Reader.Wrong)) throw error;
+      if (error.whole) formula.kind = "temporal";
+      else {
+        drop(player.data.plots.length + all.indexOf(formula));
+        refuse(formula.text, error.message, ...error.at);
+      }
+    }
   }
 
   /** @type {WeakMap<PlayedRun, Asked | string>} */
@@ -154,7 +220,9 @@ const Formulas = (() => {
   function look(plots) {
     for (const plot of plots) {
       const formula = all[plot - player.data.plots.length];
-      if (formula && formula.kind !== "temporal") along(formula);
+      if (!formula || formula.kind === "temporal") continue;
+      if (Live.on) along(formula);
+      else if (formula.kind === "") learn(formula);
     }
   }
 
@@ -271,6 +339,8 @@ const Formulas = (() => {
    */
   function words(plot) {
     const formula = all[plot - player.data.plots.length], judged = formula.judged;
+    if (!Live.on)
+      return [Dom.make("p", { class: "quiet", text: "It is about whole runs: `scc check` judges it, and `scc serve` from any state." })];
     const button = Dom.button("Judge here", () => judge(plot), { class: "small", test: `judge-${plot}` });
     if (!judged) return [Dom.make("p", { class: "quiet", text: "It is about whole runs. " }), button];
     const where = `From step ${judged.legs} of ${judged.run.name} on: `;
@@ -293,5 +363,5 @@ const Formulas = (() => {
     return Dom.button("Show its run", to, { class: "small", test: "judged-run" });
   }
 
-  return { start, add, drop, text, kind, piece, look, own, there, words };
+  return { start, add, drop, text, kind, piece, value, evaluate, look, own, there, words };
 })();

@@ -116,6 +116,18 @@ const Graph = (() => {
       }, { title, test: `graph-${name}`, "aria-pressed": "false" });
       return made[name];
     };
+    made.search = Dom.make("input", {
+      type: "search", placeholder: "States where …, such as bonds() > 0", "aria-label": "States where a formula holds", spellcheck: "false",
+      autocomplete: "off", maxlength: 10000, test: "graph-search",
+      keydown: (/** @type {KeyboardEvent} */ event) => {
+        if (event.key === "Enter") search();
+      },
+      input: () => {
+        if (/** @type {any} */ (made.search).value === "") search();
+      },
+    });
+    made.next = Dom.button("Next", () => toFound(), { title: "To the next state that is found", test: "graph-next", hidden: true });
+    made.found = Dom.make("p", { class: "quiet", role: "status", test: "graph-found" });
     view = Dom.make("div", { class: "graph-view", keydown: walk });
     made.legend = Dom.make("ul", {});
     Dom.fill(
@@ -129,10 +141,60 @@ const Graph = (() => {
         Dom.button("Fit", fit, {}),
         Dom.button("SVG", () => Dom.save("graph.svg", "image/svg+xml", file()), { title: "Save the drawing", test: "graph-svg" }),
       ]),
+      Dom.make("div", { class: "graph-tools" }, [made.search, made.next]),
+      Dom.make("div", { class: "graph-tools" }, [made.found]),
       Dom.make("div", { class: "graph-tools" }, [note]),
       Dom.make("details", { class: "graph-legend" }, [Dom.make("summary", { text: "Legend", test: "graph-legend" }), made.legend]),
       view,
     );
+  }
+
+  let searched = 0;
+
+  /** Looks for the states in which a formula holds, some at a time, so that the page goes on meanwhile. */
+  async function search() {
+    const text = /** @type {any} */ (made.search).value.trim(), number = ++searched, { data, course, run } = player;
+    const say = (/** @type {string} */ what, /** @type {boolean} */ wrong) => {
+      made.found.classList.toggle("wrong", wrong);
+      Dom.tell(made.found, what);
+    };
+    lit = null;
+    made.next.hidden = true;
+    say("", false);
+    try {
+      if (text !== "") {
+        const formula = Meaning.compile(data, course.leaves, { ...data.parameters, ...run.values }, text);
+        if (formula.type !== "truth") throw new Reader.Wrong("this is a number: compare it, as in … > 0", [0, text.length]);
+        /** @type {Map<number, boolean>} */
+        const found = new Map();
+        let [count, open, why] = [0, 0, ""];
+        for (const [i, state] of all().states.entries()) {
+          if (i % 200 === 199) await new Promise((done) => setTimeout(done));
+          if (number !== searched) return;
+          const value = formula.run(Meaning.reached(data, state));
+          if (value instanceof Nothing) [open, why] = [open + 1, value.why];
+          else {
+            found.set(state, value === true);
+            if (value === true) count++;
+          }
+        }
+        lit = found;
+        made.next.hidden = count === 0;
+        say(`It holds in ${count} of ${all().states.length} states.` + (open > 0 ? ` Of ${open} it is not known: ${why}.` : ""), false);
+      }
+    } catch (error) {
+      if (!(error instanceof Reader.Wrong)) throw error;
+      const [from, to] = error.at;
+      say(error.whole ? "This is about whole runs. A formula about a state is expected." : `${Dom.clip(error.message, 200)}${to > from ? `: “${Dom.clip(text.slice(from, to), 60)}”` : ""}`, true);
+    }
+    again();
+  }
+
+  /** Goes to the next state that was found, by their numbers. */
+  function toFound() {
+    const found = [...(lit || [])].filter(([, is]) => is).map(([state]) => state).sort((a, b) => a - b);
+    const state = found.find((one) => one > now()) ?? found[0];
+    if (state !== undefined) visit([state]);
   }
 
   /** Other choices of the user. */

@@ -109,8 +109,7 @@ const Links = (() => {
       }
     }
     place(said);
-    if (Live.on) Plots.add(plots);
-    else if (plots.length > 0) notice("formulas can be plotted where a page is served (scc serve)");
+    Plots.add(plots);
     const beside = said.get("with");
     if (beside !== undefined) {
       const run = /^[0-9]{1,9}$/.test(beside) ? player.base(Number(beside)) : undefined;

@@ -39,6 +39,8 @@ const Main = (() => {
       choose: (/** @type {number} */ choice) => player.choose(choice),
       busy: () => Live.busy(),
       plots: () => Plots.told(),
+      // Where a page from disk has exact values: a text, null where there is none; or what is wrong with the formula.
+      evaluate: (/** @type {string} */ text) => Formulas.evaluate(text),
     };
   }
 

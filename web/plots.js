@@ -35,10 +35,6 @@ const Plots = (() => {
       others();
       Wanted.refuse(text, why, start, stop);
     });
-    if (player.data.plots.length === 0 && !Live.on) {
-      Dom.fill(box, Dom.make("p", { class: "empty", text: "The checks of the model name no numbers." }));
-      return;
-    }
     rows = Dom.make("div", { class: "plot-rows" });
     menu = Dom.make("div", { class: "plot-menu" });
     const choose = Dom.make("details", { class: "plot-choose" }, [
@@ -48,9 +44,16 @@ const Plots = (() => {
     choose.addEventListener("keydown", (event) => {
       if (event.key === "Escape") choose.open = false;
     });
+    const toggle = Dom.button("x–y", () => {
+      against = !against;
+      toggle.setAttribute("aria-pressed", String(against));
+      draw();
+      rows.lastElementChild?.scrollIntoView({ block: "nearest" });
+    }, { title: "The first two numbers, one against the other", test: "plots-phase", "aria-pressed": "false" });
     Dom.get("plots-head").after(
       Dom.make("div", { class: "plot-tools" }, [
         choose,
+        toggle,
         Dom.button("SVG", () => Dom.save("plots.svg", "image/svg+xml", file()), {
           title: "Save the plots as a drawing",
           test: "plots-svg",
@@ -61,12 +64,11 @@ const Plots = (() => {
         }),
       ]),
     );
-    if (Live.on)
-      Wanted.start(box, (text) => {
-        add([text]);
-        const last = rows.lastElementChild;
-        if (last) last.scrollIntoView({ block: "nearest" });
-      });
+    Wanted.start(box, (text) => {
+      add([text]);
+      const last = rows.lastElementChild;
+      if (last) last.scrollIntoView({ block: "nearest" });
+    }, hints());
     box.append(rows);
     const all = player.data.plots.map((_, plot) => plot);
     chosen = all.filter((plot) => Values.varies(player, plot)).slice(0, 2);
@@ -89,6 +91,39 @@ const Plots = (() => {
     chosen = chosen.filter((plot) => !own.includes(plot)).concat(own).slice(-most);
     others();
   }
+
+  /** The names of bodies that move, for examples. */
+  const moving = () => player.data.leaves.filter((leaf) => !leaf.fixed && leaf.name.length <= 30).map((leaf) => leaf.name);
+
+  /** Formulas that can be written. */
+  function hints() {
+    const [a = "a", b] = moving();
+    return `Any number or formula, such as ${[`x(${a})`, ...(b ? [`distance2(${a}, ${b})`, `bound(${a}, ${b})`] : [`speed2(${a})`]), "bonds()"].join(", ")}`;
+  }
+
+  /** What is said where there is no plot. */
+  function nothing() {
+    const [a] = moving();
+    const write = `Write a number above${a ? `, such as x(${a})` : ""}.`;
+    return player.data.plots.length === 0 ? `The checks of the model name no numbers. ${write}` : `No plot is chosen. Choose one, or write it: ${write.toLowerCase().replace("write a number above", "any number")}`;
+  }
+
+  /** Two numbers are shown against each other. */
+  let against = false;
+
+  /** The first two numbers that are shown, one against the other, with the present instant. */
+  function pair() {
+    const two = numbers().filter((plot) => Formulas.kind(plot) !== "state").slice(0, 2);
+    phase = null;
+    if (!against) return null;
+    if (two.length < 2) return Dom.make("p", { class: "empty", text: "Choose two numbers to see one against the other." });
+    const { figure, move } = Phase.make(player, two, wide());
+    phase = move;
+    return figure;
+  }
+
+  /** @type {(() => void) | null} */
+  let phase = null;
 
   /** Other plots are shown. */
   function others() {
@@ -143,7 +178,7 @@ const Plots = (() => {
     const width = wide();
     if (width === 0 || Dom.get("plots-panel").hidden) return;
     drawn = [];
-    if (Live.on) Formulas.look(chosen);
+    Formulas.look(chosen);
     const held = rows.contains(document.activeElement) && document.activeElement;
     Dom.fill(
       rows,
@@ -165,7 +200,8 @@ const Plots = (() => {
           /** @type {any} */ (picture),
         ]);
       }),
-      chosen.length === 0 ? Dom.make("p", { class: "empty", text: "No plot is chosen." }) : null,
+      pair(),
+      chosen.length === 0 ? Dom.make("p", { class: "empty", test: "plots-none", text: nothing() }) : null,
     );
     // What had the focus is made anew.
     const again = held && rows.querySelector(`[data-testid="${held.getAttribute("data-testid")}"]`);
@@ -300,6 +336,7 @@ const Plots = (() => {
     const width = wide();
     const at = Timeline.x(player.clock, width).toFixed(2);
     const inside = player.clock >= Timeline.range.from && player.clock <= Timeline.range.to;
+    if (phase) phase();
     for (const { plot, value, cursor, dot, y } of drawn) {
       cursor.setAttribute("transform", `translate(${at} 0)`);
       cursor.setAttribute("visibility", inside ? "visible" : "hidden");

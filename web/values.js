@@ -55,6 +55,8 @@ const Values = (() => {
    * @returns {Rational | string}
    */
   function exact(player, legs, plot, time) {
+    const own = plot - player.data.plots.length;
+    if (own >= 0 && !Live.on) return Formulas.value(own, legs, time);
     const { of, since, why } = piece(player, legs, plot);
     if (!of) return why;
     const age = Rational.sub(time, since);
@@ -125,6 +127,7 @@ const Values = (() => {
     };
     const legs = player.course.legs.length;
     const instants = player.instants;
+    const sampled = plot >= player.data.plots.length && !Live.on;
     let low = 0;
     for (let high = legs; low < high;) {
       const middle = (low + high) >> 1;
@@ -142,6 +145,15 @@ const Values = (() => {
           add(time, at(curve, time - zero));
         }
     };
+    if (sampled) {
+      let last = low;
+      while (last < legs && instants[last + 1] <= to) last++;
+      // Of very many legs, some.
+      const every = Math.max(1, Math.ceil((last - low + 1) / most));
+      for (let k = low; k <= last; k += every) sample(player, k, plot, { from, to, width, every }, add);
+      end();
+      return strokes;
+    }
     for (let k = low; k <= legs && instants[k] <= to; k++) {
       const { of, since } = piece(player, k, plot);
       const [a, b] = [instants[k], instants[k + 1]];
@@ -164,6 +176,32 @@ const Values = (() => {
     }
     end();
     return strokes;
+  }
+
+  /** So many legs are drawn of what is evaluated instant by instant. */
+  const most = 3000;
+
+  /**
+   * Exact values at the beginning and the end of a leg, and at each pixel between.
+   * @param {Player} player @param {number} k @param {number} plot
+   * @param {{ from: number, to: number, width: number, every: number }} seen @param {(time: number, value: number) => void} add
+   */
+  function sample(player, k, plot, { from, to, width, every }, add) {
+    const [a, b] = [player.instants[k], player.instants[k + 1]];
+    const one = (/** @type {number} */ at, /** @type {Rational} */ time) => {
+      const value = exact(player, k, plot, time);
+      add(at, typeof value === "string" ? NaN : Rational.toNumber(value));
+    };
+    const start = player.instant(k);
+    one(a, start);
+    if (b <= a || every > 1) return;
+    const [first, last] = [Math.max(a, from), Math.min(b, to)];
+    const count = Math.ceil(((last - first) / (to - from)) * Math.min(width, 600));
+    for (let i = 1; i < count; i++) {
+      const at = first + ((last - first) * i) / count, time = Exactly.grid(at);
+      if (Rational.cmp(time, start) > 0 && Rational.cmp(time, player.until(k)) < 0) one(at, time);
+    }
+    one(b, player.until(k));
   }
 
   /**

@@ -7,13 +7,13 @@ const Wanted = (() => {
   /** @type {HTMLElement} */
   let wrong;
 
-  /** @param {HTMLElement} box where it goes @param {(text: string) => void} ask */
-  function start(box, ask) {
+  /** @param {HTMLElement} box where it goes @param {(text: string) => void} ask @param {string} hint */
+  function start(box, ask, hint) {
     input = Dom.make("input", {
       type: "text",
       "aria-label": "Any number or formula",
       "aria-describedby": "plot-wrong",
-      placeholder: "Any number or formula, such as x(a), distance2(a, b), bound(a, b), always x(a) < 1",
+      placeholder: hint,
       spellcheck: "false",
       autocomplete: "off",
       maxlength: 10000,

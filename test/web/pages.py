@@ -126,11 +126,11 @@ def graphs(b, scc):
     b.find('graph-switch').click()
     check('of many, what is near', 1 < b.js(NODES) < 100, b.js(NODES))
     b.find('graph-fold').click()
-    b.js('window.frames = 0; const tick = () => { window.frames += 1; requestAnimationFrame(tick); }; tick();')
+    b.js('window.ticks = 0; setInterval(() => { window.ticks += 1; }, 1)')
     b.pick('graph-show', 'all')
     check('they are laid out beside the page', b.js('return document.querySelector("[data-testid=graph-waiting]") !== null'))
     check('as a map', b.wait('return document.querySelector("[data-testid=graph-map]") !== null'))
-    check('on which the page goes on meanwhile', b.js('return window.frames') > 1)
+    check('on which the page goes on meanwhile', b.js('return window.ticks') > 3)
     b.js('document.querySelector("[data-testid=graph-map]").focus()')
     b.keys(Keys.ARROW_DOWN, Keys.ENTER)
     check('a state of the map', b.state()['state'] != 0, b.state()['state'])
@@ -202,6 +202,68 @@ def events(b, scc):
     for low, high in [(0, 1), (1000, 1000.0000001), (1e15, 1e15 + 2), (0, 1e-9), (-3, 7)]:
         marks = b.js('return Timeline.labels(Timeline.steps(arguments[0], arguments[1], 9)).map(([, text]) => text)', low, high)
         check(f'ticks from {low} to {high} are different', marks and len(set(marks)) == len(marks), marks)
+    same('the console is told nothing', b.complaints(), [])
+
+
+def found_states(b, scc):
+    """States of the graph where a formula holds are lit."""
+    b.open(scc.view('specs/models/ruin.sc'))
+    b.js('scc.go(0)')
+    b.find('graph-switch').click()
+    states = b.js('return scc.data.states')
+    steps = b.js("""
+      return scc.data.states.map((state, n) => [n, Meaning.reached(scc.data, n).seats.size < scc.data.leaves.length])""")
+    gone = {n for n, is_gone in steps if is_gone}
+    check('somebody is gone in some states', 0 < len(gone) < len(states), gone)
+    b.find('graph-search').send_keys('gone(walker)', Keys.ENTER)
+    b.wait('return document.querySelector("[data-testid=graph-found]").textContent !== ""')
+    lit = b.js('return [...document.querySelectorAll("[data-testid=graph] .node.lit")].map((n) => Number(n.dataset.testid.slice(6)))')
+    same('they are lit', set(lit), gone)
+    check('and counted', f'in {len(gone)} of {len(states)}' in b.text('graph-found'), b.text('graph-found'))
+    b.find('graph-next').click()
+    check('one goes to the next', b.state()['state'] in gone, b.state()['state'])
+    for text, said in [('x(walker)', 'a number'), ('always gone(walker)', 'whole runs'), ('gone(nobody)', 'nobody'), ('gone(walker', 'expected')]:
+        b.find('graph-search').clear()
+        b.find('graph-search').send_keys(text, Keys.ENTER)
+        check(f'{text}: what is wrong is said', said in b.text('graph-found'), b.text('graph-found'))
+    same('then none is lit', b.js('return document.querySelectorAll(".node.lit").length'), 0)
+    same('the console is told nothing', b.complaints(), [])
+
+
+def formulas(b, scc):
+    """Any number in a page from disk: drawn, exact, in the address, against another one; and what is wrong is said."""
+    b.open(scc.view('specs/models/billiard.sc', '--graph', '50', '--seconds', '20'))
+    b.js('scc.open(scc.runs().length - 1); scc.go(0)')
+    field = b.find('plot-input')
+    check('examples name bodies of the model', 'x(p)' in field.get_attribute('placeholder'), field.get_attribute('placeholder'))
+    for text in ['x(p) - x(q)', 'distance2(p, q) < 20', 'always x(p) < 9']:
+        field.send_keys(text, Keys.ENTER)
+    b.js('scc.seek("7/3")')
+    told = {one['text']: one for one in b.js('return scc.plots()')}
+    p, q = (Fraction(b.state()['bodies'][name]['position'][0]) for name in 'pq')
+    same('an exact value', Fraction(told['x(p) - x(q)']['value']), p - q)
+    same('what holds or not', (told['distance2(p, q) < 20']['kind'], told['distance2(p, q) < 20']['value'] in '01'), ('state', True))
+    same('what is about runs', told['always x(p) < 9']['kind'], 'temporal')
+    check('says who judges it', 'scc check' in b.find('plots').text)
+    line = b.js('return [...document.querySelectorAll("[data-testid=plots] figure")].map((f) => (f.querySelector(".plot-line") || { getAttribute: () => "" }).getAttribute("d").length)')
+    check('they are drawn', all(size > 20 for size in line[-3:-1]), line)
+    link = b.js('return scc.link()')
+    b.open(b.shown, link)
+    same('an address keeps them', [one['text'] for one in b.js('return scc.plots()')][-3:], list(told)[-3:])
+    b.find('plots-phase').click()
+    check('one number against another', len(b.js('return document.querySelector("[data-testid=phase] .plot-line").getAttribute("d")')) > 100)
+    dot = 'return document.querySelector("[data-testid=phase] .plot-dot").getAttribute("transform")'
+    before = b.js(dot)
+    b.js('scc.go(0)')
+    check('with the present instant', b.js(dot) != before, before)
+    field = b.find('plot-input')
+    for text, mark in [('x(nobody) + 1', 'nobody'), ('x(p) +', '\u00a0'), ('x(p) ; 2', ';'), ('bonds(nothing)', 'nothing'), ('x(p) and true', 'x(p)')]:
+        field.clear()
+        field.send_keys(text, Keys.ENTER)
+        same(f'{text}: what is wrong is marked', b.js('return document.querySelector("[data-testid=plot-wrong] mark").textContent'), mark)
+        same('it stays to be mended', field.get_attribute('value'), text)
+    b.open(scc.view('specs/models/glycolysis.sc', '--graph', '4', '--seconds', '5'))
+    check('without numbers, what one can do is said', 'such as x(' in b.text('plots-none'), b.text('plots-none'))
     same('the console is told nothing', b.complaints(), [])
 
 
@@ -755,4 +817,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, graphs, events, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, hostile, far_away, motion, lost_context, no_states_beyond, large]
+PARTS = [by_mouse, graphs, found_states, events, formulas, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, hostile, far_away, motion, lost_context, no_states_beyond, large]

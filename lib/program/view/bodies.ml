@@ -61,6 +61,8 @@ let format =
       field "absorbs" bool (part_of (fun l -> l.absorbs));
       field "mass" (nullable Shared.rational) (part_of mass) ~about:"null: fixed.";
       field "parts" (list part) (fun b -> b.parts);
+      field "centroid" Shared.vector (part_of Model.leaf_centroid)
+        ~about:"Of its shape, from its point of reference, as it was declared.";
     ]
   |> Rows.named "body" ~text:"A leaf, of which states tell where it is."
 

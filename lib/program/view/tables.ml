@@ -33,6 +33,14 @@ let behaviour_format =
     in
     List.filter_map opened (Behaviours.offers m.definitions b)
   in
+  let releases ((m : Model.t), _, (b : Behaviour.aged)) =
+    let released : Behaviours.offer -> _ = function
+      | Offer_open _ -> []
+      | Offer_weak (channel, _, _) -> [ channel.name ]
+      | Offer_strong (channels, _, _) -> List.map (fun (c : Behaviour.channel) -> c.name) channels
+    in
+    List.sort_uniq String.compare (List.concat_map released (Behaviours.offers m.definitions b))
+  in
   let channel =
     fields
       [
@@ -48,6 +56,7 @@ let behaviour_format =
         ~about:"The name of the definition that it comes from.";
       field "open" (list channel) channels
         ~about:"The channels that are open now, with the features they are listed with.";
+      field "releases" (list some_text) releases ~about:"The channels of its weak and strong splits, as they are now.";
     ]
   |> Rows.named "behaviour"
 
