@@ -229,3 +229,63 @@ What cannot be asked.
   $ scc sweep walk.sc -D p=1/2 -o /dev/full
   /dev/full: error[SC0103]: cannot write: No space left on device
   [74]
+
+Estimates at each point: those of `scc estimate` there, for any number of processes.
+
+  $ cat > ruin.sc <<EOF
+  > timestep 1
+  > param n = 3
+  > import <solids>
+  > process w = solids.Cube(1) mass 1 [nil]
+  > fixed low = solids.Cube(1) absorb at translate (-3, 0, 0)
+  > fixed high = solids.Cube(1) absorb at translate (n + 1, 0, 0)
+  > motion w = choose { (1, 0, 0) weight 2, (-1, 0, 0) weight 3 }
+  > check rich : P = ? [ eventually event absorb(w, high) ]
+  > check soon : P >= 1/2 [ eventually gone(w) within 4 ]
+  > check long : E = ? [ time U gone(w) ]
+  > check place : E = ? [ x(w) at 3/2 ]
+  > check met : possibly gone(w)
+  > EOF
+  $ estimates() { scc sweep ruin.sc -D n=1..3 --estimate --runs 50 "$@"; }
+  $ estimates --check rich --check soon --check long
+  point,n,check,verdict,estimate,from,to,runs,why
+  0,1,rich,estimated,13/25,333699/1000000,702409/1000000,50,
+  0,1,soon,estimated_holds,23/25,768949/1000000,123279/125000,50,
+  0,1,long,estimated,11/5,800893949/500000000,,50,"no greatest value of this number is known, and so no upper end: a value too rare to be among the runs may raise the mean by any amount"
+  1,2,rich,estimated,8/25,5137/31250,255387/500000,50,
+  1,2,soon,estimated_holds,19/25,574507/1000000,17889/20000,50,
+  1,2,long,estimated,96/25,1360025539/500000000,,50,"no greatest value of this number is known, and so no upper end: a value too rare to be among the runs may raise the mean by any amount"
+  2,3,rich,estimated,6/25,2111/20000,425493/1000000,50,
+  2,3,soon,undecided,31/50,53593/125000,787869/1000000,50,more runs would tell more
+  2,3,long,estimated,24/5,3274693657/1000000000,,50,"no greatest value of this number is known, and so no upper end: a value too rare to be among the runs may raise the mean by any amount"
+  [2]
+  $ estimates > one
+  scc: left out: met: no probability or mean is asked for: `scc check` decides it
+  [2]
+  $ estimates --jobs 2 | diff one -
+  scc: left out: met: no probability or mean is asked for: `scc check` decides it
+  $ estimates --store kept-runs > two; estimates --store kept-runs | diff two -; diff one two
+  scc: left out: met: no probability or mean is asked for: `scc check` decides it
+  scc: left out: met: no probability or mean is asked for: `scc check` decides it
+  $ estimates --check rich --decimals 6 --seed 7 | tail -n +2 | tr -d '\r' | sed 's/^[0-9]*,[^,]*,rich,estimated,\([^,]*\),\([^,]*\),\([^,]*\),\([0-9]*\),/\1, from \2 to \3, \4 runs/' > rows
+  $ for n in 1 2 3; do scc estimate ruin.sc -D n=$n --runs 50 --check rich --seed 7; done | sed 's/rich: estimated: //; s/ with confidence .*, / , /; s/ ,/,/' | diff rows -
+  $ estimates --format jsonl --check soon | head -2
+  {"format":"scc-sweep","version":1,"semantics":"3","model":null,"digest":"md5:ed2803775cdd06ee1ece532576ded741","bounds":{},"checks":["soon"],"estimated":{"runs":"50","confidence":"99/100","seed":"0","free":"apart"},"grid":[{"name":"n","values":["1/1","2/1","3/1"]}]}
+  {"point":0,"parameters":{"n":"1/1"},"refused":null,"checks":[{"name":"soon","verdict":"estimated_holds","values":[],"estimate":{"value":"23/25","low":"768949/1000000","high":"123279/125000","infinite":false,"runs":50},"reasons":[]}]}
+  $ scc sweep ruin.sc -D n=2 --estimate --width 1/4 --decimals 3 --check rich
+  point,n,check,verdict,estimate (rounded to 3 decimals),from (rounded down to 3 decimals),to (rounded up to 3 decimals),runs,why
+  0,2,rich,estimated,0.352,0.237,0.479,128,
+  $ scc sweep ruin.sc -D n=1,2 --estimate --check met
+  ruin.sc:12:7: error[SC0205]: `met` cannot be estimated: no probability or mean is asked for: `scc check` decides it
+      |
+   12 | check met : possibly gone(w)
+      |       ^^^
+  [3]
+  $ scc sweep ruin.sc -D n=2 --runs 5 2>&1 | head -1
+  scc: --runs is about estimates: it needs --estimate
+  $ scc sweep ruin.sc -D n=2 --estimate --depth 3 2>&1 | head -1
+  scc: --depth does not go with --estimate
+  $ scc sweep ruin.sc -D n=2 --estimate --plot p.svg 2>&1 | head -1
+  scc: --plot does not go with --estimate
+  $ scc sweep ruin.sc -D n=2 --estimate --runs 5 --most 5 2>&1 | head -1
+  scc: --runs cannot be combined with --most or --width: it makes so many runs, whatever they tell

@@ -53,6 +53,11 @@ class Sweeps(unittest.TestCase):
             likely = next(x for x in records if x["check"] == "likely" and (x["n"], x["p"]) == (n, record["p"]))
             self.assertEqual(likely["verdict"], "holds" if exact >= Fraction(1, 2) else "violated")
 
+    def test_estimates(self):
+        for record in self.sweep({"n": [1, 2], "p": ["1/3"]}, estimate=True, runs=20, check="ruin"):
+            self.assertEqual(record["runs"], 20)
+            self.assertTrue(0 <= record["low"] <= record["estimate"] <= record["high"] <= 1)
+
     def test_order_and_infinity(self):
         records = self.sweep({"p": ["1/4", "1/2"], "n": [1, 2]})
         self.assertEqual([(r["p"], r["n"]) for r in records[::3]],

@@ -1,6 +1,5 @@
 open Scc_base
 open Scc_exact
-open Scc_property
 open Scc_loading
 open Scc_verdicts
 open Scc_estimate
@@ -12,20 +11,12 @@ type options = {
   given : (string * Rat.t) list;
   checks : string list;
   properties : string list;
-  runs : int option;
-  most : int option;
-  confidence : Rat.t;
-  width : Rat.t option;
-  free : Sample.free;
-  steps : int option;
-  until : Rat.t option;
+  how : Estimate_options.t;
   seconds : float option;
-  seed : int64;
   jobs : int;
   store : string option;
   levels : string option;
   effort : int option;
-  normal : bool;
 }
 
 (* {1 What is asked} *)
@@ -38,33 +29,6 @@ let properties console l texts =
        | State _ | Number _ ->
          refuse Code.type_mismatch ~hint:"as in `P = ? [ eventually f ]`, `E = ? [ x(p) at 10 ]`"
            "this is about states, and asks for no probability and no mean")
-
-(* Everything that can be estimated, if nothing is named; what is named has to be. *)
-let paths (l : Loaded.t) asked ~by_name =
-  let one (found, left) (c : Property.check) =
-    match Path.of_check ~from:l.declared (Scc_semantics.Semantics.model l.semantics) c with
-    | Ok path -> Ok (path :: found, left)
-    | Error why -> if by_name then Error (Levels.refused c why) else Ok (found, (c, why) :: left)
-  in
-  let* found, left =
-    List.fold_left (fun acc c -> let* acc = acc in one acc c) (Ok ([], [])) asked
-  in
-  match (found, left) with
-  | [], [] when by_name ->
-    Error
-      [
-        Diag.error Code.wrong_kind Span.command_line "the checks that are named have no members here"
-          ~hint:"the loops that declare them are empty";
-      ]
-  | [], _ ->
-    Error
-      [
-        Diag.error Code.type_mismatch
-          (Span.of_file (Source.name l.source))
-          "no check of the model asks for a probability or a mean"
-          ~hint:"`--property 'P = ? [ eventually f ]'` asks";
-      ]
-  | found, left -> Ok (List.rev found, List.rev_map (fun ((c : Property.check), why) -> (c.name, why)) left)
 
 (* {1 The runs} *)
 
@@ -79,7 +43,7 @@ let answered estimation ~count =
   | known -> Printf.sprintf ", %d of %d answered" known count
 
 let sample console o runs (plan : Sample.plan) estimation ~stopped =
-  let work = Sample.run plan ~seed:o.seed ~interrupted:Scc_system.Interruption.heard in
+  let work = Sample.run plan ~seed:o.how.seed ~interrupted:Scc_system.Interruption.heard in
   let whole (r : Sample.run) = not r.interrupted in
   let stop () =
     Estimation.judge estimation ~last:true;
@@ -110,13 +74,6 @@ let sample console o runs (plan : Sample.plan) estimation ~stopped =
   Console.progress_done console;
   ending
 
-(* Runs of questions that no time decides may be long. The others have runs of their own, which come first: then
-   their answers are known, whatever becomes of the long runs. Stored runs are those of all questions. *)
-let in_turn o paths =
-  match List.partition (fun (p : Path.t) -> Option.is_some p.horizon) paths with
-  | (_ :: _ as timed), (_ :: _ as others) when Option.is_none o.store -> [ timed; others ]
-  | _ -> [ paths ]
-
 let sample_all console o runs (plan : Sample.plan) aim ~stopped =
   let one (answers, ending) paths =
     let estimation = Estimation.start aim paths in
@@ -124,7 +81,9 @@ let sample_all console o runs (plan : Sample.plan) aim ~stopped =
     let next = sample console o runs { plan with paths } estimation ~stopped in
     (answers @ Estimation.answers estimation, if ending = Whole then next else ending)
   in
-  let answers, ending = List.fold_left one ([], Whole) (in_turn o plan.paths) in
+  (* Stored runs are those of all questions. *)
+  let turns = if Option.is_some o.store then [ plan.paths ] else Sequence.in_turn plan.paths in
+  let answers, ending = List.fold_left one ([], Whole) turns in
   let of_path p = List.find_opt (fun (a : Estimation.answer) -> a.path == p) answers in
   (List.filter_map of_path plan.paths, ending)
 
@@ -134,14 +93,14 @@ let default_repetitions = 100
 let default_steps = 10_000
 
 let split console o runs (plan : Splitting.plan) ~stopped =
-  let work = Splitting.repeat plan ~seed:o.seed ~interrupted:Scc_system.Interruption.heard in
+  let work = Splitting.repeat plan ~seed:o.how.seed ~interrupted:Scc_system.Interruption.heard in
   let whole (r : Splitting.repetition) = not r.interrupted in
   let made = ref [] in
   let each k repetition =
     Console.progress console (Printf.sprintf "%d repetitions" (k + 1));
     made := repetition :: !made
   in
-  let count = Option.value o.runs ~default:default_repetitions in
+  let count = Option.value o.how.runs ~default:default_repetitions in
   let result = Kept_runs.run runs ~patience ~whole ~jobs:o.jobs ~first:0 ~count ~work ~interrupted:stopped ~each in
   Console.progress_done console;
   let ending =
@@ -157,15 +116,15 @@ let effort o = Option.value o.effort ~default:default_effort
 
 (* A run depends on these and its number alone: how many there are, and what is made of them, may change. *)
 let identity o (l : Loaded.t) (paths : Path.t list) =
-  let free = match o.free with Sample.Apart -> "apart" | Evenly -> "evenly" in
+  let free = match o.how.free with Sample.Apart -> "apart" | Evenly -> "evenly" in
   let options =
     [
       ("what is kept", "runs of scc estimate");
       ("what is estimated", Scc_verify.Joint_check.about (List.map (fun (p : Path.t) -> p.check) paths));
       ("--free", free);
-      ("--steps", Option.fold ~none:"default" ~some:string_of_int o.steps);
-      ("--until", Option.fold ~none:"default" ~some:Rat.to_string o.until);
-      ("--seed", Int64.to_string o.seed);
+      ("--steps", Option.fold ~none:"default" ~some:string_of_int o.how.steps);
+      ("--until", Option.fold ~none:"default" ~some:Rat.to_string o.how.until);
+      ("--seed", Int64.to_string o.how.seed);
     ]
     @ Option.fold ~none:[]
       ~some:(fun levels -> [ ("--levels", levels); ("--effort", string_of_int (effort o)) ])
@@ -208,30 +167,18 @@ let exit_code answers ending : Exit_code.t =
   | Lost { fault; _ } -> Kept_runs.loss ~fault
 
 let by_runs console o (loaded : Loaded.t) paths aim ~identity ~stopped =
-  let plan =
-    {
-      Sample.semantics = loaded.semantics;
-      declared = loaded.declared;
-      paths;
-      free = o.free;
-      steps = o.steps;
-      until = o.until;
-    }
-  in
+  let plan = Estimate_options.plan o.how loaded paths in
   let* runs = Kept_runs.openly console ~folder:o.store ~identity "the runs" in
   let answers, ending = sample_all console o runs plan aim ~stopped in
   Ok (answers, ending, Kept_runs.close runs)
 
 let by_splitting console o loaded paths text ~identity ~stopped =
-  let steps = Option.value o.steps ~default:default_steps in
+  let steps = Option.value o.how.steps ~default:default_steps in
   let* path, plan = Levels.plan console loaded paths text ~effort:(effort o) ~steps in
   let* runs = Kept_runs.openly console ~folder:o.store ~identity "the repetitions" in
   let made, ending = split console o runs plan ~stopped in
-  let summary = Splitting.summary plan made ~confidence:o.confidence in
+  let summary = Splitting.summary plan made ~confidence:o.how.confidence in
   Ok (Option.to_list (Option.map (Estimation.of_splitting path) summary), ending, Kept_runs.close runs)
-
-let default_most = 10_000
-let default_width = Rat.make Z.one (Z.of_int 20)
 
 let estimate console o watch =
   let* model = Input.model console ~overrides:o.given ~narrowed:[] o.path in
@@ -241,10 +188,8 @@ let estimate console o watch =
   let by_name = o.checks <> [] || added <> [] in
   let* named = Chosen_checks.of_names loaded o.checks in
   let asked = if by_name then named @ added else model.checks in
-  let* paths, left_out = paths model asked ~by_name in
-  let most = Option.value o.most ~default:default_most and width = Option.value o.width ~default:default_width in
-  let size = match o.runs with Some n -> Estimation.Exactly n | None -> At_most most in
-  let aim = { Estimation.confidence = o.confidence; width; size; free = o.free; normal = o.normal } in
+  let* paths, left_out = Estimate_options.paths model asked ~by_name in
+  let aim = Estimate_options.aim o.how in
   let stopped () = Option.is_some (Watch.stop watch ()) in
   let identity = identity o model paths in
   let* answers, ending, unkept =
@@ -257,7 +202,7 @@ let estimate console o watch =
     {
       Estimate_report.origin = model.origin;
       aim;
-      seed = o.seed;
+      seed = o.how.seed;
       answers;
       left_out;
       interrupted = (match ending with Whole -> false | Interrupted | Lost _ -> true);
@@ -289,46 +234,6 @@ let properties =
     "Estimates $(docv), a property that is not in the model: $(b,P = ? [ eventually f ]). May be given several \
      times."
 
-let count = Options.integer ~least:1 "positive number of runs"
-
-let runs =
-  Options.maybe count [ "runs" ] ~docv:"N"
-    "Makes $(docv) runs, and evaluates once: the intervals are narrower than after as many runs by \
-     $(b,--width). With $(b,--levels), makes $(docv) repetitions; the default is 100."
-
-let most =
-  Options.maybe count [ "most" ] ~docv:"N"
-    "Makes at most $(docv) runs; the default is 10000. Not with $(b,--runs)."
-
-let confidence =
-  let otherwise = Rat.make (Z.of_int 99) (Z.of_int 100) in
-  Options.default (Options.positive "confidence") otherwise [ "confidence" ] ~docv:"C"
-    "An interval misses the number, or an answer is wrong, with a probability of at most 1 less $(docv), for each \
-     property."
-
-let width =
-  Options.maybe (Options.positive "width") [ "width" ] ~docv:"W"
-    "Makes runs until the interval of a probability is at most $(docv) wide, and that of a mean at most this \
-     share of the mean; of a comparison, until it is decided. The default is 1/20. Not with $(b,--runs)."
-
-let free =
-  let ways = Arg.enum [ ("apart", Sample.Apart); ("evenly", Sample.Evenly) ] in
-  Options.default ways Sample.Apart [ "free" ] ~docv:"HOW"
-    "The treatment of a run where several things are possible and none of them is drawn. With $(b,apart) the run \
-     stops there. What is still unknown then counts for no at the lower end of the interval, and for yes at the \
-     upper end. So the interval contains the least and the greatest probability. With $(b,evenly) each \
-     possibility has the same probability; the result is valid only for these choices."
-
-let steps =
-  Options.maybe Options.transitions [ "steps" ] ~docv:"N"
-    "Leaves a run after $(docv) transitions; the draws and lots of one instant count as one. The default is \
-     10000 if neither the formulas nor $(b,--until) end the run at a time, and none otherwise."
-
-let until =
-  Options.maybe (Options.not_negative "model time") [ "until" ] ~docv:"TIME"
-    "Stops a run at the model time $(docv), if not all is decided by then; 0 is its first instant. A number at \
-     $(docv) is decided only when time has passed."
-
 let store_option =
   Kept.option
     ~doc:
@@ -342,47 +247,25 @@ let levels =
      $(b,'x\\(p\\) >= 1..9'). See RARE EVENTS."
 
 let effort =
-  Options.maybe count [ "effort" ] ~docv:"N"
+  Options.maybe Estimate_options.count [ "effort" ] ~docv:"N"
     "With $(b,--levels), makes $(docv) runs from each level in each repetition. The default is 100."
 
-let normal =
-  Options.flag [ "normal" ]
-    "Gives a mean without a proved interval an approximate one, of the normal distribution, and says so. It needs \
-     30 runs with another value than the most frequent one."
-
-let least_miss_if_normal = Rat.div Normal_mean.least_miss (Rat.make Z.one (Z.pow (Z.of_int 10) 8))
-
-let least_width = Rat.make Z.one (Z.of_int 10_000)
-
 let options =
-  let make path given checks properties runs most confidence width free steps until seconds seed jobs store levels
-      effort normal =
-    if Rat.compare confidence Rat.one >= 0 then Error "a confidence is below 1"
-    else if Option.is_some levels && (Option.is_some until || free = Sample.Evenly) then
+  let make path given checks properties how seconds jobs store levels effort =
+    let { Estimate_options.most; width; free; until; normal; _ } = how in
+    if Option.is_some levels && (Option.is_some until || free = Sample.Evenly) then
       Error "--levels cannot be combined with --until or --free evenly: write `within` in the property"
     else if Option.is_some levels && (Option.is_some most || Option.is_some width) then
       Error "--levels cannot be combined with --most or --width: --runs says how many repetitions are made"
-    else if Option.is_some runs && (Option.is_some most || Option.is_some width) then
-      Error "--runs cannot be combined with --most or --width: it makes so many runs, whatever they tell"
     else if normal && Option.is_some levels then Error "--normal is about means, and --levels about probabilities"
-    else if normal && Rat.compare (Rat.sub Rat.one confidence) least_miss_if_normal < 0 then
-      Error "--normal takes a confidence of at most 1 - 10^-12"
     else if Option.is_some effort && Option.is_none levels then
       Error "--effort is the number of runs from each level: it needs --levels"
-    else if Option.fold ~none:false ~some:(fun w -> Rat.compare w least_width < 0) width then
-      Error "a width is at least 1/10000"
-    else
-      Ok
-        {
-          path; given; checks; properties; runs; most; confidence; width; free; steps; until; seconds; seed; jobs;
-          store; levels; effort; normal;
-        }
+    else Ok { path; given; checks; properties; how; seconds; jobs; store; levels; effort }
   in
   Term.(
     term_result' ~usage:true
-      (const make $ Options.model_file $ Options.overrides $ checks $ properties $ runs $ most $ confidence $ width
-       $ free $ steps $ until $ Run_options.seconds $ Run_options.seed $ Run_options.jobs
-       $ store_option $ levels $ effort $ normal))
+      (const make $ Options.model_file $ Options.overrides $ checks $ properties $ Estimate_options.term
+       $ Run_options.seconds $ Run_options.jobs $ store_option $ levels $ effort))
 
 let command =
   let told =

@@ -2,6 +2,7 @@ open Scc_base
 open Scc_verify
 open Scc_loading
 open Scc_verdicts
+open Scc_estimate
 open Scc_sweep
 open Cmdliner
 
@@ -20,6 +21,7 @@ type options = {
   resume : string option;
   store : string option;
   plot : string option;
+  estimated : Estimate_options.t option;
 }
 
 (* {1 One point} *)
@@ -47,6 +49,27 @@ let check o source k =
   | Ok (lattices, outcomes) -> Outcome.of_outcomes ~lattices outcomes
   | Error diagnostics -> Outcome.of_diagnostics diagnostics
 
+(* As `scc estimate` with these values, by one run after the other. *)
+let estimate o (how : Estimate_options.t) source k =
+  let console = Console.make ~color:Console.Never ~json:true () in
+  let watch = Check_options.watch ~signals:false ~jobs:o.jobs o.budget in
+  let stopped () = Option.is_some (Watch.stop watch ()) in
+  let found =
+    let* l = Input.model console ~source ~overrides:(Grid.point o.grid k) ~narrowed:[] o.path in
+    let* () = Ordinary.at_point ~otherwise:"`scc trace --start simple` chooses them" l in
+    let* chosen = Chosen_checks.only l o.checks in
+    let* paths, _ = Estimate_options.paths l chosen.checks ~by_name:(o.checks <> []) in
+    let plan = Estimate_options.plan how l paths in
+    Ok (l.lattices, Sequence.answers (Estimate_options.aim how) plan ~seed:how.seed ~stopped)
+  in
+  let stopped = stopped () in
+  Watch.finish watch;
+  match found with
+  | Ok (lattices, answers) -> Outcome.of_answers ~lattices ~stopped answers
+  | Error diagnostics -> Outcome.of_diagnostics diagnostics
+
+let work o = match o.estimated with None -> check o | Some how -> estimate o how
+
 (* {1 All of them} *)
 
 let bounds (b : Budget.t) =
@@ -58,6 +81,12 @@ let bounds (b : Budget.t) =
       some "memory" string_of_int b.memory; some "bits" string_of_int b.bits;
     ]
 
+(* What can be estimated is so at every point. *)
+let left_out console o (l : Loaded.t) =
+  let note (name, why) = Console.note console (Printf.sprintf "scc: left out: %s: %s" name why) in
+  Estimate_options.paths l l.checks ~by_name:(o.checks <> [])
+  |> Result.map (fun (_, left) -> List.iter note left)
+
 (* What is wrong with the command line is so at every point; warnings are told of the first one alone. *)
 let first_point console source o =
   let read () =
@@ -67,6 +96,7 @@ let first_point console source o =
   match read () with
   | Ok l ->
     Console.report console l.warnings;
+    let* () = if Option.is_some o.estimated then left_out console o l else Ok () in
     Ok (Some l)
   | Error diagnostics when List.exists (fun (d : Diag.t) -> Span.equal d.span Span.command_line) diagnostics ->
     Error diagnostics
@@ -110,6 +140,7 @@ let identity o ~digest =
     (("what is kept", "points of scc sweep") :: List.map axis o.grid)
     @ (match o.checks with [] -> [] | names -> [ ("--check", String.concat ", " names) ])
     @ List.map bound [ "depth"; "time"; "states"; "seconds"; "memory"; "bits" ]
+    @ match o.estimated with None -> [] | Some how -> ("--estimate", "") :: Estimate_options.described how
   in
   Kept.identity ~digest ~parameters:[] options
 
@@ -132,7 +163,8 @@ let sweep console o ~interrupted =
     | None -> (None, "md5:" ^ Digest.to_hex (Digest.string (Source.text source)))
   in
   let { grid; checks; decimals; _ } = o and bounds = bounds o.budget in
-  let table = { Table.name; digest; grid; bounds; checks; decimals; diffuses = diffuses source } in
+  let estimated = Option.map Estimate_options.described o.estimated in
+  let table = { Table.name; digest; grid; bounds; checks; decimals; diffuses = diffuses source; estimated } in
   let from, last = Task_part.range o.part ~count:(Z.to_int (Grid.size o.grid)) in
   let count = last - from in
   let* there, before =
@@ -153,7 +185,7 @@ let sweep console o ~interrupted =
     in
     let first = max there from in
     let result =
-      Kept_runs.run points ~jobs:o.jobs ~first ~count:last ~work:(check o source) ~interrupted ~each
+      Kept_runs.run points ~jobs:o.jobs ~first ~count:last ~work:(work o source) ~interrupted ~each
     in
     Console.progress_done console;
     result
@@ -228,6 +260,27 @@ let store_option =
        command resumes, and so does one with another $(b,--jobs), or with another output of the same points \
        ($(b,--format), $(b,--plot)). See STORES."
 
+let estimate_flag =
+  Options.flag [ "estimate" ]
+    "Estimates the probabilities and means of the checks from runs, as $(b,scc estimate) does at each point, and \
+     explores nothing. The table has the columns $(b,estimate), $(b,from), $(b,to) and $(b,runs)."
+
+(* The options of estimates, where they are of use. *)
+let estimated ~asked (how : Estimate_options.t) (b : Budget.t) ~plot =
+  let bound name given = if Option.is_some given then [ name ] else [] in
+  let of_checks =
+    List.concat
+      [
+        bound "--depth" b.depth; bound "--time" b.time; bound "--states" b.states; bound "--bits" b.bits;
+        bound "--plot" plot;
+      ]
+  in
+  match (asked, of_checks, Estimate_options.given how) with
+  | true, option :: _, _ -> Error (option ^ " does not go with --estimate")
+  | false, _, option :: _ -> Error (option ^ " is about estimates: it needs --estimate")
+  | true, [], _ -> Ok (Some how)
+  | false, _, [] -> Ok None
+
 let twice grid =
   let rec go = function
     | [] -> None
@@ -237,9 +290,10 @@ let twice grid =
   go grid
 
 let options =
-  let make path grid checks budget jobs part form decimals output resume store plot =
+  let make path grid checks budget jobs part form decimals output resume store plot asked how =
     let size = Grid.size grid in
     let axes = if Option.is_some plot then Picture.axes grid else Ok [] in
+    let* estimated = estimated ~asked how budget ~plot in
     match (twice grid, Resume.conflict ~resume ~store ~part ~lines:(form = Jsonl), axes) with
     | Some name, _, _ -> Error (Printf.sprintf "-D %s is there twice" name)
     | None, _, _ when Z.gt size (Z.of_int Grid.most) ->
@@ -251,13 +305,14 @@ let options =
       Error "--decimals is for csv: the numbers of jsonl are exact"
     | None, None, Error text -> Error ("--plot: " ^ text)
     | None, None, Ok _ ->
-      Ok { path; grid; checks; budget; jobs; part; form; decimals; output; resume; store; plot }
+      Ok { path; grid; checks; budget; jobs; part; form; decimals; output; resume; store; plot; estimated }
   in
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ grid $ checks $ Check_options.budget $ Run_options.jobs
        $ Task_part.option ~what:"points" $ form $ decimals
-       $ Options.output "Writes to $(docv) instead of standard output." $ resume $ store_option $ plot))
+       $ Options.output "Writes to $(docv) instead of standard output." $ resume $ store_option $ plot
+       $ estimate_flag $ Estimate_options.term))
 
 let command =
   let told =

@@ -15,6 +15,10 @@ type t = {
   diagnostics : Scc_base.Diag.t list;  (** warnings about the model *)
 }
 
+val verdict : Estimation.verdict -> string
+(** A verdict as JSON has it: ["estimated"], ["sampled"], ["estimated_holds"], ["estimated_violated"] or
+    ["undecided"]. *)
+
 val word : Estimation.answer -> string
 (** The verdict in words: ["estimated"], ["estimated to hold"], ["estimated to be violated"],
     ["sampled"], ["undecided"], or ["undecided whether it is >= 1/2"] for a comparison. *)

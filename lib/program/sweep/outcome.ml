@@ -2,12 +2,16 @@ open Scc_base
 open Scc_exact
 open Scc_chance
 open Scc_verify
+open Scc_estimate
 
 type number = { over : string; low : Rat.t option; high : Rat.t option; infinite : bool }
+type estimate = { value : Rat.t option; from : Rat.t option; upto : Rat.t option; never : bool; runs : int }
+
 type check = {
   name : string;
   verdict : string;
   numbers : number list;
+  estimate : estimate option;
   reasons : string list;
   stopped : bool;
   faults : string list;
@@ -34,10 +38,37 @@ let check (o : Verdict.outcome) =
     name = o.check.name;
     verdict = Scc_reports.Check_json.kind o.verdict;
     numbers;
+    estimate = None;
     reasons = List.map Verdict.reason_to_string (reasons o.verdict);
     stopped = Verdict.resources o.verdict;
     faults = o.lost;
   }
+
+let share (t : Tally.t) =
+  if t.runs = 0 || Tally.open_ended t > 0 then None else Some (Rat.make (Z.of_int t.yes) (Z.of_int t.runs))
+
+let estimate (a : Estimation.answer) =
+  let make value from upto = { value; from; upto; never = false; runs = a.tally.runs } in
+  match a.value with
+  | Probability (low, high) -> make (share a.tally) (Some low) (Some high)
+  | Mean { mean; low; high } -> make mean low high
+  | Approximate { mean; low; high } -> make (Some mean) (Some low) (Some high)
+  | Sample { mean; _ } -> make (Some mean) None None
+  | Infinite -> { (make None None None) with never = true }
+  | Unknown -> make None None None
+
+let of_answer ~stopped (a : Estimation.answer) =
+  {
+    name = a.path.check.name;
+    verdict = Estimate_report.verdict a.verdict;
+    numbers = [];
+    estimate = Some (estimate a);
+    reasons = a.reasons;
+    stopped;
+    faults = [];
+  }
+
+let of_answers ~lattices ~stopped answers = Checked { checks = List.map (of_answer ~stopped) answers; lattices }
 
 let of_outcomes ~lattices list = Checked { checks = List.map check list; lattices }
 
@@ -55,8 +86,8 @@ let is_known = function
   | Checked { checks; _ } ->
     let known c =
       match c.verdict with
-      | "holds" | "violated" -> true
-      | "measured" -> c.reasons = []
+      | "holds" | "violated" | "estimated_holds" | "estimated_violated" -> true
+      | "measured" | "estimated" -> c.reasons = []
       | _ -> false
     in
     List.for_all known checks

@@ -10,11 +10,21 @@ type number = {
   infinite : bool;
 }
 
+(** An estimate from runs. Its ends are those of an interval. *)
+type estimate = {
+  value : Rat.t option;  (** the share of the runs, or their mean, if all of them have one *)
+  from : Rat.t option;
+  upto : Rat.t option;
+  never : bool;  (** infinite: some run never comes to it *)
+  runs : int;
+}
+
 (** The result of one check. *)
 type check = {
   name : string;
-  verdict : string;  (** as in [scc check --json] *)
+  verdict : string;  (** as in [scc check --json]; of an estimate, as in [scc estimate --json] *)
   numbers : number list;
+  estimate : estimate option;
   reasons : string list;  (** why it is unknown, or not more precise *)
   stopped : bool;  (** true if a limit of resources stopped it ({!Scc_verify.Verdict.resources}) *)
   faults : string list;  (** faults of scc, as in {!Scc_verify.Verdict.outcome} *)
@@ -27,6 +37,10 @@ type t =
 
 val of_outcomes : lattices:Scc_elaborate.Lattices.t list -> Scc_verify.Verdict.outcome list -> t
 (** The result of a model that was checked, with the lattices of the bodies that diffuse. *)
+
+val of_answers :
+  lattices:Scc_elaborate.Lattices.t list -> stopped:bool -> Scc_estimate.Estimation.answer list -> t
+(** The result of a model whose checks were estimated. [stopped] is true if a limit of seconds ended that. *)
 
 val of_diagnostics : Scc_base.Diag.t list -> t
 (** The result of an invalid model: its first diagnostic. An empty list is a bug. *)

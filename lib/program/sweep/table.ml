@@ -14,6 +14,7 @@ type t = {
   checks : string list;
   decimals : int option;
   diffuses : bool;
+  estimated : (string * string) list option;
 }
 
 let origin (o : Origin.t) = (o.name, o.digest)
@@ -29,9 +30,12 @@ let sides = [ "least"; "greatest" ]
 
 let number_columns t =
   let rounded way =
-    Option.fold ~none:"" ~some:(fun k -> Printf.sprintf " (rounded %s to %d decimals)" way k) t.decimals
+    Option.fold ~none:"" ~some:(fun k -> Printf.sprintf " (rounded%s to %d decimals)" way k) t.decimals
   in
-  List.concat_map (fun side -> [ side ^ " from" ^ rounded "down"; side ^ " to" ^ rounded "up" ]) sides
+  let ends side = [ side ^ "from" ^ rounded " down"; side ^ "to" ^ rounded " up" ] in
+  match t.estimated with
+  | None -> List.concat_map (fun side -> ends (side ^ " ")) sides
+  | Some _ -> (("estimate" ^ rounded "") :: ends "") @ [ "runs" ]
 
 let csv_header t =
   csv_line
@@ -51,7 +55,16 @@ let number_fields t (c : Outcome.check) =
     | Some n ->
       [ text Rat.to_string Decimal.rounded_down n.low; text Rat.to_string Decimal.rounded_up n.high ]
   in
-  List.concat_map field sides
+  match c.estimate with
+  | None -> List.concat_map field sides
+  | Some { never = true; runs; _ } -> [ "infinite"; "infinite"; "infinite"; string_of_int runs ]
+  | Some { value; from; upto; runs; _ } ->
+    [
+      text Rat.to_string Decimal.fixed value;
+      text Rat.to_string Decimal.rounded_down from;
+      text Rat.to_string Decimal.rounded_up upto;
+      string_of_int runs;
+    ]
 
 let csv t k outcome =
   let start = string_of_int k :: List.map (fun (_, r) -> Rat.to_string r) (Grid.point t.grid k) in
@@ -86,6 +99,8 @@ let header_format =
        maybe "checks" (list ~least:1 text)
          (fun t -> match t.checks with [] -> None | _ :: _ -> Some t.checks)
          ~about:"The names of the checks that were chosen; without it, all.";
+       maybe "estimated" (entries text) (fun t -> t.estimated)
+         ~about:"With --estimate: how the runs are made and judged, by the options of `scc estimate`.";
        field "grid" (list ~least:1 axis) (fun t -> t.grid)
          ~about:"The points are all combinations, numbered from 0; the last parameter goes fastest.";
      ])
@@ -96,6 +111,27 @@ let check =
     let finite (n : Outcome.number) = if n.infinite then None else Some (of_number n) in
     union [ case (constant (`String "infinite")) infinite Fun.id; case (nullable Shared.rational) finite ignore ]
     |> named ~file:"sweep" "end"
+  in
+  let estimate =
+    let finite f (e : Outcome.estimate) = f e in
+    fields
+      [
+        field "value" (nullable Shared.rational) (finite (fun e -> e.value))
+          ~about:"The share or the mean of the runs. Null if not all of them have one.";
+        field "low" (nullable Shared.rational) (finite (fun e -> e.from));
+        field "high" (nullable Shared.rational) (finite (fun e -> e.upto));
+        field "infinite" bool (finite (fun e -> e.never)) ~about:"True if some run never comes to it.";
+        field "runs" natural (finite (fun e -> e.runs));
+      ]
+  in
+  let verdict =
+    let of_estimates = [ "estimated"; "sampled"; "estimated_holds"; "estimated_violated"; "undecided" ] in
+    let is_estimate v = if List.mem v of_estimates then Some v else None in
+    union
+      [
+        case Check_json.kind_format (fun v -> if is_estimate v = None then Some v else None) Fun.id;
+        case (word Fun.id of_estimates) is_estimate Fun.id;
+      ]
   in
   let number =
     fields
@@ -108,9 +144,11 @@ let check =
   fields
     [
       field "name" text (fun (c : Outcome.check) -> c.name);
-      field "verdict" Check_json.kind_format (fun (c : Outcome.check) -> c.verdict);
+      field "verdict" verdict (fun (c : Outcome.check) -> c.verdict)
+        ~about:"As of `scc check`; of an estimate, as of `scc estimate`.";
       field "values" (list number) (fun (c : Outcome.check) -> c.numbers)
         ~about:"Of a check that asks for a number: where it is, over all schedulers.";
+      maybe "estimate" estimate (fun (c : Outcome.check) -> c.estimate) ~about:"With --estimate, of runs.";
       field "reasons" Shared.texts (fun (c : Outcome.check) -> c.reasons)
         ~about:"Why it is not known, or no better; bounds up to which it holds.";
     ]

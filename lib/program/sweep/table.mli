@@ -11,6 +11,8 @@ type t = {
   checks : string list;  (** the names of those that were chosen; none: all *)
   decimals : int option;  (** of numbers in CSV: ends of intervals are rounded outwards *)
   diffuses : bool;  (** true if some body may diffuse: then there is a column of the lengths of kicks *)
+  estimated : (string * string) list option;
+  (** the options of estimates, if the checks are estimated from runs: then there are columns for these *)
 }
 
 val csv_header : t -> string

@@ -28,11 +28,12 @@ type shared
 (** The explorations of the checks of a model. *)
 
 val shared : Property.check list -> shared
-(** Those of these checks, none made yet. An exploration is kept as long as one of the checks to come asks about
-    the same until. *)
+(** [shared checks] are the explorations of these checks, none made yet. An exploration is kept as long as one of
+    the checks to come asks about the same until. *)
 
 val check :
   Setup.t -> shared -> Semantics.t -> Instant.context -> Uncertain.t -> declared:State.t -> Property.check ->
   (result, Start.fault) Stdlib.result
 (** [check options shared semantics c u ~declared check] explores one check by itself, if no check before it has
-    made the exploration. The checks come in the order of [shared]. Its statistics are those of new explorations. *)
+    made the exploration. The checks come in the order of [shared]. Its statistics are those of new
+    explorations. *)

@@ -331,14 +331,24 @@ def sweep(
     states: Optional[int] = None,
     time: Optional[Number] = None,
     check: Optional[Texts] = None,
+    confidence: Optional[Number] = None,
     decimals: Optional[int] = None,
+    estimate: bool = False,
     format: str = "jsonl",
+    free: Optional[str] = None,
     jobs: Optional[int] = None,
+    most: Optional[int] = None,
+    normal: bool = False,
     output: Optional[Path] = None,
     part: Optional[str] = None,
     plot: Optional[Path] = None,
     resume: Optional[Path] = None,
+    runs: Optional[int] = None,
+    seed: Optional[int] = None,
+    steps: Optional[int] = None,
     store: Optional[Path] = None,
+    until: Optional[Number] = None,
+    width: Optional[Number] = None,
     options: Sequence[str] = (),
     scc: Optional[str] = None,
     progress: Progress = None,
@@ -358,10 +368,21 @@ def sweep(
     ``states``: Keeps at most N states. The default is 200000.
     ``time``: Expands only states that can be reached by the model time T; 0 is the first instant. No default.
     ``check``: Checks only the property NAME. May be given several times.
+    ``confidence``: An interval misses the number, or an answer is wrong, with a probability of at most 1 less
+      C, for each property.
     ``decimals``: Writes measured numbers in CSV with K decimals, instead of exactly as texts p/q. The lower end
       is rounded down and the upper one up, so that the number is between them; the names of the columns say so.
+    ``estimate``: Estimates the probabilities and means of the checks from runs, as scc estimate does at each
+      point, and explores nothing. The table has the columns estimate, from, to and runs.
     ``format``: csv (RFC 4180), a line for each point and check, or jsonl, a JSON object for each point.
+    ``free``: The treatment of a run where several things are possible and none of them is drawn. With apart the
+      run stops there. What is still unknown then counts for no at the lower end of the interval, and for yes at
+      the upper end. So the interval contains the least and the greatest probability. With evenly each
+      possibility has the same probability; the result is valid only for these choices.
     ``jobs``: How many processes work at the runs.
+    ``most``: Makes at most N runs; the default is 10000. Not with --runs.
+    ``normal``: Gives a mean without a proved interval an approximate one, of the normal distribution, and says
+      so. It needs 30 runs with another value than the most frequent one.
     ``output``: Writes to FILE instead of standard output. - stands for standard output.
     ``part``: Makes only part K of N parts of the points, with K from 1 on. The lines of all parts, one part
       after the other, without the first line of each but the first, are those of the whole.
@@ -369,9 +390,20 @@ def sweep(
       two parameters, as coloured cells.
     ``resume``: Continues FILE, written with --format jsonl by a sweep that was interrupted. All options except
       --jobs must be the same. The exit code is about the new points.
+    ``runs``: Makes N runs, and evaluates once: the intervals are narrower than after as many runs by --width.
+      With --levels, makes N repetitions; the default is 100.
+    ``seed``: An integer. Run k has the seed that is the output number k, from 0 on, of SplitMix64 from this
+      integer, and makes its choices by it as scc trace --choose random: does. The runs are the same for any
+      --jobs and on every machine.
+    ``steps``: Leaves a run after N transitions; the draws and lots of one instant count as one. The default is
+      10000 if neither the formulas nor --until end the run at a time, and none otherwise.
     ``store``: Stores the points in the folder DIR, which is created if necessary, while they are computed. The
       same command resumes, and so does one with another --jobs, or with another output of the same points
       (--format, --plot). See STORES.
+    ``until``: Stops a run at the model time TIME, if not all is decided by then; 0 is its first instant. A
+      number at TIME is decided only when time has passed.
+    ``width``: Makes runs until the interval of a probability is at most W wide, and that of a mean at most this
+      share of the mean; of a comparison, until it is decided. The default is 1/20. Not with --runs.
 
     ``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``:
     True shows progress on standard error, and a function gets each line of it. The first Ctrl-C ends the
@@ -387,14 +419,24 @@ def sweep(
         *words.integer("--states", states),
         *words.number("--time", time),
         *words.texts("--check", check),
+        *words.number("--confidence", confidence),
         *words.integer("--decimals", decimals),
+        *words.flag("--estimate", estimate),
         *words.text("--format", format),
+        *words.text("--free", free),
         *words.integer("--jobs", jobs),
+        *words.integer("--most", most),
+        *words.flag("--normal", normal),
         *words.path("--output", output),
         *words.text("--part", part),
         *words.path("--plot", plot),
         *words.path("--resume", resume),
+        *words.integer("--runs", runs),
+        *words.integer("--seed", seed),
+        *words.integer("--steps", steps),
         *words.path("--store", store),
+        *words.number("--until", until),
+        *words.number("--width", width),
         *options,
     ]
     return _calls.sweep(model, given, scc, progress, output=output, resume=resume, part=part, format=format)

@@ -10,7 +10,7 @@ from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple
 from . import frames, numbers
 from .models import Label, State
 from .runs import Result, Run
-from .sweeps import COLUMNS, Record
+from .sweeps import COLUMNS, ESTIMATES, Record
 
 Json = Mapping[str, Any]
 
@@ -335,8 +335,9 @@ class Swept(List[Record], Result):
 
     def to_dataframe(self, as_float: bool = False) -> Any:
         """``rows`` as a ``pandas.DataFrame``, with Fractions, or with floats."""
-        numeric = [name for name in COLUMNS if name not in ("check", "verdict", "why")]
-        columns = [*(name for name in self.parameters if name not in COLUMNS), *COLUMNS]
+        all_columns = [*COLUMNS, *(name for name in ESTIMATES if any(name in row for row in self.rows))]
+        numeric = [name for name in all_columns if name not in ("check", "verdict", "why", "runs")]
+        columns = [*(name for name in self.parameters if name not in all_columns), *all_columns]
         return frames.frame(self, columns, as_float, [*self.parameters, *numeric])
 
 

@@ -10,12 +10,15 @@ from typing import Any, Dict, Iterable, List, Mapping, Optional, Union
 from . import numbers
 
 #: One line of a table: the parameters by their names, and ``check``, ``verdict``, ``low``, ``high``, ``least_low``,
-#: ``least_high``, ``greatest_low``, ``greatest_high`` and ``why``.
+#: ``least_high``, ``greatest_low``, ``greatest_high`` and ``why``; of estimates ``estimate`` and ``runs`` as well, where
+#: ``low`` and ``high`` are the ends of the interval.
 Record = Dict[str, Any]
 
 _NUMBERS = ("low", "high", "least_low", "least_high", "greatest_low", "greatest_high")
 #: The columns after those of the parameters.
 COLUMNS = ("check", "verdict", *_NUMBERS, "why")
+#: The columns of estimates, after these.
+ESTIMATES = ("estimate", "runs")
 
 
 def _end(value: Optional[str]) -> Union[None, Fraction, float]:
@@ -39,6 +42,11 @@ def _of_check(parameters: Mapping[str, str], check: Mapping[str, Any]) -> Record
     if values:
         record["low"] = _end(values[0]["low"])
         record["high"] = _end(values[-1]["high"])
+    made = check.get("estimate")
+    if made is not None:
+        low, high = ("infinite", "infinite") if made["infinite"] else (made["low"], made["high"])
+        value = "infinite" if made["infinite"] else made["value"]
+        record.update(low=_end(low), high=_end(high), estimate=_end(value), runs=made["runs"])
     return record
 
 
