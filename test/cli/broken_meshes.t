@@ -155,12 +155,12 @@ Values of SVG that are computed elsewhere.
 
   $ svg() { printf '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><rect %s height="4"/></svg>' "$1" > t.svg; scc inflate t.svg 2>&1 | grep 'SC03'; }
   $ svg 'width="4" fill="var(--c)"'
-  t.svg:1:108: error[SC0341]: this is not read: the paint "var(--c)" (colours are names of CSS, #rrggbb, rgb() and hsl())
+  t.svg:1:59: error[SC0341]: this is not read: the paint "var(--c)" (colours are names of CSS, #rrggbb, rgb() and hsl())
   $ svg 'width="4" fill="rgb(var(--c))"'
-  t.svg:1:113: error[SC0341]: this is not read: the function var() in "var(--c)": write its value
+  t.svg:1:59: error[SC0341]: this is not read: the function var() in "var(--c)": write its value
   $ svg 'width="calc(4px)"'
-  t.svg:1:100: error[SC0341]: this is not read: the function calc() in "calc(4px)": write its value
+  t.svg:1:59: error[SC0341]: this is not read: the function calc() in "calc(4px)": write its value
   $ svg 'width="4" opacity="var(--o)"'
-  t.svg:1:111: error[SC0341]: this is not read: the function var() in "var(--o)": write its value
+  t.svg:1:59: error[SC0341]: this is not read: the function var() in "var(--o)": write its value
   $ svg 'width="four"'
-  t.svg:1:95: error[SC0340]: a fault in the drawing: a number is missing at "four"
+  t.svg:1:59: error[SC0340]: a fault in the drawing: a number is missing at "four"

@@ -366,7 +366,7 @@ Faces that surround nothing, and no faces:
 
   $ printf 'OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n' > flat.off; scc decompose --union flat.off
   error[SC0301]: the faces surround nothing: each is there from both sides, or is turned inward
-    hint: to mend it, add --orient
+    hint: a sheet bounds no solid: give it a thickness in the program that made it
   [3]
   $ printf 'OFF\n0 0 0\n' > empty.off; scc decompose --union empty.off
   empty.off:1:1: error[SC0320]: the file has no faces and no points

@@ -430,10 +430,40 @@ decompose with --union:
   > EOT
   $ scc shape two.off | grep 'share a face'
   two solids share a face: f5 and f10 have the same corners, in the two directions; for both together: scc decompose --union
+  $ scc shape two.off | grep 'to mend it'
+  [1]
+  $ scc decompose two.off 2>&1 | grep hint
+    hint: two solids share a face: f5 and f10 have the same corners, in the two directions; for both together: scc decompose --union
   $ scc decompose --union two.off
   two.off: 6 plane faces, 0 reflex edges, volume 2
   1 convex part, 0 joints
     p1: 8 corners, 6 faces, volume 2
+
+What is there twice in one direction goes by --weld:
+
+  $ (sed 's/^12 12 0/12 13 0/' two.off; echo '4 7 10 4 1') > twice.off; scc shape twice.off | grep 'to mend it'
+  to mend it: scc shape --weld
+
+No option makes a solid of a sheet, not even of one with a face that is turned over, and none helps one that is there
+from both sides:
+
+  $ sheet() { printf 'OFF\n4 %s 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n' "$1"; shift; printf '3 %s\n' "$@"; }
+  $ sheet 2 '0 1 2' '0 3 2' > turned.off; sheet 4 '0 1 2' '0 2 3' '0 2 1' '0 3 2' > sides.off
+  $ printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n3 0 1 2\n3 0 3 2\n' > bent.off
+  $ for f in turned sides bent; do scc shape $f.off | tail -n 1; done
+  all corners are in one plane; a sheet bounds no solid: give it a thickness in the program that made it
+  all corners are in one plane; a sheet bounds no solid: give it a thickness in the program that made it
+  to mend it: scc shape --orient
+  $ scc decompose turned.off 2>&1 | grep hint
+    hint: all corners are in one plane; a sheet bounds no solid: give it a thickness in the program that made it
+  $ scc decompose --union sides.off 2>&1 | grep hint
+    hint: a sheet bounds no solid: give it a thickness in the program that made it
+
+Closed faces that are turned inward can be mended:
+
+  $ sed 's/^4 \(.*\) \(.*\) \(.*\) \(.*\)$/4 \4 \3 \2 \1/' two.off > inward.off
+  $ scc decompose --union inward.off 2>&1 | grep hint
+    hint: to mend it, add --orient
 
 A drawing is no mesh:
 

@@ -8,14 +8,20 @@ open Cmdliner
 (* {1 Faults} *)
 
 (* What an option mends is to be mended by that: the last of the faults says so. *)
-let structure (set : Polyhedron.ifs) faults =
+let structure ~union (set : Polyhedron.ifs) faults =
   let name array i = if i >= 0 && i < Array.length array then fst array.(i) else string_of_int i in
   let vertex = name set.ifs_vertices and face = name set.ifs_faces in
   let last = List.length faults - 1 in
+  let cure =
+    match Sheet.advice set with
+    | None when not union -> Shared_face.advice set
+    | (Some _ | None) as sheet -> sheet
+  in
   let tries = Mend_options.all_helping set faults in
   let one i fault =
     let hint =
       match (Mend_options.helping set [ fault ], tries) with
+      | _, _ when Option.is_some cure -> if i = last then cure else None
       | _, _ :: _ when i = last -> Some ("to mend it, add " ^ String.concat " " tries)
       | [], _ -> Polyhedron_fault.hint ~vertex ~face fault
       | _ -> None
@@ -28,13 +34,15 @@ let structure (set : Polyhedron.ifs) faults =
 let greatest = 1_000_000
 
 let diagnostics ~union (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list = function
-  | Unsound (Structure faults) -> structure set faults
+  | Unsound (Structure faults) -> structure ~union set faults
   | fault ->
     let hint =
       match fault with
       | Pieces (Apart _ | Island _) ->
         Some "each of several solids needs a file of its own, or add --union for all of them"
-      | Pieces (Outward _) | Nothing -> Some "to mend it, add --orient"
+      | Pieces (Outward _) -> Some "to mend it, add --orient"
+      (* Of faces that are there from both sides no volume is left. *)
+      | Nothing -> Some (if Rat.sign (Drawn.volume set) < 0 then "to mend it, add --orient" else Sheet.cure)
       | Unsound (Cut _) when not union -> Some "if solids overlap there, add --union"
       | Too_many most when most < greatest -> Some "--parts sets how many there may be"
       | Unsound (Structure _ | Cut _) | Too_many _ -> None

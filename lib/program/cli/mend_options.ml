@@ -53,13 +53,7 @@ let most_tried = 100_000
 (* In the order in which they help. *)
 let helping (set : Polyhedron.ifs) faults =
   let some test = List.exists test faults in
-  let twice =
-    lazy
-      (let corners (_, c) = List.sort Int.compare (Array.to_list c) in
-       let sorted = List.sort (List.compare Int.compare) (List.map corners (Array.to_list set.ifs_faces)) in
-       let rec equal = function a :: (b :: _ as rest) -> List.equal Int.equal a b || equal rest | _ -> false in
-       equal sorted)
-  in
+  let twice = lazy (Scc_mesh.Mend.has_faces_twice set) in
   let doubled = function
     | Polyhedron_fault.Repeated_edge _ | Flat _ | Separate_solids _ -> Lazy.force twice
     | _ -> false

@@ -143,13 +143,18 @@ let advice (r : Solid_report.t) =
   match r.verdict with
   | Accepted _ -> ""
   | Rejected faults ->
-    let tries = Mend_options.all_helping r.set faults in
-    let bent = function Polyhedron_fault.Not_convex _ | Degenerate_face _ -> true | _ -> false in
-    let concave = List.exists bent faults in
-    let shared = Option.fold ~none:"" ~some:(fun line -> line ^ "\n") (Shared_face.advice r.set) in
-    shared
-    ^ (if tries = [] then "" else Printf.sprintf "to mend it: scc shape %s\n" (String.concat " " tries))
-    ^ if concave then "for convex parts of it: scc decompose; for its hull: scc shape --hull\n" else ""
+    let line text = text ^ "\n" in
+    let told = function None -> "" | Some text -> line text in
+    match Sheet.advice r.set with
+    | Some sheet -> line sheet
+    | None ->
+      let tries = Mend_options.all_helping r.set faults in
+      let bent = function Polyhedron_fault.Not_convex _ | Degenerate_face _ -> true | _ -> false in
+      told (Shared_face.advice r.set)
+      ^ (if tries = [] then "" else line ("to mend it: scc shape " ^ String.concat " " tries))
+      ^
+      if List.exists bent faults then line "for convex parts of it: scc decompose; for its hull: scc shape --hull"
+      else ""
 
 let report console argument code ~mended ~gone ?snapped ?outer r write =
   let told =

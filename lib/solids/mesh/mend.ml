@@ -72,6 +72,9 @@ let single faces =
     List.filter first once
   end
 
+let has_faces_twice (set : Polyhedron.ifs) =
+  List.compare_length_with (single (Array.to_list set.ifs_faces)) (Array.length set.ifs_faces) < 0
+
 let weld (set : Polyhedron.ifs) =
   let n = Array.length set.ifs_vertices in
   let first = Points.create n in

@@ -20,6 +20,9 @@ val weld : Polyhedron.ifs -> Polyhedron.ifs * string
     there from both sides, the first of both stays. Vertices that no face uses are dropped, but
     not in a cloud, which has no faces. *)
 
+val has_faces_twice : Polyhedron.ifs -> bool
+(** [has_faces_twice set] is true if {!weld} drops a face that is there twice, with the same vertices. *)
+
 val orient : Polyhedron.ifs -> (Polyhedron.ifs * string, string) result
 (** Faces are turned over so that any two neighbours along an edge of exactly two faces agree with the first
     face of their piece. A closed piece of negative volume is turned over as a whole. It stays as it is if its

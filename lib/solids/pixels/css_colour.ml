@@ -106,7 +106,7 @@ let plain text =
   | None when n > 0 && text.[0] = '#' -> hexadecimal text
   | None -> (
       match String.index_opt text '(' with
-      | Some i when text.[n - 1] = ')' && String.index text ')' = n - 1 ->
+      | Some i when text.[n - 1] = ')' ->
         applied text (String.sub text 0 i) (String.sub text (i + 1) (n - i - 2))
       | Some _ -> bad text
       | None -> unread text)
