@@ -89,7 +89,7 @@ let over_parts c =
   List.for_all2 same found (List.map sum (transposed (parts c c.events)))
 
 let of_parts =
-  QCheck2.Test.make ~name:"Additivity: over parts that never meet" ~count:60 ~print generate over_parts
+  QCheck2.Test.make ~name:"Additivity: over parts that never meet" ~count:30 ~print generate over_parts
 
 (* Of all bonds, each of which is one event of a split. Where there is something to choose one scheduler does not
    have to make all of them least. *)
@@ -110,7 +110,7 @@ let over_bonds c =
         && (List.exists (function Some (x, y) -> not (Rat.equal x y) | None -> true) each || Rat.equal x least)
       | None, _ | _, None -> true)
 
-let of_bonds = QCheck2.Test.make ~name:"Additivity: over bonds" ~count:30 ~print generate over_bonds
+let of_bonds = QCheck2.Test.make ~name:"Additivity: over bonds" ~count:15 ~print generate over_bonds
 
 (* So that it is about something. *)
 let scope () =

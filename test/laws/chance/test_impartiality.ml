@@ -63,8 +63,8 @@ let same (m, ways) =
 
 let generate ~laws = Gen.pair (Told_otherwise.model ~laws) (Gen.list_repeat 3 Told_otherwise.way)
 
-let lots = QCheck2.Test.make ~name:"Impartiality: lots" ~count:60 ~print (generate ~laws:false) same
-let velocities = QCheck2.Test.make ~name:"Impartiality: velocities" ~count:40 ~print (generate ~laws:true) same
+let lots = QCheck2.Test.make ~name:"Impartiality: lots" ~count:30 ~print (generate ~laws:false) same
+let velocities = QCheck2.Test.make ~name:"Impartiality: velocities" ~count:20 ~print (generate ~laws:true) same
 
 (* {1 Labels} *)
 
@@ -174,7 +174,7 @@ let labels_same (m, ways) =
 let labels =
   let case laws = Gen.pair (Told_otherwise.model ~laws) (Gen.list_repeat 2 Told_otherwise.way) in
   let generate = Gen.bind Gen.bool case in
-  QCheck2.Test.make ~name:"Impartiality: what labels tell" ~count:40 ~print generate labels_same
+  QCheck2.Test.make ~name:"Impartiality: what labels tell" ~count:20 ~print generate labels_same
 
 (* So that it is about something. *)
 let scope () =

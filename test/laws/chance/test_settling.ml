@@ -181,7 +181,7 @@ let same c =
   List.for_all2 agree found c.questions
 
 let law =
-  QCheck2.Test.make ~name:"Settling: the answers of a whole exploration" ~count:40 ~print generate same
+  QCheck2.Test.make ~name:"Settling: the answers of a whole exploration" ~count:20 ~print generate same
 
 let scope () =
   Printf.printf

@@ -55,7 +55,7 @@ check twice : E = ? [ 2 * time - 1 at 5/2 ]
 (* {1 What drifts apart} *)
 
 let drifting name kinds =
-  QCheck2.Test.make ~name ~count:150 ~print:Fun.id Drifters.case (agrees kinds ~jump:true ~together:false)
+  QCheck2.Test.make ~name ~count:75 ~print:Fun.id Drifters.case (agrees kinds ~jump:true ~together:false)
 
 (* A state and the one that stands for it: the same transitions, to states that one stands for, and the same truth
    of all predicates at each instant of what passes until then. [stands_for] is the rule to be tried. *)
@@ -120,7 +120,7 @@ let seen_by view (e : Scc_elaborate.Elaborate.t) =
   { e with model; declared; checks }
 
 let stands_for_all =
-  QCheck2.Test.make ~name:"Drift: a state and the one that stands for it" ~count:400
+  QCheck2.Test.make ~name:"Drift: a state and the one that stands for it" ~count:200
     ~print:(fun (text, view) -> text ^ Option.fold ~none:"" ~some:(fun v -> "\nseen by " ^ v.Seen.name) view)
     (Gen.pair Drifters.with_predicates (Gen.option ~ratio:0.3 Seen.any)) (fun (text, view) ->
         let turned (e, _) =

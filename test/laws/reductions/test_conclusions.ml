@@ -210,6 +210,6 @@ let () =
               agree "Rotation: what drifts apart" Drifters.case how;
               agree "Rotation: and how many states there are" Drifters.case without_boxes;
               agree "Rotation: crowds" Crowds.case_gen how;
-              agree "Rotation: rings" ~count:15 Crowds.ringed_case_gen how;
+              agree "Rotation: rings" ~count:8 Crowds.ringed_case_gen how;
             ] );
       ]

@@ -167,7 +167,7 @@ let scene () =
   in
   head ^ String.concat "" (List.map fst parts) ^ String.concat "" (List.init 3 check)
 
-let scenes = 300
+let scenes = 150
 let used = ref 0
 
 let random () =

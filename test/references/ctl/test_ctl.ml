@@ -47,7 +47,7 @@ let sound =
     return (c, others)
   in
   let print (c, others) = String.concat "\n\n" (print c :: List.map Small.print others) in
-  QCheck2.Test.make ~count:800 ~name:"what is decided on a truncated graph stays so" ~print gen
+  QCheck2.Test.make ~count:400 ~name:"what is decided on a truncated graph stays so" ~print gen
     (fun (c, others) ->
        let e = Small.evaluator c.graph in
        let whole = List.map Naive.make others in
@@ -80,7 +80,7 @@ let arrivals (g : Small.t) =
   times
 
 let horizon =
-  QCheck2.Test.make ~count:1200 ~name:"nothing counts after the horizon" ~print
+  QCheck2.Test.make ~count:600 ~name:"nothing counts after the horizon" ~print
     (case_gen ~unsure:false ~truncated:false ~depth:2)
     (fun c ->
        let formula = Scc_property.Skeleton.to_temporal (fun _ -> Scc_property.Property.Bool true) c.formula in

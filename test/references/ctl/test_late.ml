@@ -16,5 +16,5 @@ let explained c =
 
 let suite =
   let gen = case_gen ~unsure:false ~truncated:false ~depth:2 in
-  let test = QCheck2.Test.make ~count:1200 ~name:"explanations when the time is over" ~print gen explained in
+  let test = QCheck2.Test.make ~count:600 ~name:"explanations when the time is over" ~print gen explained in
   ("late", [ ("late", Scc_test_support.Property.cases [ test ]) ])

@@ -117,7 +117,7 @@ let laws =
 let hold =
   let gen = Gen.pair (Gen.oneofl laws) gen in
   let print ((name, _), c) = name ^ "\n" ^ print c in
-  QCheck2.Test.make ~count:(200 * List.length laws) ~name:"CtlLaws: those that hold" ~print gen
+  QCheck2.Test.make ~count:(100 * List.length laws) ~name:"CtlLaws: those that hold" ~print gen
     (fun ((_, formula), c) -> valid c.graph (formula c))
 
 (* {1 Fewer runs} *)
@@ -160,7 +160,7 @@ let fewer_runs =
   let print (graph, fewer, f) =
     String.concat "\n" [ Small.print graph; Small.print fewer; Small.print_formula f ]
   in
-  QCheck2.Test.make ~count:4000 ~name:"CtlLaws: fewer runs break no quantifier over all" ~print gen
+  QCheck2.Test.make ~count:2000 ~name:"CtlLaws: fewer runs break no quantifier over all" ~print gen
     (fun (graph, fewer, f) ->
        let more = Small.evaluator graph and less = Small.evaluator fewer in
        let nodes = List.init (Array.length graph.nodes) Positions.start in

@@ -247,7 +247,7 @@ let suite =
          law "bounds of many instants" ~truncated:false encloses;
          Alcotest.test_case "enclosed ones there are" `Quick enclosed;
          law "runs" ~truncated:false shows;
-         law "curves" ~count:300 ~truncated:false curve;
+         law "curves" ~count:150 ~truncated:false curve;
        ] );
      ( "by hand",
        [ Alcotest.test_case "long numbers" `Quick long; Alcotest.test_case "too many instants" `Quick far ] );

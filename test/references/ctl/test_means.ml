@@ -93,7 +93,7 @@ let enclosed c =
   | Unknown _ -> true
 
 let law ?(unsure = false) ?(truncated = false) name f =
-  Scc_test_support.Property.case (QCheck2.Test.make ~name ~count:1600 ~print (gen ~unsure ~truncated) f)
+  Scc_test_support.Property.case (QCheck2.Test.make ~name ~count:800 ~print (gen ~unsure ~truncated) f)
 
 (* A flow that meets g at no rational instant: the time is enclosed. *)
 let irrational () =

@@ -130,7 +130,7 @@ let in_order d order =
   graph ~size:!size !all
 
 let orders =
-  QCheck2.Test.make ~name:"the order of draws is not seen" ~count:200 ~print gen (fun d ->
+  QCheck2.Test.make ~name:"the order of draws is not seen" ~count:100 ~print gen (fun d ->
       let prepared order = Compare.prepare Strong (joined (in_order d order)) in
       let effort = Effort.make ~stop:(fun () -> false) in
       match (Compare.run effort Strong (prepared d.order) (prepared d.other)).verdict with

@@ -70,7 +70,7 @@ let partitions ?most name kind naive =
       !same && Naive.related naive g (Graph.reachable (Quotient.make kind g p)))
 
 let traces =
-  QCheck2.Test.make ~name:"traces agree with enumeration" ~count:3000 ~print:print_pair pair_gen (fun (a, b) ->
+  QCheck2.Test.make ~name:"traces agree with enumeration" ~count:1500 ~print:print_pair pair_gen (fun (a, b) ->
       let g = make a and h = make b in
       match (run Trace g h).verdict with
       | Equivalent -> Naive.traces 5 g = Naive.traces 5 h
@@ -84,7 +84,7 @@ let traces =
       | Different { trace = None; _ } | Undecided _ -> false)
 
 let hierarchy =
-  QCheck2.Test.make ~name:"strong => branching => weak => trace" ~count:2000 ~print:print_pair pair_gen
+  QCheck2.Test.make ~name:"strong => branching => weak => trace" ~count:1000 ~print:print_pair pair_gen
     (fun (a, b) ->
        let g = make a and h = make b in
        let implies x y = (not x) || y in
@@ -93,7 +93,7 @@ let hierarchy =
 
 (* The text of the formula, read again and evaluated by the definitions of the modalities. *)
 let explained relation name =
-  QCheck2.Test.make ~name ~count:3000 ~print:print_pair pair_gen (fun (a, b) ->
+  QCheck2.Test.make ~name ~count:1500 ~print:print_pair pair_gen (fun (a, b) ->
       let g = make a and h = make b in
       let report = run relation g h in
       match report.verdict with
@@ -123,7 +123,7 @@ let truncated relation naive name =
     let list l = String.concat "," (List.map string_of_int l) in
     Printf.sprintf "%s cut at %s\n%s cut at %s" (print a) (list c) (print b) (list d)
   in
-  QCheck2.Test.make ~name ~count:3000 ~print truncated_gen (fun (a, b) ->
+  QCheck2.Test.make ~name ~count:1500 ~print truncated_gen (fun (a, b) ->
       let g = make (fst a) and h = make (fst b) in
       match (run relation (cut a) (cut b)).verdict with
       | Equivalent -> Graph.complete (Compare.prepare relation (cut a)) && naive g h

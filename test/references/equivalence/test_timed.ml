@@ -118,7 +118,7 @@ let cut which (size, edges) =
 let make (size, edges) = Naive.make size edges
 
 let refinement deterministic name =
-  QCheck2.Test.make ~name ~count:2000
+  QCheck2.Test.make ~name ~count:1000
     ~print:(fun (g, _, _) -> print g)
     QCheck2.Gen.(triple (graph_gen ~deterministic) small_nat small_nat)
     (fun (g, i, j) -> verdict Timed (make g) (make (cut i (cut j g))) = "equivalent")
@@ -140,7 +140,7 @@ let definition deterministic name =
       let longer (s, l, t) = if l = "time(1)" then (s, "time(3/2)", t) else (s, l, t) in
       (g, (fst g, List.map longer (snd g)))
   in
-  QCheck2.Test.make ~name ~count:1500
+  QCheck2.Test.make ~name ~count:750
     ~print:(fun (g, h) -> print g ^ "\n" ^ print h)
     gen
     (fun (g, h) ->
@@ -164,7 +164,7 @@ let truncated deterministic name =
   let known ((size, edges), unknown) =
     Naive.make ~unknown:[ unknown ] size (List.filter (fun (s, _, _) -> s <> unknown) edges)
   in
-  QCheck2.Test.make ~name ~count:2000
+  QCheck2.Test.make ~name ~count:1000
     ~print:(fun ((g, i), (h, j)) -> Printf.sprintf "%s cut at %d\n%s cut at %d" (print g) i (print h) j)
     gen
     (fun (g, h) ->

@@ -18,7 +18,7 @@ let all_pairs boxes =
 let compare_pair (i, j) (k, l) = if Int.equal i k then Int.compare j l else Int.compare i k
 
 let complete =
-  QCheck2.Test.make ~name:"exactly the boxes that meet, in order" ~count:300
+  QCheck2.Test.make ~name:"exactly the boxes that meet, in order" ~count:150
     Gen.(array_size (0 -- 40) random_box)
     (fun boxes -> Boxes.pairs boxes = List.sort compare_pair (all_pairs boxes))
 
@@ -44,7 +44,7 @@ let sweeps =
   let vector = Gen.map (fun (x, y, z) -> Vec.make (thirds x) (thirds y) (thirds z)) Gen.(triple (-9 -- 9) (-9 -- 9)
                                                                                            (-9 -- 9)) in
   let print (a, v, (n, d)) = Printf.sprintf "%s by %s, %d/7 of %d/3" (Vec.to_string a) (Vec.to_string v) n d in
-  QCheck2.Test.make ~name:"a box is within what it sweeps" ~count:500 ~print
+  QCheck2.Test.make ~name:"a box is within what it sweeps" ~count:250 ~print
     Gen.(triple vector vector (pair (0 -- 7) (1 -- 9)))
     (fun (a, v, (n, d)) ->
        let until = thirds d in

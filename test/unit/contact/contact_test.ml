@@ -35,15 +35,15 @@ let all_pairs s o r =
   List.equal same (List.sort compare_triple ours) (List.sort compare_triple theirs)
 
 let touching =
-  property "the touching pairs of features are those found by trying all" ~count:120 ~gen:aimed
+  property "the touching pairs of features are those found by trying all" ~count:60 ~gen:aimed
     (when_touching all_pairs)
 
 let touching_aligned =
-  property "also for aligned bodies" ~count:150 ~gen:resting (when_touching all_pairs)
+  property "also for aligned bodies" ~count:75 ~gen:resting (when_touching all_pairs)
 
 (* Reading I-4. *)
 let highest =
-  property "the highest pair is of the greatest dimension, and has all others in its closures" ~count:200
+  property "the highest pair is of the greatest dimension, and has all others in its closures" ~count:100
     ~gen:resting
     (when_touching (fun _ o r ->
          let h = Contact.highest o r and all = Contact.touching o r in
@@ -96,7 +96,7 @@ let region gen count name =
 let transpose (p : Contact.pair) : Contact.pair = { p with first = p.second; second = p.first }
 
 let symmetric =
-  property "B and A see what A and B see" ~count:150 ~gen:resting
+  property "B and A see what A and B see" ~count:75 ~gen:resting
     (when_touching (fun s o r ->
          let back = Vec.neg r and p = obstacle s.b s.a in
          let compare (x : Contact.pair) (y : Contact.pair) =

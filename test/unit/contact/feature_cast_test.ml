@@ -86,7 +86,7 @@ let print (p, q, w) =
   Printf.sprintf "%s\n%s by %s" (list p) (list q) (Vec.to_string w)
 
 let random =
-  QCheck2.Test.make ~count:2000 ~name:"I-33: when slanted features meet, by the planes of the hull" ~print case
+  QCheck2.Test.make ~count:1000 ~name:"I-33: when slanted features meet, by the planes of the hull" ~print case
     (fun (p, q, w) ->
        let expected = show (by_planes p q w) and found = show (Feature_cast.first_meeting p q w) in
        if String.equal expected found then true

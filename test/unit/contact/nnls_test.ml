@@ -14,7 +14,7 @@ let optimal gram target x =
   Array.for_all Fun.id (Array.mapi ok x)
 
 let kuhn_tucker =
-  QCheck2.Test.make ~name:"the answer meets the optimality conditions" ~count:500
+  QCheck2.Test.make ~name:"the answer meets the optimality conditions" ~count:250
     Gen.(pair (list_size (0 -- 7) small) small)
     (fun (vs, b) ->
        let v = Array.of_list vs in
@@ -23,7 +23,7 @@ let kuhn_tucker =
 
 (* More columns than their rank, and more dimensions than three. *)
 let many =
-  QCheck2.Test.make ~name:"also in six dimensions, with dependent columns" ~count:200
+  QCheck2.Test.make ~name:"also in six dimensions, with dependent columns" ~count:100
     Gen.(pair (list_size (1 -- 9) (pair small small)) (pair small small))
     (fun (vs, (b, c)) ->
        let v = Array.of_list vs in
@@ -70,7 +70,7 @@ let brute_force vs b =
   List.fold_left nearer Vec.zero (candidates vs b)
 
 let all_subsets =
-  QCheck2.Test.make ~name:"the projection on a cone is the best over all subsets" ~count:500
+  QCheck2.Test.make ~name:"the projection on a cone is the best over all subsets" ~count:250
     Gen.(pair (list_size (0 -- 6) small) small)
     (fun (vs, b) -> Vec.equal (Nnls.project_cone vs b) (brute_force vs b))
 

@@ -14,7 +14,7 @@ let same_cast (x : Obstacle.cast) (y : Naive.cast) =
   | _ -> false
 
 let relation =
-  property "the relation is that of all separating axes" ~count:400 (fun s ->
+  property "the relation is that of all separating axes" ~count:200 (fun s ->
       same_relation
         (Obstacle.relation (obstacle s.a s.b) s.r)
         (Naive.relation (placed s.a Vec.zero) (placed s.b s.r)))
@@ -25,8 +25,8 @@ let cast_agrees s =
   same_cast (Obstacle.first_time_of_contact o s.r s.w) (Naive.first_time_of_contact a b s.w)
   && same_interval (Obstacle.meeting o s.r s.w) (Naive.meeting a b s.w)
 
-let cast = property "casts are those of all separating axes" ~count:300 cast_agrees
-let aimed_cast = property "also where most of them hit" ~count:200 ~gen:aimed cast_agrees
+let cast = property "casts are those of all separating axes" ~count:150 cast_agrees
+let aimed_cast = property "also where most of them hit" ~count:100 ~gen:aimed cast_agrees
 
 let primitive (v : Vec.t) = Ivec.primitive (fst (Ivec.of_vec v))
 
@@ -37,7 +37,7 @@ let same_facets o a b =
   List.equal Ivec.equal (List.sort Ivec.compare ours) theirs
 
 let facets =
-  property "the facets are those of the Minkowski difference, each once" ~count:150 (fun s ->
+  property "the facets are those of the Minkowski difference, each once" ~count:75 (fun s ->
       same_facets (obstacle s.a s.b) (placed s.a Vec.zero) (placed s.b Vec.zero))
 
 (* Random hulls of up to 14 points on a coarse grid, with many coplanar and parallel ones. *)
@@ -50,7 +50,7 @@ let random_hulls =
       (Gen.list_size Gen.(0 -- 10) point) turn
   in
   let scene = Gen.map2 (fun (a, b) (r, w) -> { a; b; r; w }) (Gen.pair body body) (Gen.pair offset velocity) in
-  property "random hulls: facets and casts" ~count:40 ~gen:scene (fun s ->
+  property "random hulls: facets and casts" ~count:20 ~gen:scene (fun s ->
       same_facets (obstacle s.a s.b) (placed s.a Vec.zero) (placed s.b Vec.zero) && cast_agrees s)
 
 let offsets =
@@ -78,7 +78,7 @@ let at_collision =
         && not (Obstacle.approaching o r (Vec.neg s.w)))
 
 let approaching_is_at_zero =
-  property "approaching iff the cast is at 0" ~count:600 (fun s ->
+  property "approaching iff the cast is at 0" ~count:300 (fun s ->
       let o = obstacle s.a s.b in
       Obstacle.relation o s.r <> Touching
       || Bool.equal (Obstacle.approaching o s.r s.w)
@@ -92,7 +92,7 @@ let hairs = Gen.oneofl [ 12; 15; 16; 17; 30; 400 ]
 (* The offset of a collision, displaced by a hair; and everything made large and moved far, so that the integers
    behind are long. *)
 let hair =
-  QCheck2.Test.make ~name:"a hair off a contact" ~count:300
+  QCheck2.Test.make ~name:"a hair off a contact" ~count:150
     ~print:(fun (s, _, _) -> show s)
     (Gen.triple aimed hairs velocity)
     (fun (s, k, d) ->
@@ -105,7 +105,7 @@ let hair =
          && same_cast (Obstacle.first_time_of_contact o r s.w) (Naive.first_time_of_contact a b s.w))
 
 let far_away =
-  QCheck2.Test.make ~name:"from far away, past a corner by a hair" ~count:200
+  QCheck2.Test.make ~name:"from far away, past a corner by a hair" ~count:100
     ~print:(fun (s, _, _) -> show s)
     (Gen.triple aimed hairs velocity)
     (fun (s, k, d) ->
@@ -138,7 +138,7 @@ let long_turn =
     (Gen.pair long_number long_number) (Gen.pair long_number long_number)
 
 let overflowing =
-  QCheck2.Test.make ~name:"normals as long as the greatest float" ~count:200
+  QCheck2.Test.make ~name:"normals as long as the greatest float" ~count:100
     ~print:(fun (m, _) -> Vec.to_string (Mat.apply m (Vec.of_ints 1 0 0)))
     (Gen.pair long_turn (Gen.triple (Gen.oneofl cube_turns) offset Gen.(-2 -- 2)))
     (fun (m, (side, along, more)) ->

@@ -143,7 +143,7 @@ let cut_scene =
 (* Sends a vertex of the body towards a point of the top on the seams. *)
 let cut =
   QCheck2.Test.make ~name:"Cutting: flush parts, with seams through faces and edges, change no bounce"
-    ~count:400 cut_scene
+    ~count:200 cut_scene
     (fun (from, goal, (b, k), parts) ->
        let s = solid ~id:1 b in
        let tip = Solid.vertex s (k mod Array.length s.vertices) in

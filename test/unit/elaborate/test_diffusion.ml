@@ -33,7 +33,7 @@ let moments =
       (Vec.to_string (Vec.make x y z))
       (Rat.to_string timestep) (Rat.to_string longer)
   in
-  QCheck2.Test.make ~name:"Diffuse: moments of a step" ~count:500 ~print gen
+  QCheck2.Test.make ~name:"Diffuse: moments of a step" ~count:250 ~print gen
     (fun ((dx, dy, dz), (wx, wy, wz), timestep, longer) ->
        let d = Vec.make dx dy dz and w = [ wx; wy; wz ] in
        let drift = (const wx, const wy, Law.Add (Var Vz, const (Rat.sub wz (Rat.of_int 7)))) in

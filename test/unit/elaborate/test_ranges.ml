@@ -150,7 +150,7 @@ let linear =
              ]))
 
 let at_values =
-  QCheck2.Test.make ~name:"forms are worth at a point what the expressions are" ~count:300
+  QCheck2.Test.make ~name:"forms are worth at a point what the expressions are" ~count:150
     ~print:(fun ((a, b, c), _) -> String.concat "; " [ a; b; c ])
     Gen.(pair (triple linear linear linear) (triple (int_range 0 24) (int_range 0 3) (int_range 1 6)))
     (fun ((a, b, c), (i, j, k)) ->
@@ -176,7 +176,7 @@ let as_of_polyhedra =
       let range = triple bound (int_range 1 2) bool in
       triple (list_size (int_range 1 3) range) (list_repeat 3 (int_range (-2) 2)) (int_range (-6) 6))
   in
-  QCheck2.Test.make ~name:"signs of forms are those that polyhedra tell" ~count:2000 gen
+  QCheck2.Test.make ~name:"signs of forms are those that polyhedra tell" ~count:1000 gen
     (fun (all, factors, rest) ->
        let range i ((low, low_included), length, high_included) : Ranges.range =
          {

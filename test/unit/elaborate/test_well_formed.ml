@@ -192,18 +192,18 @@ let naive bodies =
 let same_pair (i, j) (k, l) = Int.equal i k && Int.equal j l
 
 let pairs_are_all_pairs =
-  QCheck2.Test.make ~name:"overlapping pairs are those of a look at every pair" ~count:300 placed (fun list ->
+  QCheck2.Test.make ~name:"overlapping pairs are those of a look at every pair" ~count:150 placed (fun list ->
       let bodies = Array.of_list list in
       List.equal same_pair (naive bodies) (Overlap.pairs (fst solids) bodies))
 
 let a_limit_is_kept =
-  QCheck2.Test.make ~name:"a limit gives some pairs iff there are some" ~count:300 placed (fun list ->
+  QCheck2.Test.make ~name:"a limit gives some pairs iff there are some" ~count:150 placed (fun list ->
       let bodies = Array.of_list list in
       let all = Overlap.pairs (fst solids) bodies and few = Overlap.pairs ~limit:2 (fst solids) bodies in
       List.length few = min 2 (List.length all))
 
 let points_are_inside =
-  QCheck2.Test.make ~name:"a common point is given iff two solids interpenetrate" ~count:500
+  QCheck2.Test.make ~name:"a common point is given iff two solids interpenetrate" ~count:250
     QCheck2.Gen.(pair placed placed)
     (fun (l, m) ->
        List.for_all

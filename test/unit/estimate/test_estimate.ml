@@ -21,7 +21,7 @@ let at_least n k p = List.fold_left Rat.add Rat.zero (List.init (n - k + 1) (fun
 (* By the whole distribution: the tail is small enough at the end, and not two units above it (one unit above it
    may be just as much, which no rounding proves). *)
 let ends =
-  QCheck2.Test.make ~name:"the ends are where the tails are as they should be" ~count:400 ~print small
+  QCheck2.Test.make ~name:"the ends are where the tails are as they should be" ~count:200 ~print small
     (fun (n, k, m) ->
        let miss = fraction m 1000 in
        let low = Clopper_pearson.lower ~n ~k ~miss and high = Clopper_pearson.upper ~n ~k ~miss in
@@ -31,7 +31,7 @@ let ends =
           && Rat.equal high (Rat.sub Rat.one (Clopper_pearson.lower ~n ~k:(n - k) ~miss)))
 
 let tails =
-  QCheck2.Test.make ~name:"tails are never said to be less than they are" ~count:400
+  QCheck2.Test.make ~name:"tails are never said to be less than they are" ~count:200
     ~print:(fun (s, p) -> print s ^ Printf.sprintf ", p = %d/97" p)
     QCheck2.Gen.(pair small (int_bound 97))
     (fun ((n, k, m), p) ->
@@ -40,7 +40,7 @@ let tails =
 
 (* For every probability, all results that miss it together are not likelier than they may be. *)
 let covers =
-  QCheck2.Test.make ~name:"coverage, by the whole distribution" ~count:60
+  QCheck2.Test.make ~name:"coverage, by the whole distribution" ~count:30
     ~print:(fun (n, p) -> Printf.sprintf "n = %d, p = %d/211" n p)
     QCheck2.Gen.(pair (int_range 1 40) (int_bound 211))
     (fun (n, p) ->

@@ -40,7 +40,7 @@ let tally_of (zeros, ones, twos) =
 let missed_by mean (low, high) = Rat.compare mean low < 0 || Rat.compare mean high > 0
 
 let mean_covers =
-  QCheck2.Test.make ~name:"coverage of means, by the whole distribution" ~count:60
+  QCheck2.Test.make ~name:"coverage of means, by the whole distribution" ~count:30
     ~print:(fun (n, (a, b, c)) -> Printf.sprintf "n = %d, chances as %d : %d : %d" n a b c)
     QCheck2.Gen.(pair (int_range 1 12) (triple (int_range 0 50) (int_range 0 9) (int_range 1 9)))
     (fun (n, (a, b, c)) ->
@@ -55,7 +55,7 @@ let mean_covers =
 
 (* Where it is one of two numbers, the mean is a probability, and so is its interval. *)
 let mean_of_two =
-  QCheck2.Test.make ~name:"the mean of one of two numbers is as a probability" ~count:100 ~print small
+  QCheck2.Test.make ~name:"the mean of one of two numbers is as a probability" ~count:50 ~print small
     (fun (n, k, m) ->
        let miss = fraction m 1000 in
        let of_outcomes make = List.fold_left Tally.add Tally.empty (List.init n (fun i -> make (i < k))) in
@@ -69,7 +69,7 @@ let mean_of_two =
 
 (* Whatever those that are open come to, the interval has that of the numbers when they are known. *)
 let mean_of_open =
-  QCheck2.Test.make ~name:"runs that are open may come to anything in the range" ~count:100
+  QCheck2.Test.make ~name:"runs that are open may come to anything in the range" ~count:50
     ~print:QCheck2.Print.(list (pair int bool))
     QCheck2.Gen.(list_size (int_range 1 40) (pair (int_bound 6) bool))
     (fun runs ->
@@ -144,7 +144,7 @@ let numbers =
   sized_size (int_bound 12) (fix (fun self size -> if size = 0 then leaf else oneof [ leaf; node self size ]))
 
 let in_ranges =
-  QCheck2.Test.make ~name:"numbers are in their ranges" ~count:3_000
+  QCheck2.Test.make ~name:"numbers are in their ranges" ~count:1500
     ~print:(fun (n, x) -> Scc_property.Show.num two n ^ " = " ^ Rat.to_string x)
     numbers
     (fun (n, x) ->

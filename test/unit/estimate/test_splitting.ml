@@ -110,7 +110,7 @@ let () =
     [
       ( "splitting",
         [
-          case "Splitting: without bias" without_bias; case "Splitting: a walker on a line" (on_a_line ~count:40);
+          case "Splitting: without bias" without_bias; case "Splitting: a walker on a line" (on_a_line ~count:20);
           case "runs that are left" left; case "levels" texts;
         ] );
     ]

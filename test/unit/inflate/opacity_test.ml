@@ -134,7 +134,7 @@ let gradients_of_opacity () =
 
 let () =
   let case name f = Alcotest.test_case name `Quick f in
-  let random = QCheck2.Test.make ~count:400 ~name:"random groups" generator random in
+  let random = QCheck2.Test.make ~count:200 ~name:"random groups" generator random in
   Alcotest.run "opacity"
     [
       ("over each other", [ case "cases" cases; case "gradients" gradients_of_opacity ]);

@@ -153,7 +153,7 @@ let thick_arc (r, width) =
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   let property ?print name gen law = Scc_test_support.Property.case
-      (QCheck2.Test.make ?print ~name ~count:20 gen law) in
+      (QCheck2.Test.make ?print ~name ~count:10 gen law) in
   Alcotest.run "stroke"
     [
       ("strokes", [ case "caps" caps; case "joins" joins; case "curves" curves; case "dashes" dashes ]);

@@ -54,7 +54,7 @@ let text = G.map (List.fold_left apply seed) (G.list_size (G.int_range 1 4) chan
 let placed text (d : Diag.t) = Span.is_none d.span || (d.span.start >= 0 && d.span.stop <= String.length text)
 
 let damaged =
-  QCheck2.Test.make ~count:1500 ~name:"damaged texts are read or refused" ~print:Fun.id text (fun text ->
+  QCheck2.Test.make ~count:750 ~name:"damaged texts are read or refused" ~print:Fun.id text (fun text ->
       let source = Source.make ~name:"model.osc" text in
       ignore (Original.readable source);
       match Original.read source with

@@ -220,7 +220,7 @@ let pieces model =
   else [ ("", box) ]
 
 let points =
-  QCheck2.Test.make ~count:40 ~name:"Regions: a point is in the region iff it is in a feature of it"
+  QCheck2.Test.make ~count:20 ~name:"Regions: a point is in the region iff it is in a feature of it"
     ~print:text region
     (fun r ->
        match Original.read (source (model r)) with
@@ -245,7 +245,7 @@ let area_of corners =
       Rat.zero (sides first corners)
 
 let areas =
-  QCheck2.Test.make ~count:60 ~name:"Regions: areas of features add up to that of the region"
+  QCheck2.Test.make ~count:30 ~name:"Regions: areas of features add up to that of the region"
     ~print:(fun c -> text (Polygon c)) polygon (fun c ->
         match Original.read (source (model (Polygon c))) with
         | Error _ -> true

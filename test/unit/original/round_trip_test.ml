@@ -113,7 +113,7 @@ let says () =
     "let s = 2\nprocess p = box(s, s, s) mass 1 [nil]\ncheck c : always x(p) < 3\n"
 
 let random =
-  QCheck2.Test.make ~count:300 ~name:"read (write m) = m" ~print:Printer.model Gen.model (fun m ->
+  QCheck2.Test.make ~count:150 ~name:"read (write m) = m" ~print:Printer.model Gen.model (fun m ->
       (* Random vertices and faces are of no solid: such a shape has no set of points. *)
       let rec solid (i : Ast.item) =
         match i.it with

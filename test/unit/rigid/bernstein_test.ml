@@ -35,7 +35,7 @@ let sturm_roots p (low, high) = Algebraic.roots p ~low ~high:(Some high)
 let same_roots =
   let print (p, (low, high)) =
     Printf.sprintf "%s in (%s, %s)" (Polynomial.to_string p) (Rat.to_string low)
-      (Rat.to_string high) in QCheck2.Test.make ~name:"roots" ~count:2000 ~print Gen.(pair polynomial interval)
+      (Rat.to_string high) in QCheck2.Test.make ~name:"roots" ~count:1000 ~print Gen.(pair polynomial interval)
     (fun (p, (low, high)) -> QCheck2.assume (not (Polynomial.is_zero p));
       let found = List.map algebraic (Bernstein.roots p ~low ~high) in
       let expected = if proper (low, high) then sturm_roots p (low, high) else [] in
@@ -72,12 +72,12 @@ let agrees p after until =
     (Algebraic.to_string (algebraic after)) (Rat.to_string until) (show_root found) (show_root expected)
 
 let from_rational =
-  QCheck2.Test.make ~name:"first negative after a rational" ~count:2000 Gen.(pair polynomial interval)
+  QCheck2.Test.make ~name:"first negative after a rational" ~count:1000 Gen.(pair polynomial interval)
     (fun (p, (low, high)) -> agrees p (Bernstein.rational low) high)
 
 (* The start is a root, often one of the polynomial too. *)
 let from_root =
-  QCheck2.Test.make ~name:"first negative after a root" ~count:2000 Gen.(triple polynomial polynomial interval)
+  QCheck2.Test.make ~name:"first negative after a root" ~count:1000 Gen.(triple polynomial polynomial interval)
     (fun (p, q, (low, high)) ->
        QCheck2.assume (not (Polynomial.is_zero q));
        List.for_all
@@ -85,7 +85,7 @@ let from_root =
          (Bernstein.roots q ~low ~high))
 
 let comparison =
-  QCheck2.Test.make ~name:"comparison" ~count:1000 Gen.(triple polynomial polynomial interval)
+  QCheck2.Test.make ~name:"comparison" ~count:500 Gen.(triple polynomial polynomial interval)
     (fun (p, q, (low, high)) ->
        QCheck2.assume (not (Polynomial.is_zero p || Polynomial.is_zero q));
        let all = Bernstein.roots p ~low ~high @ Bernstein.roots (Polynomial.mul p q) ~low ~high in
@@ -98,7 +98,7 @@ let comparison =
          all)
 
 let halves =
-  QCheck2.Test.make ~name:"halves" ~count:1000 Gen.(pair polynomial interval) (fun (p, (low, high)) ->
+  QCheck2.Test.make ~name:"halves" ~count:500 Gen.(pair polynomial interval) (fun (p, (low, high)) ->
       QCheck2.assume (proper (low, high));
       let whole = Bernstein.make p ~low ~high in
       let l, r = Bernstein.halve whole in
@@ -121,7 +121,7 @@ let halves =
       && Z.sign (last l) = Polynomial.sign_at p l.high)
 
 let narrowed =
-  QCheck2.Test.make ~name:"narrowing and moving" ~count:200 Gen.(triple polynomial interval rational)
+  QCheck2.Test.make ~name:"narrowing and moving" ~count:100 Gen.(triple polynomial interval rational)
     (fun (p, (low, high), shift) ->
        QCheck2.assume (not (Polynomial.is_zero p));
        let width = ratio 1 1000 and scale = ratio 3 7 in
@@ -138,7 +138,7 @@ let narrowed =
          (Bernstein.roots p ~low ~high))
 
 let odd_parts =
-  QCheck2.Test.make ~name:"odd part" ~count:1000 ~print:Polynomial.to_string product (fun p ->
+  QCheck2.Test.make ~name:"odd part" ~count:500 ~print:Polynomial.to_string product (fun p ->
       let odd = Polynomial.odd_part p in
       let at x = Polynomial.sign_at p x = 0 || Polynomial.sign_at p x = Polynomial.sign_at odd x in
       List.for_all (fun i -> at (ratio i 7)) (List.init 60 (fun i -> i - 30))

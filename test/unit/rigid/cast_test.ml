@@ -302,28 +302,28 @@ let suite =
   let cases =
     Scc_test_support.Property.cases
       [
-        QCheck2.Test.make ~count:200 ~name:"what is proved is so"
+        QCheck2.Test.make ~count:100 ~name:"what is proved is so"
           ~print:(fun (c, _) -> print c)
           (Gen.pair (flying any_solid) proof) proofs_hold;
-        property ~count:400 "flying solids" (flying any_solid) agrees;
-        property ~count:12 "flying hulls" (flying hulls) agrees;
-        property ~count:800 "a vertex to a place on the surface" (meeting any_solid) agrees;
+        property ~count:200 "flying solids" (flying any_solid) agrees;
+        property ~count:6 "flying hulls" (flying hulls) agrees;
+        property ~count:400 "a vertex to a place on the surface" (meeting any_solid) agrees;
         property ~count:8 "a vertex to a place on the surface of a hull" (meeting hulls) agrees;
-        QCheck2.Test.make ~count:400 ~name:"a grid that counts from before"
+        QCheck2.Test.make ~count:200 ~name:"a grid that counts from before"
           ~print:(fun (c, phase) -> print c ^ "\nphase " ^ Rat.to_string phase)
           (Gen.pair
              (Gen.oneof [ flying any_solid; meeting any_solid ])
              (Gen.oneof
                 [ Gen.map (fun k -> ratio k 97) Gen.(0 -- 97); Gen.map (fun k -> ratio k 1024) Gen.(0 -- 1024) ]))
           agrees_later;
-        QCheck2.Test.make ~count:160 ~name:"touching at first"
+        QCheck2.Test.make ~count:80 ~name:"touching at first"
           ~print:(QCheck2.Print.option print)
           resting
           (Option.fold ~none:true ~some:agrees);
-        property ~count:120 "far away, great and small" (changed (flying any_solid)) agrees;
-        property ~count:120 "far away, great and small: a vertex to a place" (changed (meeting simple)) agrees;
-        property ~count:40 "no point is faster than the bound" (flying any_solid) sound_bound;
-        QCheck2.Test.make ~count:40 ~name:"the grid is the coarsest that will do"
+        property ~count:60 "far away, great and small" (changed (flying any_solid)) agrees;
+        property ~count:60 "far away, great and small: a vertex to a place" (changed (meeting simple)) agrees;
+        property ~count:20 "no point is faster than the bound" (flying any_solid) sound_bound;
+        QCheck2.Test.make ~count:20 ~name:"the grid is the coarsest that will do"
           (Gen.pair (flying any_solid) (Gen.map2 (fun a b -> ratio a b) Gen.(1 -- 99) Gen.(1 -- 1_000_000)))
           right_grid;
       ]

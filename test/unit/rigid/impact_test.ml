@@ -364,14 +364,14 @@ let suite =
          Alcotest.test_case "symmetric spins" `Quick head_on ] );
      ( "properties",
        Scc_test_support.Property.cases
-         [ property "momentum, angular momentum and energy are kept" ~count:1200 (bounced keeps);
-           property "a fixed body takes nothing" ~count:200 ~gen:also_fixed (bounced with_fixed);
-           property "what approached leaves" ~count:400 ~gen:also_fixed (bounced reflected);
-           property "there is a response iff a contact approaches" ~count:200 ~gen:also_fixed answered;
-           property "repeated collisions end" ~count:240 ends;
-           property "mirrored" ~count:200 ~gen:also_fixed mirrored;
-           property "exchanged" ~count:200 ~gen:also_fixed exchanged;
-           of_real "real contacts: kept" ~count:80 (bounced_really keeps);
-           of_real "real contacts: what approached leaves" ~count:80 (bounced_really reflected);
-           property "bind" ~count:200 ~gen:also_fixed bound;
-           property "split" ~count:200 ~gen:also_fixed split ] ) ])
+         [ property "momentum, angular momentum and energy are kept" ~count:600 (bounced keeps);
+           property "a fixed body takes nothing" ~count:100 ~gen:also_fixed (bounced with_fixed);
+           property "what approached leaves" ~count:200 ~gen:also_fixed (bounced reflected);
+           property "there is a response iff a contact approaches" ~count:100 ~gen:also_fixed answered;
+           property "repeated collisions end" ~count:120 ends;
+           property "mirrored" ~count:100 ~gen:also_fixed mirrored;
+           property "exchanged" ~count:100 ~gen:also_fixed exchanged;
+           of_real "real contacts: kept" ~count:40 (bounced_really keeps);
+           of_real "real contacts: what approached leaves" ~count:40 (bounced_really reflected);
+           property "bind" ~count:100 ~gen:also_fixed bound;
+           property "split" ~count:100 ~gen:also_fixed split ] ) ])

@@ -65,13 +65,13 @@ let show3 (a, b, c) = String.concat "; " (List.map show [ a; b; c ])
 
 let suite =
   let body = placed any_turn halves in
-  let three name f = QCheck2.Test.make ~name ~count:100 ~print:show3 (Gen.triple body body body) f in
+  let three name f = QCheck2.Test.make ~name ~count:50 ~print:show3 (Gen.triple body body body) f in
   ("mass",
    [ ( "known",
        [ Alcotest.test_case "a box" `Quick of_box; Alcotest.test_case "a box cut into two boxes" `Quick cut ] );
      ( "properties",
        Scc_test_support.Property.cases
-         [ property "the integrals over the turned solid" ~count:200 body turned;
-           property "symmetric and positive" ~count:200 body positive;
+         [ property "the integrals over the turned solid" ~count:100 body turned;
+           property "symmetric and positive" ~count:100 body positive;
            three "the whole does not depend on the bracketing" joined;
            three "parts that move as one" moving ] ) ])

@@ -142,7 +142,7 @@ let sound (a, b) =
     && List.exists (same_pair c.highest) c.pairs
 
 let transported =
-  QCheck2.Test.make ~name:"a motion of the whole world moves all with it" ~count:60
+  QCheck2.Test.make ~name:"a motion of the whole world moves all with it" ~count:30
     ~print:(fun (p, _) -> print p)
     (Gen.pair (Gen.oneof [ nearly; touching_pair ]) motion)
     (fun (p, m) -> of_touching (moved_along m) p)
@@ -161,7 +161,7 @@ let in_space (p : Flat.point) = Vec.make (Q.of_bigint p.x) (Q.of_bigint p.y) Rat
 
 (* Relative interiors as {!Solids.Naive} has them; and the corners of the region are those of the other order. *)
 let flat =
-  QCheck2.Test.make ~name:"flat shapes" ~count:400
+  QCheck2.Test.make ~name:"flat shapes" ~count:200
     ~print:(fun (p, q) -> show_points p ^ "; " ^ show_points q)
     (Gen.pair flat_points flat_points)
     (fun (p, q) ->
@@ -248,8 +248,8 @@ let suite =
          Alcotest.test_case "projections (reading I-3)" `Quick figure_7 ] );
      ( "properties",
        Scc_test_support.Property.cases
-         [ property "hardly apart is as touching" ~count:120 as_exact;
-           property "touching is what it is without turns" ~count:80 exactly;
-           nearly_property "from both sides the same" ~count:80 from_both_sides;
-           property "from both sides the same, touching" ~count:40 from_both_sides;
-           nearly_property "nearly touching" ~count:120 sound; transported; flat ] ) ])
+         [ property "hardly apart is as touching" ~count:60 as_exact;
+           property "touching is what it is without turns" ~count:40 exactly;
+           nearly_property "from both sides the same" ~count:40 from_both_sides;
+           property "from both sides the same, touching" ~count:20 from_both_sides;
+           nearly_property "nearly touching" ~count:60 sound; transported; flat ] ) ])

@@ -156,7 +156,7 @@ let scene_bodies (s : Solids.scene) =
   (body (Solids.solid ~id:0 s.a) Vec.zero, body (Solids.solid ~id:1 s.b) s.r ~velocity:s.w)
 
 let cast name gen =
-  Solids.property name ~count:120 ~gen (fun s ->
+  Solids.property name ~count:60 ~gen (fun s ->
       let a, b = scene_bodies s in
       let until = Rat.of_int 2 in
       let found = Sweep.first_penetration a b ~from:Rat.zero ~until and expected = without_turning a b ~until in

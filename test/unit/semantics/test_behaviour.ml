@@ -45,14 +45,14 @@ let gen_behaviour =
 let equal = Behaviour.equal_aged
 
 let additivity =
-  QCheck2.Test.make ~name:"TimeBehaviour: time is additive" ~count:2000
+  QCheck2.Test.make ~name:"TimeBehaviour: time is additive" ~count:1000
     (Gen.triple gen_behaviour gen_time gen_time) (fun (b, d, e) ->
         let b = Behaviour.fresh b in
         equal (Behaviours.pass defs (Rat.add d e) b) (Behaviours.pass defs e (Behaviours.pass defs d b)))
 
 let before_horizon =
   QCheck2.Test.make ~name:"TimeBehaviour: the horizon shrinks by what has passed, and offers stay till then"
-    ~count:2000
+    ~count:1000
     (Gen.triple gen_behaviour (Gen.int_range 1 7) Gen.unit)
     (fun (b, k, ()) ->
        let b = Behaviour.fresh b in
@@ -67,7 +67,7 @@ let before_horizon =
             = List.length (List.map strip (Behaviours.derivations defs later)))
 
 let order =
-  QCheck2.Test.make ~name:"canonical terms: compare is an order that hash respects" ~count:2000
+  QCheck2.Test.make ~name:"canonical terms: compare is an order that hash respects" ~count:1000
     (Gen.triple gen_behaviour gen_behaviour gen_behaviour) (fun (a, b, c) ->
         let sign x = Int.compare x 0 in
         sign (Behaviour.compare a b) = Stdlib.( ~- ) (sign (Behaviour.compare b a))

@@ -48,7 +48,7 @@ let stopping bodies pairs =
   List.sort_uniq compare (List.filter (fun first -> not (is_busy first)) stops)
 
 let as_a_list =
-  QCheck2.Test.make ~count:1000 ~name:"pairs and what comes of them"
+  QCheck2.Test.make ~count:500 ~name:"pairs and what comes of them"
     ~print:QCheck2.Print.(list print)
     Gen.(list_size (0 -- 80) step)
     (fun steps ->

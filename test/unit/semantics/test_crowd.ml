@@ -240,12 +240,12 @@ let follow (m, declared) choices =
   go (Event_run.start c state) 0 state choices
 
 let crowds =
-  QCheck2.Test.make ~name:"crowds" ~count:120 ~print
+  QCheck2.Test.make ~name:"crowds" ~count:60 ~print
     Gen.(pair random_crowd (list_size (pure 60) nat))
     (fun (c, choices) -> follow (network c) choices)
 
 let rows =
-  QCheck2.Test.make ~name:"rows whose bonds are left to chance" ~count:120 ~print
+  QCheck2.Test.make ~name:"rows whose bonds are left to chance" ~count:60 ~print
     Gen.(pair random_rows (list_size (pure 60) nat))
     (fun (c, choices) -> follow (network c) choices)
 

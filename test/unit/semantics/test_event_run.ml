@@ -88,7 +88,7 @@ let property name ~count ~steps networks adapt ~looks =
 
 (* Three that collide at once are resolved as one, in the same order (reading I-32). *)
 let together =
-  QCheck2.Test.make ~name:"collisions together" ~count:300 ~print
+  QCheck2.Test.make ~name:"collisions together" ~count:150 ~print
     (Gen.pair (Random_network.generate ()) (choices 40))
     (fun (network, choices) ->
        let m, s = Random_network.start network in
@@ -96,7 +96,7 @@ let together =
 
 (* Leaves of one process that bind to each other, while others collide (reading I-37). *)
 let rings =
-  QCheck2.Test.make ~name:"bonds that close rings" ~count:300 ~print
+  QCheck2.Test.make ~name:"bonds that close rings" ~count:150 ~print
     (Gen.pair Random_network.linked (choices 40))
     (fun (network, choices) ->
        let m, s = Random_network.start network in
@@ -105,7 +105,7 @@ let rings =
 (* Bonds may be released at any time, and time may pass by less than it could (rule Time): two thirds of it, or 5/7
    where there is no end. *)
 let any_time =
-  QCheck2.Test.make ~name:"releases at any time" ~count:400 ~print
+  QCheck2.Test.make ~name:"releases at any time" ~count:200 ~print
     (Gen.pair (Random_network.generate ()) (choices 40))
     (fun (network, choices) ->
        let m, s = Random_network.start network in
@@ -149,21 +149,21 @@ let always _ = true
 let seldom step = step mod 7 = 6
 
 let small =
-  property "small networks" ~count:600 ~steps:40 (Random_network.generate ()) Fun.id ~looks:always
+  property "small networks" ~count:300 ~steps:40 (Random_network.generate ()) Fun.id ~looks:always
 
 let unseen =
-  property "whether the states are looked at or not" ~count:200 ~steps:60 (Random_network.generate ()) Fun.id
+  property "whether the states are looked at or not" ~count:100 ~steps:60 (Random_network.generate ()) Fun.id
     ~looks:seldom
 
 let far_away =
-  property "with bodies far away" ~count:60 ~steps:40 (Random_network.generate ())
+  property "with bodies far away" ~count:30 ~steps:40 (Random_network.generate ())
     Random_network.with_bystanders ~looks:seldom
 
-let crowds = property "crowds" ~count:150 ~steps:120 Random_network.crowd Fun.id ~looks:seldom
+let crowds = property "crowds" ~count:75 ~steps:120 Random_network.crowd Fun.id ~looks:seldom
 
 (* The run may start from any state, with split clocks at any time and in the midst of a passing of time. *)
 let later =
-  QCheck2.Test.make ~name:"from the midst of a run" ~count:200 ~print
+  QCheck2.Test.make ~name:"from the midst of a run" ~count:100 ~print
     (Gen.pair (Random_network.generate ()) (choices 40))
     (fun (network, choices) ->
        let m, s = Random_network.start network in
@@ -235,7 +235,7 @@ let boxed ?(keeps_time = false) velocities =
 
 let in_a_box =
   let velocity = Gen.(triple (-4 -- 4) (-4 -- 4) (-4 -- 4)) in
-  QCheck2.Test.make ~name:"a box with long walls" ~count:40
+  QCheck2.Test.make ~name:"a box with long walls" ~count:20
     Gen.(triple (list_size (1 -- 12) velocity) (choices 100) bool)
     (fun (velocities, choices, keeps_time) ->
        let m, s = boxed ~keeps_time velocities in

@@ -87,25 +87,25 @@ let property name ~count ~steps ?(adapt = Fun.id) ?(looks = always) (print, mode
 let translational = (Random_network.print, Random_network.model, Random_network.declared)
 let steered = Random_network.switched ~steered:true ()
 
-let small = property "small networks" ~count:60 ~steps:30 translational steered
+let small = property "small networks" ~count:30 ~steps:30 translational steered
 let by_constants =
-  property "laws that never change" ~count:60 ~steps:30 ~adapt:with_constant_laws translational steered
+  property "laws that never change" ~count:30 ~steps:30 ~adapt:with_constant_laws translational steered
 
 let unseen =
-  property "whether the states are looked at or not" ~count:40 ~steps:40 ~adapt:with_constant_laws ~looks:seldom
+  property "whether the states are looked at or not" ~count:20 ~steps:40 ~adapt:with_constant_laws ~looks:seldom
     translational steered
 
 (* So many bodies that neighbours are looked for in other ways. *)
 let many =
-  property "with bodies far away" ~count:25 ~steps:40 ~adapt:with_constant_laws translational
+  property "with bodies far away" ~count:13 ~steps:40 ~adapt:with_constant_laws translational
     (Gen.map Random_network.with_bystanders steered)
 
 let rounding =
-  property "velocities that are rounded" ~count:80 ~steps:30 ~adapt:(fun m -> { m with round_velocity = Some 1 })
+  property "velocities that are rounded" ~count:40 ~steps:30 ~adapt:(fun m -> { m with round_velocity = Some 1 })
     translational steered
 
 let turning =
-  property "bodies that turn" ~count:20 ~steps:20 ~adapt:with_constant_laws
+  property "bodies that turn" ~count:10 ~steps:20 ~adapt:with_constant_laws
     (Random_rigid.print, Random_rigid.model, Random_rigid.declared)
     (Random_rigid.generate { Random_rigid.anything with laws = true; switched = true; rounds = true })
 

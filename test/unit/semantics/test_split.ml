@@ -134,14 +134,14 @@ let brute_force (m : Model.t) (p : State.process) =
 let strings m labels = List.sort String.compare (List.map (Transition.label_to_string m) labels)
 
 let strong_is_brute_force name gen =
-  QCheck2.Test.make ~name ~count:3000 gen (fun tree ->
+  QCheck2.Test.make ~name ~count:1500 gen (fun tree ->
       let m, s = setup tree in
       let p = s.processes.(0) in
       let mine = List.map (fun (o : Transition.outcome) -> o.label) (Splits.strong (standard m) p) in
       List.equal String.equal (strings m mine) (strings m (brute_force m p)))
 
 let pieces_keep_everything ?(rings = false) name gen =
-  QCheck2.Test.make ~name ~count:1000 gen (fun tree ->
+  QCheck2.Test.make ~name ~count:500 gen (fun tree ->
       let m, s = setup tree in
       let p = s.processes.(0) in
       let count f l = List.fold_left (fun n x -> Stdlib.( + ) n (f x)) 0 l in

@@ -110,7 +110,7 @@ let follow (m, declared) choices =
   | Error _, _ | _, Error _ -> failwith "laws that are constant"
 
 let crowds =
-  QCheck2.Test.make ~name:"crowds that stop" ~count:60 ~print
+  QCheck2.Test.make ~name:"crowds that stop" ~count:30 ~print
     Gen.(pair random (list_size (pure 40) nat))
     (fun (w, choices) -> follow (network w) choices)
 
@@ -128,7 +128,7 @@ let in_corners =
   { crowd; blocked; askew = true; by_contact = false; own = false; tall; absorbs = false; drawn = false }
 
 let corners =
-  QCheck2.Test.make ~name:"walkers that bind in corners" ~count:60 ~print
+  QCheck2.Test.make ~name:"walkers that bind in corners" ~count:30 ~print
     Gen.(pair in_corners (list_size (pure 30) nat))
     (fun (w, choices) -> follow (network w) choices)
 

@@ -88,7 +88,7 @@ let comments_idempotent =
 
 (* Any bytes, and pieces of models cut and joined at random: an answer, never an exception. *)
 let total gen name =
-  test ~count:500 name ~print:String.escaped gen (fun text ->
+  test ~count:250 name ~print:String.escaped gen (fun text ->
       match Parse.parse (Support.source text) with
       | Ok _ -> true
       | Error ds ->

@@ -33,7 +33,7 @@ let plane = Gen.(pair (pair (polyhedron 2) (polyhedron 2)) (list_size (pure 6) (
 
 let at_points what law =
   let holds ((p, q), others) = List.for_all (law p q) (probes p q others) in
-  Test.make ~name:what ~count:400 ~print:(fun (two, _) -> print_two two) plane holds
+  Test.make ~name:what ~count:200 ~print:(fun (two, _) -> print_two two) plane holds
 
 let ( => ) a b = (not a) || b
 let mem = Polyhedron.mem
@@ -63,7 +63,7 @@ let is_inequality (c : Constraint.t) = c.relation <> Equal
 let glances =
   let law what holds =
     let print (c, d) = print_two (of_constraint c, of_constraint d) in
-    Test.make ~name:what ~count:4000 ~print pair_of_constraints holds
+    Test.make ~name:what ~count:2000 ~print pair_of_constraints holds
   in
   [ law "a constraint that is seen to follow does" (fun (c, d) ->
         match Constraint.glance c d with
@@ -120,7 +120,7 @@ let set_laws =
         Polyhedron.included p q => (mem p x => mem q x));
     at_points "the closure contains it" (fun p _ x -> mem p x => mem (Polyhedron.closure p) x) ]
 
-let law what law = Test.make ~name:what ~count:300 ~print:print_two Gen.(pair (polyhedron 3) (polyhedron 3)) law
+let law what law = Test.make ~name:what ~count:150 ~print:print_two Gen.(pair (polyhedron 3) (polyhedron 3)) law
 
 let algebra =
   let u p = Union.of_polyhedron p in
@@ -170,7 +170,7 @@ let functions =
   let parts = Gen.(list_size (1 -- 4) (list_size (1 -- 3) (constraint_ 2))) in
   let probe = Gen.(list_size (pure 8) (array_size (pure 3) fraction)) in
   let gen = Gen.(quad parts (pair (form 3) (form 3)) (polyhedron 2) probe) in
-  [ Test.make ~name:"a function of forms" ~count:500 gen (fun (parts, (a, b), set, probe) ->
+  [ Test.make ~name:"a function of forms" ~count:250 gen (fun (parts, (a, b), set, probe) ->
         let s = Piecewise.space () in
         let number k = Piecewise.constant s { least = Rat.of_int k; most = Rat.of_int k } in
         let part k constraints =
@@ -194,7 +194,7 @@ let projections =
     not (Polyhedron.is_empty (Polyhedron.add_all p [ fixed 0 x; fixed 1 y ]))
   in
   let gen = Gen.(pair (polyhedron 3) (list_size (pure 8) (pair fraction fraction))) in
-  [ Test.make ~name:"a point is in a projection iff its fibre has a point" ~count:500 gen (fun (p, points) ->
+  [ Test.make ~name:"a point is in a projection iff its fibre has a point" ~count:250 gen (fun (p, points) ->
         let shadow = Polyhedron.project p [| 0; 1 |] in
         let corners = List.filter_map Fun.id [ Polyhedron.corner shadow; Polyhedron.point shadow ] in
         let points = points @ List.map (fun a -> (a.(0), a.(1))) corners in
@@ -238,7 +238,7 @@ let brute_force =
       | Some (Bound { value; _ }) -> Rat.equal value greatest
       | Some Unbounded | None -> false
   in
-  [ Test.make ~name:"emptiness and bounds, against all vertices" ~count:1000 gen compare_with ]
+  [ Test.make ~name:"emptiness and bounds, against all vertices" ~count:500 gen compare_with ]
 
 (* {1 Volumes} *)
 
@@ -272,12 +272,12 @@ let volumes =
     let twice = volume (Polyhedron.inter p q) in
     Rat.equal (Rat.add once twice) (Rat.add (volume p) (volume q))
   in
-  [ Test.make ~name:"a simplex has the volume of its determinant" ~count:200 matrix (fun m ->
+  [ Test.make ~name:"a simplex has the volume of its determinant" ~count:100 matrix (fun m ->
         let forms = Array.map (fun row -> Linear.make ~constant:Rat.one (Array.map Rat.of_int row)) m in
         let expected = Rat.make (Z.of_int (abs (determinant m))) (Z.of_int 6) in
         Rat.equal expected (volume (Polyhedron.image unit_simplex forms)));
-    Test.make ~name:"volumes add up over a cut" ~count:200 Gen.(pair (polyhedron 3) (constraint_ 3)) cut;
-    Test.make ~name:"a union has what is in both once" ~count:100 ~print:print_two
+    Test.make ~name:"volumes add up over a cut" ~count:100 Gen.(pair (polyhedron 3) (constraint_ 3)) cut;
+    Test.make ~name:"a union has what is in both once" ~count:50 ~print:print_two
       Gen.(pair (polyhedron 3) (polyhedron 3)) both ]
 
 let () =

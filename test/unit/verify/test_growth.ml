@@ -218,14 +218,14 @@ let kinds_of asked text =
 
 (* Within walls nothing leaves, nor does all of it drift. *)
 let in_rooms =
-  QCheck2.Test.make ~name:"in a room no wall is named" ~count:40 ~print:(walkers_text ~closed:true) some_walkers
+  QCheck2.Test.make ~name:"in a room no wall is named" ~count:20 ~print:(walkers_text ~closed:true) some_walkers
     (fun w ->
        let kinds = kinds_of (few 300) (walkers_text ~closed:true w) in
        not (List.mem "leaves" kinds || List.mem "drifts" kinds))
 
 (* What is named in open space is not where the room has been built around it. *)
 let in_the_open =
-  QCheck2.Test.make ~name:"in the open a wall helps" ~count:20 ~print:(walkers_text ~closed:false) some_walkers
+  QCheck2.Test.make ~name:"in the open a wall helps" ~count:10 ~print:(walkers_text ~closed:false) some_walkers
     (fun w ->
        let named kinds = List.mem "leaves" kinds || List.mem "drifts" kinds in
        (not (named (kinds_of (few 300) (walkers_text ~closed:false w))))
