@@ -38,6 +38,8 @@ class Course {
     this.#lay(run.start);
     /** @type {{ legs: number, bodies: Moving[] } | null} */
     this.last = null;
+    /** @type {Map<number, Segment[]> | null} */
+    this.byLeaf = null;
   }
 
   /**
@@ -148,6 +150,37 @@ class Course {
     const high = Twofold.of(time.n, time.d), low = Twofold.low[0];
     for (const body of this.last.bodies) body.at(time, high, low);
     return this.last.bodies;
+  }
+
+  /**
+   * The bodies that some leaves are in, as `bodiesAfter` has them: of large networks, without the others.
+   * @param {Iterable<number>} leaves @param {number} k @param {Rational} time
+   */
+  some(leaves, k, time) {
+    if (!this.byLeaf) {
+      /** @type {Map<number, Segment[]>} */
+      const all = new Map();
+      for (const segments of this.slots.values())
+        for (const s of segments)
+          for (const { leaf } of this.data.processes[s.index].leaves) {
+            const own = all.get(leaf);
+            if (own) own.push(s);
+            else all.set(leaf, [s]);
+          }
+      // Of those that begin together, what lasts comes last.
+      for (const own of all.values()) own.sort((a, b) => a.from - b.from || a.to - b.to);
+      this.byLeaf = all;
+    }
+    /** @type {Set<Moving>} */
+    const found = new Set();
+    for (const leaf of leaves) {
+      const own = this.byLeaf.get(leaf) || [], s = own[Course.#upTo(own, k) - 1];
+      if (!s || k >= s.to) continue;
+      if (!s.body) s.body = new Moving(this.data.processes[s.index], s.index, s.since);
+      s.body.at(time);
+      found.add(s.body);
+    }
+    return [...found];
   }
 
   /**

@@ -82,15 +82,21 @@ const Formulas = (() => {
     return found;
   }
 
+  /** @param {Compiled} formula @param {number} state @param {number} legs @param {Rational} time */
+  function at({ run, needs }, state, legs, time) {
+    const { data, course } = player, bodies = needs ? course.some(needs, legs, time) : course.bodiesAfter(legs, time);
+    return run(Meaning.view(data, course.leaves, state, bodies, time));
+  }
+
   /**
    * The exact value of one's own after so many legs, at a time, in a page from disk; a truth is 1 or 0.
    * @param {number} own @param {number} legs @param {Rational} time @returns {Rational | string} or why there is none
    */
   function value(own, legs, time) {
-    const { data, course, run } = player;
+    const { course, run } = player;
     try {
       const state = legs === 0 ? run.start : course.legs[legs - 1].after;
-      const found = compile(all[own].text).run(Meaning.view(data, course.leaves, state, course.bodiesAfter(legs, time), time));
+      const found = at(compile(all[own].text), state, legs, time);
       return found instanceof Nothing ? found.why : typeof found === "boolean" ? (found ? Rational.one : Rational.zero) : found;
     } catch (error) {
       return Grow.said(error);
@@ -102,9 +108,9 @@ const Formulas = (() => {
    * @param {string} text
    */
   function evaluate(text) {
-    const { data, course, legs, time, state } = player;
+    const { legs, time, state } = player;
     try {
-      const found = compile(text).run(Meaning.view(data, course.leaves, state, course.bodiesAfter(legs, time), time));
+      const found = at(compile(text), state, legs, time);
       return found instanceof Nothing ? { value: null, why: found.why } : { value: typeof found === "boolean" ? found : Rational.text(found) };
     } catch (error) {
       if (!(error instanceof Reader.Wrong)) throw error;

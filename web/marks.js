@@ -43,7 +43,7 @@ class Marks {
     for (const [channel, color] of this.scene.bodies.channels)
       for (const co of [false, true])
         if (open.some((o) => o.channel === channel && o.co === co))
-          entries.push({ text: co ? `~${channel}` : channel, color, shape: co ? "co" : "name" });
+          entries.push({ text: `${co ? "~" : ""}${channel} (channel)`, color, shape: co ? "co" : "name" });
     return entries;
   }
 

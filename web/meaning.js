@@ -8,7 +8,8 @@
  * @typedef {{ data: PageData, leaves: DataLeaf[], state: number, time: Rational | null, bodies: Moving[],
  *   seats: Map<number, Seat> }} View  A state, some time after it was reached; without a time where several runs lead to it.
  * @typedef {Rational | boolean | Nothing} Value
- * @typedef {{ type: "number" | "truth", run: (view: View) => Value }} Compiled
+ * @typedef {{ type: "number" | "truth", run: (view: View) => Value, needs?: Set<number> | null }} Compiled
+ *   A formula as a function; at last, the leaves that it depends on, or null: on all.
  * @typedef {Map<string, { leaf?: number, value?: Rational }>} Bound  Variables of quantifiers.
  */
 class Nothing {
@@ -172,7 +173,9 @@ const Meaning = (() => {
       ...data.processes.flatMap(({ bonds }) => bonds.map(({ name }) => name)),
     ]);
     const written = (/** @type {string} */ word) => data.text.split(/[^A-Za-z0-9_']+/).includes(word);
-    let size = 0;
+    let size = 0, wide = false;
+    /** @type {Set<number>} */
+    const needs = new Set();
 
     /** @param {string} why @param {Term} at @returns {never} */
     const wrong = (why, at) => {
@@ -195,8 +198,13 @@ const Meaning = (() => {
     function leaf(term, bound) {
       if (term.kind !== "path") return wrong("the name of a body is expected here", term);
       const name = label(term, bound), variable = bound.get(name);
-      if (variable && variable.leaf !== undefined) return variable.leaf;
-      return named.get(name) ?? wrong(`there is no body “${Dom.clip(name, 60)}”`, term);
+      if (variable && variable.leaf !== undefined) {
+        needs.add(variable.leaf);
+        return variable.leaf;
+      }
+      const found = named.get(name);
+      if (found !== undefined) needs.add(found);
+      return found ?? wrong(`there is no body “${Dom.clip(name, 60)}”`, term);
     }
 
     /** @param {Term} term @param {Bound} bound */
@@ -413,8 +421,10 @@ const Meaning = (() => {
       if (![0, 1, 3].includes(args.length)) wrong("“bonds” takes a channel, or a channel and two bodies", term);
       const name = args.length > 0 ? channel(args[0], bound) : null;
       const is = (/** @type {DataBond} */ bond) => name === null || bond.name === name;
-      if (args.length < 3)
+      if (args.length < 3) {
+        wide = true;
         return { type: "number", run: ({ bodies }) => whole(bodies.reduce((sum, { process }) => sum + process.bonds.filter(is).length, 0)) };
+      }
       const [p, q] = [leaf(args[1], bound), leaf(args[2], bound)];
       return { type: "number", run: ofAny(p, Rational.zero, ({ process }) => whole(process.bonds.filter((bond) => is(bond) && joins(bond, p, q)).length)) };
     }
@@ -427,14 +437,19 @@ const Meaning = (() => {
         const value = Rational.of(values[name]);
         return { type: "number", run: () => value };
       }
-      if (has(alone, name)) return alone[name];
+      if (has(alone, name)) {
+        wide = wide || name === "processes" || name === "energy";
+        return alone[name];
+      }
       const axis = /^momentum\.([xyz])$/.exec(name);
+      wide = wide || axis !== null;
       if (axis) return { type: "number", run: (view) => sum(view, (_, mass, v) => Rational.mul(mass, v[axes.indexOf(axis[1])])) };
       if (named.has(name)) return wrong("say what of a body is meant, as in x(p)", term);
       return wrong(`the page does not know “${Dom.clip(name, 60)}”; the names that a model defines ${served}`, term);
     }
 
-    return term_(Reader.read(text), new Map());
+    const made = term_(Reader.read(text), new Map());
+    return { ...made, needs: wide ? null : needs };
   }
 
   return { compile, view, reached };

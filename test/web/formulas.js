@@ -16,14 +16,15 @@ const [instants, formulas] = JSON.parse(fs.readFileSync(0, "utf8"));
 
 const views = instants.map(([legs, text]) => {
   const time = Rational.of(text), state = legs === 0 ? course.start : course.legs[legs - 1].after;
-  return () => Meaning.view(data, course.leaves, state, course.bodiesAfter(legs, time), time);
+  const of = (bodies) => Meaning.view(data, course.leaves, state, bodies, time);
+  return ({ needs }) => of(needs ? course.some(needs, legs, time) : course.bodiesAfter(legs, time));
 });
 
 const found = formulas.map((text) => {
   try {
     const formula = Meaning.compile(data, course.leaves, data.parameters, text);
     return views.map((view) => {
-      const value = formula.run(view());
+      const value = formula.run(view(formula));
       return value instanceof Nothing ? null : typeof value === "boolean" ? (value ? "1" : "0") : Rational.text(value);
     });
   } catch (error) {

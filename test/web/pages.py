@@ -230,6 +230,35 @@ def found_states(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
+def small(b, scc):
+    """The list of runs grows with the window; the legend tells channels from bodies; crowds say what can be plotted."""
+    b.open(scc.view(HEXOKINASE))
+    hidden = 'const box = document.querySelector(".cards"); return box.scrollHeight - box.clientHeight'
+    check('in a low window the list scrolls', b.js(hidden) > 0)
+    b.size(1400, 1400)
+    b.wait('return innerHeight === 1400')
+    check('in a tall one all runs are seen', b.js(hidden) <= 1, b.js(hidden))
+    b.size(1400, 900)
+    names = b.js("""
+      const word = Overlay.prototype.word, seen = [];
+      Overlay.prototype.word = function (text, ...more) { seen.push(text); return word.call(this, text, ...more); };
+      scc.go(0);
+      return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
+        Overlay.prototype.word = word;
+        done(seen);
+      })));""")
+    check('a body and a channel of one name', 'atp' in names and 'atp (channel)' in names and '~atp (channel)' in names, names)
+    model = scc.file('.sc')
+    with open(model, 'w', encoding='utf-8') as f:
+        f.write('import <solids>\nfor i in 1..200 { process p[i] = solids.Cube(1) mass 1 velocity (1, 0, 0) at translate (0, 2*i, 0) [nil] }\n'
+                'check calm : always energy >= 0 within 1\n')
+    b.open(scc.view(model))
+    check('a crowd has examples of what to plot', 'x(p[1])' in b.find('plot-input').get_attribute('placeholder'))
+    b.find('plot-input').send_keys('distance2(p[1], p[200])', Keys.ENTER)
+    same('which is plotted', b.js('return scc.plots().slice(-1)[0].value'), str((2 * 199) ** 2))
+    same('the console is told nothing', b.complaints(), [])
+
+
 def formulas(b, scc):
     """Any number in a page from disk: drawn, exact, in the address, against another one; and what is wrong is said."""
     b.open(scc.view('specs/models/billiard.sc', '--graph', '50', '--seconds', '20'))
@@ -817,4 +846,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, graphs, found_states, events, formulas, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, hostile, far_away, motion, lost_context, no_states_beyond, large]
+PARTS = [by_mouse, graphs, found_states, events, formulas, small, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, hostile, far_away, motion, lost_context, no_states_beyond, large]

@@ -52,7 +52,7 @@ let none why = Curve_json.Whole (None_as why)
 let value t all extent num =
   let value state = Curves.value (States.semantics t.world) state extent num in
   match scope t num with
-  | Unknown -> none "it takes all bodies of a large network, and is not computed"
+  | Unknown -> none "it takes all bodies of a large network, and is not computed: choose a number of some"
   | Of leaves when List.exists (fun leaf -> Option.is_none t.homes.(leaf)) leaves -> none "a body is gone"
   | Of leaves ->
     let add kept p = if List.exists (fun q -> first q = first p) kept then kept else p :: kept in

@@ -56,7 +56,8 @@ let behaviour_format =
         ~about:"The name of the definition that it comes from.";
       field "open" (list channel) channels
         ~about:"The channels that are open now, with the features they are listed with.";
-      field "releases" (list some_text) releases ~about:"The channels of its weak and strong splits, as they are now.";
+      field "releases" (list some_text) releases
+        ~about:"The channels of its weak and strong splits, as they are now.";
     ]
   |> Rows.named "behaviour"
 
