@@ -39,6 +39,14 @@ Runs that do not come on.
     share of runs that passed each level, and came to the goal: 0.31, 1, 0.375
     all runs passed level 2: it can be left out
 
+A level that is not passed before the goal.
+
+  $ far --levels 'x(walker) >= 1, 900' --property 'P = ? [ eventually (not gone(walker) and x(walker) >= 3) ]'
+  property1: estimated: 1.667e-1, from 7.863e-2 to 5.944e-1 with confidence 99/100, 10 repetitions
+    at most 3.287e-1 if no repetition gives more than 4.8e-1, twice the greatest that was found: this is not proved
+    share of runs that passed each level, and came to the goal: 0.535, 0.315, 1
+    all runs from level 2 came to the goal: the level can be left out, or be a lower one
+
 What cannot be asked.
 
   $ far --levels 'x(walker) >= 2, 1'

@@ -303,7 +303,7 @@ Where k cannot stand, and where transitions would come and go.
    4 | motion p = choose { (1, 0, 0) weight 2*k*k - 1, (0, 0, 0) weight 1/(3*k - 1) }
      |                                      ^^^^^^^^^
     hint: a narrower range, as by `-D 'k=(LOW, HIGH)'`, may leave such values out
-  refused.sc:4:66: error[SC0207]: a division by zero for some value of `k`
+  refused.sc:4:66: error[SC0207]: a division by zero for k = 1/3
      |
    4 | motion p = choose { (1, 0, 0) weight 2*k*k - 1, (0, 0, 0) weight 1/(3*k - 1) }
      |                                                                  ^^^^^^^^^^^
@@ -354,17 +354,7 @@ What depends on the state is found when it comes up: here at x = 0, for k = 1/2.
   $ scc check refused.sc --parametric j
   command line: error[SC0209]: the model has no parameter `j`
     hint: did you mean `k`?
-  refused.sc:4:60: error[SC0218]: `k` is known by its range alone, and cannot stand here: the velocities and weights of a law of motion are numbers
-     |
-   4 | motion p = choose { (1, 0, 0) weight 1, (-1, 0, 0) weight (k - 1/2)*(k - 1/2) + x*x }
-     |                                                            ^
-    hint: `-D k=VALUE` gives it a value; ranges may stand in places and delays, in sums and multiples, and in weights and chances with `--parametric k`
-  refused.sc:4:70: error[SC0218]: `k` is known by its range alone, and cannot stand here: the velocities and weights of a law of motion are numbers
-     |
-   4 | motion p = choose { (1, 0, 0) weight 1, (-1, 0, 0) weight (k - 1/2)*(k - 1/2) + x*x }
-     |                                                                      ^
-    hint: `-D k=VALUE` gives it a value; ranges may stand in places and delays, in sums and multiples, and in weights and chances with `--parametric k`
-  [3]
+  [64]
   $ scc check refused.sc --parametric k -D k=1/3
   command line: error[SC0209]: the parameter `k` has one value, and no range
     hint: declare it as in `param k in (0, 1)`, and give it no value

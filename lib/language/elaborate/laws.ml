@@ -179,14 +179,21 @@ let check_open c (e : Ast.expr) weight =
     false
   | Some _ when Law.is_constant (Gives (Law.velocity_alone (weight, weight, weight))) |> not -> true
   | Some { parameter; _ } -> (
+      let pole = ref None in
       let divisor f =
-        (not Rational_function.(equal f zero)) && Option.is_none (Open_number.vanishing parameter f)
+        let zero = Rational_function.(equal f zero) in
+        if not zero then pole := Open_number.vanishing parameter f;
+        (not zero) && Option.is_none !pole
       in
       match (Law.form ~divisor (fun _ -> Rat.zero) weight, Law.eval (fun _ -> Rat.zero) weight) with
       | Ok f, Ok value -> Release.has_one_sign report e.at "a weight" parameter f value
       | Error _, _ | _, Error _ ->
-        Report.error report Code.division_by_zero e.at "a division by zero for some value of `%s`" parameter.name
-          ~hint:(Open_number.narrower parameter);
+        (match !pole with
+         | Some x ->
+           Report.error report Code.division_by_zero e.at "a division by zero for %s" (Open_number.at parameter x)
+             ~hint:(Open_number.narrower parameter)
+         | None ->
+           Report.error report Code.division_by_zero e.at "a division by zero, whatever `%s` is" parameter.name);
         false)
 
 (* What is known now of a weight; the rest is seen when it is drawn by. *)

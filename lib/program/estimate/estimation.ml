@@ -351,6 +351,8 @@ let of_splitting path (s : Splitting.summary) =
       ]
     else if passed = all && all > 0 && not goal then
       [ Printf.sprintf "all runs passed level %d: it can be left out" (i + 1) ]
+    else if passed = all && all > 0 && i > 0 then
+      [ Printf.sprintf "all runs from level %d came to the goal: the level can be left out, or be a lower one" i ]
     else []
   in
   let reasons = left @ List.concat (List.mapi at_level s.shares) in

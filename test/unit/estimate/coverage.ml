@@ -3,7 +3,7 @@
    usage: coverage [EXPERIMENTS], by default a share of them.
 
    An experiment on means looks at its bounds after 1, 2, 4, ... 1024 runs, and misses if any of them does. One on
-   probabilities looks when [scc estimate] does with its defaults, until 2000 runs, or once (--runs). It ends with 1 if
+   probabilities looks when [scc estimate] does by default, until 2000 runs, or once (--runs). It ends with 1 if
    some kind misses more often than it may: what is expected, and four deviations. *)
 
 open Scc_exact
