@@ -83,7 +83,7 @@ let run plan k = Sample.run plan ~seed:5L ~interrupted:(fun () -> false) k
 let known = Hashtbl.create 16
 
 let same_answers =
-  QCheck2.Test.make ~name:"answers are those of runs of which nothing is forgotten" ~count:50 ~print:Fun.id
+  QCheck2.Test.make ~name:"answers are those of runs of which nothing is forgotten" ~count:100 ~print:Fun.id
     properties
     (fun property ->
        let alone = plan crowd [ property ] ~steps:400 in
