@@ -116,11 +116,10 @@ let boxes () =
                 0)'><rect \
                 y='10' width='8' height='4'/></g></g>" (box 4. 4. 8. 8.);
   is "what is not displayed does not count, and what is hidden does"
-    "<g clip-path='url(#c)'><rect x='4' y='4' width='8' height='4'/><rect display='none' width='90' \
-     height='1'/><rect \
-     x='4' y='20' width='16' height='1' visibility='hidden'/><g display='none'><rect width='90' \
+    "<g clip-path='url(#c)'><rect x='4' y='4' width='16' height='4'/><rect display='none' width='90' height='1'/>\
+     <rect x='4' y='20' width='24' height='1' visibility='hidden'/><g display='none'><rect width='90' \
      height='9'/></g></g>"
-    (box 4. 4. 12. 8.);
+    (box 4. 4. 16. 8.);
   is "what is clipped counts"
     "<clipPath id='d'><rect width='5' height='30'/></clipPath><g clip-path='url(#c)'><rect clip-path='url(#d)' \
      width='8' height='30'/></g>" (box 0. 0. 4. 30.);
@@ -180,6 +179,7 @@ let gradients () =
   is "SC0341" "a focus on its circle" "fx='.8' fy='.9'";
   is "SC0341" "a focus beyond its circle" "fx='1.2'";
   is "SC0341" "a focus as large as its circle" "fr='50%'";
+  is "SC0341" "a focus larger than its circle" "fr='60%'";
   is "read" "a focus in units of the drawing" "gradientUnits='userSpaceOnUse' cx='10' cy='10' r='5' fx='12' \
                                                fy='13'";
   is "SC0341" "a focus beyond, in units of the drawing" "gradientUnits='userSpaceOnUse' cx='10' cy='10' r='5' \
