@@ -51,7 +51,7 @@ const Marked = (() => {
     const had = known.get(run);
     if (had) return had;
     const texts = [...(run.facts || []), ...(run.argument ? grounds(run.argument) : [])];
-    const names = leaves.map((leaf) => leaf.name).sort((a, b) => b.length - a.length);
+    const names = leaves.map((leaf) => leaf.name).filter((name) => name !== "").sort((a, b) => b.length - a.length);
     const of = (/** @type {string[]} */ all) => new Set(all.flatMap((text) => called(text, names)));
     let found = of(texts);
     if (found.size === 0 && run.check && !run.bare) found = of([run.check.formula]);
