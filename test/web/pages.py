@@ -478,6 +478,7 @@ def by_keys(b, scc):
         seen.append(name)
         if not visible:
             unseen.append(name)
+    check('a link of a file says nothing of a machine', 'machine' not in b.find('cite').get_attribute('title'))
     wanted = ['theme', 'help', 'graph-switch', 'plots-switch', 'cite', 'tab-why', 'play', 'next', 'time',
               'timeline', 'choices-list', 'events-list']
     same('the tabulator leads to all', [name for name in wanted if name not in seen], [])
