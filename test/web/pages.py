@@ -388,6 +388,7 @@ def contrast(b, scc):
 def starts(b, scc):
     """Where a check holds: another start leads to the run from there."""
     b.open(scc.view('specs/models/meeting.sc'))
+    same('all tabs are in one row', len(set(b.js('return [...document.querySelectorAll("#tabs button")].map((t) => t.offsetTop)'))), 1)
     b.find('tab-where').click()
     b.find('where').click()
     run = b.js('return document.querySelector("[data-testid=where] .sample.here").dataset.run')
