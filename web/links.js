@@ -30,10 +30,11 @@ const Links = (() => {
       if (window.location.hash.slice(1) !== written) read();
     });
     const cite = Dom.get("cite");
+    if (Live.on) cite.title += ": it works on this machine alone, while scc serve runs and has this document";
     cite.addEventListener("click", () => {
       write();
       copy(window.location.href).then((done) => {
-        cite.textContent = done ? "Copied" : "In the address bar";
+        cite.textContent = (done ? "Copied" : "In the address bar") + (Live.on ? ", for here only" : "");
         setTimeout(() => {
           cite.textContent = "Copy link";
         }, 1500);

@@ -154,6 +154,42 @@ def naming(b):
       return !tip.hidden && tip.textContent.includes("tug")'''), b.text('tip'))
 
 
+def offering(b):
+    """What can be written at the cursor is listed by a key, follows what is typed, and is written."""
+    text = b.text_of()
+    b.js('desk.set(desk.text() + "\\nprocess other = ")')
+    b.go(len(b.text_of().encode('utf-16-le')) // 2)
+    listed = 'return [...document.querySelectorAll("#offers:not([hidden]) .offer-name")].map((e) => e.textContent)'
+    b.keys('C')
+    same('nothing is listed by itself', b.js(listed), [])
+    b.keys(Keys.BACKSPACE)
+    b.chord([Keys.CONTROL], ' ')
+    check('shapes', 'Cube' in b.js(listed), b.js(listed))
+    check('readers hear of them', b.said(' of '))
+    b.keys('Cu')
+    same('it follows what is typed', b.js(listed), ['Cube'])
+    b.keys(Keys.ENTER)
+    check('what is chosen is written', b.text_of().endswith('\nprocess other = Cube'), b.text_of()[-40:])
+    same('then nothing is listed', b.js(listed), [])
+    b.keys(' ma')
+    b.chord([Keys.CONTROL], ' ')
+    check('what fits alone is written at once', b.text_of().endswith('= Cube mass'), b.text_of()[-40:])
+    b.keys(' 1 [')
+    b.chord([Keys.CONTROL], ' ')
+    names = b.js(listed)
+    b.keys(Keys.ARROW_DOWN, Keys.TAB)
+    check('arrows choose', b.text_of().endswith('[' + names[1]), b.text_of()[-40:])
+    b.chord([Keys.CONTROL], ' ')
+    b.keys(Keys.ESCAPE)
+    same('Escape ends it', b.js(listed), [])
+    b.keys('\n')
+    b.chord([Keys.CONTROL], ' ')
+    b.all('#offers .offer')[0].click()
+    same('the mouse chooses', b.js(listed), [])
+    b.js('desk.set(arguments[0])', text)
+    b.is_read()
+
+
 # Answers about names are late.
 LATE = '''
 const fetched = window.fetch;
@@ -626,7 +662,7 @@ def main(scc, folder):
     b = Desk(flags=browser.WITHOUT_SCENES)
     try:
         b.begin(scc, folder, 'docking.sc')
-        for part in [words, typing, naming, late]:
+        for part in [words, typing, naming, offering, late]:
             timed(part, b)
         timed(formatting, b, scc)
         for part in [saving, checking, overtaking, whole, reloading, tabs, by_keys, sizes, offline, ended]:

@@ -147,6 +147,9 @@ def addresses(b, served, text):
     """A reload keeps the way; a page that knows nothing of it asks where it leads."""
     state, fragment = b.state(), b.js('return scc.link()')
     check('the address is that of what is shown', b.wait('return location.hash === "#" + scc.link()'))
+    check('a link says that it works here only', 'this machine alone' in b.find('cite').get_attribute('title'))
+    b.find('cite').click()
+    check('also as it is copied', b.wait('return document.getElementById("cite").textContent.endsWith(", for here only")'))
     b.driver.refresh()
     b.settled()
     same('after a reload', b.state(), state)

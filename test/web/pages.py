@@ -388,6 +388,7 @@ def contrast(b, scc):
 def starts(b, scc):
     """Where a check holds: another start leads to the run from there."""
     b.open(scc.view('specs/models/meeting.sc'))
+    same('all tabs are in one row', len(set(b.js('return [...document.querySelectorAll("#tabs button")].map((t) => t.offsetTop)'))), 1)
     b.find('tab-where').click()
     b.find('where').click()
     run = b.js('return document.querySelector("[data-testid=where] .sample.here").dataset.run')
@@ -478,6 +479,7 @@ def by_keys(b, scc):
         seen.append(name)
         if not visible:
             unseen.append(name)
+    check('a link of a file says nothing of a machine', 'machine' not in b.find('cite').get_attribute('title'))
     wanted = ['theme', 'help', 'graph-switch', 'plots-switch', 'cite', 'tab-why', 'play', 'next', 'time',
               'timeline', 'choices-list', 'events-list']
     same('the tabulator leads to all', [name for name in wanted if name not in seen], [])

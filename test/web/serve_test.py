@@ -158,6 +158,38 @@ def large_requests(served):
     same('it goes on after them', served.ask('GET', '')[0], 200)
 
 
+def half_heads(served):
+    """As many heads without an end as there may be connections: others wait no longer for them than for a body."""
+    half = f'GET {served.root} HTTP/1.1\r\nHost: 127.0.0.1:{served.port}\r\n'.encode()
+    begun = time.monotonic()
+    many = [socket.create_connection(('127.0.0.1', served.port), HANG) for _ in range(200)]
+    for k, one in enumerate(many):
+        one.sendall([b'', half, half + b'X: '][k % 3])
+    same('others are heard after them', served.ask('GET', '')[0], 200)
+    # A connection may last 120 seconds.
+    check('before they could have been answered', time.monotonic() - begun < 90, time.monotonic() - begun)
+    same('they have no answer', {one.recv(1) for one in many}, {b''})
+    for one in many:
+        one.close()
+
+
+def repeated_headers(served):
+    """Of headers that can have one value, two are refused, also where they are alike."""
+    def status(method, *headers):
+        with socket.create_connection(('127.0.0.1', served.port), HANG) as s:
+            s.sendall('\r\n'.join([f'{method} {served.root} HTTP/1.1', *headers, '', '']).encode())
+            return int(s.makefile('rb').readline().split()[1])
+
+    host, own = f'Host: 127.0.0.1:{served.port}', f'Origin: http://127.0.0.1:{served.port}'
+    same('one host', status('GET', host), 200)
+    for what, *headers in [
+            ('the same host twice', host, host), ('another host first', 'Host: evil.example', host),
+            ('another host last', host, 'hOST: evil.example'), ('two origins', host, own, 'Origin: http://evil.example'),
+            ('two kinds', host, 'Content-Type: application/json', 'Content-Type: text/plain')]:
+        same(f'status for {what}', status('GET', *headers), 400)
+    same('two lengths', status('POST', host, 'Content-Length: 0', 'Content-Length: 0'), 400)
+
+
 def strange_heads(served):
     """Heads that come in pieces, that never end, and two requests at once: the second one is not heard."""
     head = f'GET {served.root} HTTP/1.1\r\nHost: 127.0.0.1:{served.port}\r\n'.encode()
@@ -421,6 +453,8 @@ def main(scc, folder):
     many_requests(served, text)
     large_requests(served)
     strange_heads(served)
+    half_heads(served)
+    repeated_headers(served)
     same('the end', served.end(), 0)
     saving(scc, folder)
     definitions(scc)

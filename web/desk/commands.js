@@ -35,7 +35,7 @@ const Commands = (() => {
    */
   function pressed(event) {
     // With Alt, some systems make another character of the key.
-    const letter = /^Key[A-Z]$/.test(event.code) && event.altKey ? event.code.slice(3) : event.key;
+    const letter = event.code === "Space" ? "Space" : /^Key[A-Z]$/.test(event.code) && event.altKey ? event.code.slice(3) : event.key;
     const name = letter.length === 1 ? letter.toUpperCase() : letter;
     const dot = event.code === "Period" && event.altKey ? "." : name;
     return `${event.ctrlKey || event.metaKey ? "Ctrl-" : ""}${event.altKey ? "Alt-" : ""}${event.shiftKey ? "Shift-" : ""}${dot}`;

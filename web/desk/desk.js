@@ -46,6 +46,7 @@ const Desk = (() => {
     if (data.unreadable !== null)
       Notices.show("unreadable", `The file cannot be read: ${Dom.clip(data.unreadable, 500)}.`);
     Hover.start(editor);
+    Complete.start(editor);
     draw();
     cursor();
     Object.defineProperty(window, "desk", { value: probe() });
@@ -223,6 +224,7 @@ const Desk = (() => {
       { id: "stop", keys: "Alt-.", title: "Stop, with what is known so far", run: () => Documents.stop() },
       { id: "", keys: "F8", title: "Next problem", run: () => Problems.next(1) },
       { id: "", keys: "Shift-F8", title: "Problem before", run: () => Problems.next(-1) },
+      { id: "", keys: "Ctrl-Space", title: "What can be written here?", run: () => Complete.here() },
       { id: "", keys: "Alt-H", title: "What is this name?", run: () => Hover.here() },
       { id: "", keys: "F12", title: "Where is this name declared?", run: () => Hover.declaration() },
       { id: "", keys: "F6", title: "From the text to the view, and back", run: across },

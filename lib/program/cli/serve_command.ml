@@ -105,7 +105,7 @@ let desk o =
 
 let listening console desk address =
   Console.print console (Printf.sprintf "scc: %s is served at %s\n" desk.Desk.name address);
-  Console.print console "Open this address in a browser. Ctrl-C ends the service.\n";
+  Console.print console "Open this address in a browser: it works on this machine only. Ctrl-C ends it.\n";
   Console.flush console
 
 let cannot_listen console port why =

@@ -115,13 +115,20 @@ let hear_no_more c =
   c.first <- c.last;
   c.heard <- No_more
 
-let attend ~seconds handle socket =
+(* Whether a request comes is not waited for any longer: its connection ends without an answer. *)
+let head_is_late ~head_seconds c =
+  let* () = Lwt_unix.sleep head_seconds in
+  match c.heard with Head _ -> Lwt.return_unit | Body | No_more -> fst (Lwt.task ())
+
+let attend ~head_seconds ~seconds handle socket =
   let c = { socket; bytes = Bytes.create (2 * piece); first = 0; last = 0; heard = Head most_of_head } in
   let out = Lwt_io.of_fd ~mode:Lwt_io.output socket in
   Lwt.finalize
     (fun () ->
        Lwt.catch
-         (fun () -> Lwt_unix.with_timeout seconds (fun () -> handle c c out))
+         (fun () ->
+            Lwt_unix.with_timeout seconds (fun () ->
+                Lwt.pick [ handle c c out; head_is_late ~head_seconds c ]))
          (fun _ -> Lwt.return_unit))
     (fun () -> Lwt.catch (fun () -> Lwt_io.abort out) (fun _ -> Lwt.return_unit))
 
@@ -135,7 +142,7 @@ let rec accepted socket =
         accepted socket
       | e -> Lwt.fail e)
 
-let serve ~stop ~most ~seconds socket handle =
+let serve ~stop ~most ~head_seconds ~seconds socket handle =
   let free = Lwt_condition.create () and open_ = ref 0 in
   let rec go_on () =
     if !open_ >= most then Lwt.bind (Lwt_condition.wait free) go_on
@@ -147,7 +154,7 @@ let serve ~stop ~most ~seconds socket handle =
         Lwt_condition.signal free ();
         Lwt.return_unit
       in
-      Lwt.async (fun () -> Lwt.finalize (fun () -> attend ~seconds handle one) ended);
+      Lwt.async (fun () -> Lwt.finalize (fun () -> attend ~head_seconds ~seconds handle one) ended);
       go_on ()
     end
   in

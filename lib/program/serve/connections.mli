@@ -21,12 +21,14 @@ val with_input_buffer : ic -> f:(string -> pos:int -> len:int -> 'a * int) -> 'a
 val serve :
   stop:unit Lwt.t ->
   most:int ->
+  head_seconds:float ->
   seconds:float ->
   Lwt_unix.file_descr ->
   (conn -> ic -> oc -> unit Lwt.t) ->
   unit Lwt.t
 (** Handles each incoming connection until [stop]: at most [most] at a time, while others wait, and each for at
-    most [seconds]. If a handler fails, only its connection ends. *)
+    most [seconds]. If its head has not come after [head_seconds], a connection ends, so that idle ones do not
+    make others wait. If a handler fails, only its connection ends. *)
 
 val hear_body : conn -> unit
 (** Allows the body of a request to be read. Before, at most 64 KiB are read. A line of the body (of one in

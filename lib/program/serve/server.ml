@@ -206,15 +206,22 @@ let granted t request =
   let header = Header.get (Request.headers request) in
   Access.granted t.access ~resource:(Request.resource request) ~host:(header "host") ~origin:(header "origin")
 
+(* Of two values, other programs may have looked at another one than is looked at here. *)
+let repeated request =
+  let is_repeated name = List.compare_length_with (Header.get_multi (Request.headers request) name) 1 > 0 in
+  List.find_opt is_repeated [ "Host"; "Origin"; "Content-Type"; "Content-Length"; "Transfer-Encoding" ]
+
 let answer t request body =
-  match (granted t request, Request.meth request) with
-  | Error why, _ -> now (refused `Forbidden why)
-  | Ok path, `GET -> get t path
-  | Ok _, `POST when not (is_json request) -> now (refused `Unsupported_media_type "a request is JSON")
-  | Ok path, `POST -> (
+  match (repeated request, granted t request, Request.meth request) with
+  | Some name, _, _ ->
+    now (refused `Bad_request (Printf.sprintf "the request has more than one header `%s`" name))
+  | None, Error why, _ -> now (refused `Forbidden why)
+  | None, Ok path, `GET -> get t path
+  | None, Ok _, `POST when not (is_json request) -> now (refused `Unsupported_media_type "a request is JSON")
+  | None, Ok path, `POST -> (
       let* body = read_body body in
       match body with Ok body -> post t path body | Error a -> now a)
-  | Ok _, _ -> now (refused `Method_not_allowed "GET and POST are what can be asked")
+  | None, Ok _, _ -> now (refused `Method_not_allowed "GET and POST are what can be asked")
 
 (* Each connection is for one request, so that none stays open for nothing: it hears no more. *)
 let callback t (connection, _) request body =
@@ -260,7 +267,8 @@ let serve how socket =
   let stop = until_signalled () in
   how.listening (Access.address access);
   let* () =
-    Connections.serve ~stop ~most:most_connections ~seconds:seconds_of_connection socket
+    Connections.serve ~stop ~most:most_connections ~head_seconds:seconds_to_read ~seconds:seconds_of_connection
+      socket
       (Server.callback (Server.make ~callback:(callback t) ()))
   in
   let* () = Documents.close_all t.documents in
