@@ -183,6 +183,12 @@ One that takes too long, of 7200 triangles; there is nothing then.
   $ ls terrain.obj
   ls: cannot access 'terrain.obj': No such file or directory
   [2]
+  $ scc decompose terrain.off --memory 1 -o terrain.obj
+  scc: the limit of memory was met: nothing was written
+  [4]
+  $ ls terrain.obj
+  ls: cannot access 'terrain.obj': No such file or directory
+  [2]
   $ scc decompose terrain.off --seconds 0
   scc: option '--seconds': `0' is no positive number of seconds
   Usage: scc decompose [OPTION]… MESH

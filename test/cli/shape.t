@@ -495,3 +495,12 @@ A limit of time ends the work, and there is no report then:
   $ scc shape --hull --faces 20 --seconds 0.05 bowl.off
   scc: the limit of 0.05 seconds has passed: nothing was written
   [4]
+
+So does a limit of memory:
+
+  $ scc shape --hull --faces 20 --memory 1 bowl.off
+  scc: the limit of memory was met: nothing was written
+  [4]
+  $ scc shape --hull --faces 20 --memory 1 --json bowl.off 2> err
+  {"format": "scc-diagnostics", "version": 1, "exit": 4, "diagnostics": []}
+  [4]
