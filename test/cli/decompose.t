@@ -231,6 +231,7 @@ each needs a compound of its own.
   $ scc decompose edge.off --weld
   error[SC0303]: faces f3 and f8 both run from v2 to v6
   error[SC0303]: faces f5 and f10 both run from v6 to v2
+    hint: solids have an edge in common, from v2 to v6; for all of them: scc decompose --union
   [3]
   $ scc decompose edge.off --union -o edge.sc && grep -A 2 compound edge.sc
   edge.off: 12 plane faces, 1 reflex edge, volume 2

@@ -14,8 +14,8 @@ let structure ~union (set : Polyhedron.ifs) faults =
   let last = List.length faults - 1 in
   let cure =
     match Sheet.advice set with
-    | None when not union -> Shared_face.advice set
-    | (Some _ | None) as sheet -> sheet
+    | None -> Several_solids.advice ~union set
+    | Some _ as sheet -> sheet
   in
   let tries = Mend_options.all_helping set faults in
   let one i fault =

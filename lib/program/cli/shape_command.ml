@@ -150,7 +150,7 @@ let advice (r : Solid_report.t) =
     | None ->
       let tries = Mend_options.all_helping r.set faults in
       let bent = function Polyhedron_fault.Not_convex _ | Degenerate_face _ -> true | _ -> false in
-      told (Shared_face.advice r.set)
+      told (Several_solids.advice ~union:false r.set)
       ^ (if tries = [] then "" else line ("to mend it: scc shape " ^ String.concat " " tries))
       ^
       if List.exists bent faults then line "for convex parts of it: scc decompose; for its hull: scc shape --hull"
