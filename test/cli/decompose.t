@@ -183,6 +183,12 @@ One that takes too long, of 7200 triangles; there is nothing then.
   $ ls terrain.obj
   ls: cannot access 'terrain.obj': No such file or directory
   [2]
+  $ scc decompose terrain.off --memory 1 -o terrain.obj
+  scc: the limit of memory was met: nothing was written
+  [4]
+  $ ls terrain.obj
+  ls: cannot access 'terrain.obj': No such file or directory
+  [2]
   $ scc decompose terrain.off --seconds 0
   scc: option '--seconds': `0' is no positive number of seconds
   Usage: scc decompose [OPTION]… MESH
@@ -225,6 +231,7 @@ each needs a compound of its own.
   $ scc decompose edge.off --weld
   error[SC0303]: faces f3 and f8 both run from v2 to v6
   error[SC0303]: faces f5 and f10 both run from v6 to v2
+    hint: solids have an edge in common, from v2 to v6; for all of them: scc decompose --union
   [3]
   $ scc decompose edge.off --union -o edge.sc && grep -A 2 compound edge.sc
   edge.off: 12 plane faces, 1 reflex edge, volume 2

@@ -254,9 +254,12 @@ What cannot be inflated.
   missing/ring.obj: error[SC0103]: cannot write: No such file or directory
   [74]
 
-A bound of seconds:
+Bounds of seconds and of memory:
 
   $ { echo P1 400 400; yes 1 | head -n 160000; } > square.pbm
   $ scc inflate square.pbm -o square.obj --seconds 0.05
   scc: the limit of 0.05 seconds has passed: nothing was written
+  [4]
+  $ scc inflate square.pbm -o square.obj --memory 1
+  scc: the limit of memory was met: nothing was written
   [4]

@@ -439,6 +439,23 @@ decompose with --union:
   1 convex part, 0 joints
     p1: 8 corners, 6 faces, volume 2
 
+A wall between them that is there once has to go; the hint names it, also where it is in two pieces:
+
+  $ sed 's/^12 12 0/12 11 0/; /^4 1 7 10 4/d' two.off > wall.off
+  $ sed 's/^12 11 0/12 12 0/; s/^4 1 4 10 7/3 1 4 10\n3 1 10 7/' wall.off > walls.off
+  $ for f in wall walls; do scc shape $f.off | tail -n 1; scc decompose --union $f.off 2>&1 | grep hint; done
+  f5 is a wall within the solid: without it the other faces are closed
+    hint: f5 is a wall within the solid: without it the other faces are closed
+  f5 and 1 more face are a wall within the solid: without it the other faces are closed
+    hint: f5 and 1 more face are a wall within the solid: without it the other faces are closed
+  $ sed 's/^12 11 0/12 10 0/; /^4 1 4 10 7/d' wall.off > none.off; scc decompose none.off | tail -n 1
+    p1: 8 corners, 6 faces, volume 2
+
+None is named where the other faces stay open:
+
+  $ sed 's/^12 11 0/12 10 0/; /^4 2 5 11 8/d' wall.off > gap.off; scc decompose gap.off 2>&1 | grep 'a wall'
+  [1]
+
 What is there twice in one direction goes by --weld:
 
   $ (sed 's/^12 12 0/12 13 0/' two.off; echo '4 7 10 4 1') > twice.off; scc shape twice.off | grep 'to mend it'
@@ -494,4 +511,13 @@ A limit of time ends the work, and there is no report then:
   >   y = rand() - 0.5; printf "%.4f %.4f %.4f\n", x, y, x * x + y * y } }' > bowl.off
   $ scc shape --hull --faces 20 --seconds 0.05 bowl.off
   scc: the limit of 0.05 seconds has passed: nothing was written
+  [4]
+
+So does a limit of memory:
+
+  $ scc shape --hull --faces 20 --memory 1 bowl.off
+  scc: the limit of memory was met: nothing was written
+  [4]
+  $ scc shape --hull --faces 20 --memory 1 --json bowl.off 2> err
+  {"format": "scc-diagnostics", "version": 1, "exit": 4, "diagnostics": []}
   [4]

@@ -192,6 +192,8 @@ Names:
   $ misuse --no-reduce=everything
   $ misuse --shortest=way
   $ misuse --witness out --no-reduce jump
+  $ those='shape decompose inflate'
+  $ for value in some -1 0 ''; do misuse --memory=$value; done
   $ those=inflate
   $ misuse --faces 5
   $ misuse --faces some

@@ -7,8 +7,8 @@ open Cmdliner
 let default_states = 200_000
 let default_mib = 3072
 
-let words ?(jobs = 1) (budget : Budget.t) =
-  Option.value budget.memory ~default:(Memory.words_of_mib default_mib / jobs)
+let words_of ?(jobs = 1) memory = Option.value memory ~default:(Memory.words_of_mib default_mib / jobs)
+let words ?jobs (budget : Budget.t) = words_of ?jobs budget.memory
 
 let defaults ?jobs budget : Budget.defaults =
   let memory = words ?jobs budget in
@@ -61,7 +61,7 @@ let seconds =
   Options.maybe seconds_conv [ "seconds" ] ~docv:"S" ~docs
     "Explores for at most $(docv) seconds of the clock. No default."
 
-let memory =
+let memory ?docs () =
   let doc =
     Printf.sprintf
       "Uses at most about $(docv) MiB of memory. The default is %d. If the system limits this process \
@@ -69,7 +69,8 @@ let memory =
        has started."
       default_mib
   in
-  Arg.(value & opt (some (positive "MiB")) None & info [ "memory" ] ~docv:"N" ~doc ~docs)
+  let mib = Arg.(value & opt (some (positive "MiB")) None & info [ "memory" ] ~docv:"N" ~doc ?docs) in
+  Term.(const (Option.map Memory.words_of_mib) $ mib)
 
 let most_bits = Scc_calculus.Law.longest
 
@@ -83,6 +84,6 @@ let bits =
 
 let budget =
   let make depth time states seconds memory bits =
-    { Budget.depth; time; states; seconds; memory = Option.map Memory.words_of_mib memory; bits }
+    { Budget.depth; time; states; seconds; memory; bits }
   in
-  Term.(const make $ depth $ time $ states $ seconds $ memory $ bits)
+  Term.(const make $ depth $ time $ states $ seconds $ memory ~docs () $ bits)

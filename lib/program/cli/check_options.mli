@@ -16,8 +16,14 @@ val budget : Budget.t Cmdliner.Term.t
 val default_states : int
 (** The default bound on states: 200 000. *)
 
-val words : ?jobs:int -> Budget.t -> int
+val memory : ?docs:string -> unit -> int option Cmdliner.Term.t
+(** The option [--memory], in words, in the section [docs] of a manual (default: that of options). *)
+
+val words_of : ?jobs:int -> int option -> int
 (** The limit of memory in words: the given one, or a default that [jobs] processes (default: 1) share. *)
+
+val words : ?jobs:int -> Budget.t -> int
+(** {!words_of} a budget. *)
 
 val watch : ?signals:bool -> ?jobs:int -> Budget.t -> Watch.t
 (** A watch over the seconds and the memory of a budget, from now on. [signals] and [jobs] are as for

@@ -14,8 +14,8 @@ let structure ~union (set : Polyhedron.ifs) faults =
   let last = List.length faults - 1 in
   let cure =
     match Sheet.advice set with
-    | None when not union -> Shared_face.advice set
-    | (Some _ | None) as sheet -> sheet
+    | None -> Several_solids.advice ~union set
+    | Some _ as sheet -> sheet
   in
   let tries = Mend_options.all_helping set faults in
   let one i fault =
@@ -142,14 +142,14 @@ let report console ~mended ~mass output path (t : Parts.t) =
   in
   Ok Exit_code.Holds
 
-let decompose console ~mend ~names ~union ~most ~seconds ~mass output path =
+let decompose console ~mend ~names ~union ~most ~bounds ~mass output path =
   let work () = work console ~mend ~names ~union ~most path in
-  Time_limit.within console ~seconds work (fun (t, mended) -> report console ~mended ~mass output path t)
+  Bounded.within console bounds work (fun (t, mended) -> report console ~mended ~mass output path t)
 
-let run color json mend names union most seconds mass output path =
+let run color json mend names union most bounds mass output path =
   let console = Console.make ~color ~json () in
   let go output =
-    Guard.run console (fun () -> decompose console ~mend ~names ~union ~most ~seconds ~mass output path)
+    Guard.run console (fun () -> decompose console ~mend ~names ~union ~most ~bounds ~mass output path)
   in
   match output with
   | None -> go None
@@ -193,11 +193,11 @@ let command =
       ~told:
         [
           (Holds, "if there are such parts."); (Invalid, "if the mesh bounds no solid, or cannot be read.");
-          (Stopped, "if it was interrupted, or had not ended after the seconds of --seconds.");
+          (Stopped, Bounded.exit);
         ]
   in
   Cmd.v
     (Cmd.info "decompose" ~doc:"cut a solid that is not convex into convex parts" ~man:Manual.decompose ~exits)
     Term.(
-      const run $ Options.color $ Options.json $ Mend_options.term $ names $ union $ most $ Time_limit.seconds
+      const run $ Options.color $ Options.json $ Mend_options.term $ names $ union $ most $ Bounded.term
       $ mass $ output $ mesh)

@@ -136,9 +136,9 @@ let report console o write found =
   Console.answer console ~text:(fun () -> text o found) ~json;
   Ok Exit_code.Holds
 
-let run color json o seconds =
+let run color json o bounds =
   let console = Console.make ~color ~json () in
-  let inflate write = Time_limit.within console ~seconds (work console o) (report console o write) in
+  let inflate write = Bounded.within console bounds (work console o) (report console o write) in
   let go write = Guard.run console (fun () -> inflate write) in
   match o.output with
   | None -> go None
@@ -314,9 +314,9 @@ let command =
       ~told:
         [
           (Holds, "if there is a solid."); (Invalid, "if the drawing cannot be read or inflated.");
-          (Stopped, "if it was interrupted, or had not ended after the seconds of --seconds.");
+          (Stopped, Bounded.exit);
         ]
   in
   Cmd.v
     (Cmd.info "inflate" ~doc:"make a solid of a drawn silhouette" ~man:Manual.inflate ~exits)
-    Term.(const run $ Options.color $ Options.json $ options $ Time_limit.seconds)
+    Term.(const run $ Options.color $ Options.json $ options $ Bounded.term)

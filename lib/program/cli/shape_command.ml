@@ -150,7 +150,7 @@ let advice (r : Solid_report.t) =
     | None ->
       let tries = Mend_options.all_helping r.set faults in
       let bent = function Polyhedron_fault.Not_convex _ | Degenerate_face _ -> true | _ -> false in
-      told (Shared_face.advice r.set)
+      told (Several_solids.advice ~union:false r.set)
       ^ (if tries = [] then "" else line ("to mend it: scc shape " ^ String.concat " " tries))
       ^
       if List.exists bent faults then line "for convex parts of it: scc decompose; for its hull: scc shape --hull"
@@ -228,13 +228,13 @@ let conclude console o output argument (mended, outer, snapped, gone, (r : Solid
   let* () = report console argument code ~mended ~gone ?snapped ?outer r write in
   Ok code
 
-let shape console ~overrides ~seconds o output argument =
+let shape console ~overrides ~bounds o output argument =
   let work () = work console ~overrides o argument in
-  Time_limit.within console ~seconds work (conclude console o output argument)
+  Bounded.within console bounds work (conclude console o output argument)
 
-let run color json overrides o seconds argument =
+let run color json overrides o bounds argument =
   let console = Console.make ~color ~json () in
-  let go output = Guard.run console (fun () -> shape console ~overrides ~seconds o output argument) in
+  let go output = Guard.run console (fun () -> shape console ~overrides ~bounds o output argument) in
   match o.output with
   | _ when (match o.snap with Some t -> Rat.sign t <= 0 | None -> false) ->
     Guard.usage "the distance of --snap is to be greater than 0"
@@ -341,10 +341,10 @@ let command =
       ~told:
         [
           (Holds, "if the shape is accepted."); (Invalid, "if it is not, or cannot be read.");
-          (Stopped, "if it was interrupted, or had not ended after the seconds of --seconds.");
+          (Stopped, Bounded.exit);
         ]
   in
   Cmd.v
     (Cmd.info "shape" ~doc:"report on a polyhedron" ~man:Manual.shape ~exits)
     Term.(
-      const run $ Options.color $ Options.json $ Options.overrides $ options $ Time_limit.seconds $ argument)
+      const run $ Options.color $ Options.json $ Options.overrides $ options $ Bounded.term $ argument)

@@ -2,6 +2,9 @@
 
 open Scc_geometry
 
+val is_flat : Polyhedron.ifs -> bool
+(** True if all corners of faces are in one plane or on one line, and there are corners. *)
+
 val cure : string
 (** What can be done about a sheet. *)
 

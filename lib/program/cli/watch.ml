@@ -33,6 +33,8 @@ type t = {
   mutable middle : float;  (** when it is given up with seconds left, for what comes after it *)
   mutable concluded : float;  (** the same of what concludes, as a {!position} *)
   mutable abandoned : bool;  (** it was tried *)
+  mutable reading : bool;  (** no attempt has been made *)
+  before : float;  (** bytes of memory at the start *)
   mutable finished : float option;  (** the seconds that the rest has after a signal, once the work has stopped *)
 }
 
@@ -59,10 +61,10 @@ let beyond t ~passed ~taken ~(more : float) ~(share : float) : Limits.stop optio
   else None
 
 (* Of the memory, or of the addresses if this is more. *)
+let resident () = Footprint.resident () +. float_of_int (Memory.beside ())
+
 let taken t =
-  let memory =
-    if t.memory < infinity then (Footprint.resident () +. float_of_int (Memory.beside ())) /. t.memory else 0.
-  in
+  let memory = if t.memory < infinity then resident () /. t.memory else 0. in
   Float.max memory (Footprint.taken ())
 
 (* What nobody attempts is broken off once; if that does not end it, the program ends. Nothing is flushed: what was
@@ -77,6 +79,16 @@ let abandon t ~passed =
   else if not (t.abandoned || Critical.active ()) then begin
     t.abandoned <- true;
     raise (Interruption.Interrupted why)
+  end
+
+(* Bytes that reading may take under any limit: then a small model is always read, and a report says what is
+   known of it. *)
+let for_reading = 64. *. float_of_int Memory.mib
+
+let limit_reading t ~taken =
+  if t.reading && taken > 1. && not (Critical.active ()) && resident () > t.before +. for_reading then begin
+    t.reading <- false;
+    raise (Interruption.Interrupted "the limit of memory was met before the input was read")
   end
 
 let over t (stage : Limits.stage) =
@@ -109,6 +121,7 @@ let look t =
       match t.finished with
       | Some grace -> if passed > grace then Interruption.break_off ()
       | None ->
+        limit_reading t ~taken;
         if passed > patience then abandon t ~passed;
         if Footprint.taken () > last_share && not (Critical.active ()) then raise Out_of_memory)
 
@@ -130,6 +143,8 @@ let start ?(clock = Unix.gettimeofday) ?(signals = true) ?seconds ?memory () =
       middle = infinity;
       concluded = infinity;
       abandoned = false;
+      reading = signals;
+      before = resident ();
       finished = None;
     }
   in
@@ -217,6 +232,7 @@ let compacted t stage =
   | Some (Seconds | Interrupted) | None -> ()
 
 let attempted t stage f =
+  t.reading <- false;
   (match (stage : Limits.stage) with Concluding | Reporting -> compacted t stage | Exploring | Proving -> ());
   match over t stage with
   | Some stop -> Error stop

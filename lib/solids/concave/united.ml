@@ -174,7 +174,8 @@ let named (set : Polyhedron.ifs) places at_vertex polygons : Polyhedron.ifs =
   let ifs_faces = Array.of_list (List.map face polygons) in
   { ifs_vertices = Array.init (Growable.length vertices) (Growable.get vertices); ifs_faces }
 
-let surface ~tick (set : Polyhedron.ifs) =
+(* The places of the vertices, and the faces by these and in convex pieces, if a union can be had of them. *)
+let prepared (set : Polyhedron.ifs) =
   if Array.length set.ifs_faces = 0 || not (in_range set) then None
   else
     let places = { numbers = Places.create 1024; all = Growable.create () } in
@@ -183,30 +184,36 @@ let surface ~tick (set : Polyhedron.ifs) =
     if not (closed cycles) then None
     else
       let*? pieces = Option.all (convex_pieces set) (Array.to_list set.ifs_faces) in
-      let sheet face corners =
-        Sheets.make ~face ~ids:(Array.map (fun v -> at_vertex.(v)) corners) (at places) (box places)
-      in
-      let sheets = Array.of_list (List.concat (List.mapi (fun f list -> List.map (sheet f) list) pieces)) in
-      let rests, touched = rests ~tick sheets in
-      let whole = Array.map (fun _ -> true) set.ifs_faces in
-      let look k (s : Sheets.t) = match rests.(k) with Whole -> () | Pieces _ -> whole.(s.face) <- false in
-      Array.iteri look sheets;
-      let polygons k (s : Sheets.t) =
-        match rests.(k) with
-        | Whole -> [ s.ids ]
-        | Pieces list -> List.map (Array.map (number places)) list
-      in
-      let left = List.mapi polygons (Array.to_list sheets) in
-      let corners = List.concat (List.filteri (fun k _ -> touched.(k)) left) in
-      let corners = List.sort_uniq Int.compare (List.concat_map Array.to_list corners) in
-      let started = Array.map (fun _ -> false) set.ifs_faces in
-      let of_face k list =
-        let f = sheets.(k).face in
-        if not whole.(f) then List.map (fun cycle -> (f, cycle)) list
-        else if started.(f) then []
-        else begin
-          started.(f) <- true;
-          [ (f, cycles.(f)) ]
-        end
-      in
-      Some (named set places at_vertex (conforming places corners (List.concat (List.mapi of_face left))))
+      Some (places, at_vertex, cycles, pieces)
+
+let takes set = Option.is_some (prepared set) && Rat.sign (Drawn.volume set) > 0
+
+let surface ~tick (set : Polyhedron.ifs) =
+  let*? places, at_vertex, cycles, pieces = prepared set in
+  let sheet face corners =
+    Sheets.make ~face ~ids:(Array.map (fun v -> at_vertex.(v)) corners) (at places) (box places)
+  in
+  let sheets = Array.of_list (List.concat (List.mapi (fun f list -> List.map (sheet f) list) pieces)) in
+  let rests, touched = rests ~tick sheets in
+  let whole = Array.map (fun _ -> true) set.ifs_faces in
+  let look k (s : Sheets.t) = match rests.(k) with Whole -> () | Pieces _ -> whole.(s.face) <- false in
+  Array.iteri look sheets;
+  let polygons k (s : Sheets.t) =
+    match rests.(k) with
+    | Whole -> [ s.ids ]
+    | Pieces list -> List.map (Array.map (number places)) list
+  in
+  let left = List.mapi polygons (Array.to_list sheets) in
+  let corners = List.concat (List.filteri (fun k _ -> touched.(k)) left) in
+  let corners = List.sort_uniq Int.compare (List.concat_map Array.to_list corners) in
+  let started = Array.map (fun _ -> false) set.ifs_faces in
+  let of_face k list =
+    let f = sheets.(k).face in
+    if not whole.(f) then List.map (fun cycle -> (f, cycle)) list
+    else if started.(f) then []
+    else begin
+      started.(f) <- true;
+      [ (f, cycles.(f)) ]
+    end
+  in
+  Some (named set places at_vertex (conforming places corners (List.concat (List.mapi of_face left))))

@@ -15,3 +15,7 @@ val surface : tick:(unit -> unit) -> Polyhedron.ifs -> Polyhedron.ifs option
     [None] if there are no faces, or if they are not closed: each edge needs as many faces that run along it one
     way as the other way, by places. Also [None] if faces are not flat or not simple. [tick] is called again and
     again, and may raise. *)
+
+val takes : Polyhedron.ifs -> bool
+(** True if {!surface} has a surface of the set for certain: its faces are closed, flat and simple, and their
+    volume is positive. *)

@@ -144,6 +144,8 @@ let refused () =
   is "SC0341" "a pattern" ("<pattern id='g'/>" ^ rect "fill='url(#g)'");
   is "SC0341" "a mask" (rect "mask='url(#m)'");
   is "SC0341" "markers" (rect "marker-end='url(#m)'");
+  is "SC0341" "markers of corners, without one at the end"
+    "<path marker-mid='url(#m)' marker-end='none' d='M0 0H9V9z'/>";
   is "SC0341" "a colour of the system" (rect "fill='ButtonText'");
   is "SC0341" "a function" (rect "fill='lab(1 2 3)'");
   is "SC0340" "a colour" (rect "fill='#12345'");
