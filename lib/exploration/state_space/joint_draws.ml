@@ -1,4 +1,5 @@
 open Scc_exact
+open Scc_calculus
 open Scc_semantics
 
 type outcome = { tuple : int array; chance : Rat.t; transitions : int }
@@ -106,3 +107,15 @@ let velocities c catalogue tuple =
     let p, outcomes = List.hd drawing in
     let* base = after_all p (fst (List.hd outcomes)) in
     Ok (Some (product base drawn))
+
+(* Each leaf draws by itself when it has let go, and half of the processes with bonds may wait for lots. *)
+let joins semantics (initial : State.t) =
+  let m = Semantics.model semantics in
+  let moves leaf = not m.leaves.(leaf).Model.fixed in
+  let of_process (p : State.process) =
+    let n = match Steer.chances semantics initial p with Ok chances -> List.length chances | Error _ -> 1 in
+    let leaves = List.filter moves (List.map (fun (l : State.leaf) -> l.leaf) (Array.to_list p.leaves)) in
+    List.map (fun _ -> max 2 n) leaves
+  in
+  let more count n = if count > most then count else count * n in
+  List.fold_left more 1 (List.concat_map of_process (Array.to_list initial.processes)) <= most

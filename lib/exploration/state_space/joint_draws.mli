@@ -31,3 +31,8 @@ val velocities : Semantics.t -> Catalogue.t -> int array -> (outcome list option
     lots are pending, and some process waits to draw. They are in the order of the draws. The outcome of each
     process depends on its own draw alone, so that one step of the kernel is made for each process and velocity.
     The result is [None] if there are more than {!most} outcomes. *)
+
+val joins : Semantics.t -> Scc_calculus.State.t -> bool
+(** [joins semantics initial] is true if the leaves of [initial] that move, each by itself, have at most {!most} joint
+    outcomes when all of them draw; two are counted for one that does not draw, for the lots of bonds. Then draws and
+    lots are joined in each state of the network that begins with [initial]. *)

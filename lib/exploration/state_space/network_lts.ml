@@ -63,10 +63,10 @@ let make ?(events = []) ?(time_seen = Scc_property.Time_seen.Always) ?(quotient 
   let right = Section.memory local ~first:(leaves / 2) ~beyond:leaves in
   let draws = Model.draws m && Option.is_none m.rigid && events = [] in
   let codec = lazy (Scc_codec.State_codec.make m initial) in
-  let catalogue = Local.catalogue local in
   let joined = joined && Model.leaves_to_chance m && Option.is_none m.rigid && events = [] in
   let walks = if joined then Option.bind units (fun units -> Walks.make ~units ~most:memory local) else None in
-  let quotient = Quotient.within quotient catalogue in
+  let quotient = if Joint_draws.joins semantics initial then quotient else { quotient with isometries = [] } in
+  let quotient = Quotient.within quotient (Local.catalogue local) in
   { local; quotient; walks; visible; initial; encounters; left; right; scene; draws; joined; codec; given_up = [];
     seen = Bytes.empty; may_split = false }
 
