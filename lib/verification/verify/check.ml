@@ -218,9 +218,10 @@ let merge parts ~events_elsewhere =
 
 let whole options semantics ~initial checks =
   let events_elsewhere () = Joint_check.may_have_events options semantics ~initial in
+  let run options group = explored options semantics ~initial group in
+  let cut (outcomes, _, _) = List.exists (fun (_, (o : Verdict.outcome)) -> Verdict.had_share o.verdict) outcomes in
   groups options semantics ~initial checks
-  |> Setup.shares ~size:(fun g -> List.length g.members) ~after:0
-  |> List.map (fun (group, share) -> explored (Setup.share options share) semantics ~initial group)
+  |> Setup.in_rounds options ~size:(fun g -> List.length g.members) ~cut run
   |> merge ~events_elsewhere
 
 (* The model and where it starts, with movement steps as part of the state where they are not jumped over. *)

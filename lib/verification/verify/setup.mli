@@ -43,3 +43,8 @@ val shares : size:('a -> int) -> after:int -> 'a list -> ('a * share) list
 
 val share : t -> share -> t
 (** [share t s] is for work that begins now and has the share [s] of the seconds that are left. *)
+
+val in_rounds : t -> size:('a -> int) -> cut:('b -> bool) -> (t -> 'a -> 'b) -> 'a list -> 'b list
+(** [in_rounds t ~size ~cut run list] is [run] of each element, in the order of [list], each with its share of the
+    seconds. Those whose results are [cut], as their shares ended them, are run again as long as seconds are left, each
+    with its share of these. *)

@@ -141,6 +141,10 @@ let truncated = function
       (function Truncated t | Unevaluated t -> Some t | Unexplored _ | Undefined _ | Fault _ -> None)
       reasons
 
+let had_share v =
+  List.exists (fun t -> match t.origin with By_share -> true | By_default | By_user | By_property | By_system -> false)
+    (truncated v)
+
 let resources v =
   List.exists
     (fun t ->

@@ -137,6 +137,9 @@ val disjunction : t list -> t
 val truncated : t -> truncation list
 (** The limits that prevented a decision or a proof. *)
 
+val had_share : t -> bool
+(** [had_share v] is true if a share of the seconds ended the work on [v], so that more of them might decide it. *)
+
 val resources : t -> bool
 (** [resources v] is true if a limit of the machine or an interruption (seconds, memory, Ctrl-C) is among
     {!truncated}. *)

@@ -94,6 +94,19 @@ let shared checks =
   let of_check (c : Property.check) = match asked c.formula with q -> untils q | exception Not_asked _ -> [] in
   { to_come = List.concat_map of_check checks; known = [] }
 
+let groups checks =
+  let asked_about (c : Property.check) = match asked c.formula with q -> untils q | exception Not_asked _ -> [] in
+  let common (_, us) (_, vs) = List.exists (fun u -> List.exists (Chance_claims.same_question u) vs) us in
+  let add found x =
+    let near, others = List.partition (List.exists (common x)) found in
+    (x :: List.concat near) :: others
+  in
+  let by_number (i, _) (j, _) = Int.compare i j in
+  List.mapi (fun i c -> ((i, c), asked_about c)) checks
+  |> List.fold_left add []
+  |> List.map (fun group -> List.sort by_number (List.map fst group))
+  |> List.sort (fun a b -> by_number (List.hd a) (List.hd b))
+
 let without_first is list =
   let add (found, kept) x = if (not found) && is x then (true, kept) else (found, x :: kept) in
   List.rev (snd (List.fold_left add (false, []) list))

@@ -27,6 +27,10 @@ type result = {
 type shared
 (** The explorations of the checks of a model. *)
 
+val groups : Property.check list -> (int * Property.check) list list
+(** [groups checks] are the checks with their numbers in the list, those together that have
+    an until in common, directly or by others. *)
+
 val shared : Property.check list -> shared
 (** [shared checks] are the explorations of these checks, none made yet. An exploration is kept as long as one of
     the checks to come asks about the same until. *)

@@ -272,10 +272,10 @@ let without_chance (options : Setup.t) semantics u ~declared ~exactly ~premises 
 
 (* {1 Chance} *)
 
-(* Verdicts of checks that need probabilities, each explored by itself. *)
+(* Verdicts of checks that need probabilities. Those about the same untils have one share of the seconds. *)
 let by_chance options semantics u ~declared checks =
-  let context = Instant.context semantics and shared = Zone_chance.shared checks in
-  let one ((check : Property.check), share) =
+  let context = Instant.context semantics in
+  let of_check options shared (check : Property.check) =
     let found (r : Zone_chance.result) =
       let example =
         match (r.verdict, Union.point r.where.fails) with
@@ -289,9 +289,21 @@ let by_chance options semantics u ~declared checks =
       in
       (outcome, r)
     in
-    Result.map found (Zone_chance.check (Setup.share options share) shared semantics context u ~declared check)
+    Result.map found (Zone_chance.check options shared semantics context u ~declared check)
   in
-  Result.all one (Setup.shares ~size:(fun _ -> 1) ~after:0 checks)
+  let of_group options group =
+    let shared = Zone_chance.shared (List.map snd group) in
+    Result.all (fun (i, c) -> Result.map (fun found -> (i, found)) (of_check options shared c)) group
+  in
+  let cut = function
+    | Ok found -> List.exists (fun (_, ((o : Verdict.outcome), _)) -> Verdict.had_share o.verdict) found
+    | Error _ -> false
+  in
+  Zone_chance.groups checks
+  |> Setup.in_rounds options ~size:List.length ~cut of_group
+  |> Result.all Fun.id
+  |> Result.map (fun found ->
+      List.concat found |> List.sort (fun (i, _) (j, _) -> Int.compare i j) |> List.map snd)
 
 (* Nothing is told of premises here. *)
 let untold (check : Property.check) : Verdict.outcome =
