@@ -5,8 +5,11 @@
  * part, and what differs now.
  *
  * @typedef {{ legs: number, label: string, time: Rational }} Happening  An event: its leg, from 0 on, and when it is.
- * @typedef {{ same: number, here: Happening | null, there: Happening | null, start: boolean }} Parting  same: how many events
- *   are the same at first; here, there: the next one of each run; start: whether the runs begin in different states.
+ * @typedef {{ same: number, here: Happening | null, there: Happening | null, start: boolean, until: Rational | null }} Parting
+ *   same: how many events are the same at first; here, there: the next one of each run, if they part; start: whether the runs
+ *   begin in different states; until: if they do not part, how far both are known, null for ever.
+ *
+ * @typedef {{ after: After, straight: boolean }} End  How a run goes on; straight: whether bodies then go straight on.
  */
 const Compare = (() => {
   /** So many differences are told. */
@@ -21,7 +24,17 @@ const Compare = (() => {
    */
   let second = null;
   /** @type {Parting} */
-  let parting = { same: 0, here: null, there: null, start: false };
+  let parting = { same: 0, here: null, there: null, start: false, until: null };
+  /**
+   * How the other run goes on after what is told of it.
+   * @type {End}
+   */
+  let end = { after: "open", straight: false };
+  /**
+   * Where the other run was left by a switch, and how often one had moved then.
+   * @type {{ run: PlayedRun, legs: number, time: Rational, moves: number } | null}
+   */
+  let left = null;
   /**
    * The run that was shown last.
    * @type {PlayedRun}
@@ -83,8 +96,18 @@ const Compare = (() => {
 
   /** @param {PlayedRun | null} run */
   function begin(run) {
-    second = run ? Player.beside(player, run) : null;
-    if (second) parting = part(player, second);
+    second = null;
+    if (run) {
+      const { data } = player, one = Player.beside(player, player.run), two = Player.beside(player, run);
+      const longer = Rational.cmp(one.course.duration, two.course.duration) > 0 ? one : two;
+      const known = (/** @type {Player} */ of) => {
+        const whole = Further.prolong(data, of.run, longer.course.duration);
+        return whole === of.run ? of : Player.beside(player, of.run, new Course(data, whole));
+      };
+      second = known(two);
+      end = { after: Further.after(data, run), straight: Further.straight(second.course) };
+      parting = part(known(one), second);
+    }
     move();
   }
 
@@ -105,11 +128,12 @@ const Compare = (() => {
   /** Shows the other run at this time; without one, the nearest that does otherwise is compared with. */
   function change() {
     if (second) {
-      const { run, legs, time } = second, left = { run: player.run, legs: player.legs, time: player.time };
-      player.open(run, legs, time);
       // Who switches twice is where they were.
-      if (second.run === left.run) second.place(left.legs, left.time);
-      if (scene) scene.others = ghosts(scene);
+      const { run, legs, time } = left && left.run === second.run && left.moves === player.moves ? left : second;
+      const from = { run: player.run, legs: player.legs, time: player.time };
+      player.open(run, legs, time);
+      left = { ...from, moves: player.moves };
+      if (second.run === from.run && Rational.cmp(player.time, from.time) === 0) second.place(from.legs, from.time);
       show();
       document.dispatchEvent(new CustomEvent("compare"));
     } else if (runs.length > 0) choose(natural() || runs[0]);
@@ -123,7 +147,7 @@ const Compare = (() => {
     Rational.sign(leg.duration) === 0 ? [{ legs: leg.index, label: leg.label.words || leg.label.text, time: leg.start }] : []);
 
   /**
-   * Where two runs part: how time is cut into steps makes no difference.
+   * Where two runs part, as far as both are known: how time is cut into steps makes no difference.
    * @param {Player} one @param {Player} two @returns {Parting}
    */
   function part(one, two) {
@@ -131,10 +155,46 @@ const Compare = (() => {
     let same = 0;
     while (!start && same < Math.min(a.length, b.length) &&
       a[same].label === b[same].label && Rational.cmp(a[same].time, b[same].time) === 0) same++;
-    return { same, here: a[same] || null, there: b[same] || null, start };
+    const here = a[same] || null, there = b[same] || null;
+    const [more, less] = here ? [here, two] : [there, one], until = known(less);
+    // What comes when the run without it is not followed any more is no difference.
+    if (start || (here && there) || (more && (!until || Rational.cmp(more.time, until) < 0)))
+      return { same, here, there, start, until: null };
+    const [first, second] = [known(one), known(two)];
+    const least = !first ? second : !second || Rational.cmp(first, second) < 0 ? first : second;
+    return { same, here: null, there: null, start, until: least };
   }
 
-  /** When the runs part, or null if all events are the same. */
+  /**
+   * Before which time all events of a run are known: null, for ever.
+   * @param {Player} of
+   */
+  function known({ data, run, course }) {
+    const after = Further.after(data, run);
+    return after === "rests" || after === "stops" ? null : course.duration;
+  }
+
+  /** Whether the other run is known where this one is. */
+  function followed(at = player) {
+    if (!second) return false;
+    const { duration } = second.course, after = Rational.cmp(at.time, duration);
+    if (after < 0 || (after > 0 && end.after === "rests")) return after < 0 || end.straight;
+    if (after > 0) return false;
+    // More events at its last instant may come.
+    return end.after === "rests" || end.after === "stops" || at.legs - first(at) <= second.course.legs.length - first(second);
+  }
+
+  /**
+   * After how many legs the instant begins at which a run is.
+   * @param {Player} of
+   */
+  function first(of) {
+    let low = of.legs;
+    while (low > 0 && Rational.cmp(of.instant(low - 1), of.time) === 0) low--;
+    return low;
+  }
+
+  /** When the runs part, or null if they do not, as far as is known. */
   function when() {
     const { here, there, start } = parting;
     if (!second) return null;
@@ -143,10 +203,19 @@ const Compare = (() => {
     return here ? here.time : there ? there.time : null;
   }
 
+  /** Whether the runs part after the end of this one. */
+  function beyond() {
+    const time = when();
+    return time !== null && Rational.cmp(time, player.course.duration) > 0;
+  }
+
   /** Goes to the state from which the runs go on differently. */
   function difference() {
     const time = when();
-    if (!time) return;
+    if (!time || beyond()) {
+      if (second) Dom.tell(Dom.get("live"), words());
+      return;
+    }
     player.pause();
     const { here } = parting;
     if (here && Rational.cmp(here.time, time) === 0) player.go(here.legs, time);
@@ -155,21 +224,37 @@ const Compare = (() => {
 
   /** The difference in words. */
   function words() {
-    const { same, here, there, start } = parting;
+    const { same, here, there, start, until } = parting;
     if (start) return "The runs begin in different states.";
     const first = same === 0 ? "No event is the same" : same === 1 ? "The first event is the same" : `The first ${same} events are the same`;
+    const at = (/** @type {Rational} */ time) => `time ${Dom.clip(Exactly.text(time), 30)}`;
+    if (until) {
+      const count = same === 0 ? "no event" : same === 1 ? "1 event" : `${same} events`;
+      return `The same as far as both are followed: ${count}, until ${at(until)}.`;
+    }
     if (!here && !there) return `${same === 0 ? "Both runs are without events" : "All events are the same"}.`;
     const said = (/** @type {Happening | null} */ what) =>
-      what ? `${Dom.clip(what.label, 100)}, at time ${Dom.clip(Exactly.text(what.time), 30)}` : "no event";
-    return `${first}. Then here: ${said(here)}. There: ${said(there)}.`;
+      what ? `${Dom.clip(what.label, 100)}, at ${at(what.time)}` : "no event";
+    const out = beyond() ? " That is after the end of what is shown of this run: switch to go there." : "";
+    return `${first}. Then here: ${said(here)}. There: ${said(there)}.${out}`;
   }
 
   function move() {
     if (second) {
-      second.beside(player);
+      bring(player);
       if (!player.playing) show();
     }
     if (scene) scene.others = second ? ghosts(scene) : [];
+  }
+
+  /**
+   * Brings the other run to the time of a player.
+   * @param {Player} at
+   */
+  function bring(at) {
+    if (!second) return;
+    second.beside(at);
+    if (Rational.cmp(at.time, second.time) > 0 && followed(at)) second.time = at.time;
   }
 
   /**
@@ -177,7 +262,7 @@ const Compare = (() => {
    * @param {Scene} scene @param {Player} [at] where this run is
    */
   function ghosts(scene, at = player) {
-    if (!second) return [];
+    if (!second || !followed(at)) return [];
     const { course, legs, time } = second, tint = scene.bodies.colors.other, here = place(at);
     let words = 0;
     return course.bodiesAfter(legs, time).flatMap((body) => body.process.leaves.flatMap((at) => {
@@ -211,7 +296,7 @@ const Compare = (() => {
 
   /** What differs now: bodies, each with how. */
   function differences() {
-    if (!second) return [];
+    if (!second || !followed()) return [];
     const [here, there] = [place(player), place(second)], text = (/** @type {number} */ b) => player.data.behaviours[b].text;
     return [...new Set([...here.keys(), ...there.keys()])].sort((a, b) => a - b).flatMap((leaf) => {
       const [a, b] = [here.get(leaf), there.get(leaf)];
@@ -225,14 +310,25 @@ const Compare = (() => {
     });
   }
 
+  /** What is said of the other run where what is told of it has ended. */
+  function further() {
+    if (!second || Rational.cmp(player.time, second.course.duration) <= 0)
+      return second && !followed() ? "The other run is not followed further." : "";
+    if (end.after === "stops") return "The other run is over: no more time passes there.";
+    if (end.after !== "rests") return "The other run is not followed further.";
+    return `Nothing more happens in the other run${end.straight ? "" : "; its bodies are not followed further"}.`;
+  }
+
   function show() {
     const box = Dom.get("compare");
     box.hidden = second === null;
     if (!second) return;
     const all = differences(), rest = all.length - told;
-    const over = Rational.cmp(second.course.duration, player.time) < 0 ? " The other run is over." : "";
-    Dom.tell(now, (all.length === 0 ? "Nothing differs now." :
-      `Different now: ${all.slice(0, told).join(", ")}${rest > 0 ? ` and ${rest} more` : ""}.`) + over);
+    Dom.tell(now, [
+      !followed() ? "" : all.length === 0 ? "Nothing differs now."
+        : `Different now: ${all.slice(0, told).join(", ")}${rest > 0 ? ` and ${rest} more` : ""}.`,
+      further(),
+    ].join(" ").trim());
     const head = `${player.run.index} ${second.run.index} ${second.run.name} ${player.run.name}`;
     if (box.dataset.of === head && box.firstChild) return;
     box.dataset.of = head;
@@ -240,7 +336,7 @@ const Compare = (() => {
       box,
       Dom.make("span", { class: "compare-buttons" }, [
         Dom.button("Switch", change, { test: "compare-switch", class: "small", title: "Show the other run at this time (k)" }),
-        when() ? Dom.button("Difference", difference, { test: "compare-difference", class: "small", title: "To the first difference (j)" }) : null,
+        when() && !beyond() ? Dom.button("Difference", difference, { test: "compare-difference", class: "small", title: "To the first difference (j)" }) : null,
       ]),
       Dom.make("p", { role: "status" }, [
         Dom.make("span", { class: "compare-mark", "aria-hidden": "true" }),
@@ -256,7 +352,7 @@ const Compare = (() => {
    */
   function stage(at) {
     if (!second || !scene) return;
-    second.beside(at);
+    bring(at);
     scene.others = ghosts(scene, at);
   }
 
@@ -265,7 +361,7 @@ const Compare = (() => {
     if (!second) return null;
     const time = when();
     return {
-      run: second.run.name, legs: second.legs, time: Rational.text(second.time), words: words(), differences: differences(),
+      run: second.run.name, legs: second.legs, followed: followed(), now: now.textContent, time: Rational.text(second.time), words: words(), differences: differences(),
       parts: time && Rational.text(time),
     };
   }

@@ -123,13 +123,13 @@ class Player {
 
   /**
    * Another run of the same document, without a clock of its own.
-   * @param {Player} player @param {PlayedRun} run @returns {Player}
+   * @param {Player} player @param {PlayedRun} run @param {Course} [course] @returns {Player}
    */
-  static beside(player, run) {
+  static beside(player, run, course = new Course(player.data, run)) {
     const { data } = player;
     const made = /** @type {Player} */ (Object.create(Player.prototype));
     Object.assign(made, {
-      data, run, course: new Course(data, run), runs: player.runs, bare: player.bare, listeners: {}, playing: false, speed: 1,
+      data, run, course, runs: player.runs, bare: player.bare, listeners: {}, playing: false, speed: 1,
       legs: 0, time: Rational.zero, clock: 0, held: 0, moves: 0,
     });
     made.measure();

@@ -88,8 +88,18 @@ const Plots = (() => {
    */
   function add(texts) {
     const own = texts.slice(0, most).map((text) => player.data.plots.length + Formulas.add(text));
-    chosen = chosen.filter((plot) => !own.includes(plot)).concat(own).slice(-most);
+    keep(chosen.filter((plot) => !own.includes(plot)).concat(own));
     others();
+  }
+
+  /**
+   * Shows plots, the last ones if there are too many; those that are left out are named.
+   * @param {number[]} plots
+   */
+  function keep(plots) {
+    const out = plots.slice(0, -most).map((plot) => Dom.clip(Formulas.text(plot), 60));
+    chosen = plots.slice(-most);
+    Wanted.say(out.length === 0 ? "" : `At most ${most} plots are shown. Not shown any more: ${out.join(", ")}. See Choose.`);
   }
 
   /** The names of bodies that move, for examples. */
@@ -156,11 +166,9 @@ const Plots = (() => {
           checked: chosen.includes(index),
           change: () => {
             chosen = chosen.filter((other) => other !== index);
-            if (tick.checked)
-              chosen = chosen
-                .concat(index)
-                .slice(-most)
-                .sort((a, b) => a - b);
+            if (tick.checked) keep(chosen.concat(index));
+            else Wanted.say("");
+            chosen.sort((a, b) => a - b);
             if (chosen.length === most) list();
             draw();
             document.dispatchEvent(new CustomEvent("plots"));

@@ -204,7 +204,10 @@ const Timeline = (() => {
     }
     if (!parts) return;
     const at = Math.round(x(Rational.toNumber(parts), width));
-    if (at < 0 || at > width) return;
+    pen.font = "600 12px system-ui, sans-serif";
+    // After the end of the line, as far as it can be drawn.
+    if (Rational.toNumber(parts) > player.end && range.to >= player.end) pen.fillText("≠ →", width - 18, 13);
+    if (at < 0 || at > width || Rational.toNumber(parts) > player.end) return;
     pen.strokeStyle = tint;
     pen.setLineDash([4, 3]);
     pen.beginPath();
@@ -212,7 +215,6 @@ const Timeline = (() => {
     pen.lineTo(at + 0.5, floor + 5);
     pen.stroke();
     pen.setLineDash([]);
-    pen.font = "600 12px system-ui, sans-serif";
     pen.fillText("≠", Math.max(8, Math.min(width - 8, at + (at > width - 20 ? -9 : 9))), 13);
   }
 

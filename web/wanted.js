@@ -6,6 +6,8 @@ const Wanted = (() => {
   let input;
   /** @type {HTMLElement} */
   let wrong;
+  /** @type {HTMLElement} */
+  let note;
 
   /** @param {HTMLElement} box where it goes @param {(text: string) => void} ask @param {string} hint */
   function start(box, ask, hint) {
@@ -33,7 +35,8 @@ const Wanted = (() => {
     input.addEventListener("input", () => {
       wrong.hidden = true;
     });
-    box.append(form, wrong);
+    note = Dom.make("p", { class: "plot-wrong", role: "status", hidden: true, test: "plot-note" });
+    box.append(form, wrong, note);
   }
 
   /**
@@ -53,5 +56,14 @@ const Wanted = (() => {
     input.scrollIntoView({ block: "nearest" });
   }
 
-  return { start, refuse };
+  /**
+   * Says something of the plots that are shown, or nothing.
+   * @param {string} text
+   */
+  function say(text) {
+    note.hidden = text === "";
+    Dom.fill(note, Dom.make("bdi", { class: "words", text }));
+  }
+
+  return { start, refuse, say };
 })();

@@ -593,6 +593,16 @@ def plots(b, scc):
       return saved.text();''')
     check('the plots as a drawing', drawn.startswith('<svg xmlns="http://www.w3.org/2000/svg"') and '<path' in drawn,
           drawn[:200])
+    for k in range(13):
+        b.find('plot-input').send_keys(f'time + {k}', Keys.ENTER)
+    last = b.text('plot-note')
+    same('no more than so many are shown', len(b.all('figure.plot')), 12)
+    check('and which one is left out is told', 'time + 0.' in last and b.find('plot-note').is_displayed(), last)
+    b.find('plot-input').send_keys('time + 12', Keys.ENTER)
+    check('a plot again leaves none out', not b.find('plot-note').is_displayed())
+    b.find('plots-choose').click()
+    b.js('[...document.querySelectorAll(".plot-menu label")].find((one) => one.textContent === "time + 0").querySelector("input").click()')
+    check('nor is one left out in silence that is chosen', 'time + 1.' in b.text('plot-note'), b.text('plot-note'))
 
 
 def upright(b, scc):

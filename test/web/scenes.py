@@ -138,6 +138,56 @@ def compared(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
+def beyond(b, scc):
+    """Two runs after the last step that is told of one: for ever, by its repeated steps, or not at all."""
+    def both(one, two):
+        """Shows a run, and compares with another; what is told of it at a time."""
+        for call, name in [('open', one), ('compare', two)]:
+            check(f'there is a run {name}', b.js(
+                'const k = scc.runs().findIndex((run) => run.name === arguments[1]); scc[arguments[0]](k); return k >= 0',
+                call, name))
+        return lambda time: b.js('scc.seek(arguments[0]); return scc.compared()', time)
+
+    # One walks from 1 to 0 and back for ever, the other one is absorbed at time 4.
+    b.open(scc.view('specs/models/ruin.sc'))
+    at = both('ends, otherwise', 'ends')
+    told = at('3')
+    same('what repeats goes on', (told['time'], told['parts'], told['followed'], told['differences']), ('3', '3', True, []))
+    check('both events of the first difference are told', told['words'].count('at time 3') == 2, told['words'])
+    same('and it is where the period says', at('4')['differences'], ['walker (there alone)'])
+    at = both('ends', 'ends, otherwise')
+    told = at('2')
+    check('a difference after the end of the run is told', 'after the end of what is shown of this run' in told['words'], told['words'])
+    same('no button leads there', len(b.all('[data-testid="compare-difference"]')), 0)
+    b.keys('j')
+    same('and no key', (b.state()['time'], b.text('live')), ('2', told['words']))
+    at = both('rich', 'ruined')
+    same('what rests is over', at('3')['now'], 'Nothing differs now. Nothing more happens in the other run.')
+
+    b.open(scc.view('specs/models/capsid.sc'))
+    words = 'The same as far as both are followed: 2 events, until time 1.'
+    at = both('first choices', 'pairs')
+    same('as far as both are followed', (at('1/2')['words'], at('1/2')['parts'], at('1/2')['differences']), (words, None, []))
+    for time in ['1', '2']:
+        told = at(time)
+        same('a beginning is not compared after its end', (told['now'], told['differences'], told['followed']),
+             ('The other run is not followed further.', [], False))
+    check('nor drawn', b.js(SEEN, [0, 0x80, 0x9c]) == 0)
+    same('the other way about', both('pairs', 'first choices')('1')['words'], words)
+
+    # What rests goes straight on.
+    b.open(scc.view(written(scc, """import <solids>
+process p = solids.Cube(1) mass 1 velocity (1, 0, 0) [nil]
+process q = solids.Cube(1) mass 1 at translate (0, 5, 0) velocity (0, 0, 0) [nil]
+check soon : possibly x(p) >= 2
+check late : possibly x(p) >= 9
+""")))
+    told = both('late', 'soon')('5')
+    same('what rests goes straight on', (told['differences'], told['time'], told['followed'], told['now']),
+         ([], '5', True, 'Nothing differs now. Nothing more happens in the other run.'))
+    same('the console is told nothing', b.complaints(), [])
+
+
 SAVED = '''
 const done = arguments[1];
 scc.file(arguments[0]).then((bytes) => {
@@ -353,4 +403,4 @@ def dialog(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
-PARTS = [marks, compared, silhouettes, by_schedule, pictures, films, dialog]
+PARTS = [marks, compared, beyond, silhouettes, by_schedule, pictures, films, dialog]
