@@ -33,6 +33,6 @@ val velocities : Semantics.t -> Catalogue.t -> int array -> (outcome list option
     The result is [None] if there are more than {!most} outcomes. *)
 
 val joins : Semantics.t -> Scc_calculus.State.t -> bool
-(** [joins semantics initial] is true if the leaves of [initial] that move, each by itself, have at most {!most} joint
-    outcomes when all of them draw; two are counted for one that does not draw, for the lots of bonds. Then draws and
-    lots are joined in each state of the network that begins with [initial]. *)
+(** [joins semantics initial] is true if the leaves of [initial] that move, each by itself, have at most {!most}
+    joint outcomes when all of them draw. Two outcomes are counted for a leaf that does not draw, for the lots of
+    bonds. Then draws and lots are joined in each state of the network that begins with [initial]. *)

@@ -219,7 +219,8 @@ let merge parts ~events_elsewhere =
 let whole options semantics ~initial checks =
   let events_elsewhere () = Joint_check.may_have_events options semantics ~initial in
   let run options group = explored options semantics ~initial group in
-  let cut (outcomes, _, _) = List.exists (fun (_, (o : Verdict.outcome)) -> Verdict.had_share o.verdict) outcomes in
+  let had_share (_, (o : Verdict.outcome)) = Verdict.had_share o.verdict in
+  let cut (outcomes, _, _) = List.exists had_share outcomes in
   groups options semantics ~initial checks
   |> Setup.in_rounds options ~size:(fun g -> List.length g.members) ~cut run
   |> merge ~events_elsewhere

@@ -46,5 +46,5 @@ val share : t -> share -> t
 
 val in_rounds : t -> size:('a -> int) -> cut:('b -> bool) -> (t -> 'a -> 'b) -> 'a list -> 'b list
 (** [in_rounds t ~size ~cut run list] is [run] of each element, in the order of [list], each with its share of the
-    seconds. Those whose results are [cut], as their shares ended them, are run again as long as seconds are left, each
-    with its share of these. *)
+    seconds. Those whose results are [cut], as their shares ended them, are run again as long as seconds are left,
+    each with its share of these. *)

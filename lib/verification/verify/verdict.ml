@@ -142,8 +142,8 @@ let truncated = function
       reasons
 
 let had_share v =
-  List.exists (fun t -> match t.origin with By_share -> true | By_default | By_user | By_property | By_system -> false)
-    (truncated v)
+  let is_share = function By_share -> true | By_default | By_user | By_property | By_system -> false in
+  List.exists (fun t -> is_share t.origin) (truncated v)
 
 let resources v =
   List.exists

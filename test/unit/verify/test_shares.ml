@@ -1,6 +1,6 @@
-(* Seconds are shared by the checks of a model: one without an end leaves the others their parts, and has in the end
-   what they leave. The clock counts how often an exploration asks whether it is to stop, so that nothing depends on
-   how busy the machine is. *)
+(* Seconds are shared by the checks of a model: one without an end leaves the others their parts, and has in the
+   end what they leave. The clock counts how often an exploration asks whether it is to stop, so that nothing
+   depends on how busy the machine is. *)
 
 open Scc_graph_search
 open Scc_semantics
