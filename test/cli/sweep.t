@@ -267,6 +267,9 @@ Estimates at each point: those of `scc estimate` there, for any number of proces
   $ estimates --store kept-runs > two; estimates --store kept-runs | diff two -; diff one two
   scc: left out: met: no probability or mean is asked for: `scc check` decides it
   scc: left out: met: no probability or mean is asked for: `scc check` decides it
+  $ scc sweep ruin.sc -D n=1,2,3 --store kept-runs
+  kept-runs: error[SC0911]: it keeps something else: --estimate is given there, and not here
+  [3]
   $ estimates --check rich --decimals 6 --seed 7 | tail -n +2 | tr -d '\r' | sed 's/^[0-9]*,[^,]*,rich,estimated,\([^,]*\),\([^,]*\),\([^,]*\),\([0-9]*\),/\1, from \2 to \3, \4 runs/' > rows
   $ for n in 1 2 3; do scc estimate ruin.sc -D n=$n --runs 50 --check rich --seed 7; done | sed 's/rich: estimated: //; s/ with confidence .*, / , /; s/ ,/,/' | diff rows -
   $ estimates --format jsonl --check soon | head -2

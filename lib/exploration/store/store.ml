@@ -100,9 +100,14 @@ let same_identity kept identity =
     | Some known -> Some (Printf.sprintf "%s is %s there, and %s here" name known value)
     | None -> Some (Printf.sprintf "nothing is known there of %s" name)
   in
-  match List.find_map differs identity with
-  | Some what -> fail Code.other_store "it keeps something else: %s" what
-  | None -> if List.compare_lengths kept identity <> 0 then damaged "what it is of is not whole"
+  let only_kept (name, value) =
+    if List.mem_assoc name identity then None
+    else if String.equal value "" then Some (Printf.sprintf "%s is given there, and not here" name)
+    else Some (Printf.sprintf "%s is %s there, and not given here" name value)
+  in
+  let other what = fail Code.other_store "it keeps something else: %s" what in
+  Option.iter other (List.find_map differs identity);
+  Option.iter other (List.find_map only_kept kept)
 
 let digest_of_identity identity =
   let told text = Printf.sprintf "%d:%s" (String.length text) text in

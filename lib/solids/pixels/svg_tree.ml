@@ -39,9 +39,24 @@ let plain attributes =
 (* Before a signal that is a start tag is read, [at] becomes the place after its name. *)
 type input = { xml : Xmlm.input; mutable at : int * int }
 
+(* By XML, no attribute is there twice; Xmlm does not see to it. *)
+let check_once attributes =
+  let by_name (((a : Xmlm.name), _) : Xmlm.attribute) (b, _) = compare a b in
+  let rec once : Xmlm.attribute list -> unit = function
+    | (a, _) :: ((b, _) :: _ as rest) ->
+      if a = b then raise (Bad (Printf.sprintf "the attribute %s twice" (snd a)));
+      once rest
+    | [ _ ] | [] -> ()
+  in
+  once (List.sort by_name attributes)
+
 let signal input =
   input.at <- Xmlm.pos input.xml;
-  Xmlm.input input.xml
+  match Xmlm.input input.xml with
+  | `El_start (_, attributes) as start ->
+    check_once attributes;
+    start
+  | (`El_end | `Data _ | `Dtd _) as other -> other
 
 (* The rest of an element whose start was read is passed over. *)
 let pass_over input =
@@ -119,6 +134,7 @@ let read text =
       let attributes = root_tag input in
       let root = element input "svg" attributes in
       content input root;
+      if not (Xmlm.eoi input.xml) then raise (Bad "something after the end of the svg element");
       root
     with (Bad _ | Unread _) as fault -> raise (Fault (input.at, fault))
   in

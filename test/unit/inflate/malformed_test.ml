@@ -213,10 +213,28 @@ let places () =
   is "a sheet" "<style" "<style>a{</style><g/>";
   is "letters of two bytes" "<rect" "<g id='\xc3\xa9\xc3\xa9'><rect opacity='x' width='9' height='9'/></g>"
 
+(* By XML, an attribute is there once, and nothing but comments follows the root. *)
+let well_formed () =
+  let is expected text =
+    let found = match read ~resolution:8 text with Ok _ -> "read" | Error d -> (d.Diag.code :> string) in
+    Alcotest.(check string) text expected found
+  in
+  let drawn root rect =
+    Printf.sprintf "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'%s><rect width='9' height='9'%s/></svg>"
+      root rect
+  in
+  let drawing = drawn "" "" in
+  is "read" drawing;
+  is "read" (drawing ^ "\n<!-- the end --> ");
+  List.iter (fun after -> is "SC0340" (drawing ^ after)) [ "junk"; "<rect/>"; drawing ];
+  is "SC0340" (drawn "" " width='1'");
+  is "SC0340" (drawn " viewBox='0 0 1 1'" "")
+
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "malformed"
     [
       ("values", List.map (fun ((name, _, _) as property) -> case name (malformed property)) properties);
       ("boxes", [ case "clip paths" boxes; case "gradients" gradients ]); ("places", [ case "tags" places ]);
+      ("XML", [ case "well formed" well_formed ]);
     ]
