@@ -220,8 +220,8 @@ let well_formed () =
     Alcotest.(check string) text expected found
   in
   let drawn root rect =
-    Printf.sprintf "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'%s><rect width='9' height='9'%s/></svg>"
-      root rect
+    "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'" ^ root ^ "><rect width='9' height='9'" ^ rect
+    ^ "/></svg>"
   in
   let drawing = drawn "" "" in
   is "read" drawing;
