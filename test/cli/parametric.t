@@ -359,6 +359,11 @@ What depends on the state is found when it comes up: here at x = 0, for k = 1/2.
   command line: error[SC0209]: the parameter `k` has one value, and no range
     hint: declare it as in `param k in (0, 1)`, and give it no value
   [64]
+  $ sed 's/^param k.*/&\nparam n = 2/' refused.sc > two.sc; grep -c param two.sc; scc check two.sc --parametric n
+  2
+  command line: error[SC0209]: the parameter `n` has one value, and no range
+    hint: declare it as in `param n in (0, 1)`, and give it no value
+  [64]
   $ scc check refused.sc --parametric k --where
   scc: --where does not go with --parametric
   [64]

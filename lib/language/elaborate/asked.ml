@@ -22,11 +22,11 @@ let parameter t = t.parameter
 (* Where the name is wrong, the parameter that is meant is one with a range, and stands where ranges cannot. *)
 let check t report ~known ~hint =
   match (t.given, t.parameter) with
-  | Some { name; _ }, None when known name ->
-    if not (Report.failed report) then
-      Report.error report Code.unknown_parameter Span.none "the parameter `%s` has one value, and no range" name
-        ~hint:(Printf.sprintf "declare it as in `param %s in (0, 1)`, and give it no value" name)
   | Some { name; _ }, None when not (Report.failed_besides report Code.not_linear) ->
     Report.leave_out report Code.not_linear;
-    Report.error report Code.unknown_parameter Span.none "the model has no parameter `%s`" name ?hint:(hint name)
+    if known name then
+      Report.error report Code.unknown_parameter Span.none "the parameter `%s` has one value, and no range" name
+        ~hint:(Printf.sprintf "declare it as in `param %s in (0, 1)`, and give it no value" name)
+    else
+      Report.error report Code.unknown_parameter Span.none "the model has no parameter `%s`" name ?hint:(hint name)
   | _ -> ()
