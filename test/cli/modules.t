@@ -170,6 +170,14 @@ A name that an import does not have: one like it, or what it has.
 
   $ unknown() { printf '%s\nprocess p = %s mass 1 [nil]\n' "$1" "$2" > unknown.sc; scc check unknown.sc 2>&1 | grep 'error\|hint'; }
   $ unknown 'import <solids>' 'solids.Cuboid(1, 1, 1)'
+  unknown.sc:2:20: error[SC0201]: unknown template `solids.Cuboid(1,1,1)`
+    hint: did you mean `solids.Cube`? `solids` has `Chamfered`, `Cube`, `Dodecahedron`, `Icosahedron`, `Octahedron`, `Plank`, `Room`, `Tetrahedron`, `Wedge`
   $ unknown 'import <solids>' 'solids.Cub(1)'
+  unknown.sc:2:20: error[SC0201]: unknown template `solids.Cub(1)`
+    hint: did you mean `solids.Cube`? `solids` has `Chamfered`, `Cube`, `Dodecahedron`, `Icosahedron`, `Octahedron`, `Plank`, `Room`, `Tetrahedron`, `Wedge`
   $ unknown '' 'solids.Cube(1)'
+  unknown.sc:2:13: error[SC0201]: no import is called `solids`
+    hint: `import <solids>` is missing
   $ unknown 'import <solids> as s' 's.Cuboid(1, 1, 1)'
+  unknown.sc:2:15: error[SC0201]: unknown template `solids.Cuboid(1,1,1)`
+    hint: did you mean `solids.Cube`? `s` has `Chamfered`, `Cube`, `Dodecahedron`, `Icosahedron`, `Octahedron`, `Plank`, `Room`, `Tetrahedron`, `Wedge`

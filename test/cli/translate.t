@@ -100,7 +100,7 @@ What is wrong is told at its place in the document.
      |
    9 |       <template name="solids.Cub(2)"/>
      |                              ^^^
-    hint: did you mean `solids.Cube`?
+    hint: did you mean `solids.Cube`? `solids` has `Chamfered`, `Cube`, `Dodecahedron`, `Icosahedron`, `Octahedron`, `Plank`, `Room`, `Tetrahedron`, `Wedge`
   wrong.xml:17:30: error[SC0201]: unknown process `q`
       |
    17 |   <check name="far">always x(q) &lt; 9 and y(p) = 0</check>

@@ -284,8 +284,8 @@ let print (text, goal) = text ^ formula goal
 
 let random =
   [
-    QCheck2.Test.make ~name:"Ties: by another solver" ~count:(50 * scale) ~print scene agrees;
-    QCheck2.Test.make ~name:"Ties: random runs" ~count:(75 * scale) ~print scene picks;
+    QCheck2.Test.make ~name:"Ties: by another solver" ~count:(100 * scale) ~print scene agrees;
+    QCheck2.Test.make ~name:"Ties: random runs" ~count:(150 * scale) ~print scene picks;
   ]
 
 let counts () =

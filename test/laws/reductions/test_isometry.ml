@@ -257,7 +257,7 @@ let agrees text =
     true
 
 let scale = match Sys.getenv_opt "ISOMETRIES" with Some n -> int_of_string n | None -> 1
-let random = QCheck2.Test.make ~name:"Isometry: scenes" ~count:(100 * scale) ~print:Fun.id scene agrees
+let random = QCheck2.Test.make ~name:"Isometry: scenes" ~count:(200 * scale) ~print:Fun.id scene agrees
 
 let counts () =
   Printf.printf "%d scenes, %d with isometries; %d states and images, %d explored in part, %d numbers, %d runs\n"

@@ -14,7 +14,7 @@ let property ?(jump = true) ?(count = 60) name kinds =
   QCheck2.Test.make ~name ~count ~print:Fun.id case_gen (agrees kinds ~jump ~together:(together kinds))
 
 let timed name kinds =
-  QCheck2.Test.make ~name ~count:33 ~print:Fun.id timed_case_gen (agrees kinds ~jump:true ~together:false)
+  QCheck2.Test.make ~name ~count:65 ~print:Fun.id timed_case_gen (agrees kinds ~jump:true ~together:false)
 
 (* With collisions together, with binding by contact, or both, and with steps of single processes. *)
 let with_switches text =
@@ -24,7 +24,7 @@ let with_switches text =
   QCheck2.Gen.map (fun s -> text ^ "\n" ^ s ^ "\n") (QCheck2.Gen.oneofl settings)
 
 let switched name kinds =
-  QCheck2.Test.make ~name ~count:25 ~print:Fun.id
+  QCheck2.Test.make ~name ~count:50 ~print:Fun.id
     QCheck2.Gen.(case_gen >>= with_switches)
     (agrees kinds ~jump:true ~together:(together kinds))
 
@@ -41,7 +41,7 @@ let counts_closings text =
   true
 
 let ringed name kinds =
-  QCheck2.Test.make ~name ~count:30 ~print:Fun.id ringed_case_gen (fun text ->
+  QCheck2.Test.make ~name ~count:60 ~print:Fun.id ringed_case_gen (fun text ->
       counts_closings text && agrees kinds ~jump:true ~together:true text)
 
 (* {1 Each does something} *)

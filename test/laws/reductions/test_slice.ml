@@ -112,7 +112,7 @@ let agrees tally (q : Clusters.question) =
 let tally = { made = 0; compared = 0; lifted = 0; longer = 0 }
 
 let random =
-  QCheck2.Test.make ~name:"Fragments: clusters" ~count:225 ~print:Clusters.print Clusters.question (agrees tally)
+  QCheck2.Test.make ~name:"Fragments: clusters" ~count:450 ~print:Clusters.print Clusters.question (agrees tally)
 
 let counts () =
   Printf.printf "%d slices, %d verdicts compared, %d runs lifted, %d of them longer\n" tally.made tally.compared

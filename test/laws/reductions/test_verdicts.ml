@@ -81,7 +81,7 @@ let same (a : Check.report) (b : Check.report) =
 let compared = ref 0
 
 let congruent =
-  QCheck2.Test.make ~name:"Congruence: verdicts, and how many states there are" ~count:75 ~print:fst
+  QCheck2.Test.make ~name:"Congruence: verdicts, and how many states there are" ~count:150 ~print:fst
     (Gen.pair Crowds.case_gen Gen.(list_repeat 8 (0 -- 100)))
     (fun (text, keys) ->
        match (report text, report (reordered keys (renamed text))) with
@@ -118,7 +118,7 @@ let bisimilar seed (e : Scc_elaborate.Elaborate.t) =
   | Some _, None | None, Some _ -> false
 
 let rewritten =
-  QCheck2.Test.make ~name:"Bisimilarity: verdicts on random crowds" ~count:50 ~print:fst
+  QCheck2.Test.make ~name:"Bisimilarity: verdicts on random crowds" ~count:100 ~print:fst
     (Gen.pair Crowds.case_gen Gen.(0 -- 1_000_000)) (fun (text, seed) ->
         match Scc_test_models.Load.text text with
         | Error _ -> true

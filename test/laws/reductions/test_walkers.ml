@@ -202,7 +202,7 @@ let agrees text =
   | None -> true  (* where nobody docks, no formula may speak of it *)
   | Some (e, initial) -> List.iter (compare e initial) e.checks; true
 
-let random = QCheck2.Test.make ~name:"Fragments: walkers" ~count:125 ~print:Fun.id case_gen agrees
+let random = QCheck2.Test.make ~name:"Fragments: walkers" ~count:250 ~print:Fun.id case_gen agrees
 
 let counts () =
   Printf.printf "%d slices, %d numbers and %d truths compared, %d runs\n" tally.sliced tally.numbers tally.searches

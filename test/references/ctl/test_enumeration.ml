@@ -164,7 +164,7 @@ let suite =
      ( "all policies",
        [
          Scc_test_support.Property.case
-           (QCheck2.Test.make ~name:"Probability: within a bound of time" ~count:500 ~print gen agrees);
+           (QCheck2.Test.make ~name:"Probability: within a bound of time" ~count:1_000 ~print gen agrees);
          Alcotest.test_case "most are tried" `Quick many;
        ] );
    ])
