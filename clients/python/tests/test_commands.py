@@ -139,8 +139,14 @@ class Every(Commands):
         self.assertEqual([run.number for run in whole.runs], [0, 1, 2, 3, 4])
 
     def test_sweep(self):
+        runs = {"confidence": "0.9", "free": "evenly", "normal": True, "seed": 7, "steps": 900, "until": 50, "runs": 20}
+        looks = {"most": 100, "width": "1/2", "estimate": True}
+        estimates = {name: {"=": 1, "estimate": True, "check": ["far"], "runs": 20, name: value}
+                     for name, value in runs.items()}
+        estimates.update((name, {"=": 1, "estimate": True, "check": ["far"], name: value})
+                         for name, value in looks.items())
         self.each(sweep, WALK + "param a = 1\n", {
-            "define": {"a": "1..2"}, "format": "csv", "part": "2/2", "check": ["far"],
+            **estimates, "define": {"a": "1..2"}, "format": "csv", "part": "2/2", "check": ["far"],
             "decimals": {"=": 1, "decimals": 3, "format": "csv"}}, needed=("define",), leave=("resume",))
         kept = self.path("kept.jsonl")
         first = sweep(WALK + "param a = 1\n", {"a": [1, 2]}, output=kept)
