@@ -26,6 +26,8 @@ NEEDED = {
     "export": {"--output": "written.obj"},
     "serve": {"--port": "0"},  # it would serve a model that is not there
 }
+# Options that stand beside a flag alone.
+FLAGS = {("sweep", "--steps"): ["--estimate"], ("sweep", "--until"): ["--estimate"]}
 FROM_ZERO = {"--time", "--until", "--depth", "--steps", "--at", "--svg", "--tolerance", "--graph", "--decimals"}
 FROM_ONE = {"--runs", "--most", "--effort", "--states", "--jobs", "--seconds", "--every", "--memory", "--bits"}
 
@@ -52,7 +54,7 @@ def options(text):
 def call(command, option, words):
     needed = NEEDED.get(command, {})
     rest = [word for name, value in needed.items() if name != option for word in (name, value)]
-    return scc(command, *words, *rest, *FIRST.get(command, [MODEL]))
+    return scc(command, *words, *rest, *FLAGS.get((command, option), []), *FIRST.get(command, [MODEL]))
 
 
 def joined(name, value):

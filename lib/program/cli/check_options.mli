@@ -23,7 +23,7 @@ val words_of : ?jobs:int -> int option -> int
 (** The limit of memory in words: the given one, or a default that [jobs] processes (default: 1) share. *)
 
 val words : ?jobs:int -> Budget.t -> int
-(** {!words_of} a budget. *)
+(** The limit of memory of a budget in words: its own, or a default that [jobs] processes (default: 1) share. *)
 
 val watch : ?signals:bool -> ?jobs:int -> Budget.t -> Watch.t
 (** A watch over the seconds and the memory of a budget, from now on. [signals] and [jobs] are as for

@@ -49,14 +49,14 @@ let share t { mine; all } =
 let in_rounds t ~size ~cut run list =
   let is_over () = Option.is_some (t.surroundings.stop ()) in
   (* The last one of a round has all that is left, and is done: so rounds end. *)
-  let rec round list =
+  let rec round done_ list =
     let once ((i, x), s) = ((i, x), s.mine < s.all, run (share t s) x) in
     let found = List.map once (shares ~size:(fun (_, x) -> size x) ~after:0 list) in
     let again, kept = List.partition (fun (_, shared, y) -> shared && cut y) found in
     let numbered = List.map (fun ((i, _), _, y) -> (i, y)) in
-    if List.length again = 0 || is_over () then numbered found
-    else numbered kept @ round (List.map (fun (x, _, _) -> x) again)
+    if List.length again = 0 || is_over () then numbered found @ done_
+    else round (numbered kept @ done_) (List.map (fun (x, _, _) -> x) again)
   in
-  round (List.mapi (fun i x -> (i, x)) list)
+  round [] (List.mapi (fun i x -> (i, x)) list)
   |> List.sort (fun (i, _) (j, _) -> Int.compare i j)
   |> List.map snd
