@@ -84,6 +84,13 @@ Who stands among the bodies sees what is before the eye alone, and behind it not
   0 0 800 658
   27
 
+Bodies may be farther from the eye than floats go:
+
+  $ for x in 1e200 1e400 -1e999; do rm seen.svg; draw --camera "camera={\"at\":[\"$x\",\"0\",\"0\"],\"distance\":9,\"turn\":0,\"height\":1}"; done
+  0 0 800 658
+  0 0 800 658
+  0 0 800 658
+
   $ scc view ../../specs/models/hexokinase.sc --svg 1 --camera 'run=0'
   scc: option '--camera': this is no link with a camera: it has no camera: copy
        the link of a page of scc view, or what follows # in it

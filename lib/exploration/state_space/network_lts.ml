@@ -62,13 +62,13 @@ let make ?(events = []) ?(time_seen = Scc_property.Time_seen.Always) ?(quotient 
   let left = Section.memory local ~first:0 ~beyond:(leaves / 2) in
   let right = Section.memory local ~first:(leaves / 2) ~beyond:leaves in
   let draws = Model.draws m && Option.is_none m.rigid && events = [] in
-  let codec = lazy (Scc_codec.State_codec.make m initial) in
   let joined = joined && Model.leaves_to_chance m && Option.is_none m.rigid && events = [] in
   let walks = if joined then Option.bind units (fun units -> Walks.make ~units ~most:memory local) else None in
-  let quotient = if Joint_draws.joins semantics initial then quotient else { quotient with isometries = [] } in
+  let joins = match quotient.isometries with [] -> true | _ :: _ -> Joint_draws.joins semantics initial in
+  let quotient = if joins then quotient else { quotient with isometries = [] } in
   let quotient = Quotient.within quotient (Local.catalogue local) in
-  { local; quotient; walks; visible; initial; encounters; left; right; scene; draws; joined; codec; given_up = [];
-    seen = Bytes.empty; may_split = false }
+  { local; quotient; walks; visible; initial; encounters; left; right; scene; draws; joined; given_up = [];
+    codec = lazy (Scc_codec.State_codec.make m initial); seen = Bytes.empty; may_split = false }
 
 (* Processes that were only thought of, as targets of transitions that are not possible as yet, do not count. *)
 let enter c number =

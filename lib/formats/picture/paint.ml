@@ -31,7 +31,8 @@ let stroke_of (canvas : Canvas.t) (view : View.t) =
   let seen = List.filter (fun points -> Array.length points > 0) (Array.to_list view.points) in
   let sum = List.fold_left (fun sum points -> sum +. size points) 0. seen in
   let mean = sum /. float_of_int (max 1 (List.length seen)) in
-  Float.max 0.25 (Float.min 1. (mean /. 100.))
+  (* What is too far away for floats has no size: then none of the comparisons is true. *)
+  if mean < 25. then 0.25 else if mean < 100. then mean /. 100. else 1.
 
 let make camera ~origin canvas hidden =
   let view = Hidden.view hidden in
