@@ -180,4 +180,4 @@ A name that an import does not have: one like it, or what it has.
     hint: `import <solids>` is missing
   $ unknown 'import <solids> as s' 's.Cuboid(1, 1, 1)'
   unknown.sc:2:15: error[SC0201]: unknown template `solids.Cuboid(1,1,1)`
-    hint: did you mean `solids.Cube`? `s` has `Chamfered`, `Cube`, `Dodecahedron`, `Icosahedron`, `Octahedron`, `Plank`, `Room`, `Tetrahedron`, `Wedge`
+    hint: `s` has `Chamfered`, `Cube`, `Dodecahedron`, `Icosahedron`, `Octahedron`, `Plank`, `Room`, `Tetrahedron`, `Wedge`

@@ -181,18 +181,20 @@ let bare name =
 (* More of them would hide what is said. *)
 let most_listed = 24
 
-(* What the import has that a name is looked for in. *)
+(* Names of the import in which a name is looked for, as they are written after its own name. *)
 let in_import known (r : Ast.reference) name =
-  let*? q = r.qualifier in
   let prefix = String.sub name 0 (String.length name - String.length r.target.it) in
   let n = String.length prefix in
   let inside key =
     if String.starts_with ~prefix key then Some (String.sub key n (String.length key - n)) else None
   in
-  match List.sort_uniq String.compare (List.filter_map inside known) with
-  | [] -> None
-  | some when List.length some > most_listed -> None
-  | some -> Some (Printf.sprintf "`%s` has %s" q.it (String.concat ", " (List.map (Printf.sprintf "`%s`") some)))
+  List.sort_uniq String.compare (List.filter_map inside known)
+
+let listed import names =
+  if List.length names > most_listed then None
+  else
+    let quoted = List.map (Printf.sprintf "`%s`") names in
+    Some (Printf.sprintf "`%s` has %s" import (String.concat ", " quoted))
 
 (* What is known under a bare name, as it would be written. *)
 let report_unknown report what keys (r : Ast.reference) (reference : reference) =
@@ -201,12 +203,17 @@ let report_unknown report what keys (r : Ast.reference) (reference : reference) 
   match instances with
   | [] ->
     let known = List.map bare keys in
-    let near =
-      match Diag.suggest of_family known with
-      | Some hint -> Some hint
-      | None -> Diag.suggest r.target.it known
+    let hints =
+      match (r.qualifier, in_import known r of_family) with
+      | Some import, (_ :: _ as names) ->
+        let written name = import.it ^ "." ^ name in
+        [ Diag.suggest (written r.target.it) (List.map written names); listed import.it names ]
+      | Some _, [] | None, _ -> (
+          match Diag.suggest of_family known with
+          | Some hint -> [ Some hint ]
+          | None -> [ Diag.suggest r.target.it known ])
     in
-    let hints = List.filter_map Fun.id [ near; in_import known r of_family ] in
+    let hints = List.filter_map Fun.id hints in
     let hint = match hints with [] -> None | _ -> Some (String.concat " " hints) in
     Report.error report Code.unknown_name r.target.at ?hint "unknown %s `%s`" what reference.label
   | _ :: _ ->
