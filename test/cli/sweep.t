@@ -278,6 +278,11 @@ Estimates at each point: those of `scc estimate` there, for any number of proces
   $ scc sweep ruin.sc -D n=2 --estimate --width 1/4 --decimals 3 --check rich
   point,n,check,verdict,estimate (rounded to 3 decimals),from (rounded down to 3 decimals),to (rounded up to 3 decimals),runs,why
   0,2,rich,estimated,0.352,0.237,0.479,128,
+  $ scc sweep ruin.sc -D n=2 --estimate --runs 200 --normal --decimals 3 --check long
+  point,n,check,verdict,estimate (rounded to 3 decimals),from (rounded down to 3 decimals),to (rounded up to 3 decimals),runs,why
+  0,2,long,estimated,3.73,3.236,4.224,200,the interval is approximate: right if the mean of the runs is normal
+  $ scc sweep ruin.sc -D n=2 --estimate --runs 200 --normal --format jsonl --check long | grep -o '"infinite".*'
+  "infinite":false,"approximate":true,"runs":200},"reasons":[]}]}
   $ scc sweep ruin.sc -D n=1,2 --estimate --check met
   ruin.sc:12:7: error[SC0205]: `met` cannot be estimated: no probability or mean is asked for: `scc check` decides it
       |

@@ -10,6 +10,7 @@ import unittest
 from fractions import Fraction
 
 from shapecalculus import ServiceError, sweep, sweep_records
+from shapecalculus.sweeps import records_of
 
 from .support import program
 
@@ -57,6 +58,13 @@ class Sweeps(unittest.TestCase):
         for record in self.sweep({"n": [1, 2], "p": ["1/3"]}, estimate=True, runs=20, check="ruin"):
             self.assertEqual(record["runs"], 20)
             self.assertTrue(0 <= record["low"] <= record["estimate"] <= record["high"] <= 1)
+
+    def test_approximate_intervals(self):
+        made = {"value": "1/1", "low": "0/1", "high": "2/1", "infinite": False, "approximate": True, "runs": 40}
+        found = {"name": "c", "verdict": "estimated", "values": [], "estimate": made, "reasons": []}
+        for point in [found, {**found, "estimate": {**made, "approximate": False}}]:
+            [record] = records_of([{"parameters": {}, "refused": None, "checks": [point]}])
+            self.assertEqual("approximate" in record["why"], point is found)
 
     def test_order_and_infinity(self):
         records = self.sweep({"p": ["1/4", "1/2"], "n": [1, 2]})

@@ -5,7 +5,14 @@ open Scc_verify
 open Scc_estimate
 
 type number = { over : string; low : Rat.t option; high : Rat.t option; infinite : bool }
-type estimate = { value : Rat.t option; from : Rat.t option; upto : Rat.t option; never : bool; runs : int }
+type estimate = {
+  value : Rat.t option;
+  from : Rat.t option;
+  upto : Rat.t option;
+  never : bool;
+  approximate : bool;
+  runs : int;
+}
 
 type check = {
   name : string;
@@ -48,11 +55,11 @@ let share (t : Tally.t) =
   if t.runs = 0 || Tally.open_ended t > 0 then None else Some (Rat.make (Z.of_int t.yes) (Z.of_int t.runs))
 
 let estimate (a : Estimation.answer) =
-  let make value from upto = { value; from; upto; never = false; runs = a.tally.runs } in
+  let make value from upto = { value; from; upto; never = false; approximate = false; runs = a.tally.runs } in
   match a.value with
   | Probability (low, high) -> make (share a.tally) (Some low) (Some high)
   | Mean { mean; low; high } -> make mean low high
-  | Approximate { mean; low; high } -> make (Some mean) (Some low) (Some high)
+  | Approximate { mean; low; high } -> { (make (Some mean) (Some low) (Some high)) with approximate = true }
   | Sample { mean; _ } -> make (Some mean) None None
   | Infinite -> { (make None None None) with never = true }
   | Unknown -> make None None None

@@ -16,6 +16,7 @@ type estimate = {
   from : Rat.t option;
   upto : Rat.t option;
   never : bool;  (** infinite: some run never comes to it *)
+  approximate : bool;  (** [from] and [upto] are those of a normal mean, and not proved *)
   runs : int;
 }
 

@@ -66,6 +66,11 @@ let number_fields t (c : Outcome.check) =
       string_of_int runs;
     ]
 
+let remarks (c : Outcome.check) =
+  match c.estimate with
+  | Some { approximate = true; _ } -> [ "the interval is approximate: right if the mean of the runs is normal" ]
+  | Some _ | None -> []
+
 let csv t k outcome =
   let start = string_of_int k :: List.map (fun (_, r) -> Rat.to_string r) (Grid.point t.grid k) in
   let start = start @ if t.diffuses then [ Lattices.kicks (Outcome.lattices outcome) ] else [] in
@@ -75,7 +80,7 @@ let csv t k outcome =
     csv_line (start @ [ ""; "invalid" ] @ nothing @ [ Printf.sprintf "%s: %s" code message ])
   | Checked { checks; _ } ->
     let line (c : Outcome.check) =
-      csv_line (start @ [ c.name; c.verdict ] @ number_fields t c @ [ String.concat "; " c.reasons ])
+      csv_line (start @ [ c.name; c.verdict ] @ number_fields t c @ [ String.concat "; " (c.reasons @ remarks c) ])
     in
     String.concat "" (List.map line checks)
 
@@ -121,6 +126,9 @@ let check =
         field "low" (nullable Shared.rational) (finite (fun e -> e.from));
         field "high" (nullable Shared.rational) (finite (fun e -> e.upto));
         field "infinite" bool (finite (fun e -> e.never)) ~about:"True if some run never comes to it.";
+        maybe "approximate" (constant (`Bool true))
+          (fun (e : Outcome.estimate) -> if e.approximate then Some () else None)
+          ~about:"With --normal, if the interval is that of a normal mean, which is not proved.";
         field "runs" natural (finite (fun e -> e.runs));
       ]
   in

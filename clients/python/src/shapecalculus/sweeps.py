@@ -17,6 +17,7 @@ Record = Dict[str, Any]
 _NUMBERS = ("low", "high", "least_low", "least_high", "greatest_low", "greatest_high")
 #: The columns after those of the parameters.
 COLUMNS = ("check", "verdict", *_NUMBERS, "why")
+_APPROXIMATE = "the interval is approximate: right if the mean of the runs is normal"
 #: The columns of estimates, after these.
 ESTIMATES = ("estimate", "runs")
 
@@ -47,6 +48,8 @@ def _of_check(parameters: Mapping[str, str], check: Mapping[str, Any]) -> Record
         low, high = ("infinite", "infinite") if made["infinite"] else (made["low"], made["high"])
         value = "infinite" if made["infinite"] else made["value"]
         record.update(low=_end(low), high=_end(high), estimate=_end(value), runs=made["runs"])
+        if made.get("approximate"):
+            record["why"] = "; ".join([*check["reasons"], _APPROXIMATE])
     return record
 
 
