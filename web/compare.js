@@ -128,7 +128,7 @@ const Compare = (() => {
   /** Shows the other run at this time; without one, the nearest that does otherwise is compared with. */
   function change() {
     if (second) {
-      // Who switches twice is where they were.
+      // A second switch restores the former run, place and time.
       const { run, legs, time } = left && left.run === second.run && left.moves === player.moves ? left : second;
       const from = { run: player.run, legs: player.legs, time: player.time };
       player.open(run, legs, time);

@@ -1,13 +1,13 @@
 "use strict";
 
 /**
- * How a run goes on after the last step that is told of it.
+ * How a run goes on after the last step that the page has of it.
  *
  * @typedef {"rests" | "stops" | "repeats" | "open"} After  rests: time passes for ever, and nothing else happens; stops: no
  *   time passes; repeats: its last steps come again, for ever; open: that is not known.
  */
 const Further = (() => {
-  /** So many steps of a run that repeats are told at most. */
+  /** The greatest number of steps that a run has after its period was repeated. */
   const most = 2000;
 
   /** @param {PageData} data @param {PlayedRun} run @returns {After} */

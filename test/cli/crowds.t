@@ -54,6 +54,6 @@ A thousand bodies need no other options, and nothing is left open.
   $ scc estimate $M/crowds/motor.sc -D n=1000 --check first_at_9 --runs 1
   first_at_9: estimated: 1, from 0.004999 to 1 with confidence 99/100, 1 run
 
-A short exploration of each tells a run to what was not explored, also where draws are too many to be joined.
+A short exploration of each shows a run to an unexplored state, also where draws are too many to be joined.
 
   $ for m in $M/crowds/*.sc; do scc check $m --states 30 > short.txt 2>&1; test $? = 2 || echo "$m: $?"; done

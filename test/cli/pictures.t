@@ -71,7 +71,7 @@ From the camera of a page, in its frame, with or without perspective. A link and
   $ draw --camera "$camera"
   0 0 800 658
 
-Who stands among the bodies sees what is before the eye alone, and behind it nothing:
+An eye among the bodies sees only what is before it:
 
   $ near='camera={"at":["0","0","0"],"distance":2.5,"turn":0,"height":0.3}'
   $ draw --camera "$near" && grep -c '<path' seen.svg

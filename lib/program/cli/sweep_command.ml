@@ -87,7 +87,7 @@ let left_out console o (l : Loaded.t) =
   Estimate_options.paths l l.checks ~by_name:(o.checks <> [])
   |> Result.map (fun (_, left) -> List.iter note left)
 
-(* What is wrong with the command line is so at every point; warnings are told of the first one alone. *)
+(* A fault of the command line is one at every point. Warnings are those of the first point alone. *)
 let first_point console source o =
   let read () =
     let* l = Input.model console ~source ~overrides:(Grid.point o.grid 0) ~narrowed:[] o.path in

@@ -1,4 +1,4 @@
-(** Of which parameters the states are told apart, where only what follows a state matters (rule Starts). *)
+(** The parameters that distinguish states of which only what follows them matters (rule Starts). *)
 
 open Scc_property
 open Scc_state_sets
