@@ -18,7 +18,7 @@ LIMIT = 100
 READING = 64
 OVER = 60
 SMALL = 4
-LARGE = 220
+LARGE = 400
 MODEL = """shape B = mesh "%s.off" weld
 process p = B mass 1 velocity (1, 0, 0) [nil]
 check far : possibly x(p) > 3
