@@ -1,5 +1,5 @@
-(* Seconds of work that a request is to be worth. A longer one would hold back states that follow: what leads to them
-   is looked for by others meanwhile, and is found to be new several times. *)
+(* Seconds of work that a request is to be worth. A longer one would hold back states that follow: what leads to
+   them is looked for by others meanwhile, and is found to be new several times. *)
 let request_seconds = 500e-6
 let most_states = 512
 

@@ -1,5 +1,5 @@
-(** How many states processes take at a time ({!Crew}), by how long it takes to find the transitions of one, which is
-    measured during the exploration. No result depends on it. *)
+(** How many states processes take at a time ({!Crew}), by how long it takes to find the transitions of one,
+    which is measured during the exploration. No result depends on it. *)
 
 type t
 

@@ -13,8 +13,8 @@ let few = 1 lsl 19
 (* So often is a process replaced that has died; what is left is found here. *)
 let most_deaths = 20
 
-(* Requests of a worker whose answers are not all used yet, and those under way: the next one is there before it has
-   answered one. *)
+(* Requests of a worker whose answers are not all used yet, and those under way: the next one is there before it
+   has answered one. *)
 let slots_of_worker = 8
 let most_under_way = 4
 

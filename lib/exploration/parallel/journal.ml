@@ -25,9 +25,9 @@ module Make
 
   (** {2 Notes as bytes}
 
-      The state, as a difference from the one after that of the note before; twice the number of its edges, and one
-      more if further transitions are postponed; and those that are told. An edge is its label and 0, with what is
-      different in the new state, or 1 + the number of a state. *)
+      The state, as a difference from the one after that of the note before; twice the number of its edges, and
+      one more if further transitions are postponed; and those that are told. An edge is its label and 0, with
+      what is different in the new state, or 1 + the number of a state. *)
 
   let zigzag n = if n >= 0 then 2 * n else (-2 * n) - 1
   let unzigzag n = if n land 1 = 0 then n / 2 else -((n + 1) / 2)
@@ -141,7 +141,6 @@ module Make
         j.followed <- false;
         afresh state tuple
     in
-    (* Asked of each edge: no partial applications. *)
     let told =
       Some { Graph.asks = (fun label -> asks j label); tell = (fun i noted -> tell j i noted) }
     in

@@ -4,8 +4,8 @@ open Scc_shared
 open Scc_codec
 open Scc_graph_search
 
-(* A slot is memory for a request and its answers: how far it is; the microseconds that the answers took; the number
-   of states, and they; for each of them the place of its answer; and the answers. *)
+(* A slot is memory for a request and its answers: how far it is; the microseconds that the answers took; the
+   number of states, and they; for each of them the place of its answer; and the answers. *)
 type slot = Shared_memory.numbers
 
 (* How far a request is: 0 of none; asked; or so many more than the number of states that have been answered. *)
@@ -46,7 +46,7 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
         | beyond ->
           slot.{header + count + k} <- at;
           from (k + 1) beyond
-        | exception (No_room | Ahead.Too_long) -> k
+        | exception (No_room | Answers.Too_long) -> k
     in
     let start = Unix.gettimeofday () in
     let found = from 0 (header + (2 * count)) in

@@ -1,5 +1,5 @@
-(** What a worker of a {!Crew} does: it finds the transitions of states that another process numbers. Requests and
-    answers lie in memory that they share. *)
+(** What a worker of a {!Crew} does: it finds the transitions of states that another process numbers. Requests
+    and answers lie in memory that they share. *)
 
 open Scc_graph_search
 
@@ -10,8 +10,8 @@ val request : slot -> int array -> unit
 (** [request slot states] asks for the transitions of some states. *)
 
 val answered : slot -> int
-(** [answered slot] is the number of states that have been answered, the first ones of the request; negative while it
-    is under way. *)
+(** [answered slot] is the number of states that have been answered, the first ones of the request; negative
+    while it is under way. *)
 
 val place : slot -> int -> int
 (** [place slot k] is the place of the answer about the [k]-th state, from 0. *)
@@ -26,12 +26,12 @@ val bells : unit -> bells option
 (** [bells ()] is new bells; [None] if the system gives no memory. *)
 
 val say_waiting : bells -> int -> unit
-(** [say_waiting bells who] is called by a process before it looks once more for what it waits for, and then waits for
-    a message. *)
+(** [say_waiting bells who] is called by a process before it looks once more for what it waits for, and then
+    waits for a message. *)
 
 val is_waiting : bells -> int -> bool
-(** [is_waiting bells who] is true if a process waits for a message, once for each time. It is called after something
-    was written for that process. *)
+(** [is_waiting bells who] is true if a process waits for a message, once for each time. It is called after
+    something was written for that process. *)
 
 val main : int
 (** The process that numbers the states, for {!say_waiting} and {!is_waiting}. *)
@@ -40,16 +40,16 @@ val worker : int
 (** The other process. *)
 
 module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) : sig
-  (** A graph that is shared, with its table of texts; whether all edges are wanted; and the states of which a visitor
-      is not told. *)
+  (** A graph that is shared, with its table of texts; whether all edges are wanted; and the states of which a
+      visitor is not told. *)
   type shared = { graph : Graph.t; common : Common.t; all_edges : bool; dull : int array -> bool }
 
   val find : shared -> slot -> unit
-  (** [find shared slot] answers the request in a slot: for each state in turn what {!Graph.put_answer} puts. It ends
-      early where the slot is full, or room is wanted in the tables. *)
+  (** [find shared slot] answers the request in a slot: for each state in turn what {!Graph.put_answer} puts. It
+      ends early where the slot is full, or room is wanted in the tables. *)
 
   val serve : shared -> slot array -> bells -> Channel.t -> unit
   (** [serve shared slots bells channel] answers the requests that come into the slots by turns. It is called in
-      another process. A message wakes it, where it waits, and its messages tell how many words of memory it has. It
-      ends with {!Channel.Closed}. *)
+      another process. A message wakes it, where it waits, and its messages tell how many words of memory it has.
+      It ends with {!Channel.Closed}. *)
 end

@@ -122,13 +122,13 @@ val time_label : t -> Rat.t -> int
 val hash_label : Transition.label -> int
 (** A hash that agrees with {!Scc_semantics.Transition.equal_label}. *)
 
-(** The draws and lots of one instant as one transition (rule JoinedDraws): the chance of all of them together, and
-    the number of transitions that it stands for. *)
+(** The draws and lots of one instant as one transition (rule JoinedDraws): the chance of all of them together,
+    and the number of transitions that it stands for. *)
 type joint = { chance : Rat.t; transitions : int }
 
 val tied : t -> Transition.label -> Rat.t -> int
-(** [tied c l chance] is the number of the label [l] of an urgent transition to which chance gives the probability
-    [chance] (rule Ties). *)
+(** [tied c l chance] is the number of the label [l] of an urgent transition to which chance gives the
+    probability [chance] (rule Ties). *)
 
 val label_of_transition : t -> Transition.t -> int
 (** The number of {!tied} for an urgent transition with a probability, and of {!label} for all others. *)
@@ -180,8 +180,8 @@ type texts = {
 
 val share : t -> Scc_graph_search.Common.t -> texts -> bool
 (** [share t table texts] makes the numbers of things that come up from now on the same in all processes that are
-    forked afterwards. It takes the kinds 0 to 3 of the table. It is false, and nothing has changed, if the system
-    gives no memory. *)
+    forked afterwards. It takes the kinds 0 to 3 of the table. It is false, and nothing has changed, if the
+    system gives no memory. *)
 
 val numbers_so_far : t -> int
 (** [numbers_so_far t] is more than any number that has been given. *)

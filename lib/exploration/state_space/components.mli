@@ -8,11 +8,12 @@ open Scc_semantics
 val hash_label : Transition.label -> int
 (** A hash that agrees with {!Scc_semantics.Transition.equal_label}. *)
 
-(** The draws and lots of one instant as one transition (rule JoinedDraws): the chance of all of them together, and
-    the number of transitions that it stands for. *)
+(** The draws and lots of one instant as one transition (rule JoinedDraws): the chance of all of them together,
+    and the number of transitions that it stands for. *)
 type joint = { chance : Rat.t; transitions : int }
 
-(** A label; one of an urgent transition, with the probability that chance gives it (rule Ties); or joined draws. *)
+(** A label; one of an urgent transition, with the probability that chance gives it (rule Ties); or joined draws.
+*)
 type label = One of Transition.label | Tied of Transition.label * Rat.t | Joint of joint
 
 module Vectors : module type of Numbering.Make (Vec)

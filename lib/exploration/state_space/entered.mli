@@ -13,5 +13,5 @@ val mem : t -> int -> bool
     what has just been put in. *)
 
 val share : t -> bool
-(** [share t] moves the set into memory that is shared with processes that are forked afterwards. It is false, and
-    nothing has changed, if the system gives no such memory. *)
+(** [share t] moves the set into memory that is shared with processes that are forked afterwards. It is false,
+    and nothing has changed, if the system gives no such memory. *)

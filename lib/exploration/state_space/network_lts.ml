@@ -92,7 +92,6 @@ let has_entered c changes =
 
 let share c table = Entered.share c.seen && Local.share c.local table (Texts.make c.codec)
 let numbers_so_far c = Local.numbers_so_far c.local
-
 let split_step c =
   match (model c).splits with
   | Every step when c.may_split -> Some step
@@ -193,8 +192,8 @@ let by_pair c left right =
 
 let processes present = Array.map (fun (a : Local.alone) -> a.body.process) present
 
-(* Where two do not collide by themselves, but with all others that hang together with them (reading I-32), or meet
-   at rest (reading I-33): all at once. *)
+(* Where two do not collide by themselves, but with all others that hang together with them (reading I-32), or
+   meet at rest (reading I-33): all at once. *)
 let at_once c left right =
   let processes = processes (Array.append (Section.present left) (Section.present right)) in
   let collisions = List.rev_map (Local.move c.local) (Network.together (Local.afresh c.local) processes) in
@@ -282,8 +281,8 @@ let waiters c tuple =
   from (Array.length (model c).leaves - 1) []
 
 (* While two or more wait to draw (rule Draw), a draw changes one process alone: what all have drawn takes effect
-   when the last one has, and who is first is told by those who wait. Of bodies that turn nothing is said here, as
-   turns may end before each draw. *)
+   when the last one has, and who is first is told by those who wait. Of bodies that turn nothing is said here,
+   as turns may end before each draw. *)
 let draws c tuple =
   if not c.draws then None
   else
@@ -298,8 +297,8 @@ let draws c tuple =
 
 (* {2 Joined draws} *)
 
-(* How many joint outcomes the draws and lots that are pending have before any are merged, or more than are joined.
-   A lot counts as two. *)
+(* How many joint outcomes the draws and lots that are pending have before any are merged, or more than are
+   joined. A lot counts as two. *)
 let pending_outcomes c tuple =
   let step = Catalogue.step (catalogue c) tuple and time = Catalogue.time (catalogue c) tuple in
   let of_process (p : State.process) =

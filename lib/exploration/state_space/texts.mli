@@ -6,8 +6,8 @@ val bytes : (Buffer.t -> unit) -> string
 (** [bytes put] is what [put] adds to an empty buffer. *)
 
 val reading : string -> (Packed.source -> 'a) -> 'a
-(** [reading text read] is what [read] finds in the text. It raises [Failure], with what is wrong, if that is not all
-    of the text or none of what [read] reads. *)
+(** [reading text read] is what [read] finds in the text. It raises [Failure], with what is wrong, if that is not
+    all of the text or none of what [read] reads. *)
 
 val label : State_codec.t -> Catalogue.label -> string
 (** [label codec l] is a label as bytes. *)

@@ -1,5 +1,5 @@
-(** Large tables of numbers in memory, or beyond some size in mapped files: the system keeps pages that are not in
-    use on disk, and reads them again when they are needed. The files have no names and end with the process.
+(** Large tables of numbers in memory, or beyond some size in mapped files: the system keeps pages that are not
+    in use on disk, and reads them again when they are needed. The files have no names and end with the process.
 
     A forked process shares the mapped files: its writes to a table from before the fork show in its parent. So
     it must not write to such a table, and calls {!nowhere} first. *)

@@ -4,8 +4,8 @@ type numbers = (int, int_elt, c_layout) Array1.t
 type halves = (int32, int32_elt, c_layout) Array1.t
 type bytes = (int, int8_unsigned_elt, c_layout) Array1.t
 
-(* A mapping of this device is memory of nobody else, which is there once it is written to: it needs no file, and no
-   room for one. *)
+(* A mapping of this device is memory of nobody else, which is there once it is written to: it needs no file, and
+   no room for one. *)
 let device = "/dev/zero"
 
 let map kind count =

@@ -1,5 +1,5 @@
-(** Memory that a process shares with those that it forks afterwards. It needs no file, and takes room where it has
-    been written to; where nothing was written there are zeros. *)
+(** Memory that a process shares with those that it forks afterwards. It needs no file, and takes room where it
+    has been written to; where nothing was written there are zeros. *)
 
 open Bigarray
 
@@ -11,8 +11,8 @@ val numbers : int -> numbers option
 (** [numbers count] is memory for [count] numbers; [None] if the system refuses so much. *)
 
 val many_numbers : unit -> numbers option
-(** [many_numbers ()] is memory for 2{^31} numbers, or for a smaller power of two, at least 2{^20}, as many as the
-    system gives. *)
+(** [many_numbers ()] is memory for 2{^31} numbers, or for a smaller power of two, at least 2{^20}, as many as
+    the system gives. *)
 
 val halves : int -> halves option
 (** [halves count] is memory for [count] numbers of 32 bits; [None] if the system refuses so much. *)
@@ -26,8 +26,8 @@ val bytes : int -> bytes option
     written also sees what its process wrote before. *)
 
 val exchange : halves -> int -> from:int -> into:int -> bool
-(** [exchange memory i ~from ~into] writes [into] at index [i] if [from] is there. It is false if something else was
-    there. Both numbers have 32 bits with a sign. *)
+(** [exchange memory i ~from ~into] writes [into] at index [i] if [from] is there. It is false if something else
+    was there. Both numbers have 32 bits with a sign. *)
 
 val write_half : halves -> int -> int -> unit
 (** [write_half memory i number] writes a number of 32 bits at index [i]. *)
@@ -45,5 +45,5 @@ val raise_to : numbers -> int -> int -> unit
 (** [raise_to memory i number] makes the number at index [i] [number], unless it is greater. *)
 
 val swap : numbers -> int -> int -> int
-(** [swap memory i number] writes a number at index [i], and is the number that was there before. All processes see
-    it between what this process has written before and what it reads afterwards. *)
+(** [swap memory i number] writes a number at index [i], and is the number that was there before. All processes
+    see it between what this process has written before and what it reads afterwards. *)

@@ -1,7 +1,7 @@
 open Scc_data
 
-(* A text is a list of pairs: each of the number of the list before it, plus one, and of some of its bytes. The list
-   and the kind of thing that it names are a pair again, in another table, whose numbers are few. *)
+(* A text is a list of pairs: each of the number of the list before it, plus one, and of some of its bytes. The
+   list and the kind of thing that it names are a pair again, in another table, whose numbers are few. *)
 type t = { lists : Pairs.t; names : Pairs.t; first : int  (** the number of the first name *) }
 
 type numbers = {

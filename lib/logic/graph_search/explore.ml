@@ -106,8 +106,8 @@ module Make (L : Lts.S) = struct
 
   let labels_of steps = Array.of_list (List.map (fun (s : Lts.step) -> s.label) steps)
 
-  (* Relaxes the edges of a state; and what is told of them. The first one to a state that is new makes it; others
-     from the same state find it there. *)
+  (* Relaxes the edges of a state; and what is told of them. The first one to a state that is new makes it;
+     others from the same state find it there. *)
   let relax_all g limits visitor i ~first steps told =
     let arrival = Distances.arrival_number g.distances i in
     let rec each n next arrows = function

@@ -1,6 +1,6 @@
 (** Exploration of a timed transition system, breadth-first or in the order of time. It is deterministic: equal
-    systems and bounds give equal graphs, unless a clock, the memory or an interruption ends it. States take about
-    20 bytes each and edges 8. A graph that keeps no edges computes them again when they are needed. *)
+    systems and bounds give equal graphs, unless a clock, the memory or an interruption ends it. States take
+    about 20 bytes each and edges 8. A graph that keeps no edges computes them again when they are needed. *)
 
 open Scc_exact
 
@@ -35,16 +35,16 @@ module Make (L : Lts.S) : sig
   type visitor = {
     found : t -> int -> int array -> unit;  (** a new state, with its tuple *)
     opened : (t -> int -> int array -> edge array -> unit) option;
-    (** A state has been expanded: its number, tuple and edges, whose targets are all found. It is not called when
-        edges are computed again. *)
+    (** A state has been expanded: its number, tuple and edges, whose targets are all found. It is not called
+        when edges are computed again. *)
     earlier : t -> int -> unit;  (** an earlier arrival at a known state *)
     enough : unit -> bool;  (** called before each expansion: [true] ends the exploration *)
     matters : Rat.t -> bool;
     (** It is true if a state that is reached at this time, and no earlier, has to be expanded. Once it is false
         for a time, it stays false. *)
     dull : int array -> bool;
-    (** If it is true of the tuple of a new state, [found] does nothing for it, then or later. It may be called in
-        any process, and for states that never come to be found. *)
+    (** If it is true of the tuple of a new state, [found] does nothing for it, then or later. It may be called
+        in any process, and for states that never come to be found. *)
   }
 
   val blind : visitor
@@ -78,13 +78,13 @@ module Make (L : Lts.S) : sig
   }
 
   (** What {!put_answer} has put of a state, from this place on. *)
-  type answer = { words : Ahead.words; at : int }
+  type answer = { words : Answers.words; at : int }
 
   (** The way in which transitions of states are computed. The graph does not depend on it. *)
   type expander = {
     ready : int -> answer option;
-    (** What has been found of a state already, if anything. It is called before {!expand}, within an attempt, once
-        the graph has been shared. *)
+    (** What has been found of a state already, if anything. It is called before {!expand}, within an attempt,
+        once the graph has been shared. *)
     expand : int -> int array -> (expansion, L.fault) result;
     (** The transitions of a state, given its number and its tuple. It is called within an attempt, which may be
         given up at any point. *)
@@ -94,16 +94,16 @@ module Make (L : Lts.S) : sig
 
   type expanding = t -> all_edges:bool -> waits:(int -> bool) -> dull:(int array -> bool) -> expander
   (** The expander of an exploration that begins. With [all_edges] all edges are kept or visited, also those that
-      change nothing. [waits i] is true if state [i] is queued and within the bounds at present. [dull] is that of
-      the visitor. *)
+      change nothing. [waits i] is true if state [i] is queued and within the bounds at present. [dull] is that
+      of the visitor. *)
 
   val here : expanding
   (** The expander that calls {!successors} in this process. *)
 
   val successors : t -> int array -> (steps, L.fault) result
   (** [successors g tuple] is the result that [expand] of an expander must find. It is the reduced transitions of
-      the tuple ({!Lts.S.reduced}) if one of them leads to another state that is not expanded yet, but will be, and
-      otherwise all transitions. *)
+      the tuple ({!Lts.S.reduced}) if one of them leads to another state that is not expanded yet, but will be,
+      and otherwise all transitions. *)
 
   val all_or_some :
     t -> some:Lts.step list option -> all:(unit -> (Lts.step list, L.fault) result) -> (steps, L.fault) result
@@ -113,16 +113,16 @@ module Make (L : Lts.S) : sig
   val run :
     ?visitor:visitor -> ?order:order -> ?keep_edges:bool -> ?expanding:expanding ->
     Limits.t -> Limits.surroundings -> L.context -> t
-  (** [run limits surroundings context] explores the system until no state within the bounds is left, or a bound on
-      the resources is met, or [visitor] ends it. The order is [By_steps] by default, and edges are kept by
+  (** [run limits surroundings context] explores the system until no state within the bounds is left, or a bound
+      on the resources is met, or [visitor] ends it. The order is [By_steps] by default, and edges are kept by
       default. *)
 
   (** {1 Processes that share a graph} *)
 
   val share : t -> Common.t option
-  (** [share g] moves the tables of the graph into memory that is shared with processes that are forked from now on.
-      They call {!put_answer}; all else is left to this process. The result is the table of texts; [None] if the
-      system gives no such memory, and then the graph stays with this process. *)
+  (** [share g] moves the tables of the graph into memory that is shared with processes that are forked from now
+      on. They call {!put_answer}; all else is left to this process. The result is the table of texts; [None] if
+      the system gives no such memory, and then the graph stays with this process. *)
 
   val unshare : t -> unit
   (** [unshare g] moves the tables back to this process alone. No other process may use the graph any more. *)
@@ -130,14 +130,16 @@ module Make (L : Lts.S) : sig
   val shared_bytes : t -> int
   (** [shared_bytes g] is about how much memory is shared, in bytes. *)
 
-  val put_answer : t -> all_edges:bool -> dull:(int array -> bool) -> Ahead.words -> int -> int -> int
-  (** [put_answer g ~all_edges ~dull words at i] finds the transitions of state [i] of a graph that is shared, and their targets
-      as far as they are known, and puts both into [words] from [at] on. Without [all_edges], edges that change
-      nothing may be left out. The result is the first place that is free after that. Where the transitions are best found by the process that numbers states, this is noted in their place. It
-      raises {!Ahead.Too_long} if there is no room. *)
+  val put_answer : t -> all_edges:bool -> dull:(int array -> bool) -> Answers.words -> int -> int -> int
+  (** [put_answer g ~all_edges ~dull words at i] finds the transitions of state [i] of a graph that is shared,
+      and their targets as far as they are known, and puts both into [words] from [at] on. Without [all_edges],
+      edges that change nothing may be left out. The result is the first place that is free after that. Where the
+      transitions are best found by the process that numbers states, this is noted in their place. It raises
+      {!Answers.Too_long} if there is no room. *)
 
   val fetch : t -> answer -> unit
-  (** [fetch g answer] looks up what is asked for once the state of the answer is expanded, so that this is fast. *)
+  (** [fetch g answer] looks up what is asked for once the state of the answer is expanded, so that this is fast.
+  *)
 
   val refresh : t -> Common.t -> unit
   (** [refresh g common] is called before {!put_answer} by a process that has not worked for a while. *)
@@ -149,8 +151,8 @@ module Make (L : Lts.S) : sig
   (** [make_room g common] enlarges what is full of the tables. No other process may use them meanwhile. *)
 
   val go_on_apart : t -> Common.t -> full:(unit -> unit) -> unit
-  (** [go_on_apart g common ~full] is called by a process that has been forked, before {!put_answer}. [full] is as for
-      {!set_full}. *)
+  (** [go_on_apart g common ~full] is called by a process that has been forked, before {!put_answer}. [full] is
+      as for {!set_full}. *)
 
   val set_full : t -> Common.t -> (unit -> unit) -> unit
   (** [set_full g common full]: this process calls [full] where something does not fit the tables. It calls
@@ -181,8 +183,8 @@ module Make (L : Lts.S) : sig
       target. *)
 
   val targets : t -> timed:bool -> int -> int array
-  (** [targets g ~timed i] is the targets of the edges of state [i] that take time, or of those that take none, in
-      order. *)
+  (** [targets g ~timed i] is the targets of the edges of state [i] that take time, or of those that take none,
+      in order. *)
 
   val passing : t -> int -> Rat.t option
   (** [passing g i] is the duration of the first edge of state [i] that takes time. *)

@@ -95,7 +95,8 @@ module Make (L : Lts.S) = struct
     | Some steps -> Array.of_list (List.map (edge_of_step g) steps)
     | None -> Scc_base.Bug.fail __POS__ "the transitions of a state cannot be made again"
 
-  (* Whether a transition of the state that is loaded, to be expanded, leads to another one that will be later. *)
+  (* Whether a transition of the state that is loaded, to be expanded, leads to another one that will be later.
+  *)
   let is_ahead g (s : Lts.step) =
     let target changes = Tuples.find g.tuples ~near:g.near changes in
     match target s.changes with

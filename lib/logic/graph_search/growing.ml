@@ -31,7 +31,7 @@ module Make (L : Lts.S) = struct
 
   type told = { asks : int -> bool; tell : int -> noted -> unit }
 
-  type answer = { words : Ahead.words; at : int }
+  type answer = { words : Answers.words; at : int }
 
   type expander = {
     ready : int -> answer option;
@@ -80,8 +80,8 @@ module Make (L : Lts.S) = struct
     let duration = if takes_time g label then Some (L.duration g.context label) else None in
     Distances.after g.distances i ~transitions:(transitions_of g label) duration
 
-  (* All states of a cycle without duration have one earliest arrival. When one of these changes, all edges of its
-     state are looked at again. *)
+  (* All states of a cycle without duration have one earliest arrival. When one of these changes, all edges of
+     its state are looked at again. *)
   let are_reached_together g i j = Distances.arrival_number g.distances i = Distances.arrival_number g.distances j
 
   let note_turning g target =
@@ -140,8 +140,9 @@ module Make (L : Lts.S) = struct
       Array.iter pass (edges g i)
     done
 
-  (* An edge to a known state that clearly changes nothing leads deeper by no shorter way, and not earlier. No way
-     that goes on from a state leads to it sooner: of all of its edges, its own depth and arrival are the same. *)
+  (* An edge to a known state that clearly changes nothing leads deeper by no shorter way, and not earlier. No
+     way that goes on from a state leads to it sooner: of all of its edges, its own depth and arrival are the
+     same. *)
   let[@inline] is_plain g ~deeper ~arrival label target =
     Distances.arrival_number g.distances target = arrival
     &&

@@ -44,7 +44,8 @@ module type S = sig
 
   val share : context -> Common.t -> bool
   (** From now on components and labels that come up have the same numbers in all processes that are forked
-      afterwards; the table begins with {!numbers_so_far}, or later. It is false if the system gives no memory. *)
+      afterwards; the table begins with {!numbers_so_far}, or later. It is false if the system gives no memory.
+  *)
 
   val has_entered : context -> Tuples.changes -> bool
   (** The process that numbers the states has noted all that {!entered} would note. Any process may ask. *)
@@ -57,8 +58,8 @@ module Alone = struct
   let has_entered _ _ = false
 end
 
-(** What the numbers of a system mean to another process: they are exchanged for bytes, which are the same for the
-    same things in each of them. *)
+(** What the numbers of a system mean to another process: they are exchanged for bytes, which are the same for
+    the same things in each of them. *)
 module type Exchange = sig
   type context
 

@@ -7,9 +7,9 @@ type narrow = (int32, int32_elt, c_layout) Array1.t
 type index = (int32, int32_elt, c_layout) Array1.t
 
 (* A pair is one key of 62 bits; the keys are kept in chunks, in the order of their numbers: narrow ones, of 32
-   bits for each, where all numbers are less than 2^16, and wide ones. The index is an open hash table, probed line
-   by line. Of the 32 bits of a key's hash, the upper ones are its slot, and the others stand in the slot beside
-   the number: hardly any key is read that is not the one that is looked for. *)
+   bits for each, where all numbers are less than 2^16, and wide ones. The index is an open hash table, probed
+   line by line. Of the 32 bits of a key's hash, the upper ones are its slot, and the others stand in the slot
+   beside the number: hardly any key is read that is not the one that is looked for. *)
 type t = {
   mutable flat : wide;  (** all keys, of a table that processes share; no chunks then *)
   mutable narrow : narrow array;  (** empty where the chunk is wide *)
@@ -21,8 +21,8 @@ type t = {
   mutable shared : shared option;
 }
 
-(* Of each size that it may come to have there is an index from the beginning, as processes that have been forked get
-   no more memory that they share. *)
+(* Of each size that it may come to have there is an index from the beginning, as processes that have been forked
+   get no more memory that they share. *)
 and shared = {
   header : Shared_memory.numbers;
   indexes : index array;  (** by the bits of their sizes *)
@@ -92,9 +92,9 @@ let right p i =
   check p i;
   unpack_right (key p i)
 
-(* As many slots as a line of a processor's cache holds. Pairs that are alike but for the lowest bits of what is on
-   the right are looked for in one line, each in another of its slots, as such pairs are often asked for one after
-   the other. *)
+(* As many slots as a line of a processor's cache holds. Pairs that are alike but for the lowest bits of what is
+   on the right are looked for in one line, each in another of its slots, as such pairs are often asked for one
+   after the other. *)
 let line = 16
 
 (* Fibonacci hashing: the upper bits of a product, after the upper half has been mixed into the lower. *)
@@ -136,6 +136,15 @@ let look p k =
 let enter (index : index) bits i h id =
   Array1.unsafe_set index i (Int32.of_int ((tag h bits lsl bits) lor id))
 
+let put_all p (index : index) bits =
+  Array1.fill index (Int32.of_int free);
+  let rec vacant i = if entry index i = free then i else vacant (next index i) in
+  for id = 0 to p.size - 1 do
+    let k = key p id in
+    let h = hash k in
+    enter index bits (vacant (slot k h bits)) h id
+  done
+
 (* An index is made of the keys alone: of a large one there is only one at a time. *)
 let large = 1 lsl 22
 
@@ -146,12 +155,7 @@ let enlarge p =
   end;
   let bits = p.bits + 1 in
   let index = make_index ~in_files:p.in_files bits in
-  let rec vacant i = if entry index i = free then i else vacant (next index i) in
-  for id = 0 to p.size - 1 do
-    let k = key p id in
-    let h = hash k in
-    enter index bits (vacant (slot k h bits)) h id
-  done;
+  put_all p index bits;
   p.bits <- bits;
   p.index <- index
 
@@ -204,7 +208,8 @@ let numbers_at_once = 64
 
 let[@inline] is_crowded ~parts ~of_ used index = of_ * used > parts * Array1.dim index
 
-(* Once the index is four fifths full, a larger one is wanted, and at fifteen sixteenths nobody goes on without. *)
+(* Once the index is four fifths full, a larger one is wanted, and at fifteen sixteenths nobody goes on without.
+*)
 let want_room s =
   if Shared_memory.read s.header wants_room = 0 then Shared_memory.write s.header wants_room 1
 
@@ -224,8 +229,8 @@ let number_for p s =
   if id >= Array1.dim p.flat then raise (Limits.Over Memory);
   id
 
-(* The key is written before its number, so that who finds the number finds the key. Where another process has put
-   one into the slot meanwhile, it may be the same. *)
+(* The key is written before its number, so that who finds the number finds the key. Where another process has
+   put one into the slot meanwhile, it may be the same. *)
 let rec put_shared p s k h id i =
   Array1.unsafe_set p.flat id k;
   let e = (tag h p.bits lsl p.bits) lor id in
@@ -316,16 +321,7 @@ let all_or_none list = if List.for_all Option.is_some list then Some (List.filte
 let shared_first_bits = 14
 
 (* The bits of a power of two. *)
-let rec bits_of count = if count <= 1 then 0 else 1 + bits_of (count / 2)
-
-let put_all p (index : index) bits =
-  Array1.fill index (Int32.of_int free);
-  let rec vacant i = if entry index i = free then i else vacant (next index i) in
-  for id = 0 to p.size - 1 do
-    let k = key p id in
-    let h = hash k in
-    enter index bits (vacant (slot k h bits)) h id
-  done
+let rec bits_of ?(bits = 0) count = if count <= 1 then bits else bits_of ~bits:(bits + 1) (count / 2)
 
 let move_to p header flat indexes ~first ~many =
   for id = 0 to p.size - 1 do flat.{id} <- key p id done;

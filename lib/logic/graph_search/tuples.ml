@@ -190,9 +190,11 @@ let unchanged t near =
 
 (* {3 Blocks}
 
-   A block that some changes are made in: a function of its number and of them, whatever stands in other blocks. *)
+   A block that some changes are made in: a function of its number and of them, whatever stands in other blocks.
+*)
 
-(* Of the changes from [low] on, before [high]: whether one is below the node; and what is in a slot after them. *)
+(* Of the changes from [low] on, before [high]: whether one is below the node; and what is in a slot after them.
+*)
 let rec touches t (changes : changes) low high k =
   low < high
   && ((changes.(low) >= t.first.(k) && changes.(low) < t.beyond.(k)) || touches t changes (low + 2) high k)

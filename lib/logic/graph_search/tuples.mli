@@ -1,6 +1,6 @@
-(** Tables of tuples of one width, numbered in the order of insertion and stored in a tree of pairs. A tuple is the
-    pair of its two halves; each half is stored once, whatever tuples share it. A new tuple that shares most of
-    itself with known ones takes about 15 bytes (Laarman, van de Pol and Weber, Parallel Recursive State
+(** Tables of tuples of one width, numbered in the order of insertion and stored in a tree of pairs. A tuple is
+    the pair of its two halves; each half is stored once, whatever tuples share it. A new tuple that shares most
+    of itself with known ones takes about 15 bytes (Laarman, van de Pol and Weber, Parallel Recursive State
     Compression for Free, 2011). *)
 
 type t
@@ -39,11 +39,12 @@ val difference : int array -> int array -> changes
 
 val intern : t -> near:spread -> changes -> int
 (** [intern t ~near changes] is the number of the tuple that differs by the changes from the one loaded into
-    [near]. If none is loaded, the changes give all slots. The tuple is inserted if it is new, which holds iff its
-    number is the {!size} before. Parts that the two tuples share are not looked up. *)
+    [near]. If none is loaded, the changes give all slots. The tuple is inserted if it is new, which holds iff
+    its number is the {!size} before. Parts that the two tuples share are not looked up. *)
 
 val find : t -> near:spread -> changes -> int
-(** [find t ~near changes] is the number of the tuple that {!intern} would return; -1 if it is not in the table. *)
+(** [find t ~near changes] is the number of the tuple that {!intern} would return; -1 if it is not in the table.
+*)
 
 (** {1 Without numbers} *)
 
@@ -56,15 +57,15 @@ val load_key : t -> spread -> int -> unit
 
 (** {1 Several at once}
 
-    Several tuples are interned in three rounds, with the results of {!intern} of each in turn. Places that are far
-    apart in memory are then fetched at the same time. *)
+    Several tuples are interned in three rounds, with the results of {!intern} of each in turn. Places that are
+    far apart in memory are then fetched at the same time. *)
 
 val begin_round : t -> near:spread -> int -> unit
 (** [begin_round t ~near count] begins with at most [count] tuples, all near the one loaded into [near]. *)
 
 val prepare : t -> near:spread -> lasting:bool -> changes -> int -> unit
-(** [prepare t ~near ~lasting changes n] gives the changes of the [n]-th tuple of the round, from 0. With [lasting]
-    the same array of changes may come again, near other tuples. *)
+(** [prepare t ~near ~lasting changes n] gives the changes of the [n]-th tuple of the round, from 0. With
+    [lasting] the same array of changes may come again, near other tuples. *)
 
 val fetch : t -> int -> unit
 (** [fetch t count] looks up the tuples of the round, [count] of which have been prepared. *)
@@ -74,7 +75,8 @@ val prepared : t -> int -> int
     then. *)
 
 val intern_prepared : t -> int -> int
-(** [intern_prepared t n] is the number of the [n]-th tuple of the round, which is inserted if it is still new. *)
+(** [intern_prepared t n] is the number of the [n]-th tuple of the round, which is inserted if it is still new.
+*)
 
 val prepared_key : t -> int -> int
 (** [prepared_key t n] is the {!key} of the [n]-th tuple of the round. *)
@@ -91,8 +93,8 @@ val find_key : t -> int -> int
     others look them up and insert their parts. *)
 
 val share : t -> bool
-(** [share t] moves the table into memory that processes share. If it is false, the system gives no such memory, and
-    the table must not be used by several. *)
+(** [share t] moves the table into memory that processes share. If it is false, the system gives no such memory,
+    and the table must not be used by several. *)
 
 val unshare : t -> unit
 (** [unshare t] moves the table back to this process alone. No other process may use it any more. *)
@@ -107,12 +109,12 @@ val is_room_wanted : t -> bool
 (** [is_room_wanted t] is true if {!make_room} should be called soon. *)
 
 val make_room : t -> unit
-(** [make_room t] makes room for more parts. No other process may insert any meanwhile, and all refresh before they
-    do so again. It raises {!Limits.Over} if there is no more memory. *)
+(** [make_room t] makes room for more parts. No other process may insert any meanwhile, and all refresh before
+    they do so again. It raises {!Limits.Over} if there is no more memory. *)
 
 val go_on_apart : t -> full:(unit -> unit) -> unit
-(** [go_on_apart t ~full] is called by a process that has been forked, before it uses a shared table. [full] is as for
-    {!set_full}. *)
+(** [go_on_apart t ~full] is called by a process that has been forked, before it uses a shared table. [full] is
+    as for {!set_full}. *)
 
 val set_full : t -> (unit -> unit) -> unit
 (** [set_full t full]: this process calls [full] where a part does not fit. It calls {!make_room}, or raises. *)

@@ -1,4 +1,5 @@
-(* How many states processes take at a time, as a clock goes that stands still but for what work is said to take. *)
+(* How many states processes take at a time, as a clock goes that stands still but for what work is said to take.
+*)
 
 open Scc_parallel
 

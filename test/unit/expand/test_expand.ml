@@ -1,5 +1,5 @@
-(* Explorations that are kept, go on, or are worked on by several processes, against those of one process that does
-   all at once: on small random graphs, told by all that a visitor hears. *)
+(* Explorations that are kept, go on, or are worked on by several processes, against those of one process that
+   does all at once: on small random graphs, told by all that a visitor hears. *)
 
 open Scc_exact
 open Scc_graph_search

@@ -1,4 +1,5 @@
-(* The same of random networks: states are told by their bytes, whatever numbers a process has for their parts. *)
+(* The same of random networks: states are told by their bytes, whatever numbers a process has for their parts.
+*)
 
 open Scc_exact
 open Scc_graph_search
