@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_syntax
 open Scc_describe
 
@@ -47,19 +46,12 @@ let keywords () = words (List.filter (fun w -> String.length w > 1) (List.map fs
 
 (* {1 What the text declares} *)
 
-type place = { r : Reading.t; modules : Features.modules; p : Pieces.t; item : Pieces.item option }
+type place = { known : Known.t; p : Pieces.t; item : Pieces.item option }
 
+(* Those of the window are there even if the text could not be read since. *)
 let declared t kinds =
   let of_kind (i : Pieces.item) = List.mem i.word kinds && i.name <> "" in
-  unique (List.filter_map (fun (i : Pieces.item) -> if of_kind i then Some i.name else None) t.p.items)
-
-let all t = (Lazy.force t.r.uses).all
-
-let imported t =
-  let of_kind _ (d : Declared.t) found = if d.kind = Imported then d.name.it :: found else found in
-  List.sort String.compare (Hashtbl.fold of_kind (all t).items [])
-
-let qualifiers t = List.sort_uniq String.compare (Hashtbl.fold (fun name _ found -> name :: found) (all t).modules [])
+  List.filter_map (fun (i : Pieces.item) -> if of_kind i then Some i.name else None) t.p.items
 
 let is_channel (w : string array) i =
   let at k = if i - k >= 0 then w.(i - k) else "" in
@@ -71,37 +63,45 @@ let is_channel (w : string array) i =
   Pieces.is_name w.(i) && ((opened && next = ",") || (at 1 = "~" && at 2 = "<"))
 
 let channels t =
-  let found = ref [] in
-  Array.iteri (fun i w -> if is_channel t.p.words i then found := w :: !found) t.p.words;
-  unique (List.rev !found)
+  let found = List.filteri (fun i _ -> is_channel t.p.words i) (Array.to_list t.p.words) in
+  unique (found @ t.known.channels)
 
 (* The bodies of a process that are named: `a : Cube`, `a[i] : Cube`. *)
 let leaves t (i : Pieces.item) =
-  let w = t.p.words in
-  let rec after k = if k >= i.stop then "" else if w.(k) = "]" then (if k + 1 < i.stop then w.(k + 1) else "") else after (k + 1) in
-  let named k = Pieces.is_name w.(k) && (let next = if k + 1 < i.stop then w.(k + 1) else "" in if next = "[" then after k = ":" else next = ":") in
+  let w k = if k < i.stop then t.p.words.(k) else "" in
+  let rec after k = if k >= i.stop then "" else if w k = "]" then w (k + 1) else after (k + 1) in
+  let named k =
+    Pieces.is_name (w k) && match w (k + 1) with ":" -> true | "[" -> after k = ":" | _ -> false
+  in
   if not (List.mem i.word [ "process"; "fixed" ]) then []
-  else List.filter_map (fun k -> if named k then Some w.(k) else None) (List.init (Int.max 0 (i.stop - i.first - 2)) (fun k -> i.first + 2 + k))
+  else List.filter_map (fun k -> if named k then Some (w k) else None) (List.init (Int.max 0 (i.stop - i.first - 2)) (fun k -> i.first + 2 + k))
 
-let bodies t = names "body" (unique (declared t [ "process"; "fixed" ] @ List.concat_map (leaves t) t.p.items))
-let values t = names "value" (declared t [ "param"; "let" ])
+let bodies t =
+  let near = declared t [ "process"; "fixed" ] @ List.concat_map (leaves t) t.p.items in
+  names "body" (unique (near @ List.map fst t.known.bodies))
+
+let values t = names "value" (unique (declared t [ "param"; "let" ] @ t.known.values))
 let predefined () = entries Vocabulary.Solid Forms.Called
-let modules_of t = names "module" (qualifiers t)
-let solids t = names "shape" (declared t [ "shape"; "compound" ] @ imported t) @ modules_of t @ predefined ()
+let modules t = names "module" (List.map fst t.known.modules)
+let shapes t = names "shape" (unique (declared t [ "shape"; "compound" ] @ t.known.shapes @ t.known.imported))
+let solids t = shapes t @ modules t @ predefined ()
+let named_behaviours t = unique (declared t [ "behaviour" ] @ List.map fst t.known.behaviours)
 
 let behaviours t =
-  names "behaviour" (declared t [ "behaviour" ] @ imported t) @ modules_of t @ words [ "nil"; "omega"; "rho"; "eps" ]
+  names "behaviour" (named_behaviours t @ t.known.imported)
+  @ modules t
+  @ words [ "nil"; "omega"; "rho"; "eps" ]
 
 (* {1 The shape at hand} *)
 
 let integer text = match int_of_string_opt text with Some n when n >= 0 -> Some n | _ -> None
 
 (* The solid that begins at a word: `box(…)`, `Cube`, `m.Cube`. *)
-let solid_at t (i : Pieces.item) k =
+let solid_at t (i : Pieces.item) k : Known.solid list =
   let w j = if j < i.stop then t.p.words.(j) else "" in
   let qualifier, name, next = if w (k + 1) = "." then (Some (w k), w (k + 2), k + 3) else (None, w k, k + 1) in
   let corners = if w next = "(" then integer (w (next + 1)) else None in
-  if Pieces.is_name name then [ (qualifier, name, corners) ] else []
+  if Pieces.is_name name then [ { qualifier; name; corners } ] else []
 
 let solids_of_body t (i : Pieces.item) =
   let depth = ref 0 and found = ref [] in
@@ -114,47 +114,41 @@ let solids_of_body t (i : Pieces.item) =
   done;
   List.rev !found
 
-let features_of t = List.concat_map (fun (qualifier, name, corners) -> Features.of_name t.modules t.r ~qualifier name ~corners)
+let features_of t = List.concat_map (Known.features t.known)
 
 (* Of a behaviour, those of what it is on, or of the bodies that have it. *)
 let features_at_hand t (i : Pieces.item) =
+  let w = t.p.words in
+  let rec on k = if k >= i.stop || w.(k) = "=" then None else if w.(k) = "on" then Some k else on (k + 1) in
   let found =
     if i.word <> "behaviour" then features_of t (solids_of_body t i)
     else
-      let w = t.p.words in
-      let rec on k = if k >= i.stop || w.(k) = "=" then None else if w.(k) = "on" then Some k else on (k + 1) in
-      match on i.first with
-      | Some k -> features_of t (solid_at t i (k + 1))
-      | None ->
-        let wearers = Wearers.solids (Lazy.force t.r.uses).wearers i.name in
-        List.concat_map (Features.of_solid t.modules t.r) wearers
+      match (on i.first, List.assoc_opt i.name t.known.behaviours) with
+      | Some k, _ -> features_of t (solid_at t i (k + 1))
+      | None, Some wearers -> features_of t wearers
+      | None, None -> []
   in
-  match unique found with [] -> Features.all t.r | found -> found
-
-let find_body t name =
-  let is_it (i : Pieces.item) =
-    List.mem i.word [ "process"; "fixed" ] && (String.equal i.name name || List.mem name (leaves t i))
-  in
-  List.find_opt is_it t.p.items
+  match unique found with [] -> Known.all_features t.known | found -> found
 
 let solid_of_leaf t (i : Pieces.item) name =
-  let labelled k = t.p.words.(k) = name && (k + 1 < i.stop && (t.p.words.(k + 1) = ":" || t.p.words.(k + 1) = "[")) in
-  let rec colon k = if k >= i.stop then None else if t.p.words.(k) = ":" then Some k else colon (k + 1) in
+  let w k = if k < i.stop then t.p.words.(k) else "" in
+  let labelled k = w k = name && (w (k + 1) = ":" || w (k + 1) = "[") in
+  let rec colon k = if k >= i.stop then None else if w k = ":" then Some k else colon (k + 1) in
   let rec find k = if k >= i.stop then None else if labelled k then colon k else find (k + 1) in
   match find (i.first + 2) with Some k -> solid_at t i (k + 1) | None -> []
 
 (* The features of a part, or of a body. *)
 let inside t name (i : Pieces.item) =
   let prefix = name ^ "." in
-  let begins f = String.length f > String.length prefix && String.sub f 0 (String.length prefix) = prefix in
-  let parts = List.filter begins (features_at_hand t i) in
-  let rest f = String.sub f (String.length prefix) (String.length f - String.length prefix) in
-  match (parts, find_body t name) with
-  | _ :: _, _ -> List.map rest parts
-  | [], None -> []
-  | [], Some body ->
-    let own = solid_of_leaf t body name in
-    features_of t (match own with [] -> solids_of_body t body | _ :: _ -> own)
+  let n = String.length prefix in
+  let begins f = String.length f > n && String.sub f 0 n = prefix in
+  match List.filter begins (features_at_hand t i) with
+  | _ :: _ as parts -> List.map (fun f -> String.sub f n (String.length f - n)) parts
+  | [] -> (
+      match (solid_of_leaf t i name, List.assoc_opt name t.known.bodies) with
+      | (_ :: _ as own), _ -> features_of t own
+      | [], Some (Some s) -> Known.features t.known s
+      | [], (Some None | None) -> [])
 
 (* {1 What fits} *)
 
@@ -166,24 +160,9 @@ let owner t =
     back 3
 
 let exported t name =
-  match Declared.find (all t).modules name with
-  | { source = Some (i, _); _ } :: _ -> (
-      match t.modules i with
-      | None -> []
-      | Some m ->
-        let kind (d : Declared.t) =
-          match d.kind with
-          | Shape | Compound -> Some "shape"
-          | Behaviour -> Some "behaviour"
-          | Parameter | Value -> Some "value"
-          | _ -> None
-        in
-        let offer _ d found =
-          match kind d with Some kind -> List.append (names kind [ d.name.it ]) found | None -> found
-        in
-        let found = Hashtbl.fold offer (Lazy.force m.uses).all.items [] in
-        List.sort (fun a b -> String.compare a.name b.name) found)
-  | _ -> []
+  match List.assoc_opt name t.known.modules with
+  | None -> []
+  | Some found -> List.concat_map (fun (kind, n) -> names kind [ n ]) found
 
 let after_dot t (i : Pieces.item) =
   let name = owner t in
@@ -199,13 +178,13 @@ let formula t =
   @ entries Vocabulary.Atom Forms.Called
   @ entries Vocabulary.Function Forms.Called
   @ names "channel" (channels t)
-  @ names "shape" (declared t [ "shape"; "compound" ] @ imported t)
-  @ names "behaviour" (declared t [ "behaviour" ])
+  @ shapes t
+  @ names "behaviour" (named_behaviours t)
   @ words temporal @ entries Vocabulary.Measure Forms.Written @ keywords ()
 
 let anything t =
   bodies t @ values t @ names "channel" (channels t)
-  @ names "shape" (declared t [ "shape"; "compound" ] @ imported t)
+  @ shapes t
   @ behaviours t @ keywords ()
 
 (* The values of a setting. *)
@@ -225,8 +204,8 @@ let of_behaviour t (i : Pieces.item) =
     Some (names "channel" (channels t))
   else if in_features && last = "." then Some (after_dot t i)
   else if in_features then
-    let own = if i.word = "behaviour" then [] else unique (leaves t i @ declared t [ "process"; "fixed" ]) in
-    Some (names "feature" (features_at_hand t i) @ words [ "only" ] @ names "body" own)
+    let own = if i.word = "behaviour" then [] else bodies t in
+    Some (names "feature" (features_at_hand t i) @ words [ "only" ] @ own)
   else if last = "," && bracket_word <> "{" && List.mem (Pieces.before t.p 3) [ "<"; "~" ] then Some []
   else None
 
@@ -274,12 +253,12 @@ let begins_with prefix name =
   String.length name >= String.length prefix
   && String.equal (String.lowercase_ascii (String.sub name 0 (String.length prefix))) (String.lowercase_ascii prefix)
 
-let at modules (r : Reading.t) offset =
-  match Pieces.around r offset with
+let at known text offset =
+  match Pieces.around text offset with
   | None -> (offset, [])
   | Some (from, p) ->
-    let found = offers { r; modules; p; item = Pieces.here p } in
-    let begun = String.sub (Source.text r.source) from (offset - from) in
+    let found = offers { known; p; item = Pieces.here p } in
+    let begun = String.sub text from (offset - from) in
     let fits = List.filter (fun o -> begins_with begun o.name) found in
     let kept = Hashtbl.create 64 in
     let is_new o =
@@ -289,8 +268,7 @@ let at modules (r : Reading.t) offset =
     in
     (from, List.filter is_new fits)
 
-let import (r : Reading.t) offset =
-  let text = Source.text r.source in
+let import text offset =
   let rec line i = if i = 0 || text.[i - 1] = '\n' then i else line (i - 1) in
   let start = line offset in
   let written = String.sub text start (offset - start) in

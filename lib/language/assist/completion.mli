@@ -1,7 +1,5 @@
 (** What can be written at a place of a text: the names that fit there, and words with their grammar. *)
 
-open Scc_describe
-
 (** Something that can be written. *)
 type offer = {
   name : string;  (** what is written *)
@@ -10,10 +8,11 @@ type offer = {
   about : string option;  (** of a word: what it means *)
 }
 
-val at : Features.modules -> Reading.t -> int -> int * offer list
-(** [at modules r offset] is where the word begins that is being written, and what fits there and begins alike, the
-    likeliest first. Nothing fits within a comment or a text in quotation marks. *)
+val at : Known.t -> string -> int -> int * offer list
+(** [at known text offset] is where the word begins that is being written, and what fits there and begins alike, the
+    likeliest first. [known] are the names of the text, perhaps of how it was a moment ago. Nothing fits within a
+    comment or a text in quotation marks. *)
 
-val import : Reading.t -> int -> (int * [ `File of string | `Library ]) option
+val import : string -> int -> (int * [ `File of string | `Library ]) option
 (** Within what an import names: where that begins, and whether it is a file, by what is written of its path, or a
     module of the library. *)

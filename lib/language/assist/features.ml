@@ -6,15 +6,15 @@ type modules = Ast.import -> Reading.t option
 let deepest = 8
 let numbered name n = List.init n (fun i -> Printf.sprintf "%s%d" name (i + 1))
 
-(* Those of the predefined solids (specs/language.md, Shapes). *)
-let predefined name corners =
+(* specs/language.md, Shapes *)
+let predefined name ~corners =
   let n = Int.max 0 (Int.min 64 (Option.value corners ~default:0)) in
   match name with
-  | "box" -> Some ([ "left"; "right"; "front"; "back"; "bottom"; "top" ] @ List.map (String.make 1) (List.init 8 (fun i -> Char.chr (97 + i))))
-  | "prism" -> Some ([ "bottom"; "top" ] @ numbered "side" n)
-  | "antiprism" -> Some ([ "bottom"; "top" ] @ numbered "up" n @ numbered "down" n)
-  | "pyramid" -> Some ([ "bottom"; "apex" ] @ numbered "side" n)
-  | _ -> None
+  | "box" -> [ "left"; "right"; "front"; "back"; "bottom"; "top"; "a"; "b"; "c"; "d"; "e"; "f"; "g"; "h" ]
+  | "prism" -> [ "bottom"; "top" ] @ numbered "side" n
+  | "antiprism" -> [ "bottom"; "top" ] @ numbered "up" n @ numbered "down" n
+  | "pyramid" -> [ "bottom"; "apex" ] @ numbered "side" n
+  | _ -> []
 
 let number (e : Ast.expr) =
   match e.it with Number q when Z.equal (Q.den q) Z.one && Z.fits_int (Q.num q) -> Some (Z.to_int (Q.num q)) | _ -> None
@@ -50,7 +50,7 @@ and of_name_at depth modules (r : Reading.t) ~qualifier name ~corners =
         match Declared.find all.templates name with
         | { source = Some (i, original); _ } :: _ -> within i original
         | d :: _ -> of_declared (depth + 1) modules r d
-        | [] -> Option.value (predefined name corners) ~default:[])
+        | [] -> predefined name ~corners)
 
 and of_declared depth modules r (d : Declared.t) =
   let inner (i : Declared.t) =
@@ -64,9 +64,4 @@ and of_declared depth modules r (d : Declared.t) =
   | [], Some s -> of_solid_at depth modules r s
   | [], None -> []
 
-let of_solid modules r s = of_solid_at 0 modules r s
 let of_name modules r ~qualifier name ~corners = of_name_at 0 modules r ~qualifier name ~corners
-
-let all (r : Reading.t) =
-  Hashtbl.fold (fun name _ found -> name :: found) (Lazy.force r.uses).all.features []
-  |> List.sort_uniq String.compare

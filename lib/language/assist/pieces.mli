@@ -1,8 +1,10 @@
-(** A text as words, for completion: it may be half written, so it is looked at word by word. *)
+(** The declaration at a place of a text as words, for completion: it may be half written, so it is looked at word by
+    word. *)
 
-open Scc_describe
+open Scc_base
+open Scc_syntax
 
-(** The words of a text without the one that is being written, and the declarations that begin in it. *)
+(** The words around the place, without the one that is being written, and the declarations that begin there. *)
 type t = private {
   words : string array;  (** as written in ASCII; texts in quotation marks are left out *)
   count : int;  (** how many of them stand before the place *)
@@ -15,9 +17,13 @@ and item = { word : string; name : string; first : int; stop : int  (** the word
 val is_name : string -> bool
 (** [is_name w] is true for names and words of the language, and false for marks and numbers. *)
 
-val around : Reading.t -> int -> (int * t) option
-(** [around r offset] is where the word begins that is being written at the offset, and the text around it. It is
-    [None] within a comment or a text in quotation marks. *)
+val window : string -> int -> int * Source.t * Tokens.t
+(** The declaration at an offset of a text, perhaps with some before it: where it begins, its text, and its tokens
+    with places in that text. *)
+
+val around : string -> int -> (int * t) option
+(** [around text offset] is where the word begins that is being written at the offset, and what stands around it. It
+    is [None] within a comment or a text in quotation marks. *)
 
 val here : t -> item option
 (** The declaration that contains the place. *)

@@ -18,16 +18,6 @@ let call (t : Tokens.t) last =
   in
   find last 0
 
-let family (r : Reading.t) name =
-  let of_model (i : Ast.item) =
-    match i.it with
-    | Shape (h, _, _) | Compound (h, _, _, _) | Decomposed (h, _, _, _) | Behaviour (h, _, _, _)
-      when String.equal h.declared.it name && h.formals <> [] ->
-      Some (Printer.head h)
-    | _ -> None
-  in
-  match List.filter_map of_model (Lazy.force r.model) with [] -> None | found -> Some found
-
 let about categories name =
   List.find_map (fun c -> Vocabulary.find c name) categories
   |> Option.map (fun (e : Vocabulary.entry) -> e.meaning)
@@ -40,23 +30,24 @@ let word (t : Tokens.token) =
   | NAME n -> n
   | _ -> ""
 
-let forms_of (r : Reading.t) (t : Tokens.t) i =
+let forms_of (known : Known.t) source (t : Tokens.t) i =
   let spelt = word t.tokens.(i) in
   let name =
     if spelt <> "" then spelt
-    else String.sub (Source.text r.source) t.tokens.(i).start (t.tokens.(i).stop - t.tokens.(i).start)
+    else String.sub (Source.text source) t.tokens.(i).start (t.tokens.(i).stop - t.tokens.(i).start)
   in
   let is_event = i > 0 && match t.tokens.(i - 1).token with EVENT -> true | _ -> false in
   let called = if is_event then Forms.find Event name else Forms.find Called name in
   let categories =
     if is_event then [ Vocabulary.Event ] else [ Vocabulary.Function; Atom; Solid; Law; Word ]
   in
-  match family r name with
-  | Some heads -> Some (heads, None)
-  | None -> Option.map (fun forms -> (forms, about categories name)) called
+  match List.filter (fun (n, _) -> String.equal n name) known.families with
+  | _ :: _ as heads -> Some (List.map snd heads, None)
+  | [] -> Option.map (fun forms -> (forms, about categories name)) called
 
-let at (r : Reading.t) offset =
-  let t = Lazy.force r.tokens in
+let at known text offset =
+  let start, source, t = Pieces.window text offset in
+  let offset = offset - start in
   let rec last i = if i >= 0 && t.tokens.(i).stop > offset then last (i - 1) else i in
   let before = last (Array.length t.tokens - 2) in
   (* brackets that call nothing are within a call *)
@@ -64,7 +55,7 @@ let at (r : Reading.t) offset =
     match call t i with
     | None -> None
     | Some (opening, commas) -> (
-        match forms_of r t (opening - 1) with
+        match forms_of known source t (opening - 1) with
         | Some (forms, about) -> Some { forms; argument = commas; about }
         | None -> innermost (opening - 1))
   in

@@ -1,7 +1,5 @@
 (** How what is being called at a place is called. *)
 
-open Scc_describe
-
 (** A call that is being written. *)
 type t = {
   forms : string list;  (** all ways to call it, such as ["bound(body, body)"] *)
@@ -9,7 +7,7 @@ type t = {
   about : string option;  (** what it means *)
 }
 
-val at : Reading.t -> int -> t option
+val at : Known.t -> string -> int -> t option
 (** The innermost call of a function, an atom, an event, a solid or a family whose brackets contain an offset. *)
 
 val arguments : string -> (int * int) list

@@ -1,7 +1,7 @@
 open Scc_base
 open Scc_loading
 
-type t = { diagnostics : Diag.t list; files : string list; values : (Span.t * string) list }
+type t = { diagnostics : Diag.t list; files : string list; values : (Span.t * string) list; known : Scc_assist.Known.t }
 
 (* A text that declares nothing but what others import need not use it. *)
 let is_module (d : Workspace.document) =
@@ -15,6 +15,11 @@ let is_module (d : Workspace.document) =
 let matters ~of_module (d : Diag.t) =
   let is (code : Code.t) = String.equal d.code (code :> string) in
   not (of_module && (is Code.unused || is Code.empty_model))
+
+let known_of workspace (d : Workspace.document) =
+  if Scc_describe.Reading.is_plain d.reading.source then
+    Scc_assist.Known.of_text (Workspace.imported workspace ~base:d.path) d.reading
+  else Scc_assist.Known.empty
 
 let of_document workspace (d : Workspace.document) =
   let files = ref [] in
@@ -34,4 +39,5 @@ let of_document workspace (d : Workspace.document) =
     diagnostics = List.filter (matters ~of_module) diagnostics;
     files = List.sort_uniq String.compare !files;
     values;
+    known = known_of workspace d;
   }

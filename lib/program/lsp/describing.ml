@@ -123,12 +123,12 @@ let importable (d : Workspace.document) written =
     List.map offer (List.sort String.compare (List.filter fits names))
 
 let offers s (d : Workspace.document) offset =
-  match Completion.import d.reading offset with
+  match Completion.import d.text offset with
   | Some (from, `File written) -> (from, importable d written)
   | Some (from, `Library) ->
     let offer name = { Completion.name; kind = "module"; form = None; about = None } in
     (from, List.map offer Scc_elaborate.Library.names)
-  | None -> Completion.at (Session.modules s d) d.reading offset
+  | None -> Completion.at (Session.known s d) d.text offset
 
 let completion s params : Json.t =
   match Session.plain_document s params with
@@ -166,4 +166,4 @@ let signature s params : Json.t =
   match Session.plain_document s params with
   | None -> `Null
   | Some d ->
-    (match Signatures.at d.reading (Session.offset d params) with Some c -> of_call c | None -> `Null)
+    (match Signatures.at (Session.known s d) d.text (Session.offset d params) with Some c -> of_call c | None -> `Null)

@@ -92,16 +92,26 @@ let skip t n =
   t.from <- t.from + there;
   t.skip <- n - there
 
-let begins_header text =
-  match field text with Some ("content-length", value) -> is_digits value | Some _ | None -> false
+(* Where a header begins in a line: content without a length may stand before it. *)
+let beginning text =
+  let mark = "content-length:" in
+  let lower = String.lowercase_ascii text and n = String.length mark in
+  let rec find i =
+    if i < 0 then None else if String.equal (String.sub lower i n) mark then Some i else find (i - 1)
+  in
+  find (String.length text - n)
 
-(* Drops lines up to one that begins a header. *)
+(* Drops lines up to one in which a header begins. *)
 let rec resume t =
   match line t t.from with
-  | Some (text, _) when begins_header text -> t.lost <- false
-  | Some (_, next) ->
-    t.from <- next;
-    resume t
+  | Some (text, next) -> (
+      match beginning text with
+      | Some i ->
+        t.from <- t.from + i;
+        t.lost <- false
+      | None ->
+        t.from <- next;
+        resume t)
   | None -> if t.stop - t.from > most_of_header then t.from <- t.stop
 
 let rec next t =

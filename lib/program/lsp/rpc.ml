@@ -38,9 +38,15 @@ let of_object json =
   | None, _, Some _ when has_id -> Response { id; result = None }
   | None, _, _ -> Invalid { id = `Null; code = invalid_request; why = "it is no request, notification or response" }
 
+let is_utf_8 text =
+  let n = String.length text in
+  let rec from i = i >= n || match Utf8.length text i with 0 -> false | k -> from (i + k) in
+  from 0
+
 let read text =
   let invalid code why = Invalid { id = `Null; code; why } in
-  match Json.parse (Source.make ~name:"message" text) with
+  if not (is_utf_8 text) then invalid parse_error "the message is not in UTF-8"
+  else match Json.parse (Source.make ~name:"message" text) with
   | Error d -> invalid parse_error ("the message is no JSON: " ^ d.message)
   | Ok (`Assoc _ as json) -> of_object json
   | Ok (`List _) -> invalid invalid_request "the protocol has no batches"

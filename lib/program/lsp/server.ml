@@ -9,6 +9,7 @@ type live = {
   publishing : Publishing.t;
   readings : Reading_jobs.t;
   commands : Commands.t;
+  asked : Asked.t;
 }
 
 type phase = Fresh | Live of live | Over of live
@@ -27,7 +28,8 @@ type t = {
 
 let most_bytes = 128 * Scc_base.Memory.mib
 let most_waiting = 10_000
-let send json = Standard.print (Frame.framed (Json.line json))
+let send_text text = Standard.print (Frame.framed text)
+let send json = send_text (Json.line json)
 
 (* {1 Messages to the user} *)
 
@@ -84,7 +86,7 @@ let initialize t params =
   in
   let readings = Reading_jobs.create session ~found ~say in
   let commands = Commands.create t.work session ~send ~decided in
-  t.phase <- Live { session; publishing; readings; commands };
+  t.phase <- Live { session; publishing; readings; commands; asked = Asked.create ~send:send_text };
   options
     [
       ("capabilities", capabilities client.encoding);
@@ -130,11 +132,13 @@ let edited live params =
   let version = Rpc.int "version" (Rpc.member "textDocument" params) in
   let workspace = live.session.workspace in
   let text = List.fold_left (changed (Workspace.encoding workspace)) d.text (Rpc.list "contentChanges" params) in
+  Asked.changed live.asked d.uri;
   Workspace.put workspace ~uri:d.uri ~version text;
   Option.iter (Reading_jobs.later live.readings) (Workspace.find workspace d.uri)
 
 let closed live params =
   let d = Session.document live.session params in
+  Asked.changed live.asked d.uri;
   Workspace.remove live.session.workspace d.uri;
   Reading_jobs.forget live.readings d;
   Publishing.forget live.publishing d.uri
@@ -149,11 +153,15 @@ let saved live params =
 
 (* {1 Methods} *)
 
+(* Those that take no longer in a large document. *)
+let quick =
+  [
+    ("textDocument/completion", Describing.completion); ("textDocument/signatureHelp", Describing.signature);
+  ]
+
 let methods =
   [
-    ("textDocument/completion", Describing.completion);
     ("textDocument/hover", Describing.hover);
-    ("textDocument/signatureHelp", Describing.signature);
     ("textDocument/definition", Navigate.definition);
     ("textDocument/references", Navigate.references);
     ("textDocument/documentHighlight", Navigate.highlights);
@@ -170,8 +178,18 @@ let methods =
   ]
 
 let close live =
+  Asked.close live.asked;
   Reading_jobs.close live.readings;
   Commands.close live.commands
+
+(* At once, or in a process that the next keystroke ends. *)
+let answered live ~id work params =
+  let d = Session.document live.session params in
+  if Session.is_large d then begin
+    Asked.ask live.asked ~id ~uri:d.uri (fun () -> work live.session params);
+    None
+  end
+  else Some (work live.session params)
 
 let request t id name params =
   match (t.phase, name) with
@@ -187,15 +205,20 @@ let request t id name params =
     Commands.start live.commands ~id params;
     None
   | Live live, _ -> (
-      match List.assoc_opt name methods with
-      | Some work -> Some (work live.session params)
-      | None -> Rpc.refuse Rpc.unknown_method "there is no method `%s`" name)
+      match (List.assoc_opt name quick, List.assoc_opt name methods) with
+      | Some work, _ -> Some (work live.session params)
+      | None, Some work -> answered live ~id work params
+      | None, None -> Rpc.refuse Rpc.unknown_method "there is no method `%s`" name)
 
 let id_text id = Json.line id
 
 let cancel t params =
   let id = Rpc.member "id" params in
-  let running = match t.phase with Live live -> Commands.cancel live.commands id | Fresh | Over _ -> false in
+  let running =
+    match t.phase with
+    | Live live -> Commands.cancel live.commands id || Asked.cancel live.asked id
+    | Fresh | Over _ -> false
+  in
   let waits = function Rpc.Request r -> String.equal (id_text r.id) (id_text id) | _ -> false in
   if (not running) && Queue.fold (fun found m -> found || waits m) false t.queue then
     Hashtbl.replace t.cancelled (id_text id) ()
@@ -274,7 +297,7 @@ let read t =
 
 let jobs t =
   match t.phase with
-  | Live live -> Reading_jobs.jobs live.readings @ Commands.jobs live.commands
+  | Live live -> Reading_jobs.jobs live.readings @ Commands.jobs live.commands @ Asked.jobs live.asked
   | Fresh | Over _ -> []
 
 (* Waits for the client and for processes, at most so many seconds (negative: for ever). *)
@@ -289,7 +312,13 @@ let wait t seconds =
   | exception Unix.Unix_error (EINTR, _, _) -> Interruption.check ()
 
 let seconds_to_wait t = match t.phase with Live live -> Reading_jobs.wait live.readings | Fresh | Over _ -> -1.
-let go_on t = match t.phase with Live live -> Reading_jobs.go_on live.readings | Fresh | Over _ -> ()
+let go_on t =
+  match t.phase with
+  | Live live ->
+    Asked.go_on live.asked;
+    Reading_jobs.go_on live.readings
+  | Fresh | Over _ -> ()
+
 
 let rec loop t =
   if not t.exited then

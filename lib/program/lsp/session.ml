@@ -32,7 +32,17 @@ let plain_document t params =
 let offset (d : Workspace.document) params =
   Positions.offset (Lazy.force d.positions) (Rpc.position (Rpc.member "position" params))
 
-let modules t (d : Workspace.document) = Workspace.imported t.workspace ~base:d.path
+(* Bytes up to which a text is read between two keystrokes. *)
+let large = 60_000
+
+let is_large (d : Workspace.document) = String.length d.text > large
+
+let known t (d : Workspace.document) =
+  if not (is_large d) then Analysis.known_of t.workspace d
+  else
+    match Hashtbl.find_opt t.analyses d.uri with
+    | Some (_, found) -> found.known
+    | None -> Scc_assist.Known.empty
 
 let analysis t (d : Workspace.document) =
   match Hashtbl.find_opt t.analyses d.uri with

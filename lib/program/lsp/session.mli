@@ -31,8 +31,11 @@ val plain_document : t -> Json.t -> Workspace.document option
 val offset : Workspace.document -> Json.t -> int
 (** The offset of the member [position]. *)
 
-val modules : t -> Workspace.document -> Scc_assist.Features.modules
-(** The texts that the imports of a document name. *)
+val is_large : Workspace.document -> bool
+(** [is_large d] is true if reading the document takes longer than one should wait after a keystroke. *)
+
+val known : t -> Workspace.document -> Scc_assist.Known.t
+(** The names of a document, for completion; of a large one those that it had when it was last read. *)
 
 val analysis : t -> Workspace.document -> Analysis.t option
 (** What was found of the present text. *)
