@@ -97,7 +97,7 @@
     (,(scc-mode--words scc-mode-constants) . font-lock-constant-face)
     ;; Letters are words only where an operator stands.
     ("\\<\\([AE]\\)\\s-*\\[" 1 font-lock-keyword-face)
-    ("[]) \t]\\(U\\)\\s-*[[(A-Za-z0-9-]" 1 font-lock-keyword-face)
+    ("[]) \t]\\(U\\)\\_>\\s-*[[(A-Za-z0-9-]" 1 font-lock-keyword-face)
     ("\\<\\([PE]\\(?:min\\|max\\)?\\)\\s-*[<>=]" 1 font-lock-builtin-face)
     (,(concat (scc-mode--words scc-mode-functions) "\\s-*(") 1 font-lock-builtin-face)
     (,(scc-mode--words scc-mode-atoms) . font-lock-builtin-face)

@@ -40,13 +40,13 @@ syn keyword sccAtom speed2 spin2 time touching vx vy vz wx wy wz x y z
 
 " Letters are words only where an operator stands.
 syn match sccWord "\<[AE]\ze\s*\["
-syn match sccWord "\%(\s\|[)\]]\)\@<=U\ze\s*[[(A-Za-z0-9-]"
+syn match sccWord "\%(\s\|[)\]]\)\@<=U\>\ze\s*[[(A-Za-z0-9-]"
 " What probabilities and means are called.
 syn match sccFunction "\<\(P\|Pmin\|Pmax\|E\|Emin\|Emax\)\ze\s*[<>=]"
 " A name where it is declared.
 syn match sccDeclared "\%(\<\%(shape\|compound\|behaviour\|process\|fixed\|part\|param\|let\|check\|model\)\s\+\)\@<=[A-Za-z][A-Za-z0-9_']*"
 " The name of a channel, whatever word it is.
-syn match sccChannel "\%([<⟨]\s*\~\=\|~\)\@<=[A-Za-z][A-Za-z0-9_']*\ze\s*,\s*{"
+syn match sccChannel "\%([<⟨]\s*\~\=\|\~\)\@<=[A-Za-z][A-Za-z0-9_']*\ze\s*,\s*{"
 
 syn region sccComment start="//" end="$" keepend contains=@Spell
 syn region sccComment start="/\*" end="\*/" contains=sccComment,@Spell
