@@ -79,7 +79,8 @@
     (dolist (mark '(?< ?> ?= ?+ ?- ?~ ?| ?? ?!))
       (modify-syntax-entry mark "." table))
     table)
-  "Letters, digits, `_' and the apostrophe make a name; comments of two kinds, of which one nests.")
+  "Letters, digits, `_' and the apostrophe make a name.
+There are two kinds of comments, of which one nests.")
 
 (defun scc-mode--words (words)
   "A pattern of these WORDS."
@@ -105,10 +106,30 @@
     ("[ωρϱεϵ]" . font-lock-keyword-face)))
 
 (defconst scc-mode-beginnings
-  (concat "\\(?:" (regexp-opt '("model" "import" "param" "timestep" "split_step" "dynamics" "collisions" "blocked" "shape"
-                                "compound" "behaviour" "process" "fixed" "bond" "for" "network" "motion" "let" "check"))
-          "\\)\\_>")
-  "What begins a declaration.")
+  (concat "\\(?:"
+          (regexp-opt '("model" "import" "param" "timestep" "split_step" "resolution" "shape" "compound" "behaviour" "process"
+                        "fixed" "bond" "for" "network" "motion" "let" "check" "part" "glue" "vertices" "faces"))
+          "\\|"
+          (regexp-opt '("dynamics" "collisions" "binding" "bonds" "blocked" "round"))
+          "\\s-+" scc-mode-name "\\)\\_>")
+  "What begins a line of its own: a declaration, or a piece of one.")
+
+(defun scc-mode--in-block (base)
+  "The column of a line in braces; BASE is that of the line that opens them."
+  (cond
+   ((looking-at "[])}]") base)
+   ((or (looking-at scc-mode-beginnings) (looking-at "//\\|/\\*\\|$")) (+ base scc-indent-offset))
+   ;; Points and faces go on below the first of them.
+   ((save-excursion
+      (let ((open (nth 1 (syntax-ppss))))
+        (and (re-search-backward "\\_<\\(?:vertices\\|faces\\)\\s-+" open t)
+             (progn (goto-char (match-end 0)) (current-column))))))
+   ;; The rest of a declaration in a loop.
+   ((save-excursion
+      (let ((open (nth 1 (syntax-ppss))))
+        (and (re-search-backward scc-mode-beginnings open t) (eq (nth 1 (syntax-ppss)) open))))
+    (+ base (* 2 scc-indent-offset)))
+   (t (+ base scc-indent-offset))))
 
 (defun scc-mode--column ()
   "The column that the present line should have."
@@ -118,20 +139,21 @@
            (open (nth 1 state)))
       (cond
        ((nth 8 state) (current-indentation))
-       (open
-        (let ((closing (looking-at "[])}]"))
-              (one-a-line (save-excursion (goto-char (1+ open)) (looking-at "\\s-*\\(?://.*\\)?$"))))
-          (goto-char open)
-          (if (or (eq (char-after) ?{) one-a-line)
-              (let ((base (progn (back-to-indentation) (current-column))))
-                (if closing base (+ base scc-indent-offset)))
-            (+ (current-column) (if closing 0 1)))))
-       ((or (bobp) (looking-at scc-mode-beginnings) (looking-at "//\\|/\\*\\|$")) 0)
-       ;; The rest of a declaration.
+       ((and open (or (eq (char-after open) ?{)
+                      (save-excursion (goto-char (1+ open)) (looking-at "\\s-*\\(?://.*\\)?$"))))
+        (scc-mode--in-block (save-excursion (goto-char open) (current-indentation))))
+       (open (save-excursion
+               (let ((closing (looking-at "[])}]")))
+                 (goto-char open)
+                 (+ (current-column) (if closing 0 1)))))
+       ((or (looking-at scc-mode-beginnings) (looking-at "//\\|/\\*\\|$")) 0)
+       ;; The rest of a declaration; a prefix goes on farther right.
+       ((save-excursion (skip-chars-backward " \t\n") (eq (char-before) ?.)) (* 3 scc-indent-offset))
        (t scc-indent-offset)))))
 
 (defun scc-mode-indent-line ()
-  "Indents the present line: declarations at the margin, what is in braces a level deeper."
+  "Indent the present line.
+Declarations stand at the margin, what is in braces a level deeper."
   (interactive)
   (let ((column (scc-mode--column)))
     (if (<= (current-column) (current-indentation))
@@ -145,12 +167,13 @@
     map))
 
 (defun scc-check ()
-  "Checks the model of this buffer by `compile'."
+  "Check the model of this buffer by `compile'."
   (interactive)
   (compile (concat (shell-quote-argument scc-program) " check " (shell-quote-argument (buffer-file-name)))))
 
 (defun scc-format-buffer ()
-  "Gives the model of this buffer the canonical layout; a model with errors stays as it is."
+  "Give the model of this buffer the canonical layout.
+A model with errors stays as it is."
   (interactive)
   (let ((layout (generate-new-buffer " *scc fmt*")) (file (make-temp-file "scc" nil ".sc")))
     (unwind-protect
@@ -181,6 +204,8 @@
 ;;;###autoload
 (add-to-list 'auto-mode-alist '("\\.sc\\'" . scc-mode))
 
+;; Eglot is part of Emacs since 29.
+(defvar eglot-server-programs)
 (with-eval-after-load 'eglot
   (add-to-list 'eglot-server-programs `(scc-mode . (,scc-program "lsp"))))
 

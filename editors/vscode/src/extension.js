@@ -39,6 +39,11 @@ async function startServer() {
         { scheme: "untitled", language: "scc" },
       ],
       synchronize: { fileEvents: vscode.workspace.createFileSystemWatcher("**/*.sc") },
+      middleware: {
+        // The server would show the page in a browser. Its other commands are its own.
+        executeCommand: (command, args, next) =>
+          command === "scc.showRun" ? commands["scc.showRunHere"](...args) : next(command, args),
+      },
     },
   );
   try {
@@ -112,12 +117,12 @@ function beside(document, check) {
 
 const commands = {
   /** @param {string} [uri] */
-  "scc.check": async (uri) => {
+  "scc.checkModel": async (uri) => {
     const document = await model(uri);
     if (document) await vscode.tasks.executeTask(task(document.fileName));
   },
   /** @param {string} [uri] @param {string} [check] */
-  "scc.checkOne": async (uri, check) => {
+  "scc.checkHere": async (uri, check) => {
     const document = await model(uri);
     if (!document) return;
     const name = typeof check === "string" ? check : atCursor(document);
@@ -125,7 +130,7 @@ const commands = {
     else await vscode.tasks.executeTask(task(document.fileName, name));
   },
   /** @param {string} [uri] @param {string} [check] */
-  "scc.showRun": async (uri, check) => {
+  "scc.showRunHere": async (uri, check) => {
     const document = await model(uri);
     if (document) await beside(document, typeof check === "string" ? check : atCursor(document));
   },
