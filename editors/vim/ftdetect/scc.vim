@@ -3,6 +3,8 @@ function! s:Detect() abort
   let l:words = 'model|import|param|let|shape|compound|behaviour|process|fixed|bond|for|network|motion|check|timestep'
         \ . '|split_step|dynamics|collisions|binding|bonds|blocked|resolution|round'
   if match(getline(1, 200), '\v^\s*(' . l:words . ')>\s*[A-Za-z0-9"<(]') >= 0
+    " Not every plugin for a type can be undone, and one that cannot would keep ours away.
+    unlet! b:did_ftplugin
     set filetype=scc
   endif
 endfunction
