@@ -11,6 +11,7 @@ import threading
 from dataclasses import dataclass
 from typing import IO, Callable, List, Optional, Sequence, Union
 
+from ._lifeline import tied
 from ._program import scc_path, why_not
 from .errors import ServiceError
 
@@ -174,7 +175,12 @@ def run(words: Sequence[str], text: Optional[str], scc: Optional[str], progress:
     with _CtrlC() as ctrl_c:
         try:
             process = subprocess.Popen(
-                command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, bufsize=0
+                command,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                bufsize=0,
+                preexec_fn=tied(True),
             )
         except (OSError, ValueError) as error:  # of a name that no file can have, too
             raise ServiceError(why_not(command[0], error)) from error

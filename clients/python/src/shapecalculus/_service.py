@@ -12,6 +12,7 @@ import subprocess
 import time
 from typing import List, Optional, Sequence
 
+from ._lifeline import tied
 from ._program import why_not
 from .errors import ServiceError
 
@@ -37,7 +38,7 @@ class Service:
             timeout = None if timeout == float("inf") else timeout
         try:
             self._process = subprocess.Popen(
-                list(command), stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0, close_fds=True
+                list(command), stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0, preexec_fn=tied(False)
             )
         except (OSError, ValueError) as error:  # of a name that no file can have, too
             raise ServiceError(why_not(command[0], error)) from error
