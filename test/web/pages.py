@@ -560,7 +560,36 @@ def links(b, scc):
     b.open(page, link)
     same('an address', b.state(), state)
     check('the selection of an address', 'glucose' in b.text('selected'))
-    for wrong in ['run=99', 'run=0&step=1e9&time=1/0', 'run=0&way=1.2.3.4.5', 'time=%E0%A4%A', 'camera=%7B',
+    b.open(scc.view('specs/models/hexokinase.sc'))
+    for name in ['names', 'trails', 'grid', 'graph-switch', 'plots-phase', 'graph-labels', 'graph-fold']:
+        b.find(name).click()
+    b.pick('graph-show', 'near')
+    b.pick('graph-steps', '2')
+    b.find('graph-search').send_keys('bonds() > 0', Keys.ENTER)
+    for text in ['x(atp)', 'bonds() + 1']:
+        b.find('plot-input').send_keys(text, Keys.ENTER)
+    b.find('plots-choose').click()
+    b.js('[...document.querySelectorAll(".plot-menu input")][0].click()')
+    link = b.js('return scc.link()')
+    sight = """return [["names", "trails", "grid", "marks", "graph-switch", "graph-labels", "graph-fold", "plots-phase"].map((name) =>
+        document.querySelector(`[data-testid="${name}"]`).getAttribute("aria-pressed")),
+      ["graph-show", "graph-steps", "graph-search"].map((name) => document.querySelector(`[data-testid="${name}"]`).value),
+      scc.plots().map((plot) => plot.text), document.querySelectorAll(".chart.phase").length,
+      document.querySelector("[data-testid=graph-found]").textContent]"""
+    b.wait('return document.querySelector("[data-testid=graph-found]").textContent !== ""')
+    seen = b.js(sight)
+    same('what is switched', seen[:2], [['true', 'true', 'false', 'true', 'true', 'true', seen[0][6], 'true'], ['near', '2', 'bonds() > 0']])
+    b.open(b.shown, link)
+    b.wait('return document.querySelector("[data-testid=graph-found]").textContent !== ""')
+    same('an address has what is switched, the plots and the graph', b.js(sight), seen)
+    same('and is the same again', b.js('return scc.link()'), link)
+    check('nothing of it is told to be wrong', not b.find('notice').is_displayed(), b.text('notice'))
+    b.js('for (let k = 0; k < 12; k++) { const box = document.querySelector("[data-testid=plot-input]"); '
+         'box.value = "1" + " + 1".repeat(900 + k); box.form.requestSubmit(); }')
+    check('an address has a bounded size', len(b.js('return scc.link()')) <= 16000, len(b.js('return scc.link()')))
+    page = scc.view(HEXOKINASE)
+    for wrong in ['switched=constructor', 'switched=names.names.__proto__', 'numbers=99', 'numbers=0.x', 'against=2', 'graph=all.open.100',
+                  'graph=toString', 'plot=' + 'x' * 5000, 'find=' + '%28' * 5000, 'run=99', 'run=0&step=1e9&time=1/0', 'run=0&way=1.2.3.4.5', 'time=%E0%A4%A', 'camera=%7B',
                   'select=7777', 'select=__proto__', 'run=0&way=99999999999999999999.0', '%', 'x' * 5000]:
         b.open(page, wrong)
         same(f'a wrong address, {wrong[:40]}', b.complaints(), [])
@@ -625,7 +654,8 @@ def upright(b, scc):
     look = b.js('return scc.look()')
     same('and the floor', (look['up'], look['floor']), ('z', floor))
     b.find('names').click()
-    same('another button changes neither', (b.js('return scc.look().up'), b.js('return scc.link()')), ('z', link))
+    same('another button changes neither', (b.js('return scc.look().up'), b.js('return scc.link()').replace('&switched=names', '')),
+         ('z', link))
     same('the console is told nothing', b.complaints(), [])
 
 
