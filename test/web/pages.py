@@ -390,7 +390,9 @@ def starts(b, scc):
     b.open(scc.view('specs/models/meeting.sc'))
     same('all tabs are in one row', len(set(b.js('return [...document.querySelectorAll("#tabs button")].map((t) => t.offsetTop)'))), 1)
     b.find('tab-where').click()
-    b.find('where').click()
+    b.js("""
+      const box = document.querySelectorAll('[data-testid=where] .sample')[40].getBoundingClientRect();
+      document.querySelector('[data-testid=where]').dispatchEvent(new MouseEvent('click', { clientX: box.left + box.width / 2, clientY: box.top + box.height / 2 }));""")
     run = b.js('return document.querySelector("[data-testid=where] .sample.here").dataset.run')
     first = b.state()
     b.js('document.querySelector("[data-testid=where]").focus()')
@@ -420,6 +422,62 @@ def starts(b, scc):
       return document.querySelector('[data-testid=where-told]').textContent;""", 3)
     sample = where['samples'][3]['at']
     check('the start under the pointer is named', all(f'{name} = ' in told for name in sample), told)
+    any_start(b, scc)
+
+
+CLEFT = """model cleft
+timestep 1 steady
+import <solids>
+param d in [0, 3]
+param h in [0, 2]
+behaviour Site   on solids.Cube(2) = <site, {top}>. nil
+behaviour Ligand on solids.Cube(2) = <~site, {bottom}>. nil
+fixed membrane   = box(24, 4, 2) at translate (0, 0, -5/2)
+fixed receptor   = solids.Cube(2) scaled (1, 1, 1/4) at translate (0, 0, -5/4) [Site]
+process ligand   = solids.Cube(2) mass 1 at translate (d, 0, 1/2 + h) [Ligand]
+motion ligand    = choose { (1, 0, 0), (-1, 0, 0), (0, 0, 1), (0, 0, -1) }
+check binds  : P = ? [ eventually bound(ligand, receptor) within 2 ]
+check likely : P >= 1/8 [ eventually bound(ligand, receptor) within 2 ]
+"""
+
+
+def any_start(b, scc):
+    """What is so at any start, on borders as well, is what `scc check` says of that start alone."""
+    model = scc.file('.sc')
+    with open(model, 'w') as f:
+        f.write(CLEFT)
+    b.open(scc.view(model))
+    b.find('tab-where').click()
+    # Corners and borders of the regions, and starts within them.
+    for d, h in [('0', '1/2'), ('5/2', '1/2'), ('1', '0'), ('2', '1'), ('3', '0.25'), ('1.3', '3/2'), ('7/3', '13/10'), ('3', '2')]:
+        for k, text in enumerate([d, h]):
+            b.find(f'where-start-{k}').clear()
+            b.find(f'where-start-{k}').send_keys(text, *([Keys.ENTER] if k else []))
+        verdicts = b.js('return [...document.querySelectorAll("[data-testid=where-verdicts] .judged li")].map((li) => li.textContent)')
+        ended = scc.run('check', model, '-D', f'd={d}', '-D', f'h={h}', '--json')
+        one = {p['name']: p for p in json.loads(ended.stdout)['properties']}
+        value = re.search(r'^binds: (\S+?),?( |$)', scc.run('check', model, '-D', f'd={d}', '-D', f'h={h}').stdout, re.M)[1]
+        expected = {'likely': {'holds': 'holds', 'violated': 'fails'}[one['likely']['verdict']], 'binds': value}
+        found = {line.split(': ')[0]: line.split(': ')[1].split(' ')[0] for line in verdicts}
+        same(f'what is so at d = {d}, h = {h}', found, expected)
+    b.pick('where-check', '1')
+    colours = b.js('return [...new Set([...document.querySelectorAll("svg.where .area")].map((area) => getComputedStyle(area).fill))]')
+    told = b.js('return [...document.querySelectorAll("[data-testid=where-values] li")].map((li) => li.textContent.split(" ")[0])')
+    same('each value has a colour and a place in the legend', (len(colours), told), (4, ['0', '1/16', '5/64', '5/16', '3/8']))
+    for text, words in [('4', 'd is from 0 to 3'), ('x', 'is no number')]:
+        b.find('where-start-0').clear()
+        b.find('where-start-0').send_keys(text, Keys.ENTER)
+        check(f'{text} is refused', words in b.text('where-wrong') and b.find('where-wrong').is_displayed(), b.text('where-wrong'))
+    b.js("""
+      const svg = document.querySelector('[data-testid=where]'), box = svg.getBoundingClientRect(), scale = box.width / svg.viewBox.baseVal.width;
+      svg.dispatchEvent(new MouseEvent('click', { clientX: box.left + (58 + 248 * 0.8) * scale, clientY: box.top + (8 + 248 * 0.55) * scale }));""")
+    check('any place can be clicked', b.js('return document.querySelector("svg.where .cross").getAttribute("visibility")') == 'visible')
+    command = b.text('where-command')
+    check('and how to see the run from there is told', ' -D d=' in command and ' -D h=' in command, command)
+    before = b.state()['bodies']
+    b.find('where-nearest').click()
+    check('the nearest run is shown', b.state()['bodies'] != before)
+    same('the console is told nothing', b.complaints(), [])
 
 
 def onwards(b, scc):
