@@ -110,7 +110,7 @@ const Details = (() => {
           ...line("gone since", Exactly.show(last.body.time)), ...vector("last position", player.course.position(last.body, last.place))]));
       return;
     }
-    const { process } = found.body;
+    const { process } = found.body, of = selected.leaf;
     const behaviour = player.data.behaviours[found.place.behaviour];
     Dom.fill(
       facts,
@@ -141,7 +141,10 @@ const Details = (() => {
         ),
         ...line("template", Dom.make("bdi", { text: Dom.clip(leaf.template, 400) })),
       ]),
-      Dom.make("p", {}, [Dom.button("Clear", () => select(null), { class: "small" })]),
+      Dom.make("p", { class: "facts-buttons" }, [
+        Dom.button("Its events", () => Events.of(of), { class: "small", test: "its-events" }),
+        Dom.button("Clear", () => select(null), { class: "small" }),
+      ]),
     );
   }
 

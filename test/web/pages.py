@@ -177,6 +177,31 @@ def events(b, scc):
     same('a pinned event', b.state()['legs'], at)
     b.find('pins').find_element('css selector', '.pin-button').click()
     check('it is pinned no more', not b.find('pins').is_displayed())
+    # By bodies, also those that nothing happens to.
+    b.open(scc.view('specs/models/enzyme.sc'))
+    data = b.js('return scc.data')
+    run = next(r for r in data['runs'] if r['name'] == b.state()['run'])
+    of = [set(data['labels'][step['label']]['leaves']) for step in run['steps']]
+    names = [leaf['name'] for leaf in data['leaves']]
+    groups = b.js("""return [...document.querySelectorAll("[data-testid=events-body] optgroup")].map((group) =>
+      [...group.children].map((option) => option.textContent))""")
+    active = [k for k in range(len(names)) if any(k in one for one in of)]
+    idle = [k for k in range(len(names)) if k not in active]
+    same('bodies with events, and others', groups, [[names[k] for k in all_] for all_ in (active, idle) if all_])
+    b.pick('events-body', str(active[0]))
+    shown = b.js(rows)
+    same('the events of a body', shown, [k + 1 for k, one in enumerate(of) if active[0] in one][:len(shown)])
+    check('a body without events is there', idle)
+    b.pick('events-body', str(idle[0]))
+    empty = b.js('return document.querySelector("#events .empty:not([hidden])").textContent')
+    same('one without any', empty, f'{names[idle[0]]} takes part in no event of this run.')
+    same('it is selected', b.js('return new URLSearchParams(scc.link()).get("select")'), str(idle[0]))
+    b.find('tab-details').click()
+    check('and its place is told', 'position' in b.text('selected'), b.text('selected'))
+    b.all(f'[data-testid="bodies-list"] [data-index="{active[0]}"]')[0].click()
+    b.find('its-events').click()
+    same('from a body to its events', b.js(rows), shown)
+    b.pick('events-body', '')
     # Long times.
     long = scc.file('.sc')
     with open(long, 'w', encoding='utf-8') as f:
