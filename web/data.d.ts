@@ -28,6 +28,8 @@ interface DataLeaf {
   parts: DataPart[];
   /** From the point of reference, as declared. */
   centroid: Vec;
+  /** About the centroid, as declared, where bodies turn: rows. */
+  inertia?: [Vec, Vec, Vec];
 }
 
 type SiteKind = "vertex" | "edge" | "face";
@@ -61,7 +63,8 @@ interface DataProcess {
   bonds: DataBond[];
   velocity: Vec;
   mass: string | null;
-  turn?: { centre: Vec; spin: Vec; since: string };
+  /** kept: of a free body, its angular momentum about the centre. */
+  turn?: { centre: Vec; spin: Vec; since: string; kept?: Vec };
 }
 
 interface DataChoice {
