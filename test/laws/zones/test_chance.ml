@@ -1,7 +1,7 @@
 (* Probabilities and means over all starts are those of the ordinary exploration, at each start: random models with
    one or two walkers, up to three parameters that delays and predicates may mention, walls, receptors, bonds
-   that break by chance or at any time, and free choices. Each is asked at random starts, on borders of pieces too. Their
-   means are those of grids, where all pieces are boxes with corners on the grid.
+   that break by chance or at any time, and free choices. Each is asked at random starts, on borders of pieces too.
+   Their means are those of grids, where all pieces are boxes with corners on the grid.
 
    test_chance [MODELS [SEED]] *)
 
