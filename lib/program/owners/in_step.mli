@@ -1,0 +1,34 @@
+(** Owners that advance level by level, in step: the numbers, depths and first ways are those of a single search that
+    goes breadth first. In each level there are three rounds of messages between all owners ({!Mesh.gather}): the end of
+    the states; summaries, with the keys of new states; and their ranks. *)
+
+(** What is asked, and how far it may go. *)
+type settings = {
+  searches : bool;  (** all that is asked are searches: it ends once every goal is met *)
+  most_states : int;
+  most_levels : int option;
+  every : float option;  (** so many seconds between two levels that are kept *)
+}
+
+type t
+
+val make :
+  Part.t ->
+  Mesh.t ->
+  Expansion.t ->
+  Levels.t ->
+  settings ->
+  keep:(Progress.t -> unit) ->
+  show:(Progress.t -> unit) ->
+  t
+(** [make part mesh expansion levels settings ~keep ~show] is one owner. [keep] is called, by all owners after the same
+    levels, when the level is to be kept, and [show] after each level. *)
+
+val begin_ : t -> home:int -> Progress.t
+(** The beginning of an exploration, whose initial state is that of the owner [home]. *)
+
+val run : t -> Progress.t -> Progress.t
+(** Goes on from the end of a level to the end of the exploration. All owners do so from the same progress. *)
+
+val sums : t -> int list -> int list
+(** [sums s numbers] is the sums over all owners, each of which asks for them at once. *)
