@@ -9,19 +9,20 @@ type settings = {
   every : float option;  (** so many seconds between two levels that are kept *)
 }
 
+type calls = { keep : Progress.t -> unit; may_keep : unit -> bool; show : Progress.t -> unit }
+
 type t = {
   part : Part.t;
   mesh : Mesh.t;
   expansion : Expansion.t;
   levels : Levels.t;
   settings : settings;
-  keep : Progress.t -> unit;
-  show : Progress.t -> unit;
+  calls : calls;
   mutable kept_at : float;
 }
 
-let make part mesh expansion levels settings ~keep ~show =
-  { part; mesh; expansion; levels; settings; keep; show; kept_at = Unix.gettimeofday () }
+let make part mesh expansion levels settings calls =
+  { part; mesh; expansion; levels; settings; calls; kept_at = Unix.gettimeofday () }
 
 let me s = Mesh.number s.mesh
 
@@ -101,7 +102,7 @@ let events s hits goals =
 
 let is_due s =
   match s.settings.every with
-  | Some every -> me s = 0 && Unix.gettimeofday () -. s.kept_at >= every
+  | Some every -> me s = 0 && s.calls.may_keep () && Unix.gettimeofday () -. s.kept_at >= every
   | None -> false
 
 let summary s (p : Progress.t) x fresh : Summary.t =
@@ -265,9 +266,9 @@ let next s p =
   commit s fresh ranks;
   if all.keep && after.stop = None && new_states > 0 then begin
     s.kept_at <- Unix.gettimeofday ();
-    s.keep after
+    s.calls.keep after
   end;
-  s.show after;
+  s.calls.show after;
   (after, new_states > 0)
 
 let rec run s (p : Progress.t) =

@@ -10,19 +10,17 @@ type settings = {
   every : float option;  (** so many seconds between two levels that are kept *)
 }
 
+(** What is called on the way. *)
+type calls = {
+  keep : Progress.t -> unit;  (** the level is to be kept: called by all owners after the same levels *)
+  may_keep : unit -> bool;  (** what was kept before is safe; the first owner is asked *)
+  show : Progress.t -> unit;  (** after each level *)
+}
+
 type t
 
-val make :
-  Part.t ->
-  Mesh.t ->
-  Expansion.t ->
-  Levels.t ->
-  settings ->
-  keep:(Progress.t -> unit) ->
-  show:(Progress.t -> unit) ->
-  t
-(** [make part mesh expansion levels settings ~keep ~show] is one owner. [keep] is called, by all owners after the same
-    levels, when the level is to be kept, and [show] after each level. *)
+val make : Part.t -> Mesh.t -> Expansion.t -> Levels.t -> settings -> calls -> t
+(** One owner. *)
 
 val begin_ : t -> home:int -> Progress.t
 (** The beginning of an exploration, whose initial state is that of the owner [home]. *)

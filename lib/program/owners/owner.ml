@@ -5,14 +5,20 @@ type place = { number : int; count : int }
 
 (* {1 The parent} *)
 
-type parent = { text : Buffer.t; mutable ended : bool }
+type parent = {
+  text : Buffer.t;
+  mutable ended : bool;
+  mutable waited_for : bool;  (** it has not said that what was kept is safe *)
+}
 
 let chunk = Bytes.create 4096
 
 let hear parent () =
   match Reading.input chunk 0 (Bytes.length chunk) with
   | 0 -> parent.ended <- true
-  | n -> Buffer.add_subbytes parent.text chunk 0 n
+  | n ->
+    parent.waited_for <- false;
+    Buffer.add_subbytes parent.text chunk 0 n
 
 let most_line = 1 lsl 22
 
@@ -63,6 +69,7 @@ exception Over
 
 let hear_parent o () =
   hear o.parent ();
+  Buffer.clear o.parent.text;
   if o.parent.ended then
     if o.telling then raise Over else Failure.lost "the process that has started this owner has ended"
 
@@ -80,6 +87,7 @@ let keep o (p : Progress.t) =
     let file = Filename.concat folder (Printf.sprintf "%d-%d.levels" o.place.number p.level) in
     Shard.write file o.part o.levels p ~from:o.saved;
     say (Said.line (Kept { level = p.level; from = o.saved; file; progress = p }));
+    o.parent.waited_for <- true;
     o.saved <- Levels.count o.levels
 
 let hear_peer o peer kind text =
@@ -110,7 +118,10 @@ let explore o mesh =
       every = Option.map (fun ms -> float_of_int ms /. 1000.) o.begun.every;
     }
   in
-  let s = In_step.make o.part mesh expansion o.levels settings ~keep:(keep o) ~show:(show o) in
+  let calls : In_step.calls =
+    { keep = keep o; may_keep = (fun () -> not o.parent.waited_for); show = show o }
+  in
+  let s = In_step.make o.part mesh expansion o.levels settings calls in
   let start = match restored o with Some p -> p | None -> In_step.begin_ s ~home:o.home in
   let p = In_step.run s start in
   o.telling <- true;
@@ -136,7 +147,7 @@ let work o self ~listener =
   try tell o mesh trace (explore o mesh) with Over -> ()
 
 let run filter place ~listener ~program ~identity =
-  let parent = { text = Buffer.create 4096; ended = false } in
+  let parent = { text = Buffer.create 4096; ended = false; waited_for = false } in
   match first_line parent with
   | None -> ()
   | Some line ->
