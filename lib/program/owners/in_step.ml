@@ -164,13 +164,6 @@ let agree s (p : Progress.t) summary fresh =
 
 (* {1 Where it ends} *)
 
-let sums s numbers =
-  let texts = Mesh.gather s.mesh (fun _ -> written (fun b -> List.iter (Packed.put_nat b) numbers)) in
-  let add sums (owner, text) =
-    reading owner text (fun source -> List.map (fun n -> n + Packed.nat source) sums)
-  in
-  List.fold_left add (List.map (fun _ -> 0) numbers) (List.mapi (fun i t -> (i, t)) (Array.to_list texts))
-
 (* The last rank that may be expanded where states are bounded: the one after it has too many that are new. *)
 let last_rank s (p : Progress.t) (all : Summary.t) fresh ranks =
   let room = s.settings.most_states - p.states in
@@ -178,7 +171,7 @@ let last_rank s (p : Progress.t) (all : Summary.t) fresh ranks =
   else
     let mine = ref 0 in
     Array.iteri (fun k rank -> if rank = room then mine := (Part.way s.part fresh.(k)).before + 1) ranks;
-    match sums s [ !mine ] with
+    match Mesh.sums s.mesh [ !mine ] with
     | [ next ] -> Some (next - 2)
     | _ -> None
 
@@ -187,7 +180,7 @@ let up_to s x fresh last =
   let transitions = ref 0 in
   Array.iteri (fun k id -> if Levels.rank s.levels id <= last then transitions := !transitions + x.counts.(k)) x.order;
   let is_before n id = if (Part.way s.part id).before <= last then n + 1 else n in
-  match sums s [ !transitions; Array.fold_left is_before 0 fresh ] with
+  match Mesh.sums s.mesh [ !transitions; Array.fold_left is_before 0 fresh ] with
   | [ transitions; fresh ] -> (transitions, fresh)
   | _ -> (0, 0)
 

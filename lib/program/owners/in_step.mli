@@ -27,6 +27,3 @@ val begin_ : t -> home:int -> Progress.t
 
 val run : t -> Progress.t -> Progress.t
 (** Goes on from the end of a level to the end of the exploration. All owners do so from the same progress. *)
-
-val sums : t -> int list -> int list
-(** [sums s numbers] is the sums over all owners, each of which asks for them at once. *)

@@ -95,3 +95,15 @@ let gather m text =
   let is_missing peer = Queue.is_empty m.parts.(peer) in
   while List.exists is_missing (others m) do pump m (-1.) done;
   Array.init m.count (fun peer -> if peer = m.number then text peer else Queue.pop m.parts.(peer))
+
+let sums m numbers =
+  let b = Buffer.create 16 in
+  List.iter (Scc_codec.Packed.put_nat b) numbers;
+  let mine = Buffer.contents b in
+  let add sums text =
+    let source = Scc_codec.Packed.source text in
+    match List.map (fun n -> n + Scc_codec.Packed.nat source) sums with
+    | sums -> sums
+    | exception Scc_codec.Packed.Malformed what -> Failure.garbled "an owner: %s" what
+  in
+  Array.fold_left add (List.map (fun _ -> 0) numbers) (gather m (fun _ -> mine))

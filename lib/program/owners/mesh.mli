@@ -40,3 +40,6 @@ val messages : t -> int
 
 val bytes : t -> int
 (** How many bytes they have. *)
+
+val sums : t -> int list -> int list
+(** [sums m numbers] is a round in which all owners give as many numbers, not below 0: the sums. *)

@@ -59,6 +59,7 @@ type t = {
   home : int;  (** the owner of the initial state *)
   parent : parent;
   mutable trace : Trace.t option;
+  mutable free : Free.t option;  (** if it goes in no order *)
   mutable shown : float;  (** when it told last how far it is *)
   mutable saved : int;  (** levels *)
   mutable telling : bool;  (** everything is found *)
@@ -91,11 +92,24 @@ let keep o (p : Progress.t) =
     o.saved <- Levels.count o.levels
 
 let hear_peer o peer kind text =
-  if Char.equal kind Expansion.state then Records.read o.records.(peer) o.part ~sender:peer text
+  if Char.equal kind Expansion.state then begin
+    Records.read o.records.(peer) o.part ~sender:peer text;
+    Option.iter Free.hear_states o.free
+  end
   else
-    match o.trace with
-    | Some trace when Char.equal kind Trace.kind || Char.equal kind Trace.told -> Trace.heard trace kind text
-    | Some _ | None -> Failure.garbled "owner %d sends a message of no kind: %C" (peer + 1) kind
+    let known =
+      match (o.trace, o.free) with
+      | Some trace, _ when Char.equal kind Trace.kind || Char.equal kind Trace.told ->
+        Trace.heard trace kind text;
+        true
+      | _, Some free -> Free.heard free peer kind text
+      | _, None -> false
+    in
+    if not known then Failure.garbled "owner %d sends a message of no kind: %C" (peer + 1) kind
+
+let hear_peer o peer kind text =
+  try hear_peer o peer kind text
+  with Scc_codec.Packed.Malformed what -> Failure.garbled "owner %d: %s" (peer + 1) what
 
 (* How far it came before. *)
 let restored o =
@@ -108,8 +122,7 @@ let restored o =
   Option.iter goal_found progress;
   progress
 
-let explore o mesh =
-  let expansion = Expansion.make o.part mesh o.records ~sent:(Sent.create ~bytes:sent_bytes) in
+let in_step o mesh expansion =
   let settings : In_step.settings =
     {
       searches = searches (Filter.question (Part.filter o.part));
@@ -122,11 +135,23 @@ let explore o mesh =
     { keep = keep o; may_keep = (fun () -> not o.parent.waited_for); show = show o }
   in
   let s = In_step.make o.part mesh expansion o.levels settings calls in
-  let start = match restored o with Some p -> p | None -> In_step.begin_ s ~home:o.home in
-  let p = In_step.run s start in
+  In_step.run s (match restored o with Some p -> p | None -> In_step.begin_ s ~home:o.home)
+
+let explore o mesh =
+  let expansion = Expansion.make o.part mesh o.records ~sent:(Sent.create ~bytes:sent_bytes) in
+  let p =
+    if o.begun.any_order then begin
+      let searches = searches (Filter.question (Part.filter o.part)) in
+      let most_states = Option.value o.begun.states ~default:max_int in
+      let free = Free.make o.part mesh expansion ~searches ~most_states ~show:(show o) in
+      o.free <- Some free;
+      Free.run free ~home:o.home
+    end
+    else in_step o mesh expansion
+  in
   o.telling <- true;
   if o.place.number > 0 then Mesh.let_go mesh;
-  match In_step.sums s [ Mesh.messages mesh; Mesh.bytes mesh ] with
+  match Mesh.sums mesh [ Mesh.messages mesh; Mesh.bytes mesh ] with
   | [ messages; bytes ] -> (p, messages, bytes)
   | _ -> (p, 0, 0)
 
@@ -141,7 +166,7 @@ let work o self ~listener =
   let seconds = float_of_int o.begun.deadline /. 1000. in
   let links = Meeting.meet self ~listener ~peers:o.begun.peers ~seconds in
   let mesh = Mesh.make ~number:o.place.number ~links ~each:(hear_peer o) ~from_parent:(hear_parent o) in
-  let find ~level before = Levels.find o.levels level before in
+  let find ~level before = if o.begun.any_order then Some before else Levels.find o.levels level before in
   let trace = Trace.make mesh o.part ~find ~is_root:(fun id -> id = 0 && o.home = o.place.number) in
   o.trace <- Some trace;
   try tell o mesh trace (explore o mesh) with Over -> ()
@@ -166,7 +191,7 @@ let run filter place ~listener ~program ~identity =
         levels = Levels.make ();
         records = Array.init place.count (fun _ -> Records.make part);
         home = (Filter.initial filter).fingerprint.(0) mod place.count;
-        trace = None; shown = 0.; saved = 0; telling = false;
+        trace = None; free = None; shown = 0.; saved = 0; telling = false;
       }
     in
     work o self ~listener

@@ -35,8 +35,17 @@ val enter : t -> near:Tuples.spread -> Tuples.changes -> int array -> sender:int
 val close : t -> unit
 (** The ways of all states that are there are final. *)
 
+val enter_prepared : t -> int -> int array -> sender:int -> before:int -> choice:int -> unit
+(** [enter_prepared p n target ~sender ~before ~choice] is {!enter} for the [n]-th tuple of a round of {!table}. *)
+
+val again : t -> int -> sender:int -> before:int -> choice:int -> unit
+(** [again p id ~sender ~before ~choice] is {!enter} for a state that is known to be there, with that number. *)
+
 val way : t -> int -> way
 (** How a state was first found. *)
+
+val keep_first : t -> unit
+(** From now on the first way to each state that comes is final. *)
 
 val is_too_long : t -> int -> bool
 (** Whether the state has a number that is longer than the bound of bits: it is not to be expanded. *)

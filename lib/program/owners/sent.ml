@@ -30,6 +30,10 @@ let put t k low high =
   t.table.{2 * k} <- low;
   t.table.{(2 * k) + 1} <- high
 
+let near t print =
+  let k = place t (low print) in
+  Array1.unsafe_get t.table (2 * k)
+
 let rec add t low high =
   let k = place t low in
   let other = k lxor 1 in

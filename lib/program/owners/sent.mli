@@ -8,3 +8,7 @@ val create : bytes:int -> t
 
 val add : t -> Scc_successors.Keys.fingerprint -> bool
 (** [add t print] is true if it is not in the table; then it is added. *)
+
+val near : t -> Scc_successors.Keys.fingerprint -> int
+(** Some number near the place of a fingerprint in the table. Who asks for those of several before {!add} has their
+    places fetched from memory at the same time. *)

@@ -31,9 +31,9 @@ let rec walk t ~goal ~level id choices =
   if t.is_root id then tell t goal choices
   else
     let way = Part.way t.part id in
-    let choices = way.choice :: choices in
-    if way.sender = Mesh.number t.mesh then arrive t ~goal ~level:(level - 1) way.before choices
-    else Mesh.post t.mesh way.sender kind (message ~goal ~level:(level - 1) ~before:way.before choices)
+    let choices = way.choice :: choices and level = Int.max 0 (level - 1) in
+    if way.sender = Mesh.number t.mesh then arrive t ~goal ~level way.before choices
+    else Mesh.post t.mesh way.sender kind (message ~goal ~level ~before:way.before choices)
 
 and arrive t ~goal ~level before choices =
   match t.find ~level before with
