@@ -161,6 +161,7 @@ const Graph = (() => {
     lit = null;
     made.next.hidden = true;
     say("", false);
+    document.dispatchEvent(new CustomEvent("graph"));
     try {
       if (text !== "") {
         const formula = Meaning.compile(data, course.leaves, { ...data.parameters, ...run.values }, text);
@@ -200,6 +201,7 @@ const Graph = (() => {
   /** Other choices of the user. */
   function other() {
     drawn = fitted = false;
+    document.dispatchEvent(new CustomEvent("graph"));
     show();
   }
 
@@ -431,5 +433,39 @@ const Graph = (() => {
     return new XMLSerializer().serializeToString(copy);
   }
 
-  return { start, show };
+  /** What the user has chosen, as words of an address. */
+  function save() {
+    if (!note) return "";
+    return [
+      Dom.get("graph-panel").hidden ? "" : "open", wish.show || "", wish.steps === 3 ? "" : String(wish.steps),
+      wish.fold === null ? "" : wish.fold ? "fold" : "whole", wish.labels ? "labels" : "",
+    ].filter(Boolean).join(".");
+  }
+
+  /** The formula of the search. */
+  const sought = () => (note ? /** @type {any} */ (made.search).value.trim() : "");
+
+  /**
+   * Chooses what an address says.
+   * @param {string} words @param {string} sought @returns {boolean} whether all of it is known
+   */
+  function load(words, sought) {
+    const wanted = words === "" ? [] : words.split(".");
+    const known = wanted.every((word) => /^(open|near|all|fold|whole|labels|[1-9][0-9]?)$/.test(word));
+    for (const word of wanted) {
+      if (word === "near" || word === "all") wish.show = word;
+      else if (word === "fold" || word === "whole") wish.fold = word === "fold";
+      else if (word === "labels") wish.labels = true;
+      else if (/^[1-9][0-9]?$/.test(word)) wish.steps = Number(word);
+    }
+    if (!note) tools();
+    /** @type {any} */ (made.search).value = sought;
+    drawn = fitted = false;
+    if (sought !== "") search();
+    if (wanted.includes("open") && Dom.get("graph-panel").hidden) Dom.get("graph-switch").click();
+    else if (!Dom.get("graph-panel").hidden) show();
+    return known;
+  }
+
+  return { start, show, save, load, sought };
 })();

@@ -87,7 +87,7 @@ class Marks {
     }
     for (const { text, at: place, color } of this.scene.ghosts.words) {
       const p = project(place);
-      if (p.seen) overlay.word(text, p.x, p.y, { ...style, size: 11, color: Colors.css(color) });
+      if (p.seen) [0, 14, -14, 28].some((by) => overlay.word(text, p.x, p.y + by, { ...style, size: 11, color: Colors.css(color) }));
     }
     if (options.grid) {
       const { x, y, z } = bodies.colors;

@@ -20,6 +20,11 @@ const Tools = (() => {
     projection: "perspective",
     up: "y",
   };
+  /**
+   * Those that are shown or not, as they are at first.
+   * @type {{[option: string]: boolean}}
+   */
+  const usual = Object.fromEntries(["names", "velocities", "spins", "trails", "marks", "grid"].map((name) => [name, options[name]]));
   /** @type {{[id: string]: HTMLButtonElement}} */
   const made = {};
 
@@ -205,6 +210,7 @@ const Tools = (() => {
   function set(option, value) {
     options[option] = value;
     tell(option);
+    document.dispatchEvent(new CustomEvent("view"));
     if (scene) {
       scene.setOptions(options);
       scene.show(player.course, player.legs, player.time);
@@ -267,9 +273,29 @@ const Tools = (() => {
         Dom.get(panel).hidden = !on;
         document.body.classList.toggle(panel, on);
         if (on) shown();
+        document.dispatchEvent(new CustomEvent("graph"));
       });
     }
   }
 
-  return { start, flip, learn };
+  /** What is shown in the scene, or left out, that is not so at first: of what the camera does not say. */
+  const switched = () => Object.keys(usual).filter((option) => options[option] !== usual[option]);
+
+  /**
+   * Shows and leaves out what an address says.
+   * @param {string[]} names of what is not as it is at first @returns {boolean} whether all of them are known
+   */
+  function load(names) {
+    for (const option of Object.keys(usual)) {
+      options[option] = usual[option] !== names.includes(option);
+      tell(option);
+    }
+    if (scene) {
+      scene.setOptions(options);
+      scene.show(player.course, player.legs, player.time);
+    }
+    return names.every((name) => Object.keys(usual).includes(name));
+  }
+
+  return { start, flip, learn, switched, load };
 })();

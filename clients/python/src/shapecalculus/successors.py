@@ -13,7 +13,7 @@ from typing import Any, Iterator, List, Optional, Sequence
 import numpy as np
 
 from ._guard import FAULT, LIMITS, STOPPED
-from ._service import scc_path
+from ._program import scc_path, why_not
 
 #: The version of specs/successors.md that this client speaks.
 VERSION = 2
@@ -89,7 +89,7 @@ class Filter:
         except OSError as e:
             self.said.close()
             failure = FilterLost if e.errno in LIMITS else FilterFailed
-            raise failure("%s cannot be run: %s" % (command[0], e.strerror)) from None
+            raise failure(why_not(command[0], e)) from None
         try:
             for pipe in (self.process.stdin, self.process.stdout):
                 widen(pipe)
