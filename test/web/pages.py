@@ -104,6 +104,14 @@ def graphs(b, scc):
     b.find('graph-labels').click()
     words = b.js('return [...document.querySelectorAll(".edge-text")].map((text) => text.textContent)')
     check('and what happens there, on demand', any('walker draws' in text for text in words), words)
+    meet = b.js('''
+      const all = [...document.querySelectorAll(".edge-text, .node circle")].map((one) => one.getBoundingClientRect());
+      const words = [...document.querySelectorAll(".edge-text")].length;
+      return all.slice(0, words).filter((a, i) => all.some((b, k) => k > i &&
+        a.left + 2 < b.right && b.left + 2 < a.right && a.top + 3 < b.bottom && b.top + 3 < a.bottom)).length;''')
+    same('words do not cover each other', meet, 0)
+    note = b.text('graph-note')
+    check('why scc check counts otherwise is told', note.startswith('All 18 states') and 'scc check counts' in note, note)
     b.find('graph-legend').click()
     legend = b.js('return document.querySelector(".graph-legend").textContent')
     check('a legend', 'a draw by chance' in legend and 'an absorption' in legend and 'a bond' not in legend, legend)
@@ -131,6 +139,16 @@ def graphs(b, scc):
     check('they are laid out beside the page', b.js('return document.querySelector("[data-testid=graph-waiting]") !== null'))
     check('as a map', b.wait('return document.querySelector("[data-testid=graph-map]") !== null'))
     check('on which the page goes on meanwhile', b.js('return window.ticks') > 3)
+    wide = b.wait('''
+      const box = document.querySelector("[data-testid=graph-map]"), canvas = box.querySelector("canvas");
+      const copy = document.createElement("canvas");
+      [copy.width, copy.height] = [canvas.width, canvas.height];
+      const pen = copy.getContext("2d");
+      pen.drawImage(canvas, 0, 0);
+      const { data } = pen.getImageData(0, 0, copy.width, copy.height), seen = [];
+      for (let i = 3; i < data.length; i += 4) if (data[i] > 200) seen.push(((i - 3) / 4) % copy.width);
+      return (Math.max(...new Set(seen)) - Math.min(...[...new Set(seen)].filter((x) => x > 16))) / copy.width;''')
+    check('the map takes the width of the panel', wide > 0.8, wide)
     b.js('document.querySelector("[data-testid=graph-map]").focus()')
     b.keys(Keys.ARROW_DOWN, Keys.ENTER)
     check('a state of the map', b.state()['state'] != 0, b.state()['state'])
