@@ -815,6 +815,61 @@ def framed(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
+LEGEND = """import <solids>
+for i in 1..14 { process cube[i] = solids.Cube(1) mass 1 at translate (-3 + 2*i, 10 - i/2, 0) velocity (0, 0, i) [nil] }
+process a_body_with_a_rather_long_name_indeed = solids.Cube(2) mass 1 at translate (-4, 9, 0) velocity (0, 0, 0) [nil]
+"""
+
+
+def legend(b, scc):
+    """The legend is where it covers no body, if there is such a corner; and it can be left out."""
+    model = scc.file('.sc')
+    with open(model, 'w') as f:
+        f.write(LEGEND)
+    page = scc.view(model)
+    corners = set()
+    for size in [(1400, 900), (700, 900), (1100, 500)]:
+        b.size(*size)
+        b.open(page)
+        for up in range(3):
+            found = b.js("""
+              scc.sight([0, 0, 0]);
+              const { legend, box: [left, top, right, bottom] } = scc.look(), covered = (at) => left < at[0] && at[0] < right && top < at[1] && at[1] < bottom;
+              return [legend, Object.values(scc.floats()).filter((p) => covered(scc.sight(p).at)).length];""")
+            corners.add(found[0])
+            same(f'no body is below the legend, {size}, {up}', found[1], 0)
+            b.find('up').click()
+            b.js('return new Promise((done) => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(done)), 500))')
+    check('it is not always in one corner', len(corners) > 1, corners)
+    b.size(1400, 900)
+    b.open(page)
+    seen = b.js('return document.querySelectorAll("#scene canvas")[1].toDataURL()')
+    b.find('legend').click()
+    b.js('scc.sight([0, 0, 0])')
+    check('it can be left out', b.js('return document.querySelectorAll("#scene canvas")[1].toDataURL()') != seen)
+    check('a link keeps that', 'switched=legend' in b.js('return scc.link()'))
+    same('the console is told nothing', b.complaints(), [])
+
+
+def keys_after_menus(b, scc):
+    """Keys work on the page after one has chosen from a list with the pointer, and after Escape in a field."""
+    b.open(scc.view(HEXOKINASE))
+    b.js('scc.go(0)')
+    box = b.find('events-kind')
+    b.js('arguments[0].dispatchEvent(new PointerEvent("pointerdown", { bubbles: true })); arguments[0].focus()', box)
+    b.pick('events-kind', 'all')
+    b.keys(Keys.ARROW_RIGHT)
+    same('an arrow goes on in the run', (b.state()['legs'], box.get_property('value')), (1, 'all'))
+    b.js('arguments[0].focus()', box)
+    b.keys(Keys.ARROW_DOWN)
+    same('with keys one stays in the list', b.js('return document.activeElement.dataset.testid'), 'events-kind')
+    b.keys(Keys.ESCAPE)
+    b.find('plot-input').send_keys('x')
+    b.keys(Keys.ESCAPE, Keys.HOME)
+    same('after Escape in a field', b.state()['legs'], 0)
+    same('the console is told nothing', b.complaints(), [])
+
+
 HOSTILE = ['</script><script>window.pwned = 1</script><img src=x onerror="window.pwned = 1">',
            'א' * 40 + '\u202e reversed \u2066 \u0000 &lt;b&gt;', 'long' * 2500]
 
@@ -989,4 +1044,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, graphs, found_states, events, formulas, small, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, hostile, far_away, motion, lost_context, no_states_beyond, large]
+PARTS = [by_mouse, graphs, found_states, events, formulas, small, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, legend, keys_after_menus, hostile, far_away, motion, lost_context, no_states_beyond, large]
