@@ -1007,6 +1007,15 @@ def large(b, scc):
     b.keys(Keys.END)
     same('the end of it', b.state()['legs'], 10000)
     check('the last row is there', b.all('[data-testid="events-list"] [data-index="10000"][aria-selected="true"]'))
+    # What is about all bodies is evaluated piece by piece.
+    b.js('window.ticks = 0; setInterval(() => { window.ticks += 1; }, 1)')
+    b.find('plot-input').send_keys('bonds() + 3', Keys.ENTER)
+    check('a number about all bodies is on its way', b.js('return scc.busy()'))
+    check('it is drawn', b.wait('return !scc.busy() && document.querySelectorAll(".plot .plot-line").length > 1'))
+    check('the page goes on meanwhile', b.js('return window.ticks') > 20, b.js('return window.ticks'))
+    same('its value', b.js('return scc.plots()[scc.plots().length - 1].value'), '3')
+    rows = b.js('return [...document.querySelectorAll(".plot .plot-line")].pop().getAttribute("d")')
+    check('along the whole run', len(set(re.findall(r'[ML][0-9.]+ ([0-9.]+)', rows))) == 1 and len(rows) > 1000, rows[:200])
     same('the console is told nothing', b.complaints(), [])
 
 
