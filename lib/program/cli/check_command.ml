@@ -129,15 +129,15 @@ let named_where verdicts (report : Check.report) =
   | [] -> []
   | where -> List.map2 (fun (o : Verdict.outcome) w -> (o.check.name, w)) verdicts where
 
-(* Claims, and probabilities as functions of the start, to be drawn. *)
-let drawn verdicts named =
+(* Claims, and numbers as functions of the start with their names, by the side that is told. *)
+let by_start ~named_side verdicts named =
   let numbers (o : Verdict.outcome) =
     match o.verdict with
     | Measured { starts = (_, first) :: rest; _ }
       when List.for_all (fun (_, c) -> Scc_regions.Chances.equal first c) rest ->
       [ (o.check.name, first) ]
     | Measured { starts; _ } ->
-      let named (side, c) = (Printf.sprintf "%s (%s)" o.check.name (Scc_explain.Likelihoods.side side), c) in
+      let named (side, c) = (named_side o.check.name (Scc_explain.Likelihoods.side side), c) in
       List.map named starts
     | Holds _ | Violated _ | Depends _ | Undecided _ -> []
   in
@@ -193,10 +193,14 @@ let write_outputs console (extras : Check_extras.t) path (l : Loaded.t) report v
   let title = Option.value l.origin.name ~default:"a model" in
   Option.iter (fun path -> output (write_file path (Curve_output.picture ~title verdicts))) extras.plot;
   let named = named_where verdicts report and ranges = l.model.ranges in
-  Option.iter (fun path -> output (write_file path (Scc_regions.Smt.script ranges named))) extras.smt;
+  let smt path =
+    let claims, numbers = by_start ~named_side:(Printf.sprintf "%s-%s") verdicts named in
+    output (write_file path (Scc_regions.Smt.script ranges ~numbers claims))
+  in
+  Option.iter smt extras.smt;
   Option.iter (fun path -> output (write_invariant console path l report)) extras.invariant;
   let draw (path, view) =
-    let claims, values = drawn verdicts named in
+    let claims, values = by_start ~named_side:(Printf.sprintf "%s (%s)") verdicts named in
     output (write_file path (Scc_regions.Drawing.svg ~values ranges view claims))
   in
   Option.iter draw view;
