@@ -103,7 +103,7 @@ def check(
     ``slice``: Draws the regions at this value of a parameter that is not an axis. For other such parameters the
       drawing shows whether a property holds for all of their values, for some, or for none.
     ``smt``: Like --where, but writes the sets to FILE, as a script of SMT-LIB 2.6 that defines for each
-      property where it holds, where it fails, and where that is unknown.
+      property where it holds, where it fails, and where that is unknown; and for a number its bounds.
     ``stats``: Prints what the run cost: seconds of each phase, states and transitions a second, memory. The
       phases are reading, exploring, searching for an invariant, and concluding: making verdicts and runs from
       the exploration. To standard error, or as measured in the JSON document. It varies from run to run.
