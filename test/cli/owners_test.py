@@ -41,6 +41,9 @@ class Owners:
                 return told
             if 'kept' in told:
                 self.kept.append(told)
+                # It may keep another level.
+                self.processes[0].stdin.write(b'\n')
+                self.processes[0].stdin.flush()
         raise SystemExit('the first owner has ended: %s' % self.close())
 
     def close(self):

@@ -42,15 +42,17 @@ let place =
     match List.map int_of_string_opt (String.split_on_char '/' s) with
     | [ Some number; Some count ] when 1 <= number && number <= count && count <= most_owners ->
       Ok { Owner.number = number - 1; count }
-    | _ -> Error (`Msg (Printf.sprintf "`%s' is no owner: the third of eight is 3/8, and %d is the most" s most_owners))
+    | _ ->
+      let told = Printf.sprintf "`%s' is no owner: the third of eight is 3/8, and %d is the most" s most_owners in
+      Error (`Msg told)
   in
   Arg.conv ~docv:"K/N" (parse, fun ppf (p : Owner.place) -> Format.fprintf ppf "%d/%d" (p.number + 1) p.count)
 
 let term =
   let owner =
     Options.maybe place [ "owner" ] ~docv:"K/N"
-      "Is owner $(i,K) of $(i,N) processes that explore the model together, with $(i,K) from 1 on. It keeps its part \
-       of the states, and exchanges states with the others directly. See $(b,specs/successors.md)."
+      "Is owner $(i,K) of $(i,N) processes that explore the model together, with $(i,K) from 1 on. It keeps its \
+       part of the states, and exchanges states with the others directly. See $(b,specs/successors.md)."
   in
   let address =
     Options.default Arg.string "127.0.0.1" [ "listen" ] ~docv:"ADDRESS"

@@ -22,5 +22,5 @@ val run :
   listener:Unix.file_descr ->
   identity:string ->
   (Exit_code.t, Diag.t list) result
-(** [run console t filter ~listener ~identity] is the work of the owner ({!Scc_owners.Owner.run}), after the header of its
-    output. [identity] is what is explored. *)
+(** [run console t filter ~listener ~identity] is the work of the owner ({!Scc_owners.Owner.run}), after the
+    header of its output. [identity] is what is explored. *)

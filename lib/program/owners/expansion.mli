@@ -15,8 +15,8 @@ val state : char
 (** The kind of the messages that {!flush} sends: texts of {!Records}. *)
 
 val expand : t -> int -> before:int -> note:(note -> unit) -> int
-(** [expand e id ~before ~note] is the number of transitions of the state [id]. [before] stands for it in the ways of its
-    targets. What is to be sent is collected. *)
+(** [expand e id ~before ~note] is the number of transitions of the state [id]. [before] stands for it in the
+    ways of its targets. What is to be sent is collected. *)
 
 val flush_full : t -> int
 (** Sends what has been collected, to those owners for whom it is much. The result is the number of messages. *)

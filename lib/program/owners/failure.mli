@@ -8,11 +8,9 @@ type t =
 
 exception Failed of t
 
-val other : ('a, unit, string, 'b) format4 -> 'a
-(** [other fmt ...] raises {!Failed} for a process that belongs to another exploration: SC0924. *)
-
-val garbled : ('a, unit, string, 'b) format4 -> 'a
-(** [garbled fmt ...] raises {!Failed} for a message that does not fit its format: SC0925. *)
+val refused : ('a, unit, string, 'b) format4 -> 'a
+(** [refused fmt ...] raises {!Failed} for a process that belongs to another exploration, for a message that does
+    not fit its format, and for a file that does not: SC0924. *)
 
 val lost : ('a, unit, string, 'b) format4 -> 'a
 (** [lost fmt ...] raises {!Failed} for a process that has ended or does not answer. *)

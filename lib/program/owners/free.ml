@@ -206,7 +206,7 @@ let result s =
   let each (owner, p) text =
     match add s owner p text with
     | p -> (owner + 1, p)
-    | exception (Packed.Malformed what | Invalid_argument what) -> Failure.garbled "owner %d: %s" (owner + 1) what
+    | exception (Packed.Malformed what | Invalid_argument what) -> Failure.refused "owner %d: %s" (owner + 1) what
   in
   snd (Array.fold_left each (0, start) texts)
 

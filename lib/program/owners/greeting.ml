@@ -1,7 +1,7 @@
 type self = { number : int; count : int; program : string; identity : string; secret : string }
 
-(* The first bytes on a connection: a mark with the version of this protocol, who speaks, of how many, a digest of the
-   program, a digest of the exploration, and a nonce. *)
+(* The first bytes on a connection: a mark with the version of this protocol, who speaks, of how many, a digest
+   of the program, a digest of the exploration, and a nonce. *)
 let mark = "scc owner 1\n"
 let digest_size = 32
 let hello_size = String.length mark + 4 + (3 * digest_size)
@@ -66,14 +66,15 @@ let name t =
 let greeted self t ~wanted text =
   let who = name t in
   if not (String.equal (String.sub text 0 (String.length mark)) mark) then
-    Failure.other "%s is no owner of this version of the protocol" who;
+    Failure.refused "%s is no owner of this version of the protocol" who;
   let k = number text 0 in
-  if number text 1 <> self.count || not (wanted k) || Option.fold ~none:false ~some:(fun e -> e <> k) t.expected then
-    Failure.other "%s calls itself owner %d of %d, which is not expected here" who (k + 1) (number text 1);
+  let is_expected = Option.fold ~none:true ~some:(fun e -> e = k) t.expected in
+  if number text 1 <> self.count || not (wanted k && is_expected) then
+    Failure.refused "%s calls itself owner %d of %d, which is not expected here" who (k + 1) (number text 1);
   if not (String.equal (part text 0) (part t.mine 0)) then
-    Failure.other "%s is another version of scc" who;
+    Failure.refused "%s is another version of scc" who;
   if not (String.equal (part text 1) (part t.mine 1)) then
-    Failure.other "%s explores something else: another model, or other options" who;
+    Failure.refused "%s explores something else: another model, or other options" who;
   t.theirs <- Some text;
   write t.fd (hmac self.secret ("proof" ^ t.mine ^ text))
 
@@ -87,7 +88,7 @@ let rec go_on self t ~wanted =
   | Some theirs when have >= hello_size + digest_size ->
     let proof = Buffer.sub t.got hello_size digest_size in
     if not (equal_digests proof (hmac self.secret ("proof" ^ theirs ^ t.mine))) then
-      Failure.other "%s has another secret" (name t);
+      Failure.refused "%s has another secret" (name t);
     true
   | None | Some _ -> false
 

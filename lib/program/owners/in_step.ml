@@ -1,4 +1,3 @@
-open Scc_data
 open Scc_codec
 open Progress
 
@@ -128,7 +127,7 @@ let reading owner text read =
   match read (Packed.source text) with
   | x -> x
   | exception (Packed.Malformed what | Invalid_argument what) ->
-    Failure.garbled "owner %d: %s" (owner + 1) what
+    Failure.refused "owner %d: %s" (owner + 1) what
 
 (* The summaries of all, and the ranks of the new states of this one, in order. *)
 let agree s (p : Progress.t) summary fresh =
@@ -178,63 +177,67 @@ let last_rank s (p : Progress.t) (all : Summary.t) fresh ranks =
 (* Exact numbers of transitions and of new states up to a rank. *)
 let up_to s x fresh last =
   let transitions = ref 0 in
-  Array.iteri (fun k id -> if Levels.rank s.levels id <= last then transitions := !transitions + x.counts.(k)) x.order;
+  let count k id = if Levels.rank s.levels id <= last then transitions := !transitions + x.counts.(k) in
+  Array.iteri count x.order;
   let is_before n id = if (Part.way s.part id).before <= last then n + 1 else n in
   match Mesh.sums s.mesh [ !transitions; Array.fold_left is_before 0 fresh ] with
   | [ transitions; fresh ] -> (transitions, fresh)
   | _ -> (0, 0)
 
-let decided s (p : Progress.t) met =
-  s.settings.searches && Array.for_all Option.is_some (met : place option array) && p.stop = None
+let decided s met = s.settings.searches && Array.for_all Option.is_some met
 
-let after s (p : Progress.t) x (all : Summary.t) fresh ranks =
-  let bound = last_rank s p all fresh ranks in
-  let counts rank = match bound with Some last -> rank <= last | None -> true in
+(* The events by which goals are met now. *)
+let firsts (p : Progress.t) (all : Summary.t) counts =
   let first goal event =
     match (p.met.(goal), (event : event option)) with
     | None, Some e when counts e.rank -> Some e
     | _ -> None
   in
-  let firsts = Array.mapi first all.met in
-  let place goal (e : event option) =
-    match e with
-    | Some e -> Some { level = (p.level + if e.ahead then 0 else 1); owner = e.owner; id = e.id }
-    | None -> p.met.(goal)
+  Array.mapi first all.met
+
+let place (p : Progress.t) goal (e : event option) =
+  match e with
+  | Some e -> Some { level = (p.level + if e.ahead then 0 else 1); owner = e.owner; id = e.id }
+  | None -> p.met.(goal)
+
+let doubts (p : Progress.t) (all : Summary.t) counts =
+  let is_doubtful goal (e : event option) =
+    let now = match e with Some e -> counts e.rank | None -> false in
+    p.doubts.(goal) || (now && Option.is_none p.met.(goal))
   in
-  let met = Array.mapi place firsts in
-  let doubts =
-    Array.mapi
-      (fun goal (e : event option) ->
-         p.doubts.(goal) || (Option.is_none p.met.(goal) && match e with Some e -> counts e.rank | None -> false))
-      all.doubts
-  in
-  let ends_here = decided s p met in
-  let last =
-    if not ends_here then bound
-    else Some (Array.fold_left (fun n (e : event option) -> match e with Some e -> max n e.rank | None -> n) 0 firsts)
-  in
+  Array.mapi is_doubtful all.doubts
+
+let too_deep s level =
+  match s.settings.most_levels with Some most -> level >= most | None -> false
+
+let after s (p : Progress.t) x (all : Summary.t) fresh ranks =
+  let bound = last_rank s p all fresh ranks in
+  let within last rank = match last with Some last -> rank <= last | None -> true in
+  let firsts = firsts p all (within bound) in
+  let met = Array.mapi (place p) firsts in
+  let ends_here = decided s met in
+  let latest n (e : event option) = match e with Some e -> Int.max n e.rank | None -> n in
+  let last = if ends_here then Some (Array.fold_left latest 0 firsts) else bound in
   let transitions, new_states =
     match last with Some last -> up_to s x fresh last | None -> (all.transitions, all.fresh)
   in
+  let goes_on = new_states > 0 || Option.fold ~none:false ~some:(fun last -> last < p.width - 1) last in
   let stop =
-    if ends_here then
-      if Option.get last < p.width - 1 || new_states > 0 then Some Early else None
+    if ends_here then if goes_on then Some Early else None
     else if Option.is_some bound then Some States
-    else
-      match s.settings.most_levels with
-      | Some most when p.level + 1 >= most && new_states > 0 -> Some Levels
-      | Some _ | None -> None
+    else if new_states > 0 && too_deep s (p.level + 1) then Some Levels
+    else None
   in
-  let is_here (_, rank) = match last with Some last -> rank <= last | None -> true in
-  let faults = List.map fst (List.filter is_here all.faults) in
+  let faults = List.filter (fun (_, rank) -> within last rank) all.faults in
   ( {
     level = p.level + 1;
     depth = (if new_states > 0 then p.level + 1 else p.depth);
     width = all.fresh;
     states = p.states + new_states;
     transitions = p.transitions + transitions;
-    met; doubts; stop;
-    faults = add p.faults faults;
+    met; stop;
+    doubts = doubts p all (within bound);
+    faults = add p.faults (List.map fst faults);
     ends = add p.ends all.ends;
     too_long = p.too_long + all.too_long;
   },
@@ -283,8 +286,10 @@ let begin_ s ~home =
   end;
   Part.close s.part;
   Levels.add s.levels (Array.make (Part.size s.part) 0);
-  let is truth goal = Scc_ctl.Truth.(match (truth, goal) with `Yes, True | `Maybe, Undecided _ -> true | _ -> false) in
-  let met = Array.map (fun g -> if is `Yes g then Some { level = 0; owner = home; id = 0 } else None) initial.goals in
+  let truth (t : Scc_ctl.Truth.t) = match t with True -> `Yes | Undecided _ -> `Maybe | False -> `No in
+  let is wanted goal = truth goal = wanted in
+  let here = { level = 0; owner = home; id = 0 } in
+  let met = Array.map (fun g -> if is `Yes g then Some here else None) initial.goals in
   let p =
     {
       level = 0; depth = 0; width = 1; states = 1; transitions = 0; met;
@@ -292,4 +297,4 @@ let begin_ s ~home =
       stop = None; faults = []; ends = []; too_long = Bool.to_int initial.too_long;
     }
   in
-  { p with stop = (if decided s p met then Some Early else None) }
+  { p with stop = (if decided s met then Some Early else None) }

@@ -1,6 +1,6 @@
-(** Owners that advance level by level, in step: the numbers, depths and first ways are those of a single search that
-    goes breadth first. In each level there are three rounds of messages between all owners ({!Mesh.gather}): the end of
-    the states; summaries, with the keys of new states; and their ranks. *)
+(** Owners that advance level by level, in step: the numbers, depths and first ways are those of a single search
+    that goes breadth first. In each level there are three rounds of messages between all owners
+    ({!Mesh.gather}): the end of the states; summaries, with the keys of new states; and their ranks. *)
 
 (** What is asked, and how far it may go. *)
 type settings = {

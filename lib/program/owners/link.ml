@@ -55,7 +55,7 @@ let post l kind text =
 let length l at =
   let n = Int32.to_int (Bytes.get_int32_le l.input at) land 0xFFFF_FFFF in
   if n > most then
-    Failure.garbled "owner %d sends a message of %d bytes: %d is the most" (l.peer + 1) n most;
+    Failure.refused "owner %d sends a message of %d bytes: %d is the most" (l.peer + 1) n most;
   n
 
 let make_room l =

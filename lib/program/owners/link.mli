@@ -1,5 +1,6 @@
-(** A connection to another owner, after the greeting ({!Greeting}): messages in both directions, in order. A message
-    is its length in four bytes, the least first, a byte for its kind, and a text. Neither side ever waits here. *)
+(** A connection to another owner, after the greeting ({!Greeting}): messages in both directions, in order. A
+    message is its length in four bytes, the least first, a byte for its kind, and a text. Neither side ever
+    waits here. *)
 
 type t
 

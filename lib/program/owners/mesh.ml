@@ -104,6 +104,6 @@ let sums m numbers =
     let source = Scc_codec.Packed.source text in
     match List.map (fun n -> n + Scc_codec.Packed.nat source) sums with
     | sums -> sums
-    | exception Scc_codec.Packed.Malformed what -> Failure.garbled "an owner: %s" what
+    | exception Scc_codec.Packed.Malformed what -> Failure.refused "an owner: %s" what
   in
   Array.fold_left add (List.map (fun _ -> 0) numbers) (gather m (fun _ -> mine))

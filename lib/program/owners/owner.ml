@@ -28,7 +28,7 @@ let rec first_line parent =
   | Some at -> Some (String.sub text 0 at)
   | None when parent.ended -> None
   | None ->
-    if String.length text > most_line then Failure.garbled "the first line of the input is too long";
+    if String.length text > most_line then Failure.refused "the first line of the input is too long";
     hear parent ();
     first_line parent
 
@@ -42,7 +42,8 @@ let say line =
 let sent_bytes = 1 lsl 28
 
 let searches (q : Question.t) =
-  q.plans <> [] && List.for_all (fun (_, plan) -> match (plan : Question.plan) with Other -> false | _ -> true) q.plans
+  let is_search (_, (plan : Question.plan)) = match plan with Other -> false | _ -> true in
+  q.plans <> [] && List.for_all is_search q.plans
 
 let most_levels =
   match Scc_verify.Bounds.default.instant with Unbounded -> None | Default n | Given n -> Some n
@@ -105,11 +106,11 @@ let hear_peer o peer kind text =
       | _, Some free -> Free.heard free peer kind text
       | _, None -> false
     in
-    if not known then Failure.garbled "owner %d sends a message of no kind: %C" (peer + 1) kind
+    if not known then Failure.refused "owner %d sends a message of no kind: %C" (peer + 1) kind
 
 let hear_peer o peer kind text =
   try hear_peer o peer kind text
-  with Scc_codec.Packed.Malformed what -> Failure.garbled "owner %d: %s" (peer + 1) what
+  with Scc_codec.Packed.Malformed what -> Failure.refused "owner %d: %s" (peer + 1) what
 
 (* How far it came before. *)
 let restored o =
@@ -177,8 +178,8 @@ let run filter place ~listener ~program ~identity =
   | None -> ()
   | Some line ->
     let begun = Said.read_begin ~count:place.count line in
-    let own = [ begun.run; Option.fold ~none:"" ~some:string_of_int begun.states; string_of_bool begun.any_order ] in
-    let identity = String.concat "\n" (identity :: own) in
+    let states = Option.fold ~none:"" ~some:string_of_int begun.states in
+    let identity = String.concat "\n" [ identity; begun.run; states; string_of_bool begun.any_order ] in
     let self : Greeting.self =
       { number = place.number; count = place.count; program; secret = begun.secret; identity }
     in

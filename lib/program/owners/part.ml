@@ -44,7 +44,8 @@ let hits p =
   all
 
 let way p id =
-  { sender = Int_vector.get p.senders id; before = Int_vector.get p.before id; choice = Int_vector.get p.choices id }
+  let get vector = Int_vector.get vector id in
+  { sender = get p.senders; before = get p.before; choice = get p.choices }
 
 let most_number = 1 lsl 30
 

@@ -1,5 +1,5 @@
-(** The states of one owner, numbered from 0 in the order in which they came, each with the way by which it was first
-    found. States are stored as they are ({!Scc_graph_search.Tuples}), not as fingerprints. *)
+(** The states of one owner, numbered from 0 in the order in which they came, each with the way by which it was
+    first found. States are stored as they are ({!Scc_graph_search.Tuples}), not as fingerprints. *)
 
 open Scc_graph_search
 
@@ -28,9 +28,10 @@ val size : t -> int
 (** The number of states. *)
 
 val enter : t -> near:Tuples.spread -> Tuples.changes -> int array -> sender:int -> before:int -> choice:int -> int
-(** [enter p ~near changes target ~sender ~before ~choice] is the number of the state [target], which differs by the
-    changes from the one that is loaded in [near]. It is inserted if it is new. If it is not, but has come since {!close}
-    was called, the way with the least [before] counts, and of several of these the one with the least [choice]. *)
+(** [enter p ~near changes target ~sender ~before ~choice] is the number of the state [target], which differs by
+    the changes from the one that is loaded in [near]. It is inserted if it is new. If it is not, but has come
+    since {!close} was called, the way with the least [before] counts, and of several of these the one with the
+    least [choice]. *)
 
 val close : t -> unit
 (** The ways of all states that are there are final. *)

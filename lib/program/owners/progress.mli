@@ -2,8 +2,8 @@
 
 open Scc_codec
 
-(** When a goal is met, in the order of a single search: at a rank of the level that is expanded; by a new state, or
-    ahead of the expanded one; and by which transition. And which state shows it. *)
+(** When a goal is met, in the order of a single search: at a rank of the level that is expanded; by a new state,
+    or ahead of the expanded one; and by which transition. And which state shows it. *)
 type event = { rank : int; ahead : bool; choice : int; owner : int; id : int }
 
 (** A state: its level, its owner, and its number there. *)

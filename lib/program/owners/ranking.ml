@@ -42,8 +42,8 @@ let read_keys source ~low ~high =
   (* Each takes two bytes at least: no more are read than there are. *)
   List.init count one |> Array.of_list
 
-(* The ranks of these keys among those of the block, by owner and in order: counted by the state before, and sorted by
-   choice within each, of which there are few. *)
+(* The ranks of these keys among those of the block, by owner and in order: counted by the state before, and
+   sorted by choice within each, of which there are few. *)
 let rank ~low ~high (keys : key array array) =
   let size = high - low in
   let starts = Array.make (size + 1) 0 in

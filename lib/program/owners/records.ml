@@ -10,7 +10,6 @@ type direction = {
 }
 
 type t = {
-  context : Network_lts.context;
   sends : direction;
   text : Buffer.t;
   reads : direction;
@@ -24,7 +23,6 @@ let direction context =
 let make part =
   let context = Scc_successors.Filter.context (Part.filter part) in
   {
-    context;
     sends = direction context; text = Buffer.create 4096;
     reads = direction context; near = Tuples.spread (Part.table part);
     last_id = -1;
@@ -72,10 +70,9 @@ let read_one r part ~sender source =
   remember r.reads changes;
   if changes = [||] && r.last_id < 0 then raise (Packed.Malformed "there is no state");
   (* A state that comes twice, one time after the other, differs in nothing. *)
-  let id =
-    if changes = [||] then Part.enter part ~near:r.near [| 0; r.reads.last.(0) |] r.reads.last ~sender ~before ~choice
-    else Part.enter part ~near:r.near changes r.reads.last ~sender ~before ~choice
-  in
+  let last = r.reads.last in
+  let changes = if changes = [||] then [| 0; last.(0) |] else changes in
+  let id = Part.enter part ~near:r.near changes last ~sender ~before ~choice in
   Tuples.load (Part.table part) r.near id;
   r.last_id <- id
 
@@ -85,4 +82,4 @@ let read r part ~sender text =
     while not (Packed.at_end source) do read_one r part ~sender source done
   with
   | Packed.Malformed what | Failure what | Invalid_argument what ->
-    Failure.garbled "owner %d sends what are no states: %s" (sender + 1) what
+    Failure.refused "owner %d sends what are no states: %s" (sender + 1) what

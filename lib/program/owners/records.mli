@@ -1,5 +1,5 @@
-(** States that owners send each other: how each was found, and its difference from the one that was sent before. What
-    occurs in several states is sent once, and then by a number ({!Scc_parallel.Wire}). *)
+(** States that owners send each other: how each was found, and its difference from the one that was sent before.
+    What occurs in several states is sent once, and then by a number ({!Scc_parallel.Wire}). *)
 
 open Scc_codec
 
@@ -19,8 +19,8 @@ val take : t -> string
 (** The text that is to be sent, which is empty from then on. *)
 
 val read : t -> Part.t -> sender:int -> string -> unit
-(** [read r part ~sender text] enters the states of a text of {!take} that came from the owner [sender]. The texts must be
-    read in the order in which they were taken. Raises {!Failure.Failed} for other texts. *)
+(** [read r part ~sender text] enters the states of a text of {!take} that came from the owner [sender]. The
+    texts must be read in the order in which they were taken. Raises {!Failure.Failed} for other texts. *)
 
 val read_one : t -> Part.t -> sender:int -> Packed.source -> unit
 (** [read_one r part ~sender source] enters the next state of such a text. Raises [Packed.Malformed], [Failure] or

@@ -47,7 +47,7 @@ let begin_format =
          restore = Option.value restore ~default:[];
        } ))
 
-let refused fmt = Printf.ksprintf (fun text -> Failure.garbled "the first line of the input: %s" text) fmt
+let refused fmt = Printf.ksprintf (fun text -> Failure.refused "the first line of the input: %s" text) fmt
 
 let read_begin ~count line =
   let json =

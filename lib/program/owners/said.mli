@@ -29,7 +29,7 @@ type found = {
 type t =
   | Going of Progress.t  (** now and then, of the first owner *)
   | Kept of { level : int; from : int; file : string; progress : Progress.t }
-      (** levels have been written to a file, from one on *)
+  (** levels have been written to a file, from one on *)
   | Found of found
 
 val format : (t, unit) Scc_json.Json_format.t

@@ -24,7 +24,8 @@ let low (p : Scc_successors.Keys.fingerprint) = p.(1) lor (p.(2) lsl 32)
 let high (p : Scc_successors.Keys.fingerprint) = p.(3) lor (p.(0) lsl 32)
 
 let[@inline] place t low = (low lxor (low lsr 29)) land (t.places - 1)
-let[@inline] is t k low high = Array1.unsafe_get t.table (2 * k) = low && Array1.unsafe_get t.table ((2 * k) + 1) = high
+let[@inline] number t i = Array1.unsafe_get t.table i
+let[@inline] is t k low high = number t (2 * k) = low && number t ((2 * k) + 1) = high
 
 let put t k low high =
   t.table.{2 * k} <- low;
@@ -32,7 +33,7 @@ let put t k low high =
 
 let near t print =
   let k = place t (low print) in
-  Array1.unsafe_get t.table (2 * k)
+  number t (2 * k)
 
 let rec add t low high =
   let k = place t low in

@@ -75,4 +75,4 @@ let read path part levels =
   with
   | progress -> progress
   | exception (Packed.Malformed what | Failure what | Invalid_argument what | Sys_error what) ->
-    Failure.garbled "%s is no shard of this exploration: %s" path what
+    Failure.refused "%s is no shard of this exploration: %s" path what

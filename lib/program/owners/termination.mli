@@ -1,7 +1,7 @@
-(** When nothing is left to do anywhere, and nothing is under way (Safra's algorithm: E. W. Dijkstra, EWD 998, 1987). A
-    token goes round all owners. It adds up how many more messages each has sent than received, and becomes black at
-    an owner that has received one since the token was there before. Everything is over when it comes back white, the
-    first owner has received none meanwhile, and the sum with its own number is 0. *)
+(** When nothing is left to do anywhere, and nothing is under way (Safra's algorithm: E. W. Dijkstra, EWD 998,
+    1987). A token goes round all owners. It adds up how many more messages each has sent than received, and
+    becomes black at an owner that has received one since the token was there before. Everything is over when it
+    comes back white, the first owner has received none meanwhile, and the sum with its own number is 0. *)
 
 type colour = White | Black
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import secrets
+import time
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence
 
@@ -120,7 +121,7 @@ class Exploration:
     ):
         self.ray, self.header, self.count, self.folder, self.asked = ray, header, owners, folder, asked
         self.of_owner = (owners, (model, list(arguments), scc), header["digest"], folder, here)
-        self.show, self.recovered = show, 0
+        self.show, self.recovered, self.seconds = show, 0, 0.0
         self.owner = owner_class(ray)
         self.owners = [self.new_owner(i) for i in range(owners)]
 
@@ -174,7 +175,9 @@ class Exploration:
 
     def begin(self) -> None:
         asked = dict(self.asked, peers=self.started(), secret=secrets.token_hex(32), run=secrets.token_hex(8))
-        asked.update(deadline=MEET * 1000, every=EVERY)
+        asked.update(deadline=MEET * 1000)
+        if self.asked["order"] == "levels":
+            asked.update(every=EVERY)
         level = self.kept_level()
         if level is None and self.folder is not None:
             # Before there is anything to keep it is known whether it can be kept.
@@ -212,12 +215,15 @@ class Exploration:
         for k in range(MOST_TRIES):
             try:
                 self.begin()
+                begun = time.monotonic()
                 if k == 0 and disturb is not None:
                     disturb(self)
-                return self.watch()
+                p = self.watch()
+                self.seconds = time.monotonic() - begun
+                return p
             except Lost as e:
                 lost = e
-                if self.folder is None:
+                if self.folder is None and self.asked["order"] == "levels":
                     raise ClusterFailed(
                         "an owner was lost, and nothing was kept: --checkpoint tells where to keep shards: %s"
                         % first_line(str(e)),

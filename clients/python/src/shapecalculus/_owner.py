@@ -57,7 +57,7 @@ class Owner(Program):
         restore = [] if level is None else self._restored(level)
         asked = dict(asked, folder=self.scratch, restore=restore)
         if self.folder is None:
-            asked.pop("every", None)
+            asked = {k: v for k, v in asked.items() if k != "every"}
         self._send(json.dumps(asked).encode() + b"\n")
 
     def go_on(self) -> None:

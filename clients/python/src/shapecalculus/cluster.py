@@ -62,12 +62,14 @@ class Verdict:
 class Report:
     states: int = 0
     transitions: int = 0
-    depth: int = 0
+    depth: Optional[int] = 0  #: None if owners go in any order
     complete: bool = True
     properties: List[Verdict] = field(default_factory=list)
     dead_ends: List[str] = field(default_factory=list)
     faults: List[str] = field(default_factory=list)
     recovered: int = 0  #: how often owners were lost and started again
+    seconds: float = 0.0  #: of the explorations, without the start of Ray and of the owners
+    owners: int = 0
 
 
 # Verdicts -----------------------------------------------------------------------------
@@ -158,6 +160,7 @@ def check(
     checkpoint: Optional[str] = None,
     deadline: float = 60,
     searches: bool = False,
+    order: str = "levels",
     scc: Optional[str] = None,
     progress: Optional[Callable[[Progress], None]] = None,
     disturb: Optional[Callable[[Any], None]] = None,
@@ -168,10 +171,13 @@ def check(
     states (by default one for each processor). Shards are kept in the folder ``checkpoint`` about once a second (a
     path that all machines share, or an address of fsspec): lost owners begin again from there, and so does a later call.
     Without it, and without an address, they are kept in a folder that is removed in the end. ``searches``: properties
-    that are more than a search are left undecided, and not refused. ``options`` go to ``scc successors``; ``disturb``
+    that are more than a search are left undecided, and not refused. ``order``: "levels", or "any", with which owners do
+    not wait for each other, runs need not be the shortest, and nothing is kept. ``options`` go to ``scc successors``; ``disturb``
     is called with each exploration once its owners are there (for tests)."""
     if model == "-":
         raise ClusterFailed(MANY, USAGE)
+    if order == "any" and checkpoint is not None:
+        raise ClusterFailed("with --order any nothing is kept: --checkpoint needs --order levels", USAGE)
     given = arguments_of(defines or {}, checks, options)
     report = Report()
     with told(), tempfile.TemporaryDirectory() as scratch:
@@ -186,7 +192,8 @@ def check(
         ray = connect(address, deadline)
         for number, folder in folders.items():
             of_this = given + ["--exploration", str(number)]
-            explored(ray, model, of_this, scc, owners, folder, states, address is None, progress, disturb, report)
+            here = address is None
+            explored(ray, model, of_this, scc, owners, folder, states, order, here, progress, disturb, report)
     return report
 
 
@@ -210,6 +217,7 @@ def explored(
     owners: Optional[int],
     folder: Optional[Folder],
     states: int,
+    order: str,
     here: bool,
     progress: Optional[Callable[[Progress], None]],
     disturb: Optional[Callable[[Any], None]],
@@ -219,14 +227,15 @@ def explored(
     lines.close()  # until there are runs to be shown
     header = lines.header
     count = owners or max(1, int(ray.cluster_resources().get("CPU", 1)))
-    asked = {"states": states, "order": "levels"}
+    asked = {"states": states, "order": order}
     path, show = os.path.abspath(model), metrics(ray, progress)
     e = Exploration(ray, path, given, scc, header, count, folder, asked, here, show)
     try:
         p = e.run(disturb)
         report.states += p.states
         report.transitions += p.transitions
-        report.depth = max(report.depth, p.depth)
+        report.depth = None if order == "any" else max(report.depth or 0, p.depth)
+        report.seconds, report.owners = report.seconds + e.seconds, count
         report.complete = report.complete and p.complete
         report.dead_ends = sorted(set(report.dead_ends) | set(p.ends))
         report.faults = sorted(set(report.faults) | set(p.faults))
