@@ -1,89 +1,98 @@
-/* When an exploration without levels has ended: Safra's algorithm (E. W. Dijkstra, EWD998, 1987), as owners use it.
+/* When owners that go in no order have nothing left to do (lib/program/owners/termination.ml, free.ml): a model for SPIN.
+   Messages with states are bounded by WORK, all together; an owner that receives one has something to do. The token goes
+   from owner to owner. `over` may be told only when nothing is left to do, and nothing is under way.
 
-   Each process counts the messages that it has sent, less those that it has received. A token goes round, from 0 to
-   the last process and so on down to 0; it carries the sum of the counters, and passes on from processes that have
-   nothing to do and nothing to receive. A process that received something since the token last left it makes the token black. Process 0
-   ends the exploration if the token has come back white, it has received nothing since, and the sum is zero.
+   With -DNO_SUM the sum of the token does not count, with -DNO_COLOUR the colours do not, and with -DBUSY a token is
+   passed on by an owner that has something to do. Each of these tells too early. */
 
-   Claims: at the end nobody has anything to do and no message is under way; and the end is always found.
-
-   -DNO_COUNT leaves the sum out; -DNO_COLOUR leaves the colour out. Each of them is a fault that spin finds. */
-
-#define PROCESSES 3
-#define MESSAGES 3
-
-chan on_the_way[PROCESSES] = [MESSAGES] of { bit };   /* to each process */
-chan arrived[PROCESSES] = [MESSAGES] of { bit };
-chan token[PROCESSES] = [1] of { int, bit };
-bit works[PROCESSES];
-byte sent, under_way;
-bool ended;
-
-#ifdef NO_COUNT
-#define IS_ZERO(sum) true
-#else
-#define IS_ZERO(sum) ((sum) == 0)
+#ifndef OWNERS
+#define OWNERS 3
+#endif
+#ifndef WORK
+#define WORK 4
 #endif
 
-#ifdef NO_COLOUR
-#define IS_WHITE(black) true
+typedef owner {
+  short balance;  /* messages sent, less those received */
+  bool black;
+  bool busy
+}
+
+owner owners[OWNERS];
+chan states[OWNERS] = [WORK] of { bit };
+chan token[OWNERS] = [1] of { short, bool };  /* the sum, and whether it is black */
+byte sent = 0;
+bool over = false;
+
+/* A message may be under way for as long as it likes; with -DPROMPT, it is received before the token is passed on. */
+#ifdef BUSY
+#define rests true
 #else
-#define IS_WHITE(black) (black == 0)
+#ifdef PROMPT
+#define rests (!owners[me].busy && empty(states[me]))
+#else
+#define rests (!owners[me].busy)
+#endif
 #endif
 
-proctype process(byte me) {
-  int count, sum;
-  bit black, black_token;
-  byte other;
-
+inline check_over() {
+  byte k = 0;
   do
-  :: ended -> break
-  :: works[me] && sent < MESSAGES ->        /* finds a state of another process */
-     select(other : 1 .. PROCESSES - 1);
-     atomic {
-       if
-       :: sent < MESSAGES -> on_the_way[(me + other) % PROCESSES]!1; count++; sent++; under_way++
-       :: else
-       fi
-     }
-  :: works[me] -> works[me] = 0             /* has nothing more to do */
-  :: atomic { arrived[me]?_ -> count--; under_way--; black = 1; works[me] = 1 }
-  :: me != 0 && !works[me] && empty(arrived[me]) && nempty(token[me]) ->
-     atomic {
-       token[me]?sum,black_token;
-       token[me - 1]!sum + count,(black | black_token);
-       black = 0
-     }
-  :: me == 0 && !works[me] && empty(arrived[me]) && nempty(token[0]) ->
-     atomic {
-       token[0]?sum,black_token;
-       if
-       :: IS_WHITE(black) && IS_WHITE(black_token) && IS_ZERO(sum + count) ->
-          assert(under_way == 0 && works[0] + works[1] + works[2] == 0);
-          ended = true
-       :: else -> black = 0; token[PROCESSES - 1]!0,0
-       fi
-     }
+  :: k < OWNERS -> assert(!owners[k].busy && empty(states[k])); k++
+  :: else -> break
   od
 }
 
-proctype wire(byte who) {
-end:
+proctype work(byte me) {
+  byte to;
+  short sum;
+  bool black, begun = false;
   do
-  :: atomic { on_the_way[who]?_ -> arrived[who]!1 }
+  :: over -> break
+  /* A message is received. */
+  :: atomic { !over && nempty(states[me]) ->
+       states[me]?_; owners[me].balance--; owners[me].black = true; owners[me].busy = true }
+  /* Something is found for another owner. */
+  :: atomic { !over && owners[me].busy && sent < WORK ->
+       select(to : 1 .. OWNERS - 1);
+       states[(me + to) % OWNERS]!0; owners[me].balance++; sent++ }
+  :: atomic { !over && owners[me].busy -> owners[me].busy = false }
+  /* The first owner begins, once. */
+  :: atomic { !over && me == 0 && !begun && rests ->
+       begun = true; owners[0].black = false; token[1]!0,false }
+  :: atomic { !over && me != 0 && nempty(token[me]) && rests ->
+       token[me]?sum,black;
+       token[(me + 1) % OWNERS]!sum + owners[me].balance,(black || owners[me].black);
+       owners[me].black = false }
+  :: atomic { !over && me == 0 && begun && nempty(token[0]) && rests ->
+       token[0]?sum,black;
+       if
+#ifdef NO_SUM
+       :: !black && !owners[0].black ->
+#else
+#ifdef NO_COLOUR
+       :: sum + owners[0].balance == 0 ->
+#else
+       :: !black && !owners[0].black && sum + owners[0].balance == 0 ->
+#endif
+#endif
+          check_over(); over = true
+       :: else -> owners[0].black = false; token[1]!0,false
+       fi }
   od
 }
 
 init {
   byte k;
   atomic {
-    works[0] = 1;
-    token[0]!0,1;
+    owners[0].busy = true;
+    k = 0;
     do
-    :: k < PROCESSES -> run process(k); run wire(k); k++
+    :: k < OWNERS -> run work(k); k++
     :: else -> break
     od
   }
 }
 
-ltl ends { <> ended }
+/* If owners do what they can, and messages are received, it ends. */
+ltl ends { <> over }
