@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_data
 open Scc_codec
 open Scc_graph_search
 
@@ -21,8 +22,14 @@ let most_under_way = 4
 let own_slots = 16
 let slot_length = 1 lsl 14
 
+(* Of so many answers one after the other, a power of two, what they ask for is fetched at once. *)
+let fetched_at_once = 16
+
 (* After so many states this process looks whether others have answered. *)
 let between_looks = 16
+
+(* And after so many, how much memory is shared. *)
+let between_sizes = 1 lsl 12
 
 module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
   module Service = Served.Make (L) (Graph)
@@ -251,6 +258,8 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     | Some r when r.next < Array.length r.states && r.states.(r.next) = i -> Some (r, r.next)
     | Some _ | None -> Queue.fold look None c.requests
 
+  let answer r k = { Graph.words = r.slot; at = Served.place r.slot k }
+
   let rec ready c i =
     match find c i with
     | None -> None
@@ -258,7 +267,11 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
       if k >= r.answered then None
       else begin
         if k = r.next then r.next <- k + 1;
-        Some { Graph.words = r.slot; at = Served.place r.slot k }
+        if k land (fetched_at_once - 1) = 0 then
+          for k = k to Int.min (k + fetched_at_once) r.answered - 1 do
+            Graph.fetch c.shared.graph (answer r k)
+          done;
+        Some (answer r k)
       end
     | Some _ ->
       if not (works_ahead c) then wait c;
@@ -308,7 +321,12 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
           c.now <- i;
           incr turns;
           if !turns land (between_looks - 1) = 0 then exchange c;
-          ready c i
+          (* What is shared cannot be in files. *)
+          if !turns land (between_sizes - 1) = 0 && Spill.takes (Graph.shared_bytes g) then begin
+            Critical.run (fun () -> ended c; Graph.unshare g; crew := None);
+            None
+          end
+          else ready c i
       in
       let expand _ tuple =
         call_in ();

@@ -58,7 +58,7 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
   (* The slots are used by turns. *)
   let serve shared slots bells channel =
     let { graph; common; _ } = shared in
-    Graph.set_full graph common (fun () -> raise No_room);
+    Graph.go_on_apart graph common ~full:(fun () -> raise No_room);
     let is_asked slot = Shared_memory.read slot 0 = asked in
     let message = Buffer.create 8 in
     let tell_memory () =

@@ -86,8 +86,8 @@ let entered c changes =
 
 let has_entered c changes =
   let leaves = Array.length (model c).leaves in
-  let is_seen slot number = slot >= leaves || number = Catalogue.nobody || Entered.mem c.seen number in
-  let rec from i = i >= Array.length changes || (is_seen changes.(i) changes.(i + 1) && from (i + 2)) in
+  let is_known slot number = slot >= leaves || number = Catalogue.nobody || Entered.mem c.seen number in
+  let rec from i = i >= Array.length changes || (is_known changes.(i) changes.(i + 1) && from (i + 2)) in
   from 0
 
 let share c table = Entered.share c.seen && Local.share c.local table (Texts.make c.codec)

@@ -17,6 +17,17 @@ value scc_exchange_half_boxed(value halves, value i, value from, value to)
   return Val_long(scc_exchange_half(halves, Long_val(i), Long_val(from), Long_val(to)));
 }
 
+value scc_release_half(value halves, intnat i, intnat number)
+{
+  __atomic_store_n((int32_t *) Caml_ba_data_val(halves) + i, (int32_t) number, __ATOMIC_RELEASE);
+  return Val_unit;
+}
+
+value scc_release_half_boxed(value halves, value i, value number)
+{
+  return scc_release_half(halves, Long_val(i), Long_val(number));
+}
+
 intnat scc_exchange(value numbers, intnat i, intnat from, intnat to)
 {
   intnat *at = (intnat *) Caml_ba_data_val(numbers) + i;

@@ -38,6 +38,10 @@ external exchange_half : halves -> (int[@untagged]) -> (int[@untagged]) -> (int[
   = "scc_exchange_half_boxed" "scc_exchange_half"
 [@@noalloc]
 
+external release_half : halves -> (int[@untagged]) -> (int[@untagged]) -> unit
+  = "scc_release_half_boxed" "scc_release_half"
+[@@noalloc]
+
 external fetch_and_add : numbers -> (int[@untagged]) -> (int[@untagged]) -> (int[@untagged])
   = "scc_fetch_and_add_boxed" "scc_fetch_and_add"
 [@@noalloc]
@@ -50,6 +54,10 @@ let check i table = if i < 0 || i >= Array1.dim table then Scc_base.Bug.fail __P
 let exchange halves i ~from ~into =
   check i halves;
   exchange_half halves i from into <> 0
+
+let write_half halves i number =
+  check i halves;
+  release_half halves i number
 
 let add numbers i more =
   check i numbers;

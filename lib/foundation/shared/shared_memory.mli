@@ -29,6 +29,9 @@ val exchange : halves -> int -> from:int -> into:int -> bool
 (** [exchange memory i ~from ~into] writes [into] at index [i] if [from] is there. It is false if something else was
     there. Both numbers have 32 bits with a sign. *)
 
+val write_half : halves -> int -> int -> unit
+(** [write_half memory i number] writes a number of 32 bits at index [i]. *)
+
 val add : numbers -> int -> int -> int
 (** [add memory i more] adds [more] to the number at index [i], and is the number that was there before. *)
 

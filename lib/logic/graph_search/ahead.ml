@@ -171,6 +171,13 @@ module Make (L : Lts.S) = struct
       Some common
     | _ -> None
 
+  let unshare g =
+    Tuples.unshare g.tuples;
+    g.shared <- None
+
+  let shared_bytes g =
+    match g.shared with None -> 0 | Some s -> Tuples.bytes g.tuples + Shared_states.bytes s ~states:(size g)
+
   let refresh g common =
     Tuples.refresh g.tuples;
     Common.refresh common
@@ -180,6 +187,10 @@ module Make (L : Lts.S) = struct
   let make_room g common =
     if Tuples.is_room_wanted g.tuples then Tuples.make_room g.tuples;
     if Common.is_room_wanted common then Common.make_room common
+
+  let go_on_apart g common ~full =
+    Tuples.go_on_apart g.tuples ~full;
+    Common.go_on_apart common ~full
 
   let set_full g common full =
     Tuples.set_full g.tuples full;

@@ -40,6 +40,10 @@ val make_room : t -> unit
 (** [make_room t] makes room for more. No other process may look up any text meanwhile. It raises {!Limits.Over} if
     there is no more memory. *)
 
+val go_on_apart : t -> full:(unit -> unit) -> unit
+(** [go_on_apart t ~full] is called by a process that has been forked, before it looks up any text. [full] is as for
+    {!set_full}. *)
+
 val set_full : t -> (unit -> unit) -> unit
 (** [set_full t full]: this process calls [full] where a text does not fit. It calls {!make_room}, or raises. *)
 

@@ -124,11 +124,20 @@ module Make (L : Lts.S) : sig
       They call {!put_answer}; all else is left to this process. The result is the table of texts; [None] if the
       system gives no such memory, and then the graph stays with this process. *)
 
+  val unshare : t -> unit
+  (** [unshare g] moves the tables back to this process alone. No other process may use the graph any more. *)
+
+  val shared_bytes : t -> int
+  (** [shared_bytes g] is about how much memory is shared, in bytes. *)
+
   val put_answer : t -> all_edges:bool -> dull:(int array -> bool) -> Ahead.words -> int -> int -> int
   (** [put_answer g ~all_edges ~dull words at i] finds the transitions of state [i] of a graph that is shared, and their targets
       as far as they are known, and puts both into [words] from [at] on. Without [all_edges], edges that change
       nothing may be left out. The result is the first place that is free after that. Where the transitions are best found by the process that numbers states, this is noted in their place. It
       raises {!Ahead.Too_long} if there is no room. *)
+
+  val fetch : t -> answer -> unit
+  (** [fetch g answer] looks up what is asked for once the state of the answer is expanded, so that this is fast. *)
 
   val refresh : t -> Common.t -> unit
   (** [refresh g common] is called before {!put_answer} by a process that has not worked for a while. *)
@@ -138,6 +147,10 @@ module Make (L : Lts.S) : sig
 
   val make_room : t -> Common.t -> unit
   (** [make_room g common] enlarges what is full of the tables. No other process may use them meanwhile. *)
+
+  val go_on_apart : t -> Common.t -> full:(unit -> unit) -> unit
+  (** [go_on_apart g common ~full] is called by a process that has been forked, before {!put_answer}. [full] is as for
+      {!set_full}. *)
 
   val set_full : t -> Common.t -> (unit -> unit) -> unit
   (** [set_full g common full]: this process calls [full] where something does not fit the tables. It calls

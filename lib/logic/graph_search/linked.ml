@@ -76,6 +76,19 @@ module Make (L : Lts.S) = struct
       end
     end
 
+  (* The places of several new targets in memory are fetched at the same time. *)
+  let fetch g { words; at } =
+    let rec touch at count found =
+      if count = 0 then found
+      else begin
+        let is_new = Ahead.has Ahead.is_new (Ahead.word words at) in
+        let found = if is_new then found lxor Tuples.touch_key g.tuples (Ahead.word words (at + 1)) else found in
+        touch (if is_new then at + 2 else at + 1) (count - 1) found
+      end
+    in
+    let first = at + Ahead.first_list in
+    if Ahead.word words at = 1 then ignore (Sys.opaque_identity (touch (first + 1) (Ahead.count (Ahead.word words first)) 0))
+
   let introduce_all g around visitor = function
     | [] -> ()
     | untold ->

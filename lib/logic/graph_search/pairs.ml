@@ -205,29 +205,37 @@ let numbers_at_once = 64
 let[@inline] is_crowded ~parts ~of_ used index = of_ * used > parts * Array1.dim index
 
 (* Once the index is four fifths full, a larger one is wanted, and at fifteen sixteenths nobody goes on without. *)
-let number_for p s =
-  let used = if s.many then Shared_memory.read s.header next_number else p.size in
-  if is_crowded ~parts:4 ~of_:5 used p.index then begin
-    if Shared_memory.read s.header wants_room = 0 then Shared_memory.write s.header wants_room 1;
-    if is_crowded ~parts:15 ~of_:16 (used + (16 * numbers_at_once)) p.index || not s.many then s.full ()
-  end;
-  if s.many && s.next = s.beyond then begin
+let want_room s =
+  if Shared_memory.read s.header wants_room = 0 then Shared_memory.write s.header wants_room 1
+
+let number_of_many p s =
+  let used = Shared_memory.read s.header next_number in
+  if is_crowded ~parts:4 ~of_:5 used p.index then want_room s;
+  if is_crowded ~parts:15 ~of_:16 (used + (16 * numbers_at_once)) p.index then s.full ();
+  if s.next = s.beyond then begin
     s.next <- Shared_memory.add s.header next_number numbers_at_once;
     s.beyond <- s.next + numbers_at_once
   end;
-  let id = if s.many then s.next else p.size in
+  s.next
+
+let number_for p s =
+  let id = if s.many then number_of_many p s else p.size in
+  if (not s.many) && is_crowded ~parts:4 ~of_:5 id p.index then s.full ();
   if id >= Array1.dim p.flat then raise (Limits.Over Memory);
   id
-
-let number_taken p s = if s.many then s.next <- s.next + 1 else p.size <- p.size + 1
 
 (* The key is written before its number, so that who finds the number finds the key. Where another process has put
    one into the slot meanwhile, it may be the same. *)
 let rec put_shared p s k h id i =
   Array1.unsafe_set p.flat id k;
   let e = (tag h p.bits lsl p.bits) lor id in
-  if Shared_memory.exchange p.index i ~from:free ~into:e then begin
-    number_taken p s;
+  if not s.many then begin
+    Shared_memory.write_half p.index i e;
+    p.size <- id + 1;
+    id
+  end
+  else if Shared_memory.exchange p.index i ~from:free ~into:e then begin
+    s.next <- id + 1;
     id
   end
   else match probe p k (tag h p.bits) i with
@@ -254,6 +262,8 @@ let intern_key p k =
       id
     | Some s -> Scc_base.Critical.run (fun () -> add_shared p s k)
   end
+
+let touch p k = entry p.index (slot k (hash k) p.bits)
 
 let refresh p =
   match p.shared with
@@ -290,6 +300,14 @@ let enlarge_shared p =
     Shared_memory.write s.header index_bits bits;
     Shared_memory.write s.header wants_room 0;
     refresh p
+
+(* The numbers that the other process may still give are not for this one. *)
+let go_on_apart p ~full =
+  let apart s =
+    s.next <- s.beyond;
+    s.full <- full
+  in
+  Option.iter apart p.shared
 
 let set_full p full = Option.iter (fun s -> s.full <- full) p.shared
 
@@ -334,6 +352,29 @@ let share p ~many =
         Scc_base.Critical.run (fun () -> move_to p header flat (Array.of_list indexes) ~first ~many);
         true)
   | _ -> false
+
+(* A key that no pair has stands for a number that has none: it was taken by a process that did not use it. *)
+let nothing id = (mask lsl half) lor id
+
+let unshare p =
+  match p.shared with
+  | None -> ()
+  | Some s ->
+    let count = if s.many then Shared_memory.read s.header next_number else p.size in
+    let taken = Bits.create count and flat = p.flat and index = p.index and bits = p.bits in
+    for i = 0 to Array1.dim index - 1 do
+      let e = entry index i in
+      if e <> free then Bits.add taken (number e bits)
+    done;
+    p.flat <- no_wide;
+    p.shared <- None;
+    for id = 0 to count - 1 do
+      put p id (if Bits.mem taken id then flat.{id} else nothing id)
+    done;
+    p.size <- count;
+    p.index <- make_index ~in_files:p.in_files bits;
+    put_all p p.index bits;
+    if 5 * p.size > 4 * Array1.dim p.index then enlarge p
 
 let find_key p k = Int.max (-1) (look p k)
 let intern p l r = intern_key p (pack l r)

@@ -42,6 +42,14 @@ val share : t -> many:bool -> bool
     need not follow each other; else one of them may, and the others find. It is false, and nothing has changed, if
     the system gives no such memory. *)
 
+val unshare : t -> unit
+(** [unshare p] moves the table back into memory, or files, of this process alone. No other process may use it any
+    more. *)
+
+val touch : t -> int -> int
+(** [touch p key] looks where the pair with this key would be, so that {!find_key} does not wait for memory soon after.
+    The result means nothing. *)
+
 val refresh : t -> unit
 (** [refresh p] is called by a process that shares the table, now and then: its index may have become larger. Until
     then the process does not find pairs that were inserted since. *)
@@ -52,6 +60,10 @@ val is_room_wanted : t -> bool
 val enlarge_shared : t -> unit
 (** [enlarge_shared p] makes the index of a shared table larger. If many may insert, no other process may do so
     meanwhile, and all refresh before they do so again. It raises {!Limits.Over} if there is no more memory. *)
+
+val go_on_apart : t -> full:(unit -> unit) -> unit
+(** [go_on_apart p ~full] is called by a process that has been forked, before it inserts anything into a shared table.
+    [full] is as for {!set_full}. *)
 
 val set_full : t -> (unit -> unit) -> unit
 (** [set_full p full]: this process calls [full] where a pair does not fit the index of a shared table. It makes room

@@ -94,6 +94,12 @@ val share : t -> bool
 (** [share t] moves the table into memory that processes share. If it is false, the system gives no such memory, and
     the table must not be used by several. *)
 
+val unshare : t -> unit
+(** [unshare t] moves the table back to this process alone. No other process may use it any more. *)
+
+val touch_key : t -> int -> int
+(** [touch_key t key] makes {!intern_key} fast that follows soon. The result means nothing. *)
+
 val refresh : t -> unit
 (** [refresh t] is called by a process before it looks for tuples that others have inserted. *)
 
@@ -103,6 +109,10 @@ val is_room_wanted : t -> bool
 val make_room : t -> unit
 (** [make_room t] makes room for more parts. No other process may insert any meanwhile, and all refresh before they
     do so again. It raises {!Limits.Over} if there is no more memory. *)
+
+val go_on_apart : t -> full:(unit -> unit) -> unit
+(** [go_on_apart t ~full] is called by a process that has been forked, before it uses a shared table. [full] is as for
+    {!set_full}. *)
 
 val set_full : t -> (unit -> unit) -> unit
 (** [set_full t full]: this process calls [full] where a part does not fit. It calls {!make_room}, or raises. *)
