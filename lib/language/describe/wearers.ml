@@ -29,7 +29,7 @@ let solids t name = Option.value ~default:[] (Hashtbl.find_opt t name)
 let iter t f = Hashtbl.iter f t
 
 let of_model (model : Ast.model) =
-  let t = Hashtbl.create 64 and leads = Hashtbl.create 64 in
+  let t : t = Hashtbl.create 64 and leads = Hashtbl.create 64 in
   let rec spread = function
     | [] -> ()
     | (name, solid) :: rest ->
