@@ -24,7 +24,7 @@ let mentioned (b : Ast.behaviour) =
   in
   collect [] [ b ]
 
-let solids t name = Option.value ~default:[] (Hashtbl.find_opt t name)
+let solids (t : t) name = Option.value ~default:[] (Hashtbl.find_opt t name)
 
 let iter t f = Hashtbl.iter f t
 
