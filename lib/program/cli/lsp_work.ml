@@ -30,13 +30,13 @@ let named name (checks : Property.check list) =
   | _ :: _ as found -> Ok found
   | [] -> Error [ Input.no_check Code.unknown_name Span.command_line name checks ]
 
-let verdict console (l : Loaded.t) where i (o : Verdict.outcome) : Session.verdict =
+let verdict console (l : Loaded.t) where (o : Verdict.outcome) : Session.verdict =
   {
     name = o.check.name;
     kind = Scc_reports.Check_json.kind o.verdict;
     text = Verdict.outcome_to_string o;
     run =
-      Check_text.property console ~full:false ?where:(List.nth_opt where i) l.semantics ~from:l.declared o;
+      Check_text.property console ~full:false ?where:(List.assoc_opt o.check.name where) l.semantics ~from:l.declared o;
     shown = Option.is_some (Verdict.shown o.verdict);
   }
 
@@ -46,9 +46,9 @@ let decide ~read_file ~progress ~check source =
   let* l = Viewed.model console options None in
   let* checks = match check with None -> Ok l.checks | Some name -> named name l.checks in
   let watch = Check_options.watch ~signals:false budget in
-  let* outcomes, where = Viewed.report console options l checks watch in
+  let* outcomes, (where, _) = Viewed.report console options l checks watch in
   Watch.dismiss watch;
-  Ok (List.mapi (verdict console l where) outcomes)
+  Ok (List.map (verdict console l where) outcomes)
 
 let page ~read_file ~progress ~check source path =
   let console = Console.make ~progress ~color:Never ~json:true () in

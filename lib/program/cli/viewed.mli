@@ -45,5 +45,8 @@ val report :
   Loaded.t ->
   Scc_property.Property.check list ->
   Watch.t ->
-  (Verdict.outcome list * Scc_regions.Where.t list, Diag.t list) result
-(** The verdicts and, for a model with ranges, the values for which they hold. *)
+  ( Verdict.outcome list * ((string * Scc_regions.Where.t) list * (string * Scc_regions.Chances.t) list),
+    Diag.t list )
+    result
+(** The verdicts and, for a model with ranges, the values for which checks hold, and probabilities as functions of
+    the values ({!Drawn_checks.split}). *)
