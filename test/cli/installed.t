@@ -22,6 +22,7 @@ is there, so that nothing is built here.
   prefix/share/man/man1/scc-export.1
   prefix/share/man/man1/scc-fmt.1
   prefix/share/man/man1/scc-inflate.1
+  prefix/share/man/man1/scc-lsp.1
   prefix/share/man/man1/scc-oracle.1
   prefix/share/man/man1/scc-serve.1
   prefix/share/man/man1/scc-shape.1
@@ -75,7 +76,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   $ complete() { bash complete.bash $bash "$@"; }
   $ touch 'a model.sc' model.sc; mkdir models
   $ complete scc ''
-  --help --version check compare conform decompose diff estimate explain explore export fmt inflate oracle serve shape simulate successors sweep trace translate view
+  --help --version check compare conform decompose diff estimate explain explore export fmt inflate lsp oracle serve shape simulate successors sweep trace translate view
   $ complete scc ex
   explain explore export
   $ complete scc check --s
@@ -102,7 +103,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   model.sc models
   $ complete scc check --states ''
   $ complete scc --help ''
-  --help --version check compare conform decompose diff estimate explain explore export fmt inflate oracle serve shape simulate successors sweep trace translate view
+  --help --version check compare conform decompose diff estimate explain explore export fmt inflate lsp oracle serve shape simulate successors sweep trace translate view
 
 fish, where it is there, tells what each is for:
 

@@ -4,7 +4,7 @@ open Scc_describe
 type offer = { name : string; kind : string; form : string option; about : string option }
 
 let unique names =
-  let seen = Hashtbl.create 64 in
+  let seen : (string, unit) Hashtbl.t = Hashtbl.create 64 in
   let is_new name =
     let known = Hashtbl.mem seen name in
     if not known then Hashtbl.add seen name ();
@@ -22,7 +22,13 @@ let beginning =
   ]
 
 let attributes = [ "at"; "mass"; "velocity"; "spin"; "translate"; "rotate"; "scale"; "scaled"; "absorb" ]
-let temporal = [ "always"; "eventually"; "possibly"; "AG"; "AF"; "EF"; "EG"; "A"; "E"; "P"; "Pmin"; "Pmax"; "forall"; "exists"; "not" ]
+
+let temporal =
+  [
+    "always"; "eventually"; "possibly"; "AG"; "AF"; "EF"; "EG"; "A"; "E"; "P"; "Pmin"; "Pmax"; "forall"; "exists";
+    "not";
+  ]
+
 let names kind = List.map (fun name -> { name; kind; form = None; about = None })
 
 let meaning categories name =
@@ -74,7 +80,9 @@ let leaves t (i : Pieces.item) =
     Pieces.is_name (w k) && match w (k + 1) with ":" -> true | "[" -> after k = ":" | _ -> false
   in
   if not (List.mem i.word [ "process"; "fixed" ]) then []
-  else List.filter_map (fun k -> if named k then Some (w k) else None) (List.init (Int.max 0 (i.stop - i.first - 2)) (fun k -> i.first + 2 + k))
+  else
+    let after_name = List.init (Int.max 0 (i.stop - i.first - 2)) (fun k -> i.first + 2 + k) in
+    List.filter_map (fun k -> if named k then Some (w k) else None) after_name
 
 let bodies t =
   let near = declared t [ "process"; "fixed" ] @ List.concat_map (leaves t) t.p.items in
@@ -156,7 +164,12 @@ let inside t name (i : Pieces.item) =
 let owner t =
   if Pieces.before t.p 2 <> "]" then Pieces.before t.p 2
   else
-    let rec back k = match Pieces.before t.p k with "" -> "" | "[" -> Pieces.before t.p (k + 1) | _ -> back (k + 1) in
+    let rec back k =
+      match Pieces.before t.p k with
+      | "" -> ""
+      | "[" -> Pieces.before t.p (k + 1)
+      | _ -> back (k + 1)
+    in
     back 3
 
 let exported t name =
@@ -209,7 +222,8 @@ let of_behaviour t (i : Pieces.item) =
   else if last = "," && bracket_word <> "{" && List.mem (Pieces.before t.p 3) [ "<"; "~" ] then Some []
   else None
 
-(* After a dot in a behaviour there is another one, or what a module brings; after a bracket, perhaps an argument. *)
+(* After a dot in a behaviour there is another one, or what a module brings; after a bracket, perhaps an
+   argument. *)
 let next_behaviour t i =
   let last = Pieces.before t.p 1 in
   match if String.equal last "." then exported t (owner t) else [] with
@@ -229,7 +243,11 @@ let begins_behaviour t (i : Pieces.item) bracket =
   within && List.mem (Pieces.before t.p 1) [ "["; "."; "+"; "="; "("; "," ]
 
 let functions () = entries Vocabulary.Function Forms.Called
-let in_law t = entries Vocabulary.Law Forms.Called @ values t @ functions () @ words [ "choose"; "inertial"; "if"; "then"; "else" ]
+
+let in_law t =
+  entries Vocabulary.Law Forms.Called @ values t @ functions ()
+  @ words [ "choose"; "inertial"; "if"; "then"; "else" ]
+
 
 (* What a body, a template or a part is made of. *)
 let made_of t (i : Pieces.item) =
@@ -269,8 +287,9 @@ let offers t =
 (* {1 A place} *)
 
 let begins_with prefix name =
-  String.length name >= String.length prefix
-  && String.equal (String.lowercase_ascii (String.sub name 0 (String.length prefix))) (String.lowercase_ascii prefix)
+  let n = String.length prefix in
+  let lower = String.lowercase_ascii in
+  String.length name >= n && String.equal (lower (String.sub name 0 n)) (lower prefix)
 
 let at known text offset =
   match Pieces.around text offset with

@@ -17,7 +17,9 @@ let predefined name ~corners =
   | _ -> []
 
 let number (e : Ast.expr) =
-  match e.it with Number q when Z.equal (Q.den q) Z.one && Z.fits_int (Q.num q) -> Some (Z.to_int (Q.num q)) | _ -> None
+  match e.it with
+  | Number q when Z.equal (Q.den q) Z.one && Z.fits_int (Q.num q) -> Some (Z.to_int (Q.num q))
+  | _ -> None
 
 let rec of_solid_at depth modules r (s : Ast.solid) =
   match s.it with

@@ -35,7 +35,8 @@ let misspelt r (d : Diag.t) =
   | Some name ->
     let text = slice r d.span in
     let within =
-      match List.find_map (fun word -> Option.map (fun i -> (i, word)) (find_word text word)) (quoted d.message) with
+      let found word = Option.map (fun i -> (i, word)) (find_word text word) in
+      match List.find_map found (quoted d.message) with
       | Some (i, word) -> Some (d.span.start + i, d.span.start + i + String.length word)
       | None -> if String.contains text ' ' || text = "" then None else Some (d.span.start, d.span.stop)
     in

@@ -2,7 +2,8 @@
 
 (** What a form is for. *)
 type category =
-  | Written  (** a declaration, a setting, an attribute or a part of a behaviour; names in capitals stand for others *)
+  | Written
+  (** a declaration, a setting, an attribute or a part of a behaviour; names in capitals stand for others *)
   | Called  (** a function, an atom, a solid or a law: its name with its arguments *)
   | Event  (** a transition after the word [event] *)
   | Choice  (** the values of a setting *)

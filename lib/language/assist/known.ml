@@ -86,7 +86,8 @@ let declared_on (model : Ast.model) =
 let families (model : Ast.model) =
   let of_item (i : Ast.item) =
     match i.it with
-    | Shape (h, _, _) | Compound (h, _, _, _) | Decomposed (h, _, _, _) | Behaviour (h, _, _, _) when h.formals <> [] ->
+    | Shape (h, _, _) | Compound (h, _, _, _) | Decomposed (h, _, _, _) | Behaviour (h, _, _, _)
+      when h.formals <> [] ->
       Some (h.declared.it, Printer.head h)
     | _ -> None
   in
@@ -99,7 +100,8 @@ let of_text modules (r : Reading.t) =
   let name (d : Declared.t) = d.name.it in
   let templates = of_kind (function Shape | Compound -> true | _ -> false) in
   let imported = List.map name (of_kind (function Imported -> true | _ -> false)) in
-  let brought = List.map (fun d -> (name d, exported modules d)) (of_kind (function Module -> true | _ -> false)) in
+  let brings d = (name d, exported modules d) in
+  let brought = List.map brings (of_kind (function Module -> true | _ -> false)) in
   let features = Hashtbl.create 64 in
   let note qualifier name =
     let found = Features.of_name modules r ~qualifier name ~corners:None in

@@ -93,10 +93,9 @@ let at (r : Reading.t) where =
 
 let exported_all (r : Reading.t) name =
   let all = (Lazy.force r.uses).all in
-  let found = List.concat_map (fun table -> Declared.find table name) [ all.templates; all.behaviours; all.values ] in
+  let tables = [ all.templates; all.behaviours; all.values ] in
+  let found = List.concat_map (fun table -> Declared.find table name) tables in
   (all, List.filter (fun (d : Declared.t) -> Option.is_none d.source) found)
-
-let exported r name = List.map (fun (d : Declared.t) -> d.name.at) (snd (exported_all r name))
 
 let exported_target r name =
   match exported_all r name with

@@ -28,8 +28,5 @@ val all : Reading.t -> occurrence list
 val at : Reading.t -> int -> occurrence option
 (** The occurrence that contains an offset or ends there. *)
 
-val exported : Reading.t -> string -> Span.t list
-(** The places at which a text declares what an import can bring under this name. *)
-
 val exported_target : Reading.t -> string -> target option
-(** The target of such a name within its own text. *)
+(** What a text declares under a name that an import can bring, within its own text. *)

@@ -60,7 +60,8 @@ let of_text (r : Reading.t) =
 
 let brackets (t : Tokens.t) =
   let one i opening =
-    if opening < 0 then None else Some { from = t.tokens.(opening).stop; upto = t.tokens.(i).start; comment = false }
+    if opening < 0 then None
+    else Some { from = t.tokens.(opening).stop; upto = t.tokens.(i).start; comment = false }
   in
   List.filter_map Fun.id (Array.to_list (Array.mapi one t.opening))
 
@@ -72,7 +73,8 @@ let comments source (trivia : Trivia.t list) =
     | Blank, _ -> folds
     | Line, (fold, last) :: rest when c.own_line && last >= 0 && line c.start = last + 1 ->
       ({ fold with upto = c.stop }, line c.start) :: rest
-    | Line, _ -> ({ from = c.start; upto = c.stop; comment = true }, if c.own_line then line c.start else -1) :: folds
+    | Line, _ ->
+      ({ from = c.start; upto = c.stop; comment = true }, if c.own_line then line c.start else -1) :: folds
     | Block, _ -> ({ from = c.start; upto = c.stop; comment = true }, -1) :: folds
   in
   List.rev_map fst (List.fold_left add [] trivia)

@@ -63,7 +63,9 @@ let starts_declaration text from =
   let stop = word start in
   stop > start && begins (String.sub text start (stop - start))
 
-let line_start text i = match String.rindex_from_opt text (i - 1) '\n' with Some k -> k + 1 | None -> 0 | exception Invalid_argument _ -> 0
+let line_start text i =
+  if i <= 0 then 0 else match String.rindex_from_opt text (i - 1) '\n' with Some k -> k + 1 | None -> 0
+
 
 (* Two declarations back: the word at hand may look as if it began one. *)
 let window_start text offset =

@@ -1,5 +1,5 @@
-(** The declaration at a place of a text as words, for completion: it may be half written, so it is looked at word by
-    word. *)
+(** The declaration at a place of a text as words, for completion: it may be half written, so it is looked at
+    word by word. *)
 
 open Scc_base
 open Scc_syntax
@@ -22,8 +22,8 @@ val window : string -> int -> int * Source.t * Tokens.t
     with places in that text. *)
 
 val around : string -> int -> (int * t) option
-(** [around text offset] is where the word begins that is being written at the offset, and what stands around it. It
-    is [None] within a comment or a text in quotation marks. *)
+(** [around text offset] is where the word begins that is being written at the offset, and what stands around it.
+    It is [None] within a comment or a text in quotation marks. *)
 
 val here : t -> item option
 (** The declaration that contains the place. *)

@@ -20,13 +20,16 @@ let apply text edits =
   Buffer.contents b
 
 let name_fault name =
+  let no_name =
+    Some (Printf.sprintf "`%s` is no name: a name is a letter, and letters, digits, `_` and `'` after it" name)
+  in
   match (Tokens.read (Source.make ~name:"name" name)).tokens with
   | [| { token = NAME n; start = 0; stop; _ }; _ |] when String.equal n name && stop = String.length name -> None
   | [| { token = BARRED _ | NUMBER _ | STRING _; _ }; _ |] | [||] | [| _ |] ->
-    Some (Printf.sprintf "`%s` is no name: a name is a letter, and letters, digits, `_` and `'` after it" name)
+    no_name
   | [| { start = 0; stop; _ }; _ |] when stop = String.length name && Tokens.is_word name ->
     Some (Printf.sprintf "`%s` is a word of the language and cannot be a name" name)
-  | _ -> Some (Printf.sprintf "`%s` is no name: a name is a letter, and letters, digits, `_` and `'` after it" name)
+  | _ -> no_name
 
 let line source (at : Span.t) = fst (Source.position source at.start)
 
@@ -126,7 +129,8 @@ let whole (r : Reading.t) =
   | Ok _ -> Ok ()
   | Error [] -> Ok ()
   | Error (d :: _) ->
-    Error (Printf.sprintf "the text has an error in line %d, so not all places of the name are known" (line r.source d.span))
+    let at = line r.source d.span in
+    Error (Printf.sprintf "the text has an error in line %d, so not all places of the name are known" at)
 
 let edits (r : Reading.t) (target : Names.target) name =
   let* () = Option.fold ~none:(Ok ()) ~some:Result.error (name_fault name) in

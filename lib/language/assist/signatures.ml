@@ -72,7 +72,9 @@ let arguments form =
         match form.[i] with
         | '(' | '{' | '<' -> split (i + 1) from (depth + 1) found
         | ')' | '}' | '>' -> split (i + 1) from (depth - 1) found
-        | ',' when depth = 0 -> split (i + 1) (if i + 1 < stop && form.[i + 1] = ' ' then i + 2 else i + 1) depth ((from, i) :: found)
+        | ',' when depth = 0 ->
+          let next = if i + 1 < stop && form.[i + 1] = ' ' then i + 2 else i + 1 in
+          split (i + 1) next depth ((from, i) :: found)
         | _ -> split (i + 1) from depth found
     in
     List.rev (split (opening + 1) (opening + 1) 0 [])

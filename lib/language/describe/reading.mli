@@ -15,7 +15,7 @@ val make : Source.t -> t
 (** The text of a source. *)
 
 val is_plain : Source.t -> bool
-(** [is_plain source] is true if the text is in the language of [specs/language.md], and not in another notation. *)
+(** [is_plain source] is true if the text is in the language of [specs/language.md], and in no other notation. *)
 
 val tokens_at : Tokens.t -> int -> int list
 (** The indices of the token that contains an offset and of the one that ends there. *)

@@ -24,12 +24,12 @@ let mentioned (b : Ast.behaviour) =
   in
   collect [] [ b ]
 
-let solids t name = Option.value ~default:[] (Hashtbl.find_opt t name)
+let solids (t : t) name = Option.value ~default:[] (Hashtbl.find_opt t name)
 
 let iter t f = Hashtbl.iter f t
 
 let of_model (model : Ast.model) =
-  let t = Hashtbl.create 64 and leads = Hashtbl.create 64 in
+  let t : t = Hashtbl.create 64 and leads = Hashtbl.create 64 in
   let rec spread = function
     | [] -> ()
     | (name, solid) :: rest ->

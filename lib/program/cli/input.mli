@@ -51,4 +51,5 @@ val model :
   string ->
   (Scc_loading.Loaded.t, Diag.t list) result
 (** Reads and loads the file, or [source] as its content. Its texts are added to the console. [read_file] reads
-    imports and meshes (default: from files). [given] is the place of [overrides] in errors (default: the command line). [parametric] is as for {!Scc_loading.Loaded.load}. *)
+    imports and meshes (default: from files). [given] is the place of [overrides] in errors (default: the command
+    line). [parametric] is as for {!Scc_loading.Loaded.load}. *)

@@ -218,7 +218,8 @@ let model console o schedule =
   let* l =
     match schedule with
     | None ->
-      Input.model ?source:o.source ?read_file:o.read_file console ~overrides:o.given.values ~narrowed:o.given.narrowed o.path
+      Input.model ?source:o.source ?read_file:o.read_file console ~overrides:o.given.values
+        ~narrowed:o.given.narrowed o.path
     | Some s -> Scheduled.model console s ~given:o.given o.path
   in
   Console.report console l.warnings;

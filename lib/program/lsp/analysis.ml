@@ -1,7 +1,12 @@
 open Scc_base
 open Scc_loading
 
-type t = { diagnostics : Diag.t list; files : string list; values : (Span.t * string) list; known : Scc_assist.Known.t }
+type t = {
+  diagnostics : Diag.t list;
+  files : string list;
+  values : (Span.t * string) list;
+  known : Scc_assist.Known.t;
+}
 
 (* A text that declares nothing but what others import need not use it. *)
 let is_module (d : Workspace.document) =

@@ -48,7 +48,7 @@ let changed t uri =
   List.iter (fun q -> end_ t q content_modified "the document has changed") about
 
 let cancel t id =
-  match List.find_opt (fun q -> q.id = (id : Json.t)) t.questions with
+  match List.find_opt (fun q -> Rpc.same_id q.id id) t.questions with
   | Some q ->
     end_ t q Rpc.cancelled "the request was cancelled";
     true

@@ -1,5 +1,5 @@
-(** Questions about large documents, each answered in a process of its own, so that the next keystroke need not wait.
-    A change of the document ends them. *)
+(** Questions about large documents, each answered in a process of its own, so that the next keystroke need not
+    wait. A change of the document ends them. *)
 
 open Scc_json
 

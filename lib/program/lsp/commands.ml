@@ -77,7 +77,8 @@ let answered t id =
 
 let report t shown line =
   match shown with
-  | Under { token; begun = true; _ } -> progress t token [ ("kind", `String "report"); ("message", Json.text line) ]
+  | Under { token; begun = true; _ } ->
+    progress t token [ ("kind", `String "report"); ("message", Json.text line) ]
   | Under _ | Nowhere -> ()
 
 let end_ t shown =
@@ -87,7 +88,7 @@ let end_ t shown =
 
 (* {1 Running} *)
 
-let is id r = r.id = (id : Json.t)
+let is id r = Rpc.same_id r.id id
 
 let leave t r =
   t.running <- List.filter (fun other -> not (is r.id other)) t.running;
@@ -106,7 +107,7 @@ let cancel t id =
   | None -> false
 
 let cancel_token t token =
-  let has r = match r.shown with Under u -> u.token = (token : Json.t) | Nowhere -> false in
+  let has r = match r.shown with Under u -> Rpc.same_id u.token token | Nowhere -> false in
   Option.iter (cancelled t) (List.find_opt has t.running)
 
 let refused (d : Workspace.document) (found : Diag.t list) =
@@ -122,7 +123,9 @@ let run t ~id params d title work finish =
     match result with
     | Some (Ok x) -> t.send (Rpc.answer ~id (finish x))
     | Some (Error found) -> t.send (Rpc.error ~id Rpc.failed (refused d found))
-    | None -> t.send (Rpc.error ~id Rpc.failed "the process that worked on it came to an end, as when memory runs out")
+    | None ->
+      let why = "the process that worked on it came to an end, as when memory runs out" in
+      t.send (Rpc.error ~id Rpc.failed why)
   in
   match Job.start ~work ~progress:(report t shown) ~ended with
   | Some job -> t.running <- { id; job; shown; title } :: t.running
@@ -143,7 +146,9 @@ let verdict_json (v : Session.verdict) : Json.t =
 let keep t (d : Workspace.document) (found : Session.verdict list) =
   match Workspace.find t.session.workspace d.uri with
   | Some now when Int.equal now.version d.version && String.equal now.text d.text ->
-    let is_new (v : Session.verdict) = List.exists (fun (w : Session.verdict) -> String.equal v.name w.name) found in
+    let is_new (v : Session.verdict) =
+      List.exists (fun (w : Session.verdict) -> String.equal v.name w.name) found
+    in
     let others = List.filter (fun v -> not (is_new v)) (Session.verdicts t.session now) in
     Hashtbl.replace t.session.verdicts d.uri (others @ found);
     t.decided now

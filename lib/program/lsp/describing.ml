@@ -17,7 +17,9 @@ let value_of (s : Session.t) (d : Workspace.document) (at : Span.t option) =
       match List.filter (fun (place, _) -> same place) found.values with
       | [] -> []
       | [ (_, value) ] -> [ "= " ^ value ]
-      | several -> [ Printf.sprintf "= %s, … (%d values, one in each turn of the loops around it)" (snd (List.hd several)) (List.length several) ])
+      | (_, first) :: _ as several ->
+        let count = List.length several in
+        [ Printf.sprintf "= %s, … (%d values, one in each turn of the loops around it)" first count ])
 
 let verdict_of s (d : Workspace.document) (found : Describe.t) =
   if not (String.equal found.kind "check") then []
@@ -27,7 +29,9 @@ let verdict_of s (d : Workspace.document) (found : Describe.t) =
 
 let read_module (s : Session.t) (d : Workspace.document) ~library name =
   if library then Scc_elaborate.Library.find name
-  else Option.bind (Workspace.resolved ~base:d.path name) (fun path -> Result.to_option (Workspace.text_of s.workspace path))
+  else
+    let text path = Result.to_option (Workspace.text_of s.workspace path) in
+    Option.bind (Workspace.resolved ~base:d.path name) text
 
 let hover s params : Json.t =
   match Session.plain_document s params with
@@ -115,11 +119,13 @@ let importable (d : Workspace.document) written =
   | Some path ->
     let names = match Sys.readdir path with names -> Array.to_list names | exception Sys_error _ -> [] in
     let own = Option.map Filename.basename d.path in
-    let fits name =
-      name <> "" && name.[0] <> '.' && Some name <> own
-      && (Filename.check_suffix name ".sc" || try Sys.is_directory (Filename.concat path name) with Sys_error _ -> false)
+    let is_model name = Filename.check_suffix name ".sc" in
+    let is_folder name = try Sys.is_directory (Filename.concat path name) with Sys_error _ -> false in
+    let fits name = name <> "" && name.[0] <> '.' && Some name <> own && (is_model name || is_folder name) in
+    let offer name =
+      let name = folder ^ if is_model name then name else name ^ "/" in
+      { Completion.name; kind = "file"; form = None; about = None }
     in
-    let offer name = { Completion.name = folder ^ (if Filename.check_suffix name ".sc" then name else name ^ "/"); kind = "file"; form = None; about = None } in
     List.map offer (List.sort String.compare (List.filter fits names))
 
 let offers s (d : Workspace.document) offset =
@@ -148,10 +154,16 @@ let completion s params : Json.t =
 let signature s params : Json.t =
   let of_call (c : Signatures.t) : Json.t =
     let form text : Json.t =
-      let argument (start, stop) : Json.t = `Assoc [ ("label", Json.text (String.sub text start (stop - start))) ] in
+      let argument (start, stop) : Json.t =
+        `Assoc [ ("label", Json.text (String.sub text start (stop - start))) ]
+      in
       let about = match c.about with None -> [] | Some a -> [ ("documentation", Session.markup s a) ] in
       `Assoc
-        ([ ("label", Json.text text); ("parameters", `List (List.map argument (Signatures.arguments text))) ] @ about)
+        ([
+          ("label", Json.text text);
+          ("parameters", `List (List.map argument (Signatures.arguments text)));
+        ]
+          @ about)
     in
     (* the first form with so many arguments *)
     let fits text = List.length (Signatures.arguments text) > c.argument in
@@ -166,4 +178,5 @@ let signature s params : Json.t =
   match Session.plain_document s params with
   | None -> `Null
   | Some d ->
-    (match Signatures.at (Session.known s d) d.text (Session.offset d params) with Some c -> of_call c | None -> `Null)
+    let found = Signatures.at (Session.known s d) d.text (Session.offset d params) in
+    Option.fold ~none:`Null ~some:of_call found

@@ -96,7 +96,9 @@ let lenses s params : Json.t =
     in
     let whole =
       match all with
-      | first :: _ :: _ -> [ lens first (command (Printf.sprintf "check all %d" (List.length all)) "scc.check" [ uri ]) ]
+      | first :: _ :: _ ->
+        let title = Printf.sprintf "check all %d" (List.length all) in
+        [ lens first (command title "scc.check" [ uri ]) ]
       | _ -> []
     in
     `List (whole @ List.concat_map of_check all)
@@ -163,7 +165,8 @@ let values s params : Json.t =
           let once = List.length (Hashtbl.find_all count at.start) = 1 in
           let says = Hashtbl.find_opt written at.start in
           let within = from <= at.start && at.stop <= upto in
-          if is_own && once && within && Option.is_some says && says <> Some value && String.length value <= longest then
+          let is_news = match says with Some text -> not (String.equal text value) | None -> false in
+          if is_own && once && within && is_news && String.length value <= longest then
             let line, character = Positions.of_offset (Lazy.force d.positions) at.stop in
             Some
               (`Assoc

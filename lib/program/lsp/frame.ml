@@ -1,5 +1,5 @@
-(* What has been fed and not used yet is in [bytes], from [from] to [stop]. [skip] bytes to come belong to a message
-   that is too large, or to a header without an end. *)
+(* What has been fed and not used yet is in [bytes], from [from] to [stop]. [skip] bytes to come belong to a
+   message that is too large, or to a header without an end. *)
 type t = {
   most : int;
   mutable bytes : Bytes.t;
@@ -32,8 +32,6 @@ let feed t bytes n =
   reserve t n;
   Bytes.blit bytes skipped t.bytes t.stop n;
   t.stop <- t.stop + n
-
-let at_rest t = t.from = t.stop && t.skip = 0
 
 (* {1 Headers} *)
 

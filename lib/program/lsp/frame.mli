@@ -18,8 +18,5 @@ type piece =
 val next : t -> piece
 (** The next piece of what was fed. *)
 
-val at_rest : t -> bool
-(** [at_rest t] is true if no message has begun. *)
-
 val framed : string -> string
 (** The text of a message with its header. *)

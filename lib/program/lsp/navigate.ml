@@ -125,9 +125,11 @@ let highlights s params : Json.t =
   | None -> `Null
   | Some (d, o) ->
     let range (p : Names.occurrence) : Json.t =
-      `Assoc [ ("range", Workspace.place (Lazy.force d.positions) p.at); ("kind", `Int (if p.declares then 3 else 2)) ]
+      let kind = if p.declares then 3 else 2 in
+      `Assoc [ ("range", Workspace.place (Lazy.force d.positions) p.at); ("kind", `Int kind) ]
     in
-    `List (List.map range (List.filter (fun (p : Names.occurrence) -> Names.same p.target o.target) (Names.all d.reading)))
+    let same (p : Names.occurrence) = Names.same p.target o.target in
+    `List (List.map range (List.filter same (Names.all d.reading)))
 
 (* {1 New names} *)
 
@@ -175,7 +177,8 @@ let rename s params =
     | Ok [] -> None
     | Ok edits -> Some (uri_of s g, g.positions, edits)
     | Error why ->
-      let where = if String.equal g.path f.path then "" else Printf.sprintf " (in %s)" (Filename.basename g.path) in
+      let is_own = String.equal g.path f.path in
+      let where = if is_own then "" else Printf.sprintf " (in %s)" (Filename.basename g.path) in
       Rpc.refuse Rpc.failed "%s%s" why where
   in
   edit s (List.filter_map in_file (everywhere s f target))

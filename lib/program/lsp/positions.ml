@@ -52,7 +52,7 @@ let make encoding text =
 let lines t = Array.length t.starts
 
 (* The last index at which [f] is at most [x]. *)
-let last_at_most count f x =
+let last_at_most count f (x : int) =
   let rec search low high =
     if low >= high then low
     else
@@ -79,8 +79,8 @@ let end_of t line =
   if line + 1 >= lines t then String.length t.text
   else
     let stop = t.starts.(line + 1) in
-    if stop >= 2 && t.text.[stop - 1] = '\n' && t.text.[stop - 2] = '\r' && stop - 2 >= t.starts.(line) then stop - 2
-    else stop - 1
+    let both = stop >= 2 && t.text.[stop - 1] = '\n' && t.text.[stop - 2] = '\r' in
+    if both && stop - 2 >= t.starts.(line) then stop - 2 else stop - 1
 
 (* The offset before which there are so many units. *)
 let offset_of t total ~from ~stop =
@@ -98,7 +98,8 @@ let offset_of t total ~from ~stop =
       in
       go (k * stride) units.(k)
   in
-  let rec boundary i = if i > from && i < stop && Char.code t.text.[i] land 0xC0 = 0x80 then boundary (i - 1) else i in
+  let continues i = Char.code t.text.[i] land 0xC0 = 0x80 in
+  let rec boundary i = if i > from && i < stop && continues i then boundary (i - 1) else i in
   Int.max from (boundary (Int.min start stop))
 
 let offset t (line, character) =

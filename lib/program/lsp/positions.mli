@@ -15,12 +15,9 @@ type t
 val make : encoding -> string -> t
 (** The places of a text. *)
 
-val lines : t -> int
-(** The number of lines: at least 1. *)
-
 val of_offset : t -> int -> int * int
 (** The line and character of an offset in bytes; one past the end is the end. *)
 
 val offset : t -> int * int -> int
-(** The offset of a line and character. A character past the end of its line is the end of the line, a line past the
-    end of the text is the end of the text, and a place within a code point is its beginning. *)
+(** The offset of a line and character. A character past the end of its line is the end of the line, a line past
+    the end of the text is the end of the text, and a place within a code point is its beginning. *)

@@ -72,7 +72,9 @@ let ended t (d : Workspace.document) since result =
     Hashtbl.replace t.files d.uri found.files;
     Hashtbl.replace t.session.analyses d.uri (d.version, found);
     t.found d found
-  | None -> t.say (Printf.sprintf "the process that read %s came to an end, as when memory runs out" (Uri.name d.uri))
+  | None ->
+    let what = "came to an end, as when memory runs out" in
+    t.say (Printf.sprintf "the process that read %s %s" (Uri.name d.uri) what)
 
 let start t (d : Workspace.document) =
   Hashtbl.remove t.due d.uri;
@@ -83,7 +85,7 @@ let start t (d : Workspace.document) =
   | None -> Hashtbl.replace t.due d.uri (since +. longest)
 
 let first_due t =
-  let earlier uri at best = match best with Some (_, b) when b <= at -> best | _ -> Some (uri, at) in
+  let earlier uri (at : float) best = match best with Some (_, b) when b <= at -> best | _ -> Some (uri, at) in
   Hashtbl.fold earlier t.due None
 
 let too_long t now =
@@ -105,7 +107,8 @@ let rec go_on t =
     (fun (uri, r) ->
        stop t uri;
        Hashtbl.replace t.took uri given_up;
-       t.say (Printf.sprintf "reading %s takes more than a minute: it was given up" (Uri.name r.of_text.Workspace.uri)))
+       let name = Uri.name r.of_text.Workspace.uri in
+       t.say (Printf.sprintf "reading %s takes more than a minute: it was given up" name))
     (too_long t now);
   match first_due t with
   | Some (uri, at) when at <= now && Hashtbl.length t.running < most_running ->

@@ -25,7 +25,8 @@ let of_object json =
   let invalid why = Invalid { id; code = invalid_request; why } in
   let version = Option.bind (Json.member "jsonrpc" json) Json.string in
   let has_id = match id with `Int _ | `String _ -> true | _ -> false in
-  match (Option.bind (Json.member "method" json) Json.string, Json.member "result" json, Json.member "error" json) with
+  let name = Option.bind (Json.member "method" json) Json.string in
+  match (name, Json.member "result" json, Json.member "error" json) with
   | _ when version <> Some "2.0" -> invalid "`jsonrpc` is not \"2.0\""
   | Some name, None, None -> (
       match (id, params) with
@@ -36,7 +37,8 @@ let of_object json =
   | Some _, _, _ -> invalid "a message with a method has no result and no error"
   | None, result, None when has_id -> Response { id; result = Some (Option.value result ~default:`Null) }
   | None, _, Some _ when has_id -> Response { id; result = None }
-  | None, _, _ -> Invalid { id = `Null; code = invalid_request; why = "it is no request, notification or response" }
+  | None, _, _ ->
+    Invalid { id = `Null; code = invalid_request; why = "it is no request, notification or response" }
 
 let is_utf_8 text =
   let n = String.length text in
@@ -47,10 +49,16 @@ let read text =
   let invalid code why = Invalid { id = `Null; code; why } in
   if not (is_utf_8 text) then invalid parse_error "the message is not in UTF-8"
   else match Json.parse (Source.make ~name:"message" text) with
-  | Error d -> invalid parse_error ("the message is no JSON: " ^ d.message)
-  | Ok (`Assoc _ as json) -> of_object json
-  | Ok (`List _) -> invalid invalid_request "the protocol has no batches"
-  | Ok _ -> invalid invalid_request "a message is an object"
+    | Error d -> invalid parse_error ("the message is no JSON: " ^ d.message)
+    | Ok (`Assoc _ as json) -> of_object json
+    | Ok (`List _) -> invalid invalid_request "the protocol has no batches"
+    | Ok _ -> invalid invalid_request "a message is an object"
+
+let same_id (a : Json.t) (b : Json.t) =
+  match (a, b) with
+  | `Int a, `Int b -> Int.equal a b
+  | `String a, `String b -> String.equal a b
+  | _ -> false
 
 (* {1 Params} *)
 

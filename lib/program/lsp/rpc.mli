@@ -44,6 +44,9 @@ val failed : int
 val cancelled : int
 (** A request that the client has cancelled. *)
 
+val same_id : Json.t -> Json.t -> bool
+(** [same_id a b] is true if two ids, or two tokens of progress, are one: equal texts or integers. *)
+
 (** {1 Params} *)
 
 val member : string -> Json.t -> Json.t

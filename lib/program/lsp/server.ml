@@ -33,7 +33,9 @@ let send json = send_text (Json.line json)
 
 (* {1 Messages to the user} *)
 
-let message name kind text = send (Rpc.notification name (`Assoc [ ("type", `Int kind); ("message", Json.text text) ]))
+let message name kind text =
+  send (Rpc.notification name (`Assoc [ ("type", `Int kind); ("message", Json.text text) ]))
+
 let log text = message "window/logMessage" 2 text
 let say text = message "window/showMessage" 2 text
 
@@ -265,7 +267,8 @@ let handle t (m : Rpc.message) =
         ~refused:(fun code why -> send (Rpc.error ~id code why))
   | Notification { name; params } ->
     guarded (fun () -> notification t name params) ~refused:(fun _ why -> log (Printf.sprintf "%s: %s" name why))
-  | Response { id; _ } -> (match t.phase with Live live -> Commands.answered live.commands id | Fresh | Over _ -> ())
+  | Response { id; _ } -> (
+      match t.phase with Live live -> Commands.answered live.commands id | Fresh | Over _ -> ())
   | Invalid { id; code; why } -> send (Rpc.error ~id code why)
 
 (* {1 The loop} *)
@@ -306,9 +309,9 @@ let wait t seconds =
   let input = if t.input_ended || Queue.length t.queue >= most_waiting then [] else [ Unix.stdin ] in
   match Unix.select (input @ List.map Job.source working) [] [] seconds with
   | ready, _, _ ->
-    let is_ready job = List.mem (Job.source job) ready in
+    let is_ready job = List.memq (Job.source job) ready in
     List.iter (fun job -> if is_ready job then ignore (Job.heard job)) working;
-    if List.mem Unix.stdin ready then read t
+    if List.memq Unix.stdin ready then read t
   | exception Unix.Unix_error (EINTR, _, _) -> Interruption.check ()
 
 let seconds_to_wait t = match t.phase with Live live -> Reading_jobs.wait live.readings | Fresh | Over _ -> -1.

@@ -6,5 +6,5 @@ type ending =
   | Broken_off  (** without [shutdown] *)
 
 val run : version:string -> Commands.work -> ending
-(** Answers the messages of standard input until [exit] or the end of the input. Raises {!Scc_system.Reading.Failed},
-    {!Scc_system.Standard.Closed} and {!Scc_system.Standard.Failed}. *)
+(** Answers the messages of standard input until [exit] or the end of the input. Raises
+    {!Scc_system.Reading.Failed}, {!Scc_system.Standard.Closed} and {!Scc_system.Standard.Failed}. *)

@@ -15,7 +15,7 @@ val colours : Session.t -> Json.t -> Json.t
 (** What each word is, in the encoding of the protocol. *)
 
 val colours_within : Session.t -> Json.t -> Json.t
-(** The same for the words of a range. *)
+(** What each word of a range is, in the encoding of the protocol. *)
 
 val layout : Session.t -> Json.t -> Json.t
 (** The edits to canonical layout; none if the text has errors. *)

@@ -1,5 +1,5 @@
-(** The texts of a session: open documents, and files beside them. The text of an open document comes before that of
-    its file. *)
+(** The texts of a session: open documents, and files beside them. The text of an open document comes before that
+    of its file. *)
 
 open Scc_base
 open Scc_syntax
@@ -36,7 +36,8 @@ val all : t -> document list
 (** The open documents, by their addresses. *)
 
 val text_of : t -> string -> (string, string) result
-(** The text of the document or file at a path, or why it cannot be read. Files of more than 64 MiB are not read. *)
+(** The text of the document or file at a path, or why it cannot be read. Files of more than 64 MiB are not read.
+*)
 
 val reading_of : t -> string -> (Reading.t * Positions.t) option
 (** The text at a path, as it is read. *)
@@ -51,8 +52,8 @@ val resolved : base:string option -> string -> string option
 (** The path of a file that a text with the path [base] names. *)
 
 val target : t -> base:string option -> file:string -> (string * Positions.t) option
-(** The address of a file named in a diagnostic of a text with the path [base], and its places. [None] for a module of
-    the library and for a file that is not there. *)
+(** The address of a file named in a diagnostic of a text with the path [base], and its places. [None] for a
+    module of the library and for a file that is not there. *)
 
 val place : Positions.t -> Span.t -> Scc_json.Json.t
 (** The range of a span in the text of these places. *)

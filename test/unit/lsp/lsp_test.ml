@@ -81,7 +81,10 @@ let pieces size input =
 
 let framing () =
   let is what input wanted =
-    List.iter (fun size -> Alcotest.(check (list string)) (Printf.sprintf "%s, by %d" what size) wanted (pieces size input)) [ 1; 2; 7; 100000 ]
+    let by size =
+      Alcotest.(check (list string)) (Printf.sprintf "%s, by %d" what size) wanted (pieces size input)
+    in
+    List.iter by [ 1; 2; 7; 100000 ]
   in
   is "two messages" (Frame.framed "ab" ^ Frame.framed "c") [ "message ab"; "message c" ];
   is "an empty message" (Frame.framed "") [ "message " ];
@@ -89,8 +92,10 @@ let framing () =
   is "more fields" ("Content-Type: x; charset=utf-8\r\n" ^ Frame.framed "ab") [ "message ab" ];
   is "no length" ("X: 1\r\n\r\n" ^ Frame.framed "ab") [ "fault"; "message ab" ];
   is "content without a header" ("{}\r\n\r\n{}" ^ Frame.framed "ab") [ "fault"; "message ab" ];
-  is "too large" ("Content-Length: 1001\r\n\r\n" ^ String.make 1001 'x' ^ Frame.framed "ab") [ "fault"; "message ab" ];
-  is "a length beyond all" ("Content-Length: 99999999999999999999\r\n\r\n" ^ Frame.framed "ab") [ "fault"; "message ab" ]
+  let large = "Content-Length: 1001\r\n\r\n" ^ String.make 1001 'x' in
+  is "too large" (large ^ Frame.framed "ab") [ "fault"; "message ab" ];
+  let larger = "Content-Length: 99999999999999999999\r\n\r\n" in
+  is "a length beyond all" (larger ^ Frame.framed "ab") [ "fault"; "message ab" ]
 
 let () =
   Alcotest.run "lsp"
