@@ -78,10 +78,14 @@ const Graph = (() => {
   /** Whether what is near alone is drawn. */
   const partly = () => (wish.show || (all().states.length > few ? "near" : "all")) === "near";
 
+  /** Why `scc check` may have another number. */
+  const counted = () => (player.data.runs.some(({ check }) => check && /\bevent\b/.test(check.formula))
+    ? " As checks ask about events, scc check counts a state once for each such event that has just led there." : "");
+
   /** What is said of how much is known. */
   function told() {
     const { data } = player, { graph } = data;
-    if (graph && graph.complete) return `All ${graph.states} states that there are.`;
+    if (graph && graph.complete) return `All ${graph.states} states that there are.${counted()}`;
     if (Live.on) return `${all().looked} states were looked at so far; the graph grows as you go on.`;
     if (!graph) return `The file holds the ${data.states.length} states of its runs.`;
     return `${graph.states} states, of ${graph.expanded} of which all that can happen is known: ` +
@@ -233,7 +237,7 @@ const Graph = (() => {
     const roots = starts.flatMap((state) => spotOf.get(state) ?? []);
     const wanted = {
       count, edges: drawing.edges, roots, ...(drawing.layers ? { given: drawing.layers } : {}),
-      ...(large ? { columns: Math.ceil(Math.sqrt(count * 1.5)) } : {}),
+      ...(large ? { aspect: Math.max(0.2, view.clientWidth / Math.max(1, view.clientHeight)) } : {}),
     };
     const of = drawing;
     let done = false;

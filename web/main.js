@@ -37,7 +37,7 @@ const Main = (() => {
         player.go(legs, time === undefined ? undefined : Rational.of(time)),
       seek: (/** @type {string} */ time) => player.seek(Rational.of(time)),
       choose: (/** @type {number} */ choice) => player.choose(choice),
-      busy: () => Live.busy(),
+      busy: () => Live.busy() || Values.busy(),
       plots: () => Plots.told(),
       // Where a page from disk has exact values: a text, null where there is none; or what is wrong with the formula.
       evaluate: (/** @type {string} */ text) => Formulas.evaluate(text),

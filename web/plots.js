@@ -82,6 +82,7 @@ const Plots = (() => {
     player.on("move", move);
     player.on("grow", draw);
     Timeline.onRange(draw);
+    Values.onProgress(draw);
     new ResizeObserver(draw).observe(rows);
     list();
     draw();
@@ -371,15 +372,22 @@ const Plots = (() => {
   /** @param {boolean} truth @param {number} value */
   const said = (truth, value) => (truth ? (value === 1 ? "true" : "false") : Exactly.decimal(value));
 
+  /** When the values of one's own were last told. */
+  let last = 0;
+
   function move() {
     if (Dom.get("plots-panel").hidden) return;
     const width = wide();
     const at = Timeline.x(player.clock, width).toFixed(2);
     const inside = player.clock >= Timeline.range.from && player.clock <= Timeline.range.to;
     if (phase) phase();
+    // What is about all of very many bodies takes a good part of a frame: while the run is played, it is told now and then.
+    const many = player.playing && player.course.leaves.length > 200, now = performance.now(), rest = many && now - last < 250;
+    if (!rest) last = now;
     for (const { plot, value, cursor, dot, y } of drawn) {
       cursor.setAttribute("transform", `translate(${at} 0)`);
       cursor.setAttribute("visibility", inside ? "visible" : "hidden");
+      if (rest && plot >= player.data.plots.length) continue;
       const now = Values.exact(player, player.legs, plot, player.time);
       dot.setAttribute("visibility", inside && typeof now !== "string" ? "visible" : "hidden");
       if (typeof now === "string") {

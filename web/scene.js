@@ -341,6 +341,7 @@ class Scene {
     this.shape = `${width} ${height}`;
     const { at, distance } = Frame.fit(seen.points, this.orbit, width, height, this.marks.taken(width, height));
     this.#level(of, distance);
+    this.marks.fresh = true;
     if (far) this.orbit.stand(at.map(based), distance);
     else this.orbit.fly(at, distance, this.still.matches || !this.fitted);
     this.fitted = true;
@@ -385,10 +386,10 @@ class Scene {
 
   camera() { return Scene.why ? {} : this.orbit.save(); }
 
-  /** Which axis points up, how high the floor is, and from where one looks, for tests. */
+  /** Which axis points up, how high the floor is, from where one looks, and where the legend is, for tests. */
   look() {
     const { up, direction } = this.orbit;
-    return { up, floor: Rational.text(this.floorAt), from: direction };
+    return { up, floor: Rational.text(this.floorAt), from: direction, ...this.marks.legend };
   }
 
   /**

@@ -16,6 +16,7 @@ const Tools = (() => {
     spins: false,
     trails: false,
     marks: true,
+    legend: true,
     grid: true,
     projection: "perspective",
     up: "y",
@@ -24,7 +25,7 @@ const Tools = (() => {
    * Those that are shown or not, as they are at first.
    * @type {{[option: string]: boolean}}
    */
-  const usual = Object.fromEntries(["names", "velocities", "spins", "trails", "marks", "grid"].map((name) => [name, options[name]]));
+  const usual = Object.fromEntries(["names", "velocities", "spins", "trails", "marks", "legend", "grid"].map((name) => [name, options[name]]));
   /** @type {{[id: string]: HTMLButtonElement}} */
   const made = {};
 
@@ -183,6 +184,7 @@ const Tools = (() => {
       toggle("spins", "Spins", "Spins as arrows"),
       toggle("trails", "Trails", "Where bodies have been (r)"),
       toggle("marks", "Marks", "The bodies that reasons name, and what the last step has changed (m)"),
+      toggle("legend", "Legend", "What colours and patterns mean"),
       toggle("grid", "Grid", "The grid on the floor"),
       projection,
       up,

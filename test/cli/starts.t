@@ -360,8 +360,32 @@ What is not followed over zones:
 
   $ sed 's/^timestep 1/timestep 1 local/' walk.sc > local.sc; scc check local.sc
   error[SC0901]: what is not known of this model does not stay linear: processes have movement steps of their own (`timestep ... local`)
-    hint: give every parameter a value
+    hint: give every parameter a value, by `-D` or, for many starts, by `scc sweep -D x=0:3:1/2`
   [3]
+
+  $ sed 's/^timestep 1/timestep 1\nblocked wait/' walk.sc > blocked.sc; scc check blocked.sc
+  error[SC0901]: what is not known of this model does not stay linear: walkers stop where they are blocked (rule Blocked: a kick is taken or not by all that lies on its path)
+    hint: give every parameter a value, by `-D` or, for many starts, by `scc sweep -D x=0:3:1/2`; or let walkers bounce, `blocked bounce`
+  [3]
+
+Numbers as functions of SMT-LIB:
+
+  $ scc check meet.sc --check meets --check far --check early --smt numbers.smt2 > /dev/null; cat numbers.smt2
+  (set-info :smt-lib-version 2.6)
+  (set-logic QF_LRA)
+  (declare-const d Real)
+  (assert (and (<= (* (- 1.0) d) (- 3.0)) (<= d 5.0)))
+  (define-fun early-holds () Bool (and (<= (* (- 1.0) d) (- 3.0)) (<= (* 2.0 d) 9.0)))
+  (define-fun early-fails () Bool (and (< (* (- 2.0) d) (- 9.0)) (<= d 5.0)))
+  (define-fun early-unknown () Bool false)
+  (define-fun meets-low () Real (ite (and (<= (* (- 1.0) d) (- 3.0)) (<= d 5.0)) (+ d (- 2.0)) 0.0))
+  (define-fun meets-low-infinite () Bool false)
+  (define-fun meets-high () Real (ite (and (<= (* (- 1.0) d) (- 3.0)) (<= d 5.0)) (+ d (- 2.0)) 0.0))
+  (define-fun meets-high-infinite () Bool false)
+  (define-fun far-low () Real (ite (and (< (* (- 1.0) d) (- 3.0)) (<= d 5.0)) 1.0 0.0))
+  (define-fun far-low-infinite () Bool (= d 3.0))
+  (define-fun far-high () Real (ite (and (< (* (- 1.0) d) (- 3.0)) (<= d 5.0)) 1.0 0.0))
+  (define-fun far-high-infinite () Bool (= d 3.0))
 
 Checks that ask about the same until share its exploration, whatever they ask about it. Each has the answer that it has
 alone.

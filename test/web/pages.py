@@ -104,6 +104,14 @@ def graphs(b, scc):
     b.find('graph-labels').click()
     words = b.js('return [...document.querySelectorAll(".edge-text")].map((text) => text.textContent)')
     check('and what happens there, on demand', any('walker draws' in text for text in words), words)
+    meet = b.js('''
+      const all = [...document.querySelectorAll(".edge-text, .node circle")].map((one) => one.getBoundingClientRect());
+      const words = [...document.querySelectorAll(".edge-text")].length;
+      return all.slice(0, words).filter((a, i) => all.some((b, k) => k > i &&
+        a.left + 2 < b.right && b.left + 2 < a.right && a.top + 3 < b.bottom && b.top + 3 < a.bottom)).length;''')
+    same('words do not cover each other', meet, 0)
+    note = b.text('graph-note')
+    check('why scc check counts otherwise is told', note.startswith('All 18 states') and 'scc check counts' in note, note)
     b.find('graph-legend').click()
     legend = b.js('return document.querySelector(".graph-legend").textContent')
     check('a legend', 'a draw by chance' in legend and 'an absorption' in legend and 'a bond' not in legend, legend)
@@ -131,6 +139,16 @@ def graphs(b, scc):
     check('they are laid out beside the page', b.js('return document.querySelector("[data-testid=graph-waiting]") !== null'))
     check('as a map', b.wait('return document.querySelector("[data-testid=graph-map]") !== null'))
     check('on which the page goes on meanwhile', b.js('return window.ticks') > 3)
+    wide = b.wait('''
+      const box = document.querySelector("[data-testid=graph-map]"), canvas = box.querySelector("canvas");
+      const copy = document.createElement("canvas");
+      [copy.width, copy.height] = [canvas.width, canvas.height];
+      const pen = copy.getContext("2d");
+      pen.drawImage(canvas, 0, 0);
+      const { data } = pen.getImageData(0, 0, copy.width, copy.height), seen = [];
+      for (let i = 3; i < data.length; i += 4) if (data[i] > 200) seen.push(((i - 3) / 4) % copy.width);
+      return (Math.max(...new Set(seen)) - Math.min(...[...new Set(seen)].filter((x) => x > 16))) / copy.width;''')
+    check('the map takes the width of the panel', wide > 0.8, wide)
     b.js('document.querySelector("[data-testid=graph-map]").focus()')
     b.keys(Keys.ARROW_DOWN, Keys.ENTER)
     check('a state of the map', b.state()['state'] != 0, b.state()['state'])
@@ -797,6 +815,61 @@ def framed(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
+LEGEND = """import <solids>
+for i in 1..14 { process cube[i] = solids.Cube(1) mass 1 at translate (-3 + 2*i, 10 - i/2, 0) velocity (0, 0, i) [nil] }
+process a_body_with_a_rather_long_name_indeed = solids.Cube(2) mass 1 at translate (-4, 9, 0) velocity (0, 0, 0) [nil]
+"""
+
+
+def legend(b, scc):
+    """The legend is where it covers no body, if there is such a corner; and it can be left out."""
+    model = scc.file('.sc')
+    with open(model, 'w') as f:
+        f.write(LEGEND)
+    page = scc.view(model)
+    corners = set()
+    for size in [(1400, 900), (700, 900), (1100, 500)]:
+        b.size(*size)
+        b.open(page)
+        for up in range(3):
+            found = b.js("""
+              scc.sight([0, 0, 0]);
+              const { legend, box: [left, top, right, bottom] } = scc.look(), covered = (at) => left < at[0] && at[0] < right && top < at[1] && at[1] < bottom;
+              return [legend, Object.values(scc.floats()).filter((p) => covered(scc.sight(p).at)).length];""")
+            corners.add(found[0])
+            same(f'no body is below the legend, {size}, {up}', found[1], 0)
+            b.find('up').click()
+            b.js('return new Promise((done) => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(done)), 500))')
+    check('it is not always in one corner', len(corners) > 1, corners)
+    b.size(1400, 900)
+    b.open(page)
+    seen = b.js('return document.querySelectorAll("#scene canvas")[1].toDataURL()')
+    b.find('legend').click()
+    b.js('scc.sight([0, 0, 0])')
+    check('it can be left out', b.js('return document.querySelectorAll("#scene canvas")[1].toDataURL()') != seen)
+    check('a link keeps that', 'switched=legend' in b.js('return scc.link()'))
+    same('the console is told nothing', b.complaints(), [])
+
+
+def keys_after_menus(b, scc):
+    """Keys work on the page after one has chosen from a list with the pointer, and after Escape in a field."""
+    b.open(scc.view(HEXOKINASE))
+    b.js('scc.go(0)')
+    box = b.find('events-kind')
+    b.js('arguments[0].dispatchEvent(new PointerEvent("pointerdown", { bubbles: true })); arguments[0].focus()', box)
+    b.pick('events-kind', 'all')
+    b.keys(Keys.ARROW_RIGHT)
+    same('an arrow goes on in the run', (b.state()['legs'], box.get_property('value')), (1, 'all'))
+    b.js('arguments[0].focus()', box)
+    b.keys(Keys.ARROW_DOWN)
+    same('with keys one stays in the list', b.js('return document.activeElement.dataset.testid'), 'events-kind')
+    b.keys(Keys.ESCAPE)
+    b.find('plot-input').send_keys('x')
+    b.keys(Keys.ESCAPE, Keys.HOME)
+    same('after Escape in a field', b.state()['legs'], 0)
+    same('the console is told nothing', b.complaints(), [])
+
+
 HOSTILE = ['</script><script>window.pwned = 1</script><img src=x onerror="window.pwned = 1">',
            'א' * 40 + '\u202e reversed \u2066 \u0000 &lt;b&gt;', 'long' * 2500]
 
@@ -934,6 +1007,15 @@ def large(b, scc):
     b.keys(Keys.END)
     same('the end of it', b.state()['legs'], 10000)
     check('the last row is there', b.all('[data-testid="events-list"] [data-index="10000"][aria-selected="true"]'))
+    # What is about all bodies is evaluated piece by piece.
+    b.js('window.ticks = 0; setInterval(() => { window.ticks += 1; }, 1)')
+    b.find('plot-input').send_keys('bonds() + 3', Keys.ENTER)
+    check('a number about all bodies is on its way', b.js('return scc.busy()'))
+    check('it is drawn', b.wait('return !scc.busy() && document.querySelectorAll(".plot .plot-line").length > 1'))
+    check('the page goes on meanwhile', b.js('return window.ticks') > 20, b.js('return window.ticks'))
+    same('its value', b.js('return scc.plots()[scc.plots().length - 1].value'), '3')
+    rows = b.js('return [...document.querySelectorAll(".plot .plot-line")].pop().getAttribute("d")')
+    check('along the whole run', len(set(re.findall(r'[ML][0-9.]+ ([0-9.]+)', rows))) == 1 and len(rows) > 1000, rows[:200])
     same('the console is told nothing', b.complaints(), [])
 
 
@@ -971,4 +1053,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, graphs, found_states, events, formulas, small, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, hostile, far_away, motion, lost_context, no_states_beyond, large]
+PARTS = [by_mouse, graphs, found_states, events, formulas, small, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, legend, keys_after_menus, hostile, far_away, motion, lost_context, no_states_beyond, large]

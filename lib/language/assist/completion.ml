@@ -85,7 +85,7 @@ let predefined () = entries Vocabulary.Solid Forms.Called
 let modules t = names "module" (List.map fst t.known.modules)
 let shapes t = names "shape" (unique (declared t [ "shape"; "compound" ] @ t.known.shapes @ t.known.imported))
 let solids t = shapes t @ modules t @ predefined ()
-let named_behaviours t = unique (declared t [ "behaviour" ] @ List.map fst t.known.behaviours)
+let named_behaviours t = unique (declared t [ "behaviour" ] @ t.known.behaviours)
 
 let behaviours t =
   names "behaviour" (named_behaviours t @ t.known.imported)
@@ -123,7 +123,7 @@ let features_at_hand t (i : Pieces.item) =
   let found =
     if i.word <> "behaviour" then features_of t (solids_of_body t i)
     else
-      match (on i.first, List.assoc_opt i.name t.known.behaviours) with
+      match (on i.first, Hashtbl.find_opt t.known.wearers i.name) with
       | Some k, _ -> features_of t (solid_at t i (k + 1))
       | None, Some wearers -> features_of t wearers
       | None, None -> []
@@ -209,35 +209,54 @@ let of_behaviour t (i : Pieces.item) =
   else if last = "," && bracket_word <> "{" && List.mem (Pieces.before t.p 3) [ "<"; "~" ] then Some []
   else None
 
-let of_item t (i : Pieces.item) =
-  let last = Pieces.before t.p 1 and bracket = Pieces.bracket t.p in
-  let bracket_word = Option.fold ~none:"" ~some:(fun k -> t.p.words.(k)) bracket in
-  let is words = List.mem i.word words in
+(* After a dot in a behaviour there is another one, or what a module brings; after a bracket, perhaps an argument. *)
+let next_behaviour t i =
+  let last = Pieces.before t.p 1 in
+  match if String.equal last "." then exported t (owner t) else [] with
+  | _ :: _ as found -> found
+  | [] when List.mem last [ "("; "," ] ->
+    behaviours t @ names "channel" (channels t) @ names "feature" (features_at_hand t i) @ values t
+  | [] -> behaviours t
+
+let begins_behaviour t (i : Pieces.item) bracket =
   let has_equals () = Array.exists (String.equal "=") (Array.sub t.p.words i.first (t.p.count - i.first)) in
-  let for_body () =
-    if is [ "behaviour"; "process"; "fixed"; "bond" ] then of_behaviour t i else None
+  let within =
+    match i.word with
+    | "behaviour" -> has_equals ()
+    | "process" | "fixed" -> String.equal bracket "["
+    | _ -> false
   in
-  match for_body () with
-  | Some found -> found
-  | None ->
-    if last = "." then after_dot t i
-    else if i.word = "behaviour" && last = "on" then solids t
-    else if is [ "process"; "fixed"; "compound"; "shape" ] && (last = "=" || last = ":") && bracket_word <> "[" then
-      solids t @ if i.word = "shape" then words [ "mesh"; "hull" ] else if i.word = "compound" then words [ "decompose" ] else []
-    else if
-      is [ "behaviour"; "process"; "fixed" ] && (bracket_word = "[" || (i.word = "behaviour" && has_equals ()))
-      && List.mem last [ "["; "."; "+"; "="; "("; "," ]
-    then behaviours t
-    else if last = "event" then entries Vocabulary.Event Forms.Event
-    else if is [ "process"; "fixed" ] then words attributes @ values t @ words beginning
-    else if i.word = "check" && bracket = None && last = ":" then words temporal @ formula t
-    else if i.word = "check" then formula t
-    else if i.word = "motion" && (bracket <> None || has_equals ()) then
-      entries Vocabulary.Law Forms.Called @ values t @ entries Vocabulary.Function Forms.Called @ words [ "choose"; "inertial"; "if"; "then"; "else" ]
-    else if bracket = None && not (List.mem last [ "="; ":"; "+"; "*"; "<"; ">"; "("; ","; "-" ]) then
-      words beginning @ values t @ anything t
-    else if bracket = None then values t @ entries Vocabulary.Function Forms.Called @ anything t
-    else anything t
+  within && List.mem (Pieces.before t.p 1) [ "["; "."; "+"; "="; "("; "," ]
+
+let functions () = entries Vocabulary.Function Forms.Called
+let in_law t = entries Vocabulary.Law Forms.Called @ values t @ functions () @ words [ "choose"; "inertial"; "if"; "then"; "else" ]
+
+(* What a body, a template or a part is made of. *)
+let made_of t (i : Pieces.item) =
+  let more = match i.word with "shape" -> [ "mesh"; "hull" ] | "compound" -> [ "decompose" ] | _ -> [] in
+  solids t @ words more
+
+let operators = [ "="; ":"; "+"; "*"; "<"; ">"; "("; ","; "-" ]
+
+let of_item t (i : Pieces.item) =
+  let last = Pieces.before t.p 1 in
+  let bracket = Option.fold ~none:"" ~some:(fun k -> t.p.words.(k)) (Pieces.bracket t.p) in
+  let is_open = bracket <> "" and after_operator = List.mem last operators in
+  let in_features = match i.word with "behaviour" | "process" | "fixed" | "bond" -> of_behaviour t i | _ -> None in
+  match (in_features, i.word, last) with
+  | Some found, _, _ -> found
+  | None, _, _ when begins_behaviour t i bracket -> next_behaviour t i
+  | None, _, "." -> after_dot t i
+  | None, "behaviour", "on" -> solids t
+  | None, ("process" | "fixed" | "compound" | "shape"), ("=" | ":") when bracket <> "[" -> made_of t i
+  | None, _, "event" -> entries Vocabulary.Event Forms.Event
+  | None, ("process" | "fixed"), _ -> words attributes @ values t @ words beginning
+  | None, "check", ":" when not is_open -> words temporal @ formula t
+  | None, "check", _ -> formula t
+  | None, "motion", _ when is_open || after_operator -> in_law t
+  | None, _, _ when is_open -> anything t
+  | None, _, _ when after_operator -> values t @ functions () @ anything t
+  | None, _, _ -> words beginning @ values t @ anything t
 
 let offers t =
   match t.item with

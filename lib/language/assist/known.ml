@@ -5,7 +5,8 @@ type solid = { qualifier : string option; name : string; corners : int option }
 
 type t = {
   bodies : (string * solid option) list;
-  behaviours : (string * solid list) list;
+  behaviours : string list;
+  wearers : (string, solid list) Hashtbl.t;
   shapes : string list;
   imported : string list;
   values : string list;
@@ -18,7 +19,7 @@ type t = {
 let empty =
   {
     bodies = []; behaviours = []; shapes = []; imported = []; values = []; modules = []; channels = [];
-    features = Hashtbl.create 1; families = [];
+    features = Hashtbl.create 1; families = []; wearers = Hashtbl.create 1;
   }
 
 let called s = match s.qualifier with Some q -> q ^ "." ^ s.name | None -> s.name
@@ -106,19 +107,17 @@ let of_text modules (r : Reading.t) =
   in
   List.iter (note None) (List.map name templates @ imported);
   List.iter (fun (q, list) -> List.iter (fun (kind, n) -> if kind = "shape" then note (Some q) n) list) brought;
-  let on = declared_on (Lazy.force r.model) in
-  let behaviour d =
-    match Hashtbl.find_opt on (name d) with
-    | Some s -> (name d, [ s ])
-    | None -> (name d, List.filter_map of_solid (Wearers.solids uses.wearers (name d)))
-  in
+  let worn = Hashtbl.create 64 in
+  Wearers.iter uses.wearers (fun name solids -> Hashtbl.replace worn name (List.filter_map of_solid solids));
+  Hashtbl.iter (fun name s -> Hashtbl.replace worn name [ s ]) (declared_on (Lazy.force r.model));
   let channel name _ found = name :: found in
   {
     bodies =
       List.map
         (fun (d : Declared.t) -> (name d, Option.bind d.solid of_solid))
         (of_kind (function Process | Fixed | Leaf -> true | _ -> false));
-    behaviours = List.map behaviour (of_kind (function Behaviour -> true | _ -> false));
+    behaviours = List.map name (of_kind (function Behaviour -> true | _ -> false));
+    wearers = worn;
     shapes = List.map name templates;
     imported;
     values = List.map name (of_kind (function Parameter | Value -> true | _ -> false));

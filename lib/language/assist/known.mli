@@ -8,7 +8,9 @@ type solid = { qualifier : string option; name : string; corners : int option }
 
 type t = private {
   bodies : (string * solid option) list;  (** processes, fixed bodies and leaves, with their solids *)
-  behaviours : (string * solid list) list;  (** with the solids that they are for, or of bodies that have them *)
+  behaviours : string list;
+  wearers : (string, solid list) Hashtbl.t;
+  (** the solids that behaviours are for, or of bodies that have them; of those as well that cannot be read *)
   shapes : string list;
   imported : string list;
   values : string list;

@@ -42,6 +42,11 @@ let beside (all : Declared.all) offset =
 
 let has name (d : Declared.t) = String.equal d.name.it name
 
+(* Checks have names of their own. *)
+let other_check (all : Declared.all) name =
+  let is_it _ (d : Declared.t) found = if d.kind = Check && has name d then Some d else found in
+  Hashtbl.fold is_it all.items None
+
 let taken (uses : Uses.t) target name =
   let globally () = List.find_map (fun table -> List.nth_opt (Declared.find table name) 0) (tables uses.all) in
   match (target : Names.target) with
@@ -49,10 +54,12 @@ let taken (uses : Uses.t) target name =
     (match Uses.channel uses name with [] -> None | c :: _ -> Some c.at)
   | Here offset -> (
       let place (d : Declared.t) = d.name.at in
-      match (beside uses.all offset, Hashtbl.mem uses.all.items offset) with
+      match (beside uses.all offset, Hashtbl.find_opt uses.all.items offset) with
       | (_ :: _ as others), _ -> Option.map place (List.find_opt (has name) others)
-      | [], true -> Option.map place (globally ())
-      | [], false -> None)
+      | [], Some { kind = Model; _ } -> None
+      | [], Some { kind = Check; _ } -> Option.map place (other_check uses.all name)
+      | [], Some _ -> Option.map place (globally ())
+      | [], None -> None)
   | There _ -> Option.map (fun (d : Declared.t) -> d.name.at) (globally ())
   | Several _ -> None
 

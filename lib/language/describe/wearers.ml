@@ -26,6 +26,8 @@ let mentioned (b : Ast.behaviour) =
 
 let solids t name = Option.value ~default:[] (Hashtbl.find_opt t name)
 
+let iter t f = Hashtbl.iter f t
+
 let of_model (model : Ast.model) =
   let t = Hashtbl.create 64 and leads = Hashtbl.create 64 in
   let rec spread = function

@@ -10,3 +10,6 @@ val of_model : Ast.model -> t
 
 val solids : t -> string -> Ast.solid list
 (** The solids that have the behaviour of this name, each once, at most eight. *)
+
+val iter : t -> (string -> Ast.solid list -> unit) -> unit
+(** Calls a function with each behaviour that a body leads to, and its solids. *)

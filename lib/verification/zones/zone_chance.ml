@@ -19,10 +19,15 @@ let serves m (check : Property.check) =
   || match check.asked with Whether -> false | How_likely _ | Expected _ -> true
 
 let refused (m : Model.t) =
-  if Model.of_each m then Some "processes have movement steps of their own (`timestep ... local`)"
-  else if Model.stops_walkers m then Some "walkers stop where they are blocked (`blocked`)"
-  else if Model.draws_ties m then Some "chance decides which of several events comes first"
-  else if m.lots && m.splits = Any_time then Some "splits at any time are left to chance"
+  let value = "give every parameter a value, by `-D` or, for many starts, by `scc sweep -D x=0:3:1/2`" in
+  if Model.of_each m then Some ("processes have movement steps of their own (`timestep ... local`)", value)
+  else if Model.stops_walkers m then
+    Some
+      ( "walkers stop where they are blocked (rule Blocked: a kick is taken or not by all that lies on its path)",
+        value ^ "; or let walkers bounce, `blocked bounce`" )
+  else if Model.draws_ties m then Some ("chance decides which of several events comes first (rule Ties)", value)
+  else if m.lots && m.splits = Any_time then
+    Some ("splits at any time are left to chance (rule Lot)", "give a `split_step`")
   else None
 
 (* {1 Explorations} *)

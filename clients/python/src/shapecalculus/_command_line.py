@@ -76,6 +76,12 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--states", type=positive(int), default=1 << 40, metavar="N", help="keep at most so many states"
     )
+    p.add_argument(
+        "--order",
+        choices=["levels", "any"],
+        default="levels",
+        help="any: owners do not wait for each other; runs need not be the shortest, and nothing is kept",
+    )
     p.add_argument("--no-reduce", action="append", default=[], metavar="NAME,...")
     p.add_argument("--witness", metavar="FOLDER", help="write the schedule of each run that shows something")
     p.add_argument("--json", action="store_true")
