@@ -80,7 +80,7 @@ def by_textmate(texts, _work, _grammar):
     """Scopes by vscode-textmate; places are lines and columns of UTF-16."""
     need("node")
     extension = os.path.join(EDITORS, "vscode")
-    if not os.path.isdir(os.path.join(extension, "node_modules", "vscode-textmate")):
+    if not os.path.isdir(os.path.join(extension, ".made", "node_modules", "vscode-textmate")):
         raise NotThere("the packages of editors/vscode are not installed")
     asked = []
     for _, text, places in texts:

@@ -6,7 +6,7 @@ import subprocess
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 FOLDERS = ("specs", "test", "clients", "editors")
-LEFT_OUT = {"node_modules", "_build", ".venv", ".git"}
+LEFT_OUT = {"_build", ".venv", ".made"}
 
 
 def files(ending):

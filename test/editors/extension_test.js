@@ -28,7 +28,7 @@ function expect(what, holds, shown = "") {
 
 const wait = (ms) => new Promise((done) => setTimeout(done, ms));
 async function until(what, holds) {
-  for (let i = 0; i < 200 && !holds(); i += 1) await wait(50);
+  for (let i = 0; i < 12000 && !holds(); i += 1) await wait(50);
   expect(what, holds());
 }
 

@@ -68,13 +68,13 @@ end
 local function server()
   local path = write('wrong.sc', 'process p = box(1, 1, 1) mas 1 [nil]\nprocess q = box(1, 1, 1) mass 1 at translate (9, 0, 0) [nil]\n')
   vim.cmd('edit ' .. vim.fn.fnameescape(path))
-  local seen = vim.wait(10000, function()
+  local seen = vim.wait(600000, function()
     return #vim.diagnostic.get(0) > 0
   end, 50)
   local found = vim.diagnostic.get(0)
   expect('an error is shown', seen and found[1].lnum == 0, found)
   vim.api.nvim_buf_set_lines(0, 0, 1, false, { 'process p = box(1, 1, 1) mass 1 [nil]' })
-  expect('and goes when it is mended', vim.wait(10000, function()
+  expect('and goes when it is mended', vim.wait(600000, function()
     for _, one in ipairs(vim.diagnostic.get(0)) do
       if one.severity == vim.diagnostic.severity.ERROR then
         return false
@@ -83,7 +83,7 @@ local function server()
     return true
   end, 50), vim.diagnostic.get(0))
   local at = { textDocument = vim.lsp.util.make_text_document_params(), position = { line = 1, character = 8 } }
-  local hover = vim.lsp.buf_request_sync(0, 'textDocument/hover', at, 10000)
+  local hover = vim.lsp.buf_request_sync(0, 'textDocument/hover', at, 600000)
   local told = vim.inspect(hover)
   expect('what a name is', told:find('q', 1, true) ~= nil and told:find('contents', 1, true) ~= nil, hover)
 end

@@ -1,6 +1,7 @@
-(* The real parser, for the tests of the grammars of editors: one text after another, each after a line with its number
-   of bytes, on standard input; for each a line of JSON on standard output: its codes (none if it is accepted), its tokens
-   and comments, and the nodes of its tree, each as its kind with its first byte and the byte after its last one.
+(* The real parser, for the tests of the grammars of editors: one text after another, each after a line with its
+   number of bytes, on standard input. For each a line of JSON on standard output has its codes (none if it is
+   accepted), its tokens and comments, and the nodes of its tree, each as its kind with its first byte and the byte
+   after its last one.
 
    reference.exe words writes the words of the language instead, one a line. *)
 

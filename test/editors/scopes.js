@@ -10,12 +10,12 @@ const fs = require("fs");
 const path = require("path");
 
 const extension = path.resolve(process.argv[2]);
-const of = (name) => require(path.join(extension, "node_modules", name));
+const of = (name) => require(path.join(extension, ".made/node_modules", name));
 const textmate = of("vscode-textmate");
 const oniguruma = of("vscode-oniguruma");
 
 async function main() {
-  const wasm = fs.readFileSync(path.join(extension, "node_modules/vscode-oniguruma/release/onig.wasm"));
+  const wasm = fs.readFileSync(path.join(extension, ".made/node_modules/vscode-oniguruma/release/onig.wasm"));
   await oniguruma.loadWASM(wasm.buffer.slice(wasm.byteOffset, wasm.byteOffset + wasm.byteLength));
   const file = path.join(extension, "syntaxes/scc.tmLanguage.json");
   const registry = new textmate.Registry({

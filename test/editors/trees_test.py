@@ -4,7 +4,7 @@
     trees_test.py REFERENCE GRAMMAR.so [--count 10000] [--seed 1]
 
 REFERENCE is reference.exe, and GRAMMAR.so the compiled grammar. Compared are all models, texts with each word of the
-language in each place of a name, and COUNT mutated models: tokens deleted, duplicated, swapped, replaced; expressions,
+language in each place of a name, operators in the places of operators, and COUNT mutated models: tokens deleted, duplicated, swapped, replaced; expressions,
 behaviours and other pieces in the places of others. Not compared are the limits of the language (numbers of thousands of
 digits, depths of thousands), and a text without declarations: the grammar has none. It needs tree_sitter of PyPI; without
 it the exit code is 3. The last line is 'N passed, N failed'.
@@ -37,6 +37,39 @@ PLACES = (  # of names
     "motion choose { W, for W in 1..2: W weight W }", "motion a = choose { W spin W weight W }", "W", "W W = 1", "let a = 1 W",
     "let a = W W b = 1", "process p = a mass m W 2 [nil]",
 )
+# Of expressions: each stands in the place of each letter of each other one, without brackets.
+OPERATORS = (
+    "L + R", "L - R", "L * R", "L / R", "L mod R", "-R", "L < R", "L = R", "L and R", "L or R", "L => R", "not R", "AG R",
+    "AX R", "EF[1, 2] R", "possibly R", "always R within S", "eventually [<= S] R", "L leads_to R", "L leads_to R within S",
+    "L leads_to[<= S] R", "if S then L else R", "forall i in S: R", "exists i in 1..S if L: R", "count(i in L: R)", "A[L U R]",
+    "E[L U[1, 2] R]", "P >= S [ L U R ]", "P = ? [ R ]", "E = ? [ L at R ]", "f(L, R)", "(L, R, S)", "(R).x", "f(L).x", "event bind(L)")
+TRICKY = (  # texts between tokens, and tokens that only what comes after them tells
+    "let a = 1 /* a /* b */ c */ + 2", "let a = 1 /* a /* b */ + 2", "let a = 1 /* a */ b */", "let a = 1 // /* a\nlet b = 2 // */",
+    "let a = 1 / /* b */ 0", "let a = 1 / // b\n 0.0", "let a = 1 / 0.5", "let a = 1 / 00", "let a = 1/0e5", "let a = 1/0x",
+    "fixed a = b[1] /* c */ : c", "fixed a = b[1 /* ] */] : c", 'fixed a = b["]"] : c', "process a = b[c[1]] : d [e[1]] <a, {b, c}> e : f [nil]",
+    "process a = b[1 let c : 2] : d", "process a = b [(c[1] : d)]", 'import "a\\"b" as c', 'import "a\\b"', 'import "a\\"', 'import "a\nb"',
+    "param a in [1, 2]", "param a in (1, 2] check b : c", "let a = 1..2", "for i in 1..2.5 { }", "let a = 2^-3 - 2^-03", "let a = 1.e", "let a = 1e-5x",
+    "\ufefflet a = 1", "let a = 1\x0c", "let a = 1\x0b", "let a = 1 // \x01", "behaviour b = ⟨a\u0304, {f}⟩ · ω(\u0101, {f}) . ε(1) · nil",
+    "network a ‖ b || c", "let a = 1 < 2 < 3", "let a = 1 <= 2 = ?", "let a = not 1 < 2 = 3", "check a : b leads_to c leads_to d")
+
+
+def combined(random, count):
+    """Expressions of operators in the places of operators: all pairs, and COUNT deeper ones."""
+    letters = ("L", "R", "S")
+
+    def fill(template, inner):
+        return "".join(inner(letter) if letter in letters else letter for letter in template)
+
+    for outer in OPERATORS:
+        for inner in OPERATORS:
+            for place in letters:
+                if place in outer:
+                    yield fill(outer, lambda at: fill(inner, str.lower) if at == place else at.lower())
+    for _ in range(count):
+        def deeper(depth):
+            return random.choice("abc12") if depth == 0 or random.random() < 0.2 else fill(
+                random.choice(OPERATORS), lambda _: deeper(depth - 1))
+        yield deeper(4)
 
 
 def grammar(path):
@@ -196,6 +229,10 @@ def main():
             compare("a word in a place of names", place.replace("W", word).encode())
             barred = "".join(letter + "\u0304" for letter in word)
             compare("a barred word", place.replace("W", barred).encode())
+    for text in TRICKY:
+        compare("a tricky text", text.encode())
+    for text in combined(random.Random(chosen.seed), chosen.count // 2):
+        compare("operators", f"check a : {text}".encode())
     usable = [(text, answer) for text, answer in parsed if not answer["codes"] and answer["tokens"]]
     mutated = iter(Mutations(chosen.seed, usable, real.words()))
     for i in range(chosen.count):
