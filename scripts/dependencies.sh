@@ -10,7 +10,7 @@ build_packages='ocaml-nox ocaml-dune menhir libmenhir-ocaml-dev libzarith-ocaml-
   libsqlite3-ocaml-dev libcohttp-lwt-ocaml-dev libzip-ocaml-dev libxmlm-ocaml-dev libjs-codemirror'
 test_packages='libalcotest-ocaml-dev libqcheck-core-ocaml-dev ocp-indent python3 python3-jsonschema
   python3-pytest python3-venv python3-setuptools python3-wheel graphviz libxml2-utils zsh fish
-  chromium chromium-driver python3-selenium node-typescript e2fsprogs'
+  chromium chromium-driver python3-selenium node-typescript e2fsprogs spin'
 package_packages='dpkg-dev git python3 python3-setuptools python3-wheel'
 
 missing_debian_packages() {

@@ -1,5 +1,5 @@
 """Checks, simulations and sweeps of models on many machines, by Ray (specs/cluster.md). Needs the extra ``cluster``:
-ray, numpy, fsspec.
+ray, fsspec.
 
 from shapecalculus import cluster
 
@@ -16,7 +16,7 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 from ._files import Folder, place
 from ._guard import USAGE
-from ._levels import MOST_LEVELS, Exploration, Progress
+from ._levels import Exploration, Progress
 from ._parts import PartsProgress
 from ._ray import Gauges, connect, told
 from ._spread import simulate, sweep
@@ -83,10 +83,10 @@ def either(a: str, b: str) -> str:
     return next(k for k in ("holds", "holds-up-to-bound", "undecided", "violated") if k in (a, b))
 
 
-def reasons_of(p: Progress, most: int) -> List[str]:
+def reasons_of(p: Progress, most: int, header: Any) -> List[str]:
     found = {
         "states": ["the bound of %d states" % most],
-        "levels": ["the bound of %d transitions without passing time" % MOST_LEVELS],
+        "levels": ["the bound of %s transitions without passing time" % header["bounds"]["instant"]],
     }.get(p.stopped, [])
     return found + (["a number that is too long (--bits)"] if p.too_long else []) + sorted(set(p.faults))
 
@@ -101,7 +101,7 @@ def verdict(plan: Any, p: Progress) -> str:
         for k, part in enumerate(parts):
             result = both(result, part) if kind == "all" else part if k == 0 else either(result, part)
         return result
-    if of in p.met:
+    if of in p.runs:
         return "holds" if kind == "possibly" else "violated"
     if p.complete and of not in p.doubts:
         return "violated" if kind == "possibly" else "holds"
@@ -114,7 +114,7 @@ def goal_shown(plan: Any, p: Progress) -> Optional[int]:
     if plan is None:
         return None
     ((kind, of),) = plan.items()
-    return of if kind in ("possibly", "always") and of in p.met else None
+    return of if kind in ("possibly", "always") and of in p.runs else None
 
 
 # Checks -------------------------------------------------------------------------------
@@ -186,7 +186,7 @@ def check(
         ray = connect(address, deadline)
         for number, folder in folders.items():
             of_this = given + ["--exploration", str(number)]
-            explored(ray, model, of_this, scc, owners, folder, states, progress, disturb, report)
+            explored(ray, model, of_this, scc, owners, folder, states, address is None, progress, disturb, report)
     return report
 
 
@@ -210,15 +210,18 @@ def explored(
     owners: Optional[int],
     folder: Optional[Folder],
     states: int,
+    here: bool,
     progress: Optional[Callable[[Progress], None]],
     disturb: Optional[Callable[[Any], None]],
     report: Report,
 ) -> None:
-    lines = Filter(model, given, scc=scc, framing="lines")
+    lines = Filter(model, given, scc=scc)
     lines.close()  # until there are runs to be shown
     header = lines.header
     count = owners or max(1, int(ray.cluster_resources().get("CPU", 1)))
-    e = Exploration(ray, os.path.abspath(model), given, scc, header, count, folder, states, metrics(ray, progress))
+    asked = {"states": states, "order": "levels"}
+    path, show = os.path.abspath(model), metrics(ray, progress)
+    e = Exploration(ray, path, given, scc, header, count, folder, asked, here, show)
     try:
         p = e.run(disturb)
         report.states += p.states
@@ -230,9 +233,9 @@ def explored(
         for c in header["checks"]:
             if not c["premise"]:
                 goal = goal_shown(c["plan"], p)
-                choices = None if goal is None else e.choices(*p.met[goal])
+                choices = None if goal is None else p.runs[goal]
                 schedule, why = (None, []) if choices is None else replayed(model, given, scc, goal, choices)
-                report.properties.append(shown(c, p, states, schedule, why))
+                report.properties.append(shown(c, p, states, header, schedule, why))
         report.recovered += e.recovered
     finally:
         e.close()
@@ -243,7 +246,7 @@ def replayed(
 ) -> Tuple[Optional[Any], List[str]]:
     """The schedule of a run, or why there is none. The verdict does not depend on it."""
     try:
-        lines = Filter(model, given, scc=scc, framing="lines")
+        lines = Filter(model, given, scc=scc)
         try:
             return lines.run(goal, choices)["schedule"], []
         finally:
@@ -254,11 +257,13 @@ def replayed(
         return None, [REFUSED + str(e)]
 
 
-def shown(c: Any, p: Progress, states: int, schedule: Optional[Any], why: List[str]) -> Verdict:
+def shown(
+    c: Any, p: Progress, states: int, header: Any, schedule: Optional[Any], why: List[str]
+) -> Verdict:
     if c["plan"] is None:
         return Verdict(c["name"], c["formula"], "undecided", ["it is more than a search"], None)
     kind = verdict(c["plan"], p)
-    reasons = reasons_of(p, states) if kind in ("undecided", "holds-up-to-bound") else []
+    reasons = reasons_of(p, states, header) if kind in ("undecided", "holds-up-to-bound") else []
     return Verdict(c["name"], c["formula"], kind, reasons + why, schedule)
 
 
