@@ -48,7 +48,9 @@ let walk model =
     | first :: _ when n > 0 ->
       Printf.printf "  %s: %s\n" first.kind first.label;
       from first.target (n - 1)
-    | _ :: _ | [] -> List.iter show (Scc_library.bodies model state)
+    | _ :: _ | [] ->
+      List.iter show (Scc_library.bodies model state);
+      if Scc_library.quiescent model state then print_endline "  nothing happens any more"
   in
   from (good (Scc_library.initial model)) 4
 
@@ -73,10 +75,32 @@ let describe path =
   let page = measure (fun write -> good (Scc_library.page ~title:"a page" model write)) in
   Printf.printf "a page: %b\n" (page > 100_000)
 
+(* A text that is no file. It imports one, which this program has in memory. *)
+let of_text () =
+  print_endline "== a text";
+  let read = function
+    | "cubes.sc" -> Ok "import <solids>\nbehaviour Idle on solids.Cube(2) = nil\n"
+    | other -> Error (other ^ " is not here")
+  in
+  let text =
+    "import \"cubes.sc\"\nimport <solids>\nparam far = 3\n\
+     process cube = solids.Cube(2) mass 1 [cubes.Idle]\ncheck near : always x(cube) < far\n"
+  in
+  let model = good (Scc_library.load ~read ~set:[ ("far", Q.of_int 7) ] text) in
+  List.iter (fun (p : Scc_library.problem) -> print_endline p.text) (Scc_library.warnings model);
+  let report = good (Scc_library.check model) in
+  let show (v : Scc_library.verdict) = Printf.printf "%s: %s: %s\n" v.name v.formula v.text in
+  List.iter show report.verdicts;
+  walk model;
+  match Scc_library.load "import \"cubes.sc\"\n" with
+  | Ok _ -> print_endline "that file cannot be there"
+  | Error problems -> List.iter (fun (p : Scc_library.problem) -> print_string p.text) problems
+
 let () =
-  let one path =
-    try describe path with
+  let attempt f =
+    try f () with
     | Refused problems ->
       List.iter (fun (p : Scc_library.problem) -> Printf.printf "%s: %s\n" p.code p.message) problems
   in
-  List.iter one (List.tl (Array.to_list Sys.argv))
+  attempt of_text;
+  List.iter (fun path -> attempt (fun () -> describe path)) (List.tl (Array.to_list Sys.argv))

@@ -22,9 +22,9 @@ import shlex
 import tempfile
 from typing import Any, Callable, Dict, List, Optional, Tuple
 
+import IPython.display
 from IPython.core.error import UsageError
 from IPython.core.magic import Magics, line_cell_magic, magics_class
-from IPython.display import HTML, Image, display
 
 from . import _calls, _display, _process
 from ._source import Source, argument
@@ -33,6 +33,8 @@ from .models import Model
 
 #: Options that decide how and where a command prints, which the magic does.
 _OURS = ("--json", "--format", "--output", "-o", "--resume", "--part", "--data", "--human", "--itf", "--color")
+# It has no types.
+_show: Any = IPython.display
 _USAGE = "%%scc COMMAND [OPTIONS] above a model, %%scc model NAME, or %scc COMMAND MODEL [OPTIONS]"
 
 
@@ -71,15 +73,15 @@ class _Line:
         self._handle: Any = None
 
     def show(self, text: str) -> None:
-        html = HTML('<pre style="opacity:0.7">%s</pre>' % _display.escaped(text))
+        html = _show.HTML('<pre style="opacity:0.7">%s</pre>' % _display.escaped(text))
         if self._handle is None:
-            self._handle = display(html, display_id=True)
+            self._handle = _show.display(html, display_id=True)
         else:
             self._handle.update(html)
 
     def clear(self) -> None:
         if self._handle is not None:
-            self._handle.update(HTML(""))
+            self._handle.update(_show.HTML(""))
 
 
 def _plotted(result: Any) -> None:
@@ -90,7 +92,7 @@ def _plotted(result: Any) -> None:
         return
     file = io.BytesIO()
     axes.figure.savefig(file, format="png", dpi=110)
-    display(Image(file.getvalue(), alt=result._line()[1:-1]))
+    _show.display(_show.Image(file.getvalue(), alt=result._line()[1:-1]))
 
 
 def _check(model: Source, words: List[str], tell: Callable[[str], object]) -> Any:
@@ -201,6 +203,11 @@ class SccMagics(Magics):
             if name in _OURS:
                 raise UsageError("the magic chooses how scc %s prints: leave %s out" % (command, name))
 
+    def _variables(self) -> Dict[str, Any]:
+        shell: Any = self.shell
+        names: Dict[str, Any] = shell.user_ns
+        return names
+
     def _named(self, words: List[str], cell: Optional[str]) -> None:
         if cell is None or len(words) != 1 or not words[0].isidentifier():
             raise UsageError("usage: %%scc model NAME, above the text of a model")
@@ -210,13 +217,13 @@ class SccMagics(Magics):
             raise KeyboardInterrupt
         if done.code not in (0, 1, 2, 4):
             raise _failed("check", done)
-        self.shell.user_ns[words[0]] = cell
+        self._variables()[words[0]] = cell
 
     def _model(self, command: str, words: List[str]) -> Tuple[Source, List[str]]:
         if not words or words[0].startswith("-"):
             raise UsageError("usage: %%scc %s MODEL [OPTIONS]: a file, or a variable that is a model" % command)
         name, *options = words
-        variable = self.shell.user_ns.get(name) if name.isidentifier() else None
+        variable = self._variables().get(name) if name.isidentifier() else None
         if isinstance(variable, (str, Model)) and not os.path.exists(name):
             return (text(variable) if isinstance(variable, str) else variable), options
         return name, options
