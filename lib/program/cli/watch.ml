@@ -108,7 +108,13 @@ let look t =
    | Some (Memory | Interrupted) | None -> ());
   match (t.stage, t.last) with
   | Some stage, _ ->
-    let give_up stop = if not (Critical.active ()) then raise (Given_up stop) in
+    (* Once: where signals come late, the next one may come before what is raised has been caught. *)
+    let give_up stop =
+      if not (Critical.active ()) then begin
+        t.stage <- None;
+        raise (Given_up stop)
+      end
+    in
     let half_over =
       match stage with
       | Exploring | Proving -> t.clock () > t.middle

@@ -28,11 +28,10 @@ let find (set : Polyhedron.ifs) =
   let other face = By_corners.find_opt (from_least (List.rev (corners face))) known in
   List.find_map (fun face -> Option.map (fun g -> (fst face, g)) (other face)) faces
 
-let advice set =
+let advice ~union set =
   let text (f, g) =
     Printf.sprintf
-      "two solids share a face: %s and %s have the same corners, in the two directions; for both together: scc \
-       decompose --union"
-      (Visible.line f) (Visible.line g)
+      "two solids share a face: %s and %s have the same corners, in the two directions; for both together: %s"
+      (Visible.line f) (Visible.line g) union
   in
   Option.map text (find set)

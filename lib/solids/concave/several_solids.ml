@@ -1,5 +1,4 @@
 open Scc_geometry
-open Scc_concave
 
 (* Each trial looks at all faces. *)
 let most_tried = 100_000
@@ -33,13 +32,13 @@ let edges (set : Polyhedron.ifs) =
 
 (* {1 Edges of several solids} *)
 
-let shared_edge (set : Polyhedron.ifs) edges =
+let shared_edge ~union (set : Polyhedron.ifs) edges =
   match List.find_opt (fun (_, faces) -> List.compare_length_with faces 3 > 0) edges with
   | Some ((u, v), _) when United.takes set && not (Scc_mesh.Mend.has_faces_twice set) ->
     let name v = Scc_base.Visible.line (fst set.ifs_vertices.(v)) in
     Some
-      (Printf.sprintf "solids have an edge in common, from %s to %s; for all of them: scc decompose --union"
-         (name u) (name v))
+      (Printf.sprintf "solids have an edge in common, from %s to %s; for all of them: %s" (name u) (name v)
+         union)
   | Some _ | None -> None
 
 (* {1 Walls} *)
@@ -73,7 +72,7 @@ let some_faces (set : Polyhedron.ifs) wanted =
 (* Flat patches without all of which the other faces are closed. *)
 let walls (set : Polyhedron.ifs) edges =
   let faces patch = Array.of_list (List.map (Array.get set.ifs_faces) patch) in
-  let is_flat patch = Sheet.is_flat { set with ifs_faces = faces patch } in
+  let is_flat patch = Flat_mesh.is_flat { set with ifs_faces = faces patch } in
   let inner = Array.map (fun _ -> false) set.ifs_faces in
   let all = List.concat (List.filter is_flat (patches set edges)) in
   List.iter (fun f -> inner.(f) <- true) all;
@@ -97,12 +96,15 @@ let in_range (set : Polyhedron.ifs) =
 
 let ( <|> ) found next = match found with Some _ -> found | None -> next ()
 
-let advice ~union set =
-  (if union then None else Shared_face.advice set)
+let of_several ?union set =
+  (match union with None -> None | Some union -> Shared_face.advice ~union set)
   <|> fun () ->
     if Array.length set.ifs_faces > most_tried || not (in_range set) then None
     else
       let edges = edges set in
       let crowded (_, faces) = List.compare_length_with faces 2 > 0 in
       if not (List.exists crowded edges) then None
-      else (if union then None else shared_edge set edges) <|> fun () -> wall set edges
+      else (match union with None -> None | Some union -> shared_edge ~union set edges) <|> fun () -> wall set edges
+
+let advice ?union set =
+  match Flat_mesh.advice set with Some _ as flat -> flat | None -> of_several ?union set
