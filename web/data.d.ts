@@ -144,7 +144,7 @@ interface DataWhere {
   hidden: string[];
   checks: string[];
   /** Probabilities, each with its values by size. */
-  numbers: { name: string; values: { least: string; most: string }[] }[];
+  numbers: { name: string; values: { least: string | null; most: string | null; form?: string }[] }[];
   regions: DataRegion[];
   samples: DataSample[];
 }

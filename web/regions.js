@@ -163,7 +163,11 @@ const Regions = (() => {
   /** @param {number} k of a number @param {number | null} value which of its values */
   function valued(k, value) {
     if (value === null) return words.varies;
-    const { least, most } = where.numbers[k].values[value], [a, b] = [Rational.of(least), Rational.of(most)];
+    const { least, most, form } = where.numbers[k].values[value];
+    if (form !== undefined) return form;
+    if (least === null) return "infinite";
+    const a = Rational.of(least), b = most === null ? null : Rational.of(most);
+    if (b === null) return `at least ${Exactly.both(a)}`;
     return Rational.cmp(a, b) === 0 ? Exactly.both(a) : `from ${Exactly.both(a)} to ${Exactly.both(b)}`;
   }
 
@@ -176,8 +180,11 @@ const Regions = (() => {
    */
   function tint(k, value) {
     if (value === null) return "var(--quiet)";
-    const middle = where.numbers[k].values.map(({ least, most }) => (Rational.toNumber(Rational.of(least)) + Rational.toNumber(Rational.of(most))) / 2);
-    const low = Math.min(...middle), high = Math.max(...middle);
+    const end = (/** @type {string} */ x) => Rational.toNumber(Rational.of(x));
+    const middle = where.numbers[k].values.map(({ least, most }) =>
+      least === null ? Infinity : most === null ? end(least) : (end(least) + end(most)) / 2);
+    const finite = middle.filter(Number.isFinite), low = Math.min(...finite), high = Math.max(...finite);
+    if (!Number.isFinite(middle[value])) return `rgb(${scale[scale.length - 1].join(", ")})`;
     const part = (high > low ? (middle[value] - low) / (high - low) : 0.5) * (scale.length - 1);
     const i = Math.min(scale.length - 2, Math.floor(part)), rest = part - i;
     return `rgb(${scale[i].map((from, c) => Math.round(from + rest * (scale[i + 1][c] - from))).join(", ")})`;

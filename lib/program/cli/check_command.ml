@@ -169,7 +169,11 @@ let write_outputs console (extras : Check_extras.t) path (l : Loaded.t) report v
   let title = Option.value l.origin.name ~default:"a model" in
   Option.iter (fun path -> output (write_file path (Curve_output.picture ~title verdicts))) extras.plot;
   let named = Drawn_checks.named verdicts report and ranges = l.model.ranges in
-  Option.iter (fun path -> output (write_file path (Scc_regions.Smt.script ranges named))) extras.smt;
+  let smt path =
+    let claims, numbers = Drawn_checks.split ~name:(Printf.sprintf "%s-%s") verdicts named in
+    output (write_file path (Scc_regions.Smt.script ranges ~numbers claims))
+  in
+  Option.iter smt extras.smt;
   Option.iter (fun path -> output (write_invariant console path l report)) extras.invariant;
   let draw (path, view) =
     let claims, values = Drawn_checks.split verdicts named in

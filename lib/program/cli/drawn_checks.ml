@@ -5,14 +5,16 @@ let named verdicts (report : Check.report) =
   | [] -> []
   | where -> List.map2 (fun (o : Verdict.outcome) w -> (o.check.name, w)) verdicts where
 
-let split verdicts named =
+let with_side = Printf.sprintf "%s (%s)"
+
+let split ?(name = with_side) verdicts named =
   let numbers (o : Verdict.outcome) =
     match o.verdict with
     | Measured { starts = (_, first) :: rest; _ }
       when List.for_all (fun (_, c) -> Scc_regions.Chances.equal first c) rest ->
       [ (o.check.name, first) ]
     | Measured { starts; _ } ->
-      let named (side, c) = (Printf.sprintf "%s (%s)" o.check.name (Scc_explain.Likelihoods.side side), c) in
+      let named (side, c) = (name o.check.name (Scc_explain.Likelihoods.side side), c) in
       List.map named starts
     | Holds _ | Violated _ | Depends _ | Undecided _ -> []
   in

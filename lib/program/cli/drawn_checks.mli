@@ -9,6 +9,9 @@ val named : Verdict.outcome list -> Check.report -> (string * Where.t) list
     is empty where a limit has ended all work. *)
 
 val split :
-  Verdict.outcome list -> (string * Where.t) list -> (string * Where.t) list * (string * Chances.t) list
-(** [split outcomes named] has the claims among [named], and the probabilities among [outcomes]. A probability
-    whose least and greatest value over the choices differ is there twice, with the side in its name. *)
+  ?name:(string -> string -> string) ->
+  Verdict.outcome list ->
+  (string * Where.t) list -> (string * Where.t) list * (string * Chances.t) list
+(** [split ?name outcomes named] has the claims among [named], and the probabilities among [outcomes]. A probability
+    whose least and greatest value over the choices differ is there twice, with the side in its name: [name check side],
+    by default [check (side)]. *)

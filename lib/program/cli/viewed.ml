@@ -16,6 +16,7 @@ type checks = All | Only of string | Unchecked
 type options = {
   path : string;
   source : Source.t option;
+  read_file : Loaded.reader option;
   given : Options.definitions;
   budget : Budget.t;
   checks : checks;
@@ -216,7 +217,8 @@ let read_schedule console o =
 let model console o schedule =
   let* l =
     match schedule with
-    | None -> Input.model ?source:o.source console ~overrides:o.given.values ~narrowed:o.given.narrowed o.path
+    | None ->
+      Input.model ?source:o.source ?read_file:o.read_file console ~overrides:o.given.values ~narrowed:o.given.narrowed o.path
     | Some s -> Scheduled.model console s ~given:o.given o.path
   in
   Console.report console l.warnings;

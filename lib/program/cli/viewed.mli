@@ -12,6 +12,7 @@ type checks = All | Only of string  (** by its name *) | Unchecked
 type options = {
   path : string;
   source : Source.t option;  (** its content, if the file is not read *)
+  read_file : Loaded.reader option;  (** how imports and meshes are read, if not from files *)
   given : Options.definitions;
   budget : Budget.t;
   checks : checks;  (** which checks are made *)

@@ -103,6 +103,11 @@ type t = {
 let drawn ranges view ~checks ~numbers =
   Plane.regions ~values:(List.map snd numbers) ranges view (List.map snd checks)
 
+(* Of a value that depends on the parameters. *)
+let form (ranges, (p : Chances.part)) =
+  let depends = function Some f -> not (Scc_polyhedra.Linear.is_constant f) | None -> false in
+  if depends p.value.least || depends p.value.most then Some (Words.value ranges p.value) else None
+
 let format =
   let shown d =
     let claims = List.length d.checks in
@@ -112,15 +117,18 @@ let format =
   let value =
     fields
       [
-        field "least" Shared.rational (fun (p : Chances.part) -> p.value.least);
-        field "most" Shared.rational (fun (p : Chances.part) -> p.value.most);
+        field "least" (nullable Shared.rational) (fun (_, p) -> (Chances.ends_of p).low)
+          ~about:"Its greatest lower bound; null of what is infinite.";
+        field "most" (nullable Shared.rational) (fun (_, p) -> (Chances.ends_of p).high)
+          ~about:"Its least upper bound; null if none is known.";
+        maybe "form" some_text form ~about:"Of what is not one number: what it is by the parameters.";
       ]
   in
   let number =
     fields
       [
         field "name" some_text fst;
-        field "values" (list value) (fun (_, (c : Chances.t)) -> c.parts)
+        field "values" (list value) (fun (_, (c : Chances.t)) -> List.map (fun p -> (c.ranges, p)) c.parts)
           ~about:"Its values, by size: exact where both bounds are the same.";
       ]
   in
