@@ -203,14 +203,9 @@ const Events = (() => {
     ])));
   }
 
-  /** @param {number} legs */
-  function unpin(legs) {
-    const is = kept().has(legs);
-    return Dom.button(is ? "×" : "Pin", (event) => {
-      event.stopPropagation();
-      pin(legs);
-    }, { class: "link pin-button", tabindex: "-1", "aria-label": is ? "Unpin" : "Pin", title: is ? "Unpin" : "Keep it in view (p)", test: `pin-${legs}` });
-  }
+  /** @param {number} legs of one that is pinned */
+  const unpin = (legs) => Dom.button("×", () => pin(legs),
+    { class: "link pin-button", "aria-label": "Unpin", title: "Unpin", test: `unpin-${legs}` });
 
   /** @param {number} legs */
   const kind = (legs) => (legs === 0 ? "start" : label(legs).kind);
@@ -243,7 +238,15 @@ const Events = (() => {
       Dom.make("span", { class: "row-side" }, [
         Dom.make("span", { class: wish.exact ? "time whole" : "time", text: wish.exact ? exact : short(time), title: Exactly.both(time) }),
         wish.exact && exact.length > 20 ? null : Dom.make("span", {}, [
-          unpin(index),
+          // No button, as a row is one choice of a list; by keys, p pins the present event.
+          Dom.make("span", {
+            class: "link pin-button", text: kept().has(index) ? "×" : "Pin", title: kept().has(index) ? "Unpin" : "Keep it in view (p)",
+            "aria-hidden": "true", test: `pin-${index}`,
+            click: (/** @type {Event} */ event) => {
+              event.stopPropagation();
+              pin(index);
+            },
+          }),
           rules.length === 0
             ? null
             : Dom.make("span", {

@@ -390,6 +390,43 @@ def pictures(b, scc):
     b.prefer(color_scheme='light')
 
 
+README = 'specs/pictures/page.png'
+#: How much pixels of two pictures of one size differ in the mean, of 255.
+APART = """
+  const [one, two, done] = arguments;
+  async function pixels(address) {
+    const image = new Image(), canvas = document.createElement("canvas"), pen = canvas.getContext("2d");
+    image.src = address;
+    await image.decode();
+    [canvas.width, canvas.height] = [image.naturalWidth, image.naturalHeight];
+    pen.drawImage(image, 0, 0);
+    return pen.getImageData(0, 0, canvas.width, canvas.height).data;
+  }
+  (async () => {
+    const [a, b] = [await pixels(one), await pixels(two)];
+    done(a.length !== b.length ? 255 : a.reduce((sum, x, i) => sum + Math.abs(x - b[i]), 0) / a.length);
+  })().catch((error) => done(String(error)));"""
+
+
+def readme(b, scc):
+    """The picture of the README is the one that the page saves. By hand: PICTURE=FILE saves it anew."""
+    b.prefer(color_scheme='light')
+    b.open(scc.view(HEXOKINASE))
+    b.js('scc.open(scc.runs().findIndex((run) => run.name === "first choices")); scc.seek("1")')
+    for name in ['marks', 'names']:
+        b.find(name).click()
+    png = saved(b, kind='png', size='own', pixels=900, background='white', legend=True, bar=True, clock=True, axes=True)
+    if os.environ.get('PICTURE'):
+        with open(os.environ['PICTURE'], 'wb') as f:
+            f.write(png)
+    with open(README, 'rb') as f:
+        kept = f.read()
+    blank(b, scc)
+    apart = b.driver.execute_async_script(APART, address('image/png', png), address('image/png', kept))
+    # Letters and edges are drawn a little differently by other versions and fonts.
+    check('the picture of the README', isinstance(apart, (int, float)) and apart < 4, apart)
+
+
 FILMED = """
   const [time] = arguments, done = arguments[1], film = document.querySelector("video");
   film.onseeked = () => {
@@ -440,4 +477,4 @@ def dialog(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
-PARTS = [marks, gone, compared, beyond, silhouettes, by_schedule, pictures, films, dialog]
+PARTS = [marks, gone, compared, beyond, silhouettes, by_schedule, pictures, readme, films, dialog]
