@@ -44,7 +44,12 @@ The pages are those of the program, and groff finds nothing wrong with them:
   >   grep -q "^\.TH \"$(echo $name | tr a-z A-Z)\" 1" $page || echo "$page: no title"
   >   if command -v groff > /dev/null; then groff -man -ww -K utf8 -T utf8 $page 2>&1 > /dev/null; fi
   > done
-  $ scc check --help=groff | cmp - prefix/share/man/man1/scc-check.1
+  $ scc check --help=groff | diff - prefix/share/man/man1/scc-check.1
+  9c9
+  < scc\N'45'check \N'45' explore a model and verify its properties
+  ---
+  > scc\-check \- explore a model and verify its properties
+  [1]
 
 Each command and each option of its manual is known to each shell, and the shells can read what is written for them.
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
-from . import frames, numbers
+from . import _display, frames, numbers
 from .numbers import Number
 from .runs import Run
 
@@ -383,3 +383,15 @@ class Checked:
     def to_dataframe(self, as_float: bool = False) -> Any:
         """``rows`` as a ``pandas.DataFrame``, with Fractions, or with floats."""
         return frames.frame(self.rows, _COLUMNS, as_float, _NUMBERS)
+
+    def _line(self) -> str:
+        said = _display.counted(self.verdicts.values())
+        return _display.line("checked", "%s; %s" % (said, _display.explored(self.report)), self.interrupted)
+
+    _repr_pretty_ = _display.pretty
+
+    def _repr_html_(self) -> str:
+        rows = [{**check.row(), "formula": check.formula, "verdict": check.verdict} for check in self.checks.values()]
+        columns = ("check", "verdict", "formula", "low", "high", "bounds", "why")
+        table = _display.table(rows, columns, _display.explored(self.report), most=200)
+        return table + _display.messages([str(d) for d in self.run.diagnostics] if self.run else [])

@@ -1,0 +1,3 @@
+(** The command [scc lsp]. *)
+
+val command : Scc_verdicts.Exit_code.t Cmdliner.Cmd.t
