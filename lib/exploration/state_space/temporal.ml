@@ -172,7 +172,7 @@ let predicate t i = t.asked.props.(i)
 type sensitivity = {
   temporal : t;
   parameter : Sensitivity.parameter;
-  mutable known : ((Property.side * Timed_formula.t) * Sensitivity.result) list;
+  mutable known : ((Property.side * Timed_formula.t) * Scc_chance.Parametric.piece list Sensitivity.result) list;
   (** the functions of probabilities found so far: several checks may be about one *)
 }
 
