@@ -381,3 +381,18 @@ Faces that surround nothing, and no faces:
    1 | OFF
      | ^
   [3]
+
+A model says the same of a mesh, in its own words:
+
+  $ printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' > sheet.off
+  $ told() {
+  >   printf '%s\nprocess p = B %s velocity (1, 0, 0) [nil]\n' "$1" "$2" > told.sc
+  >   scc check told.sc 2>&1 | grep hint
+  > }
+  $ for mesh in edge sheet; do
+  >   told "shape B = mesh \"$mesh.off\" weld" 'mass 1'; told "compound B = decompose \"$mesh.off\" weld mass 1"
+  > done
+    hint: solids have an edge in common, from v2 to v6; for all of them: a compound = decompose "file" union
+    hint: solids have an edge in common, from v2 to v6; for all of them: write `union` after the file
+    hint: all corners are in one plane; a sheet bounds no solid: give it a thickness in the program that made it
+    hint: all corners are in one plane; a sheet bounds no solid: give it a thickness in the program that made it

@@ -38,12 +38,15 @@ let rec file (s : Ast.solid) =
   | Scaled (inner, _) -> file inner
   | Template _ | Faces _ | Hull _ -> None
 
-let hint file (fault : Decomposed.fault) =
+let hint (set : Polyhedron.ifs) file (fault : Decomposed.fault) =
   match (fault, file) with
   | (Pieces (Apart _ | Island _) | Unsound (Cut _)), Some (_, (m : Ast.mending)) when not m.union ->
     Some "write `union` after the file: solids that overlap, share faces or touch become one"
   | Pieces (Outward _), Some (_, m) when not m.orient ->
     Some "write `orient` after the file: faces are turned over so that all look out of the solid"
+  | Nothing, Some (_, m) when (not m.orient) && Rat.sign (Drawn.volume set) < 0 ->
+    Some "write `orient` after the file: faces are turned over so that all look out of the solid"
+  | Nothing, Some _ -> Some Flat_mesh.cure
   | Too_many _, Some _ -> Some "`scc decompose` with --parts and -o writes a compound of more parts"
   | _ -> None
 
@@ -59,11 +62,11 @@ let report (c : Context.t) solid (set : Polyhedron.ifs) fault =
   let file = file solid in
   let told ?notes at =
     let code, text = Decomposed.message set fault in
-    Report.error c.report code at ?notes ?hint:(hint file fault) "%s" text
+    Report.error c.report code at ?notes ?hint:(hint set file fault) "%s" text
   in
   match (fault : Decomposed.fault) with
   | Unsound (Structure faults) ->
-    List.iter (Templates.report_fault c ?mending:(Option.map snd file) places set) faults
+    Templates.report_faults c ?mending:(Option.map snd file) ~decomposed:true places set faults
   | Unsound (Cut (f, g, _)) ->
     told (Templates.face_span places f) ~notes:(also f g)
   | Pieces (Apart (f, g) | Island (f, g)) ->

@@ -1,6 +1,7 @@
 open Scc_base
 open Scc_exact
 open Scc_geometry
+open Scc_concave
 open Scc_syntax
 
 (* Instances that are made for one another. *)
@@ -35,7 +36,11 @@ let word_that_mends (m : Ast.mending) : Polyhedron_fault.t -> string option = fu
   | Not_convex _ -> Some "a compound = decompose \"file\" cuts a solid that is not convex into convex parts"
   | _ -> None
 
-let report_fault (c : Context.t) ?mending places (ifs : Polyhedron.ifs) fault =
+let message (ifs : Polyhedron.ifs) fault =
+  let vertex i = fst ifs.ifs_vertices.(i) and face i = fst ifs.ifs_faces.(i) in
+  Polyhedron_fault.message ~vertex ~face fault
+
+let report_fault (c : Context.t) ?mending ?cure places (ifs : Polyhedron.ifs) fault =
   let vertex i = fst ifs.ifs_vertices.(i) and face i = fst ifs.ifs_faces.(i) in
   let located = function
     | Vertex i when i < Array.length places.vertices -> Some places.vertices.(i)
@@ -54,13 +59,31 @@ let report_fault (c : Context.t) ?mending places (ifs : Polyhedron.ifs) fault =
     | Some f -> Option.to_list (Option.map (fun at -> (at, named f)) (located f))
   in
   let hint =
-    match Option.bind mending (fun m -> word_that_mends m fault) with
-    | Some _ as word -> word
-    | None -> Polyhedron_fault.hint ~vertex ~face fault
+    match (cure, Option.bind mending (fun m -> word_that_mends m fault)) with
+    | Some cure, _ -> cure
+    | None, (Some _ as word) -> word
+    | None, None -> Polyhedron_fault.hint ~vertex ~face fault
   in
   Report.error c.report (Polyhedron_fault.code fault) span ~notes ?hint
-    "%s"
-    (Polyhedron_fault.message ~vertex ~face fault)
+    "%s" (message ifs fault)
+
+(* What can be done about a whole mesh is said once, as words of a model: with the fault that is told first, since of
+   many the last are left out. *)
+let report_faults c ?mending ?(decomposed = false) places ifs faults =
+  let union = if decomposed then "write `union` after the file" else "a compound = decompose \"file\" union" in
+  let cure (m : Ast.mending) =
+    match Several_solids.advice ?union:(if m.union then None else Some union) ifs with
+    | Some _ as cure -> cure
+    | None ->
+      let written d = Printf.sprintf "write `grid %s weld` after the file: gaps between faces close" d in
+      Option.map (fun d -> written (Decimal.significant ~digits:1 d)) (Mended.closing ifs faults)
+  in
+  match Option.bind mending cure with
+  | None -> List.iter (report_fault c ?mending places ifs) faults
+  | Some _ as cure ->
+    let place fault = ((Polyhedron_fault.code fault :> string), message ifs fault) in
+    let faults = List.sort (fun a b -> compare (place a) (place b)) faults in
+    List.iteri (fun i -> report_fault c ~cure:(if i = 0 then cure else None) places ifs) faults
 
 let face_span places i = if i < Array.length places.faces then places.faces.(i) else places.whole
 
@@ -77,7 +100,7 @@ let accept (c : Context.t) ?mending places ~label ifs =
       let id = c.fresh () in
       Some { Shape.id; root = id; label; polyhedron }
     | Error faults ->
-      List.iter (report_fault c ?mending places ifs) faults;
+      report_faults c ?mending places ifs faults;
       None
 
 (* Vertices and faces share one space of names, as features do. *)
@@ -157,7 +180,7 @@ let known (c : Context.t) (reference : Family.reference) =
     Some t.shape
   | None -> None
 
-let find_known (c : Context.t) (r : Ast.reference) (reference : Family.reference) =
+let find_known (c : Context.t) env (r : Ast.reference) (reference : Family.reference) =
   match (known c reference, Family.find c.families reference) with
   | Some shape, _ -> shape
   | None, Some _ when Family.is_open reference -> None
@@ -172,12 +195,12 @@ let find_known (c : Context.t) (r : Ast.reference) (reference : Family.reference
             { Context.shape; span = r.target.at; own = false; used = true };
         shape
       | None ->
-        Family.report_unknown c.report "template" (Context.template_names c @ Solids.names) r reference;
+        Family.report_unknown c.report env "template" (Context.template_names c @ Solids.names) r reference;
         None)
 
 let find (c : Context.t) env (r : Ast.reference) =
   let*? reference = Family.reference c.report env r in
-  find_known c r reference
+  find_known c env r reference
 
 let resolve_corners (c : Context.t) index (face : Ast.name) corners =
   let names () = Hashtbl.fold (fun name _ all -> name :: all) index [] |> List.sort String.compare in

@@ -25,15 +25,18 @@ type places
 val places_of : Scc_base.Span.t -> (Ast.name * 'a) list -> (Ast.name * 'b) list -> places
 (** [places_of whole vertices faces] is the places of a solid. A mesh has none for its vertices and faces. *)
 
-val report_fault :
+val report_faults :
   Context.t ->
   ?mending:Ast.mending ->
+  ?decomposed:bool ->
   places ->
   Scc_geometry.Polyhedron.ifs ->
-  Scc_geometry.Polyhedron_fault.t ->
+  Scc_geometry.Polyhedron_fault.t list ->
   unit
-(** Reports a fault of a polyhedron, with its own code, at the feature that has it, or at the whole solid. With
-    [mending], of a mesh, the hint names a word that would mend it, if there is one that is not there yet. *)
+(** Reports the faults of a polyhedron, each with its own code, at the feature that has it, or at the whole solid. With
+    [mending], of a mesh, the hint names a word that would mend it, if there is one that is not there yet. What can be
+    done about the whole mesh, as about several solids in it, is said with the fault that is told first, as for [decompose] if it is
+    [decomposed]. *)
 
 val face_span : places -> int -> Scc_base.Span.t
 (** [face_span places i] is the place of the face [i], or of the whole solid if the face is not written. *)

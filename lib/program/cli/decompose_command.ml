@@ -7,16 +7,14 @@ open Cmdliner
 
 (* {1 Faults} *)
 
+let union_command = "scc decompose --union"
+
 (* What an option mends is to be mended by that: the last of the faults says so. *)
 let structure ~union (set : Polyhedron.ifs) faults =
   let name array i = if i >= 0 && i < Array.length array then fst array.(i) else string_of_int i in
   let vertex = name set.ifs_vertices and face = name set.ifs_faces in
   let last = List.length faults - 1 in
-  let cure =
-    match Sheet.advice set with
-    | None -> Several_solids.advice ~union set
-    | Some _ as sheet -> sheet
-  in
+  let cure = Several_solids.advice ?union:(if union then None else Some union_command) set in
   let tries = Mend_options.all_helping set faults in
   let one i fault =
     let hint =
@@ -42,7 +40,7 @@ let diagnostics ~union (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list 
         Some "each of several solids needs a file of its own, or add --union for all of them"
       | Pieces (Outward _) -> Some "to mend it, add --orient"
       (* Of faces that are there from both sides no volume is left. *)
-      | Nothing -> Some (if Rat.sign (Drawn.volume set) < 0 then "to mend it, add --orient" else Sheet.cure)
+      | Nothing -> Some (if Rat.sign (Drawn.volume set) < 0 then "to mend it, add --orient" else Flat_mesh.cure)
       | Unsound (Cut _) when not union -> Some "if solids overlap there, add --union"
       | Too_many most when most < greatest -> Some "--parts sets how many there may be"
       | Unsound (Structure _ | Cut _) | Too_many _ -> None

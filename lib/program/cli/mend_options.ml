@@ -47,9 +47,6 @@ let apply o set =
     (fun why -> [ Diag.error Code.overused_edge Span.none "the faces cannot be oriented: %s" why ])
     (Mended.apply o set)
 
-(* Each trial looks at all faces. *)
-let most_tried = 100_000
-
 (* In the order in which they help. *)
 let helping (set : Polyhedron.ifs) faults =
   let some test = List.exists test faults in
@@ -67,13 +64,10 @@ let helping (set : Polyhedron.ifs) faults =
   in
   List.filter_map (fun (wanted, name) -> if wanted then Some name else None) tries
 
-let closing (set : Polyhedron.ifs) faults =
-  let opened = function Polyhedron_fault.Open_edge _ -> true | _ -> false in
-  if Array.length set.ifs_faces > most_tried || not (List.exists opened faults) then []
-  else
-    match Scc_mesh.Mend.closing_grid set with
-    | Some d -> [ "--grid " ^ Decimal.significant ~digits:1 d; "--weld" ]
-    | None -> []
+let closing set faults =
+  match Mended.closing set faults with
+  | Some d -> [ "--grid " ^ Decimal.significant ~digits:1 d; "--weld" ]
+  | None -> []
 
 let all_helping set faults =
   let grid = closing set faults in

@@ -1,6 +1,7 @@
 open Scc_base
 open Scc_exact
 open Scc_geometry
+open Scc_concave
 open Scc_verdicts
 open Scc_snap
 open Cmdliner
@@ -144,13 +145,13 @@ let advice (r : Solid_report.t) =
   | Accepted _ -> ""
   | Rejected faults ->
     let line text = text ^ "\n" in
-    let told = function None -> "" | Some text -> line text in
-    match Sheet.advice r.set with
-    | Some sheet -> line sheet
-    | None ->
+    let union = "scc decompose --union" in
+    let several = Option.fold ~none:"" ~some:line (Several_solids.advice ~union r.set) in
+    if Flat_mesh.is_flat r.set then several
+    else
       let tries = Mend_options.all_helping r.set faults in
       let bent = function Polyhedron_fault.Not_convex _ | Degenerate_face _ -> true | _ -> false in
-      told (Several_solids.advice ~union:false r.set)
+      several
       ^ (if tries = [] then "" else line ("to mend it: scc shape " ^ String.concat " " tries))
       ^
       if List.exists bent faults then line "for convex parts of it: scc decompose; for its hull: scc shape --hull"

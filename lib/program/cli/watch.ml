@@ -108,7 +108,13 @@ let look t =
    | Some (Memory | Interrupted) | None -> ());
   match (t.stage, t.last) with
   | Some stage, _ ->
-    let give_up stop = if not (Critical.active ()) then raise (Given_up stop) in
+    (* Once: where signals come late, the next one may come before what is raised has been caught. *)
+    let give_up stop =
+      if not (Critical.active ()) then begin
+        t.stage <- None;
+        raise (Given_up stop)
+      end
+    in
     let half_over =
       match stage with
       | Exploring | Proving -> t.clock () > t.middle
@@ -163,6 +169,7 @@ let more t seconds =
   look t
 
 let stop t () = t.over
+let has_read t = t.reading <- false
 
 (* When a part of the work is over: what explores, by the clock, and what concludes, as a {!position}. *)
 type until = { explored : float; concluded : float }

@@ -36,3 +36,11 @@ let apply o set =
        let set, told = step o.merge "merge" Mend.merge done_ in
        (set, List.rev told))
     oriented
+
+(* Each trial looks at all faces. *)
+let most_tried = 100_000
+
+let closing (set : Polyhedron.ifs) faults =
+  let opened = function Polyhedron_fault.Open_edge _ -> true | _ -> false in
+  if Array.length set.ifs_faces > most_tried || not (List.exists opened faults) then None
+  else Scc_mesh.Mend.closing_grid set

@@ -9,3 +9,7 @@ type t = { grid : Rat.t option; weld : bool; orient : bool; merge : bool }
 val apply : t -> Polyhedron.ifs -> (Polyhedron.ifs * (string * string) list, string) result
 (** [apply t set] is the changed set, with the name of each change and a sentence on its effect. [Error] says why
     the faces cannot be oriented (SC0303). *)
+
+val closing : Polyhedron.ifs -> Polyhedron_fault.t list -> Rat.t option
+(** [closing set faults] is the distance of a grid on which gaps between faces close, if there are some and such a
+    distance was found. *)
