@@ -69,8 +69,8 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
 
   (** {2 Workers} *)
 
-  let all_or_none list = if List.for_all Option.is_some list then Some (List.filter_map Fun.id list) else None
-  let make_slots count length = all_or_none (List.init count (fun _ -> Scc_shared.Shared_memory.numbers length))
+  let make_slots count length =
+    Scc_shared.Shared_memory.(all (List.init count (fun _ -> numbers length)))
 
   (* Where the system gives no memory or no process there are fewer. *)
   let new_worker c =
@@ -78,7 +78,8 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     | Some slots, Some bells ->
       let slots = Array.of_list slots in
       let add channel =
-        c.workers <- { channel; bells; slots; live = Queue.create (); beyond = 0; under_way = []; words = 0 } :: c.workers
+        let live = Queue.create () in
+        c.workers <- { channel; bells; slots; live; beyond = 0; under_way = []; words = 0 } :: c.workers
       in
       Option.iter add (Channel.fork (Service.serve c.shared slots bells))
     | _ -> ()
@@ -280,7 +281,8 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
 
   let begun shared balance jobs waits =
     let own_slots = List.init own_slots (fun _ -> Bigarray.(Array1.create int c_layout slot_length)) in
-    let rec first_waiting i = if i < Graph.size shared.Service.graph && not (waits i) then first_waiting (i + 1) else i in
+    let size = Graph.size shared.Service.graph in
+    let rec first_waiting i = if i < size && not (waits i) then first_waiting (i + 1) else i in
     let unasked = first_waiting 0 and requests = Queue.create () in
     let c = { shared; balance; jobs; waits; requests; own_slots; now = -1; unasked; workers = []; deaths = 0 } in
     Graph.set_full shared.graph shared.common (fun () -> make_room c);

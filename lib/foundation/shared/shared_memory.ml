@@ -32,6 +32,7 @@ let rec of_bits bits =
 
 let many_numbers () = of_bits most_bits
 let halves count = map int32 count
+let all list = if List.for_all Option.is_some list then Some (List.filter_map Fun.id list) else None
 let bytes count = map int8_unsigned count
 
 external exchange_half : halves -> (int[@untagged]) -> (int[@untagged]) -> (int[@untagged]) -> (int[@untagged])
@@ -47,7 +48,8 @@ external fetch_and_add : numbers -> (int[@untagged]) -> (int[@untagged]) -> (int
 [@@noalloc]
 
 external acquire : numbers -> (int[@untagged]) -> (int[@untagged]) = "scc_acquire_boxed" "scc_acquire" [@@noalloc]
-external release : numbers -> (int[@untagged]) -> (int[@untagged]) -> unit = "scc_release_boxed" "scc_release" [@@noalloc]
+external release : numbers -> (int[@untagged]) -> (int[@untagged]) -> unit = "scc_release_boxed" "scc_release"
+[@@noalloc]
 
 let check i table = if i < 0 || i >= Array1.dim table then Scc_base.Bug.fail __POS__ "an index out of range"
 

@@ -20,6 +20,9 @@ val halves : int -> halves option
 val bytes : int -> bytes option
 (** [bytes count] is memory for [count] bytes; [None] if the system refuses so much. *)
 
+val all : 'a option list -> 'a list option
+(** [all list] is all of them; [None] if the system has refused one. *)
+
 (** {1 What happens at one instant}
 
     An index is in range (a bug otherwise). A process that sees what one of them has

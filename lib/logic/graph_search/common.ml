@@ -31,7 +31,9 @@ let bytes_at_once = 3
 (* The bytes, behind a 1 that tells how many they are. *)
 let piece text at =
   let count = Int.min bytes_at_once (String.length text - at) in
-  let rec from k number = if k = count then number else from (k + 1) ((number lsl 8) lor Char.code text.[at + k]) in
+  let rec from k number =
+    if k = count then number else from (k + 1) ((number lsl 8) lor Char.code text.[at + k])
+  in
   from 0 1
 
 let intern t ~kind text =

@@ -13,7 +13,8 @@ module Make (L : Lts.S) = struct
   (* The number of the target of the step at this place; -1 of one that is new. *)
   let known_target g words at =
     let step = Answers.word words at in
-    if Answers.has Answers.is_new step then Tuples.find_key g.tuples (Answers.word words (at + 1)) else Answers.target step
+    if Answers.has Answers.is_new step then Tuples.find_key g.tuples (Answers.word words (at + 1))
+    else Answers.target step
 
   let rec exists words at count test =
     count > 0 && (test at || exists words (Answers.after words at) (count - 1) test)
@@ -33,7 +34,8 @@ module Make (L : Lts.S) = struct
     | 1 when left_out > 0 && Answers.version words at <> Shared_states.version s -> None
     | 1 -> Some (first, false)
     | _ ->
-      if exists words (first + 1) (Answers.count (Answers.word words first)) (is_ahead_at g i words) then Some (first, true)
+      let count = Answers.count (Answers.word words first) in
+      if exists words (first + 1) count (is_ahead_at g i words) then Some (first, true)
       else Some (Answers.second_list words at, false)
 
   (* Whether the targets that are new, of so many transitions, fit a number of them. *)
@@ -87,7 +89,8 @@ module Make (L : Lts.S) = struct
       end
     in
     let first = at + Answers.first_list in
-    if Answers.word words at = 1 then ignore (Sys.opaque_identity (touch (first + 1) (Answers.count (Answers.word words first)) 0))
+    let count () = Answers.count (Answers.word words first) in
+    if Answers.word words at = 1 then ignore (Sys.opaque_identity (touch (first + 1) (count ()) 0))
 
   let introduce_all g around visitor = function
     | [] -> ()
@@ -127,7 +130,8 @@ module Make (L : Lts.S) = struct
             (not (is_known && version && Answers.has Answers.is_dull step))
             && relax_unless_plain g limits visitor i label target
           in
-          each beyond (n + 1) next (if matters || told.asks label then Known { label; target } :: arrows else arrows)
+          let arrows = if matters || told.asks label then Known { label; target } :: arrows else arrows in
+          each beyond (n + 1) next arrows
         end
       end
     in

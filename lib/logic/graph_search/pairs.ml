@@ -79,7 +79,8 @@ let[@inline] key p i : int =
       let wide : wide = Array.unsafe_get p.wide (i lsr chunk_bits) in
       Array1.unsafe_get wide (i land (chunk - 1))
 
-let check p i = if i < 0 || (i >= p.size && Array1.dim p.flat = 0) then Scc_base.Bug.fail __POS__ "an index out of range"
+let check p i =
+  if i < 0 || (i >= p.size && Array1.dim p.flat = 0) then Scc_base.Bug.fail __POS__ "an index out of range"
 
 let unpack_left k = k lsr half
 let unpack_right k = k land mask
@@ -203,7 +204,6 @@ let index_bits = 1
 let wants_room = 2
 let header_length = 3
 
-(* Processes take so many numbers at a time, for pairs that they insert. *)
 let numbers_at_once = 64
 
 let[@inline] is_crowded ~parts ~of_ used index = of_ * used > parts * Array1.dim index
@@ -316,11 +316,8 @@ let go_on_apart p ~full =
 
 let set_full p full = Option.iter (fun s -> s.full <- full) p.shared
 
-let all_or_none list = if List.for_all Option.is_some list then Some (List.filter_map Fun.id list) else None
-
 let shared_first_bits = 14
 
-(* The bits of a power of two. *)
 let rec bits_of ?(bits = 0) count = if count <= 1 then bits else bits_of ~bits:(bits + 1) (count / 2)
 
 let move_to p header flat indexes ~first ~many =
@@ -336,13 +333,12 @@ let move_to p header flat indexes ~first ~many =
   p.bits <- first;
   p.shared <- Some s
 
-(* Keys as many as there may be, and indexes for them. *)
 let share p ~many =
   match (Shared_memory.numbers header_length, Shared_memory.many_numbers ()) with
   | Some header, Some flat when p.size < Array1.dim flat -> (
       let first = Int.max shared_first_bits p.bits in
       let index bits = if bits < first then Some p.index else Shared_memory.halves (1 lsl bits) in
-      match all_or_none (List.init (1 + bits_of (Array1.dim flat)) index) with
+      match Shared_memory.all (List.init (1 + bits_of (Array1.dim flat)) index) with
       | None -> false
       | Some indexes ->
         Scc_base.Critical.run (fun () -> move_to p header flat (Array.of_list indexes) ~first ~many);
@@ -398,5 +394,6 @@ let used p = match p.shared with Some { many = true; header; _ } -> header.{next
 
 let bytes p =
   let flat = if Array1.dim p.flat > 0 then 8 * used p else 0 in
-  let narrow = Array.fold_left (fun n cells -> n + (4 * Array1.dim cells)) (flat + (4 * Array1.dim p.index)) p.narrow in
+  let first = flat + (4 * Array1.dim p.index) in
+  let narrow = Array.fold_left (fun n cells -> n + (4 * Array1.dim cells)) first p.narrow in
   Array.fold_left (fun n cells -> n + (8 * Array1.dim cells)) narrow p.wide

@@ -23,7 +23,9 @@ let recent = 1 lsl recent_bits
 
 let create () =
   match (Shared_memory.many_numbers (), Shared_memory.numbers 2, Shared_memory.bytes most_labels) with
-  | Some labels, Some header, Some known -> Some { labels; header; known; recent = Array.init recent (fun _ -> { key = -1; flags = 0; from = -1; way = 0; version = 0 }) }
+  | Some labels, Some header, Some known -> 
+    let nothing _ = { key = -1; flags = 0; from = -1; way = 0; version = 0 } in
+    Some { labels; header; known; recent = Array.init recent nothing }
   | _ -> None
 
 let put t i ~depth ~arrival =
