@@ -164,12 +164,12 @@ Runs that do not end.
 It is stopped with what it has.
 
   $ python3 -B interrupt.py 0.3 scc estimate $M/brownian.sc --check by_ten --width 1/10000 --most 100000000 > stopped.txt
-  scc: stopped; what is said rests on the runs that were made
+  scc: interrupted; what is said rests on the runs that were made
   [4]
   $ grep -o "^by_ten: estimated:" stopped.txt
   by_ten: estimated:
   $ scc estimate $M/brownian.sc --check by_ten --width 1/10000 --most 100000000 --seconds 1 > stopped.txt
-  scc: stopped; what is said rests on the runs that were made
+  scc: the limit of seconds has passed; what is said rests on the runs that were made
   [4]
   $ grep -o "^by_ten: estimated:" stopped.txt
   by_ten: estimated:

@@ -519,5 +519,11 @@ So does a limit of memory:
   scc: the limit of memory was met: nothing was written
   [4]
   $ scc shape --hull --faces 20 --memory 1 --json bowl.off 2> err
-  {"format": "scc-diagnostics", "version": 1, "exit": 4, "diagnostics": []}
+  {
+    "format": "scc-diagnostics",
+    "version": 1,
+    "exit": 4,
+    "stopped": "the limit of memory was met: nothing was written",
+    "diagnostics": []
+  }
   [4]

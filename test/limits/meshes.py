@@ -20,13 +20,17 @@ OVER = 60
 SMALL = 4
 LARGE = 400
 MODEL = """shape B = mesh "%s.off" weld
-process p = B mass 1 velocity (1, 0, 0) [nil]
+param v = 1
+process p = B mass 1 velocity (v, 0, 0) [nil]
 check far : possibly x(p) > 3
 """
+RUNS = ["--observe", "x(p)", "--every", "1", "--until", "3", "--runs", "2"]
 COMMANDS = [
     (["shape", "--weld"], ".off"), (["decompose"], ".off"), (["shape", "--json"], ".off"),
     (["check"], ".sc"), (["check", "--json"], ".sc"), (["explore", "--format", "aut", "-o", "-"], ".sc"),
-    (["view", "-o", "page.html"], ".sc"),
+    (["view", "-o", "page.html"], ".sc"), (["trace"], ".sc"), (["simulate", *RUNS], ".sc"),
+    (["estimate", "--property", "P = ? [ eventually x(p) > 3 ]"], ".sc"), (["sweep", "-D", "v=1,2"], ".sc"),
+    (["conform", "%s", "trace.csv"], ".sc"),
 ]
 
 
@@ -42,6 +46,11 @@ def terrain(n):
     return "\n".join(lines) + "\n"
 
 
+def words_of(words, path):
+    """The command on that file, which is the last word unless the words say where it stands."""
+    return [path if word == "%s" else word for word in words] + ([] if "%s" in words else [path])
+
+
 def run(words, folder):
     """The code, what is said, and the greatest memory in MiB."""
     with tempfile.TemporaryFile() as out:
@@ -53,7 +62,7 @@ def run(words, folder):
 
 
 def large(scc, words, file, folder):
-    code, told, used = run([scc, *words, "large" + file, "--memory", str(LIMIT)], folder)
+    code, told, used = run([scc, *words_of(words, "large" + file), "--memory", str(LIMIT)], folder)
     if code != 4:
         return "code %d: %s" % (code, told[-200:])
     if "--json" not in words and "the limit of memory was met" not in told:
@@ -62,8 +71,9 @@ def large(scc, words, file, folder):
 
 
 def small(scc, words, file, folder):
-    free = run([scc, *words, "small" + file], folder)
-    bound = run([scc, *words, "small" + file, "--memory", str(LIMIT)], folder)
+    words = words_of(words, "small" + file)
+    free = run([scc, *words], folder)
+    bound = run([scc, *words, "--memory", str(LIMIT)], folder)
     return None if free[:2] == bound[:2] and free[0] != 4 else "code %d, without a limit %d" % (bound[0], free[0])
 
 
@@ -76,6 +86,8 @@ def main():
                 file.write(terrain(n))
             with open(os.path.join(folder, name + ".sc"), "w") as file:
                 file.write(MODEL % name)
+        with open(os.path.join(folder, "trace.csv"), "w") as file:
+            file.write("time,x(p)\n0,0\n")
         for words, file in COMMANDS:
             for case in (large, small):
                 wrong = case(scc, words, file, folder)

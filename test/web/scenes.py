@@ -77,6 +77,43 @@ def marks(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
+ABSORBED = """import <solids>
+process p = solids.Cube(1) mass 1 velocity (-3, 0, 0) at translate (-6, 0, 0) [nil]
+fixed bin = solids.Cube(1) absorb at translate (-13, 0, 0)
+process q = solids.Cube(1) mass 1 at translate (1, 0, 0) velocity (1/10, 0, 0) [nil]
+check stays : always not (gone(p) and x(q) > 2)
+"""
+
+
+def gone(b, scc):
+    """Bodies that a reason is about and that are gone by then are outlined where they were last, within the picture."""
+    within = """
+      const all = scc.marks()[arguments[0]].map(([, ...at]) => scc.sight(at.map((text) => {
+        const [n, d] = text.split("/").map(Number);
+        return n / (d || 1);
+      })).at);
+      const box = document.getElementById("scene"), bar = document.getElementById("scene-tools").getBoundingClientRect();
+      return all.every(([x, y]) => x > 0 && y > 0 && x < box.clientWidth && y < bar.top - box.getBoundingClientRect().top);"""
+    b.open(scc.view('specs/models/outlet.sc'))
+    told = b.js('return scc.marks()')
+    same('what the step and those before took away', (told['before'], told['gone']),
+         ([['first', '12', '0', '0']], [['second', '12', '0', '0']]))
+    check('both are within the picture', b.js(within, 'before') and b.js(within, 'gone'))
+    b.js('scc.go(0)')
+    same('at the beginning none is gone', b.js('return scc.marks().gone'), [])
+    b.open(scc.view(written(scc, ABSORBED)))
+    told = b.js('return scc.marks()')
+    same('one that a reason names', (told['lit'], [one[0] for one in told['gone']]), (['p', 'q'], ['p']))
+    check('it is within the picture', b.js(within, 'gone'))
+    b.js('scc.state()')
+    b.find('tab-details').click()
+    b.all('[data-testid="bodies-list"] [data-index="0"]')[0].click()
+    check('its last place is told', 'gone since' in b.text('selected') and 'last position' in b.text('selected'), b.text('selected'))
+    b.find('marks').click()
+    same('without marks there are none', b.js('return scc.marks().gone'), [])
+    same('the console is told nothing', b.complaints(), [])
+
+
 def compared(b, scc):
     """A second run: outlines in the scene, where both part, switching at the same time, numbers of both."""
     b.prefer(color_scheme='light')
@@ -403,4 +440,4 @@ def dialog(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
-PARTS = [marks, compared, beyond, silhouettes, by_schedule, pictures, films, dialog]
+PARTS = [marks, gone, compared, beyond, silhouettes, by_schedule, pictures, films, dialog]

@@ -76,10 +76,11 @@ let document_format =
   fields
     (Shared.head "scc-diagnostics" 1
      @ [
-       field "exit" Shared.exit (fun (exit, _) -> exit);
-       field "diagnostics" formats snd
+       field "exit" Shared.exit (fun (exit, _, _) -> exit);
+       maybe "stopped" text (fun (_, why, _) -> why) ~about:"Why the work ended before there was a report.";
+       field "diagnostics" formats (fun (_, _, diagnostics) -> diagnostics)
          ~about:"None only where work was stopped before there was a report, by a limit or somebody: exit 4.";
      ])
   |> constrained [ ("if", when_); ("then", then_) ] some
 
-let document ~source ~exit diagnostics = write document_format (exit, (source, diagnostics))
+let document ?stopped ~source ~exit diagnostics = write document_format (exit, stopped, (source, diagnostics))

@@ -16,11 +16,12 @@ val format : (source * Diag.t, unit) Json_format.t
 val formats : (source * Diag.t list, unit) Json_format.t
 (** The format of an array of diagnostics. *)
 
-val document_format : (int * (source * Diag.t list), unit) Json_format.t
-(** The format of {!document}, with the exit code. *)
+val document_format : (int * string option * (source * Diag.t list), unit) Json_format.t
+(** The format of {!document}: the exit code, why the work was stopped if it was, and the diagnostics. *)
 
 val diagnostic : source:source -> Diag.t -> Json.t
 (** A diagnostic in {!format}. *)
 
-val document : source:source -> exit:int -> Diag.t list -> Json.t
-(** The document that a command prints instead of its report if it cannot make one. *)
+val document : ?stopped:string -> source:source -> exit:int -> Diag.t list -> Json.t
+(** The document that a command prints instead of its report if it cannot make one; [stopped] tells why the work
+    ended before. *)

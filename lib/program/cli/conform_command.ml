@@ -13,6 +13,7 @@ type options = {
   tolerance : Rat.t option;
   unobserved : Hide.pattern list;
   states : int;
+  memory : int option;
   run : string option;
 }
 
@@ -60,12 +61,12 @@ let exact_enough (l : Loaded.t) ~tolerance unobserved =
 let exit_code : Verdict.answer -> Exit_code.t = function
   | Conforms _ -> Holds
   | Diverges _ -> Violated
-  | Undecided { reason = Interrupted; _ } -> Stopped
+  | Undecided { reason = Stopped _; _ } -> Stopped
   | Undecided { reason = Fault fault; _ } -> Exit_code.of_fault fault
   | Undecided { reason = Too_many_states; _ } -> Undecided
 
 let conform console o =
-  let interrupted = Watch.interrupted (Watch.start ()) in
+  let watch = Watch.start ~memory:(Check_options.words_of o.memory) () in
   let* source = Input.text console o.trace in
   let* trace = Read.trace source in
   let* overrides, narrowed = parameters trace o.given in
@@ -76,12 +77,13 @@ let conform console o =
   let* l = Input.model ~given console ~overrides ~narrowed o.path in
   let* () = Ordinary.at_point l in
   let* () = check_digest trace l.origin in
+  Watch.has_read watch;
   Console.report console l.warnings;
   note_semantics console trace;
   let* tolerance = Verdict.tolerance l.model trace o.tolerance in
   let* () = Result.listed (exact_enough l ~tolerance o.unobserved) in
   let observed label = not (List.exists (fun p -> Hide.matches p label) o.unobserved) in
-  let limits = { Trace_search.states = o.states; interrupted } in
+  let limits = { Trace_search.states = o.states; stop = Watch.stop watch } in
   let* answer =
     match Verdict.check l.semantics l.declared trace ~tolerance ~observed limits with
     | Ok answer -> Ok answer
@@ -93,6 +95,7 @@ let conform console o =
     | Conforms { choices; _ }, Some path -> write_run path l.origin choices
     | _ -> Ok ()
   in
+  Watch.finish watch;
   let code = exit_code answer in
   let report = { Report.file = o.path; loaded = l; trace; tolerance; answer } in
   Console.answer console
@@ -136,11 +139,12 @@ let run_file =
     "Writes a run that agrees with the trace to $(docv), as a schedule for $(b,scc trace --schedule)."
 
 let options =
-  let make path trace given tolerance unobserved states run =
-    { path; trace; given; tolerance; unobserved; states; run }
+  let make path trace given tolerance unobserved states memory run =
+    { path; trace; given; tolerance; unobserved; states; memory; run }
   in
   Term.(
-    const make $ Options.model_file $ trace $ Options.definitions $ tolerance $ unobserved $ states $ run_file)
+    const make $ Options.model_file $ trace $ Options.definitions $ tolerance $ unobserved $ states
+    $ Check_options.memory () $ run_file)
 
 let exits =
   Exits.man ()
@@ -150,7 +154,7 @@ let exits =
         (Violated, "if it is not.");
         (Undecided, "if that is not known: a limit was reached.");
         (Invalid, "if the model or the trace is invalid.");
-        (Stopped, "if it is not known since it was interrupted.");
+        (Stopped, "if it is not known since it was interrupted, or met the limit of --memory.");
       ]
 
 let command =

@@ -14,6 +14,7 @@ type options = {
   how : Estimate_options.t;
   seconds : float option;
   jobs : int;
+  memory : int option;
   store : string option;
   levels : string option;
   effort : int option;
@@ -42,8 +43,10 @@ let answered estimation ~count =
   | 0 -> ""
   | known -> Printf.sprintf ", %d of %d answered" known count
 
-let sample console o runs (plan : Sample.plan) estimation ~stopped =
-  let work = Sample.run plan ~seed:o.how.seed ~interrupted:Scc_system.Interruption.heard in
+let is_over room () = Scc_system.Interruption.heard () || Memory_of_runs.over room
+
+let sample console o runs (plan : Sample.plan) estimation ~room ~stopped =
+  let work = Sample.run plan ~seed:o.how.seed ~interrupted:(is_over room) in
   let whole (r : Sample.run) = not r.interrupted in
   let stop () =
     Estimation.judge estimation ~last:true;
@@ -53,7 +56,8 @@ let sample console o runs (plan : Sample.plan) estimation ~stopped =
     match Estimation.next estimation with
     | None -> Whole
     | Some count -> (
-        let each k outcome =
+        let each k (outcome : Sample.run) =
+          if outcome.interrupted then Memory_of_runs.ended room;
           let answered = answered estimation ~count:(List.length plan.paths) in
           Console.progress console (Printf.sprintf "%d runs%s" (k + 1) answered);
           Estimation.add estimation outcome
@@ -74,11 +78,12 @@ let sample console o runs (plan : Sample.plan) estimation ~stopped =
   Console.progress_done console;
   ending
 
-let sample_all console o runs (plan : Sample.plan) aim ~stopped =
+let sample_all console o runs (plan : Sample.plan) aim ~room =
+  let stopped () = Memory_of_runs.stopped room in
   let one (answers, ending) paths =
     let estimation = Estimation.start aim paths in
     let stopped () = ending <> Whole || stopped () in
-    let next = sample console o runs { plan with paths } estimation ~stopped in
+    let next = sample console o runs { plan with paths } estimation ~room ~stopped in
     (answers @ Estimation.answers estimation, if ending = Whole then next else ending)
   in
   (* Stored runs are those of all questions. *)
@@ -92,11 +97,13 @@ let sample_all console o runs (plan : Sample.plan) aim ~stopped =
 let default_repetitions = 100
 let default_steps = 10_000
 
-let split console o runs (plan : Splitting.plan) ~stopped =
-  let work = Splitting.repeat plan ~seed:o.how.seed ~interrupted:Scc_system.Interruption.heard in
+let split console o runs (plan : Splitting.plan) ~room =
+  let stopped () = Memory_of_runs.stopped room in
+  let work = Splitting.repeat plan ~seed:o.how.seed ~interrupted:(is_over room) in
   let whole (r : Splitting.repetition) = not r.interrupted in
   let made = ref [] in
-  let each k repetition =
+  let each k (repetition : Splitting.repetition) =
+    if repetition.interrupted then Memory_of_runs.ended room;
     Console.progress console (Printf.sprintf "%d repetitions" (k + 1));
     made := repetition :: !made
   in
@@ -166,23 +173,24 @@ let exit_code answers ending : Exit_code.t =
   | Interrupted -> Stopped
   | Lost { fault; _ } -> Kept_runs.loss ~fault
 
-let by_runs console o (loaded : Loaded.t) paths aim ~identity ~stopped =
+let by_runs console o (loaded : Loaded.t) paths aim ~identity ~room =
   let plan = Estimate_options.plan o.how loaded paths in
   let* runs = Kept_runs.openly console ~folder:o.store ~identity "the runs" in
-  let answers, ending = sample_all console o runs plan aim ~stopped in
+  let answers, ending = sample_all console o runs plan aim ~room in
   Ok (answers, ending, Kept_runs.close runs)
 
-let by_splitting console o loaded paths text ~identity ~stopped =
+let by_splitting console o loaded paths text ~identity ~room =
   let steps = Option.value o.how.steps ~default:default_steps in
   let* path, plan = Levels.plan console loaded paths text ~effort:(effort o) ~steps in
   let* runs = Kept_runs.openly console ~folder:o.store ~identity "the repetitions" in
-  let made, ending = split console o runs plan ~stopped in
+  let made, ending = split console o runs plan ~room in
   let summary = Splitting.summary plan made ~confidence:o.how.confidence in
   Ok (Option.to_list (Option.map (Estimation.of_splitting path) summary), ending, Kept_runs.close runs)
 
-let estimate console o watch =
+let estimate console o room =
   let* model = Input.model console ~overrides:o.given ~narrowed:[] o.path in
   let* () = Ordinary.at_point ~otherwise:"`scc trace --start simple` chooses them" model in
+  Watch.has_read (Memory_of_runs.watch room);
   Console.report console model.warnings;
   let* loaded, added = properties console model o.properties in
   let by_name = o.checks <> [] || added <> [] in
@@ -190,12 +198,11 @@ let estimate console o watch =
   let asked = if by_name then named @ added else model.checks in
   let* paths, left_out = Estimate_options.paths model asked ~by_name in
   let aim = Estimate_options.aim o.how in
-  let stopped () = Option.is_some (Watch.stop watch ()) in
   let identity = identity o model paths in
   let* answers, ending, unkept =
     match o.levels with
-    | Some text -> by_splitting console o loaded paths text ~identity ~stopped
-    | None -> by_runs console o loaded paths aim ~identity ~stopped
+    | Some text -> by_splitting console o loaded paths text ~identity ~room
+    | None -> by_runs console o loaded paths aim ~identity ~room
   in
   let exit = Exit_code.worst (exit_code answers ending :: Kept.code unkept) in
   let report =
@@ -216,14 +223,16 @@ let estimate console o watch =
   Kept.conclude console unkept;
   (match ending with
    | Whole -> ()
-   | Interrupted -> Console.note console "scc: stopped; what is said rests on the runs that were made"
+   | Interrupted ->
+     let why = Memory_of_runs.reason room in
+     Console.note console ("scc: " ^ why ^ "; what is said rests on the runs that were made")
    | Lost { why; _ } -> Console.note console ("scc: " ^ why ^ "; what is said rests on the runs that were made"));
   Ok exit
 
 let run color progress json o =
   let console = Console.make ?progress ~color ~json () in
-  let watch = Watch.start ?seconds:o.seconds () in
-  Guard.run console (fun () -> estimate console o watch)
+  let room = Memory_of_runs.start ?seconds:o.seconds ~memory:o.memory ~jobs:o.jobs () in
+  Guard.run console (fun () -> estimate console o room)
 
 (* {1 The command line} *)
 
@@ -251,7 +260,7 @@ let effort =
     "With $(b,--levels), makes $(docv) runs from each level in each repetition. The default is 100."
 
 let options =
-  let make path given checks properties how seconds jobs store levels effort =
+  let make path given checks properties how seconds jobs memory store levels effort =
     let { Estimate_options.most; width; free; until; normal; _ } = how in
     if Option.is_some levels && (Option.is_some until || free = Sample.Evenly) then
       Error "--levels cannot be combined with --until or --free evenly: write `within` in the property"
@@ -260,12 +269,12 @@ let options =
     else if normal && Option.is_some levels then Error "--normal is about means, and --levels about probabilities"
     else if Option.is_some effort && Option.is_none levels then
       Error "--effort is the number of runs from each level: it needs --levels"
-    else Ok { path; given; checks; properties; how; seconds; jobs; store; levels; effort }
+    else Ok { path; given; checks; properties; how; seconds; jobs; memory; store; levels; effort }
   in
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.overrides $ checks $ properties $ Estimate_options.term
-       $ Run_options.seconds $ Run_options.jobs $ store_option $ levels $ effort))
+       $ Run_options.seconds $ Run_options.jobs $ Check_options.memory () $ store_option $ levels $ effort))
 
 let command =
   let told =

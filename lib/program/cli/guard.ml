@@ -2,15 +2,15 @@ open Scc_base
 open Scc_system
 open Scc_verdicts
 
-let document console code =
+let document ?stopped console code =
   let json =
-    Scc_runs.Diag_json.document ~source:(Console.source console)
+    Scc_runs.Diag_json.document ?stopped ~source:(Console.source console)
       ~exit:(Exit_code.to_int code) (Console.kept console)
   in
   Console.document console json
 
-let ended console code =
-  if Console.is_json console then document console code;
+let ended ?stopped console code =
+  if Console.is_json console then document ?stopped console code;
   code
 
 let is_of_output (d : Diag.t) = String.equal (d.code :> string) (Code.cannot_write :> string)
@@ -25,7 +25,7 @@ let invalid console diagnostics =
 
 let stopped console why =
   Console.note console ("scc: " ^ why);
-  ended console Exit_code.Stopped
+  ended ~stopped:why console Exit_code.Stopped
 
 let complain lines = Standard.complain (String.concat "" (List.map (fun line -> Visible.line line ^ "\n") lines))
 

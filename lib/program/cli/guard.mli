@@ -9,8 +9,8 @@ val invalid : Console.t -> Diag.t list -> Exit_code.t
     diagnostics are the document. *)
 
 val stopped : Console.t -> string -> Exit_code.t
-(** Reports why the work ended before there was a result: exit code 4. In JSON mode there is a document without
-    diagnostics. *)
+(** Reports why the work ended before there was a result: exit code 4. In JSON mode there is a document with the
+    reason and without diagnostics. *)
 
 val complain : string list -> unit
 (** Writes lines to standard error, also in JSON mode. *)

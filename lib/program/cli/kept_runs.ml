@@ -60,7 +60,7 @@ let run ?patience ?(whole = fun _ -> true) t ~jobs ~first ~count ~work ~interrup
 let lost ~what ~task ~how = Printf.sprintf "%s %d is lost: %s" what task how
 let loss ~fault = if fault then Scc_verdicts.Exit_code.Bug else Stopped
 
-let stopped ?(partly = 0) console ~what ~written ~count (stop : Pool.stop) =
+let stopped ?(why = "interrupted") ?(partly = 0) console ~what ~written ~count (stop : Pool.stop) =
   let all = Printf.sprintf "%d of %d %ss" written count what in
   let others =
     if partly = 0 then ""
@@ -69,7 +69,7 @@ let stopped ?(partly = 0) console ~what ~written ~count (stop : Pool.stop) =
   in
   match stop with
   | Interrupted ->
-    Console.note console (Printf.sprintf "scc: interrupted after %s, which are written%s" all others);
+    Console.note console (Printf.sprintf "scc: %s after %s, which are written%s" why all others);
     Scc_verdicts.Exit_code.Stopped
   | Lost { task; how; fault } ->
     Console.note console (Printf.sprintf "scc: %s; %s are written" (lost ~what ~task ~how) all);

@@ -11,6 +11,7 @@ type options = {
   runs : int;
   seed : int64;
   jobs : int;
+  memory : int option;
   part : Task_part.t option;
   observed : string list;
   every : Rat.t;
@@ -54,13 +55,16 @@ let report o (l : Loaded.t) observables times : Report.t =
 (* Seconds in which runs that are under way are to say what they have come to. *)
 let patience = 5.
 
-let each_run console o kept plan ~runs ~written ~first ~last ~interrupted each =
+let each_run console o kept plan ~runs ~written ~first ~last ~room each =
   let told _ (r : Simulation.run) =
     each r;
+    if r.interrupted then Memory_of_runs.ended room;
     Console.progress console (Printf.sprintf "%d of %d runs" !written runs)
   in
-  let work = Simulation.run plan ~seed:o.seed ~interrupted:Scc_system.Interruption.heard in
+  let interrupted () = Scc_system.Interruption.heard () || Memory_of_runs.over room in
+  let work = Simulation.run plan ~seed:o.seed ~interrupted in
   let whole (r : Simulation.run) = not r.interrupted in
+  let interrupted () = Memory_of_runs.stopped room in
   let result = Kept_runs.run kept ~patience ~whole ~jobs:o.jobs ~first ~count:last ~work ~interrupted ~each:told in
   Console.progress_done console;
   result
@@ -87,14 +91,15 @@ let early console ~steps n =
       (Printf.sprintf "scc: %s did not come to the last time; what was not observed is empty%s"
          (Scc_base.Plural.count n "run" "runs") cure)
 
-let conclude console ~steps ~runs ~finished ~partly ~ended_early result =
+let conclude console ~room ~steps ~runs ~finished ~partly ~ended_early result =
   match if partly > 0 then Error Pool.Interrupted else result with
   | Ok () ->
     early console ~steps ended_early;
     Ok (if ended_early > 0 then Exit_code.Undecided else Exit_code.Holds)
   | Error stop ->
     (match (stop : Pool.stop) with Interrupted -> early console ~steps ended_early | Lost _ -> ());
-    Ok (Kept_runs.stopped console ~what:"run" ~partly ~written:finished ~count:runs stop)
+    let why = Memory_of_runs.reason room in
+    Ok (Kept_runs.stopped console ~why ~what:"run" ~partly ~written:finished ~count:runs stop)
 
 let in_all o = o.summary || Option.is_some o.plot
 
@@ -115,9 +120,10 @@ let before o report =
     let* runs = if in_all o then read 0 [] (List.tl (String.split_on_char '\n' text)) else Ok [] in
     Ok (n, text, runs)
 
-let simulate console o ~says_more ~interrupted =
+let simulate console o ~says_more ~room =
   let* model = Input.model console ~overrides:o.given ~narrowed:[] o.path in
   let* () = Ordinary.at_point ~otherwise:"`scc trace --start simple` chooses them" model in
+  Watch.has_read (Memory_of_runs.watch room);
   Console.report console model.warnings;
   let* loaded, observables = Observed.all console model o.observed in
   let plan = plan o loaded observables in
@@ -139,7 +145,7 @@ let simulate console o ~says_more ~interrupted =
   let write put =
     if not o.summary then put before;
     let result =
-      each_run console o kept plan ~runs:(last - from) ~written ~first ~last ~interrupted (fun r ->
+      each_run console o kept plan ~runs:(last - from) ~written ~first ~last ~room (fun r ->
           incr (if r.interrupted then partly else written);
           add r;
           if not o.summary then put (Report.run report r))
@@ -158,14 +164,14 @@ let simulate console o ~says_more ~interrupted =
   | Ok result ->
     let* () = Result.listed (Option.fold ~none:(Ok ()) ~some:draw o.plot) in
     let runs = last - from and finished = !written and partly = !partly and ended_early = !ended_early in
-    let* code = conclude console ~steps:o.steps ~runs ~finished ~partly ~ended_early result in
+    let* code = conclude console ~room ~steps:o.steps ~runs ~finished ~partly ~ended_early result in
     Ok (Kept_runs.finish console kept code)
 
 let run color progress o =
   let console = Console.make ?progress ~color ~json:false () in
-  let interrupted = Watch.interrupted (Watch.start ()) in
+  let room = Memory_of_runs.start ~memory:o.memory ~jobs:o.jobs () in
   Scc_base.Memory.spare_runs ();
-  Guard.run console (fun () -> simulate console o ~says_more:(Option.is_some progress) ~interrupted)
+  Guard.run console (fun () -> simulate console o ~says_more:(Option.is_some progress) ~room)
 
 (* {1 The command line} *)
 
@@ -248,17 +254,17 @@ let fitting o =
     | None, _ -> Ok o
 
 let options =
-  let make path given runs seed jobs part observed every until steps summary quantiles form decimals output
+  let make path given runs seed jobs memory part observed every until steps summary quantiles form decimals output
       resume store plot =
     fitting
       {
-        path; given; runs; seed; jobs; part; observed; every; until; steps; summary; quantiles; form; decimals;
+        path; given; runs; seed; jobs; memory; part; observed; every; until; steps; summary; quantiles; form; decimals;
         output; resume; store; plot; }
   in
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.overrides $ runs $ Run_options.seed $ Run_options.jobs
-       $ Task_part.option ~what:"runs" $ observed $ every $ until $ steps
+       $ Check_options.memory () $ Task_part.option ~what:"runs" $ observed $ every $ until $ steps
        $ summary $ quantiles $ form $ decimals
        $ Options.output "Writes to $(docv) instead of standard output." $ resume $ store_option $ plot))
 
@@ -267,7 +273,7 @@ let command =
     [
       (Exit_code.Holds, "if all runs came to the last time.");
       (Exit_code.Undecided, "if some run was over before.");
-      (Exit_code.Stopped, "if it was interrupted: the runs are written as far as they came.");
+      (Exit_code.Stopped, "if it was interrupted, or met the limit of --memory: the runs are written as far as they came.");
     ]
   in
   let exits = Exits.man ~told ~never:[ Violated ] () in

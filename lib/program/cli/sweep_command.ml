@@ -154,9 +154,11 @@ let note console o seen k outcome =
   Option.iter (fun d -> Console.report console [ d ]) (Kicks.add seen.kicks k (Outcome.lattices outcome));
   if Option.is_some o.plot then seen.all <- outcome :: seen.all
 
-let sweep console o ~interrupted =
+let sweep console o watch =
+  let interrupted = Watch.interrupted watch in
   let* source = Input.warned console o.path in
   let* first = first_point console source o in
+  Watch.has_read watch;
   let name, digest =
     match first with
     | Some l -> Table.origin l.origin
@@ -207,8 +209,8 @@ let sweep console o ~interrupted =
 
 let run color progress o =
   let console = Console.make ?progress ~color ~json:false () in
-  let interrupted = Watch.interrupted (Watch.start ()) in
-  Guard.run console (fun () -> sweep console o ~interrupted)
+  let watch = Watch.start ~memory:(Check_options.words o.budget) () in
+  Guard.run console (fun () -> sweep console o watch)
 
 (* {1 The command line} *)
 

@@ -13,6 +13,7 @@ type options = {
   form : form;
   full : bool;
   states : Trace.states;
+  memory : int option;
   output : string option;
 }
 
@@ -38,7 +39,7 @@ let write_run o (chosen : Chosen_run.t) watch write =
 
 let run color o =
   let console = Console.make ~color ~json:false () in
-  let watch = Watch.start () in
+  let watch = Watch.start ~memory:(Check_options.words_of o.memory) () in
   Scc_base.Memory.spare_runs ();
   Guard.run console (fun () ->
       let* chosen = Chosen_run.prepare console o.choices ~given:o.given o.path in
@@ -77,9 +78,12 @@ let options =
     Chosen_run.options
       ~sampled:"The header of the trace has the values ($(b,--human): the first line)."
   in
-  let make path given choices form full states output = { path; given; choices; form; full; states; output } in
+  let make path given choices form full states memory output =
+    { path; given; choices; form; full; states; memory; output }
+  in
   Term.(
-    const make $ Options.model_file $ Options.definitions $ choices $ form $ full $ states $ output)
+    const make $ Options.model_file $ Options.definitions $ choices $ form $ full $ states
+    $ Check_options.memory () $ output)
 
 let command =
   let told =
@@ -88,6 +92,7 @@ let command =
       ( Exit_code.Undecided,
         "if the run ends in a dead end: it is printed up to there, the trace is complete, and says $(b,stuck); \
          the error is SC0602." );
+      (Stopped, "if it was interrupted, or met the limit of --memory: the run is printed up to there.");
     ]
   in
   let exits = Exits.man ~told ~never:[ Violated ] () in

@@ -163,6 +163,7 @@ let more t seconds =
   look t
 
 let stop t () = t.over
+let has_read t = t.reading <- false
 
 (* When a part of the work is over: what explores, by the clock, and what concludes, as a {!position}. *)
 type until = { explored : float; concluded : float }

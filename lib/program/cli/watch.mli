@@ -4,7 +4,7 @@
     While a watch is active, a timer compares the limits some hundred times a second. Work that calls {!stop}
     ends by itself. Other work is an {!attempt}, and is ended by an exception wherever it is.
 
-    Until the first attempt, a command reads its input. If that takes more than the memory, the work is broken off
+    Until the first attempt, or {!has_read}, a command reads its input. If that takes more than the memory, the work is broken off
     by {!Scc_system.Interruption.Interrupted}.
 
     The conclusions of an exploration have a second more, and the part of the memory that explorations leave. So
@@ -19,6 +19,9 @@ val start : ?clock:(unit -> float) -> ?signals:bool -> ?seconds:float -> ?memory
 (** Starts a watch. [memory] is the limit in words for the whole program. Without limits only an interruption
     ends the work. Without [signals] (default: true) only limits end it, and signals are left to other handlers.
     [clock] gives seconds (default: the time of day). *)
+
+val has_read : t -> unit
+(** Tells that the input was read, for work without an {!attempt}. *)
 
 val more : t -> float -> unit
 (** Adds seconds, for further work. *)

@@ -13,7 +13,8 @@ let source_line (i : Recorded.item) = Printf.sprintf "line %d, time %s" i.line (
 
 let reason m : Trace_search.reason -> string = function
   | Too_many_states -> "more states than the limit would have to be looked at (--states)"
-  | Interrupted -> "it was interrupted"
+  | Stopped Memory -> "the limit of memory was met"
+  | Stopped (Interrupted | Seconds) -> "it was interrupted"
   | Fault fault -> (Transition.diagnostic m fault).message
 
 let happened (i : Recorded.item) =

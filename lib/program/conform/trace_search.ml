@@ -1,8 +1,9 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_graph_search
 
-type limits = { states : int; interrupted : unit -> bool }
+type limits = { states : int; stop : unit -> Limits.stop option }
 
 let default_states = 20_000
 
@@ -35,7 +36,7 @@ let successors against state =
   | Error (Transition.Persistent_contact _) -> Ok []
   | result -> result
 
-type reason = Too_many_states | Fault of Transition.fault | Interrupted
+type reason = Too_many_states | Fault of Transition.fault | Stopped of Limits.stop
 
 type outcome =
   | Met of { run : hypothesis; widest : int }
@@ -295,24 +296,25 @@ let layer t queue ~items ~missed =
   in
   Queue.iter (fun h -> Places.replace layer.known h ()) queue;
   let rec from count =
-    if t.limits.interrupted () then Over (Unknown { reason = Interrupted; items })
-    else
-      match if count >= t.limits.states then None else Queue.take_opt layer.queue with
-      | Some h ->
-        expand t layer h;
-        from (count + 1)
-      | None -> (
-          let cut = if Queue.is_empty layer.queue then missed else Some Too_many_states in
-          let missed =
-            match (cut, layer.fault) with
-            | Some reason, _ -> Some reason
-            | None, Some fault -> Some (Fault fault)
-            | None, None -> None
-          in
-          match missed with
-          | _ when not (Queue.is_empty layer.onward) -> Onward (layer.onward, missed)
-          | Some reason -> Over (Unknown { reason; items })
-          | None -> Over (Dead_end layer.found))
+    match t.limits.stop () with
+    | Some stop -> Over (Unknown { reason = Stopped stop; items })
+    | None -> (
+        match if count >= t.limits.states then None else Queue.take_opt layer.queue with
+        | Some h ->
+          expand t layer h;
+          from (count + 1)
+        | None -> (
+            let cut = if Queue.is_empty layer.queue then missed else Some Too_many_states in
+            let missed =
+              match (cut, layer.fault) with
+              | Some reason, _ -> Some reason
+              | None, Some fault -> Some (Fault fault)
+              | None, None -> None
+            in
+            match missed with
+            | _ when not (Queue.is_empty layer.onward) -> Onward (layer.onward, missed)
+            | Some reason -> Over (Unknown { reason; items })
+            | None -> Over (Dead_end layer.found)))
   in
   from 0
 

@@ -14,7 +14,7 @@ open Scc_semantics
 (** Where a search is given up. *)
 type limits = {
   states : int;  (** the greatest number of states examined for one item of the trace *)
-  interrupted : unit -> bool;
+  stop : unit -> Scc_graph_search.Limits.stop option;  (** why it is to end now, if it is *)
 }
 
 val default_states : int
@@ -58,7 +58,7 @@ type outcome =
 and reason =
   | Too_many_states
   | Fault of Transition.fault  (** some transitions, which might have met it, cannot be computed *)
-  | Interrupted
+  | Stopped of Scc_graph_search.Limits.stop
 
 val run :
   Against.t ->

@@ -117,17 +117,24 @@ let chosen t node =
   | Some _ | None -> []
   | exception Invalid_argument _ -> []
 
-let rec show t depth place ~name node =
+(* Shapes with a place of their own show what is in their `geometry`, and nothing else does. *)
+let check_in_shape t ~in_shape (node : node) =
+  if not in_shape then
+    bad ~path:t.path node.kind "a %s stands in the `geometry` of a Shape, and not here" node.kind.text
+
+let rec show t ?(in_shape = false) depth place ~name node =
   spend ~path:t.path t.room node.kind 1;
   if depth > max_depth then
     bad ~path:t.path node.kind "nodes are inside of each other more than %d deep" max_depth;
   match Scene_table.find node.kind.text with
   | Still -> ()
-  | Left_out -> if Option.is_none t.left_out then t.left_out <- Some node.kind
+  | Left_out ->
+    check_in_shape t ~in_shape node;
+    if Option.is_none t.left_out then t.left_out <- Some node.kind
   | Unread hint -> unread ~path:t.path node.kind ~hint "the node %s is not read" (Text.quote node.kind.text)
   | Read { role; read; still } ->
     F.check ~path:t.path node ~read ~still;
-    let within = show t (depth + 1) in
+    let within ?in_shape = show t ?in_shape (depth + 1) in
     if not (truth_of_all t node "visible") then t.hidden <- Some node.kind
     else (
       match role with
@@ -147,8 +154,8 @@ let rec show t depth place ~name node =
           match inside t [ "level"; "children" ] node with
           | first :: _ -> within place ~name:None first
           | [] -> ())
-      | Shape -> shape within t place node
-      | Geometry -> geometry t place ~name node
+      | Shape -> shape (within ~in_shape:true) t place node
+      | Geometry -> check_in_shape t ~in_shape node; geometry t place ~name node
       | Points -> bad ~path:t.path node.kind "points stand in the `coord` of a shape, and not here")
 
 and shape within t place node =

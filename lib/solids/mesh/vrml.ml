@@ -180,6 +180,19 @@ and simple r depth at kind name =
   Scene.closing r.names node;
   node
 
+(* Scripts and shaders declare fields, as words of their own; other nodes have each field once. *)
+and check_once r (kind : word) fields =
+  let by_name ((a : word), _) ((b : word), _) = compare (a.text, a.start) (b.text, b.start) in
+  let rec go = function
+    | ((a : word), _) :: (((b : word), _) :: _ as rest) ->
+      if String.equal a.text b.text then Scene.bad ~path:r.path b "`%s` is there twice" b.text;
+      go rest
+    | [ _ ] | [] -> ()
+  in
+  match Scene_table.find kind.text with
+  | Read _ | Left_out -> go (List.sort by_name fields)
+  | Still | Unread _ -> ()
+
 (* All fields up to the `}`. One that is connected to an event has no value. *)
 and own_fields r depth at kind =
   let rec go fields =
@@ -188,6 +201,7 @@ and own_fields r depth at kind =
       match r.left with
       | { text = "}"; _ } :: rest ->
         r.left <- rest;
+        check_once r kind fields;
         List.rev fields
       | w :: { text = "IS"; _ } :: outer :: rest when is_name w && Option.is_some r.fields ->
         r.left <- rest;
@@ -282,15 +296,19 @@ let scene ~path text room =
   let nodes = contents r 0 in
   { Scene.nodes; changes = all_changes r }
 
-let is_vrml_1 text =
-  let mark = "#VRML V1" in
+(* Both formats say in their first line what they are. *)
+let check_header ~path text =
   let head = String.trim (String.sub text 0 (min 80 (String.length text))) in
-  String.length head >= String.length mark && String.equal (String.sub head 0 (String.length mark)) mark
+  let starts prefix = String.starts_with ~prefix head in
+  let refuse ~hint what = Error (Diag.error Code.mesh_format (Span.of_file path) ~hint "%s" what) in
+  if starts "#VRML V2.0" || starts "#X3D V" then Ok ()
+  else if starts "#VRML V1" || starts "#Inventor" then
+    refuse "VRML 1 files are not supported" ~hint:"convert the file to VRML 2 (VRML97), X3D, PLY or OFF"
+  else if starts "\x1F\x8B" then refuse "the file is compressed" ~hint:"decompress it, by gunzip for instance"
+  else
+    refuse "the first line says neither `#VRML V2.0 utf8` nor `#X3D V3.0 utf8`"
+      ~hint:"write one of them before everything else, if the file is of that format"
 
 let read ~path text =
-  if is_vrml_1 text then
-    Error
-      (Diag.error Code.mesh_format
-         (Span.of_file path)
-         "VRML 1 files are not supported" ~hint:"convert the file to VRML 2 (VRML97), X3D, PLY or OFF")
-  else Scene_solid.read ~path ~size:(String.length text) (scene ~path text)
+  Result.bind (check_header ~path text) (fun () ->
+      Scene_solid.read ~path ~size:(String.length text) (scene ~path text))

@@ -43,6 +43,17 @@ let containers = [ "X3D"; "Scene"; "head" ]
 
 let passed_over = [ "component"; "meta"; "EXPORT" ]
 
+let is_text (tag : tag) = String.equal tag.name.text Xml_tags.characters
+let is name (tag : tag) = String.equal tag.name.text name
+
+(* Shapes, and what connects them, stand in the scene, or in the body or a value of a prototype. *)
+let check_in_scene r (tag : tag) =
+  match r.opened with
+  | { tag = { name = { text = ("" | "X3D" | "head") as around; _ }; _ }; container = true; _ } :: _ ->
+    Scene.bad ~path:r.path tag.name "this %s stands outside of the `Scene`%s" tag.name.text
+      (if around = "head" then ", in the `head`" else "")
+  | _ -> ()
+
 let route r tag =
   let from = needed r tag "fromNode" and node = needed r tag "toNode" and field = needed r tag "toField" in
   r.routes <- { Scene.place = tag.name; from; node; field } :: r.routes
@@ -115,25 +126,25 @@ let check_container r (tag : tag) =
   let around = List.map (fun e -> e.tag.name.text) r.opened in
   let fits =
     match (name, around) with
-    | "X3D", [ "" ] | ("Scene" | "head"), ([ "" ] | [ "X3D"; "" ]) -> Option.is_none r.fields
+    | "X3D", [ "" ] | ("Scene" | "head"), ([ "" ] | [ "X3D"; "" ]) -> true
     | _ -> false
   in
   if not fits then Scene.bad ~path:r.path tag.name "the element %s does not stand here" name;
   if List.mem name r.containers then Scene.bad ~path:r.path tag.name "the element %s is there twice" name;
   r.containers <- name :: r.containers
 
+let stray_text r (tag : tag) =
+  Scene.bad ~path:r.path tag.name "text stands between elements here, where X3D has none: values are attributes"
+
 (* Scripts and shaders have a text; nothing else has. *)
-let characters r (tag : tag) =
-  let script = function
-    | { tag; container = false; _ } :: _ -> Scene_table.find tag.name.text = Still
-    | _ -> false
-  in
-  if not (script r.opened) then
-    Scene.bad ~path:r.path tag.name "text stands between elements here, where X3D has none: values are attributes"
+let characters r tag =
+  match r.opened with
+  | { tag = around; container = false; _ } :: _ when Scene_table.find around.name.text = Still -> ()
+  | _ -> stray_text r tag
 
 let start r (tag : tag) =
   let container = List.mem tag.name.text containers in
-  if container then check_container r tag;
+  if container then check_container r tag else check_in_scene r tag;
   let name = if container || Option.is_some (attribute tag "USE") then None else value r tag "DEF" in
   check_depth r tag;
   Scene.opening r.names name;
@@ -145,7 +156,6 @@ let start r (tag : tag) =
 
 (* The tags inside of an element, and those after its end. *)
 let split r (tag : tag) rest =
-  let is name (t : tag) = String.equal t.name.text name in
   let rec go depth found = function
     | [] -> Scene.bad ~path:r.path tag.name "the element %s does not end" tag.name.text
     | t :: rest when is ("/" ^ tag.name.text) t ->
@@ -154,59 +164,70 @@ let split r (tag : tag) rest =
   in
   if tag.closed then ([], rest) else go 0 [] rest
 
-let after r tag rest = snd (split r tag rest)
-
-(* {1 Prototypes} *)
-
-(* The elements of that name, side by side, with the tags inside of each. *)
-let elements r name tags =
+(* The elements side by side in an element, with the tags inside of each. Others than those of these names are
+   refused, but for nodes that change nothing. *)
+let elements r (around : tag) names tags =
   let rec go found = function
     | [] -> List.rev found
+    | tag :: _ when is_text tag -> stray_text r tag
     | (tag : tag) :: rest ->
       let inside, rest = split r tag rest in
-      go (if String.equal tag.name.text name then (tag, inside) :: found else found) rest
+      if List.mem tag.name.text names then go ((tag, inside) :: found) rest
+      else if Scene_table.find tag.name.text = Still then go found rest
+      else Scene.bad ~path:r.path tag.name "this %s does not belong into a %s" tag.name.text around.name.text
   in
   go [] tags
 
+(* What follows an element in which nothing stands but elements of these names, which say nothing about shapes. *)
+let after r ?(names = []) tag rest =
+  let inside, rest = split r tag rest in
+  ignore (elements r tag names inside);
+  rest
+
+(* {1 Prototypes} *)
+
 (* A field with the value of a field of the prototype, for each `connect` of an `IS`. *)
-let connections r tags =
+let connections r (is : tag) tags =
   match r.fields with
-  | None -> []
+  | None -> Scene.bad ~path:r.path is.name "an IS stands outside of the body of a prototype"
   | Some fields ->
-    let one ((tag : tag), _) =
+    let one ((tag : tag), inside) =
+      ignore (elements r tag [] inside);
       let word key = { text = needed r tag key; start = tag.name.start } in
       let value = Scene.connected ~path:r.path fields (word "protoField") in
       Option.map (fun value -> (word "nodeField", value)) value
     in
-    List.filter_map one (elements r "connect" tags)
+    List.filter_map one (elements r is [ "connect" ] tags)
 
-let empty_root () =
-  let file = { name = { text = ""; start = 0 }; attributes = []; closed = false } in
+(* [name]: of the element that has the nodes, "" for the file. *)
+let empty_root name =
+  let file = { name = { text = name; start = 0 }; attributes = []; closed = false } in
   { tag = file; container = true; name = None; inside = []; connected = [] }
 
 let all_changes r = List.rev_append r.changes (Scene.changes r.names (List.rev r.routes))
 
 (* The nodes of some tags. *)
-let rec contents r tags =
-  let around = r.opened and root = empty_root () in
+let rec contents r ~of_element tags =
+  let around = r.opened and root = empty_root of_element in
   r.opened <- [ root ];
   r.depth <- r.depth + 1;
   let rec go = function
     | [] -> ()
     | (tag : tag) :: rest -> (
         match tag.name.text with
-        | "ROUTE" -> route r tag; go (after r tag rest)
+        | "ROUTE" -> check_in_scene r tag; route r tag; go (after r tag rest)
         | "unit" -> unit_of r tag; go (after r tag rest)
-        | "ProtoDeclare" -> go (declare r tag rest)
+        | "ProtoDeclare" -> check_in_scene r tag; go (declare r tag rest)
         | "ExternProtoDeclare" ->
+          check_in_scene r tag;
           r.prototypes <- (needed r tag "name", Elsewhere) :: r.prototypes;
-          go (after r tag rest)
-        | "ProtoInstance" -> go (instance r tag rest)
-        | name when String.equal name Xml_tags.characters -> characters r tag; go rest
+          go (after r ~names:[ "field" ] tag rest)
+        | "ProtoInstance" -> check_in_scene r tag; go (instance r tag rest)
+        | _ when is_text tag -> characters r tag; go rest
         | "IS" ->
           let inside, rest = split r tag rest in
           let element = List.hd r.opened in
-          element.connected <- List.rev_append (connections r inside) element.connected;
+          element.connected <- List.rev_append (connections r tag inside) element.connected;
           go rest
         | name when List.mem name passed_over -> go (after r tag rest)
         | name when String.length name > 0 && name.[0] = '/' -> close r tag; go rest
@@ -229,18 +250,25 @@ and value_of r tag inside =
   | None ->
     check_depth r tag;
     Scene.spend ~path:r.path r.room tag.name (List.length inside);
-    Some (Nodes (contents r inside))
+    Some (Nodes (contents r ~of_element:tag.name.text inside))
 
 and declare r tag rest =
   let inside, rest = split r tag rest in
-  let parts name = List.concat_map snd (elements r name inside) in
+  let all = elements r tag [ "ProtoInterface"; "ProtoBody" ] inside in
+  let parts name =
+    match List.filter (fun (t, _) -> is name t) all with
+    | [] -> (tag, [])
+    | [ part ] -> part
+    | _ :: ((other : tag), _) :: _ -> Scene.bad ~path:r.path other.name "the prototype has this twice"
+  in
+  let interface, fields = parts "ProtoInterface" in
   let field ((tag : tag), inside) =
     let event = List.mem (value r tag "accessType") [ Some "inputOnly"; Some "outputOnly" ] in
     let default = Option.value (value_of r tag inside) ~default:(Scene.Words []) in
     (needed r tag "name", if event then None else Some default)
   in
-  let fields = List.map field (elements r "field" (parts "ProtoInterface")) in
-  let tags = parts "ProtoBody" in
+  let fields = List.map field (elements r interface [ "field" ] fields) in
+  let tags = snd (parts "ProtoBody") in
   let body = { tags; length = List.length tags; known = r.prototypes } in
   r.prototypes <- (needed r tag "name", Own { fields; body }) :: r.prototypes;
   rest
@@ -271,8 +299,9 @@ and expand r tag ~prototype inside fields body =
     (word, Option.value (value_of r tag inside) ~default:(Scene.Words []))
   in
   Scene.opening r.names name;
-  let connected = connections r (List.concat_map snd (elements r "IS" inside)) in
-  let values = List.map field (elements r "fieldValue" inside) @ connected in
+  let own, values = List.partition (fun (t, _) -> is "IS" t) (elements r tag [ "IS"; "fieldValue" ] inside) in
+  let connected = List.concat_map (fun (is, inside) -> connections r is inside) own in
+  let values = List.map field values @ connected in
   let fields = Scene.given ~path:r.path prototype fields values in
   Scene.spend ~path:r.path r.room tag.name body.length;
   check_depth r tag;
@@ -285,7 +314,7 @@ and expand r tag ~prototype inside fields body =
     }
   in
   let node =
-    match contents inner body.tags with
+    match contents inner ~of_element:"ProtoBody" body.tags with
     | (node : Scene.node) :: _ -> { node with name = (if Option.is_some name then name else node.name) }
     | [] -> Scene.bad ~path:r.path tag.name "the prototype has no node in its body"
   in
@@ -303,7 +332,7 @@ let scene ~path text room =
       opened = []; depth = 0; containers = [];
     }
   in
-  let nodes = contents r (Scene.ok (Xml_tags.tags ~path text)) in
+  let nodes = contents r ~of_element:"" (Scene.ok (Xml_tags.tags ~path text)) in
   { Scene.nodes; changes = all_changes r }
 
 let read ~path text = Scene_solid.read ~path ~size:(String.length text) (scene ~path text)

@@ -13,30 +13,36 @@ let box text =
 let words text = List.filter (( <> ) "") (String.split_on_char ' ' (String.map (fun c -> if is_blank c then ' '
                                                                                  else c) text))
 
-(* How much of the room that is left comes before the box. *)
-let share text = function
-  | "Min" -> Rat.zero
-  | "Mid" -> Rat.half
-  | "Max" -> Rat.one
-  | _ -> raise (Bad (Printf.sprintf "the preserveAspectRatio %S" text))
+let fault text = raise (Bad (Printf.sprintf "the preserveAspectRatio %S" text))
 
-let fit ratio ~inside box =
-  let text = Option.value ratio ~default:"" in
-  let fault () = raise (Bad (Printf.sprintf "the preserveAspectRatio %S" text)) in
+(* How much of the room that is left comes before the box. *)
+let share text = function "Min" -> Rat.zero | "Mid" -> Rat.half | "Max" -> Rat.one | _ -> fault text
+
+type ratio = Stretched | Even of { left : Rat.t; top : Rat.t; slice : bool }
+
+let ratio text =
+  let even align ~slice =
+    if String.length align <> 8 || align.[0] <> 'x' || align.[4] <> 'Y' then fault text;
+    Even { left = share text (String.sub align 1 3); top = share text (String.sub align 5 3); slice }
+  in
+  match words text with
+  | [] -> even "xMidYMid" ~slice:false
+  | "none" :: ([] | [ ("meet" | "slice") ]) -> Stretched
+  | [ align ] | [ align; "meet" ] -> even align ~slice:false
+  | [ align; "slice" ] -> even align ~slice:true
+  | _ -> fault text
+
+let check text = ignore (ratio text)
+
+let fit text ~inside box =
   let across = Rat.div inside.width box.width and down = Rat.div inside.height box.height in
   let placed sx sy left top =
     let shift at room side scale before = Rat.add at (Rat.mul before (Rat.sub room (Rat.mul side scale))) in
     let x = shift inside.x inside.width box.width sx left and y = shift inside.y inside.height box.height sy top in
     Plane_map.(compose (translation x y) (compose (scaling sx sy) (translation (Rat.neg box.x) (Rat.neg box.y))))
   in
-  let aligned align choose =
-    if String.length align <> 8 || align.[0] <> 'x' || align.[4] <> 'Y' then fault ();
-    let s = choose across down in
-    placed s s (share text (String.sub align 1 3)) (share text (String.sub align 5 3))
-  in
-  match words text with
-  | [] -> aligned "xMidYMid" Rat.min
-  | "none" :: ([] | [ ("meet" | "slice") ]) -> placed across down Rat.zero Rat.zero
-  | [ align ] | [ align; "meet" ] -> aligned align Rat.min
-  | [ align; "slice" ] -> aligned align Rat.max
-  | _ -> fault ()
+  match ratio (Option.value text ~default:"") with
+  | Stretched -> placed across down Rat.zero Rat.zero
+  | Even { left; top; slice } ->
+    let s = if slice then Rat.max across down else Rat.min across down in
+    placed s s left top

@@ -13,3 +13,6 @@ val fit : string option -> inside:box -> box -> Plane_map.t
 (** [fit ratio ~inside box] is the map from the box to the rectangle [inside], by the value of
     [preserveAspectRatio], without which it is [xMidYMid meet]. The box has no side of length 0. Raises
     {!Svg_number.Bad}. *)
+
+val check : string -> unit
+(** [check text] raises {!Svg_number.Bad} if the text is no value of [preserveAspectRatio]. *)

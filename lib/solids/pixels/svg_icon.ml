@@ -179,6 +179,7 @@ let finish scene =
 
 let draw ~resolution ~path tree =
   let root = tree.Svg_tree.root in
+  Svg_tree.iter (fun node -> Svg_tree.at node (fun () -> Svg_value.check node)) root;
   let raster, map, view =
     Svg_tree.at root (fun () ->
         check_ratio root;

@@ -60,6 +60,9 @@ let one_of name value choices =
 
 let rule name value = one_of name value [ ("nonzero", Fill.Nonzero); ("evenodd", Fill.Even_odd) ]
 
+(* Lengths are read where something is painted with them. *)
+let length_of name value = if Svg_value.is_length value then value else bad "the %s %S" name value
+
 (* Attributes have so many numbers in real drawings, that a longer list is a fault. *)
 let max_dashes = 1_000
 
@@ -69,7 +72,7 @@ let dashes value =
     let words = words value in
     if List.compare_length_with words max_dashes > 0 then bad "a stroke-dasharray of more than %d numbers"
         max_dashes;
-    words
+    List.map (length_of "stroke-dasharray") words
   end
 
 let join value =
@@ -150,6 +153,20 @@ let clipped value =
   one_of "overflow" value
     [ ("visible", false); ("auto", false); ("hidden", true); ("scroll", true); ("clip", true) ]
 
+let fixed_width value =
+  let effects =
+    [ "non-scaling-stroke"; "non-scaling-size"; "non-rotation"; "fixed-position"; "viewport"; "screen" ]
+  in
+  let words = String.split_on_char ' ' value in
+  if not (value = "none" || List.for_all (fun w -> List.mem w effects) words) then
+    bad "the vector-effect %S" value;
+  value <> "none"
+
+let stop_colour value =
+  match Css_colour.paint value with
+  | (Colour _ | Current) as paint -> paint
+  | Nothing | Server _ -> bad "a stop-color that is no colour"
+
 let given style name value =
   match name with
   | "fill" -> { style with fill = Css_colour.paint value }
@@ -159,16 +176,17 @@ let given style name value =
   | "color" -> colour style value
   | "stroke" -> { style with stroke = Css_colour.paint value }
   | "stroke-opacity" -> { style with stroke_opacity = share value }
-  | "stroke-width" -> { style with width = value }
+  | "stroke-width" -> { style with width = length_of name value }
   | "stroke-linecap" ->
     { style with cap = one_of name value [ ("butt", Svg_stroke.Butt); ("round", Round_cap); ("square", Square) ] }
   | "stroke-linejoin" -> { style with join = join value }
   | "stroke-miterlimit" -> { style with limit = limit value }
   | "stroke-dasharray" -> { style with dashes = dashes value }
-  | "stroke-dashoffset" -> { style with offset = value }
+  | "stroke-dashoffset" -> { style with offset = length_of name value }
   | "paint-order" -> order style value
   | "marker" | "marker-start" | "marker-mid" | "marker-end" -> 
     let on = value <> "none" in
+    if on && Css_colour.reference value = None then bad "the %s %S" name value;
     marked style name (on, on, on)
   | "visibility" -> 
     { style with shown = one_of name value [ ("visible", true); ("hidden", false); ("collapse", false) ] }
@@ -176,7 +194,9 @@ let given style name value =
   | "opacity" -> { style with own = { style.own with opacity = share value } }
   | "clip-path" -> { style with own = { style.own with clip = clip value } }
   | "overflow" -> { style with own = { style.own with clipped = clipped value } }
-  | "vector-effect" -> { style with own = { style.own with fixed_width = value <> "none" } }
+  | "vector-effect" -> { style with own = { style.own with fixed_width = fixed_width value } }
+  | "stop-color" -> ignore (stop_colour value); style
+  | "stop-opacity" -> ignore (share value); style
   | ("mask" | "filter") when value <> "none" -> unread "%s" name
   | _ -> style
 

@@ -136,14 +136,18 @@ let of_properties ~size properties =
     | Some ("transform", text) -> of_text text
     | Some (_, text) -> functions text (fun name values -> of_css name (arguments values))
   in
-  if Plane_map.is_identity map then map
-  else begin
-    (match last [ "transform-box" ] with
-     | None | Some (_, "view-box") -> ()
-     | Some (_, other) -> unread "the transform-box %S" other);
-    match last [ "transform-origin"; "css transform-origin" ] with
-    | None -> map
-    | Some (css, text) ->
-      let x, y = origin ~css:(css = "css transform-origin") ~size text in
-      about x y map
-  end
+  let boxes =
+    [ "content-box"; "border-box"; "fill-box"; "stroke-box"; "view-box"; "inherit"; "initial"; "unset" ]
+  in
+  (* Without a transform the origin and the box matter nothing; they are to have values all the same. *)
+  let moves = not (Plane_map.is_identity map) in
+  (match last [ "transform-box" ] with
+   | None | Some (_, "view-box") -> ()
+   | Some (_, other) when not (List.mem other boxes) -> bad "the transform-box %S" other
+   | Some (_, other) -> if moves then unread "the transform-box %S" other);
+  match last [ "transform-origin"; "css transform-origin" ] with
+  | None -> map
+  | Some (css, text) -> (
+      match origin ~css:(css = "css transform-origin") ~size text with
+      | x, y -> if moves then about x y map else map
+      | exception Unread _ when not moves -> map)

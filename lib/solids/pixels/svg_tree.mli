@@ -25,6 +25,9 @@ val read : string -> t
     ([title], [desc], [metadata], [script]), are left out. Raises {!Fault}, and [Xmlm.Error] for XML that is not
     well formed. *)
 
+val iter : (node -> unit) -> node -> unit
+(** [iter f node] applies [f] to the element and to all in it, in the order of the document. *)
+
 val attribute : node -> string -> string option
 (** [attribute node name] is the value of an attribute. *)
 

@@ -76,6 +76,50 @@ let check_attribute element name =
   | Read when List.mem name beside || (element = "line" && name <> "stroke" && Result.is_ok found) -> ()
   | Read -> Alcotest.(check bool) (what ^ " is read") false (same plain found)
 
+(* Values that are read are looked at also where nothing is painted by them. *)
+let check_nonsense element name =
+  let refuse what body =
+    match picture (square ^ body) with
+    | Error ("SC0340" | "SC0341") -> ()
+    | Error code -> Alcotest.failf "%s: %s" what code
+    | Ok _ -> Alcotest.failf "%s is read" what
+  in
+  let what = Printf.sprintf "%s %s='nonsense'" element name in
+  if Svg_table.attribute element name = Read && name <> "style" then begin
+    refuse what (drawn element (name ^ "='nonsense'"));
+    if Svg_table.property name = Read then
+      refuse (what ^ " in a style") (drawn element (Printf.sprintf "style='%s:nonsense'" name))
+  end
+
+(* Of elements that are painted by others, which need not be there. *)
+let elsewhere =
+  let viewport = "x y width height viewBox preserveAspectRatio" in
+  let gradient = " gradientUnits gradientTransform spreadMethod" in
+  [
+    ("linearGradient", "x1 y1 x2 y2" ^ gradient); ("radialGradient", "cx cy r fx fy fr" ^ gradient);
+    ("stop", "offset"); ("clipPath", "clipPathUnits"); ("symbol", viewport); ("svg", viewport);
+  ]
+
+let check_elsewhere (element, names) () =
+  let one name value =
+    match picture (Printf.sprintf "%s<%s %s='%s'/>" square element name value) with
+    | Error "SC0340" -> ()
+    | Error _ | Ok _ -> Alcotest.failf "%s %s='%s' is read" element name value
+  in
+  let wrong name =
+    let lists = List.mem name [ "gradientTransform"; "preserveAspectRatio" ] in
+    [ "nonsense"; "1 nonsense" ] @ if lists then [] else [ "" ]
+  in
+  List.iter (fun name -> List.iter (one name) (wrong name)) (String.split_on_char ' ' names);
+  let root name =
+    let text = Printf.sprintf "<svg xmlns='http://www.w3.org/2000/svg' %s %s='nonsense'>%s</svg>" in
+    let box = if name = "viewBox" then "width='9' height='9'" else "viewBox='0 0 40 30'" in
+    match Icon.read ~resolution:80 ~path:"icon" (text box name square) with
+    | Error _ -> ()
+    | Ok _ -> Alcotest.failf "%s='nonsense' of the whole drawing is read" name
+  in
+  if element = "svg" then List.iter root (String.split_on_char ' ' names)
+
 let check line () =
   match String.split_on_char ' ' line with
   | element :: mark :: attributes ->
@@ -87,9 +131,11 @@ let check line () =
      | "use", Use -> Alcotest.(check bool) "a use of nothing" true (same alone found || Result.is_error found)
      | "refused", Refused _ -> Alcotest.(check bool) (element ^ " is refused") true (same (Error "SC0341") found)
      | _ -> Alcotest.failf "%s is not in the list `%s`" element mark);
-    List.iter (check_attribute element) attributes
+    List.iter (check_attribute element) attributes;
+    List.iter (check_nonsense element) attributes
   | _ -> Alcotest.fail line
 
 let () =
   let case line = Alcotest.test_case (List.hd (String.split_on_char ' ' line)) `Quick (check line) in
-  Alcotest.run "svg names" [ ("elements", List.map case lines) ]
+  let unpainted (element, names) = Alcotest.test_case element `Quick (check_elsewhere (element, names)) in
+  Alcotest.run "svg names" [ ("elements", List.map case lines); ("elsewhere", List.map unpainted elsewhere) ]

@@ -1,6 +1,7 @@
 (* Extrusions of VRML and X3D: points against the specification in floats, solids by hand, and what is refused. *)
 open Scc_base
 open Scc_exact
+open Scene_files
 open Test_scenes
 open Test_turn
 

@@ -93,13 +93,13 @@ let read json = read_text (Yojson.Safe.to_string json)
 
 let alone =
   match read whole with
-  | Ok (set, []) -> Test_scenes.describe set
+  | Ok (set, []) -> Scene_files.describe set
   | Ok _ | Error _ -> Alcotest.fail "the whole file is not read"
 
 let found json =
   match read json with
   | Error (d : Diag.t) -> Fault (d.code, d.message)
-  | Ok (set, warnings) when Test_scenes.describe set = alone ->
+  | Ok (set, warnings) when Scene_files.describe set = alone ->
     Same (List.map (fun (d : Diag.t) -> d.code) warnings)
   | Ok _ -> Other
 

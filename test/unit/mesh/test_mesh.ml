@@ -48,8 +48,8 @@ let x3d =
 
 (* The same with characters written as references. *)
 let referring =
-  "<X3D><IndexedFaceSet ccw='&#x74;rue' coordIndex='0 2 1&#32;&#45;1, 0 1 3 -1&#x2C;0 3 2 -1 1 2 3'>\n\
-   <Coordinate point='0 &#45;0 0, 1&#46;25 0 0, 0 1 0, 0&#x20;0&#32;2'/></IndexedFaceSet></X3D>\n"
+  "<X3D><Scene><Shape><IndexedFaceSet ccw='&#x74;rue'\n coordIndex='0 2 1&#32;&#45;1, 0 1 3 -1&#x2C;0 3 2 -1 1 2 3'>\n\
+   <Coordinate point='0 &#45;0 0, 1&#46;25 0 0, 0 1 0, 0&#x20;0&#32;2'/></IndexedFaceSet></Shape></Scene></X3D>\n"
 
 let points = Gltf_files.points
 let corners = Gltf_files.corners
@@ -265,7 +265,7 @@ let bad =
     ("PLY that lies", "t.ply", ply_header "binary_little_endian", "4:16 SC0320");
     ("PLY, a short line", "t.ply", ply_header "ascii" ^ "0 0 0\n", "12:5 SC0320");
     ("VRML without a face set", "t.wrl", "#VRML V2.0 utf8\nShape { }", "1:1 SC0320");
-    ("VRML without a bracket", "t.wrl", "IndexedFaceSet { coordIndex [ 0 1", "1:29 SC0320");
+    ("VRML without a bracket", "t.wrl", "#VRML V2.0 utf8\nIndexedFaceSet { coordIndex [ 0 1", "2:29 SC0320");
     ("X3D without an end", "t.x3d", "<X3D", "1:2 SC0320"); ("an unknown ending", "t.doc", "x", "1:1 SC0321");
     ("XYZ without points", "t.xyz", "# nothing\n", "1:1 SC0320");
     ("XYZ, two coordinates", "t.xyz", "0 0 0\n1 2\n", "2:1 SC0320");
@@ -274,11 +274,16 @@ let bad =
     ("XYZ, atoms", "t.xyz", "1\nO 0 0 0\n", "2:1 SC0320");
     ("XYZ, commas", "t.xyz", "0 0 0\n1,2,3\n", "2:1 SC0320");
     ("XYZ, one word", "t.xyz", "points\n", "1:1 SC0320");
-    ("X3D, an unknown entity", "t.x3d", "<IndexedFaceSet coordIndex='0 &dash;1'/>", "1:31 SC0320");
-    ("X3D, no character", "t.x3d", "<IndexedFaceSet coordIndex='0 &#xD800;'/>", "1:31 SC0320");
-    ("X3D, a reference that does not end", "t.x3d", "<IndexedFaceSet coordIndex='0 & 1'/>", "1:31 SC0320");
+    ("X3D, an unknown entity", "t.x3d", "<Scene><IndexedFaceSet coordIndex='0 &dash;1'/></Scene>", "1:38 SC0320");
+    ("X3D, no character", "t.x3d", "<Scene><IndexedFaceSet coordIndex='0 &#xD800;'/></Scene>", "1:38 SC0320");
+    ("X3D, a reference that does not end", "t.x3d",
+     "<Scene><IndexedFaceSet coordIndex='0 & 1'/></Scene>", "1:38 SC0320");
     ("X3D, a number after a reference", "t.x3d",
-     "<IndexedFaceSet><Coordinate point='&#49; x 0'/></IndexedFaceSet>", "1:42 SC0320");
+     "<Scene><Shape><IndexedFaceSet><Coordinate point='&#49; x 0'/></IndexedFaceSet></Shape></Scene>",
+     "1:56 SC0320");
+    ("VRML without its first line", "t.wrl", "Shape { geometry Box { } }", "1:1 SC0321");
+    ("Inventor", "t.wrl", "#Inventor V2.1 ascii\nSeparator { }", "1:1 SC0321");
+    ("VRML, compressed", "t.wrl", "\x1F\x8B\b\000", "1:1 SC0321");
     ("VRML 1", "t.wrl", "#VRML V1.0 ascii\nSeparator { }\n", "1:1 SC0321");
     ("after a byte order mark", "t.off", "\xEF\xBB\xBFPLY", "1:1 SC0320");
     ("the plain format of two counts", "t", "4 4\n0 0 0\n", "1:1 SC0321");

@@ -18,7 +18,7 @@ let x3d_sets shapes =
     Printf.sprintf "<Shape%s><IndexedFaceSet%s coordIndex='0 1 2 -1'>" shape own
     ^ "<Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet></Shape>"
   in
-  "<X3D>" ^ String.concat "" (List.map set shapes) ^ "</X3D>"
+  "<X3D><Scene>" ^ String.concat "" (List.map set shapes) ^ "</Scene></X3D>"
 
 let vrml_sets shapes =
   let set (shape, own) =

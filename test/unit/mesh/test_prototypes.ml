@@ -1,5 +1,6 @@
 (* Prototypes of VRML and X3D: instances, by hand, in both encodings; bombs and faults. *)
 open Scc_base
+open Scene_files
 open Test_scenes
 
 let vrml text = ("t.wrl", "#VRML V2.0 utf8\n" ^ text)

@@ -92,14 +92,14 @@ let read_text text = Mesh.read ~files:Beside.none ~path:"t.3mf" (Threemf_files.p
 
 let alone =
   match read_text (text_of whole) with
-  | Ok (set, []) -> Test_scenes.describe set
+  | Ok (set, []) -> Scene_files.describe set
   | Ok _ -> Alcotest.fail "the whole model has a warning"
   | Error d -> Alcotest.fail d.Diag.message
 
 let found xml =
   match read_text (text_of xml) with
   | Error (d : Diag.t) -> Fault (d.code, d.message)
-  | Ok (set, warnings) when Test_scenes.describe set = alone ->
+  | Ok (set, warnings) when Scene_files.describe set = alone ->
     Same (List.map (fun (d : Diag.t) -> d.code) warnings)
   | Ok _ -> Other
 

@@ -53,7 +53,7 @@ def where(p: argparse.ArgumentParser, keeps: str) -> None:
         "--deadline", type=positive(float), default=60.0, metavar="S", help="wait so long for the address (60)"
     )
     g.add_argument("--checkpoint", metavar="FOLDER", help="keep %s there, and go on from what is there" % keeps)
-    g.add_argument("--scc", help="the program, on each machine; by default the environment variable SCC, or scc")
+    g.add_argument("--scc", help="the program, on each machine; by default the environment variable SCC, the one in this package, or scc")
 
 
 def written(p: argparse.ArgumentParser) -> None:

@@ -103,7 +103,7 @@ def check(
     ``slice``: Draws the regions at this value of a parameter that is not an axis. For other such parameters the
       drawing shows whether a property holds for all of their values, for some, or for none.
     ``smt``: Like --where, but writes the sets to FILE, as a script of SMT-LIB 2.6 that defines for each
-      property where it holds, where it fails, and where that is unknown.
+      property where it holds, where it fails, and where that is unknown; and for a number its bounds.
     ``stats``: Prints what the run cost: seconds of each phase, states and transitions a second, memory. The
       phases are reading, exploring, searching for an invariant, and concluding: making verdicts and runs from
       the exploration. To standard error, or as measured in the JSON document. It varies from run to run.
@@ -116,10 +116,10 @@ def check(
     ``witness``: Writes a schedule for each property that has a witness to the folder DIR, which is created if
       necessary: DIR/PROPERTY.json. scc trace --schedule replays it.
 
-    ``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``:
-    True shows progress on standard error, and a function gets each line of it. The first Ctrl-C ends the
-    command, and the result is what was there then (``interrupted``); the second is a KeyboardInterrupt. Raises
-    CommandFailed.
+    ``scc``: the program; by default that of the environment variable SCC, or the one that this package carries,
+    or the one on the PATH. ``progress``: True shows progress on standard error, and a function gets each line
+    of it. The first Ctrl-C ends the command, and the result is what was there then (``interrupted``); the
+    second is a KeyboardInterrupt. Raises CommandFailed.
     """
     given = [
         *words.integer("--bits", bits),
@@ -164,6 +164,7 @@ def estimate(
     free: Optional[str] = None,
     jobs: Optional[int] = None,
     levels: Optional[Union[Number, Path]] = None,
+    memory: Optional[int] = None,
     most: Optional[int] = None,
     normal: bool = False,
     property: Optional[Texts] = None,
@@ -191,6 +192,9 @@ def estimate(
     ``jobs``: How many processes work at the runs.
     ``levels``: Estimates a rare event by splitting, at the levels of LEVELS: 'x(p) >= 1, 2, 3' or 'x(p) >=
       1..9'. See RARE EVENTS.
+    ``memory``: Uses at most about N MiB of memory. The default is 3072. If the system limits this process
+      (ulimit -v, ulimit -d), the default is no more than about half of what is left when the program has
+      started.
     ``most``: Makes at most N runs; the default is 10000. Not with --runs.
     ``normal``: Gives a mean without a proved interval an approximate one, of the normal distribution, and says
       so. It needs 30 runs with another value than the most frequent one.
@@ -212,10 +216,10 @@ def estimate(
     ``width``: Makes runs until the interval of a probability is at most W wide, and that of a mean at most this
       share of the mean; of a comparison, until it is decided. The default is 1/20. Not with --runs.
 
-    ``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``:
-    True shows progress on standard error, and a function gets each line of it. The first Ctrl-C ends the
-    command, and the result is what was there then (``interrupted``); the second is a KeyboardInterrupt. Raises
-    CommandFailed.
+    ``scc``: the program; by default that of the environment variable SCC, or the one that this package carries,
+    or the one on the PATH. ``progress``: True shows progress on standard error, and a function gets each line
+    of it. The first Ctrl-C ends the command, and the result is what was there then (``interrupted``); the
+    second is a KeyboardInterrupt. Raises CommandFailed.
     """
     given = [
         *words.texts("--check", check),
@@ -225,6 +229,7 @@ def estimate(
         *words.text("--free", free),
         *words.integer("--jobs", jobs),
         *words.other("--levels", levels),
+        *words.integer("--memory", memory),
         *words.integer("--most", most),
         *words.flag("--normal", normal),
         *words.texts("--property", property),
@@ -249,6 +254,7 @@ def simulate(
     decimals: Optional[int] = None,
     format: str = "jsonl",
     jobs: Optional[int] = None,
+    memory: Optional[int] = None,
     output: Optional[Path] = None,
     part: Optional[str] = None,
     plot: Optional[Path] = None,
@@ -272,6 +278,9 @@ def simulate(
     ``decimals``: Writes numbers rounded to K decimals, instead of exactly as texts p/q.
     ``format``: csv (RFC 4180), or jsonl, a JSON object a line.
     ``jobs``: How many processes work at the runs.
+    ``memory``: Uses at most about N MiB of memory. The default is 3072. If the system limits this process
+      (ulimit -v, ulimit -d), the default is no more than about half of what is left when the program has
+      started.
     ``output``: Writes to FILE instead of standard output. - stands for standard output.
     ``part``: Makes only part K of N parts of the runs, with K from 1 on. The lines of all parts, one part after
       the other, without the first line of each but the first, are those of the whole.
@@ -294,10 +303,10 @@ def simulate(
       variance of the sample, standard deviation, least, quantiles and greatest. All are exact except the
       deviation, which is rounded to --decimals, or 6.
 
-    ``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``:
-    True shows progress on standard error, and a function gets each line of it. The first Ctrl-C ends the
-    command, and the result is what was there then (``interrupted``); the second is a KeyboardInterrupt. Raises
-    CommandFailed.
+    ``scc``: the program; by default that of the environment variable SCC, or the one that this package carries,
+    or the one on the PATH. ``progress``: True shows progress on standard error, and a function gets each line
+    of it. The first Ctrl-C ends the command, and the result is what was there then (``interrupted``); the
+    second is a KeyboardInterrupt. Raises CommandFailed.
     """
     given = [
         *words.number("--every", every),
@@ -308,6 +317,7 @@ def simulate(
         *words.integer("--decimals", decimals),
         *words.text("--format", format),
         *words.integer("--jobs", jobs),
+        *words.integer("--memory", memory),
         *words.path("--output", output),
         *words.text("--part", part),
         *words.path("--plot", plot),
@@ -405,10 +415,10 @@ def sweep(
     ``width``: Makes runs until the interval of a probability is at most W wide, and that of a mean at most this
       share of the mean; of a comparison, until it is decided. The default is 1/20. Not with --runs.
 
-    ``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``:
-    True shows progress on standard error, and a function gets each line of it. The first Ctrl-C ends the
-    command, and the result is what was there then (``interrupted``); the second is a KeyboardInterrupt. Raises
-    CommandFailed.
+    ``scc``: the program; by default that of the environment variable SCC, or the one that this package carries,
+    or the one on the PATH. ``progress``: True shows progress on standard error, and a function gets each line
+    of it. The first Ctrl-C ends the command, and the result is what was there then (``interrupted``); the
+    second is a KeyboardInterrupt. Raises CommandFailed.
     """
     given = [
         *words.grid(model, define),
@@ -449,6 +459,7 @@ def trace(
     full: bool = False,
     human: bool = False,
     itf: bool = False,
+    memory: Optional[int] = None,
     output: Optional[Path] = None,
     schedule: Optional[Path] = None,
     start: Optional[str] = None,
@@ -472,6 +483,9 @@ def trace(
       bodies are only named. See --full.
     ``itf``: Writes the run in the Informal Trace Format of Apalache (JSON, by convention in files .itf.json),
       with all numbers as exact integers or pairs of them, and every state in full. Such a trace is no schedule.
+    ``memory``: Uses at most about N MiB of memory. The default is 3072. If the system limits this process
+      (ulimit -v, ulimit -d), the default is no more than about half of what is left when the program has
+      started.
     ``output``: Writes to FILE instead of standard output. - stands for standard output.
     ``schedule``: Makes the choices of FILE: a schedule, as scc check --witness writes it, or a trace, whose
       schedule is used. The run follows it to its end. An impossible choice is an error.
@@ -487,10 +501,10 @@ def trace(
       a schedule nor --time ends it.
     ``time``: Ends the run at the model time T, between events if necessary; 0 is its first instant.
 
-    ``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``:
-    True shows progress on standard error, and a function gets each line of it. The first Ctrl-C ends the
-    command, and the result is what was there then (``interrupted``); the second is a KeyboardInterrupt. Raises
-    CommandFailed.
+    ``scc``: the program; by default that of the environment variable SCC, or the one that this package carries,
+    or the one on the PATH. ``progress``: True shows progress on standard error, and a function gets each line
+    of it. The first Ctrl-C ends the command, and the result is what was there then (``interrupted``); the
+    second is a KeyboardInterrupt. Raises CommandFailed.
     """
     given = [
         *words.text("--choose", choose),
@@ -498,6 +512,7 @@ def trace(
         *words.flag("--full", full),
         *words.flag("--human", human),
         *words.flag("--itf", itf),
+        *words.integer("--memory", memory),
         *words.path("--output", output),
         *words.path("--schedule", schedule),
         *words.text("--start", start),
@@ -571,10 +586,10 @@ def view(
     ``without``: With --svg: leaves out NAME, a body, a part of one such as a wall that hides what is behind it
       (room.south), or a family of bodies. May be given several times.
 
-    ``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``:
-    True shows progress on standard error, and a function gets each line of it. The first Ctrl-C ends the
-    command, and the result is what was there then (``interrupted``); the second is a KeyboardInterrupt. Raises
-    CommandFailed.
+    ``scc``: the program; by default that of the environment variable SCC, or the one that this package carries,
+    or the one on the PATH. ``progress``: True shows progress on standard error, and a function gets each line
+    of it. The first Ctrl-C ends the command, and the result is what was there then (``interrupted``); the
+    second is a KeyboardInterrupt. Raises CommandFailed.
     """
     given = [
         *words.integer("--bits", bits),

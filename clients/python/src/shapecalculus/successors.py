@@ -8,7 +8,7 @@ import tempfile
 from typing import Any, Optional, Sequence
 
 from ._guard import FAULT, LIMITS, STOPPED
-from ._service import scc_path
+from ._program import scc_path, why_not
 
 #: The version of specs/successors.md that this client speaks.
 VERSION = 2
@@ -39,7 +39,7 @@ class Program:
         except OSError as e:
             self.said.close()
             failure = FilterLost if e.errno in LIMITS else FilterFailed
-            raise failure("%s cannot be run: %s" % (command[0], e.strerror)) from None
+            raise failure(why_not(command[0], e)) from None
         try:
             self.header = self._header()
         except BaseException:
