@@ -123,6 +123,6 @@ let format =
         ignore;
       case found (function Found f -> Some f | _ -> None) ignore;
     ]
-  |> about "A line of an owner, after its header."
+  |> about "A line of an owner, after its header." |> named ~file:"successors" "owner_line"
 
 let line t = Json.line (write format t)

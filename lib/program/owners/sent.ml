@@ -35,7 +35,8 @@ let near t print =
   let k = place t (low print) in
   number t (2 * k)
 
-let rec add t low high =
+(* Whether it is new. *)
+let insert t low high =
   let k = place t low in
   let other = k lxor 1 in
   if is t k low high || is t other low high then false
@@ -43,17 +44,19 @@ let rec add t low high =
     let free = is t k 0 0 || is t other 0 0 in
     if free then t.taken <- t.taken + 1;
     put t (if is t k 0 0 || not free then k else other) low high;
-    if 2 * t.taken > t.places && t.places < t.most then enlarge t;
     true
   end
 
-and enlarge t =
+let enlarge t =
   let old = t.table and places = t.places in
   t.table <- table (2 * places);
   t.places <- 2 * places;
   t.taken <- 0;
   for k = 0 to places - 1 do
-    if old.{2 * k} <> 0 || old.{(2 * k) + 1} <> 0 then ignore (add t old.{2 * k} old.{(2 * k) + 1})
+    if old.{2 * k} <> 0 || old.{(2 * k) + 1} <> 0 then ignore (insert t old.{2 * k} old.{(2 * k) + 1})
   done
 
-let add t print = add t (low print) (high print)
+let add t print =
+  let is_new = insert t (low print) (high print) in
+  if 2 * t.taken > t.places && t.places < t.most then enlarge t;
+  is_new
