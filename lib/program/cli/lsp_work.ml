@@ -31,12 +31,12 @@ let named name (checks : Property.check list) =
   | [] -> Error [ Input.no_check Code.unknown_name Span.command_line name checks ]
 
 let verdict console (l : Loaded.t) where (o : Verdict.outcome) : Session.verdict =
+  let where = List.assoc_opt o.check.name where in
   {
     name = o.check.name;
     kind = Scc_reports.Check_json.kind o.verdict;
     text = Verdict.outcome_to_string o;
-    run =
-      Check_text.property console ~full:false ?where:(List.assoc_opt o.check.name where) l.semantics ~from:l.declared o;
+    run = Check_text.property console ~full:false ?where l.semantics ~from:l.declared o;
     shown = Option.is_some (Verdict.shown o.verdict);
   }
 
